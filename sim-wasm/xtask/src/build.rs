@@ -1,0 +1,80 @@
+//! One variant: cargo for wasm32, then wasm-bindgen as a library, so that its version is the one in Cargo.lock.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, bail};
+use wasm_bindgen_cli_support::Bindgen;
+
+use crate::places::Places;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// One build of the bindings.
+pub struct Variant {
+    /// Also the name of the folder that it is written to.
+    pub name: &'static str,
+    features: &'static [&'static str],
+}
+
+/// Every build, in the order of building: the small one first, it is what most pages load.
+pub const VARIANTS: &[Variant] = &[
+    Variant {
+        name: "core",
+        features: &[],
+    },
+    Variant {
+        name: "physics",
+        features: &["rigids"],
+    },
+];
+
+/// The generated files of a variant, without which it has to be built again.
+pub const FILES: &[&str] = &["bindings.js", "bindings.d.ts", "bindings_bg.wasm"];
+
+/// Builds `variant` into its folder.
+///
+/// # Returns
+/// The size of the WASM module, bytes.
+///
+/// # Errors
+/// When cargo or wasm-bindgen fail, or the folder cannot be written.
+pub fn build(variant: &Variant, places: &Places) -> Result<u64> {
+    let target = places.workspace.join("target").join("wasm");
+    compile(variant, places, &target)?;
+    let module = target.join(TARGET).join("release").join("bindings.wasm");
+    let folder = places.output.join(variant.name);
+    bind(&module, &folder)?;
+    let size = fs::metadata(folder.join("bindings_bg.wasm"))?.len();
+    Ok(size)
+}
+
+fn compile(variant: &Variant, places: &Places, target: &PathBuf) -> Result<()> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let status = Command::new(cargo)
+        .current_dir(&places.workspace)
+        .args(["build", "--package", "bindings", "--release", "--locked"])
+        .args(["--target", TARGET])
+        .arg("--target-dir")
+        .arg(target)
+        .args(["--features", &variant.features.join(",")])
+        .status()
+        .context("cargo cannot be started")?;
+    if !status.success() {
+        bail!("the {} variant does not compile", variant.name);
+    }
+    Ok(())
+}
+
+fn bind(module: &Path, folder: &Path) -> Result<()> {
+    Bindgen::new()
+        .input_path(module)
+        .web(true)?
+        .typescript(true)
+        .omit_default_module_path(true)
+        .remove_name_section(true)
+        .remove_producers_section(true)
+        .generate(folder)
+        .with_context(|| format!("wasm-bindgen refused {}", module.display()))
+}

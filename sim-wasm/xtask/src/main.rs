@@ -1,0 +1,55 @@
+//! `cargo xtask wasm [--force]`: the simulator as WASM, with the JavaScript and TypeScript that speak to it.
+//!
+//! Two variants of one API come out, `src/sim/wasm/core` (no Rapier) and `src/sim/wasm/physics`. Nothing is compiled
+//! when the sources are those of the last build; see [`stamp`].
+
+mod build;
+mod places;
+mod stamp;
+
+use std::process::ExitCode;
+
+use anyhow::{Result, bail};
+use places::Places;
+
+const USAGE: &str = "usage: cargo xtask wasm [--force]";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match run(&arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("xtask: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(arguments: &[String]) -> Result<()> {
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match words.as_slice() {
+        ["wasm"] => wasm(false),
+        ["wasm", "--force"] => wasm(true),
+        _ => bail!(USAGE),
+    }
+}
+
+fn wasm(force: bool) -> Result<()> {
+    let places = Places::find();
+    let digest = stamp::digest(&places.workspace)?;
+    if !force && stamp::is_fresh(&places, &digest) {
+        println!("wasm is up to date");
+        return Ok(());
+    }
+    stamp::clear(&places)?;
+    for variant in build::VARIANTS {
+        println!("building wasm: {}", variant.name);
+        let size = build::build(variant, &places)?;
+        println!("built {} ({} kB)", variant.name, size / 1000);
+    }
+    // A second look: sources edited while the compiler ran would otherwise be taken for built.
+    if stamp::digest(&places.workspace)? == digest {
+        stamp::write(&places, &digest)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,94 @@
+//! Tells whether the WASM was built from the sources that lie here.
+//!
+//! `src/sim/wasm/stamp.txt` holds one line, the SHA-256 in lower-case hex of all sources: for each file, in the order
+//! of the bytes of its path, the path relative to `sim-wasm/` with `/` between its parts, a NUL, the content, a NUL.
+//! The sources are [`SINGLE_FILES`] and every file under [`FOLDERS`]. Whoever wants to know about freshness without
+//! compiling this program can compute the same in a few lines.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use sha2::{Digest, Sha256};
+
+use crate::build::{FILES, VARIANTS};
+use crate::places::Places;
+
+const SINGLE_FILES: &[&str] = &[
+    ".cargo/config.toml",
+    "Cargo.lock",
+    "Cargo.toml",
+    "bindings/Cargo.toml",
+    "rust-toolchain.toml",
+    "sim/Cargo.toml",
+    "xtask/Cargo.toml",
+];
+const FOLDERS: &[&str] = &["bindings/src", "sim/src", "xtask/src"];
+const STAMP: &str = "stamp.txt";
+
+/// The digest of the sources under `workspace`, as 64 hexadecimal digits.
+///
+/// # Errors
+/// When a source cannot be read.
+pub fn digest(workspace: &Path) -> Result<String> {
+    let mut paths: Vec<String> = SINGLE_FILES.iter().map(|path| path.to_string()).collect();
+    for folder in FOLDERS {
+        collect(workspace, folder, &mut paths)?;
+    }
+    paths.sort();
+    let mut hasher = Sha256::new();
+    for path in &paths {
+        let content = fs::read(workspace.join(path)).with_context(|| format!("{path} cannot be read"))?;
+        hasher.update(path.as_bytes());
+        hasher.update([0]);
+        hasher.update(&content);
+        hasher.update([0]);
+    }
+    Ok(hasher.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
+}
+
+fn collect(workspace: &Path, folder: &str, paths: &mut Vec<String>) -> Result<()> {
+    let entries = fs::read_dir(workspace.join(folder)).with_context(|| format!("{folder} cannot be read"))?;
+    for entry in entries {
+        let entry = entry?;
+        let path = format!("{folder}/{}", entry.file_name().to_string_lossy());
+        if entry.file_type()?.is_dir() {
+            collect(workspace, &path, paths)?;
+        } else {
+            paths.push(path);
+        }
+    }
+    Ok(())
+}
+
+/// Whether the last build was made from sources of this digest and all its files are still there.
+pub fn is_fresh(places: &Places, digest: &str) -> bool {
+    let stamped = fs::read_to_string(places.output.join(STAMP)).unwrap_or_default();
+    stamped.trim() == digest
+        && VARIANTS.iter().all(|variant| {
+            let folder = places.output.join(variant.name);
+            FILES.iter().all(|file| folder.join(file).is_file())
+        })
+}
+
+/// Removes the stamp, so that a build that stops half-way is not taken for a whole one.
+///
+/// # Errors
+/// When the folder cannot be made or the old stamp cannot be removed.
+pub fn clear(places: &Places) -> Result<()> {
+    fs::create_dir_all(&places.output)?;
+    let stamp = places.output.join(STAMP);
+    if stamp.exists() {
+        fs::remove_file(stamp)?;
+    }
+    Ok(())
+}
+
+/// Notes that the output was built from sources of this digest.
+///
+/// # Errors
+/// When the stamp cannot be written.
+pub fn write(places: &Places, digest: &str) -> Result<()> {
+    fs::write(places.output.join(STAMP), format!("{digest}\n"))?;
+    Ok(())
+}
