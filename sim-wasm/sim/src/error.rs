@@ -1,0 +1,88 @@
+//! What the simulator refuses, and why. Nothing that a caller can provoke panics.
+
+use std::fmt;
+
+/// A parameter, argument or view that was refused. The simulator is as it was before the call.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParameterError {
+    /// The key as the caller gave it, for example `emission.rate` or `emitters.0.size`.
+    pub key: String,
+    /// The refused value, in the unit of the parameter.
+    pub value: f64,
+    /// The least value that is accepted.
+    pub min: f64,
+    /// The greatest value that is accepted.
+    pub max: f64,
+    /// What happened and what to do, one sentence for people.
+    pub message: String,
+}
+
+impl ParameterError {
+    /// A value outside its range, or not a finite number.
+    pub fn out_of_range(key: &str, value: f64, min: f64, max: f64) -> Self {
+        let message = format!("{key} is {value}; give a finite number from {min} to {max}");
+        Self {
+            key: key.to_owned(),
+            value,
+            min,
+            max,
+            message,
+        }
+    }
+
+    /// A value that must be whole and is not.
+    pub fn not_whole(key: &str, value: f64, min: f64, max: f64) -> Self {
+        let message = format!("{key} is {value}; give a whole number from {min} to {max}");
+        Self {
+            key: key.to_owned(),
+            value,
+            min,
+            max,
+            message,
+        }
+    }
+
+    /// A key that no parameter has.
+    pub fn unknown_key(key: &str, value: f64) -> Self {
+        let message = format!("there is no parameter named {key}");
+        Self {
+            key: key.to_owned(),
+            value,
+            min: f64::NAN,
+            max: f64::NAN,
+            message,
+        }
+    }
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for ParameterError {}
+
+/// Saved bytes that cannot be restored. The running simulator is as it was before the call.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RestoreError {
+    /// What is wrong with the bytes and what to do, one sentence for people.
+    pub message: String,
+}
+
+impl RestoreError {
+    /// An error that says `message`.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self {
+            message: message.into(),
+        }
+    }
+}
+
+impl fmt::Display for RestoreError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for RestoreError {}
