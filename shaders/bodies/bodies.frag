@@ -1,0 +1,57 @@
+precision highp float;
+precision highp int;
+precision highp sampler2DArray;
+
+// Shades a body and writes its depth (McGuire and Fein 2006, section 4.1): the depth layer raises each fragment from
+// the centre plane, the ring around the silhouette is ink and lies deeper, so that the depth test alone decides which
+// lines show. Outputs display-encoded colour without shadow (lit, alpha 0: no mask yet) and with it (unlit, page alpha).
+uniform sampler2DArray normalDepth;
+uniform sampler2DArray colorCoverage;
+uniform sampler2D ramps;
+uniform float litRow;
+uniform float unlitRow;
+uniform float pad;
+uniform float distanceRange;
+uniform mat4 clipFromView;
+uniform vec3 towardsLightInView;
+uniform vec3 inkColor;
+uniform vec3 gradientColor;
+
+in vec2 puffPoint;
+in float gradientPosition;
+flat in int variation;
+flat in vec2 rollTurn;
+flat in float inkReach;
+flat in float centreZ;
+flat in float radius;
+flat in float ringDrop;
+
+layout(location = 0) out vec4 unlit;
+layout(location = 1) out vec4 lit;
+
+#include ../lib/depth.glsl
+
+// A body must stay off both ends of the depth range: a volume that encloses the eye is clamped to exactly 0 and has to win.
+const float DEPTH_MARGIN = 4e-7;
+
+void main() {
+  vec3 layerPoint = vec3(0.5 + 0.5 * puffPoint / pad, float(variation));
+  vec4 shape = texture(normalDepth, layerPoint);
+  vec4 paint = texture(colorCoverage, layerPoint);
+  float distanceOutside = (paint.a - 0.5) * distanceRange;
+  if (distanceOutside > inkReach) discard;
+  bool isInk = distanceOutside > 0.0;
+
+  vec3 normal = shape.rgb * 2.0 - 1.0;
+  normal.xy = vec2(rollTurn.x * normal.x - rollTurn.y * normal.y, rollTurn.x * normal.y + rollTurn.y * normal.x);
+  float facing = dot(normalize(normal), towardsLightInView);
+  vec3 fill = paint.rgb * mix(gradientColor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
+  vec3 litColor = textureLod(ramps, vec2(facing, litRow), 0.0).rgb * fill;
+  vec3 unlitColor = textureLod(ramps, vec2(facing, unlitRow), 0.0).rgb * fill;
+  unlit = vec4(isInk ? inkColor : unlitColor, 1.0);
+  lit = vec4(isInk ? inkColor : litColor, 0.0);
+
+  float quadWidth = 2.0 * pad * radius;
+  float viewZ = centreZ + (shape.a - 0.5) * quadWidth - (isInk ? ringDrop : 0.0);
+  gl_FragDepth = clamp(windowDepth(clipFromView, viewZ), DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
+}

@@ -1,0 +1,51 @@
+precision highp float;
+precision highp int;
+
+// The body of a particle: a nailboard parallel to the image plane, large enough for the puff and its ring of ink.
+// Rows hold world positions; everything that leaves this stage is in view space or in puff radii.
+uniform mat4 viewFromWorld;
+uniform mat4 clipFromView;
+uniform vec2 viewport;
+uniform float near;
+uniform float inkPixels;
+uniform float innerLine;
+uniform vec2 plumeHeight;
+uniform vec4 gradientWeights;
+
+in vec2 corner;
+in vec4 place;
+in uvec2 look;
+
+out vec2 puffPoint;
+out float gradientPosition;
+flat out int variation;
+flat out vec2 rollTurn;
+flat out float inkReach;
+flat out float centreZ;
+flat out float radius;
+flat out float ringDrop;
+
+#include ../lib/pixel.glsl
+#include ../lib/look.glsl
+
+// The texture layers end this many radii beyond the silhouette; ink cannot reach farther.
+const float WIDEST_RING = 0.3;
+
+void main() {
+  vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
+  // A puff that the eye runs into shrinks away instead of being cut by the near plane.
+  radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
+  float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
+  inkReach = radius > 0.0 ? min(inkPixels * pixel / radius, WIDEST_RING) : 0.0;
+  vec2 point = corner * (1.0 + inkReach);
+  rollTurn = vec2(cos(rollOf(look)), sin(rollOf(look)));
+  puffPoint = vec2(rollTurn.x * point.x + rollTurn.y * point.y, rollTurn.x * point.y - rollTurn.y * point.x);
+  variation = variationOf(look);
+  centreZ = centre.z;
+  ringDrop = innerLine * radius;
+  float height = (place.y + point.y * radius - plumeHeight.x) / max(plumeHeight.y - plumeHeight.x, 1e-6);
+  vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
+  gradientPosition = dot(gradientWeights, vec4(0.5 + 0.5 * corner.y, height, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look)));
+  // Depth is written by the fragments; a constant here keeps the near plane from cutting the quad.
+  gl_Position = radius > 0.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
+}

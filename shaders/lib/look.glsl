@@ -1,0 +1,13 @@
+// The two words of a row's look, packed by arrange in the simulator.
+float rollOf(uvec2 look) {
+  return float(look.x & 0xffffu) * (6.28318530718 / 65536.0);
+}
+
+// Age as a fraction of the lifetime.
+float ageOf(uvec2 look) {
+  return float(look.x >> 16u) / 65535.0;
+}
+
+int variationOf(uvec2 look) {
+  return int(look.y & 0xffu);
+}

@@ -1,0 +1,4 @@
+precision highp float;
+
+// Writes nothing: the stencil operations count.
+void main() {}

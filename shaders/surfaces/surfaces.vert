@@ -1,0 +1,15 @@
+precision highp float;
+
+uniform mat4 modelMatrix;
+uniform mat4 viewFromWorld;
+uniform mat4 clipFromView;
+
+in vec3 position;
+in vec3 normal;
+
+out vec3 worldNormal;
+
+void main() {
+  worldNormal = mat3(modelMatrix) * normal;
+  gl_Position = clipFromView * viewFromWorld * modelMatrix * vec4(position, 1.0);
+}

@@ -1,0 +1,92 @@
+import { WebGLRenderer } from 'three';
+import { ContextError, UnsupportedError } from '../preset/errors.ts';
+import { bakedPuffs } from './bakedPuffs.ts';
+import { PuffTextures } from './puffTextures.ts';
+
+export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
+
+/**
+ * One WebGL2 context and what every smoke on it shares: the renderer with its programs, and the puffs.
+ * A lost context is recovered here, once: three uploads everything anew after the browser gives the context back.
+ */
+export class Device {
+  readonly canvas: DeviceCanvas;
+  readonly renderer: WebGLRenderer;
+  readonly puffs: PuffTextures;
+  private readonly listeners = new Set<(event: 'lost' | 'restored') => void>();
+  private isDisposed = false;
+  private isLost = false;
+
+  constructor(canvas: DeviceCanvas, context: WebGL2RenderingContext) {
+    this.canvas = canvas;
+    this.renderer = new WebGLRenderer({ canvas, context, antialias: false, depth: false, stencil: false });
+    this.renderer.autoClear = false;
+    this.renderer.sortObjects = false;
+    this.renderer.info.autoReset = false;
+    const { layers, startCaps } = bakedPuffs();
+    this.puffs = new PuffTextures(context, layers, startCaps);
+    canvas.addEventListener('webglcontextlost', this.handleLoss);
+    canvas.addEventListener('webglcontextrestored', this.handleRestoration);
+  }
+
+  /** False while the context is lost and after disposal: nothing can be drawn then. */
+  get isUsable(): boolean {
+    return !this.isDisposed && !this.isLost;
+  }
+
+  /** Tells when the context goes and when it is back. Returns the function that stops telling. */
+  onContext(listener: (event: 'lost' | 'restored') => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  /** @throws ContextError when nothing can be drawn at present. */
+  requireUsable(): void {
+    if (this.isDisposed) throw new ContextError('This device was disposed; create a new one.');
+    if (this.isLost) throw new ContextError('The graphics context is lost; drawing goes on when the browser restores it.');
+  }
+
+  /** Gives the context back to the browser. May be called again. */
+  dispose(): void {
+    if (this.isDisposed) return;
+    this.isDisposed = true;
+    this.canvas.removeEventListener('webglcontextlost', this.handleLoss);
+    this.canvas.removeEventListener('webglcontextrestored', this.handleRestoration);
+    this.listeners.clear();
+    this.puffs.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
+  private readonly handleLoss = (event: Event): void => {
+    // Without this the browser never offers the context again.
+    event.preventDefault();
+    this.isLost = true;
+    for (const listener of this.listeners) listener('lost');
+  };
+
+  private readonly handleRestoration = (): void => {
+    this.isLost = false;
+    for (const listener of this.listeners) listener('restored');
+  };
+}
+
+/**
+ * Takes the WebGL2 context of a canvas that has none yet.
+ * @throws UnsupportedError when the browser refuses WebGL2.
+ */
+export function createDevice(canvas: DeviceCanvas): Device {
+  const context = canvas.getContext('webgl2', {
+    alpha: true,
+    antialias: false,
+    depth: false,
+    stencil: false,
+    premultipliedAlpha: true,
+  }) as WebGL2RenderingContext | null;
+  if (!context) {
+    throw new UnsupportedError(
+      'This browser gives no WebGL2 context. Turn on hardware acceleration in its settings, or try a current Firefox, Chrome, Edge or Safari.',
+    );
+  }
+  return new Device(canvas, context);
+}

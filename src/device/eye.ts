@@ -1,0 +1,60 @@
+import { Matrix4, Vector2, Vector3, type Camera, type IUniform } from 'three';
+
+/** What the shaders know of the camera, the light and the target; one object that all passes of a smoke share. */
+export interface EyeUniforms extends Record<string, IUniform> {
+  viewFromWorld: IUniform<Matrix4>;
+  clipFromView: IUniform<Matrix4>;
+  /** Size of the target in its own pixels. */
+  viewport: IUniform<Vector2>;
+  /** View depth of the near plane. */
+  near: IUniform<number>;
+  towardsLight: IUniform<Vector3>;
+  towardsLightInView: IUniform<Vector3>;
+  travelInWorld: IUniform<Vector3>;
+}
+
+/** A camera and a light as the passes see them during one frame. */
+export class Eye {
+  readonly uniforms: EyeUniforms = {
+    viewFromWorld: { value: new Matrix4() },
+    clipFromView: { value: new Matrix4() },
+    viewport: { value: new Vector2(1, 1) },
+    near: { value: 0.1 },
+    towardsLight: { value: new Vector3(0, 1, 0) },
+    towardsLightInView: { value: new Vector3(0, 1, 0) },
+    travelInWorld: { value: new Vector3(0, -1, 0) },
+  };
+  readonly clipFromWorld = new Matrix4();
+  /** Unit vector in world space along which the camera looks. */
+  readonly forward = new Vector3();
+
+  /**
+   * @param towardsLight unit vector in world space
+   * @param width, height of the target in pixels
+   */
+  look(camera: Camera, towardsLight: Vector3, width: number, height: number): void {
+    const { uniforms } = this;
+    camera.updateMatrixWorld();
+    uniforms.viewFromWorld.value.copy(camera.matrixWorldInverse);
+    uniforms.clipFromView.value.copy(camera.projectionMatrix);
+    uniforms.viewport.value.set(width, height);
+    uniforms.near.value = nearOf(camera.projectionMatrix);
+    uniforms.towardsLight.value.copy(towardsLight);
+    uniforms.travelInWorld.value.copy(towardsLight).negate();
+    uniforms.towardsLightInView.value.copy(towardsLight).transformDirection(camera.matrixWorldInverse);
+    this.clipFromWorld.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    this.forward.set(0, 0, -1).transformDirection(camera.matrixWorld);
+  }
+
+  /** World units that one pixel spans, for each unit of clip w. */
+  get unitsPerPixel(): number {
+    return 2 / (this.uniforms.clipFromView.value.elements[5] * this.uniforms.viewport.value.y);
+  }
+}
+
+/** View depth at which a projection puts window depth 0. */
+function nearOf(clipFromView: Matrix4): number {
+  const e = clipFromView.elements;
+  // clip z = -clip w there: e10 z + e14 = -(e11 z + e15), solved for z = -near.
+  return (e[14] + e[15]) / (e[10] + e[11]);
+}

@@ -1,0 +1,63 @@
+import { BufferAttribute, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry } from 'three';
+import type { Rows } from '../sim/rows.ts';
+
+/** Corners of the quads that a pass draws for each row; `index` makes triangles of them. */
+export interface Footprint {
+  corners: readonly number[];
+  index: readonly number[];
+}
+
+/** One quad, seen from its front. */
+export const ONE_QUAD: Footprint = { corners: [-1, -1, 1, -1, 1, 1, -1, 1], index: [0, 1, 2, 0, 2, 3] };
+
+/** Two quads on the same place, the second one wound the other way: what gl_FrontFacing tells apart. */
+export const FRONT_AND_BACK: Footprint = {
+  corners: [...ONE_QUAD.corners, ...ONE_QUAD.corners],
+  index: [...ONE_QUAD.index, 4, 6, 5, 4, 7, 6],
+};
+
+/**
+ * Simulator rows as instance attributes: `place` (world x, y, z, radius) and `look` (two packed words), 24 bytes a row.
+ * The arrays belong to JavaScript, so that growing WASM memory can never pull them from under the renderer.
+ */
+export class Instances {
+  readonly geometry = new InstancedBufferGeometry();
+  private readonly place: InstancedBufferAttribute;
+  private readonly look: InstancedBufferAttribute;
+
+  /** @param capacity the most rows it will ever hold: buffers are made once */
+  constructor(capacity: number, footprint: Footprint) {
+    this.place = new InstancedBufferAttribute(new Float32Array(4 * capacity), 4);
+    this.look = new InstancedBufferAttribute(new Uint32Array(2 * capacity), 2);
+    this.place.setUsage(DynamicDrawUsage);
+    this.look.setUsage(DynamicDrawUsage);
+    this.geometry.setIndex([...footprint.index]);
+    this.geometry.setAttribute('corner', new BufferAttribute(new Float32Array(footprint.corners), 2));
+    this.geometry.setAttribute('place', this.place);
+    this.geometry.setAttribute('look', this.look);
+    this.geometry.instanceCount = 0;
+  }
+
+  get count(): number {
+    return this.geometry.instanceCount;
+  }
+
+  /** Copies the rows and marks only them for upload. */
+  fill(rows: Rows): void {
+    copyPrefix(this.place, rows.place, 4 * rows.count);
+    copyPrefix(this.look, rows.look, 2 * rows.count);
+    this.geometry.instanceCount = rows.count;
+  }
+
+  dispose(): void {
+    this.geometry.dispose();
+  }
+}
+
+function copyPrefix(attribute: InstancedBufferAttribute, source: Float32Array | Uint32Array, length: number): void {
+  if (length === 0) return;
+  (attribute.array as Float32Array | Uint32Array).set(source.subarray(0, length));
+  attribute.clearUpdateRanges();
+  attribute.addUpdateRange(0, length);
+  attribute.needsUpdate = true;
+}

@@ -1,0 +1,82 @@
+import { Camera, Color as ThreeColor, GLSL3, Mesh, RawShaderMaterial, Scene, Vector2, Vector4, type WebGLRenderer } from 'three';
+import fragmentShader from '../../shaders/bodies/bodies.frag';
+import vertexShader from '../../shaders/bodies/bodies.vert';
+import type { Eye } from '../device/eye.ts';
+import type { PuffTextures } from '../device/puffTextures.ts';
+import type { Color, RampTexture } from '../device/ramps.ts';
+import { DISTANCE_RANGE } from '../puffs/layers.ts';
+import type { Instances } from '../instances/instances.ts';
+
+/** What runs along a gradient fill. */
+export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
+
+const GRADIENTS: readonly Gradient[] = ['puff', 'height', 'screen', 'age'];
+
+/** Draws the bodies: colour in light and in shadow, ink, and depth. Opaque and free of any order. */
+export class BodiesPass {
+  private readonly scene = new Scene();
+  private readonly camera = new Camera();
+  private readonly material: RawShaderMaterial;
+  private readonly uniforms = {
+    inkColor: { value: new ThreeColor() },
+    inkPixels: { value: 2 },
+    innerLine: { value: 0.5 },
+    plumeHeight: { value: new Vector2(0, 1) },
+    gradientWeights: { value: new Vector4() },
+    gradientColor: { value: new ThreeColor(1, 1, 1) },
+  };
+
+  /** @param material which ramp of `ramps` is the smoke's */
+  constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, material: number, instances: Instances) {
+    const rows = ramps.rows(material);
+    this.material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms: {
+        ...eye.uniforms,
+        ...this.uniforms,
+        normalDepth: { value: puffs.normalDepth },
+        colorCoverage: { value: puffs.colorCoverage },
+        pad: { value: puffs.layers.pad },
+        distanceRange: { value: 2 * DISTANCE_RANGE },
+        ramps: { value: ramps.texture },
+        litRow: { value: rows.litRow },
+        unlitRow: { value: rows.unlitRow },
+      },
+    });
+    const mesh = new Mesh(instances.geometry, this.material);
+    mesh.frustumCulled = false;
+    this.scene.add(mesh);
+  }
+
+  /**
+   * @param pixels width of the line in pixels of the target; 0 draws none
+   * @param innerLine depth gap, in puff radii, beyond which a puff is outlined against what lies behind it
+   */
+  setInk(color: Color, pixels: number, innerLine: number): void {
+    this.uniforms.inkColor.value.fromArray(color.map((channel) => channel / 255));
+    this.uniforms.inkPixels.value = pixels;
+    this.uniforms.innerLine.value = innerLine;
+  }
+
+  /** @param color multiplies the smoke at the low end of the gradient; the high end is untouched */
+  setGradient(gradient: Gradient, color: Color): void {
+    const { gradientColor, gradientWeights } = this.uniforms;
+    gradientWeights.value.fromArray(GRADIENTS.map((name) => (name === gradient ? 1 : 0)));
+    gradientColor.value.fromArray(gradient === 'none' ? [1, 1, 1] : color.map((channel) => channel / 255));
+  }
+
+  /** World heights between which the gradient 'height' runs. */
+  setPlumeHeight(bottom: number, top: number): void {
+    this.uniforms.plumeHeight.value.set(bottom, top);
+  }
+
+  draw(renderer: WebGLRenderer): void {
+    renderer.render(this.scene, this.camera);
+  }
+
+  dispose(): void {
+    this.material.dispose();
+  }
+}

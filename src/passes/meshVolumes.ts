@@ -1,0 +1,109 @@
+import {
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  Camera,
+  DoubleSide,
+  GLSL3,
+  LessDepth,
+  Mesh,
+  RawShaderMaterial,
+  Scene,
+  Vector3,
+  type Matrix4,
+  type WebGLRenderer,
+} from 'three';
+import fragmentShader from '../../shaders/meshVolumes/meshVolumes.frag';
+import vertexShader from '../../shaders/meshVolumes/meshVolumes.vert';
+import type { Eye } from '../device/eye.ts';
+import { countFaces } from '../device/stencil.ts';
+import { extrude } from './extrusion.ts';
+import type { SurfaceDescription } from './surfaces.ts';
+
+/** Depth in metres at which a mesh's volume starts under its lit faces. */
+const INSET = 0.012;
+
+/**
+ * Counts the shadow volumes of closed meshes by depth fail, which holds with the eye inside one. Their many triangles
+ * come in any order, so these operations wrap and this pass must run before the particles' volumes, which clamp: the
+ * true count of meshes over a pixel has to stay below 256.
+ */
+export class MeshVolumesPass {
+  private readonly scene = new Scene();
+  private readonly camera = new Camera();
+  private readonly meshes = new Map<number, Mesh<BufferGeometry, RawShaderMaterial>>();
+  private readonly travel: { value: Vector3 };
+
+  constructor(eye: Eye, surfaces: readonly SurfaceDescription[]) {
+    this.travel = eye.uniforms.travelInWorld;
+    surfaces.forEach((surface, index) => {
+      if (surface.casts) this.add(eye, surface, index);
+    });
+  }
+
+  get count(): number {
+    return this.meshes.size;
+  }
+
+  /** Puts a surface where its rigid is. */
+  place(surface: number, worldFromModel: Matrix4): void {
+    this.meshes.get(surface)?.matrixWorld.copy(worldFromModel);
+  }
+
+  /** The box, in world space, beyond which nothing receives shadow: volumes end where they have left it. */
+  setReceivers(box: Box3): void {
+    const local = new Box3();
+    for (const mesh of this.meshes.values()) {
+      local.copy(mesh.geometry.boundingBox!).applyMatrix4(mesh.matrixWorld);
+      mesh.material.uniforms.extent.value = depthAlong(this.travel.value, box) - depthAlong(this.travel.value, local, true);
+    }
+  }
+
+  draw(renderer: WebGLRenderer): void {
+    if (this.meshes.size > 0) renderer.render(this.scene, this.camera);
+  }
+
+  dispose(): void {
+    for (const { geometry, material } of this.meshes.values()) {
+      geometry.dispose();
+      material.dispose();
+    }
+  }
+
+  private add(eye: Eye, surface: SurfaceDescription, index: number): void {
+    const { positions, faceNormals, indices } = extrude(surface.mesh);
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    geometry.setAttribute('faceNormal', new BufferAttribute(faceNormals, 3));
+    geometry.setIndex(new BufferAttribute(indices, 1));
+    geometry.computeBoundingBox();
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms: { ...eye.uniforms, extent: { value: 1 }, inset: { value: INSET } },
+      side: DoubleSide,
+      colorWrite: false,
+      depthWrite: false,
+      depthFunc: LessDepth,
+      stencilWrite: true,
+    });
+    const mesh = new Mesh(geometry, material);
+    mesh.frustumCulled = false;
+    mesh.matrixAutoUpdate = false;
+    mesh.matrixWorldAutoUpdate = false;
+    countFaces(
+      mesh,
+      { depthFail: WebGL2RenderingContext.DECR_WRAP, depthPass: WebGL2RenderingContext.KEEP },
+      { depthFail: WebGL2RenderingContext.INCR_WRAP, depthPass: WebGL2RenderingContext.KEEP },
+    );
+    this.meshes.set(index, mesh);
+    this.scene.add(mesh);
+  }
+}
+
+/** How far along a direction a box reaches; its nearest point instead of its farthest where `nearest`. */
+function depthAlong(direction: Vector3, box: Box3, nearest = false): number {
+  const pick = (axis: 'x' | 'y' | 'z') => (direction[axis] > 0 !== nearest ? box.max[axis] : box.min[axis]) * direction[axis];
+  return pick('x') + pick('y') + pick('z');
+}

@@ -1,0 +1,48 @@
+import { Camera, GLSL3, NoBlending, RawShaderMaterial, Scene, type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import fragmentShader from '../../shaders/resolve/resolve.frag';
+import vertexShader from '../../shaders/lib/fullScreen.vert';
+import { fullScreenMesh } from '../device/fullScreen.ts';
+import type { Targets } from './targets.ts';
+
+/** Chooses lit or unlit by the mask, smooths edges and writes premultiplied colour to the canvas or to a target. */
+export class ResolvePass {
+  private readonly scene = new Scene();
+  private readonly camera = new Camera();
+  private readonly uniforms = {
+    unlit: { value: null as Texture | null },
+    lit: { value: null as Texture | null },
+    smoothEdges: { value: true },
+  };
+  private readonly mesh;
+
+  constructor() {
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms: this.uniforms,
+      depthTest: false,
+      depthWrite: false,
+      blending: NoBlending,
+    });
+    this.mesh = fullScreenMesh(material);
+    this.scene.add(this.mesh);
+  }
+
+  set smoothEdges(smooth: boolean) {
+    this.uniforms.smoothEdges.value = smooth;
+  }
+
+  /** @param output the target to write, or null for the canvas */
+  draw(renderer: WebGLRenderer, targets: Targets, output: WebGLRenderTarget | null): void {
+    this.uniforms.unlit.value = targets.unlit;
+    this.uniforms.lit.value = targets.lit;
+    renderer.setRenderTarget(output);
+    renderer.render(this.scene, this.camera);
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+}

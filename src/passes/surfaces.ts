@@ -1,0 +1,129 @@
+import {
+  BackSide,
+  Box3,
+  BufferAttribute,
+  BufferGeometry,
+  Camera,
+  Color as ThreeColor,
+  GLSL3,
+  Mesh,
+  RawShaderMaterial,
+  Scene,
+  type Matrix4,
+  type WebGLRenderer,
+} from 'three';
+import hullFragmentShader from '../../shaders/surfaces/hull.frag';
+import hullVertexShader from '../../shaders/surfaces/hull.vert';
+import fragmentShader from '../../shaders/surfaces/surfaces.frag';
+import vertexShader from '../../shaders/surfaces/surfaces.vert';
+import type { Eye } from '../device/eye.ts';
+import type { Color, RampTexture } from '../device/ramps.ts';
+import { hullNormals, type TriangleMesh } from './extrusion.ts';
+
+/** An ordinary mesh of the scene. */
+export interface SurfaceDescription {
+  name: string;
+  mesh: TriangleMesh;
+  /** Its colour in full light. */
+  color: Color;
+  /** Whether it throws shadow; the mesh must be closed then. */
+  casts: boolean;
+  /** Whether it is outlined. */
+  inked: boolean;
+  /** Number of the rigid that carries it; still where absent. */
+  rigid?: number;
+}
+
+/** Draws the scene's meshes with flat tones, and their ink as a hull of back faces. */
+export class SurfacesPass {
+  private readonly fills = new Scene();
+  private readonly hulls = new Scene();
+  private readonly camera = new Camera();
+  private readonly hullMaterial: RawShaderMaterial;
+  private readonly materials: RawShaderMaterial[] = [];
+  private readonly geometries: BufferGeometry[] = [];
+  private readonly placed: Mesh[][] = [];
+  private readonly boxes: Box3[];
+  private readonly inkColor = { value: new ThreeColor() };
+  private readonly inkPixels = { value: 2 };
+
+  /** @param firstMaterial the ramp of the first surface; the others follow */
+  constructor(eye: Eye, ramps: RampTexture, firstMaterial: number, surfaces: readonly SurfaceDescription[]) {
+    this.hullMaterial = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: hullVertexShader,
+      fragmentShader: hullFragmentShader,
+      uniforms: { ...eye.uniforms, inkColor: this.inkColor, inkPixels: this.inkPixels },
+      side: BackSide,
+    });
+    surfaces.forEach((surface, index) => this.add(surface, eye, ramps, firstMaterial + index));
+    this.boxes = surfaces.map((surface) => boxOf(surface.mesh));
+  }
+
+  setInk(color: Color, pixels: number): void {
+    this.inkColor.value.fromArray(color.map((channel) => channel / 255));
+    this.inkPixels.value = pixels;
+  }
+
+  /** Puts a surface where its rigid is. */
+  place(surface: number, worldFromModel: Matrix4): void {
+    for (const mesh of this.placed[surface]) mesh.matrixWorld.copy(worldFromModel);
+  }
+
+  /** The box of all surfaces in world space, empty if there are none. */
+  bounds(into: Box3): Box3 {
+    const box = new Box3();
+    into.makeEmpty();
+    this.boxes.forEach((local, surface) => into.union(box.copy(local).applyMatrix4(this.placed[surface][0].matrixWorld)));
+    return into;
+  }
+
+  draw(renderer: WebGLRenderer): void {
+    renderer.render(this.fills, this.camera);
+    if (this.inkPixels.value > 0) renderer.render(this.hulls, this.camera);
+  }
+
+  dispose(): void {
+    this.hullMaterial.dispose();
+    for (const material of this.materials) material.dispose();
+    for (const geometry of this.geometries) geometry.dispose();
+  }
+
+  private add(surface: SurfaceDescription, eye: Eye, ramps: RampTexture, ramp: number): void {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(surface.mesh.positions, 3));
+    geometry.setAttribute('normal', new BufferAttribute(surface.mesh.normals, 3));
+    geometry.setAttribute('hullNormal', new BufferAttribute(hullNormals(surface.mesh), 3));
+    geometry.setIndex(new BufferAttribute(surface.mesh.indices, 1));
+    const { litRow, unlitRow } = ramps.rows(ramp);
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms: {
+        ...eye.uniforms,
+        ramps: { value: ramps.texture },
+        litRow: { value: litRow },
+        unlitRow: { value: unlitRow },
+      },
+    });
+    this.geometries.push(geometry);
+    this.materials.push(material);
+    const meshes = [this.mesh(this.fills, geometry, material)];
+    if (surface.inked) meshes.push(this.mesh(this.hulls, geometry, this.hullMaterial));
+    this.placed.push(meshes);
+  }
+
+  private mesh(scene: Scene, geometry: BufferGeometry, material: RawShaderMaterial): Mesh {
+    const mesh = new Mesh(geometry, material);
+    mesh.frustumCulled = false;
+    mesh.matrixAutoUpdate = false;
+    mesh.matrixWorldAutoUpdate = false;
+    scene.add(mesh);
+    return mesh;
+  }
+}
+
+function boxOf(mesh: TriangleMesh): Box3 {
+  return new Box3().setFromArray(mesh.positions);
+}

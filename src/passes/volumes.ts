@@ -1,0 +1,71 @@
+import { Camera, DoubleSide, GLSL3, LessDepth, Mesh, RawShaderMaterial, Scene, Vector3, type Box3, type WebGLRenderer } from 'three';
+import fragmentShader from '../../shaders/volumes/volumes.frag';
+import vertexShader from '../../shaders/volumes/volumes.vert';
+import type { Eye } from '../device/eye.ts';
+import type { PuffTextures } from '../device/puffTextures.ts';
+import { countFaces } from '../device/stencil.ts';
+import type { Instances } from '../instances/instances.ts';
+
+/** Radii from a puff's centre to where nothing of it is left, relief included. */
+const BEHIND_THE_PUFF = 1.2;
+
+/**
+ * Counts the particles' shadow volumes in the stencil by depth pass. The operations clamp: each volume draws its front
+ * and then its back in one draw, so the running count is the true one and saturation can only stay dark.
+ */
+export class VolumesPass {
+  private readonly scene = new Scene();
+  private readonly camera = new Camera();
+  private readonly material: RawShaderMaterial;
+  private readonly uniforms = {
+    receiversMin: { value: new Vector3() },
+    receiversMax: { value: new Vector3() },
+    leastCap: { value: 0 },
+  };
+
+  constructor(eye: Eye, puffs: PuffTextures, casters: Instances) {
+    this.material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms: {
+        ...eye.uniforms,
+        ...this.uniforms,
+        startCaps: { value: puffs.startCaps },
+        shadowRadius: { value: puffs.shadowRadius },
+      },
+      side: DoubleSide,
+      colorWrite: false,
+      depthWrite: false,
+      depthFunc: LessDepth,
+      stencilWrite: true,
+    });
+    const mesh = new Mesh(casters.geometry, this.material);
+    mesh.frustumCulled = false;
+    countFaces(
+      mesh,
+      { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.INCR },
+      { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.DECR },
+    );
+    this.scene.add(mesh);
+  }
+
+  /** The box, in world space, beyond which nothing receives shadow: volumes end where they have left it. */
+  setReceivers(box: Box3): void {
+    this.uniforms.receiversMin.value.copy(box.min);
+    this.uniforms.receiversMax.value.copy(box.max);
+  }
+
+  /** Whether a puff's shadow may begin on its own dark side; without shading that side is not dark, so it begins behind. */
+  setSelfShadow(allowed: boolean): void {
+    this.uniforms.leastCap.value = allowed ? 0 : BEHIND_THE_PUFF;
+  }
+
+  draw(renderer: WebGLRenderer): void {
+    renderer.render(this.scene, this.camera);
+  }
+
+  dispose(): void {
+    this.material.dispose();
+  }
+}

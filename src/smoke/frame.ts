@@ -1,0 +1,110 @@
+import { Box3, Vector3, type Camera, type Matrix4, type WebGLRenderTarget } from 'three';
+import type { Rows } from '../sim/rows.ts';
+import type { Bounds } from '../sim/simulator.ts';
+import type { View } from '../sim/view.ts';
+import type { SmokePasses } from './smoke.ts';
+import type { Style } from './style.ts';
+
+/** The part of a simulator that a frame needs: rows for a view, and the box of what lives. */
+export interface Arranger {
+  arrange(view: View): Rows;
+  readonly bounds: Bounds;
+}
+
+/** What one frame is drawn from. */
+export interface FrameInput {
+  simulator: Arranger;
+  camera: Camera;
+  /** Unit vector towards the light, world space. */
+  towardsLight: Vector3;
+  style: Style;
+  /** Where between the previous step (0) and now (1) the picture stands. */
+  blend: number;
+  /** Size of the picture in pixels, and how many of them make a CSS pixel. */
+  width: number;
+  height: number;
+  pixelRatio: number;
+  /** World transforms of the rigids, by their number. */
+  rigids: readonly Matrix4[];
+  /** Leaves out bodies and casters that cannot show; the picture is the same either way. */
+  cull: boolean;
+  /** Where the picture goes; null is the canvas. */
+  output: WebGLRenderTarget | null;
+}
+
+/** What a frame did. */
+export interface FrameReport {
+  bodiesDrawn: number;
+  castersDrawn: number;
+  /** Milliseconds spent in the simulator's arrange. */
+  arrangeMs: number;
+}
+
+/**
+ * The whole frame, in order:
+ * arrange(eye) and arrange(light) -> instance buffers -> backdrop, surfaces, bodies into unlit, lit and depth
+ * -> volumes into the stencil -> mask into the alpha of lit -> resolve to the picture.
+ */
+export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
+  const { renderer, eye, targets, bodies, casters } = passes;
+  const { style } = input;
+  targets.resize(input.width, input.height);
+  eye.look(input.camera, input.towardsLight, input.width, input.height);
+  passes.placeSurfaces(input.rigids);
+
+  const started = performance.now();
+  bodies.fill(input.simulator.arrange(eyeView(passes, input)));
+  const receivers = receiversOf(passes, input.simulator);
+  if (style.shadows) casters.fill(input.simulator.arrange(lightView(passes, input, receivers)));
+  const arrangeMs = performance.now() - started;
+
+  targets.begin(renderer);
+  if (passes.hasBackdrop) passes.backdrop.draw(renderer);
+  passes.surfaces.draw(renderer);
+  passes.body.draw(renderer);
+  if (style.shadows) {
+    passes.meshVolumes.setReceivers(receivers);
+    passes.meshVolumes.draw(renderer);
+    passes.volumes.setReceivers(receivers);
+    passes.volumes.draw(renderer);
+    passes.mask.draw(renderer);
+  }
+  passes.resolve.draw(renderer, targets, input.output);
+  return { bodiesDrawn: bodies.count, castersDrawn: style.shadows ? casters.count : 0, arrangeMs };
+}
+
+function eyeView({ eye, reach }: SmokePasses, input: FrameInput): View {
+  const inkPixels = input.style.outlines ? input.style.outlineWidth * input.pixelRatio : 0;
+  return {
+    purpose: 'eye',
+    blend: input.blend,
+    cull: input.cull,
+    pad: inkPixels * eye.unitsPerPixel,
+    clipFromWorld: eye.clipFromWorld.elements,
+    direction: eye.forward.toArray(),
+    reach,
+    receivers: { min: [0, 0, 0], max: [0, 0, 0] },
+  };
+}
+
+function lightView({ eye, reach }: SmokePasses, input: FrameInput, receivers: Box3): View {
+  return {
+    purpose: 'light',
+    blend: input.blend,
+    cull: input.cull,
+    pad: 0,
+    clipFromWorld: eye.clipFromWorld.elements,
+    direction: eye.uniforms.travelInWorld.value.toArray(),
+    reach,
+    receivers: { min: receivers.min.toArray(), max: receivers.max.toArray() },
+  };
+}
+
+/** Everything that can receive a shadow: the surfaces, and the smoke as arrange(eye) has just measured it. */
+function receiversOf(passes: SmokePasses, simulator: Arranger): Box3 {
+  const box = passes.surfaces.bounds(new Box3());
+  const { min, max } = simulator.bounds;
+  if (min[0] <= max[0]) box.union(new Box3(new Vector3(...min), new Vector3(...max)));
+  passes.body.setPlumeHeight(min[1], max[1]);
+  return box;
+}

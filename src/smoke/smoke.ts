@@ -1,0 +1,125 @@
+import type { Matrix4, WebGLRenderer } from 'three';
+import type { Device } from '../device/device.ts';
+import { Eye } from '../device/eye.ts';
+import { RampTexture, type Color } from '../device/ramps.ts';
+import { FRONT_AND_BACK, Instances, ONE_QUAD } from '../instances/instances.ts';
+import { BackdropPass } from '../passes/backdrop.ts';
+import { BodiesPass } from '../passes/bodies.ts';
+import { MaskPass } from '../passes/mask.ts';
+import { MeshVolumesPass } from '../passes/meshVolumes.ts';
+import { ResolvePass } from '../passes/resolve.ts';
+import { SurfacesPass, type SurfaceDescription } from '../passes/surfaces.ts';
+import { Targets } from '../passes/targets.ts';
+import { VolumesPass } from '../passes/volumes.ts';
+import { drawFrame, type FrameInput, type FrameReport } from './frame.ts';
+import { isFlat, rampOf } from './palette.ts';
+import type { Style } from './style.ts';
+
+/** Everything that a frame draws with; made once for a smoke. */
+export interface SmokePasses {
+  readonly renderer: WebGLRenderer;
+  readonly eye: Eye;
+  readonly targets: Targets;
+  readonly bodies: Instances;
+  readonly casters: Instances;
+  readonly backdrop: BackdropPass;
+  readonly surfaces: SurfacesPass;
+  readonly body: BodiesPass;
+  readonly meshVolumes: MeshVolumesPass;
+  readonly volumes: VolumesPass;
+  readonly mask: MaskPass;
+  readonly resolve: ResolvePass;
+  readonly hasBackdrop: boolean;
+  /** Factor on a particle's radius that makes the sphere which holds all of its puff. */
+  readonly reach: number;
+  placeSurfaces(rigids: readonly Matrix4[]): void;
+}
+
+export interface SmokeOptions {
+  /** The most particles it will ever be asked to draw. */
+  capacity: number;
+  surfaces: readonly SurfaceDescription[];
+  /** Colours at the top and the bottom of what lies behind everything; transparent where absent. */
+  backdrop?: { top: Color; bottom: Color };
+}
+
+const SMOKE_RAMP = 0;
+const FIRST_SURFACE_RAMP = 1;
+
+/**
+ * Cartoon smoke on a device: turns a simulator's particles into a picture, for any camera and directional light.
+ * After McGuire and Fein, 'Real-Time Rendering of Cartoon Smoke and Clouds' (NPAR 2006). frame.ts holds the order.
+ */
+export class CartoonSmoke {
+  readonly passes: SmokePasses;
+  private readonly device: Device;
+  private readonly ramps: RampTexture;
+  private readonly surfaces: readonly SurfaceDescription[];
+  private style: Style | undefined;
+  private pixelRatio = 0;
+
+  constructor(device: Device, { capacity, surfaces, backdrop }: SmokeOptions) {
+    this.device = device;
+    this.surfaces = surfaces;
+    this.ramps = new RampTexture(FIRST_SURFACE_RAMP + surfaces.length);
+    const eye = new Eye();
+    const bodies = new Instances(capacity, ONE_QUAD);
+    const casters = new Instances(capacity, FRONT_AND_BACK);
+    const surfacesPass = new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces);
+    const meshVolumes = new MeshVolumesPass(eye, surfaces);
+    this.passes = {
+      renderer: device.renderer,
+      eye,
+      targets: new Targets(),
+      bodies,
+      casters,
+      backdrop: new BackdropPass(eye),
+      surfaces: surfacesPass,
+      body: new BodiesPass(eye, device.puffs, this.ramps, SMOKE_RAMP, bodies),
+      meshVolumes,
+      volumes: new VolumesPass(eye, device.puffs, casters),
+      mask: new MaskPass(),
+      resolve: new ResolvePass(),
+      hasBackdrop: backdrop !== undefined,
+      reach: device.puffs.reach,
+      placeSurfaces: (rigids) =>
+        surfaces.forEach(({ rigid }, surface) => {
+          if (rigid === undefined) return;
+          surfacesPass.place(surface, rigids[rigid]);
+          meshVolumes.place(surface, rigids[rigid]);
+        }),
+    };
+    if (backdrop) this.passes.backdrop.setColors(backdrop.top, backdrop.bottom);
+  }
+
+  /**
+   * Draws one frame.
+   * @throws ContextError when the device has lost its context
+   */
+  draw(input: FrameInput): FrameReport {
+    this.device.requireUsable();
+    if (input.style !== this.style || input.pixelRatio !== this.pixelRatio) this.apply(input.style, input.pixelRatio);
+    this.device.renderer.info.reset();
+    return drawFrame(this.passes, input);
+  }
+
+  dispose(): void {
+    const { passes } = this;
+    for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop, passes.surfaces]) part.dispose();
+    for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
+    this.ramps.dispose();
+  }
+
+  private apply(style: Style, pixelRatio: number): void {
+    const { body, surfaces, volumes } = this.passes;
+    const inkPixels = style.outlines ? style.outlineWidth * pixelRatio : 0;
+    this.ramps.write(SMOKE_RAMP, rampOf(style.smokeColor, style));
+    this.surfaces.forEach(({ color }, index) => this.ramps.write(FIRST_SURFACE_RAMP + index, rampOf(color, style)));
+    body.setInk(style.inkColor, inkPixels, style.innerLine);
+    body.setGradient(style.gradient, style.gradientColor);
+    surfaces.setInk(style.inkColor, inkPixels);
+    volumes.setSelfShadow(!isFlat(style));
+    this.style = style;
+    this.pixelRatio = pixelRatio;
+  }
+}

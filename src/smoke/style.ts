@@ -1,0 +1,34 @@
+import type { Color } from '../device/ramps.ts';
+import type { Gradient } from '../passes/bodies.ts';
+import type { Values } from '../preset/parameter.ts';
+import { parseColor, type Toning } from './palette.ts';
+
+/** How smoke is drawn: the paper's four effects, each on or off by itself, and their colours. */
+export interface Style extends Toning {
+  outlines: boolean;
+  shadows: boolean;
+  gradient: Gradient;
+  gradientColor: Color;
+  /** Width of the ink in CSS pixels. */
+  outlineWidth: number;
+  /** Depth gap, in puff radii, beyond which a puff is outlined against what lies behind it. */
+  innerLine: number;
+  smokeColor: Color;
+  inkColor: Color;
+}
+
+/** Reads the style out of flat values that hold every key of the table. */
+export function styleOf(values: Values): Style {
+  return {
+    shading: values['style.shading'] === 1,
+    outlines: values['style.outlines'] === 1,
+    shadows: values['style.shadows'] === 1,
+    gradient: values['style.gradient'] as Gradient,
+    gradientColor: parseColor(values['style.gradientColor'] as string),
+    outlineWidth: values['style.outlineWidth'] as number,
+    innerLine: values['style.innerLine'] as number,
+    tones: values['style.tones'] as 1 | 2 | 3,
+    smokeColor: parseColor(values['style.smokeColor'] as string),
+    inkColor: parseColor(values['style.inkColor'] as string),
+  };
+}

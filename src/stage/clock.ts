@@ -1,0 +1,42 @@
+/** Length of a simulation step in seconds; the same everywhere, so that takes replay. */
+export const STEP_SECONDS = 1 / 60;
+
+// A machine that cannot keep up shows slow motion instead of falling ever further behind.
+const MOST_STEPS_A_TICK = 4;
+
+/** Turns real time into whole steps and the fraction of a step that the picture stands beyond the last but one. */
+export class Clock {
+  /** Simulated seconds for each real second; 1 is real time. */
+  speed = 1;
+  private owed = 0;
+  private last: number | undefined;
+
+  /** Between the previous step (0) and the latest (1). */
+  get blend(): number {
+    return this.owed;
+  }
+
+  /**
+   * @param now milliseconds, as from requestAnimationFrame
+   * @returns how many steps to take before drawing
+   */
+  tick(now: number): number {
+    const elapsed = this.last === undefined ? 0 : Math.max(0, now - this.last) / 1000;
+    this.last = now;
+    this.owed = Math.min(this.owed + (elapsed * this.speed) / STEP_SECONDS, MOST_STEPS_A_TICK + 0.999);
+    const steps = Math.floor(this.owed);
+    this.owed -= steps;
+    return steps;
+  }
+
+  /** Forgets the time that passes until the next tick: after a pause nothing is caught up. */
+  rest(): void {
+    this.last = undefined;
+  }
+
+  /** Puts the picture exactly on the latest step. */
+  settle(): void {
+    this.rest();
+    this.owed = 1;
+  }
+}
