@@ -1,0 +1,110 @@
+/** The named presets: each says only what differs from the defaults of the table. */
+import type { Value, Values } from './parameter.ts';
+import { defaults } from './values.ts';
+
+export interface Preset {
+  /** The name in links. */
+  readonly name: string;
+  /** The name for people. */
+  readonly label: string;
+  /** One sentence about the mood. */
+  readonly text: string;
+  readonly values: Values;
+}
+
+/** The vortex that curls the column above the lamp's spout; the moods keep it and change its strength. */
+const curl: Values = {
+  'vortices.0.circulation': 1.1,
+  'vortices.0.coreRadius': 0.3,
+  'vortices.0.reach': 1.6,
+  'vortices.0.position.x': 0.25,
+  'vortices.0.position.y': 1.5,
+};
+
+export const presets: readonly Preset[] = [
+  {
+    name: 'lamp',
+    label: 'Magic lamp',
+    text: 'White smoke in two tones that rises from the spout and curls.',
+    values: curl,
+  },
+  {
+    name: 'lamp-noir',
+    label: 'Noir',
+    text: 'One flat tone and heavy ink, as printed in black and white.',
+    values: {
+      ...curl,
+      'style.tones': 1,
+      'style.smokeColor': '#fbf7ec',
+      'style.inkColor': '#0b090c',
+      'style.outlineWidth': 4,
+      'style.innerLine': 0.34,
+      'light.azimuth': -70,
+      'light.elevation': 30,
+    },
+  },
+  {
+    name: 'lamp-sunset',
+    label: 'Sunset',
+    text: 'Three warm tones under a low sun.',
+    values: {
+      ...curl,
+      'emission.lifetime': 7.5,
+      'style.tones': 3,
+      'style.smokeColor': '#ffb36b',
+      'style.inkColor': '#4a1527',
+      'style.gradient': 'height',
+      'style.gradientColor': '#f0708a',
+      'light.azimuth': 62,
+      'light.elevation': 20,
+    },
+  },
+  {
+    name: 'lamp-ghost',
+    label: 'Ghost',
+    text: 'Pale smoke without ink that hangs in the air and thins out.',
+    values: {
+      ...curl,
+      'emission.lifetime': 9,
+      'emission.rate': 80,
+      'forces.buoyancy': 0.7,
+      'style.outlines': 0,
+      'style.smokeColor': '#dcefe9',
+      'style.gradient': 'age',
+      'style.gradientColor': '#a8c4dd',
+    },
+  },
+  {
+    name: 'lamp-storm',
+    label: 'Storm',
+    text: 'Dark smoke torn by gusts from the left.',
+    values: {
+      ...curl,
+      'emission.rate': 160,
+      'emission.lifetime': 4.5,
+      'style.smokeColor': '#8f96a8',
+      'style.inkColor': '#14151c',
+      'style.outlineWidth': 2.8,
+      'forces.turbulence': 2.2,
+      'forces.wind.x': 0.7,
+      'turbulence.octaves': 3,
+      'turbulence.evolution': 0.8,
+      'vortices.0.circulation': -2,
+    },
+  },
+];
+
+const byName: ReadonlyMap<string, Preset> = new Map(presets.map((preset) => [preset.name, preset]));
+
+/** The preset of a link that names none, or one that is not there. */
+export const defaultPreset: Preset = presets[0];
+
+/** The preset of this name, or undefined. Safe for names from strangers. */
+export function findPreset(name: string): Preset | undefined {
+  return byName.get(name);
+}
+
+/** Every key of the table with the preset's value. */
+export function presetValues(preset: Preset): Record<string, Value> {
+  return { ...defaults(), ...preset.values };
+}

@@ -1,0 +1,161 @@
+/**
+ * The one table of parameters. The order of the rows is the order of keys in a link and of controls in the panel, so
+ * new rows may go anywhere but a key is never renamed: links that people keep would lose it.
+ *
+ * The defaults are the lamp's (see presets.ts). Multipliers are relative to what the scene has: 1 changes nothing.
+ */
+import type {
+  ChoiceParameter,
+  ColorParameter,
+  NumberParameter,
+  Parameter,
+  Reader,
+  ToggleParameter,
+} from './parameter.ts';
+import { vortexParameters } from './vortices.ts';
+
+/** The groups of the panel in their order; `advanced` ones start folded. */
+export const groups: readonly { readonly key: string; readonly label: string; readonly advanced: boolean }[] = [
+  { key: 'emission', label: 'Smoke', advanced: false },
+  { key: 'style', label: 'Ink and colour', advanced: false },
+  { key: 'light', label: 'Light', advanced: false },
+  { key: 'forces', label: 'Forces', advanced: false },
+  { key: 'turbulence', label: 'Turbulence', advanced: true },
+  { key: 'vortices.0', label: 'Vortex 1', advanced: true },
+  { key: 'vortices.1', label: 'Vortex 2', advanced: true },
+  { key: 'vortices.2', label: 'Vortex 3', advanced: true },
+  { key: 'vortices.3', label: 'Vortex 4', advanced: true },
+  { key: 'simulation', label: 'Simulation', advanced: true },
+];
+
+type Named = Pick<Parameter, 'label' | 'text'>;
+type Quantity = Named & Partial<NumberParameter> & Pick<NumberParameter, 'min' | 'max' | 'step' | 'default'>;
+
+function quantity(key: string, group: string, reader: Reader, rest: Quantity): NumberParameter {
+  return { kind: 'number', unit: '', slider: 'even', ...rest, key, group, reader };
+}
+
+function multiplier(name: string, label: string, text: string): NumberParameter {
+  const range = { min: 0, max: 10, step: 0.05, default: 1, unit: '\u00d7' } as const;
+  return quantity(`forces.${name}`, 'forces', 'simulator', { label, text, ...range, slider: 'fine' });
+}
+
+function wind(axis: 'x' | 'y' | 'z', label: string, text: string): NumberParameter {
+  const range = { min: -50, max: 50, step: 0.05, default: 0, unit: 'm/s' } as const;
+  return quantity(`forces.wind.${axis}`, 'forces', 'simulator', { label, text, ...range, slider: 'fine' });
+}
+
+function toggle(name: string, label: string, text: string): ToggleParameter {
+  return { kind: 'toggle', key: `style.${name}`, group: 'style', reader: 'style', label, text, default: 1 };
+}
+
+function color(name: string, label: string, text: string, initial: string): ColorParameter {
+  return { kind: 'color', key: `style.${name}`, group: 'style', reader: 'style', label, text, default: initial };
+}
+
+type Options = readonly (readonly [value: string | number, label: string])[];
+
+type Choice = Named & Pick<ChoiceParameter, 'default'>;
+
+function choice(key: string, group: string, reader: Reader, rest: Choice, options: Options): ChoiceParameter {
+  const list = options.map(([value, label]) => ({ value, label }));
+  return { kind: 'choice', key, group, reader, ...rest, options: list };
+}
+
+/** Every parameter that a person, a link or an attribute can reach. */
+export const table: readonly Parameter[] = [
+  choice('scene', 'simulation', 'stage', { label: 'Scene', text: 'What stands in the smoke.', default: 'lamp' }, [
+    ['lamp', 'Magic lamp'],
+  ]),
+  quantity('seed', 'simulation', 'stage', {
+    kind: 'integer', min: 0, max: 4294967295, step: 1, default: 1,
+    label: 'Seed', text: 'Starts the random numbers: the same seed makes the same smoke. Changing it starts anew.',
+  }),
+  quantity('emission.rate', 'emission', 'simulator', {
+    min: 0, max: 20000, step: 5, default: 110, unit: 'particles/s', slider: 'fine',
+    label: 'Rate', text: 'How many puffs are born each second.',
+  }),
+  quantity('emission.lifetime', 'emission', 'simulator', {
+    min: 0.1, max: 60, step: 0.1, default: 6, unit: 's', slider: 'fine',
+    label: 'Lifetime', text: 'How long a puff lives before it has dissolved.',
+  }),
+  quantity('emission.growthTime', 'emission', 'simulator', {
+    min: 0, max: 30, step: 0.05, default: 1.2, unit: 's', slider: 'fine',
+    label: 'Growth', text: 'How long a young puff takes to swell to full size; 0 is born full, as in the paper.',
+  }),
+  quantity('puff.size', 'emission', 'simulator', {
+    min: 0.1, max: 4, step: 0.05, default: 1, unit: '\u00d7', slider: 'fine',
+    label: 'Puff size', text: 'Makes every puff larger or smaller.',
+  }),
+  quantity('puff.variations', 'emission', 'simulator', {
+    kind: 'integer', min: 1, max: 4, step: 1, default: 4,
+    label: 'Puff shapes', text: 'How many different shapes are mixed; a puff keeps the one it was born with.',
+  }),
+  toggle('shading', 'Shading', 'Light and shade on the puffs; off leaves them flat.'),
+  toggle('outlines', 'Outlines', 'Ink around the smoke and between its puffs.'),
+  toggle('shadows', 'Shadows', 'Smoke shades itself and what stands below it.'),
+  choice('style.tones', 'style', 'style', { label: 'Tones', text: 'How many flat tones the light is cut into.', default: 2 }, [
+    [1, 'One'], [2, 'Two'], [3, 'Three'],
+  ]),
+  color('smokeColor', 'Smoke', 'Colour of the smoke in full light.', '#f6efe2'),
+  color('inkColor', 'Ink', 'Colour of the outlines.', '#1d1720'),
+  quantity('style.outlineWidth', 'style', 'style', {
+    min: 0, max: 8, step: 0.1, default: 2.2, unit: 'px',
+    label: 'Line width', text: 'Width of the outlines in pixels of the page, the same near and far.',
+  }),
+  quantity('style.innerLine', 'style', 'style', {
+    min: 0, max: 1, step: 0.02, default: 0.5, unit: 'radii',
+    label: 'Inner lines', text: 'How far one puff must stand before another for ink between them; 0 outlines every puff.',
+  }),
+  choice('style.gradient', 'style', 'style', { label: 'Gradient', text: 'Blends towards the second colour.', default: 'none' }, [
+    ['none', 'None'], ['puff', 'Over each puff'], ['height', 'By height'], ['screen', 'Up the picture'], ['age', 'By age'],
+  ]),
+  color('gradientColor', 'Second colour', 'Where the gradient ends.', '#b9a6d8'),
+  choice('style.renderer', 'style', 'style', { label: 'Renderer', text: 'How puffs become pixels.', default: 'nailboards' }, [
+    ['nailboards', 'Nailboards'],
+  ]),
+  quantity('light.azimuth', 'light', 'light', {
+    min: -180, max: 180, step: 1, default: -40, unit: '\u00b0',
+    label: 'Direction', text: 'Where the light comes from around the scene: 0 is the front, 90 the right.',
+  }),
+  quantity('light.elevation', 'light', 'light', {
+    min: 5, max: 90, step: 1, default: 48, unit: '\u00b0',
+    label: 'Height', text: 'How high the light stands: 90 is straight above.',
+  }),
+  multiplier('gravity', 'Gravity', 'Pull down on all smoke.'),
+  multiplier('buoyancy', 'Buoyancy', 'Lift of warm smoke; it fades as the smoke cools.'),
+  multiplier('turbulence', 'Turbulence', 'Small irregular swirls in the air.'),
+  multiplier('vortex', 'Vortices', 'Strength of all vortices together.'),
+  multiplier('drag', 'Drag', 'How firmly the air takes smoke along.'),
+  wind('x', 'Wind to the right', 'Steady wind along x; negative blows to the left.'),
+  wind('y', 'Wind upwards', 'Steady wind along y; negative blows down.'),
+  wind('z', 'Wind to the front', 'Steady wind along z; negative blows away from the viewer.'),
+  quantity('turbulence.speed', 'turbulence', 'simulator', {
+    min: 0, max: 20, step: 0.02, default: 0.22, unit: 'm/s', slider: 'fine',
+    label: 'Speed', text: 'Typical (root mean square) speed of the swirls.',
+  }),
+  quantity('turbulence.scale', 'turbulence', 'simulator', {
+    min: 0.05, max: 20, step: 0.05, default: 0.6, unit: 'm', slider: 'fine',
+    label: 'Scale', text: 'Size of the largest swirls.',
+  }),
+  quantity('turbulence.octaves', 'turbulence', 'simulator', {
+    kind: 'integer', min: 0, max: 4, step: 1, default: 2,
+    label: 'Octaves', text: 'How many finer layers of swirls are added; 0 is still air.',
+  }),
+  quantity('turbulence.evolution', 'turbulence', 'simulator', {
+    min: 0, max: 10, step: 0.02, default: 0.25, unit: '1/s', slider: 'fine',
+    label: 'Evolution', text: 'How fast the pattern of swirls changes.',
+  }),
+  ...vortexParameters(4),
+  quantity('simulation.maxParticles', 'simulation', 'stage', {
+    kind: 'integer', min: 1, max: 1000000, linkMax: 50000, step: 100, default: 4000, slider: 'fine',
+    label: 'Most particles', text: 'Room for living puffs; when it is full, new ones wait.',
+  }),
+];
+
+const rows: ReadonlyMap<string, Parameter> = new Map(table.map((parameter) => [parameter.key, parameter]));
+
+/** The row with this key, or undefined. Safe for keys from strangers, `__proto__` included. */
+export function findParameter(key: string): Parameter | undefined {
+  return rows.get(key);
+}

@@ -1,0 +1,84 @@
+/** Values of the table: their defaults, the check for callers, and reading and writing them as text at the edge. */
+import { ParameterError } from './errors.ts';
+import { notice, type Notice } from './notice.ts';
+import { accepted, type NumberParameter, type Parameter, type Value, type Values } from './parameter.ts';
+import { findParameter, table } from './table.ts';
+
+const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+const COLOR = /^#[0-9a-f]{6}$/i;
+
+/** Every key of the table with its default. */
+export function defaults(): Record<string, Value> {
+  return Object.fromEntries(table.map((parameter) => [parameter.key, parameter.default]));
+}
+
+/**
+ * Checks what a caller gives; nothing is changed or rounded.
+ * @throws ParameterError for the first key that the table does not have or value that its row does not take
+ */
+export function validate(values: Values): void {
+  for (const [key, value] of Object.entries(values)) {
+    const parameter = findParameter(key);
+    if (!parameter) throw new ParameterError(key, value, 'no value: there is no such parameter');
+    if (!isAccepted(parameter, value)) throw new ParameterError(key, value, accepted(parameter));
+  }
+}
+
+/** Whether a row takes this value as it stands. */
+export function isAccepted(parameter: Parameter, value: unknown): boolean {
+  switch (parameter.kind) {
+    case 'toggle':
+      return value === 0 || value === 1;
+    case 'choice':
+      return parameter.options.some((option) => option.value === value);
+    case 'color':
+      return typeof value === 'string' && COLOR.test(value);
+    case 'integer':
+      return Number.isInteger(value) && isInRange(parameter, value as number);
+    case 'number':
+      return typeof value === 'number' && isInRange(parameter, value);
+  }
+}
+
+/** A value as it stands in a link: numbers as short as they can be without loss, colours without `#`. */
+export function writeText(parameter: Parameter, value: Value): string {
+  return parameter.kind === 'color' ? String(value).slice(1).toLowerCase() : String(value);
+}
+
+/**
+ * Reads a value out of a link, under the limits for links. What is out of range is clamped, what cannot be read
+ * becomes the fallback; both are told.
+ */
+export function readText(parameter: Parameter, text: string, fallback: Value): { value: Value; notice?: Notice } {
+  if (parameter.kind === 'number' || parameter.kind === 'integer') return readNumber(parameter, text, fallback);
+  const value = parse(parameter, text);
+  return value === undefined ? malformed(parameter, text, fallback) : { value };
+}
+
+function parse(parameter: Parameter, text: string): Value | undefined {
+  if (parameter.kind === 'choice') return parameter.options.find(({ value }) => String(value) === text)?.value;
+  if (parameter.kind === 'toggle') return text === '0' ? 0 : text === '1' ? 1 : undefined;
+  const color = `#${text.replace(/^#/, '').toLowerCase()}`;
+  return COLOR.test(color) ? color : undefined;
+}
+
+function readNumber(parameter: NumberParameter, text: string, fallback: Value): { value: Value; notice?: Notice } {
+  if (!DECIMAL.test(text.trim())) return malformed(parameter, text, fallback);
+  const given = Number(text);
+  const rounded = parameter.kind === 'integer' ? Math.round(given) : given;
+  // The addition turns -0 into 0, which is how it would come back from a link.
+  const value = Math.min(Math.max(rounded, parameter.min), parameter.linkMax ?? parameter.max) + 0;
+  if (value === given) return { value };
+  const tell = (quoted: string) => `${parameter.key} cannot be ${quoted} in a link; ${value} is used.`;
+  return { value, notice: notice('outOfRange', parameter.key, text, tell) };
+}
+
+function malformed(parameter: Parameter, text: string, fallback: Value): { value: Value; notice: Notice } {
+  const tell = (quoted: string) =>
+    `${parameter.key} cannot be ${quoted}: it takes ${accepted(parameter)}. ${fallback} is used.`;
+  return { value: fallback, notice: notice('malformed', parameter.key, text, tell) };
+}
+
+function isInRange({ min, max }: NumberParameter, value: number): boolean {
+  return value >= min && value <= max;
+}
