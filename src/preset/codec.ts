@@ -81,7 +81,10 @@ function firstOfEach(pairs: URLSearchParams, notices: Notice[]): Map<string, str
   const first = new Map<string, string>();
   for (const [key, text] of pairs) {
     if (!first.has(key)) first.set(key, text);
-    else notices.push(notice('duplicate', key, text, () => `${quoteKey(key)} stands twice in the link; the first is used.`));
+    else
+      notices.push(
+        notice('duplicate', key, text, () => `${quoteKey(key)} stands twice in the link; the first is used.`),
+      );
   }
   return first;
 }

@@ -9,16 +9,34 @@ const axis = { min: -1, max: 1, step: 0.05, default: 0, unit: '', slider: 'even'
 /** Names behind `vortices.#.` with their ranges. The axis is a direction; its length does not matter. */
 const fields: Readonly<Record<string, Row>> = {
   circulation: {
-    min: -20, max: 20, step: 0.05, default: 0, unit: 'm\u00b2/s', slider: 'fine',
-    label: 'Circulation', text: 'Strength and sense of the swirl; 0 takes this vortex away.',
+    min: -20,
+    max: 20,
+    step: 0.05,
+    default: 0,
+    unit: 'm\u00b2/s',
+    slider: 'fine',
+    label: 'Circulation',
+    text: 'Strength and sense of the swirl; 0 takes this vortex away.',
   },
   coreRadius: {
-    min: 0.01, max: 5, step: 0.01, default: 0.25, unit: 'm', slider: 'fine',
-    label: 'Core', text: 'Radius of the calm middle, where the swirl is fastest.',
+    min: 0.01,
+    max: 5,
+    step: 0.01,
+    default: 0.25,
+    unit: 'm',
+    slider: 'fine',
+    label: 'Core',
+    text: 'Radius of the calm middle, where the swirl is fastest.',
   },
   reach: {
-    min: 0.05, max: 20, step: 0.05, default: 2, unit: 'm', slider: 'fine',
-    label: 'Reach', text: 'Distance from the axis at which the swirl has faded to nothing.',
+    min: 0.05,
+    max: 20,
+    step: 0.05,
+    default: 2,
+    unit: 'm',
+    slider: 'fine',
+    label: 'Reach',
+    text: 'Distance from the axis at which the swirl has faded to nothing.',
   },
   'position.x': { ...position, label: 'Place x', text: 'A point on the axis, to the right.' },
   'position.y': { ...position, default: 1, label: 'Place y', text: 'A point on the axis, upwards.' },
@@ -36,6 +54,10 @@ export function vortexParameters(count: number): NumberParameter[] {
 function vortex(index: number): NumberParameter[] {
   const group = `vortices.${index}`;
   return Object.entries(fields).map(([name, row]) => ({
-    kind: 'number', key: `${group}.${name}`, group, reader: 'simulator', ...row,
+    kind: 'number',
+    key: `${group}.${name}`,
+    group,
+    reader: 'simulator',
+    ...row,
   }));
 }

@@ -1,0 +1,198 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { decode, defaultState, encode, type State } from '../../src/preset/codec.ts';
+import { DECODED_LIMIT, pack } from '../../src/preset/packing.ts';
+import type { Parameter, Value, Values } from '../../src/preset/parameter.ts';
+import { defaultPreset, presets, presetValues } from '../../src/preset/presets.ts';
+import { table } from '../../src/preset/table.ts';
+import { isAccepted } from '../../src/preset/values.ts';
+
+function withChanges(preset: string, changes: Values): State {
+  const base = presetValues(presets.find(({ name }) => name === preset)!);
+  return { preset, values: { ...base, ...changes } };
+}
+
+/** Any value that a link may carry for this row. */
+function anyValue(parameter: Parameter): fc.Arbitrary<Value> {
+  switch (parameter.kind) {
+    case 'toggle':
+      return fc.constantFrom(0, 1);
+    case 'choice':
+      return fc.constantFrom(...parameter.options.map(({ value }) => value));
+    case 'color':
+      return fc.integer({ min: 0, max: 0xffffff }).map((color) => `#${color.toString(16).padStart(6, '0')}`);
+    case 'integer':
+      return fc.integer({ min: parameter.min, max: parameter.linkMax ?? parameter.max });
+    case 'number':
+      return fc.double({ min: parameter.min, max: parameter.max, noNaN: true }).map((value) => value + 0);
+  }
+}
+
+const anyState: fc.Arbitrary<State> = fc
+  .record({
+    preset: fc.constantFrom(...presets.map(({ name }) => name)),
+    changes: fc.record(Object.fromEntries(table.map((row) => [row.key, anyValue(row)])), { requiredKeys: [] }),
+  })
+  .map(({ preset, changes }) => withChanges(preset, changes as Values));
+
+function expectUsable(state: State): void {
+  expect(presets.map(({ name }) => name)).toContain(state.preset);
+  expect(Object.keys(state.values).toSorted()).toEqual(table.map(({ key }) => key).toSorted());
+  for (const row of table) expect(isAccepted(row, state.values[row.key]), row.key).toBe(true);
+}
+
+const codes = async (hash: string) => (await decode(hash)).notices.map(({ code }) => code);
+
+describe('encode', () => {
+  it('writes version, preset and what differs, in the order of the table', async () => {
+    const state = withChanges('lamp', { 'style.outlineWidth': 3, 'emission.rate': 240, 'style.smokeColor': '#FFEEDD' });
+    const hash = await encode(state);
+    expect(hash).toBe('#v=1&preset=lamp&emission.rate=240&style.smokeColor=ffeedd&style.outlineWidth=3');
+  });
+
+  it('writes nothing for values that equal the preset', async () => {
+    expect(await encode(withChanges('lamp-noir', {}))).toBe('#v=1&preset=lamp-noir');
+  });
+
+  it('prints numbers short and exactly', async () => {
+    const hash = await encode(withChanges('lamp', { 'puff.size': 0.1 + 0.2, 'forces.wind.x': 1e-7, seed: 4294967295 }));
+    expect(hash).toBe('#v=1&preset=lamp&seed=4294967295&puff.size=0.30000000000000004&forces.wind.x=1e-7');
+  });
+
+  it('packs what is over 1,500 characters, and only that', async () => {
+    const awkward = Object.fromEntries(table.filter(({ kind }) => kind === 'number').map(({ key }) => [key, 1 / 3]));
+    const hash = await encode(withChanges('lamp', { ...awkward, 'light.elevation': 33.333333333333336 }));
+    expect(hash).toMatch(/^#v=1&z=[\w-]+$/);
+    expect(hash.length).toBeLessThan(1500);
+    const { state, notices } = await decode(hash);
+    expect(notices).toEqual([]);
+    expect(state.values['turbulence.scale']).toBe(1 / 3);
+  });
+});
+
+describe('round trip', () => {
+  it('brings back every random state without a notice', async () => {
+    await fc.assert(
+      fc.asyncProperty(anyState, async (state) => {
+        const hash = await encode(state);
+        expect(await decode(hash)).toEqual({ state, notices: [] });
+        expect(hash.length).toBeLessThanOrEqual(2000);
+      }),
+      { numRuns: 2000 },
+    );
+  }, 60_000);
+});
+
+describe('decode', () => {
+  it('reads an empty hash as the default preset', async () => {
+    for (const hash of ['', '#', '#&&']) expect(await decode(hash)).toEqual({ state: defaultState(), notices: [] });
+  });
+
+  it('clamps and says so, with the limits for links', async () => {
+    const { state, notices } = await decode('#v=1&simulation.maxParticles=1000000&emission.rate=-5&puff.size=1e999');
+    expect(state.values['simulation.maxParticles']).toBe(50_000);
+    expect(state.values['emission.rate']).toBe(0);
+    expect(state.values['puff.size']).toBe(4);
+    expect(notices.map(({ code, key }) => `${code} ${key}`)).toEqual([
+      'outOfRange simulation.maxParticles',
+      'outOfRange emission.rate',
+      'outOfRange puff.size',
+    ]);
+    expect(notices[0].message).toContain('50000');
+  });
+
+  it('falls back to the value of the preset for what it cannot read', async () => {
+    for (const text of ['NaN', 'Infinity', '0x10', '', '1,5', '--1', '1e', 'abc']) {
+      const { state, notices } = await decode(`#preset=lamp-storm&emission.rate=${text}`);
+      expect(state.values['emission.rate']).toBe(160);
+      expect(notices.map(({ code }) => code)).toEqual(['malformed']);
+    }
+    expect(await codes('#style.smokeColor=red')).toEqual(['malformed']);
+    expect(await codes('#style.gradient=rainbow')).toEqual(['malformed']);
+    expect(await codes('#style.shadows=yes')).toEqual(['malformed']);
+    expect(await codes('#scene=nowhere')).toEqual(['malformed']);
+  });
+
+  it('names an unknown preset and shows the default one', async () => {
+    const { state, notices } = await decode('#v=1&preset=volcano&emission.rate=9');
+    expect(state).toEqual(withChanges(defaultPreset.name, { 'emission.rate': 9 }));
+    expect(notices.map(({ code, given }) => [code, given])).toEqual([['unknownPreset', 'volcano']]);
+  });
+
+  it('ignores keys of the prototype and says so', async () => {
+    for (const key of ['__proto__', 'constructor', 'toString', 'hasOwnProperty', '__proto__.polluted']) {
+      const { state, notices } = await decode(`#${key}=1`);
+      expect(notices.map(({ code }) => code)).toEqual(['unknownKey']);
+      expect(state).toEqual(defaultState());
+    }
+    expect(({} as Record<string, unknown>).polluted).toBeUndefined();
+    expect(await codes('#preset=__proto__')).toEqual(['unknownPreset']);
+  });
+
+  it('takes the first of two and says so', async () => {
+    const { state, notices } = await decode('#emission.rate=10&emission.rate=20');
+    expect(state.values['emission.rate']).toBe(10);
+    expect(notices.map(({ code }) => code)).toEqual(['duplicate']);
+  });
+
+  it('reads what it can of another version', async () => {
+    const { state, notices } = await decode('#v=2&emission.rate=10');
+    expect(state.values['emission.rate']).toBe(10);
+    expect(notices.map(({ code }) => code)).toEqual(['version']);
+  });
+
+  it('reports a packed part that is damaged', async () => {
+    const whole = await pack('v=1&preset=lamp-noir&emission.rate=10');
+    for (const packed of ['', '!!!!', 'AAAA', whole.slice(0, 12), `A${whole}`]) {
+      expect(await codes(`#v=1&z=${packed}`), packed).toEqual(['damaged']);
+    }
+  });
+
+  it('reads a pair that somebody wrote behind a packed part', async () => {
+    const { state, notices } = await decode(`#v=1&z=${await pack('v=1&preset=lamp')}&emission.rate=10`);
+    expect(state.values['emission.rate']).toBe(10);
+    expect(notices).toEqual([]);
+  });
+
+  it('stops at 64 KiB, packed or not, and reads no half pair', async () => {
+    const filler = 'x'.repeat(DECODED_LIMIT - 40);
+    const long = `emission.rate=10&${filler}=1&emission.lifetime=5.25&puff.size=2`;
+    for (const hash of [`#${long}`, `#v=1&z=${await pack(long)}`]) {
+      const { state, notices } = await decode(hash);
+      expect(notices.map(({ code }) => code)).toEqual(['tooLong', 'unknownKey']);
+      expect(state.values['emission.rate']).toBe(10);
+      expect(state.values['emission.lifetime']).toBe(defaultState().values['emission.lifetime']);
+    }
+  });
+
+  it('survives a bomb of 200 MB in little time', async () => {
+    const bomb = await pack('a'.repeat(200 * 1024 * 1024));
+    const started = performance.now();
+    expect(await codes(`#v=1&z=${bomb.slice(0, 60_000)}`)).toEqual(['tooLong']);
+    expect(performance.now() - started).toBeLessThan(1000);
+  }, 60_000);
+
+  it('tells of few of very many bad parts, and shortens them', async () => {
+    const { notices } = await decode(`#${Array.from({ length: 5000 }, (_, index) => `k${index}=1`).join('&')}`);
+    expect(notices).toHaveLength(9);
+    expect(notices.at(-1)!.message).toContain('4992');
+    const [shown] = (await decode(`#${'y'.repeat(5000)}=1`)).notices;
+    expect(shown.message.length).toBeLessThan(120);
+  });
+
+  it('gives a usable state for any text at all', async () => {
+    const key = fc.oneof(fc.constantFrom(...table.map((row) => row.key), 'v', 'z', 'preset', '__proto__'), fc.string());
+    const text = fc.oneof(
+      fc.string(),
+      fc.double().map(String),
+      fc.constantFrom('<img src=x onerror=alert(1)>', '%', '%zz', '1e308'),
+    );
+    const link = fc.array(fc.tuple(key, text)).map((pairs) => pairs.map((pair) => pair.join('=')).join('&'));
+    await fc.assert(
+      fc.asyncProperty(fc.oneof(link, fc.string({ unit: 'binary' })), async (hash) => {
+        expectUsable((await decode(`#${hash}`)).state);
+      }),
+      { numRuns: 1000 },
+    );
+  }, 60_000);
+});
