@@ -1,0 +1,173 @@
+/**
+ * The stencil count against a CPU reference: each pixel of a ground plane asks how many volumes hold its point. The
+ * reference shares nothing with the shaders but the definition of a volume.
+ */
+import { type Camera, Matrix4, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
+import { bakedPuffs } from '../../../src/device/bakedPuffs.ts';
+import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
+import { startCapAt } from '../../../src/puffs/startCaps.ts';
+import { takePicture, type LabPuff } from '../lab.ts';
+import { box, ground } from '../solids.ts';
+import { random } from '../random.ts';
+
+export interface StencilReport {
+  receiver: number;
+  differing: number;
+  wronglyLit: number;
+  deepest: number;
+}
+
+const [WIDTH, HEIGHT] = [320, 240];
+const GROUND_Y = -1;
+const GROUND_HALF = 3;
+/** The margins of the definition: see volumes.vert and PuffTextures.shadowRadius. */
+const CAP_SLACK = 0.02;
+
+interface View {
+  camera: Camera;
+  towardsLight: Vector3;
+}
+
+function looking(camera: Camera, from: [number, number, number], at: [number, number, number]): Camera {
+  camera.position.set(...from);
+  camera.lookAt(...at);
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+function perspective(): PerspectiveCamera {
+  return new PerspectiveCamera(45, WIDTH / HEIGHT, 0.1, 100);
+}
+
+function offAxis(): PerspectiveCamera {
+  const camera = perspective();
+  camera.setViewOffset(2 * WIDTH, 2 * HEIGHT, 0.6 * WIDTH, 0.7 * HEIGHT, WIDTH, HEIGHT);
+  return camera;
+}
+
+function orthographic(): OrthographicCamera {
+  return new OrthographicCamera(-3, 3, 2.25, -2.25, 0.1, 100);
+}
+
+const VIEWS: Record<string, () => View> = {
+  ordinary: () => ({ camera: looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0]), towardsLight: new Vector3(-0.5, 0.8, 0.4) }),
+  offAxis: () => ({ camera: looking(offAxis(), [0.5, 1.6, 3.4], [0, -0.4, 0]), towardsLight: new Vector3(-0.5, 0.8, 0.4) }),
+  eyeInside: () => ({ camera: looking(perspective(), [0.1, -0.55, 1.2], [0, -0.9, -0.5]), towardsLight: new Vector3(0.1, 1, 0.1) }),
+  backlit: () => ({ camera: looking(perspective(), [0, 0.6, 4.5], [0, -0.6, 0]), towardsLight: new Vector3(0, 0.35, -1) }),
+  orthographic: () => ({ camera: looking(orthographic(), [2, 2.5, 5], [0, -0.4, 0]), towardsLight: new Vector3(-0.5, 0.8, 0.4) }),
+};
+
+/** Counts for a view of a seeded cluster of casters, optionally with a box-shaped mesh among them. */
+export function compare(viewName: string, withMesh: boolean): StencilReport {
+  const view = VIEWS[viewName]();
+  view.towardsLight.normalize();
+  const casters = cluster(viewName === 'eyeInside' ? 60 : 45);
+  const mesh = box([0.7, -0.2, 0.2], [0.25, 0.3, 0.2]);
+  const surfaces: SurfaceDescription[] = [ground(GROUND_Y, GROUND_HALF)];
+  if (withMesh) surfaces.push({ name: 'box', mesh, color: [200, 60, 60], casts: true, inked: false });
+  const { counts } = takePicture({
+    width: WIDTH,
+    height: HEIGHT,
+    puffs: [],
+    casters,
+    surfaces,
+    camera: view.camera,
+    towardsLight: view.towardsLight.toArray(),
+  });
+  return report(view, casters, withMesh, counts);
+}
+
+/** `count` casters on one place: how many pixels of their common shadow came out lit. */
+export function coincident(count: number): { shadowed: number; lit: number } {
+  const view = VIEWS.ordinary();
+  view.towardsLight.normalize();
+  const one: LabPuff = { place: [0, 0, 0], radius: 0.5 };
+  const draw = (casters: LabPuff[]) =>
+    takePicture({
+      width: WIDTH,
+      height: HEIGHT,
+      puffs: [],
+      casters,
+      surfaces: [ground(GROUND_Y, GROUND_HALF)],
+      camera: view.camera,
+      towardsLight: view.towardsLight.toArray(),
+    }).counts;
+  const single = draw([one]);
+  const many = draw(Array.from({ length: count }, () => one));
+  const shadowed = single.filter((value) => value > 0).length;
+  return { shadowed, lit: single.filter((value, pixel) => value > 0 && many[pixel] === 0).length };
+}
+
+function cluster(count: number): LabPuff[] {
+  const next = random(77);
+  return Array.from({ length: count }, () => ({
+    place: [next() * 2 - 1, next() * 1.2 - 0.5, next() * 2 - 1],
+    radius: 0.12 + 0.25 * next(),
+    roll: next() * 2 * Math.PI,
+    variation: Math.floor(next() * 4),
+  }));
+}
+
+function report(view: View, casters: readonly LabPuff[], withMesh: boolean, counts: Uint8Array): StencilReport {
+  const volumes = casters.map((caster) => volumeOf(caster, view));
+  const result: StencilReport = { receiver: 0, differing: 0, wronglyLit: 0, deepest: 0 };
+  for (let pixel = 0; pixel < WIDTH * HEIGHT; ++pixel) {
+    const point = groundPoint(pixel, view.camera, withMesh);
+    if (!point) continue;
+    const inMesh = withMesh && boxHides(point, view.towardsLight);
+    const expected = volumes.filter((volume) => holds(volume, point, view.towardsLight)).length + (inMesh ? 1 : 0);
+    result.receiver += 1;
+    result.deepest = Math.max(result.deepest, expected);
+    if (counts[pixel] !== expected) result.differing += 1;
+    if (counts[pixel] > 0 !== expected > 0) result.wronglyLit += 1;
+  }
+  return result;
+}
+
+interface Volume {
+  start: Vector3;
+  radius: number;
+}
+
+function volumeOf({ place, radius, roll = 0, variation = 0 }: LabPuff, { camera, towardsLight }: View): Volume {
+  const { layers, startCaps } = bakedPuffs();
+  const centre = new Vector3(...place);
+  const inView = centre.clone().applyMatrix4(camera.matrixWorldInverse);
+  const light = towardsLight.clone().transformDirection(camera.matrixWorldInverse);
+  const rolled = light.clone().applyMatrix4(new Matrix4().makeRotationZ(-roll));
+  const slant = camera instanceof PerspectiveCamera ? -(light.x * inView.x + light.y * inView.y) / inView.z : 0;
+  const cap = startCapAt(startCaps, variation, rolled.toArray()) + Math.max(0, slant) + CAP_SLACK;
+  const mean = layers.figures.reduce((sum, { silhouetteRadius }) => sum + silhouetteRadius, 0) / layers.figures.length;
+  return { start: centre.addScaledVector(towardsLight, -cap * radius), radius: 0.95 * mean * radius };
+}
+
+/** Whether a point lies in the cylinder that starts at the volume's cap and runs away from the light. */
+function holds({ start, radius }: Volume, point: Vector3, towardsLight: Vector3): boolean {
+  const offset = point.clone().sub(start);
+  const along = -offset.dot(towardsLight);
+  return along >= 0 && offset.lengthSq() - along * along <= radius * radius;
+}
+
+function groundPoint(pixel: number, camera: Camera, withMesh: boolean): Vector3 | undefined {
+  const at = new Vector2((((pixel % WIDTH) + 0.5) / WIDTH) * 2 - 1, ((Math.floor(pixel / WIDTH) + 0.5) / HEIGHT) * 2 - 1);
+  const caster = new Raycaster();
+  caster.setFromCamera(at, camera as PerspectiveCamera);
+  const { origin, direction } = caster.ray;
+  const distance = (GROUND_Y - origin.y) / direction.y;
+  if (!(distance > 0)) return undefined;
+  const point = origin.clone().addScaledVector(direction, distance);
+  if (Math.abs(point.x) > GROUND_HALF || Math.abs(point.z) > GROUND_HALF) return undefined;
+  return withMesh && boxHides(point, direction.clone().negate()) ? undefined : point;
+}
+
+/** Whether the ray from a point in a direction meets the box of `compare`. */
+function boxHides(point: Vector3, direction: Vector3): boolean {
+  const [centre, half] = [[0.7, -0.2, 0.2], [0.25, 0.3, 0.2]];
+  let [enter, leave] = [0, Infinity];
+  (['x', 'y', 'z'] as const).forEach((axis, index) => {
+    const ends = [-1, 1].map((side) => (centre[index] + side * half[index] - point[axis]) / direction[axis]);
+    enter = Math.max(enter, Math.min(...ends));
+    leave = Math.min(leave, Math.max(...ends));
+  });
+  return enter < leave;
+}

@@ -1,0 +1,179 @@
+/**
+ * A bench for pictures: draws given puffs and surfaces through the product's own passes, without a simulator, and reads
+ * colours and stencil counts back. Runs inside a page.
+ */
+import {
+  AlwaysDepth,
+  Camera,
+  EqualStencilFunc,
+  GLSL3,
+  Matrix4,
+  PerspectiveCamera,
+  RawShaderMaterial,
+  Scene,
+  Vector3,
+  type WebGLRenderTarget,
+} from 'three';
+import fullScreenVertexShader from '../../shaders/lib/fullScreen.vert';
+import { createDevice, type Device } from '../../src/device/device.ts';
+import { fullScreenMesh } from '../../src/device/fullScreen.ts';
+import type { Color } from '../../src/device/ramps.ts';
+import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
+import type { Rows } from '../../src/sim/rows.ts';
+import type { Arranger, FrameInput } from '../../src/smoke/frame.ts';
+import { CartoonSmoke } from '../../src/smoke/smoke.ts';
+import type { Style } from '../../src/smoke/style.ts';
+
+/** A particle as a test sees it; lengths in metres, roll in radians, age as a fraction of the lifetime. */
+export interface LabPuff {
+  place: readonly [number, number, number];
+  radius: number;
+  roll?: number;
+  variation?: number;
+  age?: number;
+}
+
+export interface LabScene {
+  width: number;
+  height: number;
+  puffs: readonly LabPuff[];
+  /** What throws shadow; the puffs themselves where absent. */
+  casters?: readonly LabPuff[];
+  surfaces?: readonly SurfaceDescription[];
+  backdrop?: { top: Color; bottom: Color };
+  camera?: Camera;
+  towardsLight?: readonly [number, number, number];
+  style?: Partial<Style>;
+  pixelRatio?: number;
+  smoothEdges?: boolean;
+}
+
+export const PLAIN_STYLE: Style = {
+  shading: true,
+  outlines: true,
+  shadows: true,
+  gradient: 'none',
+  gradientColor: [128, 128, 128],
+  outlineWidth: 2,
+  innerLine: 0.5,
+  tones: 2,
+  smokeColor: [240, 236, 224],
+  inkColor: [27, 26, 46],
+};
+
+/** RGBA bytes, the bottom row first, and the count in the stencil of each pixel. */
+export interface LabPicture {
+  width: number;
+  height: number;
+  pixels: Uint8Array;
+  counts: Uint8Array;
+}
+
+/** Packs puffs as the simulator would. */
+export function rowsOf(puffs: readonly LabPuff[]): Rows {
+  const place = new Float32Array(4 * puffs.length);
+  const look = new Uint32Array(2 * puffs.length);
+  puffs.forEach((puff, index) => {
+    const turn = (puff.roll ?? 0) / (2 * Math.PI);
+    place.set([...puff.place, puff.radius], 4 * index);
+    look[2 * index] = (Math.round((turn - Math.floor(turn)) * 65536) & 0xffff) | (Math.round((puff.age ?? 0) * 65535) << 16);
+    look[2 * index + 1] = puff.variation ?? 0;
+  });
+  return { count: puffs.length, place, look };
+}
+
+/** The camera of most tests: at the origin's front, 4 m away, looking along -z. */
+export function frontCamera(width: number, height: number, distance = 4, fieldOfView = 40): PerspectiveCamera {
+  const camera = new PerspectiveCamera(fieldOfView, width / height, 0.1, 100);
+  camera.position.set(0, 0, distance);
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+/** Draws one picture on a context of its own and gives everything back. */
+export function takePicture(scene: LabScene): LabPicture {
+  const device = createDevice(new OffscreenCanvas(scene.width, scene.height));
+  try {
+    return drawOn(device, scene);
+  } finally {
+    device.dispose();
+  }
+}
+
+/** Draws one picture on a device that the caller keeps. */
+export function drawOn(device: Device, scene: LabScene): LabPicture {
+  const { width, height } = scene;
+  device.renderer.setSize(width, height, false);
+  const capacity = Math.max(1, scene.puffs.length, scene.casters?.length ?? 0);
+  const smoke = new CartoonSmoke(device, { capacity, surfaces: scene.surfaces ?? [], backdrop: scene.backdrop });
+  smoke.passes.resolve.smoothEdges = scene.smoothEdges ?? false;
+  smoke.draw(inputOf(scene));
+  const pixels = new Uint8Array(4 * width * height);
+  const gl = device.renderer.getContext();
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  const counts = readStencil(device, smoke.passes.targets.renderTarget);
+  smoke.dispose();
+  return { width, height, pixels, counts };
+}
+
+function inputOf(scene: LabScene): FrameInput {
+  return {
+    simulator: fixedRows(scene.puffs, scene.casters ?? scene.puffs),
+    camera: scene.camera ?? frontCamera(scene.width, scene.height),
+    towardsLight: new Vector3(...(scene.towardsLight ?? [0.5, 0.7, 0.5])).normalize(),
+    style: { ...PLAIN_STYLE, ...scene.style },
+    blend: 1,
+    width: scene.width,
+    height: scene.height,
+    pixelRatio: scene.pixelRatio ?? 1,
+    rigids: (scene.surfaces ?? []).map(() => new Matrix4()),
+    cull: false,
+    output: null,
+  };
+}
+
+function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arranger {
+  const all = [...puffs, ...casters];
+  const extreme = (axis: 0 | 1 | 2, sign: 1 | -1) =>
+    sign * Math.max(...all.map(({ place, radius }) => sign * place[axis] + radius));
+  return {
+    arrange: ({ purpose }) => rowsOf(purpose === 'eye' ? puffs : casters),
+    bounds: {
+      min: [extreme(0, -1), extreme(1, -1), extreme(2, -1)],
+      max: [extreme(0, 1), extreme(1, 1), extreme(2, 1)],
+    },
+  };
+}
+
+/** Reads the stencil, which WebGL cannot do itself: each value draws itself where it stands. */
+function readStencil({ renderer }: Device, target: WebGLRenderTarget): Uint8Array {
+  const count = { value: 0 };
+  const material = new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader: fullScreenVertexShader,
+    fragmentShader: `precision highp float;
+      uniform float count;
+      layout(location = 0) out vec4 first;
+      layout(location = 1) out vec4 second;
+      void main() { first = vec4(count / 255.0); second = first; }`,
+    uniforms: { count },
+    depthFunc: AlwaysDepth,
+    depthWrite: false,
+    stencilWrite: true,
+    stencilFunc: EqualStencilFunc,
+  });
+  const mesh = fullScreenMesh(material);
+  const scene = new Scene().add(mesh);
+  renderer.setRenderTarget(target);
+  for (count.value = 0; count.value < 256; ++count.value) {
+    material.stencilRef = count.value;
+    renderer.render(scene, new Camera());
+  }
+  const { width, height } = target;
+  const pixels = new Uint8Array(4 * width * height);
+  renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
+  mesh.geometry.dispose();
+  material.dispose();
+  return pixels.filter((_, index) => index % 4 === 0);
+}
+
