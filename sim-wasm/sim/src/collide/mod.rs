@@ -1,61 +1,175 @@
 //! What smoke bumps into: analytic colliders here, rigids of Rapier by the feature `rigids`.
+//!
+//! Particles are spheres. Each one that comes near an obstacle meets it as [`contact`] tells; what is far is passed
+//! over by boxes, four particles at a time.
+
+pub mod analytic;
+pub mod contact;
+pub mod motion;
+pub mod shapes;
+pub mod space;
+mod survey;
+
+pub use analytic::{AnalyticCollider, ColliderShape};
 
 use crate::life::RadiusLaw;
 use crate::particles::Particles;
 #[cfg(feature = "rigids")]
 use crate::rigids::Rigids;
+use analytic::AnalyticShape;
+use contact::{Obstacle, Pass, Traveller};
+use space::{Bounds, Vector};
 
-/// Shape of an [`AnalyticCollider`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ColliderShape {
-    /// The half space below `position`, `axis` is its outward normal.
-    Plane,
-    /// A ball of `radius`.
-    Ball,
-    /// A box of `half_extents`, its y axis along `axis`.
-    Box,
-    /// A capsule of `radius`, its straight part `half_extents[1]` to both sides of `position` along `axis`.
-    Capsule,
-}
+/// Rounds in which a particle is moved out of one obstacle and perhaps into the next; corners need two.
+const PASSES: [Pass; 4] = [Pass::First, Pass::Again, Pass::Again, Pass::Again];
+const MOST_COLLIDERS: usize = 8;
+/// Below this share of a step a newborn's way is too short to tell its velocity.
+const SHORTEST_WAY: f32 = 1e-3;
 
-/// A resting obstacle in closed form, as the parameters `colliders.#.*` describe it.
-#[derive(Clone, Copy, Debug)]
-pub struct AnalyticCollider {
-    pub shape: ColliderShape,
-    /// A point on the plane, or the centre (m).
-    pub position: [f32; 3],
-    /// Unit vector: the plane's normal, the capsule's or box's y axis.
-    pub axis: [f32; 3],
-    /// Half sides of the box (m); the capsule uses the second.
-    pub half_extents: [f32; 3],
-    /// Radius of ball and capsule (m).
-    pub radius: f32,
-    /// Share of the normal velocity that comes back, 0..1.
-    pub restitution: f32,
-    /// Share of the tangential velocity that is lost, 0..1.
-    pub friction: f32,
-}
-
-/// Memory that [`resolve`] needs, made once: at most 8 bytes a particle.
+/// Memory that [`resolve`] needs, made once; it does not depend on the number of particles.
 #[derive(Debug)]
-pub struct Scratch {}
+pub struct Scratch {
+    obstacles: Vec<Obstacle<AnalyticShape>>,
+    near: Vec<u32>,
+}
 
 impl Scratch {
     /// Scratch for `capacity` particles.
     pub fn new(_capacity: usize) -> Self {
-        Self {}
+        Self {
+            obstacles: Vec::with_capacity(MOST_COLLIDERS),
+            near: Vec::with_capacity(64),
+        }
     }
+}
+
+/// All that particles may meet in a step.
+struct Obstacles<'a> {
+    analytic: &'a [Obstacle<AnalyticShape>],
+    #[cfg(feature = "rigids")]
+    rigids: &'a Rigids,
 }
 
 /// Moves particles out of colliders and rigids, after motion and before ageing; their positions of one step earlier
 /// (`px`, `py`, `pz`) are still those of the step's start. Never allocates. `dt` in seconds; `radii.radius(..)` gives
 /// the collision radius in metres.
 pub fn resolve(
-    _particles: &mut Particles,
-    _radii: &RadiusLaw,
-    _colliders: &[AnalyticCollider],
-    #[cfg(feature = "rigids")] _rigids: &mut Rigids,
-    _dt: f32,
-    _scratch: &mut Scratch,
+    particles: &mut Particles,
+    radii: &RadiusLaw,
+    colliders: &[AnalyticCollider],
+    #[cfg(feature = "rigids")] rigids: &mut Rigids,
+    dt: f32,
+    scratch: &mut Scratch,
 ) {
+    scratch.obstacles.clear();
+    scratch
+        .obstacles
+        .extend(colliders.iter().map(AnalyticCollider::obstacle));
+    #[allow(unused_mut)]
+    let mut everything = scratch
+        .obstacles
+        .iter()
+        .fold(Bounds::NOTHING, |all, one| all.with(&one.bounds));
+    #[cfg(feature = "rigids")]
+    if rigids.count() > 0 {
+        rigids.prepare(&survey::extent(particles, radii));
+        everything = everything.with(rigids.bounds());
+        scratch.near.reserve(rigids.count() + MOST_COLLIDERS);
+    }
+    if everything == Bounds::NOTHING {
+        return;
+    }
+    let obstacles = Obstacles {
+        analytic: &scratch.obstacles,
+        #[cfg(feature = "rigids")]
+        rigids,
+    };
+    survey::for_each_touching(particles, radii, &everything, |particles, i| {
+        resolve_one(particles, i, radii, &obstacles, dt, &mut scratch.near);
+    });
+}
+
+fn resolve_one(
+    particles: &mut Particles,
+    i: usize,
+    radii: &RadiusLaw,
+    obstacles: &Obstacles,
+    dt: f32,
+    near: &mut Vec<u32>,
+) {
+    let traveller = traveller(particles, i, radii, dt);
+    obstacles.find_near(&Bounds::of_way(traveller.from, traveller.to, traveller.radius), near);
+    if near.is_empty() {
+        return;
+    }
+    let mut pushed = traveller;
+    if obstacles.meet(&mut pushed, near) {
+        [particles.x[i], particles.y[i], particles.z[i]] = pushed.to.into();
+        if traveller.began <= 1.0 - SHORTEST_WAY {
+            let change = pushed.velocity - traveller.velocity;
+            particles.sx[i] += change.x;
+            particles.sy[i] += change.y;
+            particles.sz[i] += change.z;
+        }
+    }
+}
+
+/// Particle `i` on its way through the step that has just been made. Its age is that of the step's start, below 0 if it
+/// was born in the step; its radius is the larger of now and after ageing, so that growth does not put it into a wall.
+fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Traveller {
+    let from = Vector::new(particles.px[i], particles.py[i], particles.pz[i]);
+    let to = Vector::new(particles.x[i], particles.y[i], particles.z[i]);
+    let (size, age, lifetime) = (particles.size[i], particles.age[i], particles.lifetime[i]);
+    let began = (-age / dt).clamp(0.0, 1.0);
+    let span = dt * (1.0 - began).max(SHORTEST_WAY);
+    let radius = radii
+        .radius(size, age, lifetime)
+        .max(radii.radius(size, age + dt, lifetime));
+    Traveller {
+        from,
+        to,
+        velocity: (to - from) * (1.0 / span),
+        radius,
+        began,
+    }
+}
+
+impl Obstacles<'_> {
+    /// Writes the numbers of the obstacles that `way` may touch: the analytic ones, then the rigids, each in order.
+    fn find_near(&self, way: &Bounds, near: &mut Vec<u32>) {
+        near.clear();
+        for (index, obstacle) in self.analytic.iter().enumerate() {
+            if obstacle.bounds.touches(way) {
+                near.push(index as u32);
+            }
+        }
+        #[cfg(feature = "rigids")]
+        self.rigids.find_near(way, self.analytic.len() as u32, near);
+    }
+
+    /// True when the traveller touched any of `near`.
+    fn meet(&self, traveller: &mut Traveller, near: &[u32]) -> bool {
+        let mut touched = false;
+        for pass in PASSES {
+            let mut again = false;
+            for &index in near {
+                again |= self.meet_one(index as usize, traveller, pass);
+            }
+            if !again {
+                break;
+            }
+            touched = true;
+        }
+        touched
+    }
+
+    fn meet_one(&self, index: usize, traveller: &mut Traveller, pass: Pass) -> bool {
+        match self.analytic.get(index) {
+            Some(obstacle) => obstacle.meet(traveller, pass),
+            #[cfg(feature = "rigids")]
+            None => self.rigids.obstacle(index - self.analytic.len()).meet(traveller, pass),
+            #[cfg(not(feature = "rigids"))]
+            None => unreachable!("only analytic colliders are found near"),
+        }
+    }
 }

@@ -1,0 +1,19 @@
+//! The simulator for JavaScript: calls, numbers and addresses in WASM memory. Everything that thinks is in `sim`.
+
+mod fault;
+mod refusal;
+mod simulator;
+
+use wasm_bindgen::prelude::*;
+
+/// The layout constants that the web side must share: floats of a place row, words of a look row, floats of a view,
+/// floats of a rigid in the pose array.
+#[wasm_bindgen(js_name = layout)]
+pub fn layout() -> Vec<u32> {
+    vec![
+        sim::arrange::PLACE_FLOATS as u32,
+        sim::arrange::LOOK_WORDS as u32,
+        sim::arrange::VIEW_FLOATS as u32,
+        simulator::RIGID_FLOATS as u32,
+    ]
+}

@@ -1,0 +1,112 @@
+//! Resting obstacles in closed form, as the parameters `colliders.#.*` describe them.
+
+use super::contact::{Material, Obstacle};
+use super::motion::Motion;
+use super::shapes::{Ball, Capsule, Collider, Cuboid, HalfSpace, Nearest};
+use super::space::{Bounds, Pose, Vector};
+
+/// Shape of an [`AnalyticCollider`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ColliderShape {
+    /// The half space below `position`, `axis` is its outward normal.
+    Plane,
+    /// A ball of `radius`.
+    Ball,
+    /// A box of `half_extents`, its y axis along `axis`.
+    Box,
+    /// A capsule of `radius`, its straight part `half_extents[1]` to both sides of `position` along `axis`.
+    Capsule,
+}
+
+/// A resting obstacle in closed form, as the parameters `colliders.#.*` describe it.
+#[derive(Clone, Copy, Debug)]
+pub struct AnalyticCollider {
+    pub shape: ColliderShape,
+    /// A point on the plane, or the centre (m).
+    pub position: [f32; 3],
+    /// Unit vector: the plane's normal, the capsule's or box's y axis.
+    pub axis: [f32; 3],
+    /// Half sides of the box (m); the capsule uses the second.
+    pub half_extents: [f32; 3],
+    /// Radius of ball and capsule (m).
+    pub radius: f32,
+    /// Share of the normal velocity that comes back, 0..1.
+    pub restitution: f32,
+    /// Share of the tangential velocity that is lost, 0..1.
+    pub friction: f32,
+}
+
+/// The shape of a resting obstacle in its own space.
+#[derive(Clone, Copy, Debug)]
+pub enum AnalyticShape {
+    HalfSpace(HalfSpace),
+    Ball(Ball),
+    Cuboid(Cuboid),
+    Capsule(Capsule),
+}
+
+impl AnalyticCollider {
+    /// The obstacle that particles meet.
+    pub fn obstacle(&self) -> Obstacle<AnalyticShape> {
+        let shape = self.own_shape();
+        let pose = Pose::along(Vector::from(self.position), Vector::from(self.axis));
+        let motion = Motion::resting(pose);
+        let bounds = match shape {
+            AnalyticShape::HalfSpace(_) => half_space_bounds(pose.position, Vector::from(self.axis)),
+            _ => motion.bounds_of(&shape.bounds()),
+        };
+        let material = Material {
+            restitution: self.restitution,
+            friction: self.friction,
+        };
+        Obstacle {
+            shape,
+            motion,
+            material,
+            bounds,
+        }
+    }
+
+    fn own_shape(&self) -> AnalyticShape {
+        let radius = self.radius;
+        let half_extents = Vector::from(self.half_extents);
+        match self.shape {
+            ColliderShape::Plane => AnalyticShape::HalfSpace(HalfSpace),
+            ColliderShape::Ball => AnalyticShape::Ball(Ball { radius }),
+            ColliderShape::Box => AnalyticShape::Cuboid(Cuboid { half_extents }),
+            ColliderShape::Capsule => AnalyticShape::Capsule(Capsule {
+                half_height: half_extents.y,
+                radius,
+            }),
+        }
+    }
+}
+
+/// A ground ends at its height, which spares the particles high above it; a tilted half space has no box.
+fn half_space_bounds(position: Vector, normal: Vector) -> Bounds {
+    let mut bounds = Bounds::EVERYTHING;
+    if normal == Vector::Y {
+        bounds.max.y = position.y;
+    }
+    bounds
+}
+
+impl Collider for AnalyticShape {
+    fn nearest(&self, point: Vector, limit: f32) -> Nearest {
+        match self {
+            AnalyticShape::HalfSpace(shape) => shape.nearest(point, limit),
+            AnalyticShape::Ball(shape) => shape.nearest(point, limit),
+            AnalyticShape::Cuboid(shape) => shape.nearest(point, limit),
+            AnalyticShape::Capsule(shape) => shape.nearest(point, limit),
+        }
+    }
+
+    fn bounds(&self) -> Bounds {
+        match self {
+            AnalyticShape::HalfSpace(shape) => shape.bounds(),
+            AnalyticShape::Ball(shape) => shape.bounds(),
+            AnalyticShape::Cuboid(shape) => shape.bounds(),
+            AnalyticShape::Capsule(shape) => shape.bounds(),
+        }
+    }
+}

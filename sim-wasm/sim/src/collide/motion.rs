@@ -1,0 +1,109 @@
+//! How an obstacle moves over one step: from a pose to a pose, the way between them cut into pieces that hardly turn.
+
+use super::space::{Bounds, Frame, Pose, Vector};
+
+/// The most that an obstacle may turn (rad) within one piece of its way. In the obstacle's own frame a straight way
+/// becomes an arc; over a piece the arc is taken for its chord, which at this angle errs by 0.5 % of the radius.
+const PIECE_ANGLE: f32 = 0.2;
+const MOST_PIECES: f32 = 16.0;
+
+/// The way of an obstacle over one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion {
+    start: Pose,
+    end: Pose,
+    start_frame: Frame,
+    end_frame: Frame,
+    velocity: Vector,
+    spin: Vector,
+    pieces: u32,
+}
+
+impl Motion {
+    /// Stays where it is.
+    pub fn resting(pose: Pose) -> Self {
+        let frame = Frame::new(&pose);
+        let (velocity, spin) = (Vector::ZERO, Vector::ZERO);
+        Self {
+            start: pose,
+            end: pose,
+            start_frame: frame,
+            end_frame: frame,
+            velocity,
+            spin,
+            pieces: 1,
+        }
+    }
+
+    /// Goes from `start` to `end` in `dt` seconds. A `round` shape is followed without its turning, which does not
+    /// show in its surface, only in the surface's velocity.
+    pub fn between(start: Pose, end: Pose, dt: f32, round: bool) -> Self {
+        let turn = start.turn_to(&end);
+        let velocity = (end.position - start.position) * (1.0 / dt);
+        let (start, end) = if round {
+            (Pose::at(start.position), Pose::at(end.position))
+        } else {
+            (start, end)
+        };
+        let pieces = if round {
+            1.0
+        } else {
+            (turn.length() / PIECE_ANGLE).ceil().clamp(1.0, MOST_PIECES)
+        };
+        Self {
+            start,
+            end,
+            start_frame: Frame::new(&start),
+            end_frame: Frame::new(&end),
+            velocity,
+            spin: turn * (1.0 / dt),
+            pieces: pieces as u32,
+        }
+    }
+
+    /// Pieces in which the way has to be followed, at least 1.
+    pub fn pieces(&self) -> u32 {
+        self.pieces
+    }
+
+    /// The frame at a fraction of the step.
+    pub fn frame(&self, fraction: f32) -> Frame {
+        if fraction >= 1.0 {
+            self.end_frame
+        } else if fraction <= 0.0 {
+            self.start_frame
+        } else {
+            Frame::new(&self.start.towards(&self.end, fraction))
+        }
+    }
+
+    /// Velocity (m/s) at a fraction of the step of what is at the world point `point` and moves with the obstacle.
+    pub fn velocity_at(&self, point: Vector, fraction: f32) -> Vector {
+        let origin = self.start.position.towards(self.end.position, fraction);
+        self.velocity + self.spin.cross(point - origin)
+    }
+
+    /// How much longer (m) than the straight way from `from` to `to`, both in the obstacle's frame, a way may be that
+    /// the obstacle's turning bends.
+    pub fn detour(&self, from: Vector, to: Vector) -> f32 {
+        if self.pieces == 1 {
+            0.0
+        } else {
+            PIECE_ANGLE * self.pieces as f32 * from.length().max(to.length())
+        }
+    }
+
+    /// The world box of all places where a shape with the box `local` is during the step.
+    pub fn bounds_of(&self, local: &Bounds) -> Bounds {
+        let mut bounds = self.start_frame.bounds_of(local).with(&self.end_frame.bounds_of(local));
+        if self.pieces > 1 {
+            for piece in 1..self.pieces {
+                let frame = self.frame(piece as f32 / self.pieces as f32);
+                bounds = bounds.with(&frame.bounds_of(local));
+            }
+            let reach = local.min.abs().greatest(local.max.abs()).length();
+            bounds = bounds.wider(reach * PIECE_ANGLE * PIECE_ANGLE);
+        }
+        bounds
+    }
+}

@@ -1,0 +1,295 @@
+//! Vectors, rotations and places. Plain scalar arithmetic in a fixed order, so that every machine gets the same bits.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// A vector of three (m, or m/s).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vector {
+    pub x: f32,
+    pub y: f32,
+    pub z: f32,
+}
+
+impl Vector {
+    /// No length.
+    pub const ZERO: Vector = Vector::new(0.0, 0.0, 0.0);
+    /// Up.
+    pub const Y: Vector = Vector::new(0.0, 1.0, 0.0);
+
+    /// A vector from its parts.
+    pub const fn new(x: f32, y: f32, z: f32) -> Self {
+        Self { x, y, z }
+    }
+
+    /// The dot product.
+    pub fn dot(self, other: Self) -> f32 {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+
+    /// The cross product.
+    pub fn cross(self, other: Self) -> Self {
+        Self::new(
+            self.y * other.z - self.z * other.y,
+            self.z * other.x - self.x * other.z,
+            self.x * other.y - self.y * other.x,
+        )
+    }
+
+    /// The Euclidean length.
+    pub fn length(self) -> f32 {
+        self.dot(self).sqrt()
+    }
+
+    /// The unit vector of this direction; `fallback` where there is no direction.
+    pub fn unit_or(self, fallback: Self) -> Self {
+        let length = self.length();
+        if length > 1e-20 {
+            self * (1.0 / length)
+        } else {
+            fallback
+        }
+    }
+
+    /// The lesser of each part.
+    pub fn least(self, other: Self) -> Self {
+        Self::new(self.x.min(other.x), self.y.min(other.y), self.z.min(other.z))
+    }
+
+    /// The greater of each part.
+    pub fn greatest(self, other: Self) -> Self {
+        Self::new(self.x.max(other.x), self.y.max(other.y), self.z.max(other.z))
+    }
+
+    /// Each part without its sign.
+    pub fn abs(self) -> Self {
+        Self::new(self.x.abs(), self.y.abs(), self.z.abs())
+    }
+
+    /// The point at `fraction` of the way to `other`.
+    pub fn towards(self, other: Self, fraction: f32) -> Self {
+        self + (other - self) * fraction
+    }
+}
+
+impl From<[f32; 3]> for Vector {
+    fn from([x, y, z]: [f32; 3]) -> Self {
+        Self::new(x, y, z)
+    }
+}
+
+impl From<Vector> for [f32; 3] {
+    fn from(vector: Vector) -> Self {
+        [vector.x, vector.y, vector.z]
+    }
+}
+
+impl Add for Vector {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
+    }
+}
+
+impl Sub for Vector {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
+    }
+}
+
+impl Mul<f32> for Vector {
+    type Output = Self;
+    fn mul(self, factor: f32) -> Self {
+        Self::new(self.x * factor, self.y * factor, self.z * factor)
+    }
+}
+
+impl Neg for Vector {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y, -self.z)
+    }
+}
+
+/// Where something stands and how it is turned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// World space, metres.
+    pub position: Vector,
+    /// Unit quaternion x, y, z, w.
+    pub rotation: [f32; 4],
+}
+
+impl Pose {
+    /// At `position`, not turned.
+    pub fn at(position: Vector) -> Self {
+        Self {
+            position,
+            rotation: [0.0, 0.0, 0.0, 1.0],
+        }
+    }
+
+    /// At `position`, turned by the shortest way so that the own y axis points along the unit vector `axis`.
+    pub fn along(position: Vector, axis: Vector) -> Self {
+        // Straight down there is no shortest way: half a turn about x.
+        let rotation = if axis.y < -0.999_999 {
+            [1.0, 0.0, 0.0, 0.0]
+        } else {
+            unit([axis.z, 0.0, -axis.x, 1.0 + axis.y])
+        };
+        Self { position, rotation }
+    }
+
+    /// The pose at `fraction` of the way to `other`: positions on a line, rotations by the shorter way.
+    pub fn towards(&self, other: &Self, fraction: f32) -> Self {
+        let (a, b) = (self.rotation, other.rotation);
+        let cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+        let sign = if cosine < 0.0 { -1.0 } else { 1.0 };
+        let rotation = std::array::from_fn(|part| a[part] + (sign * b[part] - a[part]) * fraction);
+        Self {
+            position: self.position.towards(other.position, fraction),
+            rotation: unit(rotation),
+        }
+    }
+
+    /// Axis times angle (rad) of the shorter turn from this pose to `other`, world space.
+    pub fn turn_to(&self, other: &Self) -> Vector {
+        let (a, b) = (self.rotation, other.rotation);
+        let (u, v) = (Vector::new(a[0], a[1], a[2]), Vector::new(b[0], b[1], b[2]));
+        let w = a[3] * b[3] + u.dot(v);
+        let sign = if w < 0.0 { -1.0 } else { 1.0 };
+        let half = (v * a[3] - u * b[3] - v.cross(u)) * sign;
+        let sine = half.length();
+        if sine < 1e-9 {
+            half * 2.0
+        } else {
+            half * (2.0 * libm::atan2f(sine, w * sign) / sine)
+        }
+    }
+}
+
+fn unit(q: [f32; 4]) -> [f32; 4] {
+    let scale = 1.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
+    q.map(|part| part * scale)
+}
+
+/// A pose made ready for many points: its axes and origin.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    origin: Vector,
+    axes: [Vector; 3],
+}
+
+impl Frame {
+    /// The frame of a pose.
+    pub fn new(pose: &Pose) -> Self {
+        let [x, y, z, w] = pose.rotation;
+        Self {
+            origin: pose.position,
+            axes: [
+                Vector::new(
+                    1.0 - 2.0 * (y * y + z * z),
+                    2.0 * (x * y + w * z),
+                    2.0 * (x * z - w * y),
+                ),
+                Vector::new(
+                    2.0 * (x * y - w * z),
+                    1.0 - 2.0 * (x * x + z * z),
+                    2.0 * (y * z + w * x),
+                ),
+                Vector::new(
+                    2.0 * (x * z + w * y),
+                    2.0 * (y * z - w * x),
+                    1.0 - 2.0 * (x * x + y * y),
+                ),
+            ],
+        }
+    }
+
+    /// A point of the world as this frame sees it.
+    pub fn local_from_world(&self, point: Vector) -> Vector {
+        let offset = point - self.origin;
+        Vector::new(
+            self.axes[0].dot(offset),
+            self.axes[1].dot(offset),
+            self.axes[2].dot(offset),
+        )
+    }
+
+    /// A point of this frame in the world.
+    pub fn world_from_local(&self, point: Vector) -> Vector {
+        self.origin + self.turned(point)
+    }
+
+    /// A direction of this frame in the world.
+    pub fn turned(&self, direction: Vector) -> Vector {
+        self.axes[0] * direction.x + self.axes[1] * direction.y + self.axes[2] * direction.z
+    }
+
+    /// The world box around a box of this frame.
+    pub fn bounds_of(&self, local: &Bounds) -> Bounds {
+        let centre = self.world_from_local((local.min + local.max) * 0.5);
+        let half = (local.max - local.min) * 0.5;
+        let reach = self.axes[0].abs() * half.x + self.axes[1].abs() * half.y + self.axes[2].abs() * half.z;
+        Bounds {
+            min: centre - reach,
+            max: centre + reach,
+        }
+    }
+}
+
+/// A box along the axes (m).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    pub min: Vector,
+    pub max: Vector,
+}
+
+impl Bounds {
+    /// Holds nothing.
+    pub const NOTHING: Bounds = Bounds {
+        min: Vector::new(f32::INFINITY, f32::INFINITY, f32::INFINITY),
+        max: Vector::new(f32::NEG_INFINITY, f32::NEG_INFINITY, f32::NEG_INFINITY),
+    };
+    /// Holds everything.
+    pub const EVERYTHING: Bounds = Bounds {
+        min: Self::NOTHING.max,
+        max: Self::NOTHING.min,
+    };
+
+    /// The box around a way from `from` to `to`, `reach` wider on all sides.
+    pub fn of_way(from: Vector, to: Vector, reach: f32) -> Self {
+        Self {
+            min: from.least(to),
+            max: from.greatest(to),
+        }
+        .wider(reach)
+    }
+
+    /// This box, `margin` larger on all sides.
+    pub fn wider(&self, margin: f32) -> Self {
+        let margin = Vector::new(margin, margin, margin);
+        Self {
+            min: self.min - margin,
+            max: self.max + margin,
+        }
+    }
+
+    /// The box around both.
+    pub fn with(&self, other: &Self) -> Self {
+        Self {
+            min: self.min.least(other.min),
+            max: self.max.greatest(other.max),
+        }
+    }
+
+    /// Whether the two have a point in common.
+    pub fn touches(&self, other: &Self) -> bool {
+        self.min.x <= other.max.x
+            && self.max.x >= other.min.x
+            && self.min.y <= other.max.y
+            && self.max.y >= other.min.y
+            && self.min.z <= other.max.z
+            && self.max.z >= other.min.z
+    }
+}

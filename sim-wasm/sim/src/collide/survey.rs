@@ -1,0 +1,115 @@
+//! Looking over all particles, four at a time.
+
+use wide::f32x4;
+
+use super::space::Bounds;
+#[cfg(feature = "rigids")]
+use super::space::Vector;
+use crate::life::RadiusLaw;
+use crate::particles::{LANES, Particles};
+
+/// Where the particles are, and how far each reaches from the middle of its way.
+#[cfg(feature = "rigids")]
+#[derive(Clone, Copy, Debug)]
+pub struct Extent {
+    /// Holds the middle of each particle's way over the step.
+    pub middles: Bounds,
+    /// The greatest and the mean half side (m) of the boxes around the particles' ways, radius included.
+    pub greatest_reach: f32,
+    pub mean_reach: f32,
+}
+
+/// The box around the ways of four particles, sphere included.
+struct Ways {
+    min: [f32x4; 3],
+    max: [f32x4; 3],
+}
+
+impl Ways {
+    fn load(particles: &Particles, radii: &RadiusLaw, first: usize) -> Self {
+        // The radius law never gives more than this, and needs neither age nor lifetime.
+        let reach = four(&particles.size, first) * f32x4::splat(radii.puff_size);
+        let columns = [
+            (&particles.x, &particles.px),
+            (&particles.y, &particles.py),
+            (&particles.z, &particles.pz),
+        ];
+        let ends = columns.map(|(now, before)| (four(now, first), four(before, first)));
+        Self {
+            min: ends.map(|(now, before)| now.fast_min(before) - reach),
+            max: ends.map(|(now, before)| now.fast_max(before) + reach),
+        }
+    }
+
+    /// Bit k is set when the k-th box touches `bounds`.
+    fn touching(&self, bounds: &Bounds) -> u32 {
+        let (least, most): ([f32; 3], [f32; 3]) = (bounds.min.into(), bounds.max.into());
+        let mut all = f32x4::splat(f32::from_bits(u32::MAX));
+        for axis in 0..3 {
+            all &= self.min[axis].simd_le(f32x4::splat(most[axis])) & self.max[axis].simd_ge(f32x4::splat(least[axis]));
+        }
+        all.to_bitmask()
+    }
+}
+
+fn four(column: &[f32], first: usize) -> f32x4 {
+    let lanes: &[f32; LANES] = column[first..first + LANES]
+        .try_into()
+        .expect("columns are padded to whole blocks");
+    f32x4::from(*lanes)
+}
+
+/// Calls `meet` for each living particle whose way, sphere included, touches `bounds`.
+pub fn for_each_touching(
+    particles: &mut Particles,
+    radii: &RadiusLaw,
+    bounds: &Bounds,
+    mut meet: impl FnMut(&mut Particles, usize),
+) {
+    let alive = particles.alive();
+    for first in (0..alive).step_by(LANES) {
+        let mut touching = Ways::load(particles, radii, first).touching(bounds);
+        while touching != 0 {
+            let i = first + touching.trailing_zeros() as usize;
+            if i < alive {
+                meet(particles, i);
+            }
+            touching &= touching - 1;
+        }
+    }
+}
+
+/// Measures the living particles. The last block's padding holds leftovers that may widen the box, which costs a
+/// little time and changes no result.
+#[cfg(feature = "rigids")]
+pub fn extent(particles: &Particles, radii: &RadiusLaw) -> Extent {
+    let half = f32x4::splat(0.5);
+    let mut least = [f32x4::splat(f32::INFINITY); 3];
+    let mut most = [f32x4::splat(f32::NEG_INFINITY); 3];
+    let mut greatest_reach = f32x4::splat(0.0);
+    let mut sum = f32x4::splat(0.0);
+    for first in (0..particles.alive()).step_by(LANES) {
+        let ways = Ways::load(particles, radii, first);
+        let mut reach = f32x4::splat(0.0);
+        for axis in 0..3 {
+            let middle = (ways.min[axis] + ways.max[axis]) * half;
+            least[axis] = least[axis].fast_min(middle);
+            most[axis] = most[axis].fast_max(middle);
+            reach = reach.fast_max((ways.max[axis] - ways.min[axis]) * half);
+        }
+        greatest_reach = greatest_reach.fast_max(reach);
+        sum += reach;
+    }
+    let vector = |lanes: [f32x4; 3], pick: fn(f32, f32) -> f32| {
+        let [x, y, z] = lanes.map(|lane| lane.to_array().into_iter().reduce(pick).expect("four lanes"));
+        Vector::new(x, y, z)
+    };
+    Extent {
+        middles: Bounds {
+            min: vector(least, f32::min),
+            max: vector(most, f32::max),
+        },
+        greatest_reach: greatest_reach.to_array().into_iter().fold(0.0, f32::max),
+        mean_reach: sum.to_array().iter().sum::<f32>() / particles.alive().max(1) as f32,
+    }
+}

@@ -1,0 +1,167 @@
+/**
+ * Fetches and instantiates the WASM of the simulator, once a variant, and makes simulators from it.
+ */
+import { LoadError, UnsupportedError } from '../preset/errors.ts';
+import { Simulator, type SimulatorModule, type SimulatorOptions } from './simulator.ts';
+
+/** How far a download is; `total` is undefined when the server does not tell. Bytes after decompression. */
+export interface LoadProgress {
+  loaded: number;
+  total: number | undefined;
+}
+
+export interface LoadOptions {
+  /** With rigids, which takes the larger variant; without, `addRigid` is refused. */
+  physics: boolean;
+  /** Called for each piece that arrives, also for a download that another call began. */
+  onProgress?: (progress: LoadProgress) => void;
+  /** The WASM module itself, where it cannot be fetched; only heeded by the call that begins the loading. */
+  bytes?: BufferSource;
+}
+
+/** Makes simulators; those of one factory share one WASM memory. */
+export class SimulatorFactory {
+  /** The instantiated module; for tests and measurements. */
+  readonly module: SimulatorModule;
+
+  constructor(module: SimulatorModule) {
+    this.module = module;
+  }
+
+  /** @throws ParameterError when capacity or seed are out of range. */
+  create(options: SimulatorOptions): Simulator {
+    return new Simulator(this.module, options);
+  }
+}
+
+type Listener = (progress: LoadProgress) => void;
+
+class Loading {
+  readonly listeners = new Set<Listener>();
+  readonly factory: Promise<SimulatorFactory>;
+
+  constructor(physics: boolean, bytes: BufferSource | undefined) {
+    this.factory = load(physics, bytes, (progress) => {
+      for (const listener of this.listeners) listener(progress);
+    });
+  }
+}
+
+const loadings = new Map<boolean, Loading>();
+
+/**
+ * Loads a variant of the simulator, or gives the one that is loaded already. After a failure the next call tries anew.
+ *
+ * @throws UnsupportedError without WASM SIMD. LoadError when the module cannot be fetched or compiled.
+ */
+export async function loadSimulators(options: LoadOptions): Promise<SimulatorFactory> {
+  requireSimd();
+  const { physics, onProgress } = options;
+  let loading = loadings.get(physics);
+  if (loading === undefined) {
+    loading = new Loading(physics, options.bytes);
+    loadings.set(physics, loading);
+  }
+  if (onProgress !== undefined) loading.listeners.add(onProgress);
+  try {
+    return await loading.factory;
+  } catch (error) {
+    if (loadings.get(physics) === loading) loadings.delete(physics);
+    throw error;
+  } finally {
+    if (onProgress !== undefined) loading.listeners.delete(onProgress);
+  }
+}
+
+/** The smallest module with a SIMD instruction: a function that splats a constant. */
+const SIMD_PROBE = Uint8Array.of(
+  0,
+  97,
+  115,
+  109,
+  1,
+  0,
+  0,
+  0,
+  1,
+  5,
+  1,
+  96,
+  0,
+  1,
+  123,
+  3,
+  2,
+  1,
+  0,
+  10,
+  10,
+  1,
+  8,
+  0,
+  65,
+  0,
+  253,
+  15,
+  253,
+  98,
+  11,
+);
+
+function requireSimd(): void {
+  if (typeof WebAssembly === 'object' && WebAssembly.validate(SIMD_PROBE)) return;
+  throw new UnsupportedError(
+    'Smoke needs WebAssembly with SIMD, which this browser lacks or has switched off. ' +
+      'Chrome and Edge 91, Firefox 89, Safari 16.4 and everything newer have it.',
+  );
+}
+
+async function load(physics: boolean, given: BufferSource | undefined, report: Listener): Promise<SimulatorFactory> {
+  const address = wasmAddress(physics);
+  try {
+    const [bindings, bytes] = await Promise.all([importBindings(physics), given ?? download(address, report)]);
+    const instance = bindings.initSync({ module: await WebAssembly.compile(bytes) });
+    return new SimulatorFactory({ bindings, memory: instance.memory });
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    throw new LoadError(`The simulator could not be loaded from ${address.href}: ${reason}`, { cause: error });
+  }
+}
+
+/** Spelt out for each variant, because bundlers only find addresses that are written so. */
+function wasmAddress(physics: boolean): URL {
+  return physics
+    ? new URL('./wasm/physics/bindings_bg.wasm', import.meta.url)
+    : new URL('./wasm/core/bindings_bg.wasm', import.meta.url);
+}
+
+async function importBindings(physics: boolean): Promise<SimulatorModule['bindings']> {
+  return physics ? await import('./wasm/physics/bindings.js') : await import('./wasm/core/bindings.js');
+}
+
+async function download(address: URL, report: Listener): Promise<BufferSource> {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`the server answered ${response.status} ${response.statusText}`.trim());
+  if (response.body === null) return response.arrayBuffer();
+  const stated = Number(response.headers.get('content-length')) || undefined;
+  const pieces: Uint8Array[] = [];
+  let loaded = 0;
+  const reader = response.body.getReader();
+  for (let piece = await reader.read(); !piece.done; piece = await reader.read()) {
+    pieces.push(piece.value);
+    loaded += piece.value.length;
+    // The stated length of a compressed answer is that of the compressed bytes: once exceeded it tells nothing.
+    report({ loaded, total: stated !== undefined && loaded <= stated ? stated : undefined });
+  }
+  return join(pieces, loaded);
+}
+
+function join(pieces: readonly Uint8Array[], size: number): Uint8Array<ArrayBuffer> {
+  const whole = new Uint8Array(size);
+  let offset = 0;
+  for (const piece of pieces) {
+    whole.set(piece, offset);
+    offset += piece.length;
+  }
+  return whole;
+}

@@ -1,0 +1,58 @@
+/**
+ * How the simulator writes a row: two buffers side by side, one row a particle in each, 24 bytes together.
+ *
+ * place: four float32: world x, y, z in metres at the view's blend, and the radius in metres.
+ * look: two uint32.
+ *   word 0: bits 0-15 roll as a fraction of a turn; bits 16-31 age as a fraction of the lifetime.
+ *   word 1: byte 0 variation; byte 1 seed; byte 2 temperature in steps of 4/255; byte 3 zero.
+ *
+ * The same numbers stand in Rust; `tests/unit/simRows.test.ts` compares them with what the WASM reports.
+ */
+export const PLACE_FLOATS = 4;
+export const LOOK_WORDS = 2;
+export const ROW_BYTES = 4 * (PLACE_FLOATS + LOOK_WORDS);
+
+/** A rigid's poses: position and quaternion (x, y, z, w) one step earlier, then the same now. */
+export const RIGID_FLOATS = 14;
+/** One pose: x, y, z in metres, then the unit quaternion x, y, z, w. */
+export const POSE_FLOATS = 7;
+
+/** Temperature that byte 2 of a look's second word stands for when it is 255. */
+export const LOOK_TEMPERATURE_MAX = 4;
+
+/** What {@link Simulator.arrange} hands out. The arrays lie in the simulator's memory: use or copy before its next call. */
+export interface Rows {
+  /** Rows kept, and so the rows in each array. */
+  readonly count: number;
+  /** {@link PLACE_FLOATS} a row. */
+  readonly place: Float32Array;
+  /** {@link LOOK_WORDS} a row. */
+  readonly look: Uint32Array;
+}
+
+/** A row's look, unpacked. */
+export interface Look {
+  /** Roll about the view axis, fraction of a turn, 0 to 1. */
+  roll: number;
+  /** Age as a fraction of the lifetime, 0 to 1. */
+  age: number;
+  /** Which variation of the puff; 0 to 255. */
+  variation: number;
+  /** A number of the particle's own, 0 to 255. */
+  seed: number;
+  /** 0 to {@link LOOK_TEMPERATURE_MAX}. */
+  temperature: number;
+}
+
+/** Unpacks row `index` of a look array; for tests and tools, the shaders do the same for themselves. */
+export function readLook(look: Uint32Array, index: number): Look {
+  const motion = look[LOOK_WORDS * index];
+  const kind = look[LOOK_WORDS * index + 1];
+  return {
+    roll: (motion & 0xffff) / 0x10000,
+    age: (motion >>> 16) / 0xffff,
+    variation: kind & 0xff,
+    seed: (kind >>> 8) & 0xff,
+    temperature: (((kind >>> 16) & 0xff) / 0xff) * LOOK_TEMPERATURE_MAX,
+  };
+}

@@ -1,0 +1,239 @@
+/**
+ * One simulator: the owner of a handle into WASM, of the views on its memory, and of its life.
+ */
+import { ParameterError, SimulatorError } from '../preset/errors.ts';
+import type * as Bindings from './wasm/core/bindings.js';
+import { poseOf, rigidArguments, type RigidDescription } from './rigid.ts';
+import { LOOK_WORDS, PLACE_FLOATS, POSE_FLOATS, RIGID_FLOATS, type Rows } from './rows.ts';
+import { VIEW_FLOATS, writeView, type View } from './view.ts';
+
+/** An instantiated module: its functions and its memory. */
+export interface SimulatorModule {
+  readonly bindings: typeof Bindings;
+  readonly memory: WebAssembly.Memory;
+}
+
+/** What a new simulator is made of. */
+export interface SimulatorOptions {
+  /** Most particles that live at once. Its memory is taken at once, at most 96 bytes a particle. */
+  capacity: number;
+  /** Same seed, same calls: the same smoke. A whole number from 0 to 4294967295. */
+  seed: number;
+}
+
+/** The world-space box of the living particles, metres; min above max while nothing lives. */
+export interface Bounds {
+  min: [number, number, number];
+  max: [number, number, number];
+}
+
+/** The refusals of the module, as its Rust side makes them. */
+interface Refusal {
+  key: string;
+  value: number;
+  min: number;
+  max: number;
+  message: string;
+}
+
+/**
+ * Particles under forces, rigids among them. Time goes in steps of 1/60 s, and only when told.
+ *
+ * Every call throws SimulatorError once the simulator was disposed or a fault stopped it, and ParameterError for a
+ * number that it does not take; then nothing was changed.
+ */
+export class Simulator {
+  readonly #module: SimulatorModule;
+  readonly #handle: Bindings.Simulator;
+  readonly #view = new Float32Array(VIEW_FLOATS);
+  #stopped: string | undefined;
+
+  /** Made by {@link SimulatorFactory.create}. */
+  constructor(module: SimulatorModule, options: SimulatorOptions) {
+    this.#module = module;
+    requireWhole('capacity', options.capacity);
+    requireWhole('seed', options.seed);
+    this.#handle = this.#attempt(() => new module.bindings.Simulator(options.capacity, options.seed));
+  }
+
+  /** Changes parameters by their flat keys, such as `emission.rate`; all of them, or none when one is refused. */
+  set(values: Readonly<Record<string, number>>): void {
+    const keys = Object.keys(values);
+    for (const key of keys) {
+      if (typeof values[key] !== 'number') throw new ParameterError(key, values[key], 'a number');
+    }
+    this.#attempt(() =>
+      this.#handle.set(
+        keys.join('\n'),
+        Float64Array.from(keys, (key) => values[key]),
+      ),
+    );
+  }
+
+  /** Puts a rigid among the particles and returns its index; needs the variant with physics. */
+  addRigid(description: RigidDescription): number {
+    const rigid = rigidArguments(description);
+    return this.#attempt(() => this.#handle.addRigid(...rigid));
+  }
+
+  /**
+   * Sends a kinematic rigid to a place, which it reaches in the coming step, or later when it would have to move
+   * faster than 20 m/s.
+   *
+   * @param rotation Unit quaternion x, y, z, w; no rotation when left out.
+   */
+  moveRigid(index: number, position: ArrayLike<number>, rotation?: ArrayLike<number>): void {
+    const pose = poseOf(position, rotation);
+    this.#attempt(() => this.#handle.moveRigid(index, pose));
+  }
+
+  /** Advances by `count` steps of 1/60 s. */
+  step(count = 1): void {
+    requireWhole('step count', count);
+    this.#attempt(() => this.#handle.step(count));
+  }
+
+  /** Orders and, if asked, culls the rows for a view. */
+  arrange(view: View): Rows {
+    writeView(view, this.#view);
+    return this.#attempt(() => {
+      const count = this.#handle.arrange(this.#view);
+      // Memory that grew has a new buffer and leaves old views empty, so the views are made anew for each call.
+      const { buffer } = this.#module.memory;
+      return {
+        count,
+        place: new Float32Array(buffer, this.#handle.placePointer, count * PLACE_FLOATS),
+        look: new Uint32Array(buffer, this.#handle.lookPointer, count * LOOK_WORDS),
+      };
+    });
+  }
+
+  /**
+   * Where the rigids are between the previous step (0) and now (1), in the order of adding.
+   *
+   * @param target Taken when it has room; else a new array is made.
+   * @returns Per rigid x, y, z and the unit quaternion x, y, z, w.
+   */
+  rigidPoses(blend: number, target?: Float32Array): Float32Array {
+    return this.#attempt(() => {
+      const count = this.#handle.rigidCount;
+      const poses = new Float32Array(this.#module.memory.buffer, this.#handle.rigidPosesPointer, count * RIGID_FLOATS);
+      const size = count * POSE_FLOATS;
+      const result = target !== undefined && target.length >= size ? target : new Float32Array(size);
+      for (let index = 0; index < count; index++) blendPose(poses, index, blend, result);
+      return result;
+    });
+  }
+
+  /** Rigids added so far. */
+  get rigidCount(): number {
+    return this.#attempt(() => this.#handle.rigidCount);
+  }
+
+  /** What the last {@link arrange} found to hold all living particles with their radius. */
+  get bounds(): Bounds {
+    return this.#attempt(() => {
+      const [a, b, c, d, e, f] = new Float32Array(this.#module.memory.buffer, this.#handle.boundsPointer, 6);
+      return { min: [a, b, c], max: [d, e, f] };
+    });
+  }
+
+  /** Particles that live. */
+  get alive(): number {
+    return this.#attempt(() => this.#handle.alive);
+  }
+
+  /** Particles that wait to be born until there is room. */
+  get waiting(): number {
+    return this.#attempt(() => this.#handle.waiting);
+  }
+
+  /** Steps made since creation. */
+  get steps(): number {
+    return this.#attempt(() => this.#handle.steps);
+  }
+
+  /** The whole state in 16 hexadecimal digits; equal states, equal hashes, on every machine. */
+  hash(): string {
+    return this.#attempt(() => this.#handle.hash());
+  }
+
+  /** The whole state as bytes, for {@link restore}. */
+  save(): Uint8Array {
+    return this.#attempt(() => this.#handle.save());
+  }
+
+  /** Takes up a saved state; bytes that are none are refused and nothing is changed. */
+  restore(bytes: Uint8Array): void {
+    this.#attempt(() => this.#handle.restore(bytes));
+  }
+
+  /** Stops the simulator as a fault inside it would, so that an application can try how it copes. */
+  provokeFault(reason: string): void {
+    this.#attempt(() => this.#module.bindings.provokeFault(reason));
+  }
+
+  /** Gives the memory back. May be called again, and after a fault. */
+  dispose(): void {
+    // After a fault the handle may still count as borrowed, and freeing it would throw: its memory stays lost.
+    if (this.#stopped === undefined) this.#handle.free();
+    this.#stopped ??= 'The simulator was disposed.';
+  }
+
+  #attempt<Result>(action: () => Result): Result {
+    if (this.#stopped !== undefined) throw new SimulatorError(`${this.#stopped} Make a new one.`);
+    try {
+      return action();
+    } catch (error) {
+      throw this.#explain(error);
+    }
+  }
+
+  #explain(error: unknown): Error {
+    if (isRefusal(error)) return explainRefusal(error);
+    if (!(error instanceof WebAssembly.RuntimeError)) {
+      return new SimulatorError(`The simulator refused a call: ${String(error)}`, { cause: error });
+    }
+    this.#stopped = 'The simulator has stopped after a fault.';
+    const fault = this.#module.bindings.lastFault() || error.message;
+    return new SimulatorError(`The simulator has stopped after a fault: ${fault}. Make a new one.`, { cause: error });
+  }
+}
+
+function requireWhole(name: string, value: number): void {
+  if (!Number.isInteger(value) || value < 0 || value > 0xffffffff) {
+    throw new ParameterError(name, value, 'a whole number from 0 to 4294967295');
+  }
+}
+
+function isRefusal(error: unknown): error is Refusal {
+  return typeof error === 'object' && error !== null && 'key' in error && 'message' in error;
+}
+
+function explainRefusal(refusal: Refusal): Error {
+  if (refusal.key === '') return new SimulatorError(refusal.message);
+  const ranged = refusal.min <= refusal.max;
+  return new ParameterError(
+    refusal.key,
+    refusal.value,
+    ranged ? `a number from ${refusal.min} to ${refusal.max}` : refusal.message,
+  );
+}
+
+/** Linear in position; the quaternion by the shorter way and brought back to unit length. */
+function blendPose(poses: Float32Array, index: number, blend: number, result: Float32Array): void {
+  const before = index * RIGID_FLOATS;
+  const now = before + POSE_FLOATS;
+  const to = index * POSE_FLOATS;
+  let cosine = 0;
+  for (let part = 3; part < POSE_FLOATS; part++) cosine += poses[before + part] * poses[now + part];
+  const sign = cosine < 0 ? -1 : 1;
+  let square = 0;
+  for (let part = 0; part < POSE_FLOATS; part++) {
+    const end = part < 3 ? poses[now + part] : sign * poses[now + part];
+    result[to + part] = poses[before + part] + (end - poses[before + part]) * blend;
+    if (part >= 3) square += result[to + part] ** 2;
+  }
+  const scale = 1 / Math.sqrt(square);
+  for (let part = 3; part < POSE_FLOATS; part++) result[to + part] *= scale;
+}
