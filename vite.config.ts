@@ -5,5 +5,7 @@ import glsl from 'vite-plugin-glsl';
 export default defineConfig({
   base: './',
   plugins: [glsl()],
+  // Found too late otherwise, by a module that only a test imports, and the page would reload under it.
+  optimizeDeps: { include: ['three'] },
   build: { target: 'es2023', sourcemap: true, chunkSizeWarningLimit: 800 },
 });

@@ -15,7 +15,7 @@ uniform float distanceRange;
 uniform mat4 clipFromView;
 uniform vec3 towardsLightInView;
 uniform vec3 inkColor;
-uniform vec3 gradientColor;
+uniform vec3 gradientFactor;
 
 in vec2 puffPoint;
 in float gradientPosition;
@@ -45,7 +45,7 @@ void main() {
   vec3 normal = shape.rgb * 2.0 - 1.0;
   normal.xy = vec2(rollTurn.x * normal.x - rollTurn.y * normal.y, rollTurn.x * normal.y + rollTurn.y * normal.x);
   float facing = dot(normalize(normal), towardsLightInView);
-  vec3 fill = paint.rgb * mix(gradientColor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
+  vec3 fill = paint.rgb * mix(gradientFactor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
   vec3 litColor = textureLod(ramps, vec2(facing, litRow), 0.0).rgb * fill;
   vec3 unlitColor = textureLod(ramps, vec2(facing, unlitRow), 0.0).rgb * fill;
   unlit = vec4(isInk ? inkColor : unlitColor, 1.0);

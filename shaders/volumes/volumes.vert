@@ -26,6 +26,8 @@ flat out float radius;
 #include ../lib/box.glsl
 
 const float PI = 3.14159265359;
+// Radii between the farthest lit point and the cap, against rounding in depth.
+const float CAP_SLACK = 0.02;
 
 // How far behind the centre (in radii, along the light's travel) the puff's farthest lit point lies, from the baked table.
 float startCap(vec3 travel, vec3 centre, bool perspective) {
@@ -37,7 +39,7 @@ float startCap(vec3 travel, vec3 centre, bool perspective) {
   float cap = textureLod(startCaps, vec3(angles, float(variationOf(look))), 0.0).r;
   // A nailboard is sheared along its view rays: relief moves a fragment sideways, towards the middle of the picture.
   float shear = perspective ? dot(travel.xy, centre.xy / centre.z) : 0.0;
-  return max(cap + max(0.0, shear) + 0.02, leastCap);
+  return max(max(cap, 0.0) + max(0.0, shear) + CAP_SLACK, leastCap);
 }
 
 // Radius, on the plane at unit depth, of a circle around the projected centre that covers the projected ball; negative

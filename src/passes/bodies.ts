@@ -1,10 +1,9 @@
-import { Camera, Color as ThreeColor, GLSL3, Mesh, RawShaderMaterial, Scene, Vector2, Vector4, type WebGLRenderer } from 'three';
+import { Camera, Color as ThreeColor, GLSL3, Mesh, RawShaderMaterial, Scene, Vector2, Vector3, Vector4, type WebGLRenderer } from 'three';
 import fragmentShader from '../../shaders/bodies/bodies.frag';
 import vertexShader from '../../shaders/bodies/bodies.vert';
 import type { Eye } from '../device/eye.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
-import { DISTANCE_RANGE } from '../puffs/layers.ts';
 import type { Instances } from '../instances/instances.ts';
 
 /** What runs along a gradient fill. */
@@ -23,7 +22,7 @@ export class BodiesPass {
     innerLine: { value: 0.5 },
     plumeHeight: { value: new Vector2(0, 1) },
     gradientWeights: { value: new Vector4() },
-    gradientColor: { value: new ThreeColor(1, 1, 1) },
+    gradientFactor: { value: new Vector3(1, 1, 1) },
   };
 
   /** @param material which ramp of `ramps` is the smoke's */
@@ -39,7 +38,7 @@ export class BodiesPass {
         normalDepth: { value: puffs.normalDepth },
         colorCoverage: { value: puffs.colorCoverage },
         pad: { value: puffs.layers.pad },
-        distanceRange: { value: 2 * DISTANCE_RANGE },
+        distanceRange: { value: puffs.layers.distanceRange },
         ramps: { value: ramps.texture },
         litRow: { value: rows.litRow },
         unlitRow: { value: rows.unlitRow },
@@ -60,11 +59,12 @@ export class BodiesPass {
     this.uniforms.innerLine.value = innerLine;
   }
 
-  /** @param color multiplies the smoke at the low end of the gradient; the high end is untouched */
-  setGradient(gradient: Gradient, color: Color): void {
-    const { gradientColor, gradientWeights } = this.uniforms;
+  /** Fills from `color` at the low end of the gradient to the smoke's own colour at the high end. */
+  setGradient(gradient: Gradient, color: Color, smokeColor: Color): void {
+    const { gradientFactor, gradientWeights } = this.uniforms;
     gradientWeights.value.fromArray(GRADIENTS.map((name) => (name === gradient ? 1 : 0)));
-    gradientColor.value.fromArray(gradient === 'none' ? [1, 1, 1] : color.map((channel) => channel / 255));
+    const factor = color.map((channel, index) => channel / Math.max(1, smokeColor[index]));
+    gradientFactor.value.fromArray(gradient === 'none' ? [1, 1, 1] : factor);
   }
 
   /** World heights between which the gradient 'height' runs. */

@@ -46,6 +46,8 @@ export interface LabScene {
   style?: Partial<Style>;
   pixelRatio?: number;
   smoothEdges?: boolean;
+  /** Also read the stencil, which takes 256 draws. */
+  readCounts?: boolean;
 }
 
 export const PLAIN_STYLE: Style = {
@@ -61,7 +63,7 @@ export const PLAIN_STYLE: Style = {
   inkColor: [27, 26, 46],
 };
 
-/** RGBA bytes, the bottom row first, and the count in the stencil of each pixel. */
+/** RGBA bytes, the bottom row first, and, if asked for, the count in the stencil of each pixel. */
 export interface LabPicture {
   width: number;
   height: number;
@@ -111,7 +113,7 @@ export function drawOn(device: Device, scene: LabScene): LabPicture {
   const pixels = new Uint8Array(4 * width * height);
   const gl = device.renderer.getContext();
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-  const counts = readStencil(device, smoke.passes.targets.renderTarget);
+  const counts = scene.readCounts ? readStencil(device, smoke.passes.targets.renderTarget) : new Uint8Array(0);
   smoke.dispose();
   return { width, height, pixels, counts };
 }

@@ -4,8 +4,8 @@
  */
 import { type Camera, Matrix4, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
 import { bakedPuffs } from '../../../src/device/bakedPuffs.ts';
+import type { StartCaps } from '../../../src/puffs/startCaps.ts';
 import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
-import { startCapAt } from '../../../src/puffs/startCaps.ts';
 import { takePicture, type LabPuff } from '../lab.ts';
 import { box, ground } from '../solids.ts';
 import { random } from '../random.ts';
@@ -73,6 +73,7 @@ export function compare(viewName: string, withMesh: boolean): StencilReport {
     surfaces,
     camera: view.camera,
     towardsLight: view.towardsLight.toArray(),
+    readCounts: true,
   });
   return report(view, casters, withMesh, counts);
 }
@@ -91,6 +92,7 @@ export function coincident(count: number): { shadowed: number; lit: number } {
       surfaces: [ground(GROUND_Y, GROUND_HALF)],
       camera: view.camera,
       towardsLight: view.towardsLight.toArray(),
+      readCounts: true,
     }).counts;
   const single = draw([one]);
   const many = draw(Array.from({ length: count }, () => one));
@@ -136,9 +138,15 @@ function volumeOf({ place, radius, roll = 0, variation = 0 }: LabPuff, { camera,
   const light = towardsLight.clone().transformDirection(camera.matrixWorldInverse);
   const rolled = light.clone().applyMatrix4(new Matrix4().makeRotationZ(-roll));
   const slant = camera instanceof PerspectiveCamera ? -(light.x * inView.x + light.y * inView.y) / inView.z : 0;
-  const cap = startCapAt(startCaps, variation, rolled.toArray()) + Math.max(0, slant) + CAP_SLACK;
+  const cap = Math.max(0, tabled(startCaps, variation, rolled)) + Math.max(0, slant) + CAP_SLACK;
   const mean = layers.figures.reduce((sum, { silhouetteRadius }) => sum + silhouetteRadius, 0) / layers.figures.length;
   return { start: centre.addScaledVector(towardsLight, -cap * radius), radius: 0.95 * mean * radius };
+}
+
+function tabled({ width, height, values }: StartCaps, layer: number, towards: Vector3): number {
+  const column = Math.min(width - 1, Math.floor((Math.atan2(towards.y, towards.x) / (2 * Math.PI) + 0.5) * width));
+  const row = Math.min(height - 1, Math.floor((Math.acos(towards.z) / Math.PI) * height));
+  return values[(layer * height + row) * width + column];
 }
 
 /** Whether a point lies in the cylinder that starts at the volume's cap and runs away from the light. */

@@ -1,0 +1,229 @@
+/** What single puffs and small heaps of them must look like. */
+import { PerspectiveCamera, Vector3 } from 'three';
+import { bakedPuffs } from '../../../src/device/bakedPuffs.ts';
+import { colorAt } from '../../../src/device/ramps.ts';
+import { samplePuff } from '../../../src/puffs/layers.ts';
+import { rampOf } from '../../../src/smoke/palette.ts';
+import { createDevice } from '../../../src/device/device.ts';
+import { drawOn, frontCamera, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
+import { random } from '../random.ts';
+import { ground } from '../solids.ts';
+
+const [WIDTH, HEIGHT] = [240, 180];
+
+type Triple = [number, number, number];
+
+function differing(a: LabPicture, b: LabPicture): number {
+  let count = 0;
+  for (let at = 0; at < a.pixels.length; at += 4) {
+    if ([0, 1, 2, 3].some((channel) => a.pixels[at + channel] !== b.pixels[at + channel])) count += 1;
+  }
+  return count;
+}
+
+/** How often each colour occurs, `r,g,b,a` to pixels. */
+function colors(picture: LabPicture): Record<string, number> {
+  const counts: Record<string, number> = {};
+  for (let at = 0; at < picture.pixels.length; at += 4) {
+    const key = picture.pixels.slice(at, at + 4).join();
+    counts[key] = (counts[key] ?? 0) + 1;
+  }
+  return counts;
+}
+
+function heap(count: number, seed: number): LabPuff[] {
+  const next = random(seed);
+  return Array.from({ length: count }, () => ({
+    place: [next() * 2 - 1, next() * 1.6 - 0.8, next() * 1.6 - 0.8] as Triple,
+    radius: 0.15 + 0.3 * next(),
+    roll: next() * 2 * Math.PI,
+    variation: Math.floor(next() * 4),
+  }));
+}
+
+/**
+ * A lone puff under random lights, rolls and places in the picture, up to 35 degrees off the axis: how many of the
+ * pixels that its own light reaches its own shadow takes away again.
+ */
+export function selfMasked(trials: number): { lit: number; masked: number; trialsWithMask: number } {
+  const next = random(2006);
+  const device = createDevice(new OffscreenCanvas(WIDTH, HEIGHT));
+  const result = { lit: 0, masked: 0, trialsWithMask: 0 };
+  for (let trial = 0; trial < trials; ++trial) {
+    const slope = Math.tan((35 * Math.PI) / 180) * Math.sqrt(next());
+    const turn = next() * 2 * Math.PI;
+    const depth = 1.6 + 1.4 * next();
+    const puff: LabPuff = {
+      place: [Math.cos(turn) * slope * depth, Math.sin(turn) * slope * depth, -depth],
+      radius: 0.35 + 0.25 * next(),
+      roll: next() * 2 * Math.PI,
+      variation: trial % 4,
+    };
+    const towardsLight = new Vector3().setFromSphericalCoords(1, Math.acos(2 * next() - 1), next() * 2 * Math.PI);
+    const camera = new PerspectiveCamera(78, WIDTH / HEIGHT, 0.1, 50);
+    camera.updateMatrixWorld();
+    const scene = { width: WIDTH, height: HEIGHT, puffs: [puff], camera, towardsLight: towardsLight.toArray() };
+    const masked = drawOn(device, { ...scene, style: { tones: 3 as const } });
+    const free = drawOn(device, { ...scene, style: { tones: 3 as const, shadows: false } });
+    const difference = differing(masked, free);
+    const dark = colorAt(rampOf(PLAIN_STYLE.smokeColor, { tones: 3, shading: true }).unlit, 0).join();
+    result.lit += Object.entries(colors(free)).reduce(
+      (sum, [color, count]) =>
+        color.startsWith(dark) || color.startsWith(PLAIN_STYLE.inkColor.join()) || color === '0,0,0,0' ? sum : sum + count,
+      0,
+    );
+    result.masked += difference;
+    result.trialsWithMask += difference > 0 ? 1 : 0;
+  }
+  device.dispose();
+  return result;
+}
+
+/** The colours of a heap of puffs in two tones with shadows; and those that its ramp, the ink and the page allow. */
+export function toneColors(): { found: Record<string, number>; allowed: string[] } {
+  const ramp = rampOf(PLAIN_STYLE.smokeColor, { tones: 2, shading: true });
+  const opaque = [...ramp.lit.map(({ color }) => color), PLAIN_STYLE.inkColor].map((color) => `${color.join()},255`);
+  return {
+    found: colors(takePicture({ width: WIDTH, height: HEIGHT, puffs: heap(60, 5) })),
+    allowed: [...opaque, '0,0,0,0'],
+  };
+}
+
+/** The ink of a puff that is lit, of one seen from its dark side, and of one in another's shadow. */
+export function inkColors(): Record<string, { ink: number; nearInk: number }> {
+  const puff: LabPuff = { place: [0, 0, 0], radius: 0.8 };
+  const blocker: LabPuff = { place: [0, 0, 6], radius: 3 };
+  const of = (towardsLight: Triple, casters: LabPuff[]) => {
+    const picture = takePicture({ width: WIDTH, height: HEIGHT, puffs: [puff], casters, towardsLight });
+    const ink = `${PLAIN_STYLE.inkColor.join()},255`;
+    const found = colors(picture);
+    const near = Object.keys(found).filter((key) => key !== ink && isDark(key));
+    return { ink: found[ink] ?? 0, nearInk: near.reduce((sum, key) => sum + found[key], 0) };
+  };
+  return { light: of([0, 0, 1], []), shade: of([0, 0, -1], []), shadow: of([0, 0, 1], [blocker]) };
+}
+
+function isDark(color: string): boolean {
+  const [red, green, blue, alpha] = color.split(',').map(Number);
+  return alpha > 0 && Math.max(red, green, blue) < 100;
+}
+
+/** Heights of a puff's surface, in radii, just inside its silhouette: where its ring of ink hangs from. */
+function edgeHeights(variation: number): { lowest: number; highest: number } {
+  const { layers } = bakedPuffs();
+  const heights: number[] = [];
+  for (let x = -1; x <= 1; x += 1 / 128) {
+    for (let y = -1; y <= 1; y += 1 / 128) {
+      const { distance, height } = samplePuff(layers, variation, x, y);
+      if (Math.abs(distance) < 0.06) heights.push(height);
+    }
+  }
+  return { lowest: Math.min(...heights), highest: Math.max(...heights) };
+}
+
+/** Heights of a puff's surface, in radii, within a small reach of its middle. */
+function faceHeights(variation: number, reach: number): { lowest: number; highest: number } {
+  const { layers } = bakedPuffs();
+  const heights: number[] = [];
+  for (let x = -1.3; x <= 1.3; x += 0.1) {
+    for (let y = -1.3; y <= 1.3; y += 0.1) heights.push(samplePuff(layers, variation, x * reach, y * reach).height);
+  }
+  return { lowest: Math.min(...heights), highest: Math.max(...heights) };
+}
+
+/**
+ * Pixels of ink around a small puff that hangs before the broad face of a very large one.
+ * @param side the whole edge of the small puff stands nearer to the face than the threshold, or farther
+ */
+export function innerInk(side: 'under' | 'over'): number {
+  const [near, far, innerLine, variation] = [0.35, 14, 0.9, 2];
+  const threshold = innerLine * near;
+  const face = faceHeights(variation, near / far);
+  const edge = edgeHeights(variation);
+  const slack = 0.04 * threshold;
+  const centre =
+    side === 'under'
+      ? face.lowest * far + threshold - edge.highest * near - slack
+      : face.highest * far + threshold - edge.lowest * near + slack;
+  const picture = takePicture({
+    width: WIDTH,
+    height: HEIGHT,
+    puffs: [
+      { place: [0, 0, centre], radius: near, variation },
+      { place: [0, 0, 0], radius: far, variation },
+    ],
+    camera: frontCamera(WIDTH, HEIGHT, far + 25, 4),
+    style: { innerLine, shadows: false },
+  });
+  return colors(picture)[`${PLAIN_STYLE.inkColor.join()},255`] ?? 0;
+}
+
+/** Pixels that change when the same puffs and casters come in another order. */
+export function orderSensitivity(): { differing: number; pixels: number; painted: number } {
+  const puffs = heap(200, 9);
+  const next = random(4);
+  const shuffled = puffs.map((puff) => ({ puff, key: next() })).sort((a, b) => a.key - b.key).map(({ puff }) => puff);
+  const surfaces = [ground(-1, 3)];
+  const [a, b] = [puffs, shuffled].map((rows) => takePicture({ width: WIDTH, height: HEIGHT, puffs: rows, surfaces }));
+  const painted = a.pixels.filter((value, index) => index % 4 === 3 && value > 0).length;
+  return { differing: differing(a, b), pixels: WIDTH * HEIGHT, painted };
+}
+
+/**
+ * Of the pixels that a puff covers but should not, or should but does not: how far the farthest one's centre lies from
+ * the projected silhouette, grown by a line of ink, in pixels. The silhouette is that of the baked distance, projected
+ * by hand.
+ */
+export function outlineError(
+  radius: number,
+  distance: number,
+  variation: number,
+  inkPixels: number,
+): { worst: number; covered: number } {
+  const size = 320;
+  const camera = frontCamera(size, size, distance);
+  const puff: LabPuff = { place: [0, 0, 0], radius, variation };
+  const style = { outlines: inkPixels > 0, outlineWidth: inkPixels / 2 };
+  const { pixels } = takePicture({ width: size, height: size, puffs: [puff], camera, style, pixelRatio: 2 });
+  const pixelsPerRadius = (size / 2) * camera.projectionMatrix.elements[5] * (radius / distance);
+  const { layers } = bakedPuffs();
+  const result = { worst: 0, covered: 0 };
+  for (let pixel = 0; pixel < size * size; ++pixel) {
+    const x = ((pixel % size) + 0.5 - size / 2) / pixelsPerRadius;
+    const y = (Math.floor(pixel / size) + 0.5 - size / 2) / pixelsPerRadius;
+    const expected = Math.max(Math.abs(x), Math.abs(y)) < 1.2 ? samplePuff(layers, variation, x, y).distance : 1;
+    const isCovered = pixels[4 * pixel + 3] > 0;
+    const outside = expected * pixelsPerRadius - inkPixels;
+    if (isCovered) result.covered += 1;
+    if (isCovered !== outside < 0) result.worst = Math.max(result.worst, Math.abs(outside));
+  }
+  return result;
+}
+
+/** How far the seam between a puff and a horizontal plane through its middle strays from a straight line, in pixels. */
+export function seamBend(): number {
+  const camera = new PerspectiveCamera(40, WIDTH / HEIGHT, 0.1, 50);
+  camera.position.set(0, 1.6, 3);
+  camera.lookAt(0, 0, 0);
+  camera.updateMatrixWorld();
+  const picture = takePicture({
+    width: WIDTH,
+    height: HEIGHT,
+    puffs: [{ place: [0, 0, 0], radius: 0.8 }],
+    surfaces: [ground(0, 4)],
+    camera,
+    style: { outlines: false, shadows: false, shading: false },
+  });
+  const smoke = PLAIN_STYLE.smokeColor;
+  const rows: number[] = [];
+  for (let column = 0; column < WIDTH; ++column) {
+    for (let row = 0; row < HEIGHT; ++row) {
+      const at = 4 * (row * WIDTH + column);
+      if (smoke.every((value, channel) => picture.pixels[at + channel] === value)) {
+        rows.push(row);
+        break;
+      }
+    }
+  }
+  return rows.length > 20 ? Math.max(...rows) - Math.min(...rows) : 0;
+}

@@ -1,0 +1,34 @@
+import { expect, test } from '../support/fixtures.ts';
+
+type Cases = typeof import('./cases/stencil.ts');
+const CASES = '/tests/visual/cases/stencil.ts';
+
+const VIEWS = [
+  ['ordinary', false],
+  ['offAxis', false],
+  ['eyeInside', false],
+  ['backlit', false],
+  ['orthographic', false],
+  ['ordinary', true],
+  ['eyeInside', true],
+] as const;
+
+for (const [view, withMesh] of VIEWS) {
+  test(`the stencil counts volumes as a reference does: ${view}${withMesh ? ' with a mesh among them' : ''}`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const report = await cases.evaluate((module, [name, mesh]) => module.compare(name, mesh), [view, withMesh] as const);
+    expect(report.receiver).toBeGreaterThan(20_000);
+    expect(report.deepest).toBeGreaterThan(4);
+    expect(report.differing / report.receiver).toBeLessThan(0.005);
+    expect(report.wronglyLit / report.receiver).toBeLessThan(0.001);
+  });
+}
+
+for (const count of [256, 512]) {
+  test(`${count} coincident casters stay dark`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const report = await cases.evaluate((module, casters) => module.coincident(casters), count);
+    expect(report.shadowed).toBeGreaterThan(300);
+    expect(report.lit).toBe(0);
+  });
+}
