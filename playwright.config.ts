@@ -1,0 +1,36 @@
+import { defineConfig } from '@playwright/test';
+import { demandTestServer } from './tests/support/server.ts';
+
+const isLong = Boolean(process.env.TEST_LONG);
+const FOLDERS = '{support,visual,e2e}';
+const LONG = `**/${FOLDERS}/**/*.long.{spec,test}.ts`;
+
+const { port, browser, flags } = await demandTestServer();
+
+/**
+ * Tests that need a browser: pages and source modules on a development server of their own, drawn by SwiftShader.
+ * Those named *.long.spec.ts run by `npm run test:long` only.
+ */
+export default defineConfig({
+  testDir: 'tests',
+  testMatch: isLong ? LONG : `**/${FOLDERS}/**/*.{spec,test}.ts`,
+  testIgnore: isLong ? [] : LONG,
+  forbidOnly: true,
+  retries: 0,
+  // SwiftShader draws with as many threads as there are cores, so that a second worker mostly makes the first one wait.
+  workers: 1,
+  timeout: isLong ? 900_000 : 90_000,
+  outputDir: 'test-results',
+  reporter: 'list',
+  use: {
+    baseURL: `http://localhost:${port}`,
+    viewport: { width: 640, height: 360 },
+    deviceScaleFactor: 1,
+    launchOptions: { executablePath: browser, args: flags },
+  },
+  webServer: {
+    command: `node node_modules/vite/bin/vite.js --config tests/support/vite.config.ts --port ${port} --strictPort`,
+    url: `http://localhost:${port}/tests/support/blank.html`,
+    timeout: 60_000,
+  },
+});

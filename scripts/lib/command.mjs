@@ -1,0 +1,84 @@
+/** Runs other programs: their lines are passed on while they run, and none outlives the process that started it. */
+
+import { spawn } from 'node:child_process';
+import { stripVTControlCharacters } from 'node:util';
+import { root } from './paths.mjs';
+
+/** @type {Set<import('node:child_process').ChildProcess>} */
+const living = new Set();
+
+process.on('exit', stopAll);
+for (const signal of /** @type {const} */ (['SIGINT', 'SIGTERM', 'SIGHUP'])) {
+  process.once(signal, () => {
+    stopAll();
+    process.exit(130);
+  });
+}
+
+function stopAll() {
+  for (const child of living) child.kill();
+}
+
+/**
+ * @typedef {object} Outcome
+ * @property {number} status the exit status; 127 when the program was not found, 128 when a signal ended it
+ * @property {string} output what it wrote to both streams, in order of arrival, without colours
+ */
+
+/**
+ * Runs a program to its end. Never throws: a program that cannot be started is an outcome with status 127.
+ *
+ * @param {string} program
+ * @param {readonly string[]} parameters
+ * @param {object} [options]
+ * @param {string} [options.folder] working directory; the repository's top by default
+ * @param {NodeJS.ProcessEnv} [options.environment] added to the process's own
+ * @param {(line: string) => void} [options.onLine] called with each line that is not empty
+ * @param {number} [options.limit] milliseconds after which it is ended
+ * @returns {Promise<Outcome>}
+ */
+export function run(program, parameters, { folder = root, environment = {}, onLine, limit } = {}) {
+  return new Promise((resolve) => {
+    const child = spawn(program, parameters, {
+      cwd: folder,
+      env: { ...process.env, ...environment },
+      stdio: ['ignore', 'pipe', 'pipe'],
+      timeout: limit,
+    });
+    living.add(child);
+    let output = '';
+    const collect = readLines((line) => {
+      output += `${line}\n`;
+      if (onLine && line.trim()) onLine(line.trim());
+    });
+    child.stdout.setEncoding('utf8').on('data', collect('out'));
+    child.stderr.setEncoding('utf8').on('data', collect('error'));
+    const end = (/** @type {number} */ status) => {
+      living.delete(child);
+      collect('out')('\n');
+      collect('error')('\n');
+      resolve({ status, output: output.trimEnd() });
+    };
+    child.on('error', (error) => {
+      output += `${error.message}\n`;
+      end(127);
+    });
+    child.on('close', (status) => end(status ?? 128));
+  });
+}
+
+/**
+ * Splits each of two streams into lines without mixing the halves of one line with the other stream's. Some tools draw
+ * their progress with colours, cursor movements and carriage returns: only the text is kept.
+ */
+function readLines(/** @type {(line: string) => void} */ onLine) {
+  const rests = { out: '', error: '' };
+  return (/** @type {'out' | 'error'} */ stream) => (/** @type {string} */ text) => {
+    const lines = (rests[stream] + text).split(/\r?\n|\r/);
+    rests[stream] = lines.pop() ?? '';
+    for (const line of lines) {
+      const plain = stripVTControlCharacters(line).trimEnd();
+      if (plain) onLine(plain);
+    }
+  };
+}

@@ -1,0 +1,55 @@
+/** Asks whether a TCP port of this machine can be listened on. */
+
+import { createServer } from 'node:net';
+import { Refusal } from './refusal.mjs';
+
+/** The address that the servers of this project listen on: this machine only, reached as `localhost`. */
+export const HOST = '127.0.0.1';
+
+/**
+ * Refuses with one sentence when a port is taken.
+ *
+ * Both loopback addresses are tried: a browser that is sent to `localhost` may ask the other one first, and would then
+ * reach a stranger's server.
+ *
+ * @param {number} port
+ * @param {string} command how to call the same command with another port
+ */
+export async function demandFreePort(port, command) {
+  for (const address of [HOST, '::1']) {
+    const code = await listenOnce(port, address);
+    if (code === 'EADDRINUSE') {
+      throw new Refusal(
+        `Port ${port} is in use: stop what uses it, or choose another with ${command} --port ${other(port)}.`,
+      );
+    }
+    if (code === 'EACCES') {
+      throw new Refusal(
+        `Port ${port} needs rights that this user lacks: choose one above 1023 with ${command} --port 5173.`,
+      );
+    }
+  }
+}
+
+/** A port that nobody listens on at the moment. */
+export function findFreePort() {
+  return new Promise((/** @type {(port: number) => void} */ resolve, reject) => {
+    const server = createServer().once('error', reject);
+    server.listen(0, HOST, () => {
+      const address = server.address();
+      server.close(() => resolve(typeof address === 'object' && address ? address.port : 0));
+    });
+  });
+}
+
+function listenOnce(/** @type {number} */ port, /** @type {string} */ address) {
+  return new Promise((/** @type {(code: string) => void} */ resolve) => {
+    const server = createServer();
+    server.once('error', (/** @type {NodeJS.ErrnoException} */ error) => resolve(error.code ?? 'unknown'));
+    server.listen(port, address, () => server.close(() => resolve('')));
+  });
+}
+
+function other(/** @type {number} */ port) {
+  return port < 65535 ? port + 1 : port - 1;
+}

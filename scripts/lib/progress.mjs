@@ -1,0 +1,47 @@
+/**
+ * Shows what a command is doing while it does it: one line that is redrawn on a terminal, and elsewhere (a log) a line
+ * at the beginning, one now and then, and one at the end.
+ */
+
+const LOG_INTERVAL = 10_000;
+const REDRAW_INTERVAL = 200;
+
+/**
+ * Does a piece of work under a title and shows the time that has passed and the last thing said.
+ *
+ * @template T
+ * @param {string} title
+ * @param {(say: (line: string) => void) => Promise<T>} work
+ * @param {(result: T) => string} [summary] what to print after the title at the end
+ * @returns {Promise<T>}
+ */
+export async function withProgress(title, work, summary = () => 'done') {
+  const began = Date.now();
+  const elapsed = () => `${((Date.now() - began) / 1000).toFixed(1)} s`;
+  let last = '';
+  const show = process.stdout.isTTY ? redraw : (/** @type {string} */ line) => console.log(line);
+  if (!process.stdout.isTTY) console.log(`${title} ...`);
+  const timer = setInterval(
+    () => show(`${title}: ${elapsed()}${last && `, ${last}`}`),
+    process.stdout.isTTY ? REDRAW_INTERVAL : LOG_INTERVAL,
+  );
+  try {
+    const result = await work((line) => (last = line));
+    clearInterval(timer);
+    finish(`${title}: ${summary(result)} (${elapsed()})`);
+    return result;
+  } catch (error) {
+    clearInterval(timer);
+    finish(`${title}: stopped after ${elapsed()}`);
+    throw error;
+  }
+}
+
+function redraw(/** @type {string} */ line) {
+  const width = (process.stdout.columns || 80) - 1;
+  process.stdout.write(`\r\u001b[2K${line.slice(0, width)}`);
+}
+
+function finish(/** @type {string} */ line) {
+  process.stdout.write(process.stdout.isTTY ? `\r\u001b[2K${line}\n` : `${line}\n`);
+}

@@ -1,0 +1,119 @@
+/**
+ * The Chromium that the tests and benchmarks run in: $CHROMIUM_PATH, else Playwright's own, else one of the system,
+ * else what `playwright install` downloads, else the system's package, which takes root and apt-get.
+ */
+
+import { spawnSync } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { delimiter, join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { run } from '../lib/command.mjs';
+import { inRoot } from '../lib/paths.mjs';
+import { Refusal } from '../lib/refusal.mjs';
+
+export const title = 'Browser for the tests';
+
+/** Pin the rasteriser to SwiftShader, so that pictures are the same on every machine, and keep the browser quiet. */
+export const CHROMIUM_FLAGS = [
+  '--use-gl=angle',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--no-first-run',
+  // Chromium's sandbox refuses to run for root, which is what containers are.
+  ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
+];
+
+const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome'];
+const APPLICATIONS = [
+  '/Applications/Chromium.app/Contents/MacOS/Chromium',
+  '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
+];
+const DOWNLOAD_LIMIT = 10 * 60_000;
+
+/** @type {string | undefined} */
+let found;
+
+/**
+ * The path of a Chromium that starts, or undefined. Needs the Node packages.
+ *
+ * @throws {Refusal} when $CHROMIUM_PATH is set and does not lead to one
+ */
+export async function findBrowser() {
+  if (found) return found;
+  const chosen = process.env.CHROMIUM_PATH;
+  if (chosen && !starts(chosen)) {
+    throw new Refusal(
+      `CHROMIUM_PATH is ${chosen}, which does not start as a browser: correct it or unset it, then try again.`,
+    );
+  }
+  found = chosen || [await playwrightBrowser(), ...systemBrowsers()].find((path) => path && starts(path));
+  return found;
+}
+
+export async function isFresh() {
+  return (await findBrowser()) !== undefined;
+}
+
+/** @param {(line: string) => void} say */
+export async function bring(say) {
+  const download = await playwright(['install', 'chromium'], say);
+  if (await isFresh()) return;
+  if (process.getuid?.() === 0 && existsSync('/etc/debian_version')) {
+    // A downloaded browser that does not start lacks libraries of the system.
+    const hasOwn = existsSync((await playwrightBrowser()) ?? '');
+    const outcome = hasOwn ? await playwright(['install-deps', 'chromium'], say) : await aptGet(say);
+    if (await isFresh()) return;
+    throw refuse(`apt-get: ${lastLine(outcome.output)}`);
+  }
+  throw refuse(`playwright install: ${lastLine(download.output)}`);
+}
+
+function refuse(/** @type {string} */ reason) {
+  return new Refusal(
+    `No Chromium was found and none could be installed (${reason}): install Chromium or Chrome, or set CHROMIUM_PATH, then try again.`,
+  );
+}
+
+/** @param {string[]} parameters @param {(line: string) => void} say */
+function playwright(parameters, say) {
+  const script = inRoot('node_modules/playwright/cli.js');
+  // Playwright waits half a minute for each of several mirrors, thrice: a machine without a network should learn sooner.
+  const environment = { PLAYWRIGHT_DOWNLOAD_CONNECTION_TIMEOUT: '15000' };
+  return run(process.execPath, [script, ...parameters], { environment, onLine: say, limit: DOWNLOAD_LIMIT });
+}
+
+async function aptGet(/** @type {(line: string) => void} */ say) {
+  const options = { environment: { DEBIAN_FRONTEND: 'noninteractive' }, onLine: say, limit: DOWNLOAD_LIMIT };
+  await run('apt-get', ['update'], options);
+  return run('apt-get', ['install', '--yes', '--no-install-recommends', 'chromium'], options);
+}
+
+async function playwrightBrowser() {
+  const script = inRoot('node_modules/playwright-core/index.mjs');
+  if (!existsSync(script)) return undefined;
+  const { chromium } = await import(pathToFileURL(script).href);
+  return /** @type {string} */ (chromium.executablePath());
+}
+
+function systemBrowsers() {
+  const folders = (process.env.PATH ?? '').split(delimiter).filter(Boolean);
+  const onPath = NAMES.flatMap((name) => folders.map((folder) => join(folder, name)));
+  return [...onPath, ...APPLICATIONS];
+}
+
+/** Some systems have a `chromium` that only tells where to get one, so being there is not enough. */
+function starts(/** @type {string} */ path) {
+  if (!existsSync(path)) return false;
+  const { status, stdout } = spawnSync(path, ['--version'], { encoding: 'utf8', timeout: 30_000 });
+  return status === 0 && /chrom/i.test(stdout);
+}
+
+function lastLine(/** @type {string} */ output) {
+  const lines = output.split('\n').filter((line) => line.trim());
+  return (
+    lines.find((line) => /^(E:|Error|error)/.test(line.trim()))?.trim() ?? lines.at(-1)?.trim() ?? 'no reason given'
+  );
+}

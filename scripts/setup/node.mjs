@@ -1,0 +1,23 @@
+/** The one thing that has to be there before anything of this project can run. */
+
+import { readFileSync } from 'node:fs';
+import { inRoot } from '../lib/paths.mjs';
+import { Refusal } from '../lib/refusal.mjs';
+
+/** Refuses when this Node is older than package.json asks for. */
+export function demandNode() {
+  const wanted = JSON.parse(readFileSync(inRoot('package.json'), 'utf8')).engines.node.replace('>=', '');
+  const found = process.versions.node;
+  if (isAtLeast(found, wanted)) return;
+  throw new Refusal(
+    `Node ${found} is too old: install Node ${wanted} or newer from https://nodejs.org, then try again.`,
+  );
+}
+
+function isAtLeast(/** @type {string} */ found, /** @type {string} */ wanted) {
+  const [a, b] = [found, wanted].map((version) => version.split('.').map(Number));
+  for (let i = 0; i < 3; i++) {
+    if (a[i] !== b[i]) return a[i] > b[i];
+  }
+  return true;
+}

@@ -1,0 +1,61 @@
+/** The Node packages, exactly as package-lock.json has them. */
+
+import { existsSync, readFileSync } from 'node:fs';
+import { run } from '../lib/command.mjs';
+import { inRoot } from '../lib/paths.mjs';
+import { Refusal } from '../lib/refusal.mjs';
+
+export const title = 'Node packages';
+
+/**
+ * @typedef {{ version: string, integrity?: string, optional?: boolean, link?: boolean }} Package
+ * @typedef {Record<string, Package>} Packages by path, like `node_modules/three`
+ */
+
+/** Whether node_modules is what `npm ci` would make of the lock file. */
+export function isFresh() {
+  const wanted = readPackages('package-lock.json');
+  // npm keeps an account of what it installed and writes it last, so a broken-off installation has none.
+  const found = readPackages('node_modules/.package-lock.json');
+  if (!wanted || !found) return false;
+  const isKept = Object.entries(wanted).every(([path, entry]) => {
+    const same = found[path]?.version === entry.version && found[path]?.integrity === entry.integrity;
+    // Optional packages are mostly binaries for other systems, which npm leaves out.
+    return found[path] ? same && existsSync(inRoot(path)) : Boolean(entry.optional);
+  });
+  return isKept && Object.keys(found).every((path) => path in wanted);
+}
+
+/** @param {(line: string) => void} say */
+export async function bring(say) {
+  const { program, before } = findNpm();
+  let fetched = 0;
+  const outcome = await run(program, [...before, 'ci', '--no-audit', '--no-fund', '--loglevel=http'], {
+    onLine: (line) => say(/http fetch GET 200/.test(line) ? `${++fetched} files fetched` : line),
+  });
+  if (outcome.status === 0) return;
+  if (outcome.status === 127)
+    throw new Refusal('npm was not found: install it with Node from https://nodejs.org, then try again.');
+  throw new Refusal(
+    `npm ci could not install the packages (${reason(outcome.output)}): check the network and npm's registry setting, then try again.`,
+  );
+}
+
+/** The npm that started this process where there is one, because a bare `npm` is a script on some systems. */
+function findNpm() {
+  const script = process.env.npm_execpath;
+  if (script?.endsWith('.js') && existsSync(script)) return { program: process.execPath, before: [script] };
+  return { program: 'npm', before: [] };
+}
+
+/** @returns {Packages | undefined} */
+function readPackages(/** @type {string} */ path) {
+  if (!existsSync(inRoot(path))) return undefined;
+  const { '': _project, ...packages } = JSON.parse(readFileSync(inRoot(path), 'utf8')).packages;
+  return packages;
+}
+
+function reason(/** @type {string} */ output) {
+  const errors = [...output.matchAll(/^npm (?:error|ERR!) (.+)$/gm)].map((match) => match[1].trim());
+  return errors.find((line) => !line.startsWith('code ')) ?? errors[0] ?? 'no reason given';
+}

@@ -1,0 +1,45 @@
+/** Finds out what is missing and gets it. */
+
+import { withProgress } from '../lib/progress.mjs';
+import { Refusal } from '../lib/refusal.mjs';
+import * as browser from './browser.mjs';
+import { demandNode } from './node.mjs';
+import * as packages from './packages.mjs';
+import * as toolchain from './toolchain.mjs';
+import * as wasm from './wasm.mjs';
+
+/**
+ * @typedef {object} Component something that has to be there before a command can do its work
+ * @property {string} title
+ * @property {() => boolean | Promise<boolean>} isFresh whether it is there and up to date; quick, and changes nothing
+ * @property {(say: (line: string) => void) => Promise<void>} bring gets it, or throws a Refusal
+ */
+
+/** What the page needs, in the order of getting it. @type {Component[]} */
+export const PAGE = [packages, toolchain, wasm];
+/** What the tests and the benchmarks need. @type {Component[]} */
+export const TESTS = [...PAGE, browser];
+
+/**
+ * Brings each component that is not fresh and says so.
+ *
+ * @param {Component[]} components
+ * @throws {Refusal} when one cannot be had
+ */
+export async function setUp(components) {
+  demandNode();
+  const fresh = [];
+  for (const component of components) {
+    if (await component.isFresh()) {
+      fresh.push(component.title);
+      continue;
+    }
+    await withProgress(component.title, component.bring);
+    if (!(await component.isFresh())) {
+      throw new Refusal(
+        `${component.title}: installed, and yet not as the project wants it; if files are being edited, try again.`,
+      );
+    }
+  }
+  if (fresh.length > 0) console.log(`Already fresh: ${fresh.join(', ')}.`);
+}

@@ -1,0 +1,62 @@
+/** The built site in dist/, and whether it was built from the sources that lie here. */
+
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { run } from '../lib/command.mjs';
+import { inRoot } from '../lib/paths.mjs';
+import { Refusal } from '../lib/refusal.mjs';
+
+export const title = 'Site';
+
+const SOURCES = ['embed.html', 'index.html', 'package-lock.json', 'public', 'shaders', 'src', 'vite.config.ts'];
+// Not in dist/, where it would be published.
+const STAMP = '.cache/site.txt';
+
+/** Whether dist/ holds what a build of the present sources, the WASM included, would write. */
+export function isFresh() {
+  if (!existsSync(inRoot('dist/index.html')) || !existsSync(inRoot(STAMP))) return false;
+  return readFileSync(inRoot(STAMP), 'utf8') === digest();
+}
+
+/** @param {(line: string) => void} say */
+export async function bring(say) {
+  rmSync(inRoot(STAMP), { force: true });
+  const before = digest();
+  const outcome = await run(process.execPath, [inRoot('node_modules/vite/bin/vite.js'), 'build'], { onLine: say });
+  if (outcome.status !== 0) {
+    throw new Refusal(
+      'The site could not be built: the bundler says why in the lines above.',
+      withoutStack(outcome.output),
+    );
+  }
+  mkdirSync(inRoot('.cache'), { recursive: true });
+  // Sources that were edited meanwhile may or may not be in: then no stamp matches, and the next call builds again.
+  writeFileSync(inRoot(STAMP), before);
+}
+
+function digest() {
+  const hash = createHash('sha256');
+  for (const path of SOURCES.flatMap(filesUnder)) {
+    hash
+      .update(`${path}\0`)
+      .update(readFileSync(inRoot(path)))
+      .update('\0');
+  }
+  return hash.digest('hex');
+}
+
+/** @returns {string[]} */
+function filesUnder(/** @type {string} */ path) {
+  if (!existsSync(inRoot(path))) return [];
+  if (!statSync(inRoot(path)).isDirectory()) return [path];
+  return readdirSync(inRoot(path))
+    .sort()
+    .flatMap((name) => filesUnder(`${path}/${name}`));
+}
+
+function withoutStack(/** @type {string} */ output) {
+  return output
+    .split('\n')
+    .filter((line) => !/^\s+at .+\d+:\d+\)?$/.test(line))
+    .join('\n');
+}

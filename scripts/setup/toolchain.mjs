@@ -1,0 +1,77 @@
+/** Rust in the version of sim-wasm/rust-toolchain.toml, with the target and the components named there. */
+
+import { existsSync, readFileSync } from 'node:fs';
+import { homedir } from 'node:os';
+import { delimiter, join } from 'node:path';
+import { run } from '../lib/command.mjs';
+import { inRoot } from '../lib/paths.mjs';
+import { Refusal } from '../lib/refusal.mjs';
+
+export const title = 'Rust toolchain';
+
+/** The program by whose presence a component is known, where it is not its name. @type {Record<string, string>} */
+const PROGRAMS = { clippy: 'cargo-clippy' };
+
+/**
+ * Runs cargo in sim-wasm, in the pinned version even where another cargo comes first on PATH.
+ *
+ * @param {string[]} parameters
+ * @param {(line: string) => void} [onLine]
+ */
+export function cargo(parameters, onLine) {
+  return rustup(['run', readToolchain().channel, 'cargo', ...parameters], onLine);
+}
+
+/** Whether the toolchain and everything in it that the project needs is installed. */
+export async function isFresh() {
+  const { channel, targets, components } = readToolchain();
+  const asked = await rustup(['run', channel, 'rustc', '--print', 'sysroot']);
+  if (asked.status === 127) {
+    throw new Refusal('rustup was not found: install it from https://rustup.rs, then try again.');
+  }
+  if (asked.status !== 0) return false;
+  const sysroot = asked.output.split('\n').at(-1) ?? '';
+  const suffix = process.platform === 'win32' ? '.exe' : '';
+  return (
+    targets.every((target) => existsSync(join(sysroot, 'lib', 'rustlib', target, 'lib'))) &&
+    components.every((name) => existsSync(join(sysroot, 'bin', (PROGRAMS[name] ?? name) + suffix)))
+  );
+}
+
+/** @param {(line: string) => void} say */
+export async function bring(say) {
+  const { channel, targets, components } = readToolchain();
+  const outcome = await rustup(
+    ['toolchain', 'install', channel, '--profile', 'minimal', '--no-self-update'].concat(
+      components.flatMap((name) => ['--component', name]),
+      targets.flatMap((name) => ['--target', name]),
+    ),
+    say,
+  );
+  if (outcome.status === 0) return;
+  const reason = /^error: (.+)$/m.exec(outcome.output)?.[1] ?? 'no reason given';
+  throw new Refusal(
+    `rustup could not install Rust ${channel} with ${targets.join(', ')} (${reason}): check the network, then try again.`,
+  );
+}
+
+/** The few lines of the toolchain file, in the simple form that they are kept in. */
+function readToolchain() {
+  const text = readFileSync(inRoot('sim-wasm/rust-toolchain.toml'), 'utf8');
+  const value = (/** @type {string} */ key) => new RegExp(`^${key} = (.+)$`, 'm').exec(text)?.[1] ?? '[]';
+  return {
+    channel: /** @type {string} */ (JSON.parse(value('channel'))),
+    targets: /** @type {string[]} */ (JSON.parse(value('targets'))),
+    components: /** @type {string[]} */ (JSON.parse(value('components'))),
+  };
+}
+
+/** @param {string[]} parameters @param {(line: string) => void} [onLine] */
+function rustup(parameters, onLine) {
+  // A shell that was open when rustup was installed does not have its folder on PATH yet.
+  const home = process.env.CARGO_HOME || join(homedir(), '.cargo');
+  const PATH = [process.env.PATH, join(home, 'bin')].filter(Boolean).join(delimiter);
+  // Nothing is installed in passing: what is missing is brought by its own step, with its own sentence.
+  const environment = { PATH, RUSTUP_AUTO_INSTALL: '0', CARGO_TERM_COLOR: 'never' };
+  return run('rustup', parameters, { folder: inRoot('sim-wasm'), environment, onLine });
+}

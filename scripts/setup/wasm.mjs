@@ -1,0 +1,83 @@
+/** The simulator as WASM, built from sim-wasm into src/sim/wasm, and rebuilt only when its sources changed. */
+
+import { createHash } from 'node:crypto';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { inRoot } from '../lib/paths.mjs';
+import { Refusal } from '../lib/refusal.mjs';
+import { cargo } from './toolchain.mjs';
+
+export const title = 'WASM build';
+
+// What the build reads and writes; sim-wasm/xtask/src/stamp.rs and build.rs have the same lists.
+const SINGLE_FILES = [
+  '.cargo/config.toml',
+  'Cargo.lock',
+  'Cargo.toml',
+  'bindings/Cargo.toml',
+  'rust-toolchain.toml',
+  'sim/Cargo.toml',
+  'xtask/Cargo.toml',
+];
+const FOLDERS = ['bindings/src', 'sim/src', 'xtask/src'];
+const VARIANTS = ['core', 'physics'];
+const FILES = ['bindings.js', 'bindings.d.ts', 'bindings_bg.wasm'];
+
+/** Whether both variants were built from the sources that lie here. Compiles nothing. */
+export function isFresh() {
+  const built = VARIANTS.flatMap((variant) => FILES.map((file) => `src/sim/wasm/${variant}/${file}`));
+  const stamp = inRoot('src/sim/wasm/stamp.txt');
+  if (![stamp, ...built.map(inRoot)].every((path) => existsSync(path))) return false;
+  return readFileSync(stamp, 'utf8').trim() === digestOfSources();
+}
+
+/** @param {(line: string) => void} say */
+export async function bring(say) {
+  const outcome = await cargo(['xtask', 'wasm'], say);
+  if (outcome.status !== 0) throw explain(outcome);
+}
+
+/**
+ * The SHA-256 that xtask notes after a build: path, NUL, content, NUL of each source in the order of the paths' bytes.
+ * A source that is missing makes a digest that no build has.
+ */
+export function digestOfSources() {
+  const paths = [...SINGLE_FILES, ...FOLDERS.flatMap(filesUnder)];
+  paths.sort((a, b) => Buffer.compare(Buffer.from(a), Buffer.from(b)));
+  const hash = createHash('sha256');
+  for (const path of paths) {
+    const file = inRoot(`sim-wasm/${path}`);
+    if (!existsSync(file)) return 'incomplete';
+    hash.update(`${path}\0`).update(readFileSync(file)).update('\0');
+  }
+  return hash.digest('hex');
+}
+
+/** @returns {string[]} */
+function filesUnder(/** @type {string} */ folder) {
+  if (!existsSync(inRoot(`sim-wasm/${folder}`))) return [];
+  return readdirSync(inRoot(`sim-wasm/${folder}`), { withFileTypes: true }).flatMap((entry) => {
+    const path = `${folder}/${entry.name}`;
+    return entry.isDirectory() ? filesUnder(path) : [path];
+  });
+}
+
+/** @returns {Refusal} */
+function explain(/** @type {import('../lib/command.mjs').Outcome} */ { output }) {
+  const linker = /linker [`']?([\w.-]+)[`']? not found/.exec(output)?.[1];
+  if (linker) {
+    return new Refusal(
+      `Rust found no linker (${linker}): install a C compiler, on Debian with apt-get install build-essential, then try again.`,
+    );
+  }
+  if (
+    /failed to (download|fetch|get successful HTTP)|failed to query replaced source|Could not resolve host|spurious network/i.test(
+      output,
+    )
+  ) {
+    const cause = /(?:Caused by:\s+)(?![\s\S]*Caused by:)(.+)/.exec(output)?.[1] ?? 'no reason given';
+    return new Refusal(
+      `cargo could not download the Rust crates (${cause.trim()}): check the network, then try again.`,
+    );
+  }
+  return new Refusal('The WASM build failed: the compiler says why in the lines above.', output);
+}

@@ -1,0 +1,23 @@
+/** `npm start [-- --port N]`: gets what is missing and serves the demo page, anew at each change of a source. */
+
+import { conclude } from './lib/refusal.mjs';
+import { readArguments, readPort } from './lib/arguments.mjs';
+import { demandFreePort, HOST } from './lib/port.mjs';
+import { PAGE, setUp } from './setup/setup.mjs';
+import { demandNode } from './setup/node.mjs';
+import { root } from './lib/paths.mjs';
+
+const COMMAND = 'npm start --';
+const DEFAULT_PORT = 5173;
+
+await conclude(async () => {
+  const { values } = readArguments({ port: { type: 'string' } }, `${COMMAND} [--port N]`);
+  const port = readPort(values.port, DEFAULT_PORT);
+  demandNode();
+  await demandFreePort(port, COMMAND);
+  await setUp(PAGE);
+  const { createServer } = await import('vite');
+  const server = await createServer({ root, server: { host: HOST, port, strictPort: true } });
+  await server.listen();
+  console.log(`The page is served at http://localhost:${port}/ (stop with Ctrl+C).`);
+});

@@ -1,0 +1,63 @@
+/**
+ * `npm test [-- [--update] NAME...]`: gets what is missing and runs every check and test suite, or those named.
+ * With --long, the suites' long tests instead; with --update, the screenshot goldens are written anew.
+ *
+ * All of them run even when one failed. The last line is `N passed, N failed`.
+ */
+
+import { readArguments } from './lib/arguments.mjs';
+import { withProgress } from './lib/progress.mjs';
+import { conclude, Refusal } from './lib/refusal.mjs';
+import { setUp, TESTS } from './setup/setup.mjs';
+import { CHECKS } from './test/checks.mjs';
+import { suites } from './test/suites.mjs';
+
+/** Enough to see what is wrong without scrolling past a compiler's whole account. */
+const SHOWN_LINES = 150;
+
+await conclude(async () => {
+  const { values, positionals } = readArguments(
+    { long: { type: 'boolean', default: false }, update: { type: 'boolean', default: false } },
+    'npm test -- [--update] [NAME...]',
+  );
+  const choice = { long: Boolean(values.long), update: Boolean(values.update) };
+  const runners = chooseRunners(choice, positionals);
+  await setUp(TESTS);
+  const total = { passed: 0, failed: 0 };
+  for (const runner of runners) {
+    const result = await withProgress(runner.title, runner.run, summary);
+    if (result.failed > 0) show(runner.title, result);
+    total.passed += result.passed;
+    total.failed += result.failed;
+  }
+  console.log(`${total.passed} passed, ${total.failed} failed`);
+  return total.failed > 0 ? 1 : 0;
+});
+
+/** @param {import('./test/suites.mjs').Choice} choice @param {string[]} names */
+function chooseRunners(choice, names) {
+  const all = choice.long ? suites(choice) : [...CHECKS, ...suites(choice)];
+  if (all.length === 0) throw new Refusal('There are no long tests.');
+  const unknown = names.find((name) => !all.some((runner) => runner.name === name));
+  if (unknown) {
+    throw new Refusal(
+      `There is nothing named ${unknown} to run: choose from ${all.map(({ name }) => name).join(', ')}.`,
+    );
+  }
+  return names.length > 0 ? all.filter((runner) => names.includes(runner.name)) : all;
+}
+
+/** @param {import('./test/checks.mjs').Result} result */
+function summary({ passed, failed, skipped }) {
+  return [`${passed} passed`, `${failed} failed`, ...(skipped > 0 ? [`${skipped} skipped`] : [])].join(', ');
+}
+
+/** @param {string} title @param {import('./test/checks.mjs').Result} result */
+function show(title, { output, trouble }) {
+  const lines = output.split('\n');
+  console.log(`---- ${title}`);
+  if (lines.length > SHOWN_LINES) console.log(`(the last ${SHOWN_LINES} of ${lines.length} lines)`);
+  console.log(lines.slice(-SHOWN_LINES).join('\n'));
+  if (trouble) console.log(`${title} failed: ${trouble}.`);
+  console.log('----');
+}

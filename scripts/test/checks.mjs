@@ -1,0 +1,58 @@
+/** The checks that need no test runner. Each counts as one test: it passes or it does not. */
+
+import { run } from '../lib/command.mjs';
+import { inRoot } from '../lib/paths.mjs';
+import { cargo } from '../setup/toolchain.mjs';
+
+/**
+ * @typedef {import('../lib/command.mjs').Outcome} Outcome
+ * @typedef {import('./tally.mjs').Tally & { output: string, trouble?: string }} Result
+ * @typedef {(line: string) => void} Say
+ * @typedef {object} Runner
+ * @property {string} name what `npm test -- NAME` chooses it by
+ * @property {string} title
+ * @property {(say: Say) => Promise<Result>} run
+ */
+
+/** Runs a tool of node_modules. */
+export function tool(/** @type {string} */ path, /** @type {string[]} */ parameters, /** @type {Say} */ say) {
+  return run(process.execPath, [inRoot(`node_modules/${path}`), ...parameters], { onLine: say });
+}
+
+/** @type {(name: string, title: string, work: (say: Say) => Promise<Outcome>) => Runner} */
+function check(name, title, work) {
+  return {
+    name,
+    title,
+    run: async (say) => {
+      const { status, output } = await work(say);
+      return { passed: status === 0 ? 1 : 0, failed: status === 0 ? 0 : 1, skipped: 0, output };
+    },
+  };
+}
+
+const OXLINT = 'oxlint/bin/oxlint';
+const TSC = 'typescript/bin/tsc';
+
+/** @type {Runner[]} */
+export const CHECKS = [
+  check('lint', 'Lint (oxlint)', (say) => demandFiles(tool(OXLINT, ['--type-aware', '--deny-warnings'], say))),
+  check('format', 'Format (prettier)', (say) => tool('prettier/bin/prettier.cjs', ['--check', '.'], say)),
+  check('rustfmt', 'Format (cargo fmt)', (say) => cargo(['fmt', '--all', '--check'], say)),
+  check('clippy', 'Lint (cargo clippy)', (say) =>
+    cargo(['clippy', '--locked', '--workspace', '--all-targets', '--all-features', '--', '-D', 'warnings'], say),
+  ),
+  check('types', 'Types (tsc)', (say) => tool(TSC, ['--noEmit'], say)),
+  check('scripts', 'Types of scripts/ (tsc)', (say) => tool(TSC, ['--noEmit', '-p', 'scripts'], say)),
+  check('arrows', 'Import direction and cycles', (say) =>
+    demandFiles(tool(OXLINT, ['-c', '.oxlintrc.arrows.json', '--deny-warnings', 'src'], say)),
+  ),
+];
+
+/** A linter that found nothing to look at has not passed. */
+async function demandFiles(/** @type {Promise<Outcome>} */ pending) {
+  const { status, output } = await pending;
+  const looked = /Finished in .* on (\d+) files?/.exec(output);
+  if (status === 0 && !Number(looked?.[1])) return { status: 1, output: `${output}\nNo file was looked at.` };
+  return { status, output };
+}

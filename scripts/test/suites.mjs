@@ -1,0 +1,117 @@
+/** The test suites, each run by its own runner, whose report for machines is counted. */
+
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { run } from '../lib/command.mjs';
+import { inRoot } from '../lib/paths.mjs';
+import { cargo } from '../setup/toolchain.mjs';
+import { readReport, settle, tallyCargo, tallyPlaywright, tallyVitest } from './tally.mjs';
+
+/**
+ * @typedef {import('./checks.mjs').Runner} Runner
+ * @typedef {object} Choice
+ * @property {boolean} long only the tests that are left out otherwise because they take long
+ * @property {boolean} update write the goldens anew instead of comparing with them
+ */
+
+/** The suites in the order of running them. @type {(choice: Choice) => Runner[]} */
+export function suites(choice) {
+  const all = [
+    rust('rust', 'Rust tests', [], choice),
+    rust('rigids', 'Rust tests with rigids', RIGIDS, choice),
+    unit(choice),
+    browser(choice),
+  ];
+  return choice.long ? all.filter((suite) => hasLongTests(suite.name)) : all;
+}
+
+const RIGIDS = ['--features', 'sim/rigids'];
+const REPORTS = '.cache/test';
+
+/** @type {(name: string, title: string, features: string[], choice: Choice) => Runner} */
+function rust(name, title, features, { long }) {
+  const packages = features.length > 0 ? ['--package', 'sim'] : ['--workspace', '--exclude', 'xtask'];
+  const parameters = [
+    'test',
+    '--locked',
+    '--no-fail-fast',
+    ...packages,
+    ...features,
+    ...(long ? ['--', '--ignored'] : []),
+  ];
+  return {
+    name,
+    title,
+    run: async (say) => {
+      const { status, output } = await cargo(parameters, say);
+      return { ...settle(tallyCargo(output), status), output };
+    },
+  };
+}
+
+/** @type {(choice: Choice) => Runner} */
+function unit({ long }) {
+  return {
+    name: 'unit',
+    title: 'Unit tests (vitest)',
+    run: async (say) => {
+      const report = freshReport('unit.json');
+      const parameters = ['run', '--reporter=default', '--reporter=json', `--outputFile.json=${report}`];
+      const script = inRoot('node_modules/vitest/vitest.mjs');
+      const { status, output } = await run(process.execPath, [script, ...parameters], {
+        environment: { TEST_LONG: long ? '1' : '' },
+        onLine: say,
+      });
+      const json = readReport(report);
+      return { ...settle(json && tallyVitest(json), status), output };
+    },
+  };
+}
+
+/** @type {(choice: Choice) => Runner} */
+function browser({ long, update }) {
+  return {
+    name: 'browser',
+    title: 'Browser tests (Playwright)',
+    run: async (say) => {
+      const report = freshReport('browser.json');
+      const script = inRoot('node_modules/@playwright/test/cli.js');
+      const { status, output } = await run(process.execPath, [script, 'test', '--reporter=list,json'], {
+        environment: {
+          TEST_LONG: long ? '1' : '',
+          UPDATE_GOLDENS: update ? '1' : '',
+          PLAYWRIGHT_JSON_OUTPUT_FILE: report,
+        },
+        onLine: say,
+      });
+      const json = readReport(report);
+      return { ...settle(json && tallyPlaywright(json), status), output };
+    },
+  };
+}
+
+/** Where a runner is to write its report; last time's is removed, so that a crash cannot pass for it. */
+function freshReport(/** @type {string} */ name) {
+  mkdirSync(inRoot(REPORTS), { recursive: true });
+  const path = inRoot(`${REPORTS}/${name}`);
+  rmSync(path, { force: true });
+  return path;
+}
+
+function hasLongTests(/** @type {string} */ name) {
+  if (name === 'rust' || name === 'rigids') {
+    return filesUnder('sim-wasm/sim').some(
+      (path) => path.endsWith('.rs') && readFileSync(inRoot(path), 'utf8').includes('#[ignore'),
+    );
+  }
+  const isLong = name === 'unit' ? /^tests\/unit\/.+\.long\.test\.ts$/ : /^tests\/(?!unit\/).+\.long\.(spec|test)\.ts$/;
+  return filesUnder('tests').some((path) => isLong.test(path));
+}
+
+/** @returns {string[]} */
+function filesUnder(/** @type {string} */ folder) {
+  if (!existsSync(inRoot(folder))) return [];
+  return readdirSync(inRoot(folder), { withFileTypes: true }).flatMap((entry) => {
+    const path = `${folder}/${entry.name}`;
+    return entry.isDirectory() ? filesUnder(path) : [path];
+  });
+}

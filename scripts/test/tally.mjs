@@ -1,0 +1,81 @@
+/** Reads how many tests passed and failed from what the runners write for machines. */
+
+import { existsSync, readFileSync } from 'node:fs';
+
+/**
+ * @typedef {object} Tally
+ * @property {number} passed
+ * @property {number} failed
+ * @property {number} skipped
+ */
+
+/**
+ * The counts of a vitest JSON report; a file that fails before its first test is one failure.
+ *
+ * @param {any} report
+ * @returns {Tally}
+ */
+export function tallyVitest(report) {
+  const stillborn = report.testResults.filter(
+    (/** @type {any} */ file) =>
+      file.status === 'failed' && !file.assertionResults.some((/** @type {any} */ test) => test.status === 'failed'),
+  );
+  return {
+    passed: report.numPassedTests,
+    failed: report.numFailedTests + stillborn.length,
+    skipped: report.numPendingTests + report.numTodoTests,
+  };
+}
+
+/**
+ * The counts of a Playwright JSON report. A test that passed only when tried again has failed, and so has whatever went
+ * wrong outside of a test, such as a file that cannot be loaded.
+ *
+ * @param {any} report
+ * @returns {Tally}
+ */
+export function tallyPlaywright(report) {
+  const { expected, unexpected, flaky, skipped } = report.stats;
+  return { passed: expected, failed: unexpected + flaky + report.errors.length, skipped };
+}
+
+/**
+ * The counts of all `test result:` lines that cargo printed, one for each test program.
+ *
+ * @param {string} output
+ * @returns {Tally}
+ */
+export function tallyCargo(output) {
+  const tally = { passed: 0, failed: 0, skipped: 0 };
+  for (const line of output.matchAll(/^test result: \w+\. (\d+) passed; (\d+) failed; (\d+) ignored/gm)) {
+    tally.passed += Number(line[1]);
+    tally.failed += Number(line[2]);
+    tally.skipped += Number(line[3]);
+  }
+  return tally;
+}
+
+/**
+ * Makes sure that trouble is counted: a runner that ended badly without naming a failure, or that ran no test at all,
+ * has failed once.
+ *
+ * @param {Tally | undefined} tally undefined when the runner left no report
+ * @param {number} status its exit status
+ * @returns {Tally & { trouble?: string }}
+ */
+export function settle(tally, status) {
+  if (!tally) return { passed: 0, failed: 1, skipped: 0, trouble: `it left no report (status ${status})` };
+  if (tally.failed > 0) return tally;
+  if (status !== 0) return { ...tally, failed: 1, trouble: `it ended with status ${status} although no test failed` };
+  if (tally.passed === 0) return { ...tally, failed: 1, trouble: 'it ran no test' };
+  return tally;
+}
+
+/** The parsed JSON file, or undefined when it is missing or broken, as a runner that crashed leaves it. */
+export function readReport(/** @type {string} */ path) {
+  try {
+    return existsSync(path) ? JSON.parse(readFileSync(path, 'utf8')) : undefined;
+  } catch {
+    return undefined;
+  }
+}

@@ -1,0 +1,36 @@
+/** What the browser tests run against: the port of their server and the browser, the same in every worker. */
+
+interface BrowserScript {
+  findBrowser(): Promise<string | undefined>;
+  CHROMIUM_FLAGS: string[];
+}
+
+interface PortScript {
+  findFreePort(): Promise<number>;
+}
+
+export interface TestServer {
+  readonly port: number;
+  /** Path of the Chromium to start. */
+  readonly browser: string;
+  readonly flags: string[];
+}
+
+/**
+ * Chooses a free port and a browser. The choice is left in the environment, which the workers inherit: they load the
+ * configuration again and have to come to the same result.
+ */
+export async function demandTestServer(): Promise<TestServer> {
+  const { findBrowser, CHROMIUM_FLAGS } = await script<BrowserScript>('setup/browser.mjs');
+  const { findFreePort } = await script<PortScript>('lib/port.mjs');
+  process.env.TEST_PORT ||= String(await findFreePort());
+  const browser = await findBrowser();
+  if (!browser) throw new Error('There is no browser for the tests: npm test gets one.');
+  process.env.CHROMIUM_PATH ||= browser;
+  return { port: Number(process.env.TEST_PORT), browser, flags: CHROMIUM_FLAGS };
+}
+
+/** Imports a module of scripts/, which is plain JavaScript and therefore has its type said here. */
+function script<Module>(path: string): Promise<Module> {
+  return import(new URL(`../../scripts/${path}`, import.meta.url).href) as Promise<Module>;
+}
