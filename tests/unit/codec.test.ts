@@ -129,6 +129,10 @@ describe('decode', () => {
     expect(await codes('#preset=__proto__')).toEqual(['unknownPreset']);
   });
 
+  it('reads minus zero as zero, which is what it would write', async () => {
+    expect((await decode('#forces.wind.x=-0')).state.values['forces.wind.x']).toBe(0);
+  });
+
   it('takes the first of two and says so', async () => {
     const { state, notices } = await decode('#emission.rate=10&emission.rate=20');
     expect(state.values['emission.rate']).toBe(10);

@@ -1,0 +1,31 @@
+import { decode, encode, type Decoded } from '../preset/codec.ts';
+import type { Editor } from './editor.ts';
+
+const QUIET_MS = 300;
+
+/** The share link of what the page shows now. */
+export async function linkTo(editor: Editor): Promise<string> {
+  const address = new URL(location.href);
+  address.hash = await encode(editor.state);
+  return address.href;
+}
+
+/** Keeps the address bar on what is edited, and edits what somebody puts into the address bar. */
+export function followAddress(editor: Editor, tell: (decoded: Decoded) => void): void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  editor.listen((_state, changed) => {
+    if (Object.keys(changed).length === 0) return;
+    clearTimeout(timer);
+    timer = setTimeout(async () => {
+      const started = timer;
+      const link = await linkTo(editor);
+      // A packed link takes a moment; if an edit came meanwhile, its own turn will write.
+      if (timer === started) history.replaceState(history.state, '', link);
+    }, QUIET_MS);
+  });
+  addEventListener('hashchange', async () => {
+    const decoded = await decode(location.hash);
+    editor.load(decoded.state);
+    tell(decoded);
+  });
+}

@@ -1,0 +1,108 @@
+import type { State } from '../preset/codec.ts';
+import type { Value, Values } from '../preset/parameter.ts';
+import { defaultPreset, findPreset, presetValues } from '../preset/presets.ts';
+import { table } from '../preset/table.ts';
+import { History } from './history.ts';
+
+/** Told after each change: the state as it is now and the values that are new. */
+export type EditListener = (state: State, changed: Values) => void;
+
+/** What the page edits: a preset and its values, with undo. Panel, stage and address bar listen; none of them is known here. */
+export class Editor {
+  private current: State;
+  private readonly history = new History<State>();
+  private readonly listeners: EditListener[] = [];
+
+  constructor(state: State) {
+    this.current = state;
+  }
+
+  get state(): State {
+    return this.current;
+  }
+
+  get canUndo(): boolean {
+    return this.history.canUndo;
+  }
+
+  get canRedo(): boolean {
+    return this.history.canRedo;
+  }
+
+  /** The values that "reset" goes back to: the preset's own. */
+  get base(): Values {
+    return presetValues(findPreset(this.current.preset) ?? defaultPreset);
+  }
+
+  listen(listener: EditListener): void {
+    this.listeners.push(listener);
+  }
+
+  /** Sets one value. Changes of the same gesture are undone together, until `settle`. */
+  change(key: string, value: Value, gesture?: string): void {
+    this.replace({ ...this.current, values: { ...this.current.values, [key]: value } }, gesture);
+  }
+
+  /** Ends a gesture. */
+  settle(): void {
+    this.history.settle(this.current, (a, b) => a.preset === b.preset && isEmpty(differences(a.values, b.values)));
+    this.tell({});
+  }
+
+  reset(key: string): void {
+    this.change(key, this.base[key]);
+  }
+
+  resetAll(): void {
+    this.replace({ ...this.current, values: this.base });
+  }
+
+  choose(preset: string): void {
+    this.replace({ preset, values: presetValues(findPreset(preset) ?? defaultPreset) });
+  }
+
+  /** Takes up a whole state, as from a link; it can be undone. */
+  load(state: State): void {
+    this.replace(state);
+  }
+
+  /** Takes up values that somebody gave to the stage directly, as from the console; a run of them is undone together. */
+  adopt(values: Values): void {
+    this.replace({ ...this.current, values: { ...this.current.values, ...values } }, 'stage');
+  }
+
+  undo(): void {
+    this.show(this.history.undo(this.current));
+  }
+
+  redo(): void {
+    this.show(this.history.redo(this.current));
+  }
+
+  private replace(next: State, gesture?: string): void {
+    if (next.preset === this.current.preset && isEmpty(differences(this.current.values, next.values))) return;
+    this.history.record(this.current, gesture);
+    this.show(next);
+  }
+
+  private show(next: State | undefined): void {
+    if (!next) return;
+    const changed = differences(this.current.values, next.values);
+    this.current = next;
+    this.tell(changed);
+  }
+
+  private tell(changed: Values): void {
+    for (const listener of this.listeners) listener(this.current, changed);
+  }
+}
+
+/** What `after` has otherwise than `before`. */
+export function differences(before: Values, after: Values): Values {
+  const keys = table.map(({ key }) => key).filter((key) => before[key] !== after[key]);
+  return Object.fromEntries(keys.map((key) => [key, after[key]]));
+}
+
+function isEmpty(values: Values): boolean {
+  return Object.keys(values).length === 0;
+}

@@ -1,0 +1,29 @@
+/** The icons of the page: strokes of one weight on a grid of 24, in the colour of the text. */
+const paths = {
+  play: 'M7 4.5v15l13-7.5z',
+  pause: 'M7 4.5v15M17 4.5v15',
+  step: 'M5 4.5v15l10-7.5zM19.5 4.5v15',
+  restart: 'M5 12a7.5 7.5 0 1 0 2.6-5.7M8.4 2.6l-1.2 4.2 4.2 1.2',
+  undo: 'M4 9h10a5.5 5.5 0 0 1 0 11H9M8.5 4.5 4 9l4.5 4.5',
+  redo: 'M20 9H10a5.5 5.5 0 0 0 0 11h5M15.5 4.5 20 9l-4.5 4.5',
+  reset: 'M6 12a6.5 6.5 0 1 0 2.2-4.9M9 3.5 7.8 7.4l3.9 1.2',
+  close: 'M5.5 5.5l13 13M18.5 5.5l-13 13',
+  sliders: 'M4 7h9M18 7h2M4 17h3M12 17h8M15.5 4.5v5M9.5 14.5v5',
+  share: 'M12 15V3.5M7.5 7.5 12 3.5l4.5 4M5 12v8h14v-8',
+  help: 'M8.5 8.5a3.6 3.6 0 1 1 5.2 3.3c-1.2.7-1.7 1.3-1.7 2.7M12 19.3v.4',
+} as const;
+
+export type IconName = keyof typeof paths;
+
+/** A fresh copy of an icon; it says nothing to screen readers, its button does. */
+export function icon(name: IconName): SVGSVGElement {
+  const namespace = 'http://www.w3.org/2000/svg';
+  const root = document.createElementNS(namespace, 'svg');
+  const path = document.createElementNS(namespace, 'path');
+  path.setAttribute('d', paths[name]);
+  root.setAttribute('viewBox', '0 0 24 24');
+  root.setAttribute('class', `icon icon-${name}`);
+  root.setAttribute('aria-hidden', 'true');
+  root.append(path);
+  return root;
+}

@@ -1,0 +1,129 @@
+/**
+ * The demo page: a user of the library like any other. Reads the address, sets the stage up, and puts controls over it.
+ */
+import { decode, type Decoded } from '../preset/codec.ts';
+import { readEnvironment, type Environment } from '../preset/environment.ts';
+import { createStage, type Stage } from '../stage/stage.ts';
+import { followAddress } from './address.ts';
+import { BallKeys } from './ball.ts';
+import { connectStage } from './connect.ts';
+import { textButton } from './dom.ts';
+import { Editor } from './editor.ts';
+import { fitStage, pixelRatio, restWhileHidden } from './fit.ts';
+import { listenToKeys } from './keyboard.ts';
+import { Notices } from './notices.ts';
+import { buildPage, type Page } from './page.ts';
+import { Pointers } from './pointer.ts';
+import { Progress, windForward } from './progress.ts';
+import { createRefusal } from './refusal.ts';
+import { strings } from './strings.ts';
+import { takeStep, togglePlaying } from './transport.ts';
+
+declare global {
+  interface Window {
+    /** The stage of the page, for people who use the console. */
+    cartoonSmoke?: Stage;
+  }
+}
+
+/** With reduced motion the page starts with a still picture; by then the smoke has filled its column. */
+const STILL_SECONDS = 4;
+const TURN_STEP = Math.PI / 24;
+
+const canvas = document.querySelector<HTMLCanvasElement>('#smoke')!;
+const host = document.querySelector<HTMLElement>('#interface')!;
+const calm = matchMedia('(prefers-reduced-motion: reduce)');
+
+async function start(): Promise<void> {
+  const environment = readEnvironment(location.search);
+  const decoded = await decode(location.hash);
+  const editor = new Editor(decoded.state);
+  const notices = new Notices();
+  host.classList.toggle('is-bare', !environment.hasInterface);
+  host.append(notices.element);
+  tellAll(notices, decoded);
+  tellAll(notices, environment);
+  const stage = await load(editor);
+  window.cartoonSmoke = stage;
+  stage.on('error', refuse);
+  connectStage(editor, stage, (message) => notices.tell(message));
+  followAddress(editor, (read) => tellAll(notices, read));
+  const page = buildPage(host, editor, stage, notices, environment.hasStatistics);
+  connectInput(stage, editor, page);
+  fitStage(stage, canvas);
+  restWhileHidden(stage);
+  await begin(stage, environment, notices);
+}
+
+async function load(editor: Editor): Promise<Stage> {
+  const progress = new Progress(strings.progress.loading);
+  host.append(progress.element);
+  try {
+    return await createStage(canvas, {
+      values: editor.state.values,
+      width: canvas.clientWidth,
+      height: canvas.clientHeight,
+      pixelRatio: pixelRatio(),
+      onProgress: ({ loaded, total }) => progress.show(total === undefined ? undefined : loaded / total),
+    });
+  } finally {
+    progress.element.remove();
+  }
+}
+
+/** Winds forward to the first picture, then plays unless the address or the system asks for stillness. */
+async function begin(stage: Stage, { paused, time }: Environment, notices: Notices): Promise<void> {
+  const lead = time ?? (calm.matches ? STILL_SECONDS : 0);
+  if (lead > 0 && !(await windForward(stage, lead, host))) {
+    notices.mention(strings.progress.cancelled(stage.stats.time));
+  }
+  calm.addEventListener('change', () => calm.matches && stage.pause());
+  if (calm.matches) offerToPlay(stage);
+  else if (!paused) stage.play();
+}
+
+/** A button in the middle of the still picture, until somebody plays by whatever means. */
+function offerToPlay(stage: Stage): void {
+  const button = textButton('loud play-smoke', strings.transport.playSmoke, () => stage.play());
+  const end = stage.on('statechange', ({ playing }) => {
+    if (!playing) return;
+    button.remove();
+    end();
+  });
+  host.append(button);
+}
+
+function connectInput(stage: Stage, editor: Editor, page: Page): void {
+  const ball = new BallKeys(stage);
+  new Pointers(stage, canvas, (radians) => ball.turned(radians));
+  listenToKeys({
+    ...page,
+    togglePlaying: () => togglePlaying(stage),
+    step: () => takeStep(stage),
+    restart: () => stage.restart(),
+    undo: () => editor.undo(),
+    redo: () => editor.redo(),
+    zoom: (factor) => stage.camera.zoom(factor),
+    push: (right, up, near) => ball.push(right, up, near),
+    turn(right, up) {
+      stage.camera.orbit(right * TURN_STEP, up * TURN_STEP);
+      ball.turned(right * TURN_STEP);
+    },
+    resetView() {
+      stage.camera.reset();
+      ball.viewReset();
+    },
+  });
+}
+
+function tellAll(notices: Notices, { notices: list }: Pick<Decoded, 'notices'>): void {
+  for (const { message } of list) notices.tell(message);
+}
+
+function refuse(error: unknown): void {
+  canvas.hidden = true;
+  host.replaceChildren(createRefusal(error));
+  host.classList.remove('is-bare');
+}
+
+start().catch(refuse);

@@ -1,0 +1,72 @@
+import type { State } from '../preset/codec.ts';
+import type { Parameter } from '../preset/parameter.ts';
+import { groups, table } from '../preset/table.ts';
+import { createChooser } from './chooser.ts';
+import { create, iconButton, textButton } from './dom.ts';
+import type { Editor } from './editor.ts';
+import { icon } from './icons.ts';
+import { createRow, type Row } from './row.ts';
+import { strings } from './strings.ts';
+
+export const PANEL_ID = 'parameters';
+
+/** The panel of live parameters, made from the table. */
+export function createPanel(editor: Editor, close: () => void): HTMLElement {
+  const rows = new Map(table.filter(hasChoice).map((parameter) => [parameter.key, createRow(parameter, editor)]));
+  const chooser = createChooser(editor);
+  const head = createHead(editor, close);
+  const caption = create('p', { class: 'caption', 'aria-hidden': 'true' }, strings.panel.caption);
+  const scroll = create('div', { class: 'scroll' }, chooser.element, ...createGroups(rows));
+  const panel = create('section', { id: PANEL_ID, class: 'panel card', 'aria-label': strings.panel.title });
+  panel.append(head.element, scroll, caption);
+  explainIn(caption, panel);
+  const show = (state: State) => {
+    chooser.show(state);
+    head.show();
+    const base = editor.base;
+    for (const [key, row] of rows) row.show(state.values[key], base[key]);
+  };
+  editor.listen(show);
+  show(editor.state);
+  return panel;
+}
+
+/** A choice of one is no choice; it comes into the panel when there is a second. */
+function hasChoice(parameter: Parameter): boolean {
+  return parameter.kind !== 'choice' || parameter.options.length > 1;
+}
+
+function createGroups(rows: ReadonlyMap<string, Row>): HTMLElement[] {
+  return groups.map(({ key, label, advanced }) => {
+    const keys = table.filter(({ group }) => group === key).map((parameter) => parameter.key);
+    const elements = keys.flatMap((parameterKey) => rows.get(parameterKey)?.element ?? []);
+    const summary = create('summary', {}, label);
+    return create('details', { class: 'group', open: !advanced }, summary, ...elements);
+  });
+}
+
+function createHead(editor: Editor, close: () => void): { element: HTMLElement; show(): void } {
+  const { title, undo, redo, resetAll, close: closeName } = strings.panel;
+  const undoButton = iconButton('icon-button', undo, icon('undo'), () => editor.undo());
+  const redoButton = iconButton('icon-button', redo, icon('redo'), () => editor.redo());
+  const resetButton = textButton('quiet', resetAll, () => editor.resetAll());
+  const closeButton = iconButton('icon-button', closeName, icon('close'), close);
+  const heading = create('h2', {}, title);
+  return {
+    element: create('header', { class: 'panel-head' }, heading, undoButton, redoButton, resetButton, closeButton),
+    show() {
+      undoButton.disabled = !editor.canUndo;
+      redoButton.disabled = !editor.canRedo;
+    },
+  };
+}
+
+/** Shows what the row under the pointer or the focus does; screen readers get the same text from the row itself. */
+function explainIn(caption: HTMLElement, panel: HTMLElement): void {
+  const explain = ({ target }: Event) => {
+    const row = target instanceof Element ? target.closest<HTMLElement>('[data-text]') : null;
+    if (row) caption.textContent = row.dataset.text!;
+  };
+  panel.addEventListener('pointerover', explain);
+  panel.addEventListener('focusin', explain);
+}

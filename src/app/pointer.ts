@@ -1,0 +1,96 @@
+import type { Stage } from '../stage/stage.ts';
+
+const TURN_PER_PIXEL = 0.006;
+const ZOOM_PER_PIXEL = 0.0015;
+// What one line of a wheel that counts in lines is worth.
+const PIXELS_PER_LINE = 32;
+
+interface Point {
+  x: number;
+  y: number;
+  isPanning: boolean;
+}
+
+/** Told by how many radians the view turned about the vertical. */
+export type TurnListener = (radians: number) => void;
+
+/** Hands mouse, pen and touch to the stage: what does not grab a rigid turns, shifts or zooms the view. */
+export class Pointers {
+  private readonly stage: Stage;
+  private readonly canvas: HTMLCanvasElement;
+  private readonly turned: TurnListener;
+  private readonly loose = new Map<number, Point>();
+  private readonly holding = new Set<number>();
+
+  constructor(stage: Stage, canvas: HTMLCanvasElement, turned: TurnListener) {
+    this.stage = stage;
+    this.canvas = canvas;
+    this.turned = turned;
+    canvas.addEventListener('pointerdown', (event) => this.down(event));
+    canvas.addEventListener('pointermove', (event) => this.move(event));
+    canvas.addEventListener('pointerup', (event) => this.up(event, 'up'));
+    canvas.addEventListener('pointercancel', (event) => this.up(event, 'cancel'));
+    canvas.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+  }
+
+  private down(event: PointerEvent): void {
+    this.canvas.setPointerCapture(event.pointerId);
+    if (event.button === 0 && this.forward('down', event) === 'rigid') {
+      this.holding.add(event.pointerId);
+      this.canvas.classList.add('is-holding');
+      return;
+    }
+    const isPanning = event.button !== 0 || event.shiftKey;
+    this.loose.set(event.pointerId, { x: event.clientX, y: event.clientY, isPanning });
+  }
+
+  private move(event: PointerEvent): void {
+    if (this.holding.has(event.pointerId)) this.forward('move', event);
+    const point = this.loose.get(event.pointerId);
+    if (!point) return;
+    const before = this.spread();
+    const [dx, dy] = [event.clientX - point.x, event.clientY - point.y];
+    Object.assign(point, { x: event.clientX, y: event.clientY });
+    if (this.loose.size > 1) this.pinch(before, dx, dy);
+    else if (point.isPanning) this.stage.camera.pan(dx, dy);
+    else this.turn(-dx * TURN_PER_PIXEL, dy * TURN_PER_PIXEL);
+  }
+
+  private up(event: PointerEvent, type: 'up' | 'cancel'): void {
+    this.loose.delete(event.pointerId);
+    if (!this.holding.delete(event.pointerId)) return;
+    this.forward(type, event);
+    this.canvas.classList.toggle('is-holding', this.holding.size > 0);
+  }
+
+  private wheel(event: WheelEvent): void {
+    event.preventDefault();
+    const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * PIXELS_PER_LINE : event.deltaY;
+    this.stage.camera.zoom(Math.exp(-pixels * ZOOM_PER_PIXEL));
+  }
+
+  /** Two fingers: their distance zooms, their common way shifts. */
+  private pinch(before: number, dx: number, dy: number): void {
+    const after = this.spread();
+    if (before > 0 && after > 0) this.stage.camera.zoom(after / before);
+    this.stage.camera.pan(dx / this.loose.size, dy / this.loose.size);
+  }
+
+  private turn(azimuth: number, elevation: number): void {
+    this.stage.camera.orbit(azimuth, elevation);
+    this.turned(azimuth);
+  }
+
+  /** Distance between the first two loose pointers, 0 for fewer. */
+  private spread(): number {
+    const [a, b] = this.loose.values();
+    return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
+  }
+
+  private forward(type: 'down' | 'move' | 'up' | 'cancel', event: PointerEvent): 'rigid' | null {
+    const box = this.canvas.getBoundingClientRect();
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+    return this.stage.pointer({ type, id: event.pointerId, x, y });
+  }
+}

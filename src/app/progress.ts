@@ -1,0 +1,47 @@
+import type { Stage } from '../stage/stage.ts';
+import { create, textButton } from './dom.ts';
+import { strings } from './strings.ts';
+
+/** A bar over the page while something takes its time. */
+export class Progress {
+  readonly element: HTMLElement;
+  private readonly bar: HTMLProgressElement;
+
+  /** @param cancel where given, a button ends the work */
+  constructor(message: string, cancel?: () => void) {
+    this.bar = create('progress', { max: 1, 'aria-label': message });
+    const button = cancel ? [textButton('loud', strings.progress.cancel, cancel)] : [];
+    this.element = create(
+      'div',
+      { class: 'progress card', role: 'status' },
+      create('p', {}, message),
+      this.bar,
+      ...button,
+    );
+  }
+
+  /** @param share 0 to 1; undefined while nobody knows */
+  show(share: number | undefined): void {
+    if (share === undefined) this.bar.removeAttribute('value');
+    else this.bar.value = share;
+  }
+}
+
+/**
+ * Simulates up to a time before the first picture, with progress and a way out.
+ * @returns whether it arrived; false when somebody stopped it
+ */
+export async function windForward(stage: Stage, seconds: number, host: HTMLElement): Promise<boolean> {
+  const controller = new AbortController();
+  const progress = new Progress(strings.progress.winding(seconds), () => controller.abort());
+  host.append(progress.element);
+  try {
+    await stage.seek(seconds, { onProgress: (share) => progress.show(share), signal: controller.signal });
+    return true;
+  } catch (error) {
+    if (controller.signal.aborted) return false;
+    throw error;
+  } finally {
+    progress.element.remove();
+  }
+}

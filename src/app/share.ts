@@ -1,0 +1,27 @@
+import { linkTo } from './address.ts';
+import { create, textButton } from './dom.ts';
+import type { Editor } from './editor.ts';
+import type { Notices } from './notices.ts';
+import { strings } from './strings.ts';
+
+/** Copies the link of what is shown and says so; where copying is refused, offers the link to copy by hand. */
+export async function share(editor: Editor, notices: Notices): Promise<void> {
+  const link = await linkTo(editor);
+  try {
+    await navigator.clipboard.writeText(link);
+    notices.mention(strings.share.copied);
+  } catch {
+    offer(link);
+  }
+}
+
+function offer(link: string): void {
+  const field = create('input', { type: 'text', readonly: true, value: link, 'aria-label': strings.share.link });
+  const close = textButton('loud', strings.help.close, () => sheet.close());
+  const sheet = create('dialog', { class: 'sheet card' }, create('p', {}, strings.share.byHand), field, close);
+  sheet.addEventListener('close', () => sheet.remove());
+  document.body.append(sheet);
+  sheet.showModal();
+  field.focus();
+  field.select();
+}

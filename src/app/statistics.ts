@@ -1,0 +1,33 @@
+import type { Stage, StageStats } from '../stage/stage.ts';
+import { create } from './dom.ts';
+import { strings } from './strings.ts';
+
+const REFRESH_MS = 250;
+
+/** The figures of the stage, for `?stats=1`. */
+export function createStatistics(stage: Stage): HTMLElement {
+  const output = create('pre', { class: 'statistics', 'aria-label': strings.statistics.title });
+  let last = Number.NEGATIVE_INFINITY;
+  let frames = 0;
+  stage.on('frame', (stats) => {
+    frames += 1;
+    const elapsed = performance.now() - last;
+    if (elapsed < REFRESH_MS) return;
+    output.textContent = describe(stats, (1000 * frames) / elapsed);
+    last = performance.now();
+    frames = 0;
+  });
+  return output;
+}
+
+function describe(stats: StageStats, framesPerSecond: number): string {
+  const milliseconds = (value: number) => `${value.toFixed(1)} ms`;
+  return [
+    `${framesPerSecond.toFixed(0)} frames/s   ${stats.drawCalls} draw calls`,
+    `${stats.time.toFixed(2)} s, step ${stats.steps}`,
+    `${stats.alive} alive, ${stats.waiting} waiting`,
+    `bodies  ${stats.bodiesDrawn} of ${stats.bodiesTotal}`,
+    `casters ${stats.castersDrawn} of ${stats.castersTotal}`,
+    `step ${milliseconds(stats.simMs)}, arrange ${milliseconds(stats.arrangeMs)}, draw ${milliseconds(stats.renderMs)}`,
+  ].join('\n');
+}

@@ -1,0 +1,63 @@
+import type { Stage } from '../stage/stage.ts';
+import { create, iconButton } from './dom.ts';
+import { icon } from './icons.ts';
+import { strings } from './strings.ts';
+
+// The clock changes this often; every frame would only flicker.
+const READOUT_MS = 100;
+
+/** Play, pause, step, start over, speed, and the simulated time. */
+export function createTransport(stage: Stage): HTMLElement {
+  const { title, restart, step } = strings.transport;
+  const restartButton = iconButton('icon-button', restart, icon('restart'), () => stage.restart());
+  const stepButton = iconButton('icon-button', step, icon('step'), () => takeStep(stage));
+  const bar = create('div', { class: 'transport card', role: 'group', 'aria-label': title });
+  bar.append(restartButton, createPlayButton(stage), stepButton, createSpeed(stage), createReadout(stage));
+  return bar;
+}
+
+/** One step, then stillness: a step while playing would not be seen. */
+export function takeStep(stage: Stage): void {
+  stage.pause();
+  stage.step(1);
+}
+
+export function togglePlaying(stage: Stage): void {
+  if (stage.playing) stage.pause();
+  else stage.play();
+}
+
+function createPlayButton(stage: Stage): HTMLButtonElement {
+  const { play, pause } = strings.transport;
+  const button = iconButton('icon-button play', play, icon('play'), () => togglePlaying(stage));
+  const show = () => {
+    const name = stage.playing ? pause : play;
+    button.replaceChildren(icon(stage.playing ? 'pause' : 'play'));
+    button.setAttribute('aria-label', name);
+    button.title = name;
+  };
+  stage.on('statechange', show);
+  show();
+  return button;
+}
+
+function createSpeed(stage: Stage): HTMLSelectElement {
+  const { speed, speeds } = strings.transport;
+  const options = speeds.map(([value, label]) => create('option', { value }, label));
+  const select = create('select', { class: 'speed', 'aria-label': speed, title: speed }, ...options);
+  select.addEventListener('change', () => (stage.speed = Number(select.value)));
+  return select;
+}
+
+function createReadout(stage: Stage): HTMLElement {
+  const readout = create('span', { class: 'time', role: 'timer', 'aria-live': 'off' });
+  let last = Number.NEGATIVE_INFINITY;
+  stage.on('frame', ({ time }) => {
+    const now = performance.now();
+    if (stage.playing && now - last < READOUT_MS) return;
+    last = now;
+    readout.textContent = strings.transport.time(time);
+  });
+  readout.textContent = strings.transport.time(stage.stats.time);
+  return readout;
+}
