@@ -1,0 +1,129 @@
+/**
+ * Puffs as triangle meshes: one closed icosphere for each lobe. The lobes overlap; the depth test of whoever draws
+ * the mesh makes the exact creases between them.
+ */
+import type { Lobe } from './shapes.ts';
+
+/**
+ * Share of the puff's overall normal in every vertex normal (0..1). At 0 each lobe is lit as a ball of its own and
+ * a cluster looks like a bag of marbles; at 1 the lobes vanish in the big form.
+ */
+export const NORMAL_BLEND = 0.3;
+
+/** Subdivisions of the icosahedron: 1,280 triangles a lobe, facets 0.3 % of the radius deep at most. */
+export const LOBE_SUBDIVISIONS = 3;
+
+/** Triangles wound counter-clockwise seen from outside; x, y, z a vertex. */
+export interface TriangleMesh {
+  readonly positions: Float32Array;
+  /** Unit length. */
+  readonly normals: Float32Array;
+  readonly indices: Uint32Array;
+}
+
+type Vector = readonly [number, number, number];
+
+interface Icosphere {
+  readonly vertices: readonly Vector[];
+  readonly faces: readonly Vector[];
+}
+
+function normalized([x, y, z]: Vector): Vector {
+  const length = Math.sqrt(x * x + y * y + z * z) || 1;
+  return [x / length, y / length, z / length];
+}
+
+function icosahedron(): Icosphere {
+  const golden = (1 + Math.sqrt(5)) / 2;
+  const corners: Vector[] = [
+    [-1, golden, 0], [1, golden, 0], [-1, -golden, 0], [1, -golden, 0],
+    [0, -1, golden], [0, 1, golden], [0, -1, -golden], [0, 1, -golden],
+    [golden, 0, -1], [golden, 0, 1], [-golden, 0, -1], [-golden, 0, 1],
+  ]; // prettier-ignore
+  const faces: Vector[] = [
+    [0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11],
+    [1, 5, 9], [5, 11, 4], [11, 10, 2], [10, 7, 6], [7, 1, 8],
+    [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8], [3, 8, 9],
+    [4, 9, 5], [2, 4, 11], [6, 2, 10], [8, 6, 7], [9, 8, 1],
+  ]; // prettier-ignore
+  return { vertices: corners.map(normalized), faces };
+}
+
+function subdivided({ vertices, faces }: Icosphere): Icosphere {
+  const points = [...vertices];
+  const middles = new Map<number, number>();
+  const middle = (a: number, b: number): number => {
+    const key = Math.min(a, b) * 65536 + Math.max(a, b);
+    let index = middles.get(key);
+    if (index === undefined) {
+      const [p, q] = [points[a], points[b]];
+      index = points.push(normalized([p[0] + q[0], p[1] + q[1], p[2] + q[2]])) - 1;
+      middles.set(key, index);
+    }
+    return index;
+  };
+  const split = faces.flatMap(([a, b, c]): Vector[] => {
+    const [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+    return [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]; // prettier-ignore
+  });
+  return { vertices: points, faces: split };
+}
+
+/** A unit sphere of 20 * 4^subdivisions triangles. */
+function icosphere(subdivisions: number): Icosphere {
+  let sphere = icosahedron();
+  for (let i = 0; i < subdivisions; i++) sphere = subdivided(sphere);
+  return sphere;
+}
+
+/** Centre of the lobes' volumes, overlaps counted twice: where the overall normal points away from. */
+function middleOf(lobes: readonly Lobe[]): Vector {
+  let [x, y, z, total] = [0, 0, 0, 0];
+  for (const { center, radius } of lobes) {
+    const volume = radius ** 3;
+    x += center[0] * volume;
+    y += center[1] * volume;
+    z += center[2] * volume;
+    total += volume;
+  }
+  return [x / total, y / total, z / total];
+}
+
+/**
+ * The mesh of a puff's lobes in its unit frame.
+ * @param blend share of the overall normal, 0..1
+ */
+export function puffMesh(
+  lobes: readonly Lobe[],
+  blend = NORMAL_BLEND,
+  subdivisions = LOBE_SUBDIVISIONS,
+): TriangleMesh {
+  const sphere = icosphere(subdivisions);
+  const middle = middleOf(lobes);
+  const positions: number[] = [];
+  const normals: number[] = [];
+  const indices: number[] = [];
+  for (const { center, radius } of lobes) {
+    const first = positions.length / 3;
+    for (const n of sphere.vertices) {
+      const p: Vector = [center[0] + radius * n[0], center[1] + radius * n[1], center[2] + radius * n[2]];
+      const overall = normalized([p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]]);
+      positions.push(...p);
+      normals.push(...normalized(mixed(n, overall, blend)));
+    }
+    for (const [a, b, c] of sphere.faces) indices.push(first + a, first + b, first + c);
+  }
+  return {
+    positions: Float32Array.from(positions),
+    normals: Float32Array.from(normals),
+    indices: Uint32Array.from(indices),
+  };
+}
+
+function mixed(a: Vector, b: Vector, share: number): Vector {
+  return [
+    a[0] + (b[0] - a[0]) * share,
+    a[1] + (b[1] - a[1]) * share,
+    a[2] + (b[2] - a[2]) * share,
+  ];
+}
