@@ -1,9 +1,27 @@
 //! The particle simulator of cartoon-smoke: pure, deterministic, without WASM and without a clock.
+//!
+//! Start at [`Simulator::step`], which shows the order of a step.
 
+pub mod arrange;
 pub mod collide;
+pub mod emitter;
 pub mod error;
+pub mod forces;
 pub mod hash;
 pub mod life;
+pub mod motion;
+mod obstacles;
+mod order;
+pub mod parameters;
 pub mod particles;
+pub mod random;
 #[cfg(feature = "rigids")]
 pub mod rigids;
+pub mod rows;
+pub mod simd;
+pub mod simulator;
+mod snapshot;
+pub mod view;
+
+pub use error::{ParameterError, RestoreError};
+pub use simulator::Simulator;

@@ -165,4 +165,22 @@ impl Particles {
         );
         self.alive = alive;
     }
+
+    /// The same particles with room for `capacity`; where they do not fit, those go that are nearest to their death.
+    pub fn resized(&self, capacity: usize) -> Self {
+        let mut kept: Vec<usize> = (0..self.alive).collect();
+        let worn = |i: &usize| self.age[*i] / self.lifetime[*i];
+        kept.sort_by(|a, b| worn(a).total_cmp(&worn(b)));
+        kept.truncate(capacity);
+        kept.sort_unstable();
+        let mut resized = Self::new(capacity);
+        for (to, from) in resized.float_columns_mut().into_iter().zip(self.float_columns()) {
+            kept.iter().zip(to).for_each(|(i, value)| *value = from[*i]);
+        }
+        kept.iter()
+            .zip(&mut resized.look)
+            .for_each(|(i, look)| *look = self.look[*i]);
+        resized.set_alive(kept.len());
+        resized
+    }
 }

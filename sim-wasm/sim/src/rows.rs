@@ -1,0 +1,64 @@
+//! The rows that a renderer reads: 24 bytes for each particle that is drawn.
+//!
+//! `place`, four f32: x, y, z in world space (m), radius (m), blended between the steps.
+//! `look`, two u32: word 0 = roll (bits 0-15, fraction of a turn times 65,536, with a slow spin by age) and
+//! age / lifetime (bits 16-31, times 65,535); word 1 = variation (bits 0-7), seed byte (8-15), temperature (16-23,
+//! 255 stands for 4), 0 (24-31).
+
+use crate::life::RadiusLaw;
+use crate::particles::Particles;
+
+/// Fastest spin, in turns a second: the seed byte chooses a spin from minus this to this.
+pub const FASTEST_SPIN: f32 = 0.04;
+
+const GREATEST_TEMPERATURE: f32 = 4.0;
+
+/// How a row is taken from a particle: at which moment and by which law.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment {
+    pub radii: RadiusLaw,
+    /// Share of the step that has passed, 0..1.
+    pub blend: f32,
+    /// Length of the step (s).
+    pub dt: f32,
+}
+
+impl Moment {
+    /// Age (s) of particle `i` at the moment; negative when it is not born yet.
+    pub fn age(&self, particles: &Particles, i: usize) -> f32 {
+        particles.age[i] - (1.0 - self.blend) * self.dt
+    }
+
+    /// Place and radius of particle `i`; the radius is 0 before birth.
+    pub fn place(&self, particles: &Particles, i: usize) -> [f32; 4] {
+        let mix = |before: f32, now: f32| before * (1.0 - self.blend) + now * self.blend;
+        let age = self.age(particles, i);
+        let radius = self.radii.radius(particles.size[i], age, particles.lifetime[i]);
+        [
+            mix(particles.px[i], particles.x[i]),
+            mix(particles.py[i], particles.y[i]),
+            mix(particles.pz[i], particles.z[i]),
+            if age < 0.0 { 0.0 } else { radius },
+        ]
+    }
+
+    /// The two words of particle `i`.
+    pub fn look(&self, particles: &Particles, i: usize) -> [u32; 2] {
+        let look = particles.look[i];
+        let age = self.age(particles, i);
+        let roll = (look >> 16).wrapping_add(spin(look, age)) & 0xffff;
+        let worn = fraction(age / particles.lifetime[i], 65_535.0);
+        let heat = fraction(particles.temperature[i] / GREATEST_TEMPERATURE, 255.0);
+        [roll | worn << 16, look & 0xffff | heat << 16]
+    }
+}
+
+/// The roll, in 65,536ths of a turn, that `age` seconds of spin add.
+fn spin(look: u32, age: f32) -> u32 {
+    let pace = ((look >> 8 & 0xff) as f32 - 127.5) / 127.5 * FASTEST_SPIN;
+    (age * pace * 65_536.0) as i32 as u32
+}
+
+fn fraction(value: f32, scale: f32) -> u32 {
+    (value.clamp(0.0, 1.0) * scale + 0.5) as u32
+}

@@ -1,0 +1,272 @@
+//! One simulation: parameters, particles, rigids and random numbers, and the order of a step.
+//!
+//! A step is 1/60 s, always. Same seed, same parameters and inputs at the same steps: the same state to the last bit,
+//! natively and in WASM. All memory is taken at creation; `step` and `arrange` take none.
+
+use crate::arrange::Arranger;
+use crate::collide::{self, AnalyticCollider, Scratch};
+use crate::emitter::{Births, Surroundings};
+use crate::error::{ParameterError, RestoreError};
+use crate::forces::drag::Drag;
+use crate::forces::turbulence::TurbulenceState;
+use crate::forces::{Air, Lift};
+use crate::hash::Hash;
+use crate::life::{self, Ageing, RadiusLaw};
+use crate::motion::{self, Integrator, Motion};
+use crate::obstacles;
+use crate::parameters::{LIST_LIMIT, Parameters};
+use crate::particles::{Newborn, Particles};
+use crate::random::Random;
+#[cfg(feature = "rigids")]
+use crate::rigids::Rigids;
+use crate::rows::Moment;
+use crate::snapshot;
+use crate::view::View;
+
+/// Length of a step (s).
+pub const STEP: f64 = 1.0 / 60.0;
+
+/// Most particles that a simulator can be made for.
+pub const CAPACITY_LIMIT: u32 = 1_000_000;
+
+/// A simulation. See the head of this file.
+pub struct Simulator {
+    pub(crate) parameters: Parameters,
+    pub(crate) seed: u32,
+    pub(crate) steps: u64,
+    pub(crate) random: Random,
+    pub(crate) births: Births,
+    pub(crate) turbulence: TurbulenceState,
+    pub(crate) particles: Particles,
+    #[cfg(feature = "rigids")]
+    pub(crate) rigids: Rigids,
+    arranger: Arranger,
+    scratch: Scratch,
+}
+
+impl Simulator {
+    /// An empty simulation with room for `capacity` particles, 1..=[`CAPACITY_LIMIT`]; `seed` starts the random
+    /// numbers and chooses the pattern of turbulence.
+    pub fn new(capacity: u32, seed: u32) -> Result<Self, ParameterError> {
+        let room = check_capacity(capacity)?;
+        Ok(Self {
+            parameters: Parameters::default(),
+            seed,
+            steps: 0,
+            random: Random::new(seed),
+            births: Births::default(),
+            turbulence: TurbulenceState::default(),
+            particles: Particles::new(room),
+            #[cfg(feature = "rigids")]
+            rigids: Rigids::new(),
+            arranger: Arranger::new(room),
+            scratch: Scratch::new(room),
+        })
+    }
+
+    /// Sets the parameter `key`. What is unknown, not finite or out of range is refused, and nothing is changed.
+    pub fn set(&mut self, key: &str, value: f64) -> Result<(), ParameterError> {
+        self.set_all(&[(key, value)])
+    }
+
+    /// Sets all `entries`, or none of them where one is refused.
+    pub fn set_all(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
+        let before = self.integrator();
+        self.parameters.set_all(entries)?;
+        if self.integrator() != before {
+            let (air, now) = (self.air(), self.integrator());
+            motion::change_integrator(&mut self.particles, &air, now);
+        }
+        Ok(())
+    }
+
+    /// The parameters as they are.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// Adds one particle that no emitter made. False when the simulator is full.
+    pub fn add(&mut self, newborn: &Newborn) -> bool {
+        self.particles.push(newborn)
+    }
+
+    /// Advances by 1/60 s.
+    pub fn step(&mut self) {
+        #[cfg(feature = "rigids")]
+        self.rigids.advance(STEP as f32);
+        let motion = self.motion();
+        self.bear(&motion.air);
+        motion::advance(&mut self.particles, &motion);
+        self.collide();
+        life::advance(&mut self.particles, &Ageing::new(&self.parameters, STEP));
+        self.turbulence.advance(&self.parameters, STEP);
+        self.steps += 1;
+    }
+
+    /// Writes the rows that the 32 numbers of `view` ask for (see [`View`]) and returns how many there are. Refuses a
+    /// malformed view by name; the rows are then those of the last call.
+    pub fn arrange(&mut self, view: &[f32]) -> Result<usize, ParameterError> {
+        let view = View::new(view)?;
+        let radii = RadiusLaw::new(&self.parameters);
+        let moment = Moment {
+            radii,
+            blend: view.blend,
+            dt: STEP as f32,
+        };
+        Ok(self.arranger.arrange(&self.particles, &view, &moment))
+    }
+
+    /// Rows of x, y, z and radius (m); valid up to the count of the last `arrange`.
+    pub fn place(&self) -> &[[f32; 4]] {
+        self.arranger.place()
+    }
+
+    /// Rows of packed words, see `rows`; valid up to the count of the last `arrange`.
+    pub fn look(&self) -> &[[u32; 2]] {
+        self.arranger.look()
+    }
+
+    /// Least and greatest corner (m) around all that lived at the moment of the last `arrange`, radii included; zeros
+    /// where nothing did.
+    pub fn bounds(&self) -> &[f32; 6] {
+        self.arranger.bounds()
+    }
+
+    /// How many particles live.
+    pub fn alive(&self) -> usize {
+        self.particles.alive()
+    }
+
+    /// How many particles can live at once.
+    pub fn capacity(&self) -> usize {
+        self.particles.capacity()
+    }
+
+    /// How many births wait for room.
+    pub fn waiting(&self) -> u64 {
+        self.births.waiting()
+    }
+
+    /// How many steps were made.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// The particles.
+    pub fn particles(&self) -> &Particles {
+        &self.particles
+    }
+
+    /// The rigids.
+    #[cfg(feature = "rigids")]
+    pub fn rigids(&self) -> &Rigids {
+        &self.rigids
+    }
+
+    /// The rigids, to add to them and to move them.
+    #[cfg(feature = "rigids")]
+    pub fn rigids_mut(&mut self) -> &mut Rigids {
+        &mut self.rigids
+    }
+
+    /// The state's fingerprint: every living particle, the rigids, what emitters and turbulence remember, the random
+    /// numbers and the count of steps. Parameters are inputs and not part of it.
+    pub fn hash(&self) -> u64 {
+        let mut hash = Hash::new();
+        hash.long(self.steps);
+        hash.long(self.random.state());
+        hash.long(self.particles.alive() as u64);
+        for column in self.particles.float_columns() {
+            hash.floats(&column[..self.particles.alive()]);
+        }
+        self.particles.look[..self.particles.alive()]
+            .iter()
+            .for_each(|look| hash.word(*look));
+        let Births { owed, waiting } = self.births;
+        let TurbulenceState { drift, phase } = self.turbulence;
+        owed.iter()
+            .chain(&drift)
+            .chain([&phase])
+            .for_each(|number| hash.long(number.to_bits()));
+        waiting.iter().for_each(|count| hash.long(*count));
+        #[cfg(feature = "rigids")]
+        self.rigids.hash_into(&mut hash);
+        hash.finish()
+    }
+
+    /// Everything, parameters included, as bytes that `restore` takes: see `snapshot`.
+    pub fn save(&self) -> Vec<u8> {
+        snapshot::save(self)
+    }
+
+    /// Goes on from bytes that `save` made, whatever the seed and the capacity of this simulator, as long as all that
+    /// lives finds room. Bytes that are damaged or do not fit are refused, and nothing is changed.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
+        snapshot::restore(self, bytes)
+    }
+
+    /// Changes how many particles can live at once. All that live are carried over; where they do not fit, those go
+    /// that are nearest to their death.
+    pub fn resize(&mut self, capacity: u32) -> Result<(), ParameterError> {
+        let room = check_capacity(capacity)?;
+        self.particles = self.particles.resized(room);
+        self.arranger = Arranger::new(room);
+        self.scratch = Scratch::new(room);
+        Ok(())
+    }
+
+    fn integrator(&self) -> Integrator {
+        Integrator::from_parameter(self.parameters.integrator)
+    }
+
+    fn air(&self) -> Air {
+        Air::new(&self.parameters, &self.turbulence, self.seed, STEP as f32)
+    }
+
+    fn motion(&self) -> Motion {
+        Motion {
+            integrator: self.integrator(),
+            air: self.air(),
+            lift: Lift::new(&self.parameters),
+            drag: Drag::new(&self.parameters, STEP),
+            dt: STEP as f32,
+        }
+    }
+
+    fn bear(&mut self, air: &Air) {
+        let around = Surroundings {
+            parameters: &self.parameters,
+            air,
+            integrator: self.integrator(),
+            step: self.steps,
+            dt: STEP,
+        };
+        self.births.step(&around, &mut self.random, &mut self.particles);
+    }
+
+    fn collide(&mut self) {
+        let colliders: [AnalyticCollider; LIST_LIMIT] = obstacles::colliders(&self.parameters);
+        collide::resolve(
+            &mut self.particles,
+            &RadiusLaw::new(&self.parameters),
+            &colliders[..self.parameters.colliders.items().len()],
+            #[cfg(feature = "rigids")]
+            &mut self.rigids,
+            STEP as f32,
+            &mut self.scratch,
+        );
+    }
+}
+
+fn check_capacity(capacity: u32) -> Result<usize, ParameterError> {
+    if (1..=CAPACITY_LIMIT).contains(&capacity) {
+        return Ok(capacity as usize);
+    }
+    let limit = f64::from(CAPACITY_LIMIT);
+    Err(ParameterError::out_of_range(
+        "simulation.maxParticles",
+        f64::from(capacity),
+        1.0,
+        limit,
+    ))
+}
