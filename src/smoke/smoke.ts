@@ -116,7 +116,7 @@ export class CartoonSmoke {
     this.ramps.write(SMOKE_RAMP, rampOf(style.smokeColor, style));
     this.surfaces.forEach(({ color }, index) => this.ramps.write(FIRST_SURFACE_RAMP + index, rampOf(color, style)));
     body.setInk(style.inkColor, inkPixels, style.innerLine);
-    body.setGradient(style.gradient, style.gradientColor);
+    body.setGradient(style.gradient, style.gradientColor, style.smokeColor);
     surfaces.setInk(style.inkColor, inkPixels);
     volumes.setSelfShadow(!isFlat(style));
     this.style = style;
