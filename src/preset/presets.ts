@@ -24,7 +24,7 @@ const curl: Values = {
 export const presets: readonly Preset[] = [
   {
     name: 'lamp',
-    label: 'Magic lamp',
+    label: 'Lamp',
     text: 'White smoke in two tones that rises from the spout and curls.',
     values: curl,
   },
