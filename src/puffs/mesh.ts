@@ -8,7 +8,13 @@ import type { Lobe } from './shapes.ts';
  * Share of the puff's overall normal in every vertex normal (0..1). At 0 each lobe is lit as a ball of its own and
  * a cluster looks like a bag of marbles; at 1 the lobes vanish in the big form.
  */
-export const NORMAL_BLEND = 0.3;
+export const NORMAL_BLEND = 0.38;
+
+/**
+ * Reach of the fillet along the creases in particle radii: normals (not positions) turn gradually from one lobe to the
+ * next there, so that the border of the light runs round a lobe instead of stopping at a crease with a sharp corner.
+ */
+export const CREASE_FILLET = 0.13;
 
 /** Subdivisions of the icosahedron: 1,280 triangles a lobe, facets 0.3 % of the radius deep at most. */
 export const LOBE_SUBDIVISIONS = 3;
@@ -89,6 +95,22 @@ function middleOf(lobes: readonly Lobe[]): Vector {
   return [x / total, y / total, z / total];
 }
 
+/** Direction of the surface at `p` on a lobe, with those of the other lobes near it mixed in. */
+function filletedNormal(lobes: readonly Lobe[], own: number, p: Vector): Vector {
+  let [x, y, z] = [0, 0, 0];
+  for (let i = 0; i < lobes.length; i++) {
+    const { center, radius } = lobes[i];
+    const [dx, dy, dz] = [p[0] - center[0], p[1] - center[1], p[2] - center[2]];
+    const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
+    const nearness = i === own ? 1 : Math.max(0, 1 - Math.abs(distance - radius) / CREASE_FILLET);
+    const weight = (nearness * nearness) / (distance || 1);
+    x += dx * weight;
+    y += dy * weight;
+    z += dz * weight;
+  }
+  return normalized([x, y, z]);
+}
+
 /**
  * The mesh of a puff's lobes in its unit frame.
  * @param blend share of the overall normal, 0..1
@@ -103,13 +125,14 @@ export function puffMesh(
   const positions: number[] = [];
   const normals: number[] = [];
   const indices: number[] = [];
-  for (const { center, radius } of lobes) {
+  for (let own = 0; own < lobes.length; own++) {
+    const { center, radius } = lobes[own];
     const first = positions.length / 3;
     for (const n of sphere.vertices) {
       const p: Vector = [center[0] + radius * n[0], center[1] + radius * n[1], center[2] + radius * n[2]];
       const overall = normalized([p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]]);
       positions.push(...p);
-      normals.push(...normalized(mixed(n, overall, blend)));
+      normals.push(...normalized(mixed(filletedNormal(lobes, own, p), overall, blend)));
     }
     for (const [a, b, c] of sphere.faces) indices.push(first + a, first + b, first + c);
   }
