@@ -1,0 +1,138 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../support/fixtures.ts';
+import { ask, ballPlace, LIGHT, open, type Place } from './page.ts';
+
+// Long enough for the ball to come after the pointer, which it does at 20 m/s at the most.
+const arrive = (page: Page) => ask(page, (stage) => stage.step(20));
+
+async function expectBallAt(page: Page, { x, y }: Place): Promise<void> {
+  const ball = (await ballPlace(page))!;
+  expect(Math.hypot(ball.x - x, ball.y - y), `ball at ${ball.x}, ${ball.y} instead of ${x}, ${y}`).toBeLessThan(12);
+}
+
+test('the mouse drags the ball, and the simulation knows', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await arrive(page);
+  const start = (await ballPlace(page))!;
+  await page.mouse.move(start.x, start.y);
+  await page.mouse.down();
+  await page.mouse.move(start.x - 90, start.y - 40, { steps: 4 });
+  await page.mouse.up();
+  await arrive(page);
+  await expectBallAt(page, { x: start.x - 90, y: start.y - 40 });
+});
+
+test('beside the ball the mouse turns the view, and 0 brings it back', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await arrive(page);
+  const hash = await ask(page, (stage) => stage.hash());
+  const start = (await ballPlace(page))!;
+  await page.mouse.move(60, 200);
+  await page.mouse.down();
+  await page.mouse.move(160, 180, { steps: 4 });
+  await page.mouse.up();
+  const turned = (await ballPlace(page))!;
+  expect(Math.hypot(turned.x - start.x, turned.y - start.y)).toBeGreaterThan(20);
+  await page.keyboard.press('0');
+  await expectBallAt(page, start);
+  expect(await ask(page, (stage) => stage.hash())).toBe(hash);
+});
+
+test('arrow keys move the ball along the picture', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await arrive(page);
+  const start = (await ballPlace(page))!;
+  await page.keyboard.down('ArrowLeft');
+  await expect
+    .poll(async () => {
+      await arrive(page);
+      return (await ballPlace(page))!.x;
+    })
+    .toBeLessThan(start.x - 30);
+  await page.keyboard.up('ArrowLeft');
+  await arrive(page);
+  const left = (await ballPlace(page))!;
+  expect(Math.abs(left.y - start.y)).toBeLessThan(12);
+  await arrive(page);
+  await expectBallAt(page, left);
+});
+
+test('keys play, step and open the help sheet, but leave typing alone', async ({ page }) => {
+  await page.setViewportSize({ width: 1280, height: 720 });
+  await open(page, `?paused=1${LIGHT}`);
+  const steps = () => ask(page, (stage) => stage.stats.steps);
+  await page.keyboard.press('.');
+  expect(await steps()).toBe(1);
+  await page.keyboard.press(' ');
+  expect(await ask(page, (stage) => stage.playing)).toBe(true);
+  await page.keyboard.press(' ');
+  expect(await ask(page, (stage) => stage.playing)).toBe(false);
+  await page.keyboard.press('?');
+  await expect(page.getByRole('dialog', { name: 'Play with smoke' })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('r');
+  expect(await steps()).toBe(0);
+  await page.getByLabel('Puff size, exact value').focus();
+  await page.keyboard.press('.');
+  expect(await steps()).toBe(0);
+  await page.getByLabel('Puff size, exact value').blur();
+  await page.keyboard.press('p');
+  await expect(page.getByRole('region', { name: 'Parameters' })).toBeHidden();
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test('a finger drags the ball', async ({ page }) => {
+    await open(page, `?paused=1${LIGHT}`);
+    await arrive(page);
+    const start = (await ballPlace(page))!;
+    const session = await page.context().newCDPSession(page);
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: Place[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+    await touch('touchStart', [start]);
+    await touch('touchMove', [{ x: start.x - 30, y: start.y - 30 }]);
+    await touch('touchMove', [{ x: start.x - 60, y: start.y - 60 }]);
+    await touch('touchEnd', []);
+    await arrive(page);
+    await expectBallAt(page, { x: start.x - 60, y: start.y - 60 });
+  });
+
+  test('two fingers come nearer', async ({ page }) => {
+    await open(page, `?paused=1${LIGHT}`);
+    await page.evaluate(() => {
+      const { camera } = window.cartoonSmoke!;
+      const zoom = camera.zoom;
+      camera.zoom = (factor: number) => {
+        document.body.dataset.zoom = String(Number(document.body.dataset.zoom ?? 1) * factor);
+        zoom(factor);
+      };
+    });
+    const session = await page.context().newCDPSession(page);
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: (Place & { id: number })[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+    const pair = (gap: number) => [
+      { x: 195, y: 120 - gap, id: 0 },
+      { x: 195, y: 120 + gap, id: 1 },
+    ];
+    await touch('touchStart', pair(20));
+    await touch('touchMove', pair(30));
+    await touch('touchMove', pair(40));
+    await touch('touchEnd', []);
+    await expect.poll(() => page.evaluate(() => Number(document.body.dataset.zoom))).toBeCloseTo(2, 1);
+  });
+
+  test('the parameters come as a sheet and leave the smoke in sight', async ({ page }) => {
+    await open(page, `?paused=1${LIGHT}`);
+    const panel = page.getByRole('region', { name: 'Parameters' });
+    await expect(panel).toBeHidden();
+    await page.getByRole('button', { name: 'Parameters', exact: true }).tap();
+    await expect(panel).toBeVisible();
+    const sheet = (await panel.boundingBox())!;
+    const canvas = (await page.locator('canvas').boundingBox())!;
+    expect(canvas.y + canvas.height).toBeLessThanOrEqual(sheet.y + 1);
+    expect(sheet.width).toBe(390);
+    await page.getByRole('button', { name: 'Close the parameters' }).tap();
+    await expect(panel).toBeHidden();
+  });
+});

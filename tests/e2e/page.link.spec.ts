@@ -1,0 +1,128 @@
+import { expect, test } from '../support/fixtures.ts';
+import { ask, expectHash, expectValue, LIGHT, open, row, valueOf } from './page.ts';
+
+test.use({ viewport: { width: 1280, height: 720 } });
+
+test('an edit changes the stage and the link, and the link restores it', async ({ page, context }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await page.getByLabel('Rate, exact value').fill('55.5');
+  await expectValue(page, 'emission.rate', 55.5);
+  await row(page, 'style.tones').getByRole('combobox').selectOption('3');
+  await row(page, 'style.shadows').getByRole('switch').click();
+  await row(page, 'style.inkColor').locator('input').fill('#aa0011');
+  const hash =
+    '#v=1&preset=lamp&emission.rate=55.5&style.shadows=0&style.tones=3&style.inkColor=aa0011&simulation.maxParticles=500';
+  await expectHash(page, hash);
+  const values = await ask(page, (stage) => stage.get());
+  const other = await context.newPage();
+  await other.setViewportSize({ width: 1280, height: 720 });
+  await open(other, `?paused=1${hash}`);
+  expect(await ask(other, (stage) => stage.get())).toEqual(values);
+  await expect(other.getByLabel('Rate, exact value')).toHaveValue('55.5');
+  await expect(other.locator('.notice')).toHaveCount(0);
+});
+
+test('a slider moves its parameter by keys and by mouse', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  const slider = page.getByRole('slider', { name: 'Puff size' });
+  await slider.press('ArrowRight');
+  await expectValue(page, 'puff.size', 1.05);
+  const box = (await slider.boundingBox())!;
+  await page.mouse.click(box.x + box.width - 2, box.y + box.height / 2);
+  await expectValue(page, 'puff.size', 4);
+  await expect(slider).toHaveAttribute('aria-valuetext', '4 ×');
+});
+
+test('what is typed beyond the range goes to its end', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  const field = page.getByLabel('Rate, exact value');
+  await field.fill('99999');
+  await expect(field).toHaveAttribute('aria-invalid', 'true');
+  await field.press('Enter');
+  await expectValue(page, 'emission.rate', 20_000);
+  await expect(field).toHaveValue('20000');
+  await field.fill('');
+  await field.press('Enter');
+  await expect(field).toHaveValue('20000');
+});
+
+test('undo, redo, reset one and reset all', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  const field = page.getByLabel('Puff size, exact value');
+  for (const text of ['2', '3']) {
+    await field.fill(text);
+    await field.press('Enter');
+  }
+  await page.keyboard.press('Control+z');
+  await expectValue(page, 'puff.size', 2);
+  await page.keyboard.press('Control+Shift+z');
+  await expectValue(page, 'puff.size', 3);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expectValue(page, 'puff.size', 2);
+  await page.getByRole('button', { name: 'Reset Puff size' }).click();
+  await expectValue(page, 'puff.size', 1);
+  await page.getByRole('button', { name: 'Reset all' }).click();
+  await expectHash(page, '#v=1&preset=lamp');
+  await expectValue(page, 'simulation.maxParticles', 4000);
+  await page.keyboard.press('Control+z');
+  await expectValue(page, 'simulation.maxParticles', 500);
+});
+
+test('a preset is chosen, and a link of it typed into the address bar is taken up', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await page.getByRole('radio', { name: 'Noir' }).check();
+  await expectHash(page, '#v=1&preset=lamp-noir');
+  await expectValue(page, 'style.tones', 1);
+  await page.evaluate(() => (location.hash = '#v=1&preset=lamp-ghost&emission.rate=30&bogus=1'));
+  await expectValue(page, 'emission.rate', 30);
+  await expect(page.getByRole('radio', { name: 'Ghost' })).toBeChecked();
+  await expect(page.getByText('There is no parameter “bogus”')).toBeVisible();
+});
+
+test('Share copies the link and says so', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await open(page, `?paused=1${LIGHT}`);
+  await page.getByRole('button', { name: 'Share' }).click();
+  await expect(page.getByText('The link is copied.')).toBeVisible();
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(page.url());
+});
+
+test('where copying is refused, the link can be copied by hand', async ({ page }) => {
+  await page.addInitScript(() => {
+    if (isSecureContext) navigator.clipboard.writeText = () => Promise.reject(new Error('refused'));
+  });
+  await open(page, `?paused=1${LIGHT}`);
+  await page.keyboard.press('s');
+  await expect(page.getByLabel('Link to this smoke')).toHaveValue(page.url());
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('dialog')).toHaveCount(0);
+});
+
+test('hostile links leave a running page, a notice, and run nothing', async ({ page }) => {
+  const script = encodeURIComponent('<img src=x onerror="document.title=1"><script>document.title=2</script>');
+  const hostile = [
+    `emission.rate=NaN&puff.size=1e308&scene=${script}&style.smokeColor=${script}`,
+    `${script}=${script}&__proto__=1&constructor.prototype.x=1`,
+    `preset=${script}`,
+    'z=%%%',
+    `z=${'A'.repeat(90_000)}`,
+    'x'.repeat(100_000),
+  ];
+  for (const link of hostile) {
+    await open(page, `?paused=1#v=1&emission.rate=20&simulation.maxParticles=100&${link}`);
+    await expect(page.locator('.notice').first()).toBeVisible();
+    await ask(page, (stage) => stage.step(2));
+    expect(await ask(page, (stage) => stage.stats.steps)).toBe(2);
+    expect(await page.title()).toBe('Cartoon Smoke');
+    expect(await page.locator('.notices img, .notices script').count()).toBe(0);
+  }
+});
+
+test('a link cannot ask for more than 50,000 particles', async ({ page }) => {
+  await open(page, '?paused=1#v=1&simulation.maxParticles=1000000');
+  expect(await valueOf(page, 'simulation.maxParticles')).toBe(50_000);
+  const notice = page.locator('.notice');
+  await expect(notice).toContainText('50000');
+  await notice.getByRole('button', { name: 'Dismiss this message' }).click();
+  await expect(notice).toHaveCount(0);
+});

@@ -1,0 +1,30 @@
+import { expect, test } from '../support/fixtures.ts';
+
+test('without WebGL2 the page says so and what to do', async ({ page }) => {
+  await page.addInitScript(() => {
+    const original = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: never[]) {
+      return kind === 'webgl2' ? null : Reflect.apply(original, this, [kind, ...rest]);
+    } as typeof original;
+  });
+  await page.goto('/');
+  const alert = page.getByRole('alert');
+  await expect(alert.getByRole('heading')).toHaveText('No smoke without WebGL2');
+  await expect(alert).toContainText('hardware acceleration');
+  await expect(alert.getByRole('button', { name: 'Reload' })).toBeVisible();
+});
+
+test.describe('a download that fails', () => {
+  test.use({ allowed: /Failed to load resource|net::ERR_FAILED/ });
+
+  test('is told, and reloading mends it', async ({ page }) => {
+    await page.route('**/*.wasm*', (route) => route.abort());
+    await page.goto('/?paused=1#v=1&simulation.maxParticles=100');
+    const alert = page.getByRole('alert');
+    await expect(alert.getByRole('heading')).toHaveText('The smoke did not arrive');
+    await page.unroute('**/*.wasm*');
+    await alert.getByRole('button', { name: 'Reload' }).click();
+    await page.waitForFunction(() => window.cartoonSmoke !== undefined);
+    await expect(alert).toHaveCount(0);
+  });
+});

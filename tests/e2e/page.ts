@@ -1,0 +1,60 @@
+/** Ways into the demo page for its tests. */
+import type { Page } from '@playwright/test';
+import type { Stage } from '../../src/stage/stage.ts';
+import { expect } from '../support/fixtures.ts';
+
+/** Little smoke, so that SwiftShader has little to draw. */
+export const LIGHT = '#v=1&preset=lamp&emission.rate=40&simulation.maxParticles=500';
+
+/** Opens the page and waits for its stage. @param address what follows the slash: query and hash */
+export async function open(page: Page, address: string): Promise<void> {
+  await page.goto('about:blank');
+  await page.goto(`/${address}`);
+  await page.waitForFunction(() => window.cartoonSmoke !== undefined, null, { timeout: 60_000 });
+}
+
+/** What the stage answers to a question asked in the page. */
+export function ask<Answer>(page: Page, question: (stage: Stage) => Answer): Promise<Awaited<Answer>> {
+  return page.evaluate(`(${question})(window.cartoonSmoke)`) as Promise<Awaited<Answer>>;
+}
+
+/** The value of a parameter on the stage. */
+export function valueOf(page: Page, key: string): Promise<unknown> {
+  return page.evaluate((name) => window.cartoonSmoke!.get()[name], key);
+}
+
+export async function expectValue(page: Page, key: string, value: unknown): Promise<void> {
+  await expect.poll(() => valueOf(page, key), { message: key }).toBe(value);
+}
+
+export async function expectHash(page: Page, hash: string): Promise<void> {
+  await expect.poll(() => page.evaluate(() => location.hash), { message: 'address bar' }).toBe(hash);
+}
+
+/** The row of a parameter in the panel. */
+export function row(page: Page, key: string) {
+  return page.locator(`[data-key="${key}"]`);
+}
+
+export interface Place {
+  x: number;
+  y: number;
+}
+
+/** The middle of what can be grabbed, in CSS pixels: found by trying, as a person would. */
+export function ballPlace(page: Page): Promise<Place | null> {
+  return page.evaluate(() => {
+    const stage = window.cartoonSmoke!;
+    const box = document.querySelector('canvas')!.getBoundingClientRect();
+    const hits: { x: number; y: number }[] = [];
+    for (let x = 4; x < box.width; x += 8) {
+      for (let y = 4; y < box.height; y += 8) {
+        if (stage.pointer({ type: 'down', id: -1, x, y }) === 'rigid') hits.push({ x, y });
+        stage.pointer({ type: 'cancel', id: -1, x, y });
+      }
+    }
+    if (hits.length === 0) return null;
+    const mean = (axis: 'x' | 'y') => hits.reduce((sum, hit) => sum + hit[axis], 0) / hits.length;
+    return { x: box.left + mean('x'), y: box.top + mean('y') };
+  });
+}
