@@ -50,7 +50,7 @@ function createHead(editor: Editor, close: () => void): { element: HTMLElement; 
   const undoButton = iconButton('icon-button', undo, icon('undo'), () => editor.undo());
   const redoButton = iconButton('icon-button', redo, icon('redo'), () => editor.redo());
   const resetButton = textButton('quiet', resetAll, () => editor.resetAll());
-  const closeButton = iconButton('icon-button', closeName, icon('close'), close);
+  const closeButton = iconButton('icon-button close', closeName, icon('close'), close);
   const heading = create('h2', {}, title);
   return {
     element: create('header', { class: 'panel-head' }, heading, undoButton, redoButton, resetButton, closeButton),

@@ -69,7 +69,7 @@ export const strings = {
   },
   refusal: {
     unsupported: {
-      title: 'No smoke without WebGL2',
+      title: 'No smoke in this browser',
       advice: [
         'Try a current Chrome, Edge, Firefox or Safari (16.4 or newer).',
         'Switch hardware acceleration on in the settings of the browser, then start it anew.',

@@ -9,7 +9,8 @@ test('without WebGL2 the page says so and what to do', async ({ page }) => {
   });
   await page.goto('/');
   const alert = page.getByRole('alert');
-  await expect(alert.getByRole('heading')).toHaveText('No smoke without WebGL2');
+  await expect(alert.getByRole('heading')).toHaveText('No smoke in this browser');
+  await expect(alert).toContainText('WebGL2');
   await expect(alert).toContainText('hardware acceleration');
   await expect(alert.getByRole('button', { name: 'Reload' })).toBeVisible();
 });
