@@ -67,12 +67,24 @@ export function bakePuffs(shapes: readonly PuffShape[], { size = 128 } = {}): Pu
     writeColorCoverage(distance, size, colorCoverage.subarray(4 * texels * layer));
     return measure(raster, distance);
   });
-  return { size, count: shapes.length, pad: PUFF_PAD, distanceRange: DISTANCE_RANGE, normalDepth, colorCoverage, figures };
+  return {
+    size,
+    count: shapes.length,
+    pad: PUFF_PAD,
+    distanceRange: DISTANCE_RANGE,
+    normalDepth,
+    colorCoverage,
+    figures,
+  };
 }
 
 function writeNormalDepth(raster: PuffRaster, layer: Uint16Array): void {
   const { size, normals, depths } = raster;
-  const { nearest } = nearestCells(Uint8Array.from(depths, (depth) => (depth > -Infinity ? 1 : 0)), 1, size);
+  const { nearest } = nearestCells(
+    Uint8Array.from(depths, (depth) => (depth > -Infinity ? 1 : 0)),
+    1,
+    size,
+  );
   for (let texel = 0; texel < size * size; texel++) {
     const from = nearest[texel];
     for (let axis = 0; axis < 3; axis++) layer[4 * texel + axis] = toHalf((normals[3 * from + axis] + 1) / 2);

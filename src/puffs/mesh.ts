@@ -115,11 +115,7 @@ function filletedNormal(lobes: readonly Lobe[], own: number, p: Vector): Vector 
  * The mesh of a puff's lobes in its unit frame.
  * @param blend share of the overall normal, 0..1
  */
-export function puffMesh(
-  lobes: readonly Lobe[],
-  blend = NORMAL_BLEND,
-  subdivisions = LOBE_SUBDIVISIONS,
-): TriangleMesh {
+export function puffMesh(lobes: readonly Lobe[], blend = NORMAL_BLEND, subdivisions = LOBE_SUBDIVISIONS): TriangleMesh {
   const sphere = icosphere(subdivisions);
   const middle = middleOf(lobes);
   const positions: number[] = [];
@@ -144,9 +140,5 @@ export function puffMesh(
 }
 
 function mixed(a: Vector, b: Vector, share: number): Vector {
-  return [
-    a[0] + (b[0] - a[0]) * share,
-    a[1] + (b[1] - a[1]) * share,
-    a[2] + (b[2] - a[2]) * share,
-  ];
+  return [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share];
 }

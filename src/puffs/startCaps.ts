@@ -102,10 +102,12 @@ function reachBehind({ center, radius }: Patch, cell: Cell): number {
 /** Largest -(p . L) over the points that are lit from somewhere in the cell, but not less than `atLeast`. */
 function farthestPoint(points: Float32Array, faintest: number, cell: Cell, atLeast: number): number {
   const [x, y, z] = cell.middle;
+  const { cosine, sine } = cell;
   let farthest = atLeast;
   for (let i = 0; i < points.length; i += POINT_STRIDE) {
     if (points[i] * x + points[i + 1] * y + points[i + 2] * z <= faintest) continue;
     const behind = -(points[i + 3] * x + points[i + 4] * y + points[i + 5] * z);
+    if (behind * cosine + points[i + 6] * sine <= farthest) continue;
     farthest = Math.max(farthest, mostBehind(behind, points[i + 6], cell));
   }
   return farthest;

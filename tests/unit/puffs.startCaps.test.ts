@@ -1,0 +1,90 @@
+import { expect, test } from 'vitest';
+import { bakePuffs, samplePuff } from '../../src/puffs/layers.ts';
+import { PUFF_SHAPES } from '../../src/puffs/shapes.ts';
+import { bakeStartCaps, NOTHING_LIT, startCapAt, type StartCaps } from '../../src/puffs/startCaps.ts';
+
+type Vector = [number, number, number];
+
+const layers = bakePuffs(PUFF_SHAPES);
+
+let state = 2006;
+function next(): number {
+  state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+  return state / 2 ** 32;
+}
+
+function randomDirection(): Vector {
+  const z = 2 * next() - 1;
+  const azimuth = 2 * Math.PI * next();
+  const radius = Math.sqrt(1 - z * z);
+  return [radius * Math.cos(azimuth), radius * Math.sin(azimuth), z];
+}
+
+const dot = (a: readonly number[], b: readonly number[]): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+/** Random places on a puff's front, as pixels fall on it. */
+function surface(layer: number, count: number): { normal: readonly number[]; position: Vector }[] {
+  return Array.from({ length: count }, () => [2 * next() - 1, 2 * next() - 1]).flatMap(([x, y]) => {
+    const { normal, height, distance } = samplePuff(layers, layer, x, y);
+    return distance <= 0 ? [{ normal, position: [x, y, height] as Vector }] : [];
+  });
+}
+
+/** How far behind the centre plane the farthest lit place lies; -Infinity if none is lit. */
+function farthestLit(places: ReturnType<typeof surface>, light: Vector, threshold: number): number {
+  return places.reduce(
+    (farthest, { normal, position }) =>
+      dot(normal, light) > threshold ? Math.max(farthest, -dot(position, light)) : farthest,
+    -Infinity,
+  );
+}
+
+const cases = [-0.25, 0, 0.25, 0.5, 0.75].flatMap((threshold) =>
+  PUFF_SHAPES.map(({ name }, layer): [number, string, number] => [threshold, name, layer]),
+);
+const tables = new Map<number, StartCaps>();
+function capsFor(threshold: number): StartCaps {
+  const caps = tables.get(threshold) ?? bakeStartCaps(layers, threshold);
+  tables.set(threshold, caps);
+  return caps;
+}
+
+test.each(cases)('at threshold %f no lit place of %s lies behind its cap, from anywhere', (threshold, _, layer) => {
+  const caps = capsFor(threshold);
+  const places = surface(layer, 12_000);
+  let slack = 0;
+  let lit = 0;
+  for (let trial = 0; trial < 150; trial++) {
+    const light = randomDirection();
+    const farthest = farthestLit(places, light, threshold);
+    const cap = startCapAt(caps, layer, light);
+    expect(cap).toBeGreaterThanOrEqual(farthest);
+    if (farthest > -Infinity) [slack, lit] = [slack + cap - farthest, lit + 1];
+  }
+  // Not merely conservative: a volume that began far behind its puff would leave light where shadow belongs.
+  expect(slack / lit).toBeLessThan(0.16);
+});
+
+test('the farther down the ramp light begins, the farther back the cap', () => {
+  const [shallow, deep] = [capsFor(0.5), capsFor(0)];
+  deep.values.forEach((cap, entry) => expect(cap).toBeGreaterThanOrEqual(shallow.values[entry]));
+});
+
+test('nothing of the front is lit from straight behind, and a cap never leaves the puff', () => {
+  const caps = capsFor(0.5);
+  expect(startCapAt(caps, 0, [0, 0, -1])).toBe(NOTHING_LIT);
+  for (const cap of caps.values) expect(Math.abs(cap)).toBeLessThanOrEqual(1.01);
+});
+
+test('a ball lit from half its hemisphere on has its cap half a radius before the centre', () => {
+  const ball = bakePuffs([{ name: 'ball', lobes: [{ center: [0, 0, 0], radius: 0.8 }] }]);
+  const cap = startCapAt(bakeStartCaps(ball, 0.5), 0, [0, 0, 1]);
+  expect(cap).toBeGreaterThan(-0.8 * 0.5);
+  expect(cap).toBeLessThan(-0.8 * 0.5 + 0.1);
+});
+
+test('is baked anew in printed time', () => {
+  const start = performance.now();
+  bakeStartCaps(layers, 0.5);
+  console.log(`bakeStartCaps: ${(performance.now() - start).toFixed(0)} ms`);
+});
