@@ -43,9 +43,10 @@ export function run(program, parameters, { folder = root, environment = {}, onLi
       cwd: folder,
       env: { ...process.env, ...environment },
       stdio: ['ignore', 'pipe', 'pipe'],
-      timeout: limit,
     });
     living.add(child);
+    // Not spawn's own timeout: that one goes on waiting when the program was never found.
+    const timer = limit === undefined ? undefined : setTimeout(() => child.kill(), limit);
     let output = '';
     const collect = readLines((line) => {
       output += `${line}\n`;
@@ -54,6 +55,7 @@ export function run(program, parameters, { folder = root, environment = {}, onLi
     child.stdout.setEncoding('utf8').on('data', collect('out'));
     child.stderr.setEncoding('utf8').on('data', collect('error'));
     const end = (/** @type {number} */ status) => {
+      clearTimeout(timer);
       living.delete(child);
       collect('out')('\n');
       collect('error')('\n');
