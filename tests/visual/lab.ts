@@ -94,28 +94,41 @@ export function frontCamera(width: number, height: number, distance = 4, fieldOf
 
 /** Draws one picture on a context of its own and gives everything back. */
 export function takePicture(scene: LabScene): LabPicture {
-  const device = createDevice(new OffscreenCanvas(scene.width, scene.height));
+  const lab = new Lab(scene);
   try {
-    return drawOn(device, scene);
+    return lab.draw(scene);
   } finally {
-    device.dispose();
+    lab.dispose();
   }
 }
 
-/** Draws one picture on a device that the caller keeps. */
-export function drawOn(device: Device, scene: LabScene): LabPicture {
-  const { width, height } = scene;
-  device.renderer.setSize(width, height, false);
-  const capacity = Math.max(1, scene.puffs.length, scene.casters?.length ?? 0);
-  const smoke = new CartoonSmoke(device, { capacity, surfaces: scene.surfaces ?? [], backdrop: scene.backdrop });
-  smoke.passes.resolve.smoothEdges = scene.smoothEdges ?? false;
-  smoke.draw(inputOf(scene));
-  const pixels = new Uint8Array(4 * width * height);
-  const gl = device.renderer.getContext();
-  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-  const counts = scene.readCounts ? readStencil(device, smoke.passes.targets.renderTarget) : new Uint8Array(0);
-  smoke.dispose();
-  return { width, height, pixels, counts };
+/** Keeps a context and its programs for many pictures of one size, one set of surfaces and one backdrop. */
+export class Lab {
+  private readonly device = createDevice(new OffscreenCanvas(1, 1));
+  private readonly smoke: CartoonSmoke;
+
+  constructor({ width, height, puffs, casters = [], surfaces = [], backdrop }: LabScene) {
+    this.device.renderer.setSize(width, height, false);
+    const capacity = Math.max(1, puffs.length, casters.length);
+    this.smoke = new CartoonSmoke(this.device, { capacity, surfaces, backdrop });
+  }
+
+  draw(scene: LabScene): LabPicture {
+    const { width, height } = scene;
+    this.smoke.passes.resolve.smoothEdges = scene.smoothEdges ?? false;
+    this.smoke.draw(inputOf(scene));
+    const pixels = new Uint8Array(4 * width * height);
+    const gl = this.device.renderer.getContext();
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    const { renderTarget } = this.smoke.passes.targets;
+    const counts = scene.readCounts ? readStencil(this.device, renderTarget) : new Uint8Array(0);
+    return { width, height, pixels, counts };
+  }
+
+  dispose(): void {
+    this.smoke.dispose();
+    this.device.dispose();
+  }
 }
 
 function inputOf(scene: LabScene): FrameInput {

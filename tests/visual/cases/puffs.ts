@@ -4,8 +4,7 @@ import { bakedPuffs } from '../../../src/device/bakedPuffs.ts';
 import { colorAt } from '../../../src/device/ramps.ts';
 import { samplePuff } from '../../../src/puffs/layers.ts';
 import { rampOf } from '../../../src/smoke/palette.ts';
-import { createDevice } from '../../../src/device/device.ts';
-import { drawOn, frontCamera, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
+import { frontCamera, Lab, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
 import { random } from '../random.ts';
 import { ground } from '../solids.ts';
 
@@ -47,7 +46,7 @@ function heap(count: number, seed: number): LabPuff[] {
  */
 export function selfMasked(trials: number): { lit: number; masked: number; trialsWithMask: number } {
   const next = random(2006);
-  const device = createDevice(new OffscreenCanvas(WIDTH, HEIGHT));
+  const lab = new Lab({ width: WIDTH, height: HEIGHT, puffs: [] });
   const result = { lit: 0, masked: 0, trialsWithMask: 0 };
   for (let trial = 0; trial < trials; ++trial) {
     const slope = Math.tan((35 * Math.PI) / 180) * Math.sqrt(next());
@@ -63,8 +62,8 @@ export function selfMasked(trials: number): { lit: number; masked: number; trial
     const camera = new PerspectiveCamera(78, WIDTH / HEIGHT, 0.1, 50);
     camera.updateMatrixWorld();
     const scene = { width: WIDTH, height: HEIGHT, puffs: [puff], camera, towardsLight: towardsLight.toArray() };
-    const masked = drawOn(device, { ...scene, style: { tones: 3 as const } });
-    const free = drawOn(device, { ...scene, style: { tones: 3 as const, shadows: false } });
+    const masked = lab.draw({ ...scene, style: { tones: 3 as const } });
+    const free = lab.draw({ ...scene, style: { tones: 3 as const, shadows: false } });
     const difference = differing(masked, free);
     const dark = colorAt(rampOf(PLAIN_STYLE.smokeColor, { tones: 3, shading: true }).unlit, 0).join();
     result.lit += Object.entries(colors(free)).reduce(
@@ -75,7 +74,7 @@ export function selfMasked(trials: number): { lit: number; masked: number; trial
     result.masked += difference;
     result.trialsWithMask += difference > 0 ? 1 : 0;
   }
-  device.dispose();
+  lab.dispose();
   return result;
 }
 
