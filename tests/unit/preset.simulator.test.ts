@@ -1,0 +1,84 @@
+import { readFileSync } from 'node:fs';
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { NumberParameter } from '../../src/preset/parameter.ts';
+import { presets, presetValues } from '../../src/preset/presets.ts';
+import { table } from '../../src/preset/table.ts';
+import { loadSimulators, type SimulatorFactory } from '../../src/sim/load.ts';
+import type { Simulator } from '../../src/sim/simulator.ts';
+import type { View } from '../../src/sim/view.ts';
+import { simulatorValues } from '../../src/stage/simulatorValues.ts';
+
+const WASM = new URL('../../src/sim/wasm/core/bindings_bg.wasm', import.meta.url);
+const rows = table.filter((row): row is NumberParameter => row.reader === 'simulator' && 'min' in row);
+const lamp = presetValues(presets[0]);
+
+/** Everything, uncut, as it is now. */
+const EVERYTHING: View = {
+  purpose: 'eye',
+  blend: 1,
+  cull: false,
+  pad: 0,
+  clipFromWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+  direction: [0, 0, -1],
+  reach: 1,
+  receivers: { min: [-9, -9, -9], max: [9, 9, 9] },
+};
+
+/** The table of the page against the table of the simulator: two languages, one vocabulary. */
+describe('the simulator', () => {
+  let factory: SimulatorFactory;
+
+  beforeAll(async () => {
+    factory = await loadSimulators({ physics: false, bytes: readFileSync(WASM) });
+  });
+
+  function smoking(values: Record<string, number>): Simulator {
+    const simulator = factory.create({ capacity: 256, seed: 1 });
+    simulator.set({ ...simulatorValues(lamp, lamp), 'emitters.0.share': 1, 'emission.rate': 400 });
+    simulator.set(values);
+    simulator.step(30);
+    return simulator;
+  }
+
+  it('takes both ends and the default of every parameter that it reads, and every particle has a place', () => {
+    for (const row of rows) {
+      for (const value of [row.min, row.default, row.max]) {
+        const simulator = smoking({ [row.key]: value });
+        const { count, place } = simulator.arrange(EVERYTHING);
+        expect(place.every(Number.isFinite), `${row.key} = ${value}`).toBe(true);
+        if (row.key !== 'emission.rate') expect(count, `${row.key} = ${value}`).toBeGreaterThan(0);
+        simulator.dispose();
+      }
+    }
+  });
+
+  it('takes a vortex whose axis is zero, which a link can ask for', () => {
+    const axis = { 'vortices.0.axis.x': 0, 'vortices.0.axis.y': 0, 'vortices.0.axis.z': 0 };
+    const simulator = smoking({ 'vortices.0.circulation': 2, ...axis });
+    const { count, place } = simulator.arrange(EVERYTHING);
+    expect(count).toBeGreaterThan(0);
+    expect(place.every(Number.isFinite)).toBe(true);
+    simulator.dispose();
+  });
+
+  it('shows something else for every parameter that it reads', () => {
+    const base = { 'vortices.0.circulation': 2, 'turbulence.speed': 1, 'gravity.acceleration': 1 };
+    const shown = (values: Record<string, number>) => {
+      const simulator = smoking({ ...base, ...values });
+      const { place, look } = simulator.arrange(EVERYTHING);
+      const picture = `${place.join()} ${look.join()}`;
+      simulator.dispose();
+      return picture;
+    };
+    // Without circulation the other three vortices do nothing, whatever else they have.
+    const heeded = rows.filter(({ key }) => !/^vortices\.[1-3]\.(?!circulation)/.test(key));
+    for (const { key, min, max } of heeded) expect(shown({ [key]: min }) === shown({ [key]: max }), key).toBe(false);
+  });
+
+  it('takes every preset', () => {
+    for (const preset of presets) {
+      const values = presetValues(preset);
+      expect(() => smoking(simulatorValues(values, values)).dispose(), preset.name).not.toThrow();
+    }
+  });
+});
