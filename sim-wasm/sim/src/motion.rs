@@ -1,11 +1,11 @@
 //! How particles move in one step.
 //!
 //! Air and slip: a particle goes with the air at its place, and in addition with its slip, on which lift and drag act.
-//! The slip has a closed form (see `forces::drag`). The air is followed by the midpoint rule: wind needs no point,
-//! vortices are evaluated at the start and again in the middle (see `forces::vortex`). Turbulence, by far the dearest,
-//! is evaluated once, half of the last step's displacement ahead: that is the middle of this step up to second order,
-//! since velocities hardly change within a step, and unlike a value at the start it does not throw particles out of
-//! the swirls.
+//! The slip has a closed form (see `forces::drag`). The air is followed by a midpoint rule. Wind is everywhere the same.
+//! Turbulence and the speed of vortices, by far the dearest, are evaluated once, half of the last step's displacement
+//! ahead: that is the middle of this step up to second order, since velocities hardly change within a step, at half the
+//! cost of a trial step, and unlike a value at the start it does not throw particles out of the swirls. The direction
+//! in which a vortex moves a particle is that of the middle, found by a half step (see `forces::vortex`).
 //!
 //! Paper: forward Euler on one inertial velocity v, as published: x += v h, v += k h (u - v) + a h. The air acts only
 //! through drag, and vortices fling particles outwards.
@@ -87,14 +87,14 @@ impl Motion {
     fn air_and_slip(&self, block: Block) -> Moved {
         let (slip, slipped) = self.slip(&block);
         let dt = f32x4::splat(self.dt);
+        let ahead = (block.place - block.previous) * f32x4::HALF;
         let mut flow = self.air.wind;
         if !self.air.turbulence.is_empty() {
-            let ahead = (block.place - block.previous) * f32x4::HALF;
             flow += self.air.turbulence.velocity(block.place + ahead);
         }
         if !self.air.vortices.is_empty() {
-            let half = (flow * dt + slipped) * f32x4::HALF + self.air.vortices.half_step(block.place);
-            flow += self.air.vortices.chord_velocity(block.place + half);
+            let half = (flow * dt + slipped) * f32x4::HALF;
+            flow += self.air.vortices.mean_velocity(block.place, ahead, half);
         }
         (block.place + flow * dt + slipped, slip)
     }

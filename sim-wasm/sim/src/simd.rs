@@ -149,17 +149,12 @@ pub fn exp_minus(x: f32x4) -> f32x4 {
     let y = smaller(x, f32x4::splat(80.0)) * f32x4::splat(-std::f32::consts::LOG2_E);
     let shifted = y + f32x4::splat(MAGIC);
     let f = y - (shifted - f32x4::splat(MAGIC));
-    let mut series = f32x4::splat(1.540_353_e-4);
-    for coefficient in [
-        1.333_355_8e-3,
-        9.618_129e-3,
-        5.550_411e-2,
-        0.240_226_5,
-        std::f32::consts::LN_2,
-        1.0,
-    ] {
-        series = series * f + f32x4::splat(coefficient);
-    }
+    let square = f * f;
+    let pair = |low: f32, high: f32| f32x4::splat(low) + f32x4::splat(high) * f;
+    // In pairs, not term by term: the terms would wait for each other.
+    let low = pair(1.0, std::f32::consts::LN_2) + square * pair(0.240_226_5, 5.550_411e-2);
+    let high = pair(9.618_129e-3, 1.333_355_8e-3) + square * f32x4::splat(1.540_353e-4);
+    let series = low + square * square * high;
     let exponent = cast::<f32x4, i32x4>(shifted) << 23;
     cast(cast::<f32x4, i32x4>(series) + exponent)
 }

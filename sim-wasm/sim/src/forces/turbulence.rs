@@ -28,8 +28,8 @@ pub const OCTAVE_LIMIT: usize = 4;
 const OCTAVE_SPEED: f64 = 0.6;
 const OCTAVE_PACE: f64 = 1.5;
 const STRIDE: [u32; 3] = [0x8da6_b343, 0xd816_3841, 0xcb1a_b31f];
-/// Hashed components are the 32 numbers from -15.5 to 15.5: this is the mean of their squares.
-const COMPONENT_VARIANCE: f64 = 85.25;
+/// Hashed components are uniform from -2^31 to 2^31: this is the mean of their squares.
+const COMPONENT_VARIANCE: f64 = 4_611_686_018_427_387_904.0 / 3.0;
 /// Mean over a cube of |u|^2 where the components of v have variance 1, from the formula above.
 const CUBE_VARIANCE: f64 = 1.097_421;
 
@@ -67,10 +67,9 @@ struct Octave {
     fraction: Vector4,
     /// Whole cubes of drift and the seed, as one number that is added to each hash.
     key: u32x4,
-    /// Factors on the two hashed vectors (m/s); their sum is halved and added, since the numbers lie 0.5 too low.
+    /// Factors on the two hashed vectors.
     cosine: f32x4,
     sine: f32x4,
-    centre: f32x4,
     is_still: bool,
 }
 
@@ -112,11 +111,14 @@ impl Turbulence {
     }
 }
 
-/// Of one axis, for the corner below and the one above: weight, half its slope, and the way from the corner.
+/// Of one axis, for the corner below and the one above: weight, half its slope, slope times the way from the corner,
+/// and the sum of weight and that product.
 struct Axis {
+    fraction: f32x4,
     weight: [f32x4; 2],
     slope: [f32x4; 2],
-    way: [f32x4; 2],
+    product: [f32x4; 2],
+    sum: [f32x4; 2],
 }
 
 impl Axis {
@@ -124,13 +126,43 @@ impl Axis {
     fn new(fraction: f32x4) -> Self {
         let rest = f32x4::ONE - fraction;
         let square = fraction * fraction;
-        let quintic = square * fraction * (fraction * (fraction * 6.0 - 15.0) + 10.0);
+        let upper = square * fraction * (fraction * (fraction * 6.0 - 15.0) + 10.0);
         let slope = square * rest * rest * 15.0;
+        let (weight, product) = ([f32x4::ONE - upper, upper], [-slope * fraction, -slope * rest]);
         Self {
-            weight: [f32x4::ONE - quintic, quintic],
+            fraction,
+            weight,
             slope: [-slope, slope],
-            way: [fraction, -rest],
+            product,
+            sum: [weight[0] + product[0], weight[1] + product[1]],
         }
+    }
+}
+
+/// Factors of the four edges of a cube along x, for the one at corner `j` of y and `k` of z.
+struct Edge {
+    weight: f32x4,
+    slope_y: f32x4,
+    slope_z: f32x4,
+    product: f32x4,
+}
+
+impl Edge {
+    #[inline(always)]
+    fn new(y: &Axis, z: &Axis, j: usize, k: usize) -> Self {
+        Self {
+            weight: y.weight[j] * z.weight[k],
+            slope_y: y.slope[j] * z.weight[k],
+            slope_z: y.weight[j] * z.slope[k],
+            product: y.product[j] * z.weight[k] + y.weight[j] * z.product[k],
+        }
+    }
+
+    /// Of the corner `i` of x with the vector `v`: adds v (w + g.d) to `flow` and returns g.v.
+    #[inline(always)]
+    fn corner(&self, x: &Axis, i: usize, v: Vector4, flow: &mut Vector4) -> f32x4 {
+        *flow += v * (self.weight * x.sum[i] + x.weight[i] * self.product);
+        x.slope[i] * (self.weight * v.x) + x.weight[i] * (self.slope_y * v.y + self.slope_z * v.z)
     }
 }
 
@@ -149,7 +181,6 @@ impl Octave {
             key: u32x4::splat(key(drift, seed, octave as u32)),
             cosine: splat(cosine * amplitude),
             sine: splat(sine * amplitude),
-            centre: splat((cosine + sine) * amplitude * 0.5),
             is_still: sine == 0.0,
         }
     }
@@ -162,50 +193,55 @@ impl Octave {
         let (cell_z, fraction_z) = cell_and_fraction(in_cubes.z);
         let hash = self.key + strides(cell_x, 0) + strides(cell_y, 1) + strides(cell_z, 2);
         let (x, y, z) = (Axis::new(fraction_x), Axis::new(fraction_y), Axis::new(fraction_z));
-        let mut sum = Vector4::zero();
-        for corner in 0..8_u32 {
-            let [i, j, k] = [corner & 1, corner >> 1 & 1, corner >> 2];
-            let step = [i, j, k]
-                .iter()
-                .zip(STRIDE)
-                .fold(0_u32, |sum, (n, stride)| sum.wrapping_add(n * stride));
-            let v = self.corner_vector::<EVOLVES>(mix(hash + u32x4::splat(step)));
-            sum += corner_velocity([&x, &y, &z], [i as usize, j as usize, k as usize], v);
-        }
-        sum
+        let mut flow = Vector4::zero();
+        let mut edge = |j: usize, k: usize| {
+            let edge = Edge::new(&y, &z, j, k);
+            let mut corner = |i: usize| edge.corner(&x, i, self.vector::<EVOLVES>(hash, [i, j, k]), &mut flow);
+            [corner(0), corner(1)]
+        };
+        // Written out: a loop would not be unrolled, and the tables of the axes would go through memory.
+        let (a, b, c, d) = (edge(0, 0), edge(1, 0), edge(0, 1), edge(1, 1));
+        // The sum of d (g.v): the way from the upper corner is the one from the lower less 1.
+        let (upper_x, lower_x) = (a[1] + b[1] + c[1] + d[1], a[0] + b[0] + c[0] + d[0]);
+        let (upper_y, upper_z) = (b[0] + b[1] + d[0] + d[1], c[0] + c[1] + d[0] + d[1]);
+        let all = upper_x + lower_x;
+        let back = Vector4 {
+            x: x.fraction * all - upper_x,
+            y: y.fraction * all - upper_y,
+            z: z.fraction * all - upper_z,
+        };
+        flow - back
     }
 
-    /// The vector of a corner from six numbers of five bits each.
+    /// The vector of a corner of the cube whose lowest corner has the hash `lowest`.
+    ///
+    /// Its components are the mixed bits read as integers from bit 31, 20 and 9 downwards; what stands below the first
+    /// ten bits of each is only fine detail. The second vector is the first with its components exchanged in turn,
+    /// and with a random sign, without which all corners would turn the same way.
     #[inline(always)]
-    fn corner_vector<const EVOLVES: bool>(&self, bits: i32x4) -> Vector4 {
-        let number = |left: i32| f32x4::from_i32x4((bits << left) >> 27);
-        let blend = |a: i32, b: i32| {
-            let still = number(a) * self.cosine + self.centre;
-            if EVOLVES { still + number(b) * self.sine } else { still }
-        };
+    fn vector<const EVOLVES: bool>(&self, lowest: u32x4, corner: [usize; 3]) -> Vector4 {
+        let step = corner
+            .iter()
+            .zip(STRIDE)
+            .fold(0_u32, |sum, (n, stride)| sum.wrapping_add(*n as u32 * stride));
+        let bits = mix(lowest + u32x4::splat(step));
+        let (x, y, z) = (from_bits(bits), from_bits(bits << 11), from_bits(bits << 22));
+        if !EVOLVES {
+            return Vector4 { x, y, z } * self.cosine;
+        }
+        let sign: f32x4 = cast((bits << 19) & u32x4::splat(1 << 31));
+        let sine = self.sine ^ sign;
         Vector4 {
-            x: blend(0, 15),
-            y: blend(5, 20),
-            z: blend(10, 25),
+            x: x * self.cosine + y * sine,
+            y: y * self.cosine + z * sine,
+            z: z * self.cosine + x * sine,
         }
     }
 }
 
-/// One corner's share of the velocity, by the formula at the head of this file.
 #[inline(always)]
-fn corner_velocity([x, y, z]: [&Axis; 3], [i, j, k]: [usize; 3], v: Vector4) -> Vector4 {
-    let (weight_xy, weight_yz) = (x.weight[i] * y.weight[j], y.weight[j] * z.weight[k]);
-    let slope = Vector4 {
-        x: x.slope[i] * weight_yz,
-        y: x.weight[i] * y.slope[j] * z.weight[k],
-        z: weight_xy * z.slope[k],
-    };
-    let way = Vector4 {
-        x: x.way[i],
-        y: y.way[j],
-        z: z.way[k],
-    };
-    v * (weight_xy * z.weight[k] + slope.dot(way)) - way * slope.dot(v)
+fn from_bits(bits: u32x4) -> f32x4 {
+    f32x4::from_i32x4(cast(bits))
 }
 
 #[inline(always)]
@@ -213,11 +249,11 @@ fn strides(cell: i32x4, axis: usize) -> u32x4 {
     cast::<i32x4, u32x4>(cell) * u32x4::splat(STRIDE[axis])
 }
 
-/// The high 30 bits are well mixed: a multiplication carries upwards, the shift before brings the high bits down.
+/// A multiplication carries upwards only: the shifts before and after it bring the high bits down.
 #[inline(always)]
-fn mix(hash: u32x4) -> i32x4 {
-    let folded = (hash ^ (hash >> 15)) * u32x4::splat(0x2c1b_3c6d);
-    cast((folded ^ (folded >> 13)) * u32x4::splat(0x297a_2d39))
+fn mix(hash: u32x4) -> u32x4 {
+    let carried = (hash ^ (hash >> 15)) * u32x4::splat(0x2c1b_3c6d);
+    carried ^ (carried >> 15)
 }
 
 fn key(drift: [f64; 3], seed: u32, octave: u32) -> u32 {

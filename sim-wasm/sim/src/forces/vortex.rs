@@ -10,9 +10,10 @@
 //! solid, outside like a free vortex; the last factor makes the end smooth. Any w(r) is free of divergence.
 //!
 //! A particle must not spiral out. The plain midpoint rule grows the radius by a^4 / 8 for a turn by the angle a, which
-//! is 1 % after 20 turns at 5 rad/s. Here the half step turns by the angle 2 atan(a / 4) instead of going straight, and
-//! the whole step takes the chord that belongs to it: a lone vortex then keeps the radius at any speed but for
-//! rounding, only its angle lags (by a^3 / 48 a step), and with other flows the rule is second order as before.
+//! is 1 % after 20 turns at 5 rad/s. Here w is taken where the last step, continued, puts the middle of this one; the
+//! half step turns about the axis by 2 atan(a / 4) instead of going straight, and the whole step takes the chord that
+//! belongs to it. A lone vortex then keeps the radius at any speed but for rounding, only its angle lags (by a^3 / 48
+//! a step), no vortex moves anything by more than twice its distance, and with other flows the rule is of second order.
 
 use wide::f32x4;
 
@@ -35,8 +36,9 @@ struct Vortex {
     turn: f32x4,
     inverse_core_squared: f32x4,
     inverse_reach_squared: f32x4,
-    /// A quarter of the step (s).
+    /// A quarter of the step (s), and its inverse (1/s).
     quarter: f32x4,
+    per_quarter: f32x4,
 }
 
 impl Vortices {
@@ -68,29 +70,45 @@ impl Vortices {
     /// Velocity (m/s) at four places.
     #[inline(always)]
     pub fn velocity(&self, place: Vector4) -> Vector4 {
-        self.sum(|vortex| vortex.velocity(place))
-    }
-
-    /// Displacement (m) over the first half of a step, along the arc.
-    #[inline(always)]
-    pub fn half_step(&self, place: Vector4) -> Vector4 {
-        self.sum(|vortex| vortex.half_step(place))
-    }
-
-    /// Mean velocity (m/s) over a step whose middle is `place`: the chord of the arc, divided by the step.
-    #[inline(always)]
-    pub fn chord_velocity(&self, place: Vector4) -> Vector4 {
-        self.sum(|vortex| vortex.chord_velocity(place))
-    }
-
-    #[inline(always)]
-    fn sum(&self, of: impl Fn(&Vortex) -> Vector4) -> Vector4 {
         let mut sum = Vector4::zero();
-        for vortex in &self.items[..self.len] {
-            sum += of(vortex);
+        for vortex in self.items() {
+            sum += vortex.velocity(place);
         }
         sum
     }
+
+    /// Mean velocity (m/s) over a step that begins at `place`. `ahead` leads to where the middle of the step is
+    /// expected; `half` is what all that is no vortex adds to the first half of the step (m).
+    #[inline(always)]
+    pub fn mean_velocity(&self, place: Vector4, ahead: Vector4, half: Vector4) -> Vector4 {
+        let mut turns = [Turn {
+            sine: f32x4::ZERO,
+            cosine: f32x4::ZERO,
+        }; LIST_LIMIT];
+        let mut middle = place + half;
+        for (vortex, turn) in self.items().iter().zip(&mut turns) {
+            *turn = vortex.turn(place + ahead);
+            middle += vortex.half_step(place, turn);
+        }
+        let mut sum = Vector4::zero();
+        for (vortex, turn) in self.items().iter().zip(&turns) {
+            sum += vortex.chord_velocity(middle, turn);
+        }
+        sum
+    }
+
+    #[inline(always)]
+    fn items(&self) -> &[Vortex] {
+        &self.items[..self.len]
+    }
+}
+
+/// A turn by the angle whose half has the tangent t: t / (1 + t^2), half its sine, and t^2 / (1 + t^2), half of what
+/// its cosine lacks of 1.
+#[derive(Clone, Copy)]
+struct Turn {
+    sine: f32x4,
+    cosine: f32x4,
 }
 
 impl Vortex {
@@ -105,49 +123,63 @@ impl Vortex {
             inverse_core_squared: f32x4::splat((1.0 / core_squared) as f32),
             inverse_reach_squared: f32x4::splat((1.0 / reach_squared) as f32),
             quarter: f32x4::splat(dt * 0.25),
+            per_quarter: f32x4::splat(4.0 / dt),
         }
     }
 
-    /// The way from the axis to the place, and the angular velocity there (rad/s).
+    /// The way around the axis: as long as the distance from it, and across.
     #[inline(always)]
-    fn arm_and_turn(&self, place: Vector4) -> (Vector4, f32x4) {
-        let from_position = place - self.position;
-        let arm = from_position - self.axis * from_position.dot(self.axis);
-        let squared = arm.dot(arm);
-        let core = core_profile(squared * self.inverse_core_squared);
+    fn around(&self, place: Vector4) -> Vector4 {
+        self.axis.cross(place - self.position)
+    }
+
+    /// Angular velocity (rad/s) at the distance whose square is given, as dividend and divisor: one division is enough
+    /// for all that follows from it.
+    #[inline(always)]
+    fn angular_velocity(&self, squared: f32x4) -> (f32x4, f32x4) {
         let fade = positive_part(f32x4::ONE - squared * self.inverse_reach_squared);
-        (arm, self.turn * core * fade * fade)
+        let q = squared * self.inverse_core_squared;
+        // (1 - exp(-q)) / q; near the axis the difference has no digits left, and at the axis it would be 0 / 0.
+        let near = q.simd_lt(f32x4::splat(0.01));
+        let series = f32x4::ONE - q * (f32x4::HALF - q * f32x4::splat(1.0 / 6.0));
+        let dividend = near.select(series, f32x4::ONE - exp_minus(q));
+        (dividend * (self.turn * fade * fade), near.select(f32x4::ONE, q))
     }
 
     #[inline(always)]
     fn velocity(&self, place: Vector4) -> Vector4 {
-        let (arm, turn) = self.arm_and_turn(place);
-        self.axis.cross(arm) * turn
+        let around = self.around(place);
+        let (dividend, divisor) = self.angular_velocity(around.dot(around));
+        around * (dividend / divisor)
     }
 
+    /// The turn of half a step.
     #[inline(always)]
-    fn half_step(&self, place: Vector4) -> Vector4 {
-        let (arm, turn) = self.arm_and_turn(place);
-        let tangent = turn * self.quarter;
-        let share = (tangent + tangent) / (f32x4::ONE + tangent * tangent);
-        (self.axis.cross(arm) - arm * tangent) * share
+    fn turn(&self, place: Vector4) -> Turn {
+        let around = self.around(place);
+        let (dividend, divisor) = self.angular_velocity(around.dot(around));
+        let dividend = dividend * self.quarter;
+        let share = dividend / (divisor * divisor + dividend * dividend);
+        Turn {
+            sine: divisor * share,
+            cosine: dividend * share,
+        }
     }
 
+    /// Displacement (m) by a turn.
     #[inline(always)]
-    fn chord_velocity(&self, place: Vector4) -> Vector4 {
-        let (arm, turn) = self.arm_and_turn(place);
-        let tangent = turn * self.quarter;
-        self.axis.cross(arm) * (turn / (f32x4::ONE + tangent * tangent))
+    fn half_step(&self, place: Vector4, turn: &Turn) -> Vector4 {
+        let around = self.around(place);
+        // The axis across the way around points back to the axis.
+        let inwards = self.axis.cross(around);
+        (around * turn.sine + inwards * turn.cosine) * f32x4::splat(2.0)
     }
-}
 
-/// (1 - exp(-q)) / q, which is 1 at the axis.
-#[inline(always)]
-fn core_profile(q: f32x4) -> f32x4 {
-    let closed = (f32x4::ONE - exp_minus(q)) / q;
-    // Near the axis the difference has no digits left, and at the axis the quotient is 0 / 0.
-    let series = f32x4::ONE - q * (f32x4::HALF - q * f32x4::splat(1.0 / 6.0));
-    q.simd_lt(f32x4::splat(0.01)).select(series, closed)
+    /// Velocity (m/s) along the chord of two such turns whose middle is `middle`.
+    #[inline(always)]
+    fn chord_velocity(&self, middle: Vector4, turn: &Turn) -> Vector4 {
+        self.around(middle) * (turn.sine * self.per_quarter)
+    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,86 @@
+//! Prints what a step and an arrange cost natively: `cargo run --release --package sim --example throughput`.
+//! Timings of a shared machine: read ratios, not milliseconds.
+
+use std::time::Instant;
+
+use sim::Simulator;
+use sim::particles::Newborn;
+use sim::random::Random;
+
+const PARTICLES: u32 = 100_000;
+const ROUNDS: usize = 60;
+
+/// What all cases share: none of the defaults pulls.
+const STILL: &[(&str, f64)] = &[
+    ("buoyancy.acceleration", 0.0),
+    ("turbulence.octaves", 0.0),
+    ("drag.rate", 0.0),
+];
+const SIMPLE: &[(&str, f64)] = &[
+    ("gravity.acceleration", 1.0),
+    ("buoyancy.acceleration", 1.5),
+    ("drag.rate", 1.5),
+    ("forces.wind.x", 0.5),
+];
+const VORTEX: &[(&str, f64)] = &[("vortices.0.circulation", 2.0), ("vortices.0.reach", 20.0)];
+const OCTAVE: &[(&str, f64)] = &[("turbulence.speed", 0.3), ("turbulence.octaves", 1.0)];
+
+fn main() {
+    report("nothing", &[STILL]);
+    report("simple forces", &[STILL, SIMPLE]);
+    report("simple forces, vortex", &[STILL, SIMPLE, VORTEX]);
+    report("six forces, one octave", &[STILL, SIMPLE, VORTEX, OCTAVE]);
+}
+
+fn report(name: &str, settings: &[&[(&str, f64)]]) {
+    let mut simulator = cloud();
+    for entries in settings {
+        simulator.set_all(entries).expect("the cases stay within the ranges");
+    }
+    let step = best(|| simulator.step());
+    let view = view();
+    let arrange = best(|| {
+        simulator.arrange(&view).expect("the view is well-formed");
+    });
+    assert_eq!(simulator.alive(), PARTICLES as usize);
+    let rate = f64::from(PARTICLES) / step;
+    println!("{name:24} step {step:6.3} ms, {rate:8.0} particles/ms; arrange {arrange:6.3} ms");
+}
+
+fn cloud() -> Simulator {
+    let mut random = Random::new(1);
+    let mut simulator = Simulator::new(PARTICLES, 1).expect("the capacity is allowed");
+    for _ in 0..PARTICLES {
+        simulator.add(&Newborn {
+            position: std::array::from_fn(|_| random.signed() * 5.0),
+            slip: [0.0; 3],
+            age: 0.0,
+            lifetime: 1000.0,
+            size: 0.2,
+            temperature: 1.0,
+            look: random.bits(),
+        });
+    }
+    simulator
+}
+
+fn view() -> [f32; 32] {
+    let mut view = [0.0; 32];
+    view[1] = 0.5;
+    view[22] = -1.0;
+    view[23] = 1.0;
+    (0..4).for_each(|i| view[4 + 5 * i] = 1.0);
+    view
+}
+
+/// The best round in milliseconds, each over a few calls: others share the machine, and they only ever slow us down.
+fn best(mut call: impl FnMut()) -> f64 {
+    const CALLS: u32 = 3;
+    (0..ROUNDS)
+        .map(|_| {
+            let start = Instant::now();
+            (0..CALLS).for_each(|_| call());
+            start.elapsed().as_secs_f64() * 1000.0 / f64::from(CALLS)
+        })
+        .fold(f64::INFINITY, f64::min)
+}
