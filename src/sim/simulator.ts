@@ -93,6 +93,15 @@ export class Simulator {
     this.#attempt(() => this.#handle.step(count));
   }
 
+  /**
+   * Changes how many particles can live at once. Those that live are carried over; where they do not all fit, those
+   * go that are nearest to their death.
+   */
+  resize(capacity: number): void {
+    requireWhole('capacity', capacity);
+    this.#attempt(() => this.#handle.resize(capacity));
+  }
+
   /** Orders and, if asked, culls the rows for a view. */
   arrange(view: View): Rows {
     writeView(view, this.#view);

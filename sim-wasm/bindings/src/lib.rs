@@ -2,6 +2,7 @@
 
 mod fault;
 mod refusal;
+mod rigids;
 mod simulator;
 
 use wasm_bindgen::prelude::*;

@@ -11,7 +11,7 @@ pub const RIGID_FLOATS: usize = 14;
 /// `{ key, value, min, max, message }`; after one nothing has changed.
 #[wasm_bindgen]
 pub struct Simulator {
-    simulator: sim::Simulator,
+    pub(crate) simulator: sim::Simulator,
 }
 
 #[wasm_bindgen]
@@ -34,6 +34,11 @@ impl Simulator {
         for _ in 0..count {
             self.simulator.step();
         }
+    }
+
+    /// Changes how many particles can live at once; those that live are carried over as far as they fit.
+    pub fn resize(&mut self, capacity: u32) -> Result<(), JsValue> {
+        self.simulator.resize(capacity).map_err(parameter_refusal)
     }
 
     /// Writes the rows for a view of 32 floats; returns how many were kept.
@@ -70,8 +75,8 @@ impl Simulator {
 
     /// Particles that wait for room.
     #[wasm_bindgen(getter)]
-    pub fn waiting(&self) -> u32 {
-        self.simulator.waiting() as u32
+    pub fn waiting(&self) -> f64 {
+        self.simulator.waiting() as f64
     }
 
     /// Steps since creation.

@@ -8,7 +8,7 @@ pub mod contact;
 pub mod motion;
 pub mod shapes;
 pub mod space;
-mod survey;
+pub(crate) mod survey;
 
 pub use analytic::{AnalyticCollider, ColliderShape};
 

@@ -1,0 +1,101 @@
+//! The rigids' part of the class `Simulator`, the same in both variants: in the one without Rapier every call that
+//! needs it is refused.
+
+use wasm_bindgen::prelude::*;
+
+use crate::simulator::Simulator;
+
+#[cfg(feature = "rigids")]
+mod with_rapier {
+    use sim::rigids::{RigidDescription, RigidNumbers, Rigids, pose_of};
+    use wasm_bindgen::JsValue;
+
+    use crate::refusal::parameter_refusal;
+
+    pub fn add(rigids: &mut Rigids, numbers: &RigidNumbers) -> Result<u32, JsValue> {
+        let description = RigidDescription::from_numbers(numbers).map_err(parameter_refusal)?;
+        rigids.add(description).map_err(parameter_refusal)
+    }
+
+    pub fn move_to(rigids: &mut Rigids, index: u32, pose: &[f32]) -> Result<(), JsValue> {
+        let pose = pose_of(pose).map_err(parameter_refusal)?;
+        rigids.move_to(index, pose).map_err(parameter_refusal)
+    }
+}
+
+#[cfg(not(feature = "rigids"))]
+fn without_rapier() -> JsValue {
+    crate::refusal::plain_refusal(
+        "This variant of the simulator has no rigids: load the one with physics, loadSimulators({ physics: true }).",
+    )
+}
+
+#[wasm_bindgen]
+impl Simulator {
+    /// Adds a rigid and returns its index. `kind`: 0 fixed, 1 kinematic, 2 dynamic. `shape`: 0 ball, 1 cuboid,
+    /// 2 capsule, 3 cylinder, 4 convex hull, 5 trimesh. `pose`: x, y, z and the quaternion x, y, z, w.
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "one flat call instead of an object for each rigid"
+    )]
+    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[wasm_bindgen(js_name = addRigid)]
+    pub fn add_rigid(
+        &mut self,
+        kind: u8,
+        shape: u8,
+        dimensions: &[f32],
+        vertices: &[f32],
+        indices: &[u32],
+        pose: &[f32],
+        restitution: f32,
+        friction: f32,
+        density: f32,
+    ) -> Result<u32, JsValue> {
+        #[cfg(feature = "rigids")]
+        return with_rapier::add(
+            self.simulator.rigids_mut(),
+            &sim::rigids::RigidNumbers {
+                kind,
+                shape,
+                dimensions,
+                vertices,
+                indices,
+                pose,
+                restitution,
+                friction,
+                density,
+            },
+        );
+        #[cfg(not(feature = "rigids"))]
+        Err(without_rapier())
+    }
+
+    /// Sends a kinematic rigid to a pose.
+    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[wasm_bindgen(js_name = moveRigid)]
+    pub fn move_rigid(&mut self, index: u32, pose: &[f32]) -> Result<(), JsValue> {
+        #[cfg(feature = "rigids")]
+        return with_rapier::move_to(self.simulator.rigids_mut(), index, pose);
+        #[cfg(not(feature = "rigids"))]
+        Err(without_rapier())
+    }
+
+    /// Rigids added so far.
+    #[wasm_bindgen(getter = rigidCount)]
+    pub fn rigid_count(&self) -> u32 {
+        #[cfg(feature = "rigids")]
+        return self.simulator.rigids().count() as u32;
+        #[cfg(not(feature = "rigids"))]
+        0
+    }
+
+    /// Address of the poses, 14 float32 a rigid; 0 where there are none.
+    #[wasm_bindgen(getter = rigidPosesPointer)]
+    pub fn rigid_poses_pointer(&self) -> u32 {
+        #[cfg(feature = "rigids")]
+        return self.simulator.rigids().poses().as_ptr() as u32;
+        #[cfg(not(feature = "rigids"))]
+        0
+    }
+}

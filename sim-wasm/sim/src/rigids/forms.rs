@@ -1,0 +1,152 @@
+//! From a described shape to its two forms: one that Rapier moves, one that particles bump into.
+
+use rapier3d::glamx::Vec3;
+use rapier3d::parry::shape::{ConvexPolyhedron, SharedShape, TriMesh, TriMeshFlags};
+use rapier3d::parry::transformation::try_convex_hull;
+
+use super::description::{RigidDescription, RigidKind, RigidShape, shape_error};
+use super::meshes::{Hull, Mesh};
+use crate::collide::shapes::{Ball, Capsule, Collider, Cuboid, Cylinder};
+use crate::collide::space::Vector;
+use crate::error::ParameterError;
+
+/// A volume below this share of its box's is no volume.
+const LEAST_FILLING: f32 = 1e-4;
+const LEAST_HALF_EXTENT: f32 = 5e-4;
+
+/// A shape twice.
+pub struct Forms {
+    pub rapiers: SharedShape,
+    pub ours: Box<dyn Collider>,
+}
+
+/// Makes both forms of a described rigid.
+///
+/// # Errors
+/// When points span no volume, or no triangle has an area, or a dynamic rigid is a sheet, which has no mass.
+pub fn forms_of(description: &RigidDescription) -> Result<Forms, ParameterError> {
+    Ok(match &description.shape {
+        &RigidShape::Ball { radius } => Forms {
+            rapiers: SharedShape::ball(radius),
+            ours: Box::new(Ball { radius }),
+        },
+        &RigidShape::Cuboid {
+            half_extents: [x, y, z],
+        } => Forms {
+            rapiers: SharedShape::cuboid(x, y, z),
+            ours: Box::new(Cuboid {
+                half_extents: Vector::new(x, y, z),
+            }),
+        },
+        &RigidShape::Capsule { half_height, radius } => Forms {
+            rapiers: SharedShape::capsule_y(half_height, radius),
+            ours: Box::new(Capsule { half_height, radius }),
+        },
+        &RigidShape::Cylinder { half_height, radius } => Forms {
+            rapiers: SharedShape::cylinder(half_height, radius),
+            ours: Box::new(Cylinder { half_height, radius }),
+        },
+        RigidShape::ConvexHull { vertices } => hull(vertices)?,
+        RigidShape::Trimesh { vertices, indices } => trimesh(vertices, indices, description.kind)?,
+    })
+}
+
+fn hull(vertices: &[[f32; 3]]) -> Result<Forms, ParameterError> {
+    let points: Vec<Vec3> = vertices.iter().map(|vertex| Vec3::from(*vertex)).collect();
+    let refused = || {
+        let message = "rigid.vertices span no volume; give at least four points that do not lie in one plane";
+        shape_error("rigid.vertices", vertices.len() as f64, message.to_owned())
+    };
+    // Asked before the hull is made: its algorithm need not survive points in a line or a plane.
+    if !spans_volume(&points) {
+        return Err(refused());
+    }
+    let (corners, triangles) = try_convex_hull(&points).map_err(|_| refused())?;
+    let polyhedron = ConvexPolyhedron::from_convex_mesh(corners.clone(), &triangles).ok_or_else(refused)?;
+    let mesh = oriented(corners, triangles).ok_or_else(refused)?;
+    Ok(Forms {
+        rapiers: SharedShape::new(polyhedron),
+        ours: Box::new(Hull::new(mesh)),
+    })
+}
+
+/// Whether some four of the points are the corners of a tetrahedron that is not flat for their size.
+fn spans_volume(points: &[Vec3]) -> bool {
+    let origin = points[0];
+    let farthest = |measure: &dyn Fn(Vec3) -> f32| {
+        let offsets = points.iter().map(|point| *point - origin);
+        offsets
+            .max_by(|a, b| measure(*a).total_cmp(&measure(*b)))
+            .expect("there is a point")
+    };
+    let a = farthest(&|offset| offset.length());
+    let length = a.length();
+    let b = farthest(&|offset| a.cross(offset).length());
+    let c = farthest(&|offset| a.cross(b).dot(offset).abs());
+    let (area, volume) = (a.cross(b).length(), a.cross(b).dot(c).abs());
+    length > LEAST_HALF_EXTENT && area > LEAST_FILLING * length * length && volume > LEAST_FILLING * area * length
+}
+
+fn trimesh(vertices: &[[f32; 3]], indices: &[[u32; 3]], kind: RigidKind) -> Result<Forms, ParameterError> {
+    let points: Vec<Vec3> = vertices.iter().map(|vertex| Vec3::from(*vertex)).collect();
+    let flags = TriMeshFlags::MERGE_DUPLICATE_VERTICES | TriMeshFlags::DELETE_DEGENERATE_TRIANGLES;
+    let merged = TriMesh::with_flags(points, indices.to_vec(), flags).ok();
+    let merged = merged
+        .filter(|mesh| area_of(mesh) > LEAST_HALF_EXTENT * LEAST_HALF_EXTENT)
+        .ok_or_else(|| {
+            let message = "rigid.indices make no triangle with an area".to_owned();
+            shape_error("rigid.indices", indices.len() as f64, message)
+        })?;
+    let (corners, triangles) = (merged.vertices().to_vec(), outward(&merged));
+    let solid = if is_closed(&triangles) {
+        oriented(corners, triangles)
+    } else {
+        None
+    };
+    match solid {
+        Some(mesh) => Ok(Forms {
+            rapiers: SharedShape::new(mesh.clone()),
+            ours: Box::new(Mesh::new(mesh, true)),
+        }),
+        None if kind == RigidKind::Dynamic => {
+            let message = "rigid.shape is an open mesh, which has no mass; close it or make the rigid kinematic";
+            Err(shape_error("rigid.shape", 5.0, message.to_owned()))
+        }
+        None => Ok(Forms {
+            rapiers: SharedShape::new(merged.clone()),
+            ours: Box::new(Mesh::new(merged, false)),
+        }),
+    }
+}
+
+fn oriented(corners: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Option<TriMesh> {
+    TriMesh::with_flags(corners, triangles, TriMeshFlags::ORIENTED).ok()
+}
+
+fn area_of(mesh: &TriMesh) -> f32 {
+    mesh.triangles()
+        .map(|triangle| triangle.scaled_normal().length() * 0.5)
+        .sum()
+}
+
+/// The triangles, all turned over when they look inwards.
+fn outward(mesh: &TriMesh) -> Vec<[u32; 3]> {
+    let origin = mesh.vertices()[0];
+    let volume: f32 = mesh
+        .triangles()
+        .map(|triangle| (triangle.a - origin).dot((triangle.b - origin).cross(triangle.c - origin)))
+        .sum();
+    let turned = |[a, b, c]: [u32; 3]| if volume < 0.0 { [a, c, b] } else { [a, b, c] };
+    mesh.indices().iter().map(|triangle| turned(*triangle)).collect()
+}
+
+/// Whether each edge is walked once in each direction.
+fn is_closed(triangles: &[[u32; 3]]) -> bool {
+    let mut edges: Vec<(u32, u32)> = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)])
+        .collect();
+    edges.sort_unstable();
+    let once = edges.windows(2).all(|pair| pair[0] != pair[1]);
+    once && edges.iter().all(|&(from, to)| edges.binary_search(&(to, from)).is_ok())
+}

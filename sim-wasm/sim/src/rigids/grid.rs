@@ -1,0 +1,186 @@
+//! Which rigids are near: a uniform grid that is laid anew in each step over where rigids and particles both are.
+//!
+//! A rigid stands in each cell that its box touches, widened by a margin; a particle whose own box is no larger than
+//! the margin finds all its neighbours in the one cell of its middle. Rigids that would fill many cells stand in a list
+//! of their own, and a particle that is larger than the margin looks at all rigids. Neither changes what is found.
+
+use crate::collide::space::{Bounds, Vector};
+
+const CELLS_PER_RIGID: usize = 64;
+const FEWEST_CELLS: usize = 512;
+const MOST_CELLS: usize = 32_768;
+/// A rigid in more cells than this is looked at by every particle.
+const MOST_CELLS_OF_ONE: usize = 512;
+const MOST_ALONG_AN_AXIS: f32 = 128.0;
+
+/// The grid of one step.
+#[derive(Debug, Default)]
+pub struct Grid {
+    boxes: Vec<Bounds>,
+    margin: f32,
+    origin: Vector,
+    cells_per_metre: [f32; 3],
+    size: [usize; 3],
+    /// Where the entries of each cell begin; one more than there are cells.
+    starts: Vec<u32>,
+    entries: Vec<u16>,
+    large: Vec<u16>,
+}
+
+/// Cells from..to along each axis.
+struct Span {
+    from: [usize; 3],
+    to: [usize; 3],
+}
+
+impl Span {
+    fn count(&self) -> usize {
+        (0..3).map(|axis| self.to[axis] - self.from[axis]).product()
+    }
+}
+
+impl Grid {
+    /// Makes room for one more rigid, so that laying the grid never allocates.
+    pub fn add(&mut self, bounds: Bounds) {
+        self.boxes.push(bounds);
+        let count = self.boxes.len();
+        self.starts
+            .reserve((cell_limit(count) + 2).saturating_sub(self.starts.len()));
+        self.entries
+            .reserve((count * MOST_CELLS_OF_ONE).saturating_sub(self.entries.len()));
+        self.large.reserve(count.saturating_sub(self.large.len()));
+    }
+
+    /// Tells where a rigid is during the coming step.
+    pub fn place(&mut self, index: usize, bounds: Bounds) {
+        self.boxes[index] = bounds;
+    }
+
+    /// The box of all rigids.
+    pub fn bounds(&self) -> Bounds {
+        self.boxes.iter().fold(Bounds::NOTHING, |all, one| all.with(one))
+    }
+
+    /// Lays the grid over those `middles` of particles that can be near a rigid; `margin` (m) as told above.
+    pub fn lay(&mut self, middles: &Bounds, margin: f32) {
+        self.margin = margin;
+        let rigids = self.bounds().wider(margin);
+        let area = Bounds {
+            min: rigids.min.greatest(middles.min),
+            max: rigids.max.least(middles.max),
+        };
+        self.measure(&area);
+        self.count_entries(&area);
+        self.write_entries(&area);
+    }
+
+    /// Writes the rigids whose boxes touch `way`, in ascending order, each number raised by `first`.
+    pub fn find_near(&self, way: &Bounds, first: u32, near: &mut Vec<u32>) {
+        let half = (way.max - way.min) * 0.5;
+        let begin = near.len();
+        let touching = |index: &usize| self.boxes[*index].touches(way);
+        if half.x.max(half.y).max(half.z) > self.margin {
+            near.extend((0..self.boxes.len()).filter(touching).map(|index| first + index as u32));
+            return;
+        }
+        let cell = self.cell_of((way.min + way.max) * 0.5);
+        let entries = &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize];
+        let candidates = self.large.iter().chain(entries).map(|index| usize::from(*index));
+        near.extend(candidates.filter(touching).map(|index| first + index as u32));
+        near[begin..].sort_unstable();
+    }
+
+    fn measure(&mut self, area: &Bounds) {
+        self.origin = area.min;
+        let extent = (area.max - area.min).greatest(Vector::new(1e-3, 1e-3, 1e-3));
+        let cells = cell_limit(self.boxes.len());
+        let side = libm::cbrtf(extent.x * extent.y * extent.z / cells as f32);
+        let mut left = cells;
+        for (axis, length) in <[f32; 3]>::from(extent).into_iter().enumerate() {
+            let wanted = (length / side).clamp(1.0, MOST_ALONG_AN_AXIS) as usize;
+            self.size[axis] = wanted.min(left).max(1);
+            left /= self.size[axis];
+            self.cells_per_metre[axis] = self.size[axis] as f32 / length;
+        }
+    }
+
+    fn count_entries(&mut self, area: &Bounds) {
+        let cells: usize = self.size.iter().product();
+        self.starts.clear();
+        self.starts.resize(cells + 2, 0);
+        self.large.clear();
+        for index in 0..self.boxes.len() {
+            let Some(span) = self.span_of(index, area) else {
+                continue;
+            };
+            if span.count() > MOST_CELLS_OF_ONE {
+                self.large.push(index as u16);
+                continue;
+            }
+            // Two places on: after the sums a cell's start stands one place on, ready to be counted up while writing.
+            self.for_each_cell(&span, |starts, _, cell| starts[cell + 2] += 1);
+        }
+        for cell in 2..self.starts.len() {
+            self.starts[cell] += self.starts[cell - 1];
+        }
+    }
+
+    fn write_entries(&mut self, area: &Bounds) {
+        self.entries.clear();
+        self.entries.resize(self.starts[self.starts.len() - 1] as usize, 0);
+        for index in 0..self.boxes.len() {
+            let Some(span) = self.span_of(index, area) else {
+                continue;
+            };
+            if span.count() > MOST_CELLS_OF_ONE {
+                continue;
+            }
+            self.for_each_cell(&span, |starts, entries, cell| {
+                entries[starts[cell + 1] as usize] = index as u16;
+                starts[cell + 1] += 1;
+            });
+        }
+    }
+
+    fn for_each_cell(&mut self, span: &Span, mut act: impl FnMut(&mut [u32], &mut [u16], usize)) {
+        for z in span.from[2]..span.to[2] {
+            for y in span.from[1]..span.to[1] {
+                let row = (z * self.size[1] + y) * self.size[0];
+                for x in span.from[0]..span.to[0] {
+                    act(&mut self.starts, &mut self.entries, row + x);
+                }
+            }
+        }
+    }
+
+    /// The cells of a rigid; none when it is not near the area.
+    fn span_of(&self, index: usize, area: &Bounds) -> Option<Span> {
+        let bounds = self.boxes[index].wider(self.margin);
+        if !bounds.touches(area) {
+            return None;
+        }
+        let (from, to) = (self.place_of(bounds.min), self.place_of(bounds.max));
+        Some(Span {
+            from,
+            to: to.map(|last| last + 1),
+        })
+    }
+
+    fn place_of(&self, point: Vector) -> [usize; 3] {
+        let offset: [f32; 3] = (point - self.origin).into();
+        std::array::from_fn(|axis| {
+            let place = offset[axis] * self.cells_per_metre[axis];
+            // A float too large for an integer becomes the greatest one, a negative one 0.
+            (place as usize).min(self.size[axis] - 1)
+        })
+    }
+
+    fn cell_of(&self, point: Vector) -> usize {
+        let [x, y, z] = self.place_of(point);
+        (z * self.size[1] + y) * self.size[0] + x
+    }
+}
+
+fn cell_limit(rigids: usize) -> usize {
+    (rigids * CELLS_PER_RIGID).clamp(FEWEST_CELLS, MOST_CELLS)
+}

@@ -1,0 +1,168 @@
+//! Shapes made of triangles, as obstacles: convex hulls and triangle meshes. The nearest triangle is found through
+//! the bounding volume hierarchy of Parry.
+
+use rapier3d::glamx::Vec3;
+use rapier3d::parry::query::PointQueryWithLocation;
+use rapier3d::parry::shape::TriMesh;
+
+use crate::collide::shapes::{Collider, Nearest};
+use crate::collide::space::{Bounds, Vector};
+
+/// A triangle mesh: solid where it closes a volume, else a sheet with two sides.
+pub struct Mesh {
+    mesh: TriMesh,
+    bounds: Bounds,
+    /// No point inside is deeper than this (m); 0 for a sheet.
+    depth: f32,
+}
+
+impl Mesh {
+    /// A solid, whose triangles close a volume and know inside from outside, or a sheet.
+    pub fn new(mesh: TriMesh, solid: bool) -> Self {
+        let aabb = mesh.local_aabb();
+        let bounds = Bounds {
+            min: ours(aabb.mins),
+            max: ours(aabb.maxs),
+        };
+        let half = (bounds.max - bounds.min) * 0.5;
+        let depth = if solid { half.x.min(half.y).min(half.z) } else { 0.0 };
+        Self { mesh, bounds, depth }
+    }
+
+    fn triangle_normal(&self, triangle: u32) -> Vector {
+        ours(self.mesh.triangle(triangle).scaled_normal()).unit_or(Vector::Y)
+    }
+}
+
+impl Collider for Mesh {
+    fn nearest(&self, point: Vector, limit: f32) -> Nearest {
+        let outside = distance_to_box(&self.bounds, point);
+        if outside >= limit {
+            return Nearest {
+                distance: outside,
+                normal: Vector::Y,
+            };
+        }
+        // A point in the middle of a solid is farther from the surface than a caller asks for, and must be found.
+        let limit = if outside > 0.0 {
+            limit
+        } else {
+            limit.max(self.depth * 1.01)
+        };
+        let found = self
+            .mesh
+            .project_local_point_and_get_location_with_max_dist(parrys(point), false, limit);
+        let Some((projection, (triangle, _))) = found else {
+            return Nearest {
+                distance: limit,
+                normal: Vector::Y,
+            };
+        };
+        let offset = point - ours(projection.point);
+        let length = offset.length();
+        let side = if self.depth > 0.0 && projection.is_inside {
+            -1.0
+        } else {
+            1.0
+        };
+        let normal = if length > 1e-6 {
+            offset * (side / length)
+        } else {
+            self.triangle_normal(triangle)
+        };
+        Nearest {
+            distance: side * length,
+            normal,
+        }
+    }
+
+    fn bounds(&self) -> Bounds {
+        self.bounds
+    }
+}
+
+/// A convex polyhedron: the planes of its faces say at once how deep a point is, or that it is far.
+pub struct Hull {
+    mesh: Mesh,
+    faces: Vec<Face>,
+}
+
+struct Face {
+    normal: Vector,
+    offset: f32,
+}
+
+impl Hull {
+    /// The solid of `mesh`, which is closed, convex and oriented.
+    pub fn new(mesh: TriMesh) -> Self {
+        let mut faces: Vec<Face> = Vec::new();
+        for triangle in mesh.triangles() {
+            let normal = ours(triangle.scaled_normal()).unit_or(Vector::ZERO);
+            let known = |face: &Face| face.normal.dot(normal) > 0.999_999;
+            if normal != Vector::ZERO && !faces.iter().any(known) {
+                faces.push(Face {
+                    normal,
+                    offset: normal.dot(ours(triangle.a)),
+                });
+            }
+        }
+        Self {
+            mesh: Mesh::new(mesh, true),
+            faces,
+        }
+    }
+
+    fn highest_face(&self, point: Vector) -> (f32, &Face) {
+        let height = |face: &Face| face.normal.dot(point) - face.offset;
+        let mut best = &self.faces[0];
+        let mut highest = height(best);
+        for face in &self.faces[1..] {
+            let above = height(face);
+            if above > highest {
+                (highest, best) = (above, face);
+            }
+        }
+        (highest, best)
+    }
+}
+
+impl Collider for Hull {
+    fn nearest(&self, point: Vector, limit: f32) -> Nearest {
+        let (height, face) = self.highest_face(point);
+        if height <= 0.0 || height >= limit {
+            return Nearest {
+                distance: height,
+                normal: face.normal,
+            };
+        }
+        let foot = point - face.normal * height;
+        if self.highest_face(foot).0 <= 1e-6 {
+            return Nearest {
+                distance: height,
+                normal: face.normal,
+            };
+        }
+        self.mesh.nearest(point, limit)
+    }
+
+    fn bounds(&self) -> Bounds {
+        self.mesh.bounds
+    }
+}
+
+fn distance_to_box(bounds: &Bounds, point: Vector) -> f32 {
+    (bounds.min - point)
+        .greatest(point - bounds.max)
+        .greatest(Vector::ZERO)
+        .length()
+}
+
+/// A vector of ours for Parry.
+pub fn parrys(vector: Vector) -> Vec3 {
+    Vec3::new(vector.x, vector.y, vector.z)
+}
+
+/// A vector of Parry for us.
+pub fn ours(vector: Vec3) -> Vector {
+    Vector::new(vector.x, vector.y, vector.z)
+}

@@ -1,0 +1,94 @@
+//! The world of Rapier: what falls, is pushed and is told where to go. Gravity is 9.81 m/s2 downward.
+
+use rapier3d::glamx::{Pose3, Quat, Vec3};
+use rapier3d::parry::shape::SharedShape;
+use rapier3d::prelude::{ColliderBuilder, PhysicsWorld, RigidBody, RigidBodyBuilder, RigidBodyHandle};
+
+use super::description::{RigidDescription, RigidKind};
+use super::meshes::{ours, parrys};
+use crate::collide::space::Pose;
+use crate::hash::Hash;
+
+const GRAVITY: f32 = -9.81;
+
+/// Rapier's world; its rigid bodies are numbered as they were added, and none is ever removed.
+pub struct World {
+    physics: PhysicsWorld,
+}
+
+impl World {
+    /// Nothing in it.
+    pub fn new() -> Self {
+        let mut physics = PhysicsWorld::new();
+        physics.gravity = Vec3::new(0.0, GRAVITY, 0.0);
+        Self { physics }
+    }
+
+    /// Adds a rigid with a shape made from its description.
+    pub fn add(&mut self, description: &RigidDescription, shape: SharedShape) {
+        let body = match description.kind {
+            RigidKind::Fixed => RigidBodyBuilder::fixed(),
+            RigidKind::Kinematic => RigidBodyBuilder::kinematic_position_based(),
+            RigidKind::Dynamic => RigidBodyBuilder::dynamic().ccd_enabled(true),
+        };
+        let collider = ColliderBuilder::new(shape)
+            .restitution(description.restitution)
+            .friction(description.friction)
+            .density(description.density);
+        self.physics.insert(body.pose(rapiers(&description.pose)), collider);
+    }
+
+    /// Where the coming step takes a kinematic rigid.
+    pub fn head_for(&mut self, index: usize, pose: &Pose) {
+        self.physics.bodies[handle(index)].set_next_kinematic_position(rapiers(pose));
+    }
+
+    /// Advances by `dt` seconds.
+    pub fn step(&mut self, dt: f32) {
+        self.physics.integration_parameters.dt = dt;
+        self.physics.step();
+    }
+
+    /// Where a rigid is.
+    pub fn pose(&self, index: usize) -> Pose {
+        let pose = self.body(index).position();
+        Pose {
+            position: ours(pose.translation),
+            rotation: pose.rotation.to_array(),
+        }
+    }
+
+    /// Adds to `hash` what the next step of a rigid depends on.
+    pub fn hash_into(&self, index: usize, hash: &mut Hash) {
+        let body = self.body(index);
+        let pose = body.position();
+        hash.floats(&pose.translation.to_array());
+        hash.floats(&pose.rotation.to_array());
+        hash.floats(&body.linvel().to_array());
+        hash.floats(&body.angvel().to_array());
+        hash.word(u32::from(body.is_sleeping()));
+    }
+
+    fn body(&self, index: usize) -> &RigidBody {
+        &self.physics.bodies[handle(index)]
+    }
+
+    /// The whole of it for a save: contacts and their history too, without which a pile of rigids would go on
+    /// differently.
+    pub fn physics(&self) -> &PhysicsWorld {
+        &self.physics
+    }
+
+    /// A world as it was saved.
+    pub fn of(physics: PhysicsWorld) -> Self {
+        Self { physics }
+    }
+}
+
+fn handle(index: usize) -> RigidBodyHandle {
+    RigidBodyHandle::from_raw_parts(index as u32, 0)
+}
+
+fn rapiers(pose: &Pose) -> Pose3 {
+    Pose3::from_parts(parrys(pose.position), Quat::from_array(pose.rotation))
+}
