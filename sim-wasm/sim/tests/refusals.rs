@@ -1,0 +1,168 @@
+//! What is refused, by which name, and that nothing has changed then.
+
+mod common;
+
+use common::{LIVELY, simulator, steps};
+use proptest::prelude::*;
+use sim::Simulator;
+use sim::parameters::{Parameters, ROWS, describe};
+
+#[test]
+fn every_parameter_refuses_what_is_no_number_or_out_of_range() {
+    let mut simulator = simulator(100, 1, &[LIVELY]);
+    let before = *simulator.parameters();
+    for row in ROWS {
+        let key = row.key.replace('#', "7");
+        let below = row.min - 0.001_f64.max(row.min.abs() * 1e-9);
+        let above = row.max + 0.001_f64.max(row.max.abs() * 1e-9);
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, below, above, 1e300, -1e300] {
+            let error = simulator.set(&key, value).unwrap_err();
+            assert_eq!(
+                (error.key.as_str(), error.min, error.max),
+                (key.as_str(), row.min, row.max)
+            );
+            assert!(
+                error.value.to_bits() == value.to_bits() && error.message.contains(&key),
+                "{error:?}"
+            );
+            assert_eq!(
+                *simulator.parameters(),
+                before,
+                "{key} = {value} was refused and still changed something"
+            );
+        }
+    }
+}
+
+#[test]
+fn every_parameter_takes_its_ends_and_its_default() {
+    let mut simulator = Simulator::new(100, 1).unwrap();
+    for row in ROWS {
+        for value in [row.min, row.max, row.default] {
+            let key = row.key.replace('#', "0");
+            simulator.set(&key, value).unwrap();
+            let entries = simulator.parameters().entries();
+            assert!(
+                entries.contains(&(key.clone(), value)),
+                "{key} = {value} is not among the entries"
+            );
+        }
+    }
+}
+
+#[test]
+fn whole_numbers_are_asked_for_where_they_are_meant() {
+    for row in ROWS.iter().filter(|row| row.whole) {
+        let error = Parameters::default()
+            .set(&row.key.replace('#', "0"), row.min + 0.5)
+            .unwrap_err();
+        assert!(error.message.contains("whole"), "{error}");
+    }
+}
+
+#[test]
+fn unknown_keys_are_named() {
+    let keys = [
+        "",
+        "emission",
+        "emission.rat",
+        "emission.rate ",
+        "emitters.8.size",
+        "emitters.-1.size",
+        "emitters.00.size",
+        "emitters..size",
+        "emitters.+1.size",
+        "emitters.#.size",
+        "emitters.0.sizes",
+        "vortices.0",
+        "__proto__",
+    ];
+    for key in keys {
+        let error = Parameters::default().set(key, 1.0).unwrap_err();
+        assert_eq!(error.key, key);
+        assert!(
+            error.message.contains(key) && error.message.contains("no parameter"),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn a_bundle_is_set_whole_or_not_at_all() {
+    let mut simulator = Simulator::new(100, 1).unwrap();
+    let before = *simulator.parameters();
+    let bundle = [
+        ("emission.rate", 5.0),
+        ("vortices.2.reach", 1.0),
+        ("puff.size", f64::NAN),
+    ];
+    assert_eq!(simulator.set_all(&bundle).unwrap_err().key, "puff.size");
+    assert_eq!(*simulator.parameters(), before);
+    simulator.set_all(&bundle[..2]).unwrap();
+    assert_eq!(simulator.parameters().emission.rate, 5.0);
+    assert_eq!(simulator.parameters().vortices.items().len(), 3);
+}
+
+#[test]
+fn capacities_have_a_range() {
+    for capacity in [0, 1_000_001, u32::MAX] {
+        let error = Simulator::new(capacity, 1).err().unwrap();
+        assert_eq!(
+            (error.key.as_str(), error.min, error.max),
+            ("simulation.maxParticles", 1.0, 1e6)
+        );
+    }
+}
+
+#[test]
+fn the_description_has_a_line_for_each_key() {
+    let text = describe();
+    assert_eq!(text.lines().count(), ROWS.len());
+    assert!(text.contains("emission.rate 0 20000 120 real particles/s\n"), "{text}");
+}
+
+fn any_parameters() -> impl Strategy<Value = Vec<(String, f64)>> {
+    let value = |(index, row): (usize, &sim::parameters::Row)| {
+        let key = row.key.replace('#', &(index % 3).to_string());
+        let (min, max, whole) = (row.min, row.max, row.whole);
+        // Both ends, the middle of the range, and small values, where most that is divided by lies.
+        let number = prop_oneof![
+            Just(min),
+            Just(max),
+            min..=max,
+            (0.0..1.0_f64).prop_map(move |s| min + s * s * s * (max - min) * 0.01)
+        ];
+        number.prop_map(move |number| (key.clone(), if whole { number.round() } else { number }))
+    };
+    let rows: Vec<_> = ROWS
+        .iter()
+        .cycle()
+        .take(ROWS.len() * 2)
+        .enumerate()
+        .map(value)
+        .collect();
+    (rows, prop::collection::vec(any::<bool>(), ROWS.len() * 2)).prop_map(|(entries, used)| {
+        entries
+            .into_iter()
+            .zip(used)
+            .filter_map(|(entry, used)| used.then_some(entry))
+            .collect()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_parameters_ever_make_a_place_that_is_no_number(entries in any_parameters(), seed in any::<u32>()) {
+        let mut simulator = Simulator::new(300, seed).unwrap();
+        let bundle: Vec<(&str, f64)> = entries.iter().map(|(key, value)| (key.as_str(), *value)).collect();
+        simulator.set_all(&bundle).unwrap();
+        for _ in 0..300 {
+            steps(&mut simulator, 1);
+            for column in simulator.particles().float_columns() {
+                prop_assert!(column[..simulator.alive()].iter().all(|value| value.is_finite()));
+            }
+        }
+    }
+}
