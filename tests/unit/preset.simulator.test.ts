@@ -62,7 +62,9 @@ describe('the simulator', () => {
   });
 
   it('shows something else for every parameter that it reads', () => {
-    const base = { 'vortices.0.circulation': 2, 'turbulence.speed': 1, 'gravity.acceleration': 1 };
+    // A slanting axis, so that a shift along any direction tells.
+    const axis = { 'vortices.0.axis.x': 0.5, 'vortices.0.axis.y': 0.5 };
+    const base = { ...axis, 'vortices.0.circulation': 2, 'turbulence.speed': 1, 'gravity.acceleration': 1 };
     const shown = (values: Record<string, number>) => {
       const simulator = smoking({ ...base, ...values });
       const { place, look } = simulator.arrange(EVERYTHING);
