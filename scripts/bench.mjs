@@ -28,9 +28,9 @@ await conclude(async () => {
   );
   const suite = chooseSuite(positionals);
   // Resolved now, because npm runs this where package.json is, and a refusal should not come after minutes.
-  const file = values.json === undefined ? undefined : resolve(String(values.json));
+  const file = values.json === undefined ? undefined : resolve(values.json);
   await setUp(TESTS);
-  const figures = await measure(suite, Boolean(values.quick));
+  const figures = await measure(suite, values.quick);
   console.log(figuresTable(figures));
   if (file) {
     mkdirSync(dirname(file), { recursive: true });

@@ -20,7 +20,7 @@ await conclude(async () => {
     { long: { type: 'boolean', default: false }, update: { type: 'boolean', default: false } },
     'npm test -- [--update] [NAME...]',
   );
-  const choice = { long: Boolean(values.long), update: Boolean(values.update) };
+  const choice = { long: values.long, update: values.update };
   const runners = chooseRunners(choice, positionals);
   await setUp(TESTS);
   const total = { passed: 0, failed: 0 };
