@@ -27,9 +27,9 @@ impl View {
     /// Checks the 32 numbers; refuses by name what is not finite or out of range.
     pub fn new(numbers: &[f32]) -> Result<Self, ParameterError> {
         let numbers: &[f32; VIEW_LENGTH] = numbers.try_into().map_err(|_| wrong_length(numbers.len()))?;
-        let limit = f64::from(f32::MAX);
-        for (index, value) in numbers.iter().enumerate() {
-            within(&format!("view[{index}]"), *value, -limit, limit)?;
+        if let Some(index) = numbers.iter().position(|value| !value.is_finite()) {
+            let limit = f64::from(f32::MAX);
+            within(&format!("view[{index}]"), numbers[index], -limit, limit)?;
         }
         within("view.purpose", numbers[0], 0.0, 1.0)?;
         within("view.blend", numbers[1], 0.0, 1.0)?;

@@ -1,0 +1,72 @@
+//! How much memory a particle takes, and that stepping takes none.
+
+mod common;
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use common::{LIVELY, simulator, steps};
+use sim::Simulator;
+
+/// The system's allocator, counting calls and bytes.
+struct Counting;
+
+static CALLS: AtomicUsize = AtomicUsize::new(0);
+static BYTES: AtomicUsize = AtomicUsize::new(0);
+
+// SAFETY: every call goes to the system's allocator unchanged.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        CALLS.fetch_add(1, Ordering::Relaxed);
+        BYTES.fetch_add(layout.size(), Ordering::Relaxed);
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Bytes that making a simulator takes.
+fn bytes_of(capacity: u32) -> usize {
+    let before = BYTES.load(Ordering::Relaxed);
+    let simulator = Simulator::new(capacity, 1).unwrap();
+    let after = BYTES.load(Ordering::Relaxed);
+    drop(simulator);
+    after - before
+}
+
+fn views() -> [[f32; 32]; 2] {
+    let mut eye = [0.0; 32];
+    (0..4).for_each(|i| eye[4 + 5 * i] = 0.2);
+    (eye[1], eye[2], eye[22], eye[23]) = (0.3, 1.0, -1.0, 1.2);
+    let mut light = eye;
+    light[0] = 1.0;
+    light[27..30].copy_from_slice(&[3.0; 3]);
+    [eye, light]
+}
+
+/// One test, since the counters are the whole process's.
+#[test]
+fn memory_is_taken_at_creation_only() {
+    let a_particle = (bytes_of(200_000) - bytes_of(100_000)) as f64 / 100_000.0;
+    assert!(a_particle <= 96.0, "{a_particle} bytes a particle");
+    let fixed = bytes_of(4);
+    assert!(fixed < 65_536, "{fixed} bytes whatever the capacity");
+
+    let mut simulator = simulator(3000, 1, &[LIVELY, &[("emission.rate", 6000.0)]]);
+    let before = CALLS.load(Ordering::Relaxed);
+    for _ in 0..300 {
+        steps(&mut simulator, 1);
+        for view in views() {
+            simulator.arrange(&view).unwrap();
+        }
+    }
+    let calls = CALLS.load(Ordering::Relaxed) - before;
+    assert!(simulator.alive() > 2900 && simulator.waiting() > 0);
+    assert_eq!(calls, 0, "allocations in 300 steps and 600 arrangements");
+    println!("{a_particle} bytes a particle and {fixed} bytes besides");
+}
