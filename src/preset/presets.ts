@@ -14,11 +14,12 @@ export interface Preset {
 
 /** The vortex that curls the column above the lamp's spout; the moods keep it and change its strength. */
 const curl: Values = {
-  'vortices.0.circulation': 1.1,
-  'vortices.0.coreRadius': 0.3,
-  'vortices.0.reach': 1.6,
-  'vortices.0.position.x': 0.25,
-  'vortices.0.position.y': 1.5,
+  'vortices.0.circulation': 3.2,
+  'vortices.0.coreRadius': 0.45,
+  'vortices.0.reach': 2.4,
+  'vortices.0.position.x': 0.1,
+  'vortices.0.position.y': 1.7,
+  'forces.wind.x': -0.06,
 };
 
 export const presets: readonly Preset[] = [
@@ -66,7 +67,7 @@ export const presets: readonly Preset[] = [
     values: {
       ...curl,
       'emission.lifetime': 9,
-      'emission.rate': 80,
+      'emission.rate': 32,
       'forces.buoyancy': 0.7,
       'style.outlines': 0,
       'style.smokeColor': '#dcefe9',
@@ -80,7 +81,7 @@ export const presets: readonly Preset[] = [
     text: 'Dark smoke torn by gusts from the left.',
     values: {
       ...curl,
-      'emission.rate': 160,
+      'emission.rate': 70,
       'emission.lifetime': 4.5,
       'style.smokeColor': '#8f96a8',
       'style.inkColor': '#14151c',

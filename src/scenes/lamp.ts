@@ -1,48 +1,77 @@
+import type { Color } from '../device/ramps.ts';
+import type { SurfaceDescription } from '../passes/surfaces.ts';
+import type { RigidDescription } from '../sim/rigid.ts';
 import { ballMesh } from './models/ball.ts';
+import { lampModel, type LampModel, type LampRole } from './models/lamp.ts';
 import { tableMesh } from './models/table.ts';
 import type { Scene } from './scene.ts';
 
+const BALL = 0;
 const BALL_RADIUS = 0.26;
-const BALL_START = [1.55, 0.9, 0.55] as const;
-const TABLE_RADIUS = 2.6;
-const SPOUT = { position: [0.95, 0.62, 0], direction: [0.35, 0.94, 0], radius: 0.05 } as const;
+const BALL_START = [1.5, 1.75, 0.1] as const;
+const TABLE_RADIUS = 1.75;
+const TABLE_THICKNESS = 0.12;
+
+const LAMP_COLORS: Record<LampRole, Color> = {
+  metal: [246, 196, 74],
+  fitting: [214, 136, 52],
+  gem: [219, 64, 92],
+};
 
 /** The paper's Fig. 1: a magic oil lamp whose smoke rises, curls and drifts away, and a ball to stir it with. */
 export function lamp(): Scene {
+  const model = lampModel();
   return {
     name: 'lamp',
-    rig: rig(),
-    rigids: [
-      { kind: 'kinematic', shape: { type: 'ball', radius: BALL_RADIUS }, position: BALL_START, friction: 0.2 },
-      { kind: 'fixed', shape: { type: 'cylinder', halfHeight: 0.05, radius: TABLE_RADIUS }, position: [0, -0.05, 0], friction: 0.3 },
-    ],
-    surfaces: [
-      { name: 'ball', mesh: ballMesh(BALL_RADIUS), color: [226, 72, 61], casts: true, inked: true, rigid: 0 },
-      { name: 'table', mesh: tableMesh(TABLE_RADIUS, 0.1), color: [233, 178, 108], casts: false, inked: true },
-    ],
-    handle: { rigid: 0, radius: BALL_RADIUS, start: BALL_START, min: [-2, BALL_RADIUS, -2], max: [2.4, 3.2, 2] },
-    camera: { target: [0.35, 1.25, 0], azimuth: 0.18, elevation: 0.2, distance: 6.2, fieldOfView: 0.62 },
-    backdrop: { top: [38, 70, 110], bottom: [246, 190, 140] },
+    rig: rig(model),
+    rigids: rigids(model),
+    surfaces: surfaces(model),
+    handle: { rigid: BALL, radius: BALL_RADIUS, start: BALL_START, min: [-2.2, BALL_RADIUS, -1.6], max: [2.2, 3.4, 1.6] },
+    camera: { target: [0.2, 1.5, 0], azimuth: 0.15, elevation: 0.16, distance: 6.6, fieldOfView: 0.58 },
+    backdrop: { top: [43, 45, 92], bottom: [214, 110, 122] },
   };
 }
 
-function rig(): Record<string, number> {
+function rigids({ collision }: LampModel): RigidDescription[] {
+  const half = TABLE_THICKNESS / 2;
+  return [
+    { kind: 'kinematic', shape: { type: 'ball', radius: BALL_RADIUS }, position: BALL_START, friction: 0.2 },
+    {
+      kind: 'fixed',
+      shape: { type: 'cylinder', halfHeight: half, radius: TABLE_RADIUS },
+      position: [0, -half, 0],
+      friction: 0.3,
+    },
+    ...collision.map((shape): RigidDescription => ({ kind: 'fixed', shape, position: [0, 0, 0], friction: 0.3 })),
+  ];
+}
+
+function surfaces({ parts }: LampModel): SurfaceDescription[] {
+  return [
+    { name: 'ball', mesh: ballMesh(BALL_RADIUS), color: [64, 190, 178], casts: true, inked: true, rigid: BALL },
+    { name: 'table', mesh: tableMesh(TABLE_RADIUS, TABLE_THICKNESS), color: [178, 92, 96], casts: false, inked: true },
+    ...parts.map(({ name, role, mesh }) => ({ name, mesh, color: LAMP_COLORS[role], casts: true, inked: true })),
+  ];
+}
+
+/** The forces of the scene; the parameters of the table turn them up and down. */
+function rig({ spout }: LampModel): Record<string, number> {
   return {
     'emitters.0.shape': 1,
-    ...vector('emitters.0.position', SPOUT.position),
-    ...vector('emitters.0.direction', SPOUT.direction),
-    'emitters.0.radius': SPOUT.radius,
-    'emitters.0.speed': 0.9,
+    ...vector('emitters.0.position', spout.position),
+    ...vector('emitters.0.direction', spout.direction),
+    'emitters.0.radius': spout.radius * 0.6,
+    'emitters.0.speed': 0.6,
     'emitters.0.speedVariation': 0.25,
     'emitters.0.spread': 0.22,
-    'emitters.0.size': 0.3,
+    'emitters.0.size': 0.42,
     'emitters.0.sizeVariation': 0.35,
     'emitters.0.lifetimeVariation': 0.25,
     'emitters.0.temperature': 1,
     'emitters.0.share': 1,
-    'gravity.acceleration': 0.35,
-    'buoyancy.acceleration': 1.9,
-    'buoyancy.coolingTime': 3.5,
+    'gravity.acceleration': 0.1,
+    'buoyancy.acceleration': 0.75,
+    'buoyancy.coolingTime': 3,
     'drag.rate': 1.6,
   };
 }
