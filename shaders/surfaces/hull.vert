@@ -7,16 +7,28 @@ uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
 uniform float inkPixels;
+uniform float raisedWidths;
 
 in vec3 position;
 in vec3 hullNormal;
 
+#include ../lib/pixel.glsl
+
+// Clip z that puts a vertex nearer by a distance in view units without moving it on the screen.
+float raisedClipZ(float viewZ, float clipW, float nearer) {
+  float clipZ = clipFromView[2][2] * (viewZ + nearer) + clipFromView[3][2];
+  return clipZ / (clipFromView[2][3] * (viewZ + nearer) + clipFromView[3][3]) * clipW;
+}
+
 void main() {
   mat4 viewFromModel = viewFromWorld * modelMatrix;
-  vec4 clip = clipFromView * viewFromModel * vec4(position, 1.0);
+  vec4 inView = viewFromModel * vec4(position, 1.0);
+  vec4 clip = clipFromView * inView;
   vec2 outward = vec2(clipFromView[0][0], clipFromView[1][1]) * (mat3(viewFromModel) * hullNormal).xy * viewport;
   float length2 = dot(outward, outward);
   vec2 pixels = length2 > 1e-12 ? outward * (inkPixels * inversesqrt(length2)) : vec2(0.0);
   clip.xy += pixels * 2.0 / viewport * clip.w;
+  float lineWidth = inkPixels * viewUnitsPerPixel(clipFromView, viewport, inView.z);
+  clip.z = raisedClipZ(inView.z, clip.w, raisedWidths * lineWidth);
   gl_Position = clip;
 }

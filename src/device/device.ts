@@ -43,7 +43,8 @@ export class Device {
   /** @throws ContextError when nothing can be drawn at present. */
   requireUsable(): void {
     if (this.isDisposed) throw new ContextError('This device was disposed; create a new one.');
-    if (this.isLost) throw new ContextError('The graphics context is lost; drawing goes on when the browser restores it.');
+    if (this.isLost)
+      throw new ContextError('The graphics context is lost; drawing goes on when the browser restores it.');
   }
 
   /** Gives the context back to the browser. May be called again. */

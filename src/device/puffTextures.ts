@@ -13,7 +13,7 @@ import type { PuffLayers } from '../puffs/layers.ts';
 import type { StartCaps } from '../puffs/startCaps.ts';
 
 /** A volume a little narrower than its puff keeps the silhouette from fighting its own shadow for depth. */
-const SHADOW_SHARE = 0.95;
+const SHADOW_SHARE = 1.15;
 
 /** The puffs as the body and volume shaders read them: one layer for each variation. */
 export class PuffTextures {

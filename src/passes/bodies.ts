@@ -1,4 +1,15 @@
-import { Camera, Color as ThreeColor, GLSL3, Mesh, RawShaderMaterial, Scene, Vector2, Vector3, Vector4, type WebGLRenderer } from 'three';
+import {
+  Camera,
+  Color as ThreeColor,
+  GLSL3,
+  Mesh,
+  RawShaderMaterial,
+  Scene,
+  Vector2,
+  Vector3,
+  Vector4,
+  type WebGLRenderer,
+} from 'three';
 import fragmentShader from '../../shaders/bodies/bodies.frag';
 import vertexShader from '../../shaders/bodies/bodies.vert';
 import type { Eye } from '../device/eye.ts';

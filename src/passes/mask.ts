@@ -1,4 +1,15 @@
-import { AddEquation, Camera, CustomBlending, GLSL3, KeepStencilOp, NotEqualStencilFunc, OneFactor, RawShaderMaterial, Scene, type WebGLRenderer } from 'three';
+import {
+  AddEquation,
+  Camera,
+  CustomBlending,
+  GLSL3,
+  KeepStencilOp,
+  NotEqualStencilFunc,
+  OneFactor,
+  RawShaderMaterial,
+  Scene,
+  type WebGLRenderer,
+} from 'three';
 import fragmentShader from '../../shaders/mask/mask.frag';
 import vertexShader from '../../shaders/lib/fullScreen.vert';
 import { fullScreenMesh } from '../device/fullScreen.ts';

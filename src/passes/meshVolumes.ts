@@ -55,7 +55,8 @@ export class MeshVolumesPass {
     const local = new Box3();
     for (const mesh of this.meshes.values()) {
       local.copy(mesh.geometry.boundingBox!).applyMatrix4(mesh.matrixWorld);
-      mesh.material.uniforms.extent.value = depthAlong(this.travel.value, box) - depthAlong(this.travel.value, local, true);
+      mesh.material.uniforms.extent.value =
+        depthAlong(this.travel.value, box) - depthAlong(this.travel.value, local, true);
     }
   }
 
@@ -104,6 +105,7 @@ export class MeshVolumesPass {
 
 /** How far along a direction a box reaches; its nearest point instead of its farthest where `nearest`. */
 function depthAlong(direction: Vector3, box: Box3, nearest = false): number {
-  const pick = (axis: 'x' | 'y' | 'z') => (direction[axis] > 0 !== nearest ? box.max[axis] : box.min[axis]) * direction[axis];
+  const pick = (axis: 'x' | 'y' | 'z') =>
+    (direction[axis] > 0 !== nearest ? box.max[axis] : box.min[axis]) * direction[axis];
   return pick('x') + pick('y') + pick('z');
 }

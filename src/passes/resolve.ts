@@ -1,4 +1,13 @@
-import { Camera, GLSL3, NoBlending, RawShaderMaterial, Scene, type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import {
+  Camera,
+  GLSL3,
+  NoBlending,
+  RawShaderMaterial,
+  Scene,
+  type Texture,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
 import fragmentShader from '../../shaders/resolve/resolve.frag';
 import vertexShader from '../../shaders/lib/fullScreen.vert';
 import { fullScreenMesh } from '../device/fullScreen.ts';

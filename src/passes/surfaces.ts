@@ -7,7 +7,9 @@ import {
   Color as ThreeColor,
   GLSL3,
   Mesh,
+  NotEqualStencilFunc,
   RawShaderMaterial,
+  ReplaceStencilOp,
   Scene,
   type Matrix4,
   type WebGLRenderer,
@@ -30,32 +32,36 @@ export interface SurfaceDescription {
   casts: boolean;
   /** Whether it is outlined. */
   inked: boolean;
+  /** Surfaces of one group grow into each other without a line between them; a surface without one stands alone. */
+  group?: string;
   /** Number of the rigid that carries it; still where absent. */
   rigid?: number;
 }
 
-/** Draws the scene's meshes with flat tones, and their ink as a hull of back faces. */
+/** Line widths by which a line comes nearer so that it does not sink into what its surface stands on. */
+const RAISED_WIDTHS = 6;
+
+/**
+ * Draws the scene's meshes with flat tones, and their ink as hulls of back faces. Each surface has two hulls: one where
+ * it is, which draws its lines before itself, and a raised one, which the stencil keeps off the surface's own pixels and
+ * which closes the outline where the surface stands on another. Leaves the stencil as it found it: zero.
+ */
 export class SurfacesPass {
   private readonly fills = new Scene();
   private readonly hulls = new Scene();
   private readonly camera = new Camera();
-  private readonly hullMaterial: RawShaderMaterial;
   private readonly materials: RawShaderMaterial[] = [];
   private readonly geometries: BufferGeometry[] = [];
   private readonly placed: Mesh[][] = [];
+  private readonly groups = new Map<string, number>();
   private readonly boxes: Box3[];
   private readonly inkColor = { value: new ThreeColor() };
   private readonly inkPixels = { value: 2 };
+  private readonly hullUniforms;
 
   /** @param firstMaterial the ramp of the first surface; the others follow */
   constructor(eye: Eye, ramps: RampTexture, firstMaterial: number, surfaces: readonly SurfaceDescription[]) {
-    this.hullMaterial = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: hullVertexShader,
-      fragmentShader: hullFragmentShader,
-      uniforms: { ...eye.uniforms, inkColor: this.inkColor, inkPixels: this.inkPixels },
-      side: BackSide,
-    });
+    this.hullUniforms = { ...eye.uniforms, inkColor: this.inkColor, inkPixels: this.inkPixels };
     surfaces.forEach((surface, index) => this.add(surface, eye, ramps, firstMaterial + index));
     this.boxes = surfaces.map((surface) => boxOf(surface.mesh));
   }
@@ -74,22 +80,25 @@ export class SurfacesPass {
   bounds(into: Box3): Box3 {
     const box = new Box3();
     into.makeEmpty();
-    this.boxes.forEach((local, surface) => into.union(box.copy(local).applyMatrix4(this.placed[surface][0].matrixWorld)));
+    this.boxes.forEach((local, surface) =>
+      into.union(box.copy(local).applyMatrix4(this.placed[surface][0].matrixWorld)),
+    );
     return into;
   }
 
   draw(renderer: WebGLRenderer): void {
     renderer.render(this.fills, this.camera);
     if (this.inkPixels.value > 0) renderer.render(this.hulls, this.camera);
+    renderer.clearStencil();
   }
 
   dispose(): void {
-    this.hullMaterial.dispose();
     for (const material of this.materials) material.dispose();
     for (const geometry of this.geometries) geometry.dispose();
   }
 
   private add(surface: SurfaceDescription, eye: Eye, ramps: RampTexture, ramp: number): void {
+    const ownPixels = this.stencilNumber(surface);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(surface.mesh.positions, 3));
     geometry.setAttribute('normal', new BufferAttribute(surface.mesh.normals, 3));
@@ -106,15 +115,42 @@ export class SurfacesPass {
         litRow: { value: litRow },
         unlitRow: { value: unlitRow },
       },
+      stencilWrite: true,
+      stencilRef: ownPixels,
+      stencilZPass: ReplaceStencilOp,
     });
     this.geometries.push(geometry);
-    this.materials.push(material);
     const meshes = [this.mesh(this.fills, geometry, material)];
-    if (surface.inked) meshes.push(this.mesh(this.hulls, geometry, this.hullMaterial));
+    if (surface.inked) {
+      meshes.push(this.mesh(this.hulls, geometry, this.hull(0)));
+      meshes.push(this.mesh(this.hulls, geometry, this.hull(ownPixels)));
+    }
     this.placed.push(meshes);
   }
 
+  /** One to 255, the same for a group; beyond 255 groups numbers come again, and two far ones may share one. */
+  private stencilNumber({ group, name }: SurfaceDescription): number {
+    const key = group ?? `${name} ${this.placed.length}`;
+    if (!this.groups.has(key)) this.groups.set(key, 1 + (this.groups.size % 255));
+    return this.groups.get(key)!;
+  }
+
+  /** @param ownPixels the stencil value that the line keeps off; 0 for the hull that is not raised */
+  private hull(ownPixels: number): RawShaderMaterial {
+    return new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: hullVertexShader,
+      fragmentShader: hullFragmentShader,
+      uniforms: { ...this.hullUniforms, raisedWidths: { value: ownPixels > 0 ? RAISED_WIDTHS : 0 } },
+      side: BackSide,
+      stencilWrite: ownPixels > 0,
+      stencilRef: ownPixels,
+      stencilFunc: NotEqualStencilFunc,
+    });
+  }
+
   private mesh(scene: Scene, geometry: BufferGeometry, material: RawShaderMaterial): Mesh {
+    this.materials.push(material);
     const mesh = new Mesh(geometry, material);
     mesh.frustumCulled = false;
     mesh.matrixAutoUpdate = false;

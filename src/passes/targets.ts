@@ -1,4 +1,11 @@
-import { NearestFilter, NoColorSpace, UnsignedByteType, WebGLRenderTarget, type Texture, type WebGLRenderer } from 'three';
+import {
+  NearestFilter,
+  NoColorSpace,
+  UnsignedByteType,
+  WebGLRenderTarget,
+  type Texture,
+  type WebGLRenderer,
+} from 'three';
 
 /**
  * What the passes draw into: two display-encoded colours with one depth and stencil.

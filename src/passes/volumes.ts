@@ -1,4 +1,15 @@
-import { Camera, DoubleSide, GLSL3, LessDepth, Mesh, RawShaderMaterial, Scene, Vector3, type Box3, type WebGLRenderer } from 'three';
+import {
+  Camera,
+  DoubleSide,
+  GLSL3,
+  LessDepth,
+  Mesh,
+  RawShaderMaterial,
+  Scene,
+  Vector3,
+  type Box3,
+  type WebGLRenderer,
+} from 'three';
 import fragmentShader from '../../shaders/volumes/volumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
 import type { Eye } from '../device/eye.ts';

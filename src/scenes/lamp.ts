@@ -26,7 +26,13 @@ export function lamp(): Scene {
     rig: rig(model),
     rigids: rigids(model),
     surfaces: surfaces(model),
-    handle: { rigid: BALL, radius: BALL_RADIUS, start: BALL_START, min: [-2.2, BALL_RADIUS, -1.6], max: [2.2, 3.4, 1.6] },
+    handle: {
+      rigid: BALL,
+      radius: BALL_RADIUS,
+      start: BALL_START,
+      min: [-2.2, BALL_RADIUS, -1.6],
+      max: [2.2, 3.4, 1.6],
+    },
     camera: { target: [0.2, 1.5, 0], azimuth: 0.15, elevation: 0.16, distance: 6.6, fieldOfView: 0.58 },
     backdrop: { top: [43, 45, 92], bottom: [214, 110, 122] },
   };
@@ -50,7 +56,14 @@ function surfaces({ parts }: LampModel): SurfaceDescription[] {
   return [
     { name: 'ball', mesh: ballMesh(BALL_RADIUS), color: [64, 190, 178], casts: true, inked: true, rigid: BALL },
     { name: 'table', mesh: tableMesh(TABLE_RADIUS, TABLE_THICKNESS), color: [178, 92, 96], casts: false, inked: true },
-    ...parts.map(({ name, role, mesh }) => ({ name, mesh, color: LAMP_COLORS[role], casts: true, inked: true })),
+    ...parts.map(({ name, role, mesh }) => ({
+      name,
+      mesh,
+      color: LAMP_COLORS[role],
+      casts: true,
+      inked: true,
+      group: name === 'curl' ? 'handle' : name,
+    })),
   ];
 }
 

@@ -105,7 +105,8 @@ export class CartoonSmoke {
 
   dispose(): void {
     const { passes } = this;
-    for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop, passes.surfaces]) part.dispose();
+    for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop, passes.surfaces])
+      part.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
     this.ramps.dispose();
   }

@@ -35,7 +35,8 @@ export class OrbitCamera {
 
   /** Shifts the target along the picture; the height of the view in pixels says how far a pixel goes. */
   pan(x: number, y: number, heightInPixels: number): void {
-    const metres = (2 * this.place.radius * Math.tan(MathUtils.degToRad(this.camera.fov) / 2)) / Math.max(heightInPixels, 1);
+    const metres =
+      (2 * this.place.radius * Math.tan(MathUtils.degToRad(this.camera.fov) / 2)) / Math.max(heightInPixels, 1);
     this.target.addScaledVector(new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0), -x * metres);
     this.target.addScaledVector(new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1), y * metres);
     this.apply();

@@ -30,7 +30,8 @@ function drawOn(device: Device): Presenter {
 
 function copyFrom(device: Device, canvas: DeviceCanvas): Presenter {
   const source = device.canvas;
-  if (source instanceof HTMLCanvasElement) throw new ContextError('A shared device must be created on an OffscreenCanvas.');
+  if (source instanceof HTMLCanvasElement)
+    throw new ContextError('A shared device must be created on an OffscreenCanvas.');
   const context = canvas.getContext('bitmaprenderer') as ImageBitmapRenderingContext | null;
   if (!context) throw new ContextError('This canvas already has another context; give the stage a fresh canvas.');
   return {
@@ -49,6 +50,9 @@ function resize({ renderer, canvas }: Device, width: number, height: number): vo
 function encode(canvas: DeviceCanvas): Promise<Blob> {
   if ('convertToBlob' in canvas) return canvas.convertToBlob({ type: 'image/png' });
   return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new ContextError('The picture could not be encoded.'))), 'image/png');
+    canvas.toBlob(
+      (blob) => (blob ? resolve(blob) : reject(new ContextError('The picture could not be encoded.'))),
+      'image/png',
+    );
   });
 }

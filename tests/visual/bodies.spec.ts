@@ -49,7 +49,12 @@ for (const [radius, distance, variation, ink] of [
   const line = ink > 0 ? ` and a line of ${ink} px` : '';
   test(`puff ${variation} of radius ${radius} at ${distance} m covers its silhouette${line}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
-    const report = await cases.evaluate((module, input) => module.outlineError(...input), [radius, distance, variation, ink] as const);
+    const report = await cases.evaluate((module, input) => module.outlineError(...input), [
+      radius,
+      distance,
+      variation,
+      ink,
+    ] as const);
     expect(report.covered).toBeGreaterThan(2_000);
     expect(report.worst).toBeLessThan(1);
   });

@@ -78,7 +78,8 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
   puffs.forEach((puff, index) => {
     const turn = (puff.roll ?? 0) / (2 * Math.PI);
     place.set([...puff.place, puff.radius], 4 * index);
-    look[2 * index] = (Math.round((turn - Math.floor(turn)) * 65536) & 0xffff) | (Math.round((puff.age ?? 0) * 65535) << 16);
+    look[2 * index] =
+      (Math.round((turn - Math.floor(turn)) * 65536) & 0xffff) | (Math.round((puff.age ?? 0) * 65535) << 16);
     look[2 * index + 1] = puff.variation ?? 0;
   });
   return { count: puffs.length, place, look };
@@ -191,4 +192,3 @@ function readStencil({ renderer }: Device, target: WebGLRenderTarget): Uint8Arra
   material.dispose();
   return pixels.filter((_, index) => index % 4 === 0);
 }
-

@@ -22,7 +22,12 @@ export function box(centre: Triple, half: Triple): TriangleMesh {
     for (const side of [-1, 1]) {
       const first = positions.length / 3;
       const [u, v] = side > 0 ? [(axis + 1) % 3, (axis + 2) % 3] : [(axis + 2) % 3, (axis + 1) % 3];
-      for (const [a, b] of [[-1, -1], [1, -1], [1, 1], [-1, 1]]) {
+      for (const [a, b] of [
+        [-1, -1],
+        [1, -1],
+        [1, 1],
+        [-1, 1],
+      ]) {
         const corner = [0, 0, 0];
         corner[axis] = side;
         corner[u] = a;
@@ -33,5 +38,9 @@ export function box(centre: Triple, half: Triple): TriangleMesh {
       indices.push(first, first + 1, first + 2, first, first + 2, first + 3);
     }
   }
-  return { positions: new Float32Array(positions), normals: new Float32Array(normals), indices: new Uint32Array(indices) };
+  return {
+    positions: new Float32Array(positions),
+    normals: new Float32Array(normals),
+    indices: new Uint32Array(indices),
+  };
 }

@@ -14,9 +14,14 @@ const VIEWS = [
 ] as const;
 
 for (const [view, withMesh] of VIEWS) {
-  test(`the stencil counts volumes as a reference does: ${view}${withMesh ? ' with a mesh among them' : ''}`, async ({ load }) => {
+  test(`the stencil counts volumes as a reference does: ${view}${withMesh ? ' with a mesh among them' : ''}`, async ({
+    load,
+  }) => {
     const cases = await load<Cases>(CASES);
-    const report = await cases.evaluate((module, [name, mesh]) => module.compare(name, mesh), [view, withMesh] as const);
+    const report = await cases.evaluate((module, [name, mesh]) => module.compare(name, mesh), [
+      view,
+      withMesh,
+    ] as const);
     expect(report.receiver).toBeGreaterThan(20_000);
     expect(report.deepest).toBeGreaterThan(4);
     expect(report.differing / report.receiver).toBeLessThan(0.005);

@@ -68,7 +68,9 @@ export function selfMasked(trials: number): { lit: number; masked: number; trial
     const dark = colorAt(rampOf(PLAIN_STYLE.smokeColor, { tones: 3, shading: true }).unlit, 0).join();
     result.lit += Object.entries(colors(free)).reduce(
       (sum, [color, count]) =>
-        color.startsWith(dark) || color.startsWith(PLAIN_STYLE.inkColor.join()) || color === '0,0,0,0' ? sum : sum + count,
+        color.startsWith(dark) || color.startsWith(PLAIN_STYLE.inkColor.join()) || color === '0,0,0,0'
+          ? sum
+          : sum + count,
       0,
     );
     result.masked += difference;
@@ -161,7 +163,10 @@ export function innerInk(side: 'under' | 'over'): number {
 export function orderSensitivity(): { differing: number; pixels: number; painted: number } {
   const puffs = heap(200, 9);
   const next = random(4);
-  const shuffled = puffs.map((puff) => ({ puff, key: next() })).sort((a, b) => a.key - b.key).map(({ puff }) => puff);
+  const shuffled = puffs
+    .map((puff) => ({ puff, key: next() }))
+    .sort((a, b) => a.key - b.key)
+    .map(({ puff }) => puff);
   const surfaces = [ground(-1, 3)];
   const [a, b] = [puffs, shuffled].map((rows) => takePicture({ width: WIDTH, height: HEIGHT, puffs: rows, surfaces }));
   const painted = a.pixels.filter((value, index) => index % 4 === 3 && value > 0).length;

@@ -50,11 +50,26 @@ function orthographic(): OrthographicCamera {
 }
 
 const VIEWS: Record<string, () => View> = {
-  ordinary: () => ({ camera: looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0]), towardsLight: new Vector3(-0.5, 0.8, 0.4) }),
-  offAxis: () => ({ camera: looking(offAxis(), [0.5, 1.6, 3.4], [0, -0.4, 0]), towardsLight: new Vector3(-0.5, 0.8, 0.4) }),
-  eyeInside: () => ({ camera: looking(perspective(), [0.1, -0.55, 1.2], [0, -0.9, -0.5]), towardsLight: new Vector3(0.1, 1, 0.1) }),
-  backlit: () => ({ camera: looking(perspective(), [0, 0.6, 4.5], [0, -0.6, 0]), towardsLight: new Vector3(0, 0.35, -1) }),
-  orthographic: () => ({ camera: looking(orthographic(), [2, 2.5, 5], [0, -0.4, 0]), towardsLight: new Vector3(-0.5, 0.8, 0.4) }),
+  ordinary: () => ({
+    camera: looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0]),
+    towardsLight: new Vector3(-0.5, 0.8, 0.4),
+  }),
+  offAxis: () => ({
+    camera: looking(offAxis(), [0.5, 1.6, 3.4], [0, -0.4, 0]),
+    towardsLight: new Vector3(-0.5, 0.8, 0.4),
+  }),
+  eyeInside: () => ({
+    camera: looking(perspective(), [0.1, -0.55, 1.2], [0, -0.9, -0.5]),
+    towardsLight: new Vector3(0.1, 1, 0.1),
+  }),
+  backlit: () => ({
+    camera: looking(perspective(), [0, 0.6, 4.5], [0, -0.6, 0]),
+    towardsLight: new Vector3(0, 0.35, -1),
+  }),
+  orthographic: () => ({
+    camera: looking(orthographic(), [2, 2.5, 5], [0, -0.4, 0]),
+    towardsLight: new Vector3(-0.5, 0.8, 0.4),
+  }),
 };
 
 /** Counts for a view of a seeded cluster of casters, optionally with a box-shaped mesh among them. */
@@ -157,7 +172,10 @@ function holds({ start, radius }: Volume, point: Vector3, towardsLight: Vector3)
 }
 
 function groundPoint(pixel: number, camera: Camera, withMesh: boolean): Vector3 | undefined {
-  const at = new Vector2((((pixel % WIDTH) + 0.5) / WIDTH) * 2 - 1, ((Math.floor(pixel / WIDTH) + 0.5) / HEIGHT) * 2 - 1);
+  const at = new Vector2(
+    (((pixel % WIDTH) + 0.5) / WIDTH) * 2 - 1,
+    ((Math.floor(pixel / WIDTH) + 0.5) / HEIGHT) * 2 - 1,
+  );
   const caster = new Raycaster();
   caster.setFromCamera(at, camera as PerspectiveCamera);
   const { origin, direction } = caster.ray;
@@ -170,7 +188,10 @@ function groundPoint(pixel: number, camera: Camera, withMesh: boolean): Vector3 
 
 /** Whether the ray from a point in a direction meets the box of `compare`. */
 function boxHides(point: Vector3, direction: Vector3): boolean {
-  const [centre, half] = [[0.7, -0.2, 0.2], [0.25, 0.3, 0.2]];
+  const [centre, half] = [
+    [0.7, -0.2, 0.2],
+    [0.25, 0.3, 0.2],
+  ];
   let [enter, leave] = [0, Infinity];
   (['x', 'y', 'z'] as const).forEach((axis, index) => {
     const ends = [-1, 1].map((side) => (centre[index] + side * half[index] - point[axis]) / direction[axis]);
