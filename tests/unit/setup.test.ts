@@ -62,6 +62,11 @@ describe('packages', () => {
     );
   });
 
+  test('when the lock file does not fit', () => {
+    project.program('npm', 'echo "npm error code EUSAGE" >&2; exit 1');
+    expectOnlySentence(project.setUp(['packages']), /^package-lock\.json does not fit package\.json: run npm install/);
+  });
+
   test('are installed with npm ci and then fresh', () => {
     const found = JSON.stringify({ packages: { ...LOCK.packages, '': undefined } });
     project.program('npm', `[ "$1" = ci ] || exit 9; echo '${found}' > node_modules/.package-lock.json`);
