@@ -78,7 +78,7 @@ export const presets: readonly Preset[] = [
   {
     name: 'lamp-storm',
     label: 'Storm',
-    text: 'Dark smoke torn by gusts from the left.',
+    text: 'Dark smoke torn by gusts from the right.',
     values: {
       ...curl,
       'emission.rate': 70,
@@ -87,10 +87,10 @@ export const presets: readonly Preset[] = [
       'style.inkColor': '#14151c',
       'style.outlineWidth': 2.8,
       'forces.turbulence': 2.2,
-      'forces.wind.x': 0.7,
+      'forces.wind.x': -0.5,
       'turbulence.octaves': 3,
       'turbulence.evolution': 0.8,
-      'vortices.0.circulation': -2,
+      'vortices.0.circulation': 1.5,
     },
   },
 ];

@@ -29,7 +29,7 @@ test('beside the ball the mouse turns the view, and 0 brings it back', async ({ 
   const start = (await ballPlace(page))!;
   await page.mouse.move(60, 200);
   await page.mouse.down();
-  await page.mouse.move(160, 180, { steps: 4 });
+  await page.mouse.move(240, 150, { steps: 4 });
   await page.mouse.up();
   const turned = (await ballPlace(page))!;
   expect(Math.hypot(turned.x - start.x, turned.y - start.y)).toBeGreaterThan(20);
@@ -58,7 +58,7 @@ test('arrow keys move the ball along the picture', async ({ page }) => {
 });
 
 test('keys play, step and open the help sheet, but leave typing alone', async ({ page }) => {
-  await page.setViewportSize({ width: 1280, height: 720 });
+  await page.setViewportSize({ width: 760, height: 540 });
   await open(page, `?paused=1${LIGHT}`);
   const steps = () => ask(page, (stage) => stage.stats.steps);
   await page.keyboard.press('.');

@@ -10,6 +10,17 @@ test('smoke appears and goes on', async ({ page }) => {
   await expect(page.getByRole('status')).toHaveCount(0);
 });
 
+test('loading shows how far it is', async ({ page }) => {
+  await page.route('**/*.wasm*', async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    await route.continue();
+  });
+  await page.goto(`/?paused=1${LIGHT}`);
+  await expect(page.getByRole('progressbar', { name: 'Rubbing the lamp' })).toBeVisible();
+  await page.waitForFunction(() => window.cartoonSmoke !== undefined);
+  await expect(page.getByRole('progressbar')).toHaveCount(0);
+});
+
 test('nothing comes from another host, and nothing after the start', async ({ page }) => {
   const requests: string[] = [];
   page.on('request', (request) => requests.push(request.url()));
@@ -64,7 +75,7 @@ test('?ui=0 leaves nothing but the smoke', async ({ page }) => {
 });
 
 test('what the console sets reaches the panel and the link', async ({ page }) => {
-  await page.setViewportSize({ width: 1280, height: 720 });
+  await page.setViewportSize({ width: 760, height: 540 });
   await open(page, `?paused=1${LIGHT}`);
   await ask(page, (stage) => stage.set({ 'puff.size': 1.5 }));
   await expect(page.getByLabel('Puff size, exact value')).toHaveValue('1.5');
