@@ -1,9 +1,10 @@
 //! Growth, ageing, cooling and death.
 //!
-//! radius(age) = size * puff.size * growth(age) * (1 - age / lifetime), exactly 0 at death. growth(age) is
-//! smoothstep(age / growthTime), and 1 where growthTime is 0: the linear loss of density of the paper. Within a step of
-//! h seconds the radius therefore changes by at most size * puff.size * h * (1 / lifetime + 1.5 / growthTime), the
-//! last term only where growthTime is not 0.
+//! radius(age) = size * puff.size * growth(age) * (1 - age / lifetime), exactly 0 at death. growth(age) is t (2 - t)
+//! for t = age / growthTime up to 1, and 1 where growthTime is 0: the linear loss of density of the paper. Growth is
+//! steepest at birth, so that smoke leaves a nozzle as a stem and not as a string of specks. Within a step of h seconds
+//! the radius therefore changes by at most size * puff.size * h * (1 / lifetime + 2 / growthTime), the last term only
+//! where growthTime is not 0.
 
 use wide::f32x4;
 
@@ -51,7 +52,7 @@ impl RadiusLaw {
             return full * density;
         }
         let t = smaller(age / f32x4::splat(self.growth_time), f32x4::ONE);
-        full * (t * t * (f32x4::splat(3.0) - f32x4::splat(2.0) * t)) * density
+        full * (t * (f32x4::splat(2.0) - t)) * density
     }
 
     fn growth(&self, age: f32) -> f32 {
@@ -59,7 +60,7 @@ impl RadiusLaw {
             return 1.0;
         }
         let t = (age / self.growth_time).min(1.0);
-        t * t * (3.0 - 2.0 * t)
+        t * (2.0 - t)
     }
 }
 

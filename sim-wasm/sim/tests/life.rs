@@ -51,7 +51,7 @@ fn radius_falls_by_one_share_a_step_to_exactly_zero() {
 fn growth_begins_and_ends_at_zero_and_never_jumps() {
     for (growth_time, lifetime) in [(0.5_f32, 3.0_f32), (2.0, 1.0), (0.05, 1.0)] {
         let radii = radii(growth_time, lifetime, 0.4);
-        let bound = 0.4 * STEP * (1.0 / lifetime + 1.5 / growth_time);
+        let bound = 0.4 * STEP * (1.0 / lifetime + 2.0 / growth_time);
         assert_eq!((radii[0], *radii.last().unwrap()), (0.0, 0.0));
         let jump = radii
             .windows(2)
