@@ -51,7 +51,7 @@ export class Simulator {
   /** Made by {@link SimulatorFactory.create}. */
   constructor(module: SimulatorModule, options: SimulatorOptions) {
     this.#module = module;
-    requireWhole('capacity', options.capacity);
+    requireWhole('simulation.maxParticles', options.capacity);
     requireWhole('seed', options.seed);
     this.#handle = this.#attempt(() => new module.bindings.Simulator(options.capacity, options.seed));
   }
@@ -98,7 +98,7 @@ export class Simulator {
    * go that are nearest to their death.
    */
   resize(capacity: number): void {
-    requireWhole('capacity', capacity);
+    requireWhole('simulation.maxParticles', capacity);
     this.#attempt(() => this.#handle.resize(capacity));
   }
 

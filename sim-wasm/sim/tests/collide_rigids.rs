@@ -46,13 +46,14 @@ impl Cloud {
         assert!(self.particles.push(&newborn));
     }
 
-    /// `pull`: a constant acceleration (m/s2) towards the origin.
+    /// `pull`: a constant acceleration (m/s2) towards the first rigid.
     fn step(&mut self, pull: f32) {
+        let centre = self.pose(0).position;
         self.rigids.advance(DT);
         let p = &mut self.particles;
         for i in 0..p.alive() {
             let at = Vector::new(p.x[i], p.y[i], p.z[i]);
-            let change = at.unit_or(Vector::Y) * (-pull * DT);
+            let change = (centre - at).unit_or(Vector::Y) * (pull * DT);
             [p.px[i], p.py[i], p.pz[i]] = at.into();
             let keep = 1.0 - self.drag * DT;
             (p.sx[i], p.sy[i], p.sz[i]) = (
@@ -226,7 +227,7 @@ fn none_of_5000_particles_is_ever_inside_a_moving_rigid() {
             let position = Vector::new((2.0 * time).sin(), 0.8 * (3.1 * time).sin(), 1.2 * (1.3 * time).sin()) * 1.5;
             let rotation = turned(Vector::new(1.0, 0.5, 0.2 * time), 4.0 * time);
             cloud.rigids.move_to(rigid, Pose { position, rotation }).unwrap();
-            cloud.step(9.0);
+            cloud.step(40.0);
             let frame = Frame::new(&cloud.pose(0));
             for i in 0..5000 {
                 let radius = cloud.particles.size[i];
@@ -238,7 +239,7 @@ fn none_of_5000_particles_is_ever_inside_a_moving_rigid() {
                 touches += u32::from(gap < radius * 1.01);
             }
         }
-        assert!(touches > 10_000, "{name} was hardly touched: {touches}");
+        assert!(touches > 50_000, "{name} was hardly touched: {touches}");
     }
 }
 
@@ -511,7 +512,21 @@ fn a_restored_heap_goes_on_to_the_same_hash() {
         drag: 0.0,
     };
     assert_eq!(hash_of(&twin), hash_of(&cloud), "as restored");
-    assert!(twin.rigids.save() == bytes, "saved again");
+    let again = twin.rigids.save();
+    eprintln!(
+        "DBG {} {} {:?}",
+        again.len(),
+        bytes.len(),
+        again
+            .iter()
+            .zip(&bytes)
+            .enumerate()
+            .filter(|(_, (a, b))| a != b)
+            .map(|(i, (a, b))| (i, *a, *b))
+            .take(40)
+            .collect::<Vec<_>>()
+    );
+    assert!(again == bytes, "saved again");
     run_heap(&mut cloud, 90..200);
     run_heap(&mut twin, 90..200);
     assert_eq!(hash_of(&twin), hash_of(&cloud), "110 steps later");

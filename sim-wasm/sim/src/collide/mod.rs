@@ -20,8 +20,13 @@ use analytic::AnalyticShape;
 use contact::{Obstacle, Pass, Traveller};
 use space::{Bounds, Vector};
 
-/// Rounds in which a particle is moved out of one obstacle and perhaps into the next; corners need two.
-const PASSES: [Pass; 4] = [Pass::First, Pass::Again, Pass::Again, Pass::Again];
+/// Rounds in which a particle is moved out of one obstacle and perhaps into the next. A right corner needs two; in an
+/// acute one each round leaves a share of the overlap, the squared cosine of its angle.
+const PASSES: [Pass; 8] = {
+    let mut passes = [Pass::Again; 8];
+    passes[0] = Pass::First;
+    passes
+};
 const MOST_COLLIDERS: usize = 8;
 /// Below this share of a step a newborn's way is too short to tell its velocity.
 const SHORTEST_WAY: f32 = 1e-3;

@@ -118,9 +118,11 @@ pub fn pose_of(numbers: &[f32]) -> Result<Pose, ParameterError> {
     }
     let length = rotation.iter().map(|part| part * part).sum::<f32>().sqrt();
     ranged("rigid.rotation", length, (1e-3, 2e3))?;
+    // What is a unit but for rounding stays bit for bit, or a saved pose would not come back as it was.
+    let scale = if (length - 1.0).abs() < 1e-5 { 1.0 } else { length };
     Ok(Pose {
         position: Vector::new(x, y, z),
-        rotation: rotation.map(|part| part / length),
+        rotation: rotation.map(|part| part / scale),
     })
 }
 

@@ -1,0 +1,79 @@
+import { describe, expect, it } from 'vitest';
+import {
+  LOOK_TEMPERATURE_MAX,
+  LOOK_WORDS,
+  PLACE_FLOATS,
+  readLook,
+  RIGID_FLOATS,
+  ROW_BYTES,
+} from '../../src/sim/rows.ts';
+import { VIEW_FLOATS, VIEW_OFFSETS, writeView, type View } from '../../src/sim/view.ts';
+import { EVERYTHING, JET, loadVariant } from './simWasm.ts';
+
+describe('the layout of rows and views', () => {
+  it('is the one that the WASM reports', async () => {
+    for (const variant of ['core', 'physics'] as const) {
+      const { module } = await loadVariant(variant);
+      expect([...module.bindings.layout()]).toEqual([PLACE_FLOATS, LOOK_WORDS, VIEW_FLOATS, RIGID_FLOATS]);
+    }
+    expect(ROW_BYTES).toBe(24);
+  });
+
+  it('puts each part of a view in its own place', () => {
+    const view: View = {
+      purpose: 'light',
+      blend: 0.25,
+      cull: true,
+      pad: 0.5,
+      clipFromWorld: Array.from({ length: 16 }, (_, index) => 100 + index),
+      direction: [0, -0.6, 0.8],
+      reach: 1.5,
+      receivers: { min: [-1, -2, -3], max: [1, 2, 3] },
+    };
+    const floats = new Float32Array(VIEW_FLOATS).fill(77);
+    writeView(view, floats);
+    expect([...floats.subarray(0, 4)]).toEqual([1, 0.25, 1, 0.5]);
+    expect([...floats.subarray(VIEW_OFFSETS.clipFromWorld, VIEW_OFFSETS.direction)]).toEqual(view.clipFromWorld);
+    expect(floats[VIEW_OFFSETS.direction + 2]).toBeCloseTo(0.8);
+    expect([...floats.subarray(23)]).toEqual([1.5, -1, -2, -3, 1, 2, 3, 0, 0]);
+  });
+
+  it('reads of each part of the view what Rust reads', async () => {
+    const simulator = (await loadVariant('core')).create({ capacity: 64, seed: 1 });
+    simulator.set({ ...JET, 'emitters.0.position.x': 5 });
+    simulator.step(10);
+    const culled = { ...EVERYTHING, cull: true };
+    expect(simulator.arrange(EVERYTHING).count).toBeGreaterThan(50);
+    // Clip space is the world here, so what stands at x = 5 is to the right of everything that can be seen.
+    expect(simulator.arrange(culled).count).toBe(0);
+    const wide = [...EVERYTHING.clipFromWorld];
+    wide[0] = 0.1;
+    expect(simulator.arrange({ ...culled, clipFromWorld: wide }).count).toBeGreaterThan(50);
+    simulator.dispose();
+  });
+
+  it('unpacks the look of a row', async () => {
+    const simulator = (await loadVariant('core')).create({ capacity: 64, seed: 1 });
+    simulator.set({
+      ...JET,
+      'emitters.0.lifetimeVariation': 0,
+      'puff.variations': 5,
+      'emitters.0.temperature': 2,
+      'buoyancy.coolingTime': 1e3,
+    });
+    simulator.step(20);
+    const { count, look } = simulator.arrange(EVERYTHING);
+    const rows = Array.from({ length: count }, (_, index) => readLook(look, index));
+    expect(new Set(rows.map((row) => row.variation))).toEqual(new Set([0, 1, 2, 3, 4]));
+    expect(new Set(rows.map((row) => row.seed)).size).toBeGreaterThan(20);
+    for (const row of rows) {
+      expect(row.age).toBeGreaterThanOrEqual(0);
+      expect(row.age).toBeLessThan(21 / 60 / 4);
+      expect(row.temperature).toBeGreaterThan(1.9);
+      expect(row.temperature).toBeLessThan(2.1);
+      expect(row.roll).toBeLessThan(1);
+    }
+    expect(LOOK_TEMPERATURE_MAX).toBe(4);
+    simulator.dispose();
+  });
+});
