@@ -1,0 +1,75 @@
+/** What a step of the twin needs to be computed once: the same numbers as in sim-wasm/sim/src/forces, rounded alike. */
+import type { Memory } from '../support/snapshot.ts';
+import type { ForceValues } from './cloud.ts';
+
+const DT = 1 / 60;
+const STRIDE = [0x8da6b343, 0xd8163841, 0xcb1ab31f];
+const COMPONENT_VARIANCE = 2 ** 62 / 3;
+const CUBE_VARIANCE = 1.097421;
+/** Shifts the lattice, so that the world's origin is no corner of it. */
+const SHIFT = 0.37;
+
+/** Constants of one step. The twin knows one vortex and one octave of turbulence, and wind along x and z. */
+export function constantsOf(values: ForceValues, memory: Memory) {
+  return { ...dragOf(values), ...liftOf(values), ...turbulenceOf(values, memory), ...vortexOf(values) };
+}
+
+function dragOf(values: ForceValues) {
+  const rate = values['drag.rate'];
+  const first = -Math.expm1(-rate * DT) / rate;
+  return {
+    dt: Math.fround(DT),
+    kept: Math.fround(Math.exp(-rate * DT)),
+    first: Math.fround(first),
+    second: Math.fround((DT - first) / rate),
+  };
+}
+
+function liftOf(values: ForceValues) {
+  return {
+    gravity: Math.fround(values['gravity.acceleration']),
+    buoyancy: Math.fround(values['buoyancy.acceleration']),
+    cooling: Math.fround(Math.exp(-DT / values['buoyancy.coolingTime'])),
+    windX: Math.fround(values['forces.wind.x']),
+    windZ: Math.fround(values['forces.wind.z']),
+  };
+}
+
+function turbulenceOf(values: ForceValues, { seed, drift, phase }: Memory) {
+  const frequency = 1 / values['turbulence.scale'];
+  const amplitude = values['turbulence.speed'] / Math.sqrt(COMPONENT_VARIANCE * CUBE_VARIANCE);
+  const cubes = drift.map((metres) => metres * frequency + SHIFT);
+  const [fractionX, fractionY, fractionZ] = cubes.map((cube) => Math.fround(cube - Math.floor(cube)));
+  const sine = Math.fround(Math.sin(phase) * amplitude);
+  return {
+    frequency: Math.fround(frequency),
+    fractionX,
+    fractionY,
+    fractionZ,
+    key: cubes.reduce(
+      (sum, cube, axis) => (sum - Math.imul(Math.floor(cube), STRIDE[axis])) | 0,
+      Math.imul(seed, 0x9e3779b9),
+    ),
+    cosine: Math.fround(Math.cos(phase) * amplitude),
+    /** By the bit of the hash that chooses the sign. */
+    sines: Float64Array.of(sine, -sine),
+  };
+}
+
+function vortexOf(values: ForceValues) {
+  const axis = (['x', 'y', 'z'] as const).map((name) => values[`vortices.0.axis.${name}`]);
+  const length = Math.hypot(...axis);
+  const [axisX, axisY, axisZ] = axis.map((component) => Math.fround(component / length));
+  const coreSquared = values['vortices.0.coreRadius'] ** 2;
+  return {
+    axisX,
+    axisY,
+    axisZ,
+    originX: Math.fround(values['vortices.0.position.x']),
+    originY: 0,
+    originZ: 0,
+    turn: Math.fround(values['vortices.0.circulation'] / (2 * Math.PI * coreSquared)),
+    perCore: Math.fround(1 / coreSquared),
+    perReach: Math.fround(1 / values['vortices.0.reach'] ** 2),
+  };
+}

@@ -1,0 +1,52 @@
+/** Figures, and how rounds become one: a median with its range, since single timings on a shared machine are noise. */
+
+/** As scripts/bench.mjs prints and writes it. */
+export interface Figure {
+  name: string;
+  value: number;
+  unit: string;
+  /** Least and greatest of the rounds. */
+  range: [number, number];
+  rounds: number;
+  note: string;
+}
+
+/** A figure from its rounds, at least one. */
+export function figure(name: string, unit: string, rounds: readonly number[], note: string): Figure {
+  const sorted = [...rounds].sort((a, b) => a - b);
+  return {
+    name,
+    value: median(sorted),
+    unit,
+    range: [sorted[0], sorted[sorted.length - 1]],
+    rounds: rounds.length,
+    note,
+  };
+}
+
+function median(sorted: readonly number[]): number {
+  const middle = sorted.length >> 1;
+  return sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+}
+
+/** Stops the suite: a ratio of different work is worth nothing. */
+export function demand(holds: boolean, what: string): asserts holds {
+  if (!holds) throw new Error(`The work is not the same: ${what}`);
+}
+
+/** Milliseconds that `work` takes. */
+export function time(work: () => void): number {
+  const start = performance.now();
+  work();
+  return performance.now() - start;
+}
+
+declare global {
+  /** Put into the page by the suite's runner. */
+  var sayProgress: ((line: string) => Promise<void>) | undefined;
+}
+
+/** Shows what is being measured; also lets the browser see to its own work between two rounds. */
+export async function say(line: string): Promise<void> {
+  await globalThis.sayProgress?.(line);
+}

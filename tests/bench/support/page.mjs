@@ -1,0 +1,43 @@
+/** Runs a suite inside one page of a headless Chromium that draws with SwiftShader. */
+
+import { chromium } from '@playwright/test';
+import { createServer } from 'vite';
+import { inRoot } from '../../../scripts/lib/paths.mjs';
+import { CHROMIUM_FLAGS, findBrowser } from '../../../scripts/setup/browser.mjs';
+
+/** Heap sizes to the byte, and a collection when asked for: without them growth cannot be told from garbage. */
+const MEASURING_FLAGS = ['--enable-precise-memory-info', '--js-flags=--expose-gc'];
+
+/**
+ * @typedef {import('../../../scripts/bench/table.mjs').Figure} Figure
+ * @typedef {object} Choice
+ * @property {boolean} quick fewer rounds and repetitions
+ * @property {(line: string) => void} say shows what is being measured
+ */
+
+/**
+ * Imports a module by its path in the repository inside a page and lets its `measure(quick)` make the figures.
+ *
+ * @param {`/${string}`} path
+ * @param {Choice} choice
+ * @returns {Promise<Figure[]>}
+ */
+export async function measureInPage(path, { quick, say }) {
+  const server = await createServer({ configFile: inRoot('tests/bench/vite.config.ts'), logLevel: 'error' });
+  const browser = await chromium.launch({
+    executablePath: await findBrowser(),
+    args: [...CHROMIUM_FLAGS, ...MEASURING_FLAGS],
+  });
+  try {
+    await server.listen();
+    const page = await browser.newPage({ viewport: { width: 640, height: 360 }, deviceScaleFactor: 1 });
+    page.setDefaultTimeout(0);
+    await page.exposeFunction('sayProgress', say);
+    await page.goto(new URL('/tests/support/blank.html', server.resolvedUrls?.local[0]).href);
+    const measure = `import(${JSON.stringify(path)}).then((suite) => suite.measure(${quick}))`;
+    return /** @type {Figure[]} */ (await page.evaluate(measure));
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
