@@ -14,6 +14,9 @@ in vec3 hullNormal;
 
 #include ../lib/pixel.glsl
 
+// A line that is wide in the world must not jump before parts of its surface that stand out, metres.
+const float HIGHEST = 0.05;
+
 // Clip z that puts a vertex nearer by a distance in view units without moving it on the screen.
 float raisedClipZ(float viewZ, float clipW, float nearer) {
   float clipZ = clipFromView[2][2] * (viewZ + nearer) + clipFromView[3][2];
@@ -29,6 +32,6 @@ void main() {
   vec2 pixels = length2 > 1e-12 ? outward * (inkPixels * inversesqrt(length2)) : vec2(0.0);
   clip.xy += pixels * 2.0 / viewport * clip.w;
   float lineWidth = inkPixels * viewUnitsPerPixel(clipFromView, viewport, inView.z);
-  clip.z = raisedClipZ(inView.z, clip.w, raisedWidths * lineWidth);
+  clip.z = raisedClipZ(inView.z, clip.w, min(raisedWidths * lineWidth, HIGHEST));
   gl_Position = clip;
 }

@@ -63,6 +63,7 @@ export class Device {
     // Without this the browser never offers the context again.
     event.preventDefault();
     this.isLost = true;
+    this.puffs.dispose();
     for (const listener of this.listeners) listener('lost');
   };
 

@@ -33,7 +33,7 @@ export function lamp(): Scene {
       min: [-2.2, BALL_RADIUS, -1.6],
       max: [2.2, 3.4, 1.6],
     },
-    camera: { target: [0.2, 1.5, 0], azimuth: 0.15, elevation: 0.16, distance: 6.6, fieldOfView: 0.58 },
+    camera: { target: [0.15, 1.5, 0], azimuth: 0.15, elevation: 0.16, distance: 6.3, fieldOfView: 0.58 },
     backdrop: { top: [43, 45, 92], bottom: [214, 110, 122] },
   };
 }

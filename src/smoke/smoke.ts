@@ -54,6 +54,7 @@ export class CartoonSmoke {
   readonly passes: SmokePasses;
   private readonly device: Device;
   private readonly ramps: RampTexture;
+  private readonly stopListening: () => void;
   private readonly surfaces: readonly SurfaceDescription[];
   private style: Style | undefined;
   private pixelRatio = 0;
@@ -89,6 +90,8 @@ export class CartoonSmoke {
           meshVolumes.place(surface, rigids[rigid]);
         }),
     };
+    // Told later, three.js would try to delete in the restored context what belonged to the lost one.
+    this.stopListening = device.onContext((event) => (event === 'lost' ? this.release() : undefined));
     if (backdrop) this.passes.backdrop.setColors(backdrop.top, backdrop.bottom);
   }
 
@@ -103,7 +106,14 @@ export class CartoonSmoke {
     return drawFrame(this.passes, input);
   }
 
+  /** Gives back what it holds on the device; the device stays. */
   dispose(): void {
+    this.stopListening();
+    this.release();
+  }
+
+  /** Lets go of all buffers, textures and programs; what is drawn again gets them anew. */
+  private release(): void {
     const { passes } = this;
     for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop, passes.surfaces])
       part.dispose();

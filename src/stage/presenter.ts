@@ -38,7 +38,8 @@ function copyFrom(device: Device, canvas: DeviceCanvas): Presenter {
     device,
     prepare: (width, height) => resize(device, width, height),
     present: () => context.transferFromImageBitmap(source.transferToImageBitmap()),
-    encode: () => encode(source),
+    // The shared canvas is blank again after the transfer, this one holds the picture.
+    encode: () => encode(canvas),
     dispose: () => context.transferFromImageBitmap(null),
   };
 }

@@ -100,6 +100,7 @@ export class Stage {
     error: new Set(),
     frame: new Set(),
   };
+  readonly #stopListening: () => void;
   #drag: Drag | undefined;
   #smoke: CartoonSmoke;
   #simulator: Simulator;
@@ -130,7 +131,7 @@ export class Stage {
     this.#smoke = this.#prepareSmoke();
     this.#simulator = this.#start();
     this.#aimLight();
-    presenter.device.onContext((event) => (event === 'restored' ? this.#draw() : undefined));
+    this.#stopListening = presenter.device.onContext((event) => (event === 'restored' ? this.#draw() : undefined));
     this.resize(options.width ?? canvas.width, options.height ?? canvas.height, options.pixelRatio ?? 1);
     this.ready = Promise.resolve();
   }
@@ -252,9 +253,13 @@ export class Stage {
     return { ...this.#values };
   }
 
-  /** The present picture as a PNG, transparent where the scene is. */
-  picture(): Promise<Blob> {
+  /**
+   * The present picture as a PNG, transparent where the scene is.
+   * @throws ContextError while the graphics context is lost
+   */
+  async picture(): Promise<Blob> {
     this.#requireAlive();
+    this.#presenter.device.requireUsable();
     this.#draw();
     return this.#presenter.encode();
   }
@@ -307,6 +312,7 @@ export class Stage {
     if (this.#disposed) return;
     this.pause();
     this.#disposed = true;
+    this.#stopListening();
     this.#smoke.dispose();
     this.#simulator.dispose();
     this.#presenter.dispose();

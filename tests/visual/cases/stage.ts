@@ -1,0 +1,207 @@
+/** Stages as a page makes them: their pictures, their clocks and their ends. */
+import { createDevice, type Device } from '../../../src/device/device.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
+import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
+import { createStage, type Stage } from '../../../src/stage/stage.ts';
+
+const [WIDTH, HEIGHT] = [320, 240];
+
+/** Few enough particles for a software renderer. */
+const SMALL: Values = { ...presetValues(defaultPreset), 'simulation.maxParticles': 800 };
+
+export async function lampStage(canvas: OffscreenCanvas | HTMLCanvasElement, device?: Device): Promise<Stage> {
+  return createStage(canvas, { values: SMALL, width: WIDTH, height: HEIGHT, pixelRatio: 1, device });
+}
+
+/** The picture of the lamp at a simulated time. */
+export async function lampPicture(seconds: number): Promise<Blob> {
+  const stage = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT));
+  await stage.seek(seconds);
+  const picture = await stage.picture();
+  stage.dispose();
+  return picture;
+}
+
+/** Colours in a picture, and the pixels of its commonest one: a blank picture has a single colour. */
+export async function census(picture: Blob): Promise<{ colors: number; commonest: number; pixels: number }> {
+  const data = await pixelsOf(picture);
+  const counts = new Map<number, number>();
+  for (const pixel of data) counts.set(pixel, (counts.get(pixel) ?? 0) + 1);
+  return { colors: counts.size, commonest: Math.max(...counts.values()), pixels: data.length };
+}
+
+/** Two stages on one device, one with its own light: are they different from each other, and as they are alone? */
+export async function shareDevice(): Promise<{ between: number; firstAlone: number; secondAlone: number }> {
+  const device = createDevice(new OffscreenCanvas(1, 1));
+  const [first, second] = [await lampStage(visibleCanvas(), device), await lampStage(visibleCanvas(), device)];
+  second.set({ 'light.azimuth': -60 });
+  const alone = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT));
+  for (const stage of [first, second, alone]) stage.step(120);
+  const pictures = [await first.picture(), await second.picture(), await alone.picture()];
+  alone.set({ 'light.azimuth': -60 });
+  pictures.push(await alone.picture());
+  for (const stage of [first, second, alone]) stage.dispose();
+  device.dispose();
+  const [a, b, c, d] = await Promise.all(pictures.map(pixelsOf));
+  return { between: differing(a, b), firstAlone: differing(a, c), secondAlone: differing(b, d) };
+}
+
+/** The pictures on the two canvases of stages that share a device, as the page shows them. */
+export async function sharedCanvases(): Promise<number> {
+  const device = createDevice(new OffscreenCanvas(1, 1));
+  const canvases = [visibleCanvas(), visibleCanvas()];
+  const stages = await Promise.all(canvases.map((canvas) => lampStage(canvas, device)));
+  stages[0].step(60);
+  stages[1].step(180);
+  const [a, b] = canvases.map((canvas) => shown(canvas));
+  for (const stage of stages) stage.dispose();
+  device.dispose();
+  return differing(a, b);
+}
+
+/** Makes and ends stages one after the other; how many contexts live at the end, and the heap's growth in bytes. */
+export async function comeAndGo(rounds: number): Promise<{ lost: number; wasmGrowth: number; heapGrowth: number }> {
+  const contexts: WebGL2RenderingContext[] = [];
+  const heap = () => (performance as unknown as { memory: { usedJSHeapSize: number } }).memory.usedJSHeapSize;
+  let [heapBefore, wasmBefore] = [0, 0];
+  for (let round = 0; round < rounds; ++round) {
+    const canvas = new OffscreenCanvas(64, 48);
+    const stage = await lampStage(canvas);
+    stage.step(2);
+    contexts.push(canvas.getContext('webgl2')!);
+    stage.dispose();
+    stage.dispose();
+    await new Promise((resolve) => setTimeout(resolve));
+    if (round === Math.floor(rounds / 2)) [heapBefore, wasmBefore] = [settled(heap), await wasmBytes()];
+  }
+  const lost = contexts.filter((context) => context.isContextLost()).length;
+  return { lost, wasmGrowth: (await wasmBytes()) - wasmBefore, heapGrowth: settled(heap) - heapBefore };
+}
+
+/** Steps on each side of a growth of the WASM memory: pixels that changed, and whether the buffer is another one. */
+export async function growMemory(): Promise<{ changed: number; grown: boolean; painted: number }> {
+  const stage = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT));
+  const twin = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT));
+  const memory = await wasmMemory();
+  for (const each of [stage, twin]) each.step(90);
+  const before = memory.buffer;
+  memory.grow(16);
+  for (const each of [stage, twin]) each.step(30);
+  const [a, b] = await Promise.all([stage, twin].map(async (each) => pixelsOf(await each.picture())));
+  const reference = await pixelsOf(await lampPicture(2));
+  for (const each of [stage, twin]) each.dispose();
+  return {
+    changed: differing(a, reference) + differing(b, reference),
+    grown: memory.buffer !== before,
+    painted: new Set(a).size,
+  };
+}
+
+/** Takes the context away and gives it back in mid-run: pixels that differ from a run without the loss, and the hash. */
+export async function loseContext(): Promise<{ changed: number; sameHash: boolean; refused: boolean }> {
+  const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
+  const stage = await lampStage(canvas);
+  stage.step(60);
+  const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+  const happens = (event: string) => new Promise((resolve) => canvas.addEventListener(event, resolve, { once: true }));
+  const lost = happens('webglcontextlost');
+  extension.loseContext();
+  await lost;
+  // The browser decides about restoring only after the event's last listener.
+  await new Promise((resolve) => setTimeout(resolve));
+  stage.step(30);
+  const refused = await stage.picture().then(
+    () => false,
+    (error: Error) => error.name === 'ContextError',
+  );
+  const restored = happens('webglcontextrestored');
+  extension.restoreContext();
+  await restored;
+  stage.step(30);
+  const twin = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT));
+  twin.step(120);
+  const [a, b] = await Promise.all([stage, twin].map(async (each) => pixelsOf(await each.picture())));
+  const sameHash = stage.hash() === twin.hash();
+  for (const each of [stage, twin]) each.dispose();
+  return { changed: differing(a, b), sameHash, refused };
+}
+
+/** The centre of the smoke's rows on successive frames of a 60 Hz clock at a speed: mean movement in steps' movements. */
+export async function movementAtSpeed(speed: number): Promise<number> {
+  const { Clock } = await import('../../../src/stage/clock.ts');
+  const { loadSimulators } = await import('../../../src/sim/load.ts');
+  const simulator = (await loadSimulators({ physics: false })).create({ capacity: 64, seed: 3 });
+  simulator.set({ 'emission.rate': 600, 'emission.lifetime': 50, 'emitters.0.share': 1, 'emitters.0.size': 0.1 });
+  simulator.step(6);
+  simulator.set({ 'emission.rate': 0, 'forces.wind.x': 2, 'emitters.0.speed': 0 });
+  simulator.step(2);
+  const clock = new Clock();
+  clock.speed = speed;
+  const centres: number[] = [];
+  for (let frame = 0; frame < 40; ++frame) {
+    const steps = clock.tick((frame * 1000) / 60);
+    if (steps > 0) simulator.step(steps);
+    centres.push(centreX(simulator, clock.blend));
+  }
+  simulator.dispose();
+  const moves = centres.slice(1).map((centre, index) => centre - centres[index]);
+  const wholeStep = 2 / 60;
+  return Math.max(...moves.map((move) => Math.abs(move / wholeStep - speed)));
+}
+
+function centreX(simulator: { arrange(view: never): { count: number; place: Float32Array } }, blend: number): number {
+  const view = {
+    purpose: 'eye',
+    blend,
+    cull: false,
+    pad: 0,
+    clipFromWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+    direction: [0, 0, -1],
+    reach: 1,
+    receivers: { min: [0, 0, 0], max: [0, 0, 0] },
+  };
+  const { count, place } = simulator.arrange(view as never);
+  let sum = 0;
+  for (let row = 0; row < count; ++row) sum += place[4 * row];
+  return sum / count;
+}
+
+function visibleCanvas(): HTMLCanvasElement {
+  const canvas = document.createElement('canvas');
+  canvas.width = WIDTH;
+  canvas.height = HEIGHT;
+  document.body.append(canvas);
+  return canvas;
+}
+
+function shown(canvas: HTMLCanvasElement): Uint32Array {
+  const copy = new OffscreenCanvas(WIDTH, HEIGHT).getContext('2d')!;
+  copy.drawImage(canvas, 0, 0);
+  return new Uint32Array(copy.getImageData(0, 0, WIDTH, HEIGHT).data.buffer);
+}
+
+async function pixelsOf(picture: Blob): Promise<Uint32Array> {
+  const bitmap = await createImageBitmap(picture);
+  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+  context.drawImage(bitmap, 0, 0);
+  return new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer);
+}
+
+function differing(a: Uint32Array, b: Uint32Array): number {
+  return a.reduce((count, pixel, index) => count + (pixel === b[index] ? 0 : 1), 0);
+}
+
+async function wasmMemory(): Promise<WebAssembly.Memory> {
+  const { loadSimulators } = await import('../../../src/sim/load.ts');
+  return (await loadSimulators({ physics: true })).module.memory;
+}
+
+async function wasmBytes(): Promise<number> {
+  return (await wasmMemory()).buffer.byteLength;
+}
+
+/** The heap after garbage collection, which the browser offers to tests started with --js-flags=--expose-gc. */
+function settled(heap: () => number): number {
+  (globalThis as unknown as { gc?: () => void }).gc?.();
+  return heap();
+}

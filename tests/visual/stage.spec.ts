@@ -1,0 +1,58 @@
+import { expect, test } from '../support/fixtures.ts';
+import { bytesOf, expectGolden } from '../support/goldens.ts';
+
+type Cases = typeof import('./cases/stage.ts');
+const CASES = '/tests/visual/cases/stage.ts';
+
+for (const seconds of [1, 3, 6]) {
+  test(`the lamp after ${seconds} s`, async ({ load }, testInfo) => {
+    const cases = await load<Cases>(CASES);
+    const picture = await cases.evaluateHandle((module, time) => module.lampPicture(time), seconds);
+    const { colors, commonest, pixels } = await cases.evaluate((module, blob) => module.census(blob), picture);
+    expect(colors).toBeGreaterThan(50);
+    expect(commonest / pixels).toBeLessThan(0.5);
+    await expectGolden(await bytesOf(picture), { name: `lamp-${seconds}s`, tolerance: 6, outliers: 40 }, testInfo);
+  });
+}
+
+test('two stages share a device and keep their own pictures', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const report = await cases.evaluate((module) => module.shareDevice());
+  expect(report.between).toBeGreaterThan(1000);
+  expect(report.firstAlone).toBe(0);
+  expect(report.secondAlone).toBe(0);
+  expect(await cases.evaluate((module) => module.sharedCanvases())).toBeGreaterThan(1000);
+});
+
+test('memory that grows in mid-run keeps drawing', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const report = await cases.evaluate((module) => module.growMemory());
+  expect(report.grown).toBe(true);
+  expect(report.painted).toBeGreaterThan(50);
+  expect(report.changed).toBe(0);
+});
+
+test.describe('loss', () => {
+  test.use({ allowed: /context lost|context restored|CONTEXT_LOST/i });
+
+  test('a lost context comes back with the simulation unharmed', async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const report = await cases.evaluate((module) => module.loseContext());
+    expect(report).toEqual({ changed: 0, sameHash: true, refused: true });
+  });
+
+  test('50 stages leave no live context and no growing heap', async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const report = await cases.evaluate((module) => module.comeAndGo(50));
+    expect(report.lost).toBe(50);
+    expect(report.wasmGrowth).toBe(0);
+    expect(report.heapGrowth).toBeLessThan(4_000_000);
+  });
+});
+
+for (const speed of [1, 0.5, 0.25]) {
+  test(`at speed ${speed} on a 60 Hz clock frames are ${speed} steps apart`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    expect(await cases.evaluate((module, value) => module.movementAtSpeed(value), speed)).toBeLessThan(0.02);
+  });
+}
