@@ -168,6 +168,16 @@ fn who_is_not_born_yet_and_who_has_no_radius_has_no_row() {
 }
 
 #[test]
+fn what_left_the_world_leaves_no_row_behind() {
+    let mut simulator = simulator(4, 1, &[STILL]);
+    simulator.add(&newborn([0.0; 3]));
+    simulator.add(&newborn([20_000.0, 0.0, 0.0]));
+    simulator.step();
+    assert_eq!(rows(&mut simulator, &view()).len(), 1);
+    assert!(simulator.bounds()[3] < 1.0);
+}
+
+#[test]
 fn looks_are_packed_as_documented() {
     let mut simulator = simulator(3, 1, &[STILL]);
     let look = 3 | 200 << 8 | 0x4000 << 16;

@@ -82,6 +82,28 @@ fn no_direction_is_favoured() {
 }
 
 #[test]
+fn every_direction_is_as_strong_while_the_pattern_evolves() {
+    for phase in [0.0, 0.8, 2.4] {
+        let field = field(1.0, phase);
+        let mut moments = [[0.0; 3]; 3];
+        for place in places(20_000) {
+            let velocity = at(&field, place);
+            for (i, row) in moments.iter_mut().enumerate() {
+                row.iter_mut()
+                    .zip(velocity)
+                    .for_each(|(sum, u)| *sum += velocity[i] * u / 20_000.0);
+            }
+        }
+        for (i, row) in moments.iter().enumerate() {
+            for (j, moment) in row.iter().enumerate() {
+                let expected = if i == j { 4.0 / 3.0 } else { 0.0 };
+                assert!((moment - expected).abs() < 0.12, "phase {phase}: {moments:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn velocity_is_continuous_across_cubes() {
     let field = field(1.0, 0.4);
     for place in places(500) {
