@@ -1,0 +1,66 @@
+/** The rigids that both sides of collide.vsCompat meet, and the smoke among them. */
+import { emptyParticles, type Particles } from '../support/snapshot.ts';
+import { random } from '../../visual/random.ts';
+import type { RigidShape } from '../../../src/sim/rigid.ts';
+
+export const RIGIDS = 100;
+
+/** Half side of the box, metres, in which particles and rigids lie: a crowd, of which rigids fill some 5 %. */
+const HALF_SIDE = 1.5;
+
+/** A rigid that swings about its place and turns about an axis. */
+export interface Swing {
+  shape: RigidShape;
+  place: readonly [number, number, number];
+  /** Radians a second of the swing, and where in it the rigid begins. */
+  pace: number;
+  phase: number;
+}
+
+/** Position (m) and unit quaternion x, y, z, w. */
+export interface Pose {
+  position: [number, number, number];
+  rotation: [number, number, number, number];
+}
+
+/** A hundred rigids of four shapes, scattered by a seeded generator. */
+export function seededSwings(seed: number): Swing[] {
+  const next = random(seed);
+  const spot = () => (2 * next() - 1) * HALF_SIDE;
+  return Array.from({ length: RIGIDS }, (_, index) => ({
+    shape: shapeOf(index % 4, 0.08 + 0.1 * next()),
+    place: [spot(), spot(), spot()] as const,
+    pace: 0.5 + next(),
+    phase: 2 * Math.PI * next(),
+  }));
+}
+
+function shapeOf(kind: number, size: number): RigidShape {
+  if (kind === 0) return { type: 'ball', radius: 1.2 * size };
+  if (kind === 1) return { type: 'cuboid', halfExtents: [size, 1.5 * size, 0.7 * size] };
+  if (kind === 2) return { type: 'capsule', halfHeight: 1.5 * size, radius: 0.6 * size };
+  return { type: 'cylinder', halfHeight: size, radius: 0.9 * size };
+}
+
+/** Where a rigid is after so many seconds; up to 0.5 m/s and 1.5 rad/s fast. */
+export function poseAt({ place: [x, y, z], pace, phase }: Swing, seconds: number): Pose {
+  const angle = phase + pace * seconds;
+  return {
+    position: [x + 0.3 * Math.cos(angle), y + 0.2 * Math.sin(2 * angle), z + 0.3 * Math.sin(angle)],
+    rotation: [Math.sin(angle / 2) * 0.6, Math.sin(angle / 2) * 0.8, 0, Math.cos(angle / 2)],
+  };
+}
+
+/** Small particles spread evenly over the box. */
+export function seededSmoke(count: number, seed: number): Particles {
+  const next = random(seed);
+  const particles = emptyParticles(count);
+  for (const axis of ['x', 'y', 'z'] as const) {
+    for (let i = 0; i < count; i++) particles[axis][i] = (2 * next() - 1) * HALF_SIDE;
+    particles[`p${axis}`].set(particles[axis]);
+  }
+  for (let i = 0; i < count; i++) particles.size[i] = 0.04 + 0.04 * next();
+  particles.lifetime.fill(1000);
+  particles.temperature.fill(0.4);
+  return particles;
+}

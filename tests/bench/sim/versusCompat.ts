@@ -1,0 +1,173 @@
+/** collide.vsCompat: one query a particle through Rapier's JavaScript bindings, divided by all of our collisions. */
+import { loadSimulators } from '../../../src/sim/load.ts';
+import type { Simulator } from '../../../src/sim/simulator.ts';
+import type { View } from '../../../src/sim/view.ts';
+import { demand, figure, say, time, type Figure } from '../support/figures.ts';
+import { readParticles, withParticles } from '../support/snapshot.ts';
+import { SIX_FORCES } from './cloud.ts';
+import { CompatWorld } from './compat.ts';
+import { poseAt, RIGIDS, seededSmoke, seededSwings } from './obstacles.ts';
+
+const COUNT = 10_000;
+const STEP = 1 / 60;
+const WARMING_STEPS = 30;
+/** Metres that a particle and a rigid may come nearer to each other within a step, which only ours follows. */
+const WAY = 0.06;
+/** Metres by which both may disagree on where a rigid is. */
+const POSE_TOLERANCE = 1e-4;
+
+/** The smoke bends around the rigids only where it moves: the same forces as in sim.vsJavaScript, the vortex smaller. */
+const FORCES = { ...SIX_FORCES, 'vortices.0.circulation': 2, 'vortices.0.reach': 4 };
+
+/** Everything, as it is now. */
+const EVERYTHING: View = {
+  purpose: 'eye',
+  blend: 1,
+  cull: false,
+  pad: 0,
+  clipFromWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+  direction: [0, 0, -1],
+  reach: 1,
+  receivers: { min: [-9, -9, -9], max: [9, 9, 9] },
+};
+
+interface Round {
+  /** Milliseconds a step. */
+  withRigids: number;
+  without: number;
+  compat: number;
+}
+
+/** The same smoke with and without rigids, and the rigids once more in the bindings' own world. */
+class Contest {
+  readonly swings = seededSwings(11);
+  readonly compat: CompatWorld;
+  readonly withRigids: Simulator;
+  readonly without: Simulator;
+  private readonly start: Uint8Array;
+  private readonly startWithout: Uint8Array;
+  private seconds = 0;
+
+  private constructor(compat: CompatWorld, withRigids: Simulator, without: Simulator) {
+    this.compat = compat;
+    this.withRigids = withRigids;
+    this.without = without;
+    const smoke = seededSmoke(COUNT, 5);
+    for (const simulator of [withRigids, without]) simulator.set(FORCES);
+    for (const swing of this.swings) {
+      withRigids.addRigid({ kind: 'kinematic', shape: swing.shape, ...poseAt(swing, 0), friction: 0.2 });
+    }
+    this.start = withParticles(withRigids.save(), smoke);
+    this.startWithout = withParticles(without.save(), smoke);
+  }
+
+  static async create(): Promise<Contest> {
+    const factory = await loadSimulators({ physics: true });
+    const make = () => factory.create({ capacity: COUNT, seed: 7 });
+    return new Contest(await CompatWorld.create(seededSwings(11), 0), make(), make());
+  }
+
+  restart(): void {
+    this.withRigids.restore(this.start);
+    this.without.restore(this.startWithout);
+    this.compat.moveTo(0);
+    this.seconds = 0;
+  }
+
+  /** Sends the rigids of both worlds on, outside of all timings. */
+  send(): void {
+    this.seconds += STEP;
+    this.swings.forEach((swing, index) => {
+      const { position, rotation } = poseAt(swing, this.seconds);
+      this.withRigids.moveRigid(index, position, rotation);
+    });
+    this.compat.moveTo(this.seconds);
+  }
+
+  round(steps: number): Round {
+    const sum: Round = { withRigids: 0, without: 0, compat: 0 };
+    for (let step = 0; step < steps; step++) {
+      this.send();
+      if (step % 2 === 0) sum.withRigids += time(() => this.withRigids.step());
+      sum.without += time(() => this.without.step());
+      if (step % 2 === 1) sum.withRigids += time(() => this.withRigids.step());
+      const { place, count } = this.withRigids.arrange(EVERYTHING);
+      demand(count === COUNT, `${count} particles live`);
+      sum.compat += time(() => this.compat.projectAll(place, count));
+    }
+    return { withRigids: sum.withRigids / steps, without: sum.without / steps, compat: sum.compat / steps };
+  }
+
+  dispose(): void {
+    for (const part of [this.withRigids, this.without, this.compat]) part.dispose();
+  }
+}
+
+export async function measureAgainstCompat(quick: boolean): Promise<Figure[]> {
+  const contest = await Contest.create();
+  contest.restart();
+  const touched = compare(contest);
+  contest.round(WARMING_STEPS);
+  const rounds: Round[] = [];
+  const wanted = quick ? 5 : 9;
+  while (rounds.length < wanted) {
+    await say(`collide.vsCompat, round ${rounds.length + 1} of ${wanted}`);
+    contest.restart();
+    rounds.push(contest.round(quick ? 10 : 40));
+  }
+  contest.dispose();
+  const ours = rounds.map(({ withRigids, without }) => withRigids - without);
+  const compat = rounds.map((round) => round.compat);
+  return [
+    figure(
+      'collide.vsCompat',
+      'x',
+      compat.map((theirs, round) => theirs / ours[round]),
+      `${COUNT} particles among ${RIGIDS} moving rigids, ${touched} of them pushed in the step compared; target >= 10`,
+    ),
+    figure('collide.ours', 'ms', ours, 'a step with rigids less one without: world step, grid, search, swept contacts'),
+    figure('collide.compat', 'ms', compat, 'the queries alone, without world step and answer'),
+  ];
+}
+
+/**
+ * Checks one step: who is pushed by ours must be near a rigid in the bindings' world, who overlaps one there must have
+ * been pushed. Between the two lies what the step's way explains. Returns how many were pushed.
+ */
+function compare(contest: Contest): number {
+  for (let step = 0; step < 5; step++) {
+    contest.send();
+    contest.withRigids.step();
+    // Its air must be as old, though its particles are replaced.
+    contest.without.step();
+  }
+  const before = readParticles(contest.withRigids.save());
+  contest.without.restore(withParticles(contest.without.save(), before));
+  contest.send();
+  contest.withRigids.step();
+  contest.without.step();
+  comparePoses(contest);
+  const after = readParticles(contest.withRigids.save());
+  const free = readParticles(contest.without.save());
+  let [pushed, overlapping] = [0, 0];
+  for (let i = 0; i < COUNT; i++) {
+    const gap = contest.compat.distance(free.x[i], free.y[i], free.z[i]) - free.size[i];
+    const isPushed = after.x[i] !== free.x[i] || after.y[i] !== free.y[i] || after.z[i] !== free.z[i];
+    if (isPushed) pushed++;
+    if (gap < 0) overlapping++;
+    demand(!isPushed || gap < WAY, `particle ${i} was pushed ${gap} m away from all rigids of the bindings`);
+    demand(isPushed || gap > -0.02 * free.size[i], `particle ${i} overlaps a rigid of the bindings by ${-gap} m`);
+  }
+  const share = pushed / COUNT;
+  demand(share > 0.01 && share < 0.5, `${pushed} particles were pushed`);
+  demand(overlapping > 0.5 * pushed, `${overlapping} overlap in the bindings' world, ${pushed} were pushed`);
+  return pushed;
+}
+
+function comparePoses({ withRigids, compat }: Contest): void {
+  const poses = withRigids.rigidPoses(1);
+  for (let index = 0; index < RIGIDS; index++) {
+    const error = Math.max(...compat.placeOf(index).map((theirs, axis) => Math.abs(theirs - poses[7 * index + axis])));
+    demand(error < POSE_TOLERANCE, `rigid ${index} is ${error} m off in the bindings' world`);
+  }
+}
