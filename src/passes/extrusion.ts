@@ -54,7 +54,8 @@ export function extrude(mesh: TriangleMesh): Extrusion {
   const edges = new Map<string, [number, number]>();
   for (let face = 0; face < faces; ++face) {
     const corners = [0, 1, 2].map((corner) => mesh.indices[3 * face + corner]);
-    const points = corners.map((vertex) => mesh.positions.subarray(3 * vertex, 3 * vertex + 3));
+    // Neighbours must share their corners to the last bit, or pixels fall through the cracks and stay dark.
+    const points = corners.map((vertex) => mesh.positions.subarray(3 * welded[vertex], 3 * welded[vertex] + 3));
     const normal = faceNormal(points[0], points[1], points[2]);
     for (let corner = 0; corner < 3; ++corner) {
       positions.set(points[corner], 9 * face + 3 * corner);

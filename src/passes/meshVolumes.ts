@@ -1,5 +1,4 @@
 import {
-  Box3,
   BufferAttribute,
   BufferGeometry,
   Camera,
@@ -9,8 +8,10 @@ import {
   Mesh,
   RawShaderMaterial,
   Scene,
-  Vector3,
+  Sphere,
+  type Box3,
   type Matrix4,
+  type Vector3,
   type WebGLRenderer,
 } from 'three';
 import fragmentShader from '../../shaders/meshVolumes/meshVolumes.frag';
@@ -52,11 +53,10 @@ export class MeshVolumesPass {
 
   /** The box, in world space, beyond which nothing receives shadow: volumes end where they have left it. */
   setReceivers(box: Box3): void {
-    const local = new Box3();
+    const ball = new Sphere();
     for (const mesh of this.meshes.values()) {
-      local.copy(mesh.geometry.boundingBox!).applyMatrix4(mesh.matrixWorld);
-      mesh.material.uniforms.extent.value =
-        depthAlong(this.travel.value, box) - depthAlong(this.travel.value, local, true);
+      ball.copy(mesh.geometry.boundingSphere!).applyMatrix4(mesh.matrixWorld);
+      mesh.material.uniforms.extent.value = exitFromBox(ball, this.travel.value, box);
     }
   }
 
@@ -77,7 +77,7 @@ export class MeshVolumesPass {
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
     geometry.setAttribute('faceNormal', new BufferAttribute(faceNormals, 3));
     geometry.setIndex(new BufferAttribute(indices, 1));
-    geometry.computeBoundingBox();
+    geometry.computeBoundingSphere();
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,
@@ -103,9 +103,11 @@ export class MeshVolumesPass {
   }
 }
 
-/** How far along a direction a box reaches; its nearest point instead of its farthest where `nearest`. */
-function depthAlong(direction: Vector3, box: Box3, nearest = false): number {
-  const pick = (axis: 'x' | 'y' | 'z') =>
-    (direction[axis] > 0 !== nearest ? box.max[axis] : box.min[axis]) * direction[axis];
-  return pick('x') + pick('y') + pick('z');
+/** How far a ball can travel along a unit direction before none of it is in the box any more. */
+function exitFromBox(ball: Sphere, direction: Vector3, box: Box3): number {
+  const exits = (['x', 'y', 'z'] as const).map((axis) => {
+    const wall = direction[axis] > 0 ? box.max[axis] + ball.radius : box.min[axis] - ball.radius;
+    return direction[axis] === 0 ? Infinity : (wall - ball.center[axis]) / direction[axis];
+  });
+  return Math.max(0, Math.min(...exits));
 }

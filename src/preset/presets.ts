@@ -67,7 +67,7 @@ export const presets: readonly Preset[] = [
     values: {
       ...curl,
       'emission.lifetime': 9,
-      'emission.rate': 32,
+      'emission.rate': 22,
       'forces.buoyancy': 0.7,
       'style.outlines': 0,
       'style.smokeColor': '#dcefe9',
@@ -81,7 +81,7 @@ export const presets: readonly Preset[] = [
     text: 'Dark smoke torn by gusts from the right.',
     values: {
       ...curl,
-      'emission.rate': 70,
+      'emission.rate': 48,
       'emission.lifetime': 4.5,
       'style.smokeColor': '#8f96a8',
       'style.inkColor': '#14151c',

@@ -77,7 +77,7 @@ function rig({ spout }: LampModel): Record<string, number> {
     'emitters.0.speed': 0.6,
     'emitters.0.speedVariation': 0.25,
     'emitters.0.spread': 0.22,
-    'emitters.0.size': 0.42,
+    'emitters.0.size': 0.5,
     'emitters.0.sizeVariation': 0.35,
     'emitters.0.lifetimeVariation': 0.25,
     'emitters.0.temperature': 1,
