@@ -1,0 +1,38 @@
+import { readFileSync, writeFileSync } from 'node:fs';
+import { expect, it } from 'vitest';
+import type { Parameter } from '../../src/preset/parameter.ts';
+import { table } from '../../src/preset/table.ts';
+
+const README = new URL('../../README.md', import.meta.url);
+const BLOCK = /(<!-- parameters -->\n)[^]*(\n<!-- \/parameters -->)/;
+
+function range(parameter: Parameter): string {
+  switch (parameter.kind) {
+    case 'toggle':
+      return '0, 1';
+    case 'color':
+      return 'colour';
+    case 'choice':
+      return parameter.options.map(({ value }) => value).join(', ');
+    default:
+      return `${parameter.min} to ${parameter.max} ${parameter.unit}`.trim();
+  }
+}
+
+/** Vortices are alike: the first stands for all. */
+function rows(): string[] {
+  const listed = table.filter(({ key }) => !/^vortices\.[1-9]/.test(key));
+  return listed.map((parameter) => {
+    const key = parameter.key.replace('vortices.0', 'vortices.0‥3');
+    return `| \`${key}\` | ${range(parameter)} | ${parameter.default} | ${parameter.text} |`;
+  });
+}
+
+it('lists the parameters as the table has them (UPDATE_README=1 writes them anew)', () => {
+  const text = readFileSync(README, 'utf8');
+  const expected = ['| key | range | default | what it does |', '| --- | --- | --- | --- |', ...rows()].join('\n');
+  const updated = text.replace(BLOCK, (_, before: string, after: string) => `${before}\n${expected}\n${after}`);
+  expect(text).toMatch(BLOCK);
+  if (process.env.UPDATE_README) writeFileSync(README, updated);
+  else expect(text).toBe(updated);
+});
