@@ -2,7 +2,8 @@
 
 mod common;
 
-use common::{LIVELY, STILL, place, simulator, steps};
+use common::{LIVELY, STILL, newborn, place, simulator, steps};
+use sim::particles::Newborn;
 
 /// Nothing varies, nothing dies.
 const EVEN: &[(&str, f64)] = &[
@@ -209,6 +210,52 @@ fn a_seed_repeats_and_another_differs() {
     };
     assert_eq!(run(1), run(1));
     assert_ne!(run(1), run(2));
+}
+
+#[test]
+fn a_hash_notices_each_number_of_each_particle() {
+    let hash = |last: Newborn| {
+        let mut simulator = simulator(9, 1, &[STILL]);
+        (0..8).for_each(|i| assert!(simulator.add(&newborn([i as f32, 0.0, 0.0]))));
+        simulator.add(&last);
+        simulator.hash()
+    };
+    let plain = newborn([1.0; 3]);
+    let next = |value: f32| value.next_up();
+    let changed = [
+        Newborn {
+            position: [1.0, next(1.0), 1.0],
+            ..plain
+        },
+        Newborn {
+            slip: [0.0, 0.0, next(0.0)],
+            ..plain
+        },
+        Newborn {
+            age: next(plain.age),
+            ..plain
+        },
+        Newborn {
+            lifetime: next(plain.lifetime),
+            ..plain
+        },
+        Newborn {
+            size: next(plain.size),
+            ..plain
+        },
+        Newborn {
+            temperature: next(plain.temperature),
+            ..plain
+        },
+        Newborn {
+            look: plain.look ^ 1 << 31,
+            ..plain
+        },
+    ];
+    let mut hashes: Vec<u64> = changed.into_iter().chain([plain]).map(hash).collect();
+    hashes.sort_unstable();
+    hashes.dedup();
+    assert_eq!(hashes.len(), 8, "two different states have the same hash");
 }
 
 #[test]
