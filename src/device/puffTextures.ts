@@ -12,8 +12,8 @@ import {
 import type { PuffLayers } from '../puffs/layers.ts';
 import type { StartCaps } from '../puffs/startCaps.ts';
 
-/** A volume a little narrower than its puff keeps the silhouette from fighting its own shadow for depth. */
-const SHADOW_SHARE = 1.15;
+/** A volume reaches to the ends of the puff's lobes, beyond its mean radius: no light leaks between neighbouring puffs. */
+export const SHADOW_SHARE = 1.15;
 
 /** The puffs as the body and volume shaders read them: one layer for each variation. */
 export class PuffTextures {

@@ -4,6 +4,7 @@
  */
 import { type Camera, Matrix4, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
 import { bakedPuffs } from '../../../src/device/bakedPuffs.ts';
+import { SHADOW_SHARE } from '../../../src/device/puffTextures.ts';
 import type { StartCaps } from '../../../src/puffs/startCaps.ts';
 import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
 import { takePicture, type LabPuff } from '../lab.ts';
@@ -20,7 +21,7 @@ export interface StencilReport {
 const [WIDTH, HEIGHT] = [320, 240];
 const GROUND_Y = -1;
 const GROUND_HALF = 3;
-/** The margins of the definition: see volumes.vert and PuffTextures.shadowRadius. */
+/** The margin of the definition: see volumes.vert. */
 const CAP_SLACK = 0.02;
 
 interface View {
@@ -155,7 +156,7 @@ function volumeOf({ place, radius, roll = 0, variation = 0 }: LabPuff, { camera,
   const slant = camera instanceof PerspectiveCamera ? -(light.x * inView.x + light.y * inView.y) / inView.z : 0;
   const cap = Math.max(0, tabled(startCaps, variation, rolled)) + Math.max(0, slant) + CAP_SLACK;
   const mean = layers.figures.reduce((sum, { silhouetteRadius }) => sum + silhouetteRadius, 0) / layers.figures.length;
-  return { start: centre.addScaledVector(towardsLight, -cap * radius), radius: 0.95 * mean * radius };
+  return { start: centre.addScaledVector(towardsLight, -cap * radius), radius: SHADOW_SHARE * mean * radius };
 }
 
 function tabled({ width, height, values }: StartCaps, layer: number, towards: Vector3): number {
