@@ -1,0 +1,136 @@
+/** The product's own frame over the seeded plume, and its passes one at a time. */
+import { Matrix4, PerspectiveCamera } from 'three';
+import { createDevice } from '../../../src/device/device.ts';
+import { ballMesh } from '../../../src/scenes/models/ball.ts';
+import { tableMesh } from '../../../src/scenes/models/table.ts';
+import { loadSimulators } from '../../../src/sim/load.ts';
+import type { Simulator } from '../../../src/sim/simulator.ts';
+import type { FrameInput, FrameReport } from '../../../src/smoke/frame.ts';
+import { towardsLight } from '../../../src/smoke/light.ts';
+import { CartoonSmoke, type SmokeOptions } from '../../../src/smoke/smoke.ts';
+import { PLAIN_STYLE } from '../../visual/lab.ts';
+import { withParticles } from '../support/snapshot.ts';
+import { seededPlume } from './plume.ts';
+
+export const WIDTH = 640;
+export const HEIGHT = 360;
+export const PARTICLES = 3000;
+
+/** A table under the plume and a ball beside it: surfaces and casters that no scene of the demo changes. */
+const SURROUNDINGS: Omit<SmokeOptions, 'capacity'> = {
+  surfaces: [
+    { name: 'table', mesh: tableMesh(1.75, 0.12), color: [178, 92, 96], casts: false, inked: true },
+    { name: 'ball', mesh: ballMesh(0.26), color: [64, 190, 178], casts: true, inked: true, rigid: 0 },
+  ],
+  backdrop: { top: [43, 45, 92], bottom: [214, 110, 122] },
+};
+
+/** Milliseconds. */
+export interface FrameTimes {
+  bodies: number;
+  volumes: number;
+  resolve: number;
+  frame: number;
+}
+
+export class RenderBench {
+  readonly device = createDevice(new OffscreenCanvas(WIDTH, HEIGHT));
+  readonly smoke: CartoonSmoke;
+  readonly simulator: Simulator;
+  private readonly pixel = new Uint8Array(4);
+  private readonly camera = frontCamera();
+  private readonly light = towardsLight(-40, 45);
+  private readonly rigids = [new Matrix4().makeTranslation(-0.9, 1.4, 0.3)];
+
+  private constructor(simulator: Simulator) {
+    this.simulator = simulator;
+    this.device.renderer.setSize(WIDTH, HEIGHT, false);
+    this.smoke = new CartoonSmoke(this.device, { capacity: PARTICLES, ...SURROUNDINGS });
+  }
+
+  static async create(): Promise<RenderBench> {
+    const factory = await loadSimulators({ physics: false });
+    const simulator = factory.create({ capacity: PARTICLES, seed: 1 });
+    simulator.set({ 'emission.rate': 0, 'emission.growthTime': 0 });
+    simulator.restore(withParticles(simulator.save(), seededPlume(PARTICLES, 9)));
+    return new RenderBench(simulator);
+  }
+
+  get context(): WebGL2RenderingContext {
+    return this.device.renderer.getContext() as WebGL2RenderingContext;
+  }
+
+  draw(cull: boolean): FrameReport {
+    return this.smoke.draw(this.input(cull));
+  }
+
+  /**
+   * Milliseconds of a frame and of three of its passes, all within the same frame. Waiting for each pass costs the frame
+   * some tenths of a millisecond, and takes nothing from it, since SwiftShader draws one thing after the other anyway.
+   */
+  timeFrame(cull: boolean): FrameTimes {
+    const times: FrameTimes = { bodies: 0, volumes: 0, resolve: 0, frame: 0 };
+    const { body, volumes, resolve } = this.smoke.passes;
+    const watched = { bodies: body, volumes, resolve };
+    for (const [name, pass] of Object.entries(watched) as [keyof typeof watched, { draw(...all: unknown[]): void }][]) {
+      const draw = pass.draw.bind(pass);
+      pass.draw = (...all) => (times[name] = this.timeDrawing(() => draw(...all)));
+    }
+    times.frame = this.timeDrawing(() => this.draw(cull));
+    // What was set on the passes hid the methods of their classes.
+    for (const pass of Object.values(watched)) Reflect.deleteProperty(pass, 'draw');
+    return times;
+  }
+
+  /** The picture of the last frame: RGBA bytes. */
+  picture(): Uint8Array {
+    const pixels = new Uint8Array(4 * WIDTH * HEIGHT);
+    this.context.readPixels(0, 0, WIDTH, HEIGHT, this.context.RGBA, this.context.UNSIGNED_BYTE, pixels);
+    return pixels;
+  }
+
+  /** Waits until everything has been drawn: only a pixel that is asked for makes the browser wait, finish() does not. */
+  private sync(): void {
+    this.context.readPixels(0, 0, 1, 1, this.context.RGBA, this.context.UNSIGNED_BYTE, this.pixel);
+  }
+
+  /** Milliseconds until what `draw` asked for has been drawn, with nothing else under way. */
+  private timeDrawing(draw: () => void): number {
+    this.sync();
+    const start = performance.now();
+    draw();
+    this.sync();
+    return performance.now() - start;
+  }
+
+  dispose(): void {
+    this.smoke.dispose();
+    this.device.dispose();
+    this.simulator.dispose();
+  }
+
+  private input(cull: boolean): FrameInput {
+    return {
+      simulator: this.simulator,
+      camera: this.camera,
+      towardsLight: this.light,
+      style: PLAIN_STYLE,
+      blend: 1,
+      width: WIDTH,
+      height: HEIGHT,
+      pixelRatio: 1,
+      rigids: this.rigids,
+      cull,
+      output: null,
+    };
+  }
+}
+
+/** As far from the plume as the demo is from its own; the upper third leaves the picture to the right. */
+function frontCamera(): PerspectiveCamera {
+  const camera = new PerspectiveCamera(33, WIDTH / HEIGHT, 0.1, 100);
+  camera.position.set(-1.3, 1.9, 6.6);
+  camera.lookAt(-1.3, 1.5, 0);
+  camera.updateMatrixWorld();
+  return camera;
+}
