@@ -53,6 +53,50 @@ float projectedRadius(vec3 centre, float ball) {
   return remaining > 0.1 ? (slope + widening) / remaining - slope : -1.0;
 }
 
+// The directions, as slopes against the view axis in one plane through it, in which two balls and all between them lie.
+// Points are (sideways, forward). Balls beside or behind the eye leave a side open; empty where nothing lies in front.
+vec2 slopesOf(vec2 from, vec2 to, float ball) {
+  const float OPEN = 1e4;
+  const float HALF_TURN = 3.14159265359;
+  const float ASIDE = 1.57;
+  vec2 reach = vec2(length(from), length(to));
+  if (min(reach.x, reach.y) <= ball) return vec2(-OPEN, OPEN);
+  float start = atan(from.x, from.y);
+  float turn = atan(to.x, to.y) - start;
+  float end = start + turn - 2.0 * HALF_TURN * round(turn / (2.0 * HALF_TURN));
+  vec2 widening = asin(ball / reach);
+  vec2 span = vec2(min(start - widening.x, end - widening.y), max(start + widening.x, end + widening.y));
+  if (span.y - span.x >= HALF_TURN) return vec2(-OPEN, OPEN);
+  // Seen from the other side of the half turn behind the eye, the same stretch may lie in front.
+  if (span.x > ASIDE) span -= 2.0 * HALF_TURN;
+  if (span.y < -ASIDE) span += 2.0 * HALF_TURN;
+  if (span.x > ASIDE || span.y < -ASIDE) return vec2(0.0);
+  return vec2(span.x <= -ASIDE ? -OPEN : tan(span.x), span.y >= ASIDE ? OPEN : tan(span.y));
+}
+
+// Corner of the oriented box around the projections of two balls, on the plane at unit depth.
+vec2 boxCorner(vec2 from, vec2 to, float span) {
+  vec2 along = to - from;
+  float reach = length(along);
+  along = reach > 1e-6 ? along / reach : vec2(1.0, 0.0);
+  return 0.5 * (from + to) + along * corner.x * (0.5 * reach + span) + vec2(-along.y, along.x) * corner.y * span;
+}
+
+// Normalised device coordinates of this corner of the footprint.
+vec2 footprint(vec3 end, bool perspective) {
+  if (!perspective) return (clipFromView * vec4(boxCorner(start.xy, end.xy, radius), 0.0, 1.0)).xy;
+  vec2 spans = vec2(projectedRadius(start, radius), projectedRadius(end, radius));
+  if (min(spans.x, spans.y) >= 0.0) {
+    vec2 point = boxCorner(start.xy / -start.z, end.xy / -end.z, max(spans.x, spans.y));
+    return (clipFromView * vec4(point, -1.0, 0.0)).xy;
+  }
+  vec2 x = slopesOf(vec2(start.x, -start.z), vec2(end.x, -end.z), radius);
+  vec2 y = slopesOf(vec2(start.y, -start.z), vec2(end.y, -end.z), radius);
+  vec2 point = mix(vec2(x.x, y.x), vec2(x.y, y.y), 0.5 + 0.5 * corner);
+  // Corners of open sides stay near the screen, where they are precise; an upright box may be cut so.
+  return clamp((clipFromView * vec4(point, -1.0, 0.0)).xy, -4.0, 4.0);
+}
+
 void main() {
   bool perspective = clipFromView[2][3] != 0.0;
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
@@ -65,21 +109,6 @@ void main() {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     return;
   }
-  vec3 end = start + extent * travel;
-  float startSpan = perspective ? projectedRadius(start, radius) : radius;
-  float endSpan = perspective ? projectedRadius(end, radius) : radius;
-  vec2 screen = corner;
-  if (startSpan >= 0.0 && endSpan >= 0.0) {
-    vec2 from = perspective ? start.xy / -start.z : start.xy;
-    vec2 to = perspective ? end.xy / -end.z : end.xy;
-    float span = max(startSpan, endSpan);
-    vec2 along = to - from;
-    float reach = length(along);
-    along = reach > 1e-6 ? along / reach : vec2(1.0, 0.0);
-    vec2 point = 0.5 * (from + to) + along * corner.x * (0.5 * reach + span) + vec2(-along.y, along.x) * corner.y * span;
-    vec4 clip = perspective ? clipFromView * vec4(point, -1.0, 0.0) : clipFromView * vec4(point, 0.0, 1.0);
-    screen = clip.xy / clip.w;
-  }
   // Depth is written by the fragments; a constant here keeps the near and far planes from cutting the quad.
-  gl_Position = vec4(screen, 0.0, 1.0);
+  gl_Position = vec4(footprint(start + extent * travel, perspective), 0.0, 1.0);
 }
