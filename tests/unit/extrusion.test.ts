@@ -20,7 +20,8 @@ function sweptVolume(mesh: TriangleMesh, travel: Triple, extent: number): number
   let volume = 0;
   for (let at = 0; at < indices.length; at += 3) {
     const [a, b, c] = [corner(indices[at]), corner(indices[at + 1]), corner(indices[at + 2])];
-    volume += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    volume +=
+      a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
   }
   return volume / 6;
 }
