@@ -34,26 +34,31 @@ export interface FrameTimes {
 }
 
 export class RenderBench {
-  readonly device = createDevice(new OffscreenCanvas(WIDTH, HEIGHT));
+  readonly device = createDevice(new OffscreenCanvas(1, 1));
   readonly smoke: CartoonSmoke;
   readonly simulator: Simulator;
+  private readonly width: number;
+  private readonly height: number;
   private readonly pixel = new Uint8Array(4);
   private readonly camera = frontCamera();
   private readonly light = towardsLight(-40, 45);
   private readonly rigids = [new Matrix4().makeTranslation(-0.9, 1.4, 0.3)];
 
-  private constructor(simulator: Simulator) {
+  private constructor(simulator: Simulator, width: number, height: number) {
     this.simulator = simulator;
-    this.device.renderer.setSize(WIDTH, HEIGHT, false);
+    this.width = width;
+    this.height = height;
+    this.device.renderer.setSize(width, height, false);
     this.smoke = new CartoonSmoke(this.device, { capacity: PARTICLES, ...SURROUNDINGS });
   }
 
-  static async create(): Promise<RenderBench> {
+  /** A picture of the suite's shape, smaller where only its rows matter. */
+  static async create(scale = 1): Promise<RenderBench> {
     const factory = await loadSimulators({ physics: false });
     const simulator = factory.create({ capacity: PARTICLES, seed: 1 });
     simulator.set({ 'emission.rate': 0, 'emission.growthTime': 0 });
     simulator.restore(withParticles(simulator.save(), seededPlume(PARTICLES, 9)));
-    return new RenderBench(simulator);
+    return new RenderBench(simulator, WIDTH * scale, HEIGHT * scale);
   }
 
   get context(): WebGL2RenderingContext {
@@ -84,8 +89,8 @@ export class RenderBench {
 
   /** The picture of the last frame: RGBA bytes. */
   picture(): Uint8Array {
-    const pixels = new Uint8Array(4 * WIDTH * HEIGHT);
-    this.context.readPixels(0, 0, WIDTH, HEIGHT, this.context.RGBA, this.context.UNSIGNED_BYTE, pixels);
+    const pixels = new Uint8Array(4 * this.width * this.height);
+    this.context.readPixels(0, 0, this.width, this.height, this.context.RGBA, this.context.UNSIGNED_BYTE, pixels);
     return pixels;
   }
 
@@ -116,8 +121,8 @@ export class RenderBench {
       towardsLight: this.light,
       style: PLAIN_STYLE,
       blend: 1,
-      width: WIDTH,
-      height: HEIGHT,
+      width: this.width,
+      height: this.height,
       pixelRatio: 1,
       rigids: this.rigids,
       cull,

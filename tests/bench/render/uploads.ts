@@ -6,7 +6,7 @@ const FRAMES = 5;
 
 export async function measureUploads(): Promise<Figure[]> {
   await say('memory.upload');
-  const bench = await RenderBench.create();
+  const bench = await RenderBench.create(0.1);
   // The first frame also makes the buffers, once, with room for all.
   bench.draw(true);
   const watch = watchUploads(bench.context);

@@ -1,0 +1,43 @@
+/** The counters of the render suite against numbers that can be known. */
+import { OrthographicCamera } from 'three';
+import { createDevice } from '../../../src/device/device.ts';
+import { countFragments, type Fragments } from '../../bench/render/fragments.ts';
+import { watchUploads } from '../../bench/render/uploads.ts';
+import { Lab, type LabScene } from '../lab.ts';
+
+const SIZE = 100;
+
+/** Fragments of equal puffs in one place, 25 pixels in radius, and how many pixels they cover in the picture. */
+export function bodies(count: number): Fragments & { pixels: number } {
+  const puffs = Array.from({ length: count }, () => ({ place: [0, 0, 0] as const, radius: 0.5 }));
+  const camera = new OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
+  camera.position.set(0, 0, 4);
+  const scene: LabScene = { width: SIZE, height: SIZE, puffs, camera, style: { outlines: false, shadows: false } };
+  const lab = new Lab(scene);
+  const { pixels } = lab.draw(scene);
+  const { bodies: rows, body, renderer } = lab['smoke'].passes;
+  const fragments = countFragments(renderer, rows.geometry, body['material'], SIZE, SIZE);
+  lab.dispose();
+  return { ...fragments, pixels: pixels.filter((value, index) => index % 4 === 3 && value > 0).length };
+}
+
+/** Bytes seen of uploads whose sizes are 100, 40, 32 and 12. */
+export function uploads(): number[] {
+  const device = createDevice(new OffscreenCanvas(1, 1));
+  const gl = device.renderer.getContext() as WebGL2RenderingContext;
+  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  const watch = watchUploads(gl);
+  const floats = new Float32Array(10);
+  const seen = [
+    () => gl.bufferData(gl.ARRAY_BUFFER, 100, gl.STATIC_DRAW),
+    () => gl.bufferSubData(gl.ARRAY_BUFFER, 0, floats),
+    () => gl.bufferSubData(gl.ARRAY_BUFFER, 8, floats, 2),
+    () => gl.bufferSubData(gl.ARRAY_BUFFER, 8, floats, 2, 3),
+  ].map((upload) => {
+    watch.bytes = 0;
+    upload();
+    return watch.bytes;
+  });
+  device.dispose();
+  return seen;
+}
