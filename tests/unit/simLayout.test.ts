@@ -46,7 +46,7 @@ describe('the layout of rows and views', () => {
     expect(simulator.arrange(EVERYTHING).count).toBeGreaterThan(50);
     // Clip space is the world here, so what stands at x = 5 is to the right of everything that can be seen.
     expect(simulator.arrange(culled).count).toBe(0);
-    const wide = [...EVERYTHING.clipFromWorld];
+    const wide = Array.from(EVERYTHING.clipFromWorld);
     wide[0] = 0.1;
     expect(simulator.arrange({ ...culled, clipFromWorld: wide }).count).toBeGreaterThan(50);
     simulator.dispose();

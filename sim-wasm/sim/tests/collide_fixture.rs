@@ -4,7 +4,7 @@ use sim::Simulator;
 
 const FIXTURE: &str = include_str!("collide_fixture.txt");
 
-fn lines<'a>(word: &'a str) -> impl Iterator<Item = &'a str> {
+fn lines(word: &str) -> impl Iterator<Item = &'static str> {
     FIXTURE
         .lines()
         .filter_map(move |line| line.strip_prefix(word))

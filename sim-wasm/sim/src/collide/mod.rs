@@ -19,6 +19,7 @@ use crate::rigids::Rigids;
 use analytic::AnalyticShape;
 use contact::{Obstacle, Pass, Traveller};
 use space::{Bounds, Vector};
+use survey::Ways;
 
 /// Rounds in which a particle is moved out of one obstacle and perhaps into the next. A right corner needs two; in an
 /// acute one each round leaves a share of the overlap, the squared cosine of its angle.
@@ -70,27 +71,25 @@ pub fn resolve(
     scratch
         .obstacles
         .extend(colliders.iter().map(AnalyticCollider::obstacle));
-    #[allow(unused_mut)]
-    let mut everything = scratch
-        .obstacles
-        .iter()
-        .fold(Bounds::NOTHING, |all, one| all.with(&one.bounds));
     #[cfg(feature = "rigids")]
     if rigids.count() > 0 {
         rigids.prepare(&survey::extent(particles, radii));
-        everything = everything.with(rigids.bounds());
         scratch.near.reserve(rigids.count() + MOST_COLLIDERS);
-    }
-    if everything == Bounds::NOTHING {
-        return;
     }
     let obstacles = Obstacles {
         analytic: &scratch.obstacles,
         #[cfg(feature = "rigids")]
         rigids,
     };
-    survey::for_each_touching(particles, radii, &everything, |particles, i| {
-        resolve_one(particles, i, radii, &obstacles, dt, &mut scratch.near);
+    if obstacles.are_none() {
+        return;
+    }
+    let may_touch = |ways: &Ways| obstacles.may_touch(ways);
+    survey::for_each_near(particles, radii, may_touch, |particles, i, way| {
+        obstacles.find_near(way, &mut scratch.near);
+        if !scratch.near.is_empty() {
+            resolve_one(particles, i, radii, &obstacles, dt, &scratch.near);
+        }
     });
 }
 
@@ -100,13 +99,9 @@ fn resolve_one(
     radii: &RadiusLaw,
     obstacles: &Obstacles,
     dt: f32,
-    near: &mut Vec<u32>,
+    near: &[u32],
 ) {
     let traveller = traveller(particles, i, radii, dt);
-    obstacles.find_near(&Bounds::of_way(traveller.from, traveller.to, traveller.radius), near);
-    if near.is_empty() {
-        return;
-    }
     let mut pushed = traveller;
     if obstacles.meet(&mut pushed, near) {
         [particles.x[i], particles.y[i], particles.z[i]] = pushed.to.into();
@@ -140,6 +135,23 @@ fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Tra
 }
 
 impl Obstacles<'_> {
+    fn are_none(&self) -> bool {
+        #[cfg(feature = "rigids")]
+        if self.rigids.count() > 0 {
+            return false;
+        }
+        self.analytic.is_empty()
+    }
+
+    /// Bit k is set when the k-th of four particles may be near an obstacle.
+    fn may_touch(&self, ways: &Ways) -> u32 {
+        let analytic = self.analytic.iter().fold(0, |lanes, obstacle| lanes | ways.touching(&obstacle.bounds));
+        #[cfg(feature = "rigids")]
+        return analytic | self.rigids.may_touch(ways);
+        #[cfg(not(feature = "rigids"))]
+        analytic
+    }
+
     /// Writes the numbers of the obstacles that `way` may touch: the analytic ones, then the rigids, each in order.
     fn find_near(&self, way: &Bounds, near: &mut Vec<u32>) {
         near.clear();

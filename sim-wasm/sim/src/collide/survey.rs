@@ -2,9 +2,7 @@
 
 use wide::f32x4;
 
-use super::space::Bounds;
-#[cfg(feature = "rigids")]
-use super::space::Vector;
+use super::space::{Bounds, Vector};
 use crate::life::RadiusLaw;
 use crate::particles::{LANES, Particles};
 
@@ -19,13 +17,14 @@ pub struct Extent {
     pub mean_reach: f32,
 }
 
-/// The box around the ways of four particles, sphere included.
-struct Ways {
+/// The boxes around the ways of four particles, spheres included.
+pub(crate) struct Ways {
     min: [f32x4; 3],
     max: [f32x4; 3],
 }
 
 impl Ways {
+    #[inline]
     fn load(particles: &Particles, radii: &RadiusLaw, first: usize) -> Self {
         // The radius law never gives more than this, and needs neither age nor lifetime.
         let reach = four(&particles.size, first) * f32x4::splat(radii.puff_size);
@@ -42,13 +41,41 @@ impl Ways {
     }
 
     /// Bit k is set when the k-th box touches `bounds`.
-    fn touching(&self, bounds: &Bounds) -> u32 {
+    #[inline]
+    pub(crate) fn touching(&self, bounds: &Bounds) -> u32 {
         let (least, most): ([f32; 3], [f32; 3]) = (bounds.min.into(), bounds.max.into());
         let mut all = f32x4::splat(f32::from_bits(u32::MAX));
         for axis in 0..3 {
             all &= self.min[axis].simd_le(f32x4::splat(most[axis])) & self.max[axis].simd_ge(f32x4::splat(least[axis]));
         }
         all.to_bitmask()
+    }
+
+    /// The middles of the boxes.
+    #[cfg(feature = "rigids")]
+    #[inline]
+    pub(crate) fn middles(&self) -> [f32x4; 3] {
+        std::array::from_fn(|axis| (self.min[axis] + self.max[axis]) * f32x4::splat(0.5))
+    }
+
+    /// Half of each box's longest side.
+    #[cfg(feature = "rigids")]
+    #[inline]
+    pub(crate) fn reaches(&self) -> f32x4 {
+        let [x, y, z] = std::array::from_fn(|axis| self.max[axis] - self.min[axis]);
+        x.fast_max(y).fast_max(z) * f32x4::splat(0.5)
+    }
+
+    /// The k-th box.
+    pub(crate) fn one(&self, lane: usize) -> Bounds {
+        let corner = |parts: &[f32x4; 3]| {
+            let [x, y, z] = parts.map(|part| part.to_array()[lane]);
+            Vector::new(x, y, z)
+        };
+        Bounds {
+            min: corner(&self.min),
+            max: corner(&self.max),
+        }
     }
 }
 
@@ -59,22 +86,23 @@ fn four(column: &[f32], first: usize) -> f32x4 {
     f32x4::from(*lanes)
 }
 
-/// Calls `meet` for each living particle whose way, sphere included, touches `bounds`.
-pub fn for_each_touching(
+/// Calls `meet` for each living particle that `may_touch` picks from a block of four, with the box around its way.
+pub(crate) fn for_each_near(
     particles: &mut Particles,
     radii: &RadiusLaw,
-    bounds: &Bounds,
-    mut meet: impl FnMut(&mut Particles, usize),
+    may_touch: impl Fn(&Ways) -> u32,
+    mut meet: impl FnMut(&mut Particles, usize, &Bounds),
 ) {
     let alive = particles.alive();
     for first in (0..alive).step_by(LANES) {
-        let mut touching = Ways::load(particles, radii, first).touching(bounds);
-        while touching != 0 {
-            let i = first + touching.trailing_zeros() as usize;
-            if i < alive {
-                meet(particles, i);
+        let ways = Ways::load(particles, radii, first);
+        let mut lanes = may_touch(&ways);
+        while lanes != 0 {
+            let lane = lanes.trailing_zeros() as usize;
+            if first + lane < alive {
+                meet(particles, first + lane, &ways.one(lane));
             }
-            touching &= touching - 1;
+            lanes &= lanes - 1;
         }
     }
 }
@@ -83,22 +111,20 @@ pub fn for_each_touching(
 /// little time and changes no result.
 #[cfg(feature = "rigids")]
 pub fn extent(particles: &Particles, radii: &RadiusLaw) -> Extent {
-    let half = f32x4::splat(0.5);
     let mut least = [f32x4::splat(f32::INFINITY); 3];
     let mut most = [f32x4::splat(f32::NEG_INFINITY); 3];
     let mut greatest_reach = f32x4::splat(0.0);
     let mut sum = f32x4::splat(0.0);
     for first in (0..particles.alive()).step_by(LANES) {
         let ways = Ways::load(particles, radii, first);
-        let mut reach = f32x4::splat(0.0);
+        let middles = ways.middles();
         for axis in 0..3 {
-            let middle = (ways.min[axis] + ways.max[axis]) * half;
-            least[axis] = least[axis].fast_min(middle);
-            most[axis] = most[axis].fast_max(middle);
-            reach = reach.fast_max((ways.max[axis] - ways.min[axis]) * half);
+            least[axis] = least[axis].fast_min(middles[axis]);
+            most[axis] = most[axis].fast_max(middles[axis]);
         }
-        greatest_reach = greatest_reach.fast_max(reach);
-        sum += reach;
+        let reaches = ways.reaches();
+        greatest_reach = greatest_reach.fast_max(reaches);
+        sum += reaches;
     }
     let vector = |lanes: [f32x4; 3], pick: fn(f32, f32) -> f32| {
         let [x, y, z] = lanes.map(|lane| lane.to_array().into_iter().reduce(pick).expect("four lanes"));

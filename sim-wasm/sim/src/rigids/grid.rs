@@ -4,7 +4,10 @@
 //! the margin finds all its neighbours in the one cell of its middle. Rigids that would fill many cells stand in a list
 //! of their own, and a particle that is larger than the margin looks at all rigids. Neither changes what is found.
 
+use wide::{f32x4, i32x4};
+
 use crate::collide::space::{Bounds, Vector};
+use crate::collide::survey::Ways;
 
 const CELLS_PER_RIGID: usize = 64;
 const FEWEST_CELLS: usize = 512;
@@ -72,6 +75,28 @@ impl Grid {
         self.measure(&area);
         self.count_entries(&area);
         self.write_entries(&area);
+    }
+
+    /// Bit k is set when a look at the cell of the k-th particle is worth while: some rigid may be near it.
+    #[inline]
+    pub fn occupied(&self, ways: &Ways) -> u32 {
+        let mut lanes = ways.reaches().simd_gt(f32x4::splat(self.margin)).to_bitmask();
+        for index in &self.large {
+            lanes |= ways.touching(&self.boxes[usize::from(*index)]);
+        }
+        let middles = ways.middles();
+        let origin: [f32; 3] = self.origin.into();
+        let [x, y, z] = std::array::from_fn(|axis| {
+            let place = (middles[axis] - f32x4::splat(origin[axis])) * f32x4::splat(self.cells_per_metre[axis]);
+            let last = f32x4::splat((self.size[axis] - 1) as f32);
+            place.fast_max(f32x4::splat(0.0)).fast_min(last).fast_trunc_int()
+        });
+        let [width, height] = [self.size[0] as i32, self.size[1] as i32].map(i32x4::splat);
+        for (lane, cell) in ((z * height + y) * width + x).to_array().into_iter().enumerate() {
+            let cell = cell as usize;
+            lanes |= u32::from(self.starts[cell] != self.starts[cell + 1]) << lane;
+        }
+        lanes
     }
 
     /// Writes the rigids whose boxes touch `way`, in ascending order, each number raised by `first`.

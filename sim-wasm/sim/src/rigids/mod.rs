@@ -14,7 +14,7 @@ use crate::collide::contact::{Material, Obstacle};
 use crate::collide::motion::Motion;
 use crate::collide::shapes::{Collider, Nearest};
 use crate::collide::space::{Bounds, Pose, Vector};
-use crate::collide::survey::Extent;
+use crate::collide::survey::{Extent, Ways};
 use crate::error::ParameterError;
 use crate::hash::Hash;
 pub use description::{RigidDescription, RigidKind, RigidNumbers, RigidShape, pose_of};
@@ -188,11 +188,6 @@ impl Rigids {
         self.poses[index * POSE_PAIR_FLOATS..][..POSE_PAIR_FLOATS].copy_from_slice(&pair(&start, &end));
     }
 
-    /// The box that holds all rigids during the step.
-    pub(crate) fn bounds(&self) -> &Bounds {
-        &self.bounds
-    }
-
     /// Makes ready for [`Rigids::find_near`], given where the particles are.
     pub(crate) fn prepare(&mut self, extent: &Extent) {
         // A few particles that are far larger or faster than the rest shall not make the cells of all others too full.
@@ -200,9 +195,17 @@ impl Rigids {
         self.grid.lay(&extent.middles, margin);
     }
 
+    /// Bit k is set when the k-th of four particles may be near a rigid.
+    pub(crate) fn may_touch(&self, ways: &Ways) -> u32 {
+        match ways.touching(&self.bounds) {
+            0 => 0,
+            lanes => lanes & self.grid.occupied(ways),
+        }
+    }
+
     /// Appends the numbers, raised by `first`, of the rigids whose box touches `way`.
     pub(crate) fn find_near(&self, way: &Bounds, first: u32, near: &mut Vec<u32>) {
-        if self.bounds.touches(way) {
+        if self.count() > 0 {
             self.grid.find_near(way, first, near);
         }
     }
