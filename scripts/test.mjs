@@ -12,6 +12,8 @@ import { setUp, TESTS } from './setup/setup.mjs';
 import { CHECKS } from './test/checks.mjs';
 import { suites } from './test/suites.mjs';
 
+/** What tells nothing about a failure: what was compiled on the way, and what went well. */
+const NOISE = /^\s*(Compiling|Checking|Downloaded|Running|Finished) |^test .+ \.\.\. ok$|^running \d+ tests?$|^\s*✓/;
 /** Enough to see what is wrong without scrolling past a compiler's whole account. */
 const SHOWN_LINES = 150;
 
@@ -54,7 +56,7 @@ function summary({ passed, failed, skipped }) {
 
 /** @param {string} title @param {import('./test/checks.mjs').Result} result */
 function show(title, { output, trouble }) {
-  const lines = output.split('\n');
+  const lines = output.split('\n').filter((line) => !NOISE.test(line));
   console.log(`---- ${title}`);
   if (lines.length > SHOWN_LINES) console.log(`(the last ${SHOWN_LINES} of ${lines.length} lines)`);
   console.log(lines.slice(-SHOWN_LINES).join('\n'));
