@@ -1,7 +1,6 @@
 import { WebGLRenderer } from 'three';
 import { ContextError, UnsupportedError } from '../preset/errors.ts';
-import { bakedPuffs } from './bakedPuffs.ts';
-import { PuffTextures } from './puffTextures.ts';
+import { PuffTextures, type BakedPuffs } from './puffTextures.ts';
 
 export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
 
@@ -17,14 +16,13 @@ export class Device {
   private isDisposed = false;
   private isLost = false;
 
-  constructor(canvas: DeviceCanvas, context: WebGL2RenderingContext) {
+  constructor(canvas: DeviceCanvas, context: WebGL2RenderingContext, puffs: BakedPuffs) {
     this.canvas = canvas;
     this.renderer = new WebGLRenderer({ canvas, context, antialias: false, depth: false, stencil: false });
     this.renderer.autoClear = false;
     this.renderer.sortObjects = false;
     this.renderer.info.autoReset = false;
-    const { layers, startCaps } = bakedPuffs();
-    this.puffs = new PuffTextures(context, layers, startCaps);
+    this.puffs = new PuffTextures(context, puffs);
     canvas.addEventListener('webglcontextlost', this.handleLoss);
     canvas.addEventListener('webglcontextrestored', this.handleRestoration);
   }
@@ -75,20 +73,21 @@ export class Device {
 
 /**
  * Takes the WebGL2 context of a canvas that has none yet.
+ * @param puffs what all smokes on it are made of, such as `bakedPuffs()` of src/smoke
  * @throws UnsupportedError when the browser refuses WebGL2.
  */
-export function createDevice(canvas: DeviceCanvas): Device {
+export function createDevice(canvas: DeviceCanvas, puffs: BakedPuffs): Device {
   const context = canvas.getContext('webgl2', {
     alpha: true,
     antialias: false,
     depth: false,
     stencil: false,
     premultipliedAlpha: true,
-  }) as WebGL2RenderingContext | null;
+  });
   if (!context) {
     throw new UnsupportedError(
       'This browser gives no WebGL2 context. Turn on hardware acceleration in its settings, or try a current Firefox, Chrome, Edge or Safari.',
     );
   }
-  return new Device(canvas, context);
+  return new Device(canvas, context, puffs);
 }

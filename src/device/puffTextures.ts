@@ -15,6 +15,12 @@ import type { StartCaps } from '../puffs/startCaps.ts';
 /** A volume reaches to the ends of the puff's lobes, beyond its mean radius: no light leaks between neighbouring puffs. */
 export const SHADOW_SHARE = 1.15;
 
+/** Puffs as plain data: what the bodies show, and where volumes may begin. */
+export interface BakedPuffs {
+  readonly layers: PuffLayers;
+  readonly startCaps: StartCaps;
+}
+
 /** The puffs as the body and volume shaders read them: one layer for each variation. */
 export class PuffTextures {
   readonly layers: PuffLayers;
@@ -23,7 +29,7 @@ export class PuffTextures {
   readonly startCaps: DataArrayTexture;
 
   /** @param context decides which filters there are */
-  constructor(context: WebGL2RenderingContext, layers: PuffLayers, startCaps: StartCaps) {
+  constructor(context: WebGL2RenderingContext, { layers, startCaps }: BakedPuffs) {
     this.layers = layers;
     this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);
     this.normalDepth.format = RGBAFormat;

@@ -8,6 +8,7 @@ import {
   Vector2,
   Vector3,
   Vector4,
+  type BufferGeometry,
   type WebGLRenderer,
 } from 'three';
 import fragmentShader from '../../shaders/bodies/bodies.frag';
@@ -15,7 +16,6 @@ import vertexShader from '../../shaders/bodies/bodies.vert';
 import type { Eye } from '../device/eye.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
-import type { Instances } from '../instances/instances.ts';
 
 /** What runs along a gradient fill. */
 export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
@@ -37,8 +37,8 @@ export class BodiesPass {
   };
 
   /** @param material which ramp of `ramps` is the smoke's */
-  constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, material: number, instances: Instances) {
-    const rows = ramps.rows(material);
+  constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, material: number, rows: BufferGeometry) {
+    const { litRow, unlitRow } = ramps.rows(material);
     this.material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,
@@ -51,11 +51,11 @@ export class BodiesPass {
         pad: { value: puffs.layers.pad },
         distanceRange: { value: puffs.layers.distanceRange },
         ramps: { value: ramps.texture },
-        litRow: { value: rows.litRow },
-        unlitRow: { value: rows.unlitRow },
+        litRow: { value: litRow },
+        unlitRow: { value: unlitRow },
       },
     });
-    const mesh = new Mesh(instances.geometry, this.material);
+    const mesh = new Mesh(rows, this.material);
     mesh.frustumCulled = false;
     this.scene.add(mesh);
   }

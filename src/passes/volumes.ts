@@ -8,6 +8,7 @@ import {
   Scene,
   Vector3,
   type Box3,
+  type BufferGeometry,
   type WebGLRenderer,
 } from 'three';
 import fragmentShader from '../../shaders/volumes/volumes.frag';
@@ -15,7 +16,6 @@ import vertexShader from '../../shaders/volumes/volumes.vert';
 import type { Eye } from '../device/eye.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import { countFaces } from '../device/stencil.ts';
-import type { Instances } from '../instances/instances.ts';
 
 /** Radii from a puff's centre to where nothing of it is left, relief included. */
 const BEHIND_THE_PUFF = 1.2;
@@ -34,7 +34,7 @@ export class VolumesPass {
     leastCap: { value: 0 },
   };
 
-  constructor(eye: Eye, puffs: PuffTextures, casters: Instances) {
+  constructor(eye: Eye, puffs: PuffTextures, rows: BufferGeometry) {
     this.material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,
@@ -51,7 +51,7 @@ export class VolumesPass {
       depthFunc: LessDepth,
       stencilWrite: true,
     });
-    const mesh = new Mesh(casters.geometry, this.material);
+    const mesh = new Mesh(rows, this.material);
     mesh.frustumCulled = false;
     countFaces(
       mesh,

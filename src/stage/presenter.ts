@@ -1,5 +1,6 @@
 import { createDevice, type Device, type DeviceCanvas } from '../device/device.ts';
 import { ContextError } from '../preset/errors.ts';
+import { bakedPuffs } from '../smoke/bakedPuffs.ts';
 
 /** Brings pictures to a stage's canvas: it owns the device there, or copies from a device that stages share. */
 export interface Presenter {
@@ -15,7 +16,7 @@ export interface Presenter {
 
 /** @param shared a device whose own canvas is an OffscreenCanvas; without it the stage gets a device of its own */
 export function createPresenter(canvas: DeviceCanvas, shared?: Device): Presenter {
-  return shared ? copyFrom(shared, canvas) : drawOn(createDevice(canvas));
+  return shared ? copyFrom(shared, canvas) : drawOn(createDevice(canvas, bakedPuffs()));
 }
 
 function drawOn(device: Device): Presenter {
@@ -32,7 +33,7 @@ function copyFrom(device: Device, canvas: DeviceCanvas): Presenter {
   const source = device.canvas;
   if (source instanceof HTMLCanvasElement)
     throw new ContextError('A shared device must be created on an OffscreenCanvas.');
-  const context = canvas.getContext('bitmaprenderer') as ImageBitmapRenderingContext | null;
+  const context = canvas.getContext('bitmaprenderer');
   if (!context) throw new ContextError('This canvas already has another context; give the stage a fresh canvas.');
   return {
     device,

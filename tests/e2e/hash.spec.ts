@@ -15,9 +15,9 @@ test('the same seed has the same hash natively and in Chromium', async ({ load }
       const core = await module.loadSimulators({ physics: false });
       const physics = await module.loadSimulators({ physics: true });
       return [
-        (scenario as unknown as Fixture).hashWithoutRigids(core, input),
-        (scenario as unknown as Fixture).hashWithoutRigids(physics, input),
-        (scenario as unknown as Fixture).hashWithRigids(physics, input),
+        scenario.hashWithoutRigids(core, input),
+        scenario.hashWithoutRigids(physics, input),
+        scenario.hashWithRigids(physics, input),
       ];
     },
     [fixture, text] as const,

@@ -15,7 +15,7 @@ export async function open(page: Page, address: string): Promise<void> {
 
 /** What the stage answers to a question asked in the page. */
 export function ask<Answer>(page: Page, question: (stage: Stage) => Answer): Promise<Awaited<Answer>> {
-  return page.evaluate(`(${question})(window.cartoonSmoke)`) as Promise<Awaited<Answer>>;
+  return page.evaluate(`(${String(question)})(window.cartoonSmoke)`) as Promise<Awaited<Answer>>;
 }
 
 /** The value of a parameter on the stage. */

@@ -15,6 +15,7 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 import fullScreenVertexShader from '../../shaders/lib/fullScreen.vert';
+import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { createDevice, type Device } from '../../src/device/device.ts';
 import { fullScreenMesh } from '../../src/device/fullScreen.ts';
 import type { Color } from '../../src/device/ramps.ts';
@@ -105,7 +106,7 @@ export function takePicture(scene: LabScene): LabPicture {
 
 /** Keeps a context and its programs for many pictures of one size, one set of surfaces and one backdrop. */
 export class Lab {
-  private readonly device = createDevice(new OffscreenCanvas(1, 1));
+  private readonly device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
   private readonly smoke: CartoonSmoke;
 
   constructor({ width, height, puffs, casters = [], surfaces = [], backdrop }: LabScene) {

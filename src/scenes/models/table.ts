@@ -28,5 +28,9 @@ export function tableMesh(radius: number, thickness: number): TriangleMesh {
   for (let segment = 1; segment < SEGMENTS - 1; ++segment) {
     indices.push(top, top + segment, top + segment + 1, bottom, bottom + segment + 1, bottom + segment);
   }
-  return { positions: new Float32Array(positions), normals: new Float32Array(normals), indices: new Uint32Array(indices) };
+  return {
+    positions: new Float32Array(positions),
+    normals: new Float32Array(normals),
+    indices: new Uint32Array(indices),
+  };
 }

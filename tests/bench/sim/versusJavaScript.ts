@@ -23,7 +23,7 @@ interface Pair {
 
 export async function measureAgainstJavaScript(quick: boolean): Promise<Figure[]> {
   const rounds = quick ? 5 : 15;
-  const steps = quick ? 6 : 12;
+  const steps = quick ? 12 : 40;
   const pair = await makePair(COUNT);
   const difference = compare(pair);
   alternate(pair, WARMING_STEPS);

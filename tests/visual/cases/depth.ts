@@ -3,7 +3,7 @@ import {
   Camera,
   FloatType,
   GLSL3,
-  Matrix4,
+  type Matrix4,
   NearestFilter,
   OrthographicCamera,
   PerspectiveCamera,
@@ -14,6 +14,7 @@ import {
 } from 'three';
 import depthChunk from '../../../shaders/lib/depth.glsl';
 import fullScreenVertexShader from '../../../shaders/lib/fullScreen.vert';
+import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import { createDevice } from '../../../src/device/device.ts';
 import { fullScreenMesh } from '../../../src/device/fullScreen.ts';
 
@@ -49,7 +50,7 @@ function depthOf(sample: number): number {
 }
 
 function onTheGpu(clipFromView: Matrix4): Float32Array {
-  const device = createDevice(new OffscreenCanvas(1, 1));
+  const device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
   device.renderer.getContext().getExtension('EXT_color_buffer_float');
   const material = new RawShaderMaterial({
     glslVersion: GLSL3,

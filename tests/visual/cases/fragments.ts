@@ -1,5 +1,6 @@
 /** The counters of the render suite against numbers that can be known. */
 import { OrthographicCamera } from 'three';
+import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import { createDevice } from '../../../src/device/device.ts';
 import { countFragments, type Fragments } from '../../bench/render/fragments.ts';
 import { watchUploads } from '../../bench/render/uploads.ts';
@@ -23,7 +24,7 @@ export function bodies(count: number): Fragments & { pixels: number } {
 
 /** Bytes seen of uploads whose sizes are 100, 40, 32 and 12. */
 export function uploads(): number[] {
-  const device = createDevice(new OffscreenCanvas(1, 1));
+  const device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
   const gl = device.renderer.getContext() as WebGL2RenderingContext;
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
   const watch = watchUploads(gl);

@@ -1,6 +1,6 @@
 /** What single puffs and small heaps of them must look like. */
 import { PerspectiveCamera, Vector3 } from 'three';
-import { bakedPuffs } from '../../../src/device/bakedPuffs.ts';
+import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import { colorAt } from '../../../src/device/ramps.ts';
 import { samplePuff } from '../../../src/puffs/layers.ts';
 import { rampOf } from '../../../src/smoke/palette.ts';

@@ -3,7 +3,7 @@
  * reference shares nothing with the shaders but the definition of a volume.
  */
 import { type Camera, Matrix4, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
-import { bakedPuffs } from '../../../src/device/bakedPuffs.ts';
+import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import { SHADOW_SHARE } from '../../../src/device/puffTextures.ts';
 import type { StartCaps } from '../../../src/puffs/startCaps.ts';
 import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
@@ -178,7 +178,7 @@ function groundPoint(pixel: number, camera: Camera, withMesh: boolean): Vector3 
     ((Math.floor(pixel / WIDTH) + 0.5) / HEIGHT) * 2 - 1,
   );
   const caster = new Raycaster();
-  caster.setFromCamera(at, camera as PerspectiveCamera);
+  caster.setFromCamera(at, camera);
   const { origin, direction } = caster.ray;
   const distance = (GROUND_Y - origin.y) / direction.y;
   if (!(distance > 0)) return undefined;
