@@ -93,14 +93,7 @@ pub fn resolve(
     });
 }
 
-fn resolve_one(
-    particles: &mut Particles,
-    i: usize,
-    radii: &RadiusLaw,
-    obstacles: &Obstacles,
-    dt: f32,
-    near: &[u32],
-) {
+fn resolve_one(particles: &mut Particles, i: usize, radii: &RadiusLaw, obstacles: &Obstacles, dt: f32, near: &[u32]) {
     let traveller = traveller(particles, i, radii, dt);
     let mut pushed = traveller;
     if obstacles.meet(&mut pushed, near) {
@@ -145,7 +138,10 @@ impl Obstacles<'_> {
 
     /// Bit k is set when the k-th of four particles may be near an obstacle.
     fn may_touch(&self, ways: &Ways) -> u32 {
-        let analytic = self.analytic.iter().fold(0, |lanes, obstacle| lanes | ways.touching(&obstacle.bounds));
+        let analytic = self
+            .analytic
+            .iter()
+            .fold(0, |lanes, obstacle| lanes | ways.touching(&obstacle.bounds));
         #[cfg(feature = "rigids")]
         return analytic | self.rigids.may_touch(ways);
         #[cfg(not(feature = "rigids"))]
