@@ -1,4 +1,5 @@
-import type { Stage, StageStats } from '../stage/stage.ts';
+import type { StageStats } from '../stage/contract.ts';
+import type { Stage } from '../stage/stage.ts';
 import { create } from './dom.ts';
 import { strings } from './strings.ts';
 

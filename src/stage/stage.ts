@@ -1,76 +1,21 @@
-import { MathUtils, Matrix4, Quaternion, Vector2, Vector3 } from 'three';
-import type { Device, DeviceCanvas } from '../device/device.ts';
+import { MathUtils, Vector2, Vector3 } from 'three';
+import type { DeviceCanvas } from '../device/device.ts';
 import { SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { defaults, validate } from '../preset/values.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
-import { loadSimulators, type LoadProgress, type SimulatorFactory } from '../sim/load.ts';
-import type { Simulator } from '../sim/simulator.ts';
+import { loadSimulators, type SimulatorFactory } from '../sim/load.ts';
 import type { FrameReport } from '../smoke/frame.ts';
 import { towardsLight } from '../smoke/light.ts';
 import { CartoonSmoke } from '../smoke/smoke.ts';
 import { styleOf, type Style } from '../smoke/style.ts';
 import { Clock, STEP_SECONDS } from './clock.ts';
-import { Drag } from './drag.ts';
+import type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
+import { Listeners } from './listeners.ts';
 import { OrbitCamera } from './orbit.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
-import { simulatorValues } from './simulatorValues.ts';
-
-export interface StageOptions {
-  /** Flat values that differ from the defaults of the table. */
-  values?: Values;
-  /** A device to share; without it the stage takes a WebGL2 context of its own on the canvas. */
-  device?: Device;
-  /** Size of the canvas in CSS pixels and how many pixels make one; the canvas's own size where absent. */
-  width?: number;
-  height?: number;
-  pixelRatio?: number;
-  /** Told how much of what must be fetched has come. */
-  onProgress?: (progress: LoadProgress) => void;
-}
-
-/** What a stage is doing; figures of the latest frame. */
-export interface StageStats {
-  /** Simulated seconds. */
-  time: number;
-  steps: number;
-  alive: number;
-  /** Particles that wait for room to be born. */
-  waiting: number;
-  bodiesDrawn: number;
-  castersDrawn: number;
-  bodiesTotal: number;
-  castersTotal: number;
-  simMs: number;
-  arrangeMs: number;
-  renderMs: number;
-  drawCalls: number;
-}
-
-export interface SeekOptions {
-  /** Told how far the seek has come, 0 to 1. */
-  onProgress?: (share: number) => void;
-  /** Aborting stops the seek where it is; the promise then rejects with the signal's reason. */
-  signal?: AbortSignal;
-}
-
-/** A pointer as plain data, in CSS pixels from the top left of the canvas. */
-export interface PointerInput {
-  type: 'down' | 'move' | 'up' | 'cancel';
-  id: number;
-  x: number;
-  y: number;
-}
-
-export interface StageEvents {
-  /** Playing began or ended, or values changed. */
-  statechange: { playing: boolean };
-  /** Something stopped the stage; it says what. */
-  error: Error;
-  /** A frame was drawn. */
-  frame: StageStats;
-}
+import { Simulation } from './simulation.ts';
 
 // Long seeks give the page a turn this often, milliseconds.
 const SEEK_SLICE_MS = 30;
@@ -81,7 +26,7 @@ export class Stage {
   /** Settled when the first picture stands. */
   readonly ready: Promise<void>;
   readonly canvas: DeviceCanvas;
-  /** Moves the eye; draws anew when paused. */
+  /** Moves the eye; draws anew when paused. Angles in radians, lengths in CSS pixels. */
   readonly camera = {
     orbit: (azimuth: number, elevation: number) => this.#moveEye(() => this.#eye.orbit(azimuth, elevation)),
     zoom: (factor: number) => this.#moveEye(() => this.#eye.zoom(factor)),
@@ -89,21 +34,14 @@ export class Stage {
     reset: () => this.#moveEye(() => this.#eye.reset()),
   };
   readonly #presenter: Presenter;
-  readonly #factory: SimulatorFactory;
   readonly #scene: Scene;
+  readonly #simulation: Simulation;
   readonly #eye: OrbitCamera;
   readonly #clock = new Clock();
   readonly #light = new Vector3();
-  readonly #rigids: Matrix4[];
-  readonly #listeners: { [Event in keyof StageEvents]: Set<(detail: StageEvents[Event]) => void> } = {
-    statechange: new Set(),
-    error: new Set(),
-    frame: new Set(),
-  };
+  readonly #listeners = new Listeners<StageEvents>();
   readonly #stopListening: () => void;
-  #drag: Drag | undefined;
   #smoke: CartoonSmoke;
-  #simulator: Simulator;
   #values: Values;
   #style: Style;
   #width = 0;
@@ -112,24 +50,21 @@ export class Stage {
   #playing = false;
   #disposed = false;
   #seeking = false;
+  #movedWhilePaused = false;
   #request = 0;
-  #simMs = 0;
   #renderMs = 0;
   #report: FrameReport = { bodiesDrawn: 0, castersDrawn: 0, arrangeMs: 0 };
-  #drawCalls = 0;
 
   /** @internal Use createStage. */
   constructor(canvas: DeviceCanvas, presenter: Presenter, factory: SimulatorFactory, options: StageOptions) {
     this.canvas = canvas;
     this.#presenter = presenter;
-    this.#factory = factory;
     this.#values = { ...defaults(), ...options.values };
     this.#style = styleOf(this.#values);
     this.#scene = sceneNamed(this.#values.scene as string);
-    this.#rigids = this.#scene.rigids.map(() => new Matrix4());
     this.#eye = new OrbitCamera(this.#scene.camera);
     this.#smoke = this.#prepareSmoke();
-    this.#simulator = this.#start();
+    this.#simulation = new Simulation(factory, this.#scene, this.#values);
     this.#aimLight();
     this.#stopListening = presenter.device.onContext((event) => (event === 'restored' ? this.#draw() : undefined));
     this.resize(options.width ?? canvas.width, options.height ?? canvas.height, options.pixelRatio ?? 1);
@@ -150,7 +85,7 @@ export class Stage {
   }
 
   get stats(): StageStats {
-    const { alive, waiting, steps } = this.#simulator;
+    const { alive, waiting, steps } = this.#simulation.simulator;
     return {
       time: steps * STEP_SECONDS,
       steps,
@@ -160,17 +95,16 @@ export class Stage {
       castersDrawn: this.#report.castersDrawn,
       bodiesTotal: alive,
       castersTotal: this.#style.shadows ? alive : 0,
-      simMs: this.#simMs,
+      simMs: this.#simulation.stepMs,
       arrangeMs: this.#report.arrangeMs,
       renderMs: this.#renderMs,
-      drawCalls: this.#drawCalls,
+      drawCalls: this.#presenter.device.renderer.info.render.calls,
     };
   }
 
   /** Calls back on an event; returns the function that ends it. */
   on<Event extends keyof StageEvents>(event: Event, listener: (detail: StageEvents[Event]) => void): () => void {
-    this.#listeners[event].add(listener);
-    return () => this.#listeners[event].delete(listener);
+    return this.#listeners.add(event, listener);
   }
 
   play(): void {
@@ -178,7 +112,7 @@ export class Stage {
     this.#playing = true;
     this.#clock.rest();
     this.#request = requestAnimationFrame(this.#tick);
-    this.#emit('statechange', { playing: true });
+    this.#listeners.tell('statechange', { playing: true });
   }
 
   pause(): void {
@@ -186,28 +120,27 @@ export class Stage {
     this.#playing = false;
     cancelAnimationFrame(this.#request);
     this.#clock.rest();
-    this.#emit('statechange', { playing: false });
+    this.#listeners.tell('statechange', { playing: false });
   }
 
   /** Takes n whole steps and shows the last one. */
   step(n = 1): void {
     this.#requireAlive();
     this.#advance(n);
-    this.#clock.settle();
-    this.#draw();
+    this.#showLatest();
   }
 
   /** Goes to a simulated time, backwards by starting over. Playing goes on from there if it was playing. */
   async seek(seconds: number, { onProgress, signal }: SeekOptions = {}): Promise<void> {
     this.#requireAlive();
     const goal = Math.max(0, Math.round(seconds / STEP_SECONDS));
-    if (goal < this.#simulator.steps) this.#replaceSimulator();
-    const first = this.#simulator.steps;
+    if (goal < this.#simulation.simulator.steps) this.#simulation.restart(this.#values);
+    const first = this.#simulation.simulator.steps;
     this.#seeking = true;
     try {
-      while (this.#simulator.steps < goal) {
-        this.#advanceFor(SEEK_SLICE_MS, goal);
-        onProgress?.((this.#simulator.steps - first) / (goal - first));
+      while (this.#simulation.simulator.steps < goal) {
+        this.#simulation.advanceFor(SEEK_SLICE_MS, goal);
+        onProgress?.((this.#simulation.simulator.steps - first) / (goal - first));
         await nextTask();
         signal?.throwIfAborted();
         if (this.#disposed) return;
@@ -215,16 +148,14 @@ export class Stage {
     } finally {
       this.#seeking = false;
     }
-    this.#clock.settle();
-    this.#draw();
+    this.#showLatest();
   }
 
   /** Starts over from the first step with the values as they are. */
   restart(): void {
     this.#requireAlive();
-    this.#replaceSimulator();
-    this.#clock.settle();
-    this.#draw();
+    this.#simulation.restart(this.#values);
+    this.#showLatest();
   }
 
   /**
@@ -235,16 +166,15 @@ export class Stage {
   set(values: Values): void {
     this.#requireAlive();
     validate(values);
-    if (values.scene !== undefined) sceneNamed(values.scene as string);
     const before = this.#values;
     const after = { ...before, ...values };
-    this.#simulator.set(simulatorValues(after, values));
+    this.#simulation.set(after, values);
     this.#values = after;
     this.#style = styleOf(after);
     this.#aimLight();
-    if (after['simulation.maxParticles'] !== before['simulation.maxParticles']) this.#resizeSimulator();
-    if (after.seed !== before.seed) this.#replaceSimulator();
-    this.#emit('statechange', { playing: this.#playing });
+    if (after['simulation.maxParticles'] !== before['simulation.maxParticles']) this.#makeRoom();
+    if (after.seed !== before.seed) this.#simulation.restart(after);
+    this.#listeners.tell('statechange', { playing: this.#playing });
     if (!this.#playing) this.#draw();
   }
 
@@ -266,20 +196,19 @@ export class Stage {
 
   /** The simulator's state as bytes. */
   save(): Uint8Array {
-    return this.#simulator.save();
+    return this.#simulation.simulator.save();
   }
 
   /** Takes up a saved state; refuses bytes that are none and then changes nothing. */
   restore(bytes: Uint8Array): void {
     this.#requireAlive();
-    this.#simulator.restore(bytes);
-    this.#clock.settle();
-    this.#draw();
+    this.#simulation.simulator.restore(bytes);
+    this.#showLatest();
   }
 
   /** The simulator's state in 16 hexadecimal digits; equal states have equal hashes everywhere. */
   hash(): string {
-    return this.#simulator.hash();
+    return this.#simulation.simulator.hash();
   }
 
   /** @param width, height in CSS pixels; nothing is drawn while one of them is 0 */
@@ -293,18 +222,23 @@ export class Stage {
 
   /** Takes a pointer. Returns 'rigid' while the pointer moves a rigid, so that the page does not turn the camera too. */
   pointer({ type, id, x, y }: PointerInput): 'rigid' | null {
-    if (!this.#drag || !this.#isVisible) return null;
+    const { drag } = this.#simulation;
+    if (!drag || !this.#isVisible) return null;
     const ratio = this.#pixelRatio;
     const at = new Vector2(((x * ratio) / this.#width) * 2 - 1, 1 - ((y * ratio) / this.#height) * 2);
     const { camera } = this.#eye;
-    if (type === 'down') return this.#drag.grab(id, at, camera, this.#handlePlace()) ? 'rigid' : null;
-    if (type === 'move') return this.#drag.follow(id, at, camera) ? 'rigid' : null;
-    return this.#drag.release(id) ? 'rigid' : null;
+    if (type === 'down') return drag.grab(id, at, camera, this.#simulation.handlePlace()) ? 'rigid' : null;
+    if (type !== 'move') return drag.release(id) ? 'rigid' : null;
+    if (!drag.follow(id, at, camera)) return null;
+    this.#showMoved();
+    return 'rigid';
   }
 
   /** Moves the scene's movable rigid by metres. */
   nudge({ dx = 0, dy = 0, dz = 0 }: { dx?: number; dy?: number; dz?: number }): void {
-    this.#drag?.nudge(new Vector3(dx, dy, dz));
+    if (!this.#simulation.drag) return;
+    this.#simulation.drag.nudge(new Vector3(dx, dy, dz));
+    this.#showMoved();
   }
 
   /** Stops everything and gives the context and the memory back. May be called again. */
@@ -314,13 +248,9 @@ export class Stage {
     this.#disposed = true;
     this.#stopListening();
     this.#smoke.dispose();
-    this.#simulator.dispose();
+    this.#simulation.dispose();
     this.#presenter.dispose();
-    for (const listeners of Object.values(this.#listeners)) listeners.clear();
-  }
-
-  get #capacity(): number {
-    return this.#values['simulation.maxParticles'] as number;
+    this.#listeners.clear();
   }
 
   get #isVisible(): boolean {
@@ -336,32 +266,36 @@ export class Stage {
       this.#draw();
     } catch (error) {
       this.pause();
-      this.#emit('error', error as Error);
+      this.#listeners.tell('error', error as Error);
     }
   };
 
   #advance(steps: number): void {
-    if (steps === 0) return;
-    const started = performance.now();
-    for (let taken = 0; taken < steps; ++taken) {
-      if (this.#drag) this.#simulator.moveRigid(this.#scene.handle!.rigid, this.#drag.target.toArray());
-      this.#simulator.step();
-    }
-    this.#simMs = (performance.now() - started) / steps;
+    if (steps > 0) this.#movedWhilePaused = false;
+    this.#simulation.advance(steps);
   }
 
-  #advanceFor(milliseconds: number, goal: number): void {
-    const until = performance.now() + milliseconds;
-    while (this.#simulator.steps < goal && performance.now() < until) this.#advance(1);
+  #showLatest(): void {
+    this.#movedWhilePaused = false;
+    this.#clock.settle();
+    this.#draw();
+  }
+
+  /** In a pause the rigid is shown where it was put, though the smoke will notice only in the next step. */
+  #showMoved(): void {
+    if (this.#playing) return;
+    this.#movedWhilePaused = true;
+    this.#draw();
   }
 
   #draw(): void {
     if (this.#disposed || !this.#isVisible || !this.#presenter.device.isUsable) return;
     const started = performance.now();
-    this.#placeRigids();
+    const rigids = this.#simulation.rigids(this.#clock.blend);
+    if (this.#movedWhilePaused) rigids[this.#scene.handle!.rigid].setPosition(this.#simulation.drag!.target);
     this.#presenter.prepare(this.#width, this.#height);
     this.#report = this.#smoke.draw({
-      simulator: this.#simulator,
+      simulator: this.#simulation.simulator,
       camera: this.#eye.camera,
       towardsLight: this.#light,
       style: this.#style,
@@ -369,49 +303,25 @@ export class Stage {
       width: this.#width,
       height: this.#height,
       pixelRatio: this.#pixelRatio,
-      rigids: this.#rigids,
+      rigids,
       cull: true,
       output: null,
     });
     this.#presenter.present();
     this.#renderMs = performance.now() - started;
-    this.#drawCalls = this.#presenter.device.renderer.info.render.calls;
-    if (this.#listeners.frame.size > 0) this.#emit('frame', this.stats);
+    if (this.#listeners.has('frame')) this.#listeners.tell('frame', this.stats);
   }
 
-  #placeRigids(): void {
-    const poses = this.#simulator.rigidPoses(this.#clock.blend);
-    const [place, turn, size] = [new Vector3(), new Quaternion(), new Vector3(1, 1, 1)];
-    this.#rigids.forEach((matrix, rigid) => {
-      matrix.compose(place.fromArray(poses, 7 * rigid), turn.fromArray(poses, 7 * rigid + 3), size);
-    });
-  }
-
-  #handlePlace(): Vector3 {
-    return new Vector3().setFromMatrixPosition(this.#rigids[this.#scene.handle!.rigid]);
-  }
-
-  #start(): Simulator {
-    const simulator = this.#factory.create({ capacity: this.#capacity, seed: this.#values.seed as number });
-    simulator.set({ ...this.#scene.rig, ...simulatorValues(this.#values, this.#values) });
-    for (const rigid of this.#scene.rigids) simulator.addRigid(rigid);
-    this.#drag = this.#scene.handle && new Drag(this.#scene.handle);
-    return simulator;
-  }
-
-  #replaceSimulator(): void {
-    this.#simulator.dispose();
-    this.#simulator = this.#start();
-  }
-
-  #resizeSimulator(): void {
-    this.#simulator.resize(this.#capacity);
+  /** Follows simulation.maxParticles. */
+  #makeRoom(): void {
+    this.#simulation.simulator.resize(this.#values['simulation.maxParticles'] as number);
     this.#smoke.dispose();
     this.#smoke = this.#prepareSmoke();
   }
 
   #prepareSmoke(): CartoonSmoke {
-    return new CartoonSmoke(this.#presenter.device, { ...this.#scene, capacity: this.#capacity });
+    const capacity = this.#values['simulation.maxParticles'] as number;
+    return new CartoonSmoke(this.#presenter.device, { ...this.#scene, capacity });
   }
 
   #aimLight(): void {
@@ -425,10 +335,6 @@ export class Stage {
 
   #requireAlive(): void {
     if (this.#disposed) throw new SimulatorError('This stage was disposed; create a new one.');
-  }
-
-  #emit<Event extends keyof StageEvents>(event: Event, detail: StageEvents[Event]): void {
-    for (const listener of this.#listeners[event]) listener(detail);
   }
 }
 

@@ -1,0 +1,58 @@
+import type { Device } from '../device/device.ts';
+import type { Values } from '../preset/parameter.ts';
+import type { LoadProgress } from '../sim/load.ts';
+
+export interface StageOptions {
+  /** Flat values that differ from the defaults of the table. */
+  values?: Values;
+  /** A device to share; without it the stage takes a WebGL2 context of its own on the canvas. */
+  device?: Device;
+  /** Size of the canvas in CSS pixels and how many pixels make one; the canvas's own size where absent. */
+  width?: number;
+  height?: number;
+  pixelRatio?: number;
+  /** Told how much of what must be fetched has come. */
+  onProgress?: (progress: LoadProgress) => void;
+}
+
+/** What a stage is doing; figures of the latest frame. */
+export interface StageStats {
+  /** Simulated seconds. */
+  time: number;
+  steps: number;
+  alive: number;
+  /** Particles that wait for room to be born. */
+  waiting: number;
+  bodiesDrawn: number;
+  castersDrawn: number;
+  bodiesTotal: number;
+  castersTotal: number;
+  simMs: number;
+  arrangeMs: number;
+  renderMs: number;
+  drawCalls: number;
+}
+
+export interface SeekOptions {
+  /** Told how far the seek has come, 0 to 1. */
+  onProgress?: (share: number) => void;
+  /** Aborting stops the seek where it is; the promise then rejects with the signal's reason. */
+  signal?: AbortSignal;
+}
+
+/** A pointer as plain data, in CSS pixels from the top left of the canvas. */
+export interface PointerInput {
+  type: 'down' | 'move' | 'up' | 'cancel';
+  id: number;
+  x: number;
+  y: number;
+}
+
+export interface StageEvents {
+  /** Playing began or ended, or values changed. */
+  statechange: { playing: boolean };
+  /** Something stopped the stage; it says what. */
+  error: Error;
+  /** A frame was drawn. */
+  frame: StageStats;
+}
