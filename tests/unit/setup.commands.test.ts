@@ -92,7 +92,7 @@ describe('bench', () => {
 describe('test', () => {
   function withSuites(code: string): void {
     project.write('scripts/setup/setup.mjs', 'export const TESTS = []; export async function setUp() {}');
-    project.write('scripts/test/checks.mjs', 'export const CHECKS = [];');
+    project.write('scripts/test/checks.mjs', 'export const CHECKS = []; export const LONG_CHECKS = [];');
     project.write('scripts/test/suites.mjs', `export const suites = () => [${code}];`);
   }
   const suite = (name: string, result: object) =>
