@@ -19,6 +19,11 @@ export function rampOf(color: Color, { tones, shading }: Toning): Ramp {
   return { lit: [shadow, { from: FIRST_BORDER, color: multiply(color, MIDDLE) }, { from: 0.66, color }], unlit };
 }
 
+/** Surfaces stay shaded where smoke is flat: the edge of a mesh's own shadow follows its triangles and has to lie in shade. */
+export function surfaceToning({ tones }: Toning): Toning {
+  return { tones: tones === 1 ? 2 : tones, shading: true };
+}
+
 /** Whether light and shadow differ even where a puff looks away from the light: its own shadow must not begin on it then. */
 export function isFlat({ tones, shading }: Toning): boolean {
   return !shading || tones === 1;

@@ -12,7 +12,7 @@ import { SurfacesPass, type SurfaceDescription } from '../passes/surfaces.ts';
 import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
 import { drawFrame, type FrameInput, type FrameReport } from './frame.ts';
-import { isFlat, rampOf } from './palette.ts';
+import { isFlat, rampOf, surfaceToning } from './palette.ts';
 import type { Style } from './style.ts';
 
 /** Everything that a frame draws with; made once for a smoke. */
@@ -125,7 +125,9 @@ export class CartoonSmoke {
     const { body, surfaces, volumes } = this.passes;
     const inkPixels = style.outlines ? style.outlineWidth * pixelRatio : 0;
     this.ramps.write(SMOKE_RAMP, rampOf(style.smokeColor, style));
-    this.surfaces.forEach(({ color }, index) => this.ramps.write(FIRST_SURFACE_RAMP + index, rampOf(color, style)));
+    this.surfaces.forEach(({ color }, index) =>
+      this.ramps.write(FIRST_SURFACE_RAMP + index, rampOf(color, surfaceToning(style))),
+    );
     body.setInk(style.inkColor, inkPixels, style.innerLine);
     body.setGradient(style.gradient, style.gradientColor, style.smokeColor);
     surfaces.setInk(style.inkColor, inkPixels);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { colorAt, FIRST_BORDER, RampTexture } from '../../src/device/ramps.ts';
-import { isFlat, parseColor, rampOf } from '../../src/smoke/palette.ts';
+import { isFlat, parseColor, rampOf, surfaceToning } from '../../src/smoke/palette.ts';
 
 const CREAM = parseColor('#f6efe2');
 
@@ -31,6 +31,17 @@ describe('rampOf', () => {
     expect(rampOf(CREAM, { tones: 3, shading: false }).lit).toHaveLength(1);
     expect(isFlat({ tones: 3, shading: false })).toBe(true);
     expect(isFlat({ tones: 2, shading: true })).toBe(false);
+  });
+});
+
+describe('surfaceToning', () => {
+  it('keeps the side of a surface that looks away as dark as its shadow, however flat the smoke', () => {
+    for (const tones of [1, 2, 3] as const) {
+      for (const shading of [true, false]) {
+        const { lit, unlit } = rampOf(CREAM, surfaceToning({ tones, shading }));
+        expect(colorAt(lit, 0)).toEqual(colorAt(unlit, 0));
+      }
+    }
   });
 });
 
