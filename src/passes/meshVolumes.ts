@@ -8,10 +8,9 @@ import {
   Mesh,
   RawShaderMaterial,
   Scene,
-  Sphere,
+  Vector3,
   type Box3,
   type Matrix4,
-  type Vector3,
   type WebGLRenderer,
 } from 'three';
 import fragmentShader from '../../shaders/meshVolumes/meshVolumes.frag';
@@ -33,10 +32,9 @@ export class MeshVolumesPass {
   private readonly scene = new Scene();
   private readonly camera = new Camera();
   private readonly meshes = new Map<number, Mesh<BufferGeometry, RawShaderMaterial>>();
-  private readonly travel: { value: Vector3 };
+  private readonly uniforms = { receiversMin: { value: new Vector3() }, receiversMax: { value: new Vector3() } };
 
   constructor(eye: Eye, surfaces: readonly SurfaceDescription[]) {
-    this.travel = eye.uniforms.travelInWorld;
     surfaces.forEach((surface, index) => {
       if (surface.casts) this.add(eye, surface, index);
     });
@@ -53,11 +51,8 @@ export class MeshVolumesPass {
 
   /** The box, in world space, beyond which nothing receives shadow: volumes end where they have left it. */
   setReceivers(box: Box3): void {
-    const ball = new Sphere();
-    for (const mesh of this.meshes.values()) {
-      ball.copy(mesh.geometry.boundingSphere!).applyMatrix4(mesh.matrixWorld);
-      mesh.material.uniforms.extent.value = exitFromBox(ball, this.travel.value, box);
-    }
+    this.uniforms.receiversMin.value.copy(box.min);
+    this.uniforms.receiversMax.value.copy(box.max);
   }
 
   draw(renderer: WebGLRenderer): void {
@@ -77,12 +72,11 @@ export class MeshVolumesPass {
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
     geometry.setAttribute('faceNormal', new BufferAttribute(faceNormals, 3));
     geometry.setIndex(new BufferAttribute(indices, 1));
-    geometry.computeBoundingSphere();
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,
       fragmentShader,
-      uniforms: { ...eye.uniforms, extent: { value: 1 }, inset: { value: INSET } },
+      uniforms: { ...eye.uniforms, ...this.uniforms, inset: { value: INSET } },
       side: DoubleSide,
       colorWrite: false,
       depthWrite: false,
@@ -101,13 +95,4 @@ export class MeshVolumesPass {
     this.meshes.set(index, mesh);
     this.scene.add(mesh);
   }
-}
-
-/** How far a ball can travel along a unit direction before none of it is in the box any more. */
-function exitFromBox(ball: Sphere, direction: Vector3, box: Box3): number {
-  const exits = (['x', 'y', 'z'] as const).map((axis) => {
-    const wall = direction[axis] > 0 ? box.max[axis] + ball.radius : box.min[axis] - ball.radius;
-    return direction[axis] === 0 ? Infinity : (wall - ball.center[axis]) / direction[axis];
-  });
-  return Math.max(0, Math.min(...exits));
 }
