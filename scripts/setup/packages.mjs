@@ -7,6 +7,9 @@ import { Refusal } from '../lib/refusal.mjs';
 
 export const title = 'Node packages';
 
+/** npm tries each download three times; where there is no network it should not take more than a minute to say so. */
+const PATIENCE = ['--fetch-retry-mintimeout=2000', '--fetch-retry-maxtimeout=8000'];
+
 /**
  * @typedef {{ version: string, integrity?: string, optional?: boolean, link?: boolean }} Package
  * @typedef {Record<string, Package>} Packages by path, like `node_modules/three`
@@ -30,7 +33,7 @@ export function isFresh() {
 export async function bring(say) {
   const { program, before } = findNpm();
   let fetched = 0;
-  const outcome = await run(program, [...before, 'ci', '--no-audit', '--no-fund', '--loglevel=http'], {
+  const outcome = await run(program, [...before, 'ci', '--no-audit', '--no-fund', '--loglevel=http', ...PATIENCE], {
     onLine: (line) => say(/http fetch GET 200/.test(line) ? `${++fetched} files fetched` : line),
   });
   if (outcome.status === 0) return;
@@ -58,7 +61,8 @@ function readPackages(/** @type {string} */ path) {
   return packages;
 }
 
+/** Of npm's account of an error the line about the request, else the first. */
 function reason(/** @type {string} */ output) {
   const errors = [...output.matchAll(/^npm (?:error|ERR!) (.+)$/gm)].map((match) => match[1].trim());
-  return errors.find((line) => !line.startsWith('code ')) ?? errors[0] ?? 'no reason given';
+  return errors.find((line) => /request to|network/.test(line)) ?? errors[0] ?? 'no reason given';
 }

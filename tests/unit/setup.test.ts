@@ -55,10 +55,13 @@ describe('packages', () => {
   });
 
   test('when the download is refused', () => {
-    project.program('npm', 'echo "npm error code ECONNREFUSED" >&2; echo "npm error connect refused" >&2; exit 1');
+    project.program(
+      'npm',
+      'echo "npm error code ECONNREFUSED" >&2; echo "npm error request to the registry failed" >&2; exit 1',
+    );
     expectOnlySentence(
       project.setUp(['packages']),
-      /^npm ci could not install the packages \(connect refused\): check/,
+      /^npm ci could not install the packages \(request to the registry failed\): check/,
     );
   });
 
