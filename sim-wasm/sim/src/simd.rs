@@ -129,14 +129,14 @@ pub fn smaller(a: f32x4, b: f32x4) -> f32x4 {
     a.simd_lt(b).select(a, b)
 }
 
-/// Whole cell below `value` and the position within it, 0..=1. For |value| under 2^31.
+/// Whole cell below `value` and the position within it, 0..=1. For |value| under 2^22: the finest octave of the
+/// smallest scale at the end of the world is at 1.6e6.
 #[inline(always)]
 pub fn cell_and_fraction(value: f32x4) -> (i32x4, f32x4) {
-    let truncated = value.fast_trunc_int();
-    let above = f32x4::from_i32x4(truncated).simd_gt(value);
-    // A mask is -1 as an integer: added, it steps down where truncation went up.
-    let cell = truncated + cast::<f32x4, i32x4>(above);
-    (cell, value - f32x4::from_i32x4(cell))
+    let below = value.floor();
+    // Beside 1.5 * 2^23 the last bits of a float are its whole number; a conversion that saturates costs far more.
+    let bits = cast::<f32x4, i32x4>(below + f32x4::splat(12_582_912.0));
+    (bits - i32x4::splat(0x4B40_0000), value - below)
 }
 
 /// exp(-x) for x >= 0, relative error under 3e-7 up to x = 80; beyond, exp(-80).

@@ -81,6 +81,12 @@ impl Vortices {
     /// expected; `half` is what all that is no vortex adds to the first half of the step (m).
     #[inline(always)]
     pub fn mean_velocity(&self, place: Vector4, ahead: Vector4, half: Vector4) -> Vector4 {
+        // The common case keeps its turn in registers instead of a table that has to be cleared for every four particles.
+        if let [vortex] = self.items() {
+            let turn = vortex.turn(place + ahead);
+            let middle = place + half + vortex.half_step(place, &turn);
+            return vortex.chord_velocity(middle, &turn);
+        }
         let mut turns = [Turn {
             sine: f32x4::ZERO,
             cosine: f32x4::ZERO,
