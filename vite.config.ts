@@ -7,5 +7,7 @@ export default defineConfig({
   plugins: [glsl()],
   // Found too late otherwise, by a module that only a test imports, and the page would reload under it.
   optimizeDeps: { include: ['three'] },
+  // The simulator's module loads its bindings on demand, which the older worker format cannot.
+  worker: { format: 'es' },
   build: { target: 'es2023', sourcemap: true, chunkSizeWarningLimit: 800 },
 });
