@@ -1,0 +1,16 @@
+/** The library's front door: exports only. Nothing inside imports it. */
+export { createDevice, type Device, type DeviceCanvas } from './device/device.ts';
+export {
+  ContextError,
+  LoadError,
+  ParameterError,
+  SimulatorError,
+  SmokeError,
+  UnsupportedError,
+} from './preset/errors.ts';
+export type { Value, Values } from './preset/parameter.ts';
+export { presets, presetValues, type Preset } from './preset/presets.ts';
+export { bakedPuffs } from './smoke/bakedPuffs.ts';
+export { CartoonSmoke, type SmokeOptions } from './smoke/smoke.ts';
+export type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './stage/contract.ts';
+export { createStage, type Stage } from './stage/stage.ts';
