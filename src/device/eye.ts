@@ -1,4 +1,4 @@
-import { Matrix4, Vector2, Vector3, type Camera, type IUniform } from 'three';
+import { Matrix4, Vector2, Vector3, type Box3, type Camera, type IUniform } from 'three';
 
 /** What the shaders know of the camera, the light and the target; one object that all passes of a smoke share. */
 export interface EyeUniforms extends Record<string, IUniform> {
@@ -11,6 +11,9 @@ export interface EyeUniforms extends Record<string, IUniform> {
   towardsLight: IUniform<Vector3>;
   towardsLightInView: IUniform<Vector3>;
   travelInWorld: IUniform<Vector3>;
+  /** The box beyond which nothing receives shadow: volumes end where they have left it. */
+  receiversMin: IUniform<Vector3>;
+  receiversMax: IUniform<Vector3>;
 }
 
 /** A camera and a light as the passes see them during one frame. */
@@ -23,6 +26,8 @@ export class Eye {
     towardsLight: { value: new Vector3(0, 1, 0) },
     towardsLightInView: { value: new Vector3(0, 1, 0) },
     travelInWorld: { value: new Vector3(0, -1, 0) },
+    receiversMin: { value: new Vector3() },
+    receiversMax: { value: new Vector3() },
   };
   readonly clipFromWorld = new Matrix4();
   /** Unit vector in world space along which the camera looks. */
@@ -44,6 +49,12 @@ export class Eye {
     uniforms.towardsLightInView.value.copy(towardsLight).transformDirection(camera.matrixWorldInverse);
     this.clipFromWorld.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     this.forward.set(0, 0, -1).transformDirection(camera.matrixWorld);
+  }
+
+  /** @param box of everything that can receive a shadow, world space */
+  receive(box: Box3): void {
+    this.uniforms.receiversMin.value.copy(box.min);
+    this.uniforms.receiversMax.value.copy(box.max);
   }
 
   /** World units that one pixel spans, for each unit of clip w. */

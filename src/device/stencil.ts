@@ -1,9 +1,32 @@
-import type { Mesh, WebGLRenderer } from 'three';
+import {
+  DoubleSide,
+  GLSL3,
+  LessDepth,
+  RawShaderMaterial,
+  type Mesh,
+  type ShaderMaterialParameters,
+  type WebGLRenderer,
+} from 'three';
 
 /** What a face does to the stencil when its fragment fails the depth test, and when it passes. WebGL enums. */
 export interface FaceCount {
   depthFail: number;
   depthPass: number;
+}
+
+/** A material that shows nothing and only counts: both faces, tested against the depth that stands. */
+export function countingMaterial(
+  shaders: Pick<ShaderMaterialParameters, 'vertexShader' | 'fragmentShader' | 'uniforms'>,
+): RawShaderMaterial {
+  return new RawShaderMaterial({
+    ...shaders,
+    glslVersion: GLSL3,
+    side: DoubleSide,
+    colorWrite: false,
+    depthWrite: false,
+    depthFunc: LessDepth,
+    stencilWrite: true,
+  });
 }
 
 /**

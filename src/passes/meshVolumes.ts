@@ -2,21 +2,16 @@ import {
   BufferAttribute,
   BufferGeometry,
   Camera,
-  DoubleSide,
-  GLSL3,
-  LessDepth,
   Mesh,
-  RawShaderMaterial,
+  type RawShaderMaterial,
   Scene,
-  Vector3,
-  type Box3,
   type Matrix4,
   type WebGLRenderer,
 } from 'three';
 import fragmentShader from '../../shaders/meshVolumes/meshVolumes.frag';
 import vertexShader from '../../shaders/meshVolumes/meshVolumes.vert';
 import type { Eye } from '../device/eye.ts';
-import { countFaces } from '../device/stencil.ts';
+import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { extrude } from './extrusion.ts';
 import type { SurfaceDescription } from './surfaces.ts';
 
@@ -32,7 +27,6 @@ export class MeshVolumesPass {
   private readonly scene = new Scene();
   private readonly camera = new Camera();
   private readonly meshes = new Map<number, Mesh<BufferGeometry, RawShaderMaterial>>();
-  private readonly uniforms = { receiversMin: { value: new Vector3() }, receiversMax: { value: new Vector3() } };
 
   constructor(eye: Eye, surfaces: readonly SurfaceDescription[]) {
     surfaces.forEach((surface, index) => {
@@ -47,12 +41,6 @@ export class MeshVolumesPass {
   /** Puts a surface where its rigid is. */
   place(surface: number, worldFromModel: Matrix4): void {
     this.meshes.get(surface)?.matrixWorld.copy(worldFromModel);
-  }
-
-  /** The box, in world space, beyond which nothing receives shadow: volumes end where they have left it. */
-  setReceivers(box: Box3): void {
-    this.uniforms.receiversMin.value.copy(box.min);
-    this.uniforms.receiversMax.value.copy(box.max);
   }
 
   draw(renderer: WebGLRenderer): void {
@@ -72,16 +60,10 @@ export class MeshVolumesPass {
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
     geometry.setAttribute('faceNormal', new BufferAttribute(faceNormals, 3));
     geometry.setIndex(new BufferAttribute(indices, 1));
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
+    const material = countingMaterial({
       vertexShader,
       fragmentShader,
-      uniforms: { ...eye.uniforms, ...this.uniforms, inset: { value: INSET } },
-      side: DoubleSide,
-      colorWrite: false,
-      depthWrite: false,
-      depthFunc: LessDepth,
-      stencilWrite: true,
+      uniforms: { ...eye.uniforms, inset: { value: INSET } },
     });
     const mesh = new Mesh(geometry, material);
     mesh.frustumCulled = false;

@@ -1,21 +1,9 @@
-import {
-  Camera,
-  DoubleSide,
-  GLSL3,
-  LessDepth,
-  Mesh,
-  RawShaderMaterial,
-  Scene,
-  Vector3,
-  type Box3,
-  type BufferGeometry,
-  type WebGLRenderer,
-} from 'three';
+import { Camera, Mesh, type RawShaderMaterial, Scene, type BufferGeometry, type WebGLRenderer } from 'three';
 import fragmentShader from '../../shaders/volumes/volumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
 import type { Eye } from '../device/eye.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
-import { countFaces } from '../device/stencil.ts';
+import { countFaces, countingMaterial } from '../device/stencil.ts';
 
 /** Radii from a puff's centre to where nothing of it is left, relief included. */
 const BEHIND_THE_PUFF = 1.2;
@@ -29,14 +17,11 @@ export class VolumesPass {
   private readonly camera = new Camera();
   private readonly material: RawShaderMaterial;
   private readonly uniforms = {
-    receiversMin: { value: new Vector3() },
-    receiversMax: { value: new Vector3() },
     leastCap: { value: 0 },
   };
 
   constructor(eye: Eye, puffs: PuffTextures, rows: BufferGeometry) {
-    this.material = new RawShaderMaterial({
-      glslVersion: GLSL3,
+    this.material = countingMaterial({
       vertexShader,
       fragmentShader,
       uniforms: {
@@ -45,11 +30,6 @@ export class VolumesPass {
         startCaps: { value: puffs.startCaps },
         shadowRadius: { value: puffs.shadowRadius },
       },
-      side: DoubleSide,
-      colorWrite: false,
-      depthWrite: false,
-      depthFunc: LessDepth,
-      stencilWrite: true,
     });
     const mesh = new Mesh(rows, this.material);
     mesh.frustumCulled = false;
@@ -59,12 +39,6 @@ export class VolumesPass {
       { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.DECR },
     );
     this.scene.add(mesh);
-  }
-
-  /** The box, in world space, beyond which nothing receives shadow: volumes end where they have left it. */
-  setReceivers(box: Box3): void {
-    this.uniforms.receiversMin.value.copy(box.min);
-    this.uniforms.receiversMax.value.copy(box.max);
   }
 
   /** Whether a puff's shadow may begin on its own dark side; without shading that side is not dark, so it begins behind. */

@@ -55,6 +55,7 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   const started = performance.now();
   bodies.fill(input.simulator.arrange(eyeView(passes, input)));
   const receivers = receiversOf(passes, input.simulator);
+  eye.receive(receivers);
   if (style.shadows) casters.fill(input.simulator.arrange(lightView(passes, input, receivers)));
   const arrangeMs = performance.now() - started;
 
@@ -63,9 +64,7 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   passes.surfaces.draw(renderer);
   passes.body.draw(renderer);
   if (style.shadows) {
-    passes.meshVolumes.setReceivers(receivers);
     passes.meshVolumes.draw(renderer);
-    passes.volumes.setReceivers(receivers);
     passes.volumes.draw(renderer);
     passes.mask.draw(renderer);
   }

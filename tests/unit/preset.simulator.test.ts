@@ -5,24 +5,12 @@ import { presets, presetValues } from '../../src/preset/presets.ts';
 import { table } from '../../src/preset/table.ts';
 import { loadSimulators, type SimulatorFactory } from '../../src/sim/load.ts';
 import type { Simulator } from '../../src/sim/simulator.ts';
-import type { View } from '../../src/sim/view.ts';
+import { EVERYTHING } from '../support/everything.ts';
 import { simulatorValues } from '../../src/stage/simulatorValues.ts';
 
 const WASM = new URL('../../src/sim/wasm/core/bindings_bg.wasm', import.meta.url);
 const rows = table.filter((row): row is NumberParameter => row.reader === 'simulator' && 'min' in row);
 const lamp = presetValues(presets[0]);
-
-/** Everything, uncut, as it is now. */
-const EVERYTHING: View = {
-  purpose: 'eye',
-  blend: 1,
-  cull: false,
-  pad: 0,
-  clipFromWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
-  direction: [0, 0, -1],
-  reach: 1,
-  receivers: { min: [-9, -9, -9], max: [9, 9, 9] },
-};
 
 /** The table of the page against the table of the simulator: two languages, one vocabulary. */
 describe('the simulator', () => {

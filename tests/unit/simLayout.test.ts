@@ -8,7 +8,8 @@ import {
   ROW_BYTES,
 } from '../../src/sim/rows.ts';
 import { VIEW_FLOATS, VIEW_OFFSETS, writeView, type View } from '../../src/sim/view.ts';
-import { EVERYTHING, JET, loadVariant } from './simWasm.ts';
+import { EVERYTHING } from '../support/everything.ts';
+import { JET, loadVariant } from './simWasm.ts';
 
 describe('the layout of rows and views', () => {
   it('is the one that the WASM reports', async () => {

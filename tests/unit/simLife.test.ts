@@ -1,6 +1,7 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { LoadError, ParameterError, SimulatorError, UnsupportedError } from '../../src/preset/errors.ts';
-import { EVERYTHING, JET, loadVariant, wasmBytes } from './simWasm.ts';
+import { EVERYTHING } from '../support/everything.ts';
+import { JET, loadVariant, wasmBytes } from './simWasm.ts';
 
 async function jet(capacity = 256) {
   const factory = await loadVariant('core');

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { ParameterError, SimulatorError } from '../../src/preset/errors.ts';
 import type { RigidDescription, RigidShape } from '../../src/sim/rigid.ts';
-import { EVERYTHING, JET, loadVariant } from './simWasm.ts';
+import { EVERYTHING } from '../support/everything.ts';
+import { JET, loadVariant } from './simWasm.ts';
 
 const TETRAHEDRON = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
 const FACES = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];

@@ -1,6 +1,5 @@
 import { readFileSync } from 'node:fs';
 import { loadSimulators, type SimulatorFactory } from '../../src/sim/load.ts';
-import type { View } from '../../src/sim/view.ts';
 
 /** The built WASM of a variant: Node cannot fetch a file. */
 export function wasmBytes(variant: 'core' | 'physics'): Buffer<ArrayBuffer> {
@@ -10,18 +9,6 @@ export function wasmBytes(variant: 'core' | 'physics'): Buffer<ArrayBuffer> {
 export function loadVariant(variant: 'core' | 'physics'): Promise<SimulatorFactory> {
   return loadSimulators({ physics: variant === 'physics', bytes: wasmBytes(variant) });
 }
-
-/** Everything there is, as it is now. */
-export const EVERYTHING: View = {
-  purpose: 'eye',
-  blend: 1,
-  cull: false,
-  pad: 0,
-  clipFromWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
-  direction: [0, 0, -1],
-  reach: 1,
-  receivers: { min: [-9, -9, -9], max: [9, 9, 9] },
-};
 
 /** A plain upward jet. */
 export const JET: Record<string, number> = {

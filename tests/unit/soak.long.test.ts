@@ -3,7 +3,8 @@ import { expect, it } from 'vitest';
 import { defaultPreset, presetValues } from '../../src/preset/presets.ts';
 import { lamp } from '../../src/scenes/lamp.ts';
 import { simulatorValues } from '../../src/stage/simulatorValues.ts';
-import { EVERYTHING, loadVariant } from './simWasm.ts';
+import { EVERYTHING } from '../support/everything.ts';
+import { loadVariant } from './simWasm.ts';
 
 const STEPS = 200_000;
 const SAMPLES = 100;

@@ -1,7 +1,7 @@
 /** collide.vsCompat: one query a particle through Rapier's JavaScript bindings, divided by all of our collisions. */
 import { loadSimulators } from '../../../src/sim/load.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
-import type { View } from '../../../src/sim/view.ts';
+import { EVERYTHING } from '../../support/everything.ts';
 import { demand, figure, say, time, type Figure } from '../support/figures.ts';
 import { readParticles, withParticles } from '../support/snapshot.ts';
 import { SIX_FORCES } from './cloud.ts';
@@ -18,18 +18,6 @@ const POSE_TOLERANCE = 1e-4;
 
 /** The smoke bends around the rigids only where it moves: the same forces as in sim.vsJavaScript, the vortex smaller. */
 const FORCES = { ...SIX_FORCES, 'vortices.0.circulation': 2, 'vortices.0.reach': 4 };
-
-/** Everything, as it is now. */
-const EVERYTHING: View = {
-  purpose: 'eye',
-  blend: 1,
-  cull: false,
-  pad: 0,
-  clipFromWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
-  direction: [0, 0, -1],
-  reach: 1,
-  receivers: { min: [-9, -9, -9], max: [9, 9, 9] },
-};
 
 interface Round {
   /** Milliseconds a step. */

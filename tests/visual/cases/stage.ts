@@ -3,6 +3,8 @@ import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import { createDevice, type Device } from '../../../src/device/device.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
+import type { Simulator } from '../../../src/sim/simulator.ts';
+import { EVERYTHING } from '../../support/everything.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 
 const [WIDTH, HEIGHT] = [320, 240];
@@ -60,11 +62,9 @@ export async function sharedCanvases(): Promise<number> {
   return differing(a, b);
 }
 
-/** Makes and ends stages one after the other; how many contexts live at the end, and the heap's growth in bytes. */
-export async function comeAndGo(rounds: number): Promise<{ lost: number; wasmGrowth: number; heapGrowth: number }> {
+/** Makes and ends stages one after the other; how many of their contexts are gone, and the size of the WASM memory. */
+export async function comeAndGo(rounds: number): Promise<{ lost: number; wasmBytes: number }> {
   const contexts: WebGL2RenderingContext[] = [];
-  const heap = () => (performance as unknown as { memory: { usedJSHeapSize: number } }).memory.usedJSHeapSize;
-  let [heapBefore, wasmBefore] = [0, 0];
   for (let round = 0; round < rounds; ++round) {
     const canvas = new OffscreenCanvas(64, 48);
     const stage = await lampStage(canvas);
@@ -73,10 +73,9 @@ export async function comeAndGo(rounds: number): Promise<{ lost: number; wasmGro
     stage.dispose();
     stage.dispose();
     await new Promise((resolve) => setTimeout(resolve));
-    if (round === Math.floor(rounds / 2)) [heapBefore, wasmBefore] = [settled(heap), await wasmBytes()];
   }
   const lost = contexts.filter((context) => context.isContextLost()).length;
-  return { lost, wasmGrowth: (await wasmBytes()) - wasmBefore, heapGrowth: settled(heap) - heapBefore };
+  return { lost, wasmBytes: (await wasmMemory()).buffer.byteLength };
 }
 
 /** Steps on each side of a growth of the WASM memory: pixels that changed, and whether the buffer is another one. */
@@ -150,18 +149,8 @@ export async function movementAtSpeed(speed: number): Promise<number> {
   return Math.max(...moves.map((move) => Math.abs(move / wholeStep - speed)));
 }
 
-function centreX(simulator: { arrange(view: never): { count: number; place: Float32Array } }, blend: number): number {
-  const view = {
-    purpose: 'eye',
-    blend,
-    cull: false,
-    pad: 0,
-    clipFromWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
-    direction: [0, 0, -1],
-    reach: 1,
-    receivers: { min: [0, 0, 0], max: [0, 0, 0] },
-  };
-  const { count, place } = simulator.arrange(view as never);
+function centreX(simulator: Simulator, blend: number): number {
+  const { count, place } = simulator.arrange({ ...EVERYTHING, blend });
   let sum = 0;
   for (let row = 0; row < count; ++row) sum += place[4 * row];
   return sum / count;
@@ -195,14 +184,4 @@ function differing(a: Uint32Array, b: Uint32Array): number {
 async function wasmMemory(): Promise<WebAssembly.Memory> {
   const { loadSimulators } = await import('../../../src/sim/load.ts');
   return (await loadSimulators({ physics: true })).module.memory;
-}
-
-async function wasmBytes(): Promise<number> {
-  return (await wasmMemory()).buffer.byteLength;
-}
-
-/** The heap after garbage collection, which the browser offers to tests started with --js-flags=--expose-gc. */
-function settled(heap: () => number): number {
-  (globalThis as unknown as { gc?: () => void }).gc?.();
-  return heap();
 }
