@@ -15,10 +15,9 @@ import type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats }
 import { Listeners } from './listeners.ts';
 import { OrbitCamera } from './orbit.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
+import { advanceTo } from './seek.ts';
 import { Simulation } from './simulation.ts';
 
-// Long seeks give the page a turn this often, milliseconds.
-const SEEK_SLICE_MS = 30;
 const LARGEST_PIXEL_RATIO = 4;
 
 /** A running scene on a canvas. Reads no page: sizes, pointers and keys come in as numbers, so that it runs in a worker. */
@@ -131,24 +130,17 @@ export class Stage {
   }
 
   /** Goes to a simulated time, backwards by starting over. Playing goes on from there if it was playing. */
-  async seek(seconds: number, { onProgress, signal }: SeekOptions = {}): Promise<void> {
+  async seek(seconds: number, options: SeekOptions = {}): Promise<void> {
     this.#requireAlive();
     const goal = Math.max(0, Math.round(seconds / STEP_SECONDS));
     if (goal < this.#simulation.simulator.steps) this.#simulation.restart(this.#values);
-    const first = this.#simulation.simulator.steps;
     this.#seeking = true;
     try {
-      while (this.#simulation.simulator.steps < goal) {
-        this.#simulation.advanceFor(SEEK_SLICE_MS, goal);
-        onProgress?.((this.#simulation.simulator.steps - first) / (goal - first));
-        await nextTask();
-        signal?.throwIfAborted();
-        if (this.#disposed) return;
-      }
+      await advanceTo(goal, this.#simulation, options, () => this.#disposed);
     } finally {
       this.#seeking = false;
+      if (!this.#disposed) this.#showLatest();
     }
-    this.#showLatest();
   }
 
   /** Starts over from the first step with the values as they are. */
@@ -354,16 +346,4 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
     presenter.dispose();
     throw error;
   }
-}
-
-/** Lets the page have a turn, without the delay that nested timers get. */
-function nextTask(): Promise<void> {
-  return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
-  });
 }

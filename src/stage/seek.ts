@@ -1,0 +1,37 @@
+import type { SeekOptions } from './contract.ts';
+import type { Simulation } from './simulation.ts';
+
+// Long seeks give the page a turn this often, milliseconds.
+const SLICE_MS = 30;
+
+/**
+ * Steps until `goal` steps have been made, in slices, so that the page stays alive.
+ * @param isEnded asked after each slice: whether the stage has been disposed meanwhile
+ */
+export async function advanceTo(
+  goal: number,
+  simulation: Simulation,
+  { onProgress, signal }: SeekOptions,
+  isEnded: () => boolean,
+): Promise<void> {
+  const first = simulation.simulator.steps;
+  while (simulation.simulator.steps < goal) {
+    simulation.advanceFor(SLICE_MS, goal);
+    onProgress?.((simulation.simulator.steps - first) / (goal - first));
+    await nextTask();
+    signal?.throwIfAborted();
+    if (isEnded()) return;
+  }
+}
+
+/** Lets the page have a turn, without the delay that nested timers get. */
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(null);
+  });
+}
