@@ -34,10 +34,6 @@ export class MeshVolumesPass {
     });
   }
 
-  get count(): number {
-    return this.meshes.size;
-  }
-
   /** Puts a surface where its rigid is. */
   place(surface: number, worldFromModel: Matrix4): void {
     this.meshes.get(surface)?.matrixWorld.copy(worldFromModel);
