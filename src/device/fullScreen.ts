@@ -1,4 +1,12 @@
-import { BufferAttribute, BufferGeometry, Mesh, type RawShaderMaterial } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Camera,
+  Mesh,
+  Scene,
+  type RawShaderMaterial,
+  type WebGLRenderer,
+} from 'three';
 
 /** One triangle that covers the viewport; its vertex shader is shaders/lib/fullScreen.vert. */
 export function fullScreenMesh(material: RawShaderMaterial): Mesh<BufferGeometry, RawShaderMaterial> {
@@ -8,4 +16,25 @@ export function fullScreenMesh(material: RawShaderMaterial): Mesh<BufferGeometry
   const mesh = new Mesh(geometry, material);
   mesh.frustumCulled = false;
   return mesh;
+}
+
+/** Draws one material over the whole viewport, and owns it. */
+export class FullScreen {
+  private readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
+  private readonly scene = new Scene();
+  private readonly camera = new Camera();
+
+  constructor(material: RawShaderMaterial) {
+    this.mesh = fullScreenMesh(material);
+    this.scene.add(this.mesh);
+  }
+
+  draw(renderer: WebGLRenderer): void {
+    renderer.render(this.scene, this.camera);
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
 }

@@ -1,7 +1,20 @@
-import { ClampToEdgeWrapping, DataTexture, NearestFilter, RGBAFormat, UnsignedByteType } from 'three';
+import {
+  ClampToEdgeWrapping,
+  DataTexture,
+  NearestFilter,
+  RGBAFormat,
+  UnsignedByteType,
+  type Color as ThreeColor,
+  type IUniform,
+} from 'three';
 
 /** A display-encoded colour, each channel 0 to 255. */
 export type Color = readonly [red: number, green: number, blue: number];
+
+/** Gives a colour to a uniform, display-encoded as it is. */
+export function writeColor(color: Color, uniform: IUniform<ThreeColor>): void {
+  uniform.value.fromArray(color.map((channel) => channel / 255));
+}
 
 /** One flat tone of a ramp: it begins where N.L reaches `from` (0 to 1; the first tone begins at 0). */
 export interface Tone {

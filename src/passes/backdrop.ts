@@ -1,16 +1,14 @@
-import { Camera, Color as ThreeColor, GLSL3, RawShaderMaterial, Scene, type WebGLRenderer } from 'three';
+import { Color as ThreeColor, GLSL3, RawShaderMaterial, type WebGLRenderer } from 'three';
 import fragmentShader from '../../shaders/backdrop/backdrop.frag';
 import vertexShader from '../../shaders/lib/fullScreen.vert';
 import type { Eye } from '../device/eye.ts';
-import { fullScreenMesh } from '../device/fullScreen.ts';
-import type { Color } from '../device/ramps.ts';
+import { FullScreen } from '../device/fullScreen.ts';
+import { writeColor, type Color } from '../device/ramps.ts';
 
 /** Paints what lies behind everything, if anything does. Reads nothing; writes both colours. */
 export class BackdropPass {
-  private readonly scene = new Scene();
-  private readonly camera = new Camera();
   private readonly uniforms = { topColor: { value: new ThreeColor() }, bottomColor: { value: new ThreeColor() } };
-  private readonly mesh;
+  private readonly triangle: FullScreen;
 
   constructor(eye: Eye) {
     const material = new RawShaderMaterial({
@@ -21,21 +19,19 @@ export class BackdropPass {
       depthTest: false,
       depthWrite: false,
     });
-    this.mesh = fullScreenMesh(material);
-    this.scene.add(this.mesh);
+    this.triangle = new FullScreen(material);
   }
 
   setColors(top: Color, bottom: Color): void {
-    this.uniforms.topColor.value.fromArray(top.map((channel) => channel / 255));
-    this.uniforms.bottomColor.value.fromArray(bottom.map((channel) => channel / 255));
+    writeColor(top, this.uniforms.topColor);
+    writeColor(bottom, this.uniforms.bottomColor);
   }
 
   draw(renderer: WebGLRenderer): void {
-    renderer.render(this.scene, this.camera);
+    this.triangle.draw(renderer);
   }
 
   dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+    this.triangle.dispose();
   }
 }

@@ -15,7 +15,7 @@ import fragmentShader from '../../shaders/bodies/bodies.frag';
 import vertexShader from '../../shaders/bodies/bodies.vert';
 import type { Eye } from '../device/eye.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
-import type { Color, RampTexture } from '../device/ramps.ts';
+import { writeColor, type Color, type RampTexture } from '../device/ramps.ts';
 
 /** What runs along a gradient fill. */
 export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
@@ -65,7 +65,7 @@ export class BodiesPass {
    * @param innerLine depth gap, in puff radii, beyond which a puff is outlined against what lies behind it
    */
   setInk(color: Color, pixels: number, innerLine: number): void {
-    this.uniforms.inkColor.value.fromArray(color.map((channel) => channel / 255));
+    writeColor(color, this.uniforms.inkColor);
     this.uniforms.inkPixels.value = pixels;
     this.uniforms.innerLine.value = innerLine;
   }

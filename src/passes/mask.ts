@@ -1,24 +1,20 @@
 import {
   AddEquation,
-  Camera,
   CustomBlending,
   GLSL3,
   KeepStencilOp,
   NotEqualStencilFunc,
   OneFactor,
   RawShaderMaterial,
-  Scene,
   type WebGLRenderer,
 } from 'three';
 import fragmentShader from '../../shaders/mask/mask.frag';
 import vertexShader from '../../shaders/lib/fullScreen.vert';
-import { fullScreenMesh } from '../device/fullScreen.ts';
+import { FullScreen } from '../device/fullScreen.ts';
 
 /** Turns the stencil into the alpha of the lit colour: 1 where at least one volume holds the pixel. */
 export class MaskPass {
-  private readonly scene = new Scene();
-  private readonly camera = new Camera();
-  private readonly mesh;
+  private readonly triangle: FullScreen;
 
   constructor() {
     const material = new RawShaderMaterial({
@@ -39,16 +35,14 @@ export class MaskPass {
       stencilZFail: KeepStencilOp,
       stencilZPass: KeepStencilOp,
     });
-    this.mesh = fullScreenMesh(material);
-    this.scene.add(this.mesh);
+    this.triangle = new FullScreen(material);
   }
 
   draw(renderer: WebGLRenderer): void {
-    renderer.render(this.scene, this.camera);
+    this.triangle.draw(renderer);
   }
 
   dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+    this.triangle.dispose();
   }
 }

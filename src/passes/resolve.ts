@@ -1,28 +1,17 @@
-import {
-  Camera,
-  GLSL3,
-  NoBlending,
-  RawShaderMaterial,
-  Scene,
-  type Texture,
-  type WebGLRenderer,
-  type WebGLRenderTarget,
-} from 'three';
+import { GLSL3, NoBlending, RawShaderMaterial, type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 import fragmentShader from '../../shaders/resolve/resolve.frag';
 import vertexShader from '../../shaders/lib/fullScreen.vert';
-import { fullScreenMesh } from '../device/fullScreen.ts';
+import { FullScreen } from '../device/fullScreen.ts';
 import type { Targets } from './targets.ts';
 
 /** Chooses lit or unlit by the mask, smooths edges and writes premultiplied colour to the canvas or to a target. */
 export class ResolvePass {
-  private readonly scene = new Scene();
-  private readonly camera = new Camera();
   private readonly uniforms = {
     unlit: { value: null as Texture | null },
     lit: { value: null as Texture | null },
     smoothEdges: { value: true },
   };
-  private readonly mesh;
+  private readonly triangle: FullScreen;
 
   constructor() {
     const material = new RawShaderMaterial({
@@ -34,8 +23,7 @@ export class ResolvePass {
       depthWrite: false,
       blending: NoBlending,
     });
-    this.mesh = fullScreenMesh(material);
-    this.scene.add(this.mesh);
+    this.triangle = new FullScreen(material);
   }
 
   set smoothEdges(smooth: boolean) {
@@ -47,11 +35,10 @@ export class ResolvePass {
     this.uniforms.unlit.value = targets.unlit;
     this.uniforms.lit.value = targets.lit;
     renderer.setRenderTarget(output);
-    renderer.render(this.scene, this.camera);
+    this.triangle.draw(renderer);
   }
 
   dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+    this.triangle.dispose();
   }
 }

@@ -19,7 +19,7 @@ import hullVertexShader from '../../shaders/surfaces/hull.vert';
 import fragmentShader from '../../shaders/surfaces/surfaces.frag';
 import vertexShader from '../../shaders/surfaces/surfaces.vert';
 import type { Eye } from '../device/eye.ts';
-import type { Color, RampTexture } from '../device/ramps.ts';
+import { writeColor, type Color, type RampTexture } from '../device/ramps.ts';
 import { hullNormals, type TriangleMesh } from './extrusion.ts';
 
 /** An ordinary mesh of the scene. */
@@ -67,7 +67,7 @@ export class SurfacesPass {
   }
 
   setInk(color: Color, pixels: number): void {
-    this.inkColor.value.fromArray(color.map((channel) => channel / 255));
+    writeColor(color, this.inkColor);
     this.inkPixels.value = pixels;
   }
 

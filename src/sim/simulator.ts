@@ -21,7 +21,7 @@ export interface SimulatorOptions {
   seed: number;
 }
 
-/** The world-space box of the living particles, metres; min above max while nothing lives. */
+/** The world-space box of the living particles, metres; all zero while nothing lives. */
 export interface Bounds {
   min: [number, number, number];
   max: [number, number, number];

@@ -103,7 +103,7 @@ function lightView({ eye, reach }: SmokePasses, input: FrameInput, receivers: Bo
 function receiversOf(passes: SmokePasses, simulator: Arranger): Box3 {
   const box = passes.surfaces.bounds(new Box3());
   const { min, max } = simulator.bounds;
-  if (min[0] <= max[0]) box.union(new Box3(new Vector3(...min), new Vector3(...max)));
+  box.union(new Box3(new Vector3(...min), new Vector3(...max)));
   passes.body.setPlumeHeight(min[1], max[1]);
   return box;
 }
