@@ -5,8 +5,8 @@ import { ParameterError } from '../preset/errors.ts';
 
 type Triple = ArrayLike<number>;
 
-/** Shapes stand around their own origin; capsule and cylinder along y. Lengths in metres. */
-export type RigidShape =
+/** A single shape stands around its own origin; capsule and cylinder along y. Lengths in metres. */
+export type SingleShape =
   | { type: 'ball'; radius: number }
   | { type: 'cuboid'; halfExtents: Triple }
   /** `halfHeight` is half of the straight part; the caps add `radius` at both ends. */
@@ -16,6 +16,18 @@ export type RigidShape =
   | { type: 'convexHull'; vertices: ArrayLike<number> }
   /** Triangles, three indices each, counter-clockwise from outside; closed when it should hold smoke out of its inside. */
   | { type: 'trimesh'; vertices: ArrayLike<number>; indices: ArrayLike<number> };
+
+/** A shape of a compound, where it stands in the rigid. */
+export interface RigidPart {
+  shape: SingleShape;
+  /** Metres. */
+  position: Triple;
+  /** Unit quaternion x, y, z, w; no rotation when left out. */
+  rotation?: ArrayLike<number>;
+}
+
+/** One shape, or 1 to 64 of them that move as one. */
+export type RigidShape = SingleShape | { type: 'compound'; parts: readonly RigidPart[] };
 
 /** A thing that smoke bumps into. */
 export interface RigidDescription {
@@ -34,43 +46,65 @@ export interface RigidDescription {
   density?: number;
 }
 
-/** The arguments of the module's addRigid, in its order. */
-export type RigidArguments = [
-  kind: number,
-  shape: number,
-  dimensions: Float32Array,
-  vertices: Float32Array,
-  indices: Uint32Array,
-  pose: Float32Array,
-  restitution: number,
-  friction: number,
-  density: number,
-];
+/** The arguments of the module's addRigid, in its order; `sim/src/rigids/numbers.rs` tells what they mean. */
+export type RigidArguments = [numbers: Float32Array, vertices: Float32Array, indices: Uint32Array];
+
+/** Position, then the quaternion x, y, z, w. */
+export type PoseNumbers = [x: number, y: number, z: number, i: number, j: number, k: number, w: number];
 
 const KINDS: readonly string[] = ['fixed', 'kinematic', 'dynamic'];
 const SHAPES: readonly string[] = ['ball', 'cuboid', 'capsule', 'cylinder', 'convexHull', 'trimesh'];
+const ORIGIN = [0, 0, 0];
 const NO_ROTATION = [0, 0, 0, 1];
 
 /** @throws ParameterError when the kind or the shape has no such name; numbers are judged by the simulator. */
 export function rigidArguments(description: RigidDescription): RigidArguments {
   const { shape } = description;
-  const mesh = 'vertices' in shape ? shape.vertices : [];
-  return [
+  const numbers = [
     indexOf(KINDS, 'rigid.kind', description.kind),
-    indexOf(SHAPES, 'rigid.shape', shape.type),
-    Float32Array.from(dimensionsOf(shape)),
-    Float32Array.from(mesh),
-    indicesOf(shape),
-    poseOf(description.position, description.rotation),
+    ...poseNumbers(description.position, description.rotation),
     description.restitution ?? 0,
     description.friction ?? 0.5,
     description.density ?? 1000,
   ];
+  const flat: Flat = { numbers, vertices: [], indices: [] };
+  if (shape.type === 'compound') {
+    requireParts(shape.parts);
+    numbers.push(shape.parts.length);
+    shape.parts.forEach((part, index) => pushPart(flat, part, `rigid.parts.${index}`));
+  } else {
+    numbers.push(0);
+    pushPart(flat, { shape, position: ORIGIN }, 'rigid');
+  }
+  return [Float32Array.from(numbers), Float32Array.from(flat.vertices), Uint32Array.from(flat.indices)];
 }
 
-/** Position and rotation as the seven floats of a pose. */
-export function poseOf(position: Triple, rotation: ArrayLike<number> = NO_ROTATION): Float32Array {
-  return Float32Array.of(position[0], position[1], position[2], rotation[0], rotation[1], rotation[2], rotation[3]);
+/** Position and rotation as the seven numbers of a pose. */
+export function poseNumbers(position: Triple, rotation: ArrayLike<number> = NO_ROTATION): PoseNumbers {
+  return [position[0], position[1], position[2], rotation[0], rotation[1], rotation[2], rotation[3]];
+}
+
+interface Flat {
+  numbers: number[];
+  vertices: number[];
+  indices: number[];
+}
+
+function pushPart(flat: Flat, { shape, position, rotation }: RigidPart, name: string): void {
+  const dimensions = Array.from(dimensionsOf(shape));
+  const vertices = 'vertices' in shape ? shape.vertices : [];
+  const indices = shape.type === 'trimesh' ? shape.indices : [];
+  requireIndices(indices, name);
+  const counts = [dimensions.length, vertices.length, indices.length];
+  flat.numbers.push(indexOf(SHAPES, `${name}.shape`, shape.type), ...counts);
+  flat.numbers.push(...poseNumbers(position, rotation), ...dimensions);
+  for (let index = 0; index < vertices.length; index++) flat.vertices.push(vertices[index]);
+  for (let index = 0; index < indices.length; index++) flat.indices.push(indices[index]);
+}
+
+/** Zero parts would be read as a single shape. */
+function requireParts(parts: readonly RigidPart[]): void {
+  if (parts.length < 1 || parts.length > 64) throw new ParameterError('rigid.parts', parts.length, '1 to 64 parts');
 }
 
 function indexOf(names: readonly string[], key: string, name: string): number {
@@ -79,7 +113,7 @@ function indexOf(names: readonly string[], key: string, name: string): number {
   return index;
 }
 
-function dimensionsOf(shape: RigidShape): ArrayLike<number> {
+function dimensionsOf(shape: SingleShape): ArrayLike<number> {
   switch (shape.type) {
     case 'ball':
       return [shape.radius];
@@ -94,13 +128,11 @@ function dimensionsOf(shape: RigidShape): ArrayLike<number> {
 }
 
 /** A typed array would wrap an index such as -1 into one that may exist; such an index is refused here. */
-function indicesOf(shape: RigidShape): Uint32Array {
-  if (shape.type !== 'trimesh') return new Uint32Array();
-  for (let index = 0; index < shape.indices.length; index++) {
-    const vertex = shape.indices[index];
+function requireIndices(indices: ArrayLike<number>, name: string): void {
+  for (let index = 0; index < indices.length; index++) {
+    const vertex = indices[index];
     if (!Number.isInteger(vertex) || vertex < 0 || vertex > 0xffffffff) {
-      throw new ParameterError(`rigid.indices.${index}`, vertex, 'the number of a vertex');
+      throw new ParameterError(`${name}.indices.${index}`, vertex, 'the number of a vertex');
     }
   }
-  return Uint32Array.from(shape.indices);
 }

@@ -3,7 +3,7 @@
  */
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type * as Bindings from './wasm/core/bindings.js';
-import { poseOf, rigidArguments, type RigidDescription } from './rigid.ts';
+import { poseNumbers, rigidArguments, type RigidDescription } from './rigid.ts';
 import { LOOK_WORDS, PLACE_FLOATS, POSE_FLOATS, RIGID_FLOATS, type Rows } from './rows.ts';
 import { VIEW_FLOATS, writeView, type View } from './view.ts';
 
@@ -83,8 +83,7 @@ export class Simulator {
    * @param rotation Unit quaternion x, y, z, w; no rotation when left out.
    */
   moveRigid(index: number, position: ArrayLike<number>, rotation?: ArrayLike<number>): void {
-    const pose = poseOf(position, rotation);
-    this.#attempt(() => this.#handle.moveRigid(index, pose));
+    this.#attempt(() => this.#handle.moveRigid(index, ...poseNumbers(position, rotation)));
   }
 
   /** Advances by `count` steps of 1/60 s. */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { ParameterError, SimulatorError } from '../../src/preset/errors.ts';
-import type { RigidDescription, RigidShape } from '../../src/sim/rigid.ts';
+import type { RigidDescription, RigidPart, RigidShape } from '../../src/sim/rigid.ts';
 import { EVERYTHING } from '../support/everything.ts';
 import { JET, loadVariant } from './simWasm.ts';
 
@@ -14,6 +14,13 @@ const SHAPES: RigidShape[] = [
   { type: 'cylinder', halfHeight: 0.4, radius: 0.2 },
   { type: 'convexHull', vertices: TETRAHEDRON },
   { type: 'trimesh', vertices: TETRAHEDRON, indices: FACES },
+  {
+    type: 'compound',
+    parts: [
+      { shape: { type: 'ball', radius: 0.3 }, position: [0.5, 0, 0] },
+      { shape: { type: 'trimesh', vertices: TETRAHEDRON, indices: FACES }, position: [0, 1, 0], rotation: [1, 0, 0, 0] },
+    ],
+  },
 ];
 
 function still(shape: RigidShape): RigidDescription {
@@ -30,7 +37,7 @@ describe('rigids', () => {
     for (const shape of SHAPES) {
       for (const kind of ['fixed', 'kinematic', 'dynamic'] as const) simulator.addRigid({ ...still(shape), kind });
     }
-    expect(simulator.rigidCount).toBe(18);
+    expect(simulator.rigidCount).toBe(21);
     simulator.step(10);
     expect([...simulator.rigidPoses(1)].every(Number.isFinite)).toBe(true);
     simulator.dispose();
@@ -40,6 +47,10 @@ describe('rigids', () => {
     const simulator = await create();
     const mesh = (indices: number[], vertices = TETRAHEDRON): RigidShape => ({ type: 'trimesh', vertices, indices });
     const ball = still(SHAPES[0]);
+    const compound = (shape: unknown, position = [0, 0, 0]): RigidDescription => {
+      const parts = [{ shape: SHAPES[0], position: [0, 0, 0] }, { shape, position }] as RigidPart[];
+      return still({ type: 'compound', parts });
+    };
     const wrong: [RigidDescription, string][] = [
       [still({ type: 'ball', radius: NaN }), 'rigid.dimensions.0'],
       [still({ type: 'ball', radius: 0 }), 'rigid.dimensions.0'],
@@ -58,6 +69,11 @@ describe('rigids', () => {
       [still(mesh([0, 1, 2], [0, 0, 0, 1, 0, 0])), 'rigid.indices.2'],
       [{ ...still(mesh([0, 1, 2])), kind: 'dynamic' }, 'rigid.shape'],
       [still({ type: 'torus' } as unknown as RigidShape), 'rigid.shape'],
+      [still({ type: 'compound', parts: [] }), 'rigid.parts'],
+      [compound({ type: 'ball', radius: -1 }), 'rigid.parts.1.dimensions.0'],
+      [compound(mesh([0, 1, 9])), 'rigid.parts.1.indices.2'],
+      [compound(SHAPES[0], [0, NaN, 0]), 'rigid.parts.1.position.y'],
+      [compound({ type: 'compound', parts: [] }), 'rigid.parts.1.shape'],
       [{ ...ball, kind: 'ghost' as 'fixed' }, 'rigid.kind'],
       [{ ...ball, position: [0, NaN, 0] }, 'rigid.position.y'],
       [{ ...ball, rotation: [0, 0, 0, 0] }, 'rigid.rotation'],

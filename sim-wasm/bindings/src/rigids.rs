@@ -32,51 +32,41 @@ fn without_rapier() -> JsValue {
 
 #[wasm_bindgen]
 impl Simulator {
-    /// Adds a rigid and returns its index. `kind`: 0 fixed, 1 kinematic, 2 dynamic. `shape`: 0 ball, 1 cuboid,
-    /// 2 capsule, 3 cylinder, 4 convex hull, 5 trimesh. `pose`: x, y, z and the quaternion x, y, z, w.
-    #[allow(
-        clippy::too_many_arguments,
-        reason = "one flat call instead of an object for each rigid"
-    )]
+    /// Adds a rigid and returns its index; `sim::rigids::RigidNumbers` tells what the numbers mean.
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = addRigid)]
-    pub fn add_rigid(
-        &mut self,
-        kind: u8,
-        shape: u8,
-        dimensions: &[f32],
-        vertices: &[f32],
-        indices: &[u32],
-        pose: &[f32],
-        restitution: f32,
-        friction: f32,
-        density: f32,
-    ) -> Result<u32, JsValue> {
+    pub fn add_rigid(&mut self, numbers: &[f32], vertices: &[f32], indices: &[u32]) -> Result<u32, JsValue> {
         #[cfg(feature = "rigids")]
         return with_rapier::add(
             self.simulator.rigids_mut(),
             &sim::rigids::RigidNumbers {
-                kind,
-                shape,
-                dimensions,
+                numbers,
                 vertices,
                 indices,
-                pose,
-                restitution,
-                friction,
-                density,
             },
         );
         #[cfg(not(feature = "rigids"))]
         Err(without_rapier())
     }
 
-    /// Sends a kinematic rigid to a pose.
+    /// Sends a kinematic rigid to a pose: position and quaternion. Seven numbers, since an array would be copied into
+    /// memory of its own at each call.
+    #[allow(clippy::too_many_arguments, reason = "see above")]
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = moveRigid)]
-    pub fn move_rigid(&mut self, index: u32, pose: &[f32]) -> Result<(), JsValue> {
+    pub fn move_rigid(
+        &mut self,
+        index: u32,
+        x: f32,
+        y: f32,
+        z: f32,
+        i: f32,
+        j: f32,
+        k: f32,
+        w: f32,
+    ) -> Result<(), JsValue> {
         #[cfg(feature = "rigids")]
-        return with_rapier::move_to(self.simulator.rigids_mut(), index, pose);
+        return with_rapier::move_to(self.simulator.rigids_mut(), index, &[x, y, z, i, j, k, w]);
         #[cfg(not(feature = "rigids"))]
         Err(without_rapier())
     }

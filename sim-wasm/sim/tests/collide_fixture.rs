@@ -48,29 +48,26 @@ fn hash_without_rigids() {
 #[cfg(feature = "rigids")]
 #[test]
 fn hash_with_rigids() {
-    use sim::rigids::{RigidDescription, RigidNumbers, pose_of};
+    use sim::rigids::{RigidDescription, RigidKind, pose_of};
 
     let floats = |text: &str| -> Vec<f32> { text.split([' ', ',']).map(|part| part.parse().unwrap()).collect() };
     let mut simulator = simulator();
     for line in lines("rigid ") {
         let (form, pose) = line.split_once(" | ").unwrap();
         let parts: Vec<&str> = form.split(' ').collect();
-        let (dimensions, pose) = (floats(parts[2]), floats(pose));
-        let numbers = RigidNumbers {
-            kind: parts[0].parse().unwrap(),
-            shape: parts[1].parse().unwrap(),
-            dimensions: &dimensions,
-            vertices: &[],
-            indices: &[],
-            pose: &pose,
+        let (sizes, pose) = (floats(parts[2]), floats(pose));
+        let kind = match parts[0] {
+            "0" => RigidKind::Fixed,
+            "1" => RigidKind::Kinematic,
+            _ => RigidKind::Dynamic,
+        };
+        let description = RigidDescription {
             restitution: 0.1,
             friction: 0.3,
             density: 500.0,
+            ..RigidDescription::new(kind, shape(parts[1], &sizes), pose_of(&pose).unwrap())
         };
-        simulator
-            .rigids_mut()
-            .add(RigidDescription::from_numbers(&numbers).unwrap())
-            .unwrap();
+        simulator.rigids_mut().add(description).unwrap();
     }
     for step in 0..number::<u16>("steps") {
         // A power of two: exact in every number format that is between here and there.
@@ -80,4 +77,24 @@ fn hash_with_rigids() {
         simulator.step();
     }
     check(&simulator, "with rigids");
+}
+
+#[cfg(feature = "rigids")]
+fn shape(number: &str, sizes: &[f32]) -> sim::rigids::RigidShape {
+    use sim::rigids::RigidShape;
+
+    match number {
+        "0" => RigidShape::Ball { radius: sizes[0] },
+        "1" => RigidShape::Cuboid {
+            half_extents: [sizes[0], sizes[1], sizes[2]],
+        },
+        "2" => RigidShape::Capsule {
+            half_height: sizes[0],
+            radius: sizes[1],
+        },
+        _ => RigidShape::Cylinder {
+            half_height: sizes[0],
+            radius: sizes[1],
+        },
+    }
 }

@@ -6,7 +6,7 @@ mod collide_cloud;
 use collide_cloud::{Cloud, DT, kinematic, random, rigid, shapes::shapes, turned};
 use sim::collide::Scratch;
 use sim::collide::space::{Pose, Vector};
-use sim::rigids::{RigidDescription, RigidKind, RigidNumbers, RigidShape, Rigids};
+use sim::rigids::{RigidDescription, RigidKind, RigidNumbers, RigidPart, RigidShape, Rigids};
 
 /// A heap: every shape, dynamic, falls on the ground; a kinematic ball goes through it.
 fn heap() -> Cloud {
@@ -62,19 +62,6 @@ fn a_restored_heap_goes_on_to_the_same_hash() {
     };
     assert_eq!(hash_of(&twin), hash_of(&cloud), "as restored");
     let again = twin.rigids.save();
-    eprintln!(
-        "DBG {} {} {:?}",
-        again.len(),
-        bytes.len(),
-        again
-            .iter()
-            .zip(&bytes)
-            .enumerate()
-            .filter(|(_, (a, b))| a != b)
-            .map(|(i, (a, b))| (i, *a, *b))
-            .take(40)
-            .collect::<Vec<_>>()
-    );
     assert!(again == bytes, "saved again");
     run_heap(&mut cloud, 90..200);
     run_heap(&mut twin, 90..200);
@@ -128,17 +115,24 @@ fn no_description_makes_the_world_panic_or_move_to_nowhere() {
             .map(|place| (random(k, 100 + place).abs() * 9.0) as u32)
             .collect();
         let dimensions: Vec<f32> = (0..k % 4).map(|place| odd(k, 200 + place).abs()).collect();
-        let pose: Vec<f32> = (0..7).map(|place| random(k, 300 + place)).collect();
+        let part = |shape: usize| {
+            let counts = [shape, dimensions.len(), vertices.len(), indices.len()].map(|count| count as f32);
+            let pose = (0..7).map(|place| random(k, 400 + place));
+            counts
+                .into_iter()
+                .chain(pose)
+                .chain(dimensions.clone())
+                .collect::<Vec<f32>>()
+        };
+        let compound = k % 2;
+        let mut numbers = vec![(k % 3) as f32];
+        numbers.extend((0..7).map(|place| random(k, 300 + place)));
+        numbers.extend([0.5, 0.5, 100.0, compound as f32]);
+        numbers.extend(part(k / 3 % 7));
         let numbers = RigidNumbers {
-            kind: (k % 3) as u8,
-            shape: (k / 3 % 7) as u8,
-            dimensions: &dimensions,
+            numbers: &numbers,
             vertices: &vertices,
             indices: &indices,
-            pose: &pose,
-            restitution: 0.5,
-            friction: 0.5,
-            density: 100.0,
         };
         let mut rigids = Rigids::new();
         let Ok(description) = RigidDescription::from_numbers(&numbers) else {
@@ -151,4 +145,37 @@ fn no_description_makes_the_world_panic_or_move_to_nowhere() {
         }
     }
     assert!(taken > 200, "only {taken} were ever taken");
+}
+
+#[test]
+fn numbers_that_end_too_early_are_refused() {
+    let compound = RigidShape::Compound {
+        parts: shapes()
+            .into_iter()
+            .map(|(_, shape, _)| RigidPart {
+                shape,
+                pose: Pose::at(Vector::Y),
+            })
+            .collect(),
+    };
+    let description = kinematic(compound);
+    let flat = description.to_numbers();
+    let read = |numbers: usize, vertices: usize, indices: usize| {
+        RigidDescription::from_numbers(&RigidNumbers {
+            numbers: &flat.numbers[..numbers],
+            vertices: &flat.vertices[..vertices],
+            indices: &flat.indices[..indices],
+        })
+    };
+    let [numbers, vertices, indices] = [flat.numbers.len(), flat.vertices.len(), flat.indices.len()];
+    assert_eq!(
+        read(numbers, vertices, indices),
+        Ok(description.clone()),
+        "there and back"
+    );
+    for short in 0..numbers {
+        assert!(read(short, vertices, indices).is_err(), "{short} numbers");
+    }
+    assert!(read(numbers, vertices - 1, indices).is_err());
+    assert!(read(numbers, vertices, indices - 1).is_err());
 }

@@ -1,13 +1,12 @@
-//! What a rigid is made of, and what is refused.
+//! What a rigid is made of, and the ranges of what callers give.
 
 use crate::collide::space::{Pose, Vector};
 use crate::error::ParameterError;
 
 /// Least and greatest length (m) of a shape, and the greatest distance from the world's origin.
-const LENGTHS: (f64, f64) = (1e-3, 1e3);
-const PLACES: (f64, f64) = (-1e4, 1e4);
-const DENSITIES: (f64, f64) = (1e-2, 1e5);
-const AXES: [&str; 3] = ["x", "y", "z"];
+pub(super) const LENGTHS: (f64, f64) = (1e-3, 1e3);
+pub(super) const PLACES: (f64, f64) = (-1e4, 1e4);
+pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// How a rigid moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +47,17 @@ pub enum RigidShape {
         vertices: Vec<[f32; 3]>,
         indices: Vec<[u32; 3]>,
     },
+    /// Several shapes that move as one, 1..=64; none of them a compound.
+    Compound {
+        parts: Vec<RigidPart>,
+    },
+}
+
+/// A shape of a compound and where it stands in the rigid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigidPart {
+    pub shape: RigidShape,
+    pub pose: Pose,
 }
 
 /// A rigid before it is added.
@@ -64,41 +74,17 @@ pub struct RigidDescription {
     pub density: f32,
 }
 
-/// A rigid as flat numbers: how it crosses a language boundary and how it is saved.
-#[derive(Clone, Copy, Debug)]
-pub struct RigidNumbers<'a> {
-    /// 0 fixed, 1 kinematic, 2 dynamic.
-    pub kind: u8,
-    /// 0 ball, 1 cuboid, 2 capsule, 3 cylinder, 4 convex hull, 5 trimesh.
-    pub shape: u8,
-    /// Ball: radius. Cuboid: half extents. Capsule and cylinder: half height, radius. Else nothing.
-    pub dimensions: &'a [f32],
-    /// x, y, z of each vertex.
-    pub vertices: &'a [f32],
-    /// Three vertices of each triangle.
-    pub indices: &'a [u32],
-    /// Position x, y, z, then the quaternion x, y, z, w.
-    pub pose: &'a [f32],
-    pub restitution: f32,
-    pub friction: f32,
-    pub density: f32,
-}
-
 impl RigidDescription {
-    /// Reads and checks flat numbers.
-    ///
-    /// # Errors
-    /// Names the number that is not finite or out of range, as `rigid.*`. Whether points span a hull is judged when
-    /// the rigid is added.
-    pub fn from_numbers(numbers: &RigidNumbers) -> Result<Self, ParameterError> {
-        Ok(Self {
-            kind: kind_of(numbers.kind)?,
-            shape: shape_of(numbers)?,
-            pose: pose_of(numbers.pose)?,
-            restitution: ranged("rigid.restitution", numbers.restitution, (0.0, 1.0))?,
-            friction: ranged("rigid.friction", numbers.friction, (0.0, 1.0))?,
-            density: ranged("rigid.density", numbers.density, DENSITIES)?,
-        })
+    /// A rigid of which nothing but this is said: it does not bounce, its friction is 0.5, and it is as dense as water.
+    pub fn new(kind: RigidKind, shape: RigidShape, pose: Pose) -> Self {
+        Self {
+            kind,
+            shape,
+            pose,
+            restitution: 0.0,
+            friction: 0.5,
+            density: 1000.0,
+        }
     }
 }
 
@@ -107,17 +93,22 @@ impl RigidDescription {
 /// # Errors
 /// When a number is missing, not finite or too large, or the quaternion has no direction.
 pub fn pose_of(numbers: &[f32]) -> Result<Pose, ParameterError> {
+    pose_under("rigid", numbers)
+}
+
+/// The same, of the thing called `name`.
+pub(super) fn pose_under(name: &str, numbers: &[f32]) -> Result<Pose, ParameterError> {
     let Ok([x, y, z, rotation @ ..]) = <[f32; 7]>::try_from(numbers) else {
-        return Err(count_error("rigid.pose", numbers.len(), 7));
+        return Err(count_error(&format!("{name}.pose"), numbers.len(), 7));
     };
     for (axis, value) in AXES.iter().zip([x, y, z]) {
-        ranged(&format!("rigid.position.{axis}"), value, PLACES)?;
+        ranged(&format!("{name}.position.{axis}"), value, PLACES)?;
     }
     for (part, value) in ["x", "y", "z", "w"].iter().zip(rotation) {
-        ranged(&format!("rigid.rotation.{part}"), value, (-1e3, 1e3))?;
+        ranged(&format!("{name}.rotation.{part}"), value, (-1e3, 1e3))?;
     }
     let length = rotation.iter().map(|part| part * part).sum::<f32>().sqrt();
-    ranged("rigid.rotation", length, (1e-3, 2e3))?;
+    ranged(&format!("{name}.rotation"), length, (1e-3, 2e3))?;
     // What is a unit but for rounding stays bit for bit, or a saved pose would not come back as it was.
     let scale = if (length - 1.0).abs() < 1e-5 { 1.0 } else { length };
     Ok(Pose {
@@ -126,74 +117,8 @@ pub fn pose_of(numbers: &[f32]) -> Result<Pose, ParameterError> {
     })
 }
 
-fn kind_of(number: u8) -> Result<RigidKind, ParameterError> {
-    match number {
-        0 => Ok(RigidKind::Fixed),
-        1 => Ok(RigidKind::Kinematic),
-        2 => Ok(RigidKind::Dynamic),
-        other => Err(ParameterError::out_of_range("rigid.kind", f64::from(other), 0.0, 2.0)),
-    }
-}
-
-fn shape_of(numbers: &RigidNumbers) -> Result<RigidShape, ParameterError> {
-    match numbers.shape {
-        0 => dimensions(numbers.dimensions).map(|[radius]| RigidShape::Ball { radius }),
-        1 => dimensions(numbers.dimensions).map(|half_extents| RigidShape::Cuboid { half_extents }),
-        2 => dimensions(numbers.dimensions).map(|[half_height, radius]| RigidShape::Capsule { half_height, radius }),
-        3 => dimensions(numbers.dimensions).map(|[half_height, radius]| RigidShape::Cylinder { half_height, radius }),
-        4 => vertices_of(numbers.vertices).map(|vertices| RigidShape::ConvexHull { vertices }),
-        5 => trimesh_of(numbers.vertices, numbers.indices),
-        other => Err(ParameterError::out_of_range("rigid.shape", f64::from(other), 0.0, 5.0)),
-    }
-}
-
-fn dimensions<const COUNT: usize>(numbers: &[f32]) -> Result<[f32; COUNT], ParameterError> {
-    let Ok(lengths) = <[f32; COUNT]>::try_from(numbers) else {
-        return Err(count_error("rigid.dimensions", numbers.len(), COUNT));
-    };
-    for (place, length) in lengths.iter().enumerate() {
-        ranged(&format!("rigid.dimensions.{place}"), *length, LENGTHS)?;
-    }
-    Ok(lengths)
-}
-
-fn vertices_of(numbers: &[f32]) -> Result<Vec<[f32; 3]>, ParameterError> {
-    let (triples, rest) = numbers.as_chunks::<3>();
-    if triples.is_empty() || !rest.is_empty() {
-        let message = "rigid.vertices takes three numbers for each vertex, at least one vertex".to_owned();
-        return Err(shape_error("rigid.vertices", numbers.len() as f64, message));
-    }
-    for (place, value) in numbers.iter().enumerate() {
-        ranged(
-            &format!("rigid.vertices.{}.{}", place / 3, AXES[place % 3]),
-            *value,
-            (-LENGTHS.1, LENGTHS.1),
-        )?;
-    }
-    Ok(triples.to_vec())
-}
-
-fn trimesh_of(vertices: &[f32], indices: &[u32]) -> Result<RigidShape, ParameterError> {
-    let vertices = vertices_of(vertices)?;
-    let (triples, rest) = indices.as_chunks::<3>();
-    if triples.is_empty() || !rest.is_empty() {
-        let message = "rigid.indices takes three indices for each triangle, at least one triangle".to_owned();
-        return Err(shape_error("rigid.indices", indices.len() as f64, message));
-    }
-    let last = vertices.len() - 1;
-    for (place, index) in indices.iter().enumerate() {
-        if *index as usize > last {
-            let key = format!("rigid.indices.{place}");
-            return Err(ParameterError::out_of_range(&key, f64::from(*index), 0.0, last as f64));
-        }
-    }
-    Ok(RigidShape::Trimesh {
-        vertices,
-        indices: triples.to_vec(),
-    })
-}
-
-fn ranged(key: &str, value: f32, (min, max): (f64, f64)) -> Result<f32, ParameterError> {
+/// A number that must be finite and within a range.
+pub(super) fn ranged(key: &str, value: f32, (min, max): (f64, f64)) -> Result<f32, ParameterError> {
     let wide = f64::from(value);
     // The bounds are compared as f32 too, so that a caller's 0.001 is not refused for being 0.00099999.
     if value.is_finite() && value >= min as f32 && value <= max as f32 {
@@ -203,7 +128,8 @@ fn ranged(key: &str, value: f32, (min, max): (f64, f64)) -> Result<f32, Paramete
     }
 }
 
-fn count_error(key: &str, count: usize, wanted: usize) -> ParameterError {
+/// A refusal of a list that has not the length that it must have.
+pub(super) fn count_error(key: &str, count: usize, wanted: usize) -> ParameterError {
     shape_error(
         key,
         count as f64,

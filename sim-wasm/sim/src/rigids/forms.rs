@@ -4,20 +4,28 @@ use rapier3d::glamx::Vec3;
 use rapier3d::parry::shape::{ConvexPolyhedron, SharedShape, TriMesh, TriMeshFlags};
 use rapier3d::parry::transformation::try_convex_hull;
 
+use super::compound::Compound;
 use super::description::{RigidDescription, RigidKind, RigidShape, shape_error};
 use super::meshes::{Hull, Mesh};
 use crate::collide::shapes::{Ball, Capsule, Collider, Cuboid, Cylinder};
-use crate::collide::space::Vector;
+use crate::collide::space::{Pose, Vector};
 use crate::error::ParameterError;
 
 /// A volume below this share of its box's is no volume.
 const LEAST_FILLING: f32 = 1e-4;
 const LEAST_HALF_EXTENT: f32 = 5e-4;
 
-/// A shape twice.
+/// A rigid's shape twice.
 pub struct Forms {
-    pub rapiers: SharedShape,
+    /// Each with its pose in the rigid.
+    pub rapiers: Vec<(Pose, SharedShape)>,
     pub ours: Box<dyn Collider>,
+}
+
+/// A shape twice.
+struct Form {
+    rapiers: SharedShape,
+    ours: Box<dyn Collider>,
 }
 
 /// Makes both forms of a described rigid.
@@ -25,33 +33,60 @@ pub struct Forms {
 /// # Errors
 /// When points span no volume, or no triangle has an area, or a dynamic rigid is a sheet, which has no mass.
 pub fn forms_of(description: &RigidDescription) -> Result<Forms, ParameterError> {
-    Ok(match &description.shape {
-        &RigidShape::Ball { radius } => Forms {
+    let RigidShape::Compound { parts } = &description.shape else {
+        let Form { rapiers, ours } = form_of(&description.shape, description.kind)?;
+        let rapiers = vec![(Pose::at(Vector::ZERO), rapiers)];
+        return Ok(Forms { rapiers, ours });
+    };
+    if parts.is_empty() {
+        let message = "rigid.parts is empty; give a compound at least one part".to_owned();
+        return Err(shape_error("rigid.parts", 0.0, message));
+    }
+    let forms = parts
+        .iter()
+        .map(|part| form_of(&part.shape, description.kind))
+        .collect::<Result<Vec<_>, _>>()?;
+    let (rapiers, ours): (Vec<_>, Vec<_>) = forms
+        .into_iter()
+        .zip(parts)
+        .map(|(form, part)| ((part.pose, form.rapiers), (part.pose, form.ours)))
+        .unzip();
+    let ours = Box::new(Compound::new(ours.into_iter()));
+    Ok(Forms { rapiers, ours })
+}
+
+fn form_of(shape: &RigidShape, kind: RigidKind) -> Result<Form, ParameterError> {
+    Ok(match shape {
+        &RigidShape::Ball { radius } => Form {
             rapiers: SharedShape::ball(radius),
             ours: Box::new(Ball { radius }),
         },
         &RigidShape::Cuboid {
             half_extents: [x, y, z],
-        } => Forms {
+        } => Form {
             rapiers: SharedShape::cuboid(x, y, z),
             ours: Box::new(Cuboid {
                 half_extents: Vector::new(x, y, z),
             }),
         },
-        &RigidShape::Capsule { half_height, radius } => Forms {
+        &RigidShape::Capsule { half_height, radius } => Form {
             rapiers: SharedShape::capsule_y(half_height, radius),
             ours: Box::new(Capsule { half_height, radius }),
         },
-        &RigidShape::Cylinder { half_height, radius } => Forms {
+        &RigidShape::Cylinder { half_height, radius } => Form {
             rapiers: SharedShape::cylinder(half_height, radius),
             ours: Box::new(Cylinder { half_height, radius }),
         },
         RigidShape::ConvexHull { vertices } => hull(vertices)?,
-        RigidShape::Trimesh { vertices, indices } => trimesh(vertices, indices, description.kind)?,
+        RigidShape::Trimesh { vertices, indices } => trimesh(vertices, indices, kind)?,
+        RigidShape::Compound { .. } => {
+            let message = "rigid.parts holds a compound; give its parts instead".to_owned();
+            return Err(shape_error("rigid.parts", 6.0, message));
+        }
     })
 }
 
-fn hull(vertices: &[[f32; 3]]) -> Result<Forms, ParameterError> {
+fn hull(vertices: &[[f32; 3]]) -> Result<Form, ParameterError> {
     let points: Vec<Vec3> = vertices.iter().map(|vertex| Vec3::from(*vertex)).collect();
     let refused = || {
         let message = "rigid.vertices span no volume; give at least four points that do not lie in one plane";
@@ -64,7 +99,7 @@ fn hull(vertices: &[[f32; 3]]) -> Result<Forms, ParameterError> {
     let (corners, triangles) = try_convex_hull(&points).map_err(|_| refused())?;
     let polyhedron = ConvexPolyhedron::from_convex_mesh(corners.clone(), &triangles).ok_or_else(refused)?;
     let mesh = oriented(corners, triangles).ok_or_else(refused)?;
-    Ok(Forms {
+    Ok(Form {
         rapiers: SharedShape::new(polyhedron),
         ours: Box::new(Hull::new(mesh)),
     })
@@ -87,7 +122,7 @@ fn spans_volume(points: &[Vec3]) -> bool {
     length > LEAST_HALF_EXTENT && area > LEAST_FILLING * length * length && volume > LEAST_FILLING * area * length
 }
 
-fn trimesh(vertices: &[[f32; 3]], indices: &[[u32; 3]], kind: RigidKind) -> Result<Forms, ParameterError> {
+fn trimesh(vertices: &[[f32; 3]], indices: &[[u32; 3]], kind: RigidKind) -> Result<Form, ParameterError> {
     let points: Vec<Vec3> = vertices.iter().map(|vertex| Vec3::from(*vertex)).collect();
     let flags = TriMeshFlags::MERGE_DUPLICATE_VERTICES | TriMeshFlags::DELETE_DEGENERATE_TRIANGLES;
     let merged = TriMesh::with_flags(points, indices.to_vec(), flags).ok();
@@ -104,7 +139,7 @@ fn trimesh(vertices: &[[f32; 3]], indices: &[[u32; 3]], kind: RigidKind) -> Resu
         None
     };
     match solid {
-        Some(mesh) => Ok(Forms {
+        Some(mesh) => Ok(Form {
             rapiers: SharedShape::new(mesh.clone()),
             ours: Box::new(Mesh::new(mesh, true)),
         }),
@@ -112,7 +147,7 @@ fn trimesh(vertices: &[[f32; 3]], indices: &[[u32; 3]], kind: RigidKind) -> Resu
             let message = "rigid.shape is an open mesh, which has no mass; close it or make the rigid kinematic";
             Err(shape_error("rigid.shape", 5.0, message.to_owned()))
         }
-        None => Ok(Forms {
+        None => Ok(Form {
             rapiers: SharedShape::new(merged.clone()),
             ours: Box::new(Mesh::new(merged, false)),
         }),

@@ -150,7 +150,8 @@ impl Collider for Hull {
     }
 }
 
-fn distance_to_box(bounds: &Bounds, point: Vector) -> f32 {
+/// How far (m) a point is from a box; 0 inside.
+pub fn distance_to_box(bounds: &Bounds, point: Vector) -> f32 {
     (bounds.min - point)
         .greatest(point - bounds.max)
         .greatest(Vector::ZERO)

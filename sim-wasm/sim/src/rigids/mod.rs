@@ -3,10 +3,12 @@
 //! Rapier moves the rigids; particles are none. After Rapier's step each rigid is an obstacle on its way from the pose
 //! before to the pose after, and [`crate::collide`] lets the particles near it bump into that.
 
+mod compound;
 pub mod description;
 mod forms;
 mod grid;
 mod meshes;
+mod numbers;
 mod save;
 mod world;
 
@@ -17,8 +19,9 @@ use crate::collide::space::{Bounds, Pose, Vector};
 use crate::collide::survey::{Extent, Ways};
 use crate::error::ParameterError;
 use crate::hash::Hash;
-pub use description::{RigidDescription, RigidKind, RigidNumbers, RigidShape, pose_of};
+pub use description::{RigidDescription, RigidKind, RigidPart, RigidShape, pose_of};
 use grid::Grid;
+pub use numbers::{FlatRigid, RigidNumbers};
 use world::World;
 
 /// A kinematic rigid's surface never moves faster (m/s): up to here no particle can get through it.
@@ -94,7 +97,7 @@ impl Rigids {
             ));
         }
         let forms = forms::forms_of(&description)?;
-        self.world.add(&description, forms.rapiers);
+        self.world.add(&description, &forms.rapiers);
         self.place(description, forms.ours);
         Ok(index as u32)
     }
@@ -221,7 +224,7 @@ impl Rigids {
         for (index, member) in self.members.iter().enumerate() {
             self.world.hash_into(index, hash);
             if let Some(target) = &member.target {
-                hash.floats(&numbers(target));
+                hash.floats(&pose_numbers(target));
             }
         }
     }
@@ -257,7 +260,7 @@ impl Collider for Box<dyn Collider> {
     }
 }
 
-fn numbers(pose: &Pose) -> [f32; 7] {
+fn pose_numbers(pose: &Pose) -> [f32; 7] {
     let [x, y, z]: [f32; 3] = pose.position.into();
     let [i, j, k, w] = pose.rotation;
     [x, y, z, i, j, k, w]
@@ -265,7 +268,7 @@ fn numbers(pose: &Pose) -> [f32; 7] {
 
 fn pair(start: &Pose, end: &Pose) -> [f32; POSE_PAIR_FLOATS] {
     let mut floats = [0.0; POSE_PAIR_FLOATS];
-    floats[..7].copy_from_slice(&numbers(start));
-    floats[7..].copy_from_slice(&numbers(end));
+    floats[..7].copy_from_slice(&pose_numbers(start));
+    floats[7..].copy_from_slice(&pose_numbers(end));
     floats
 }

@@ -3,15 +3,16 @@
 
 use rapier3d::prelude::PhysicsWorld;
 
-use super::description::{RigidDescription, RigidKind, RigidNumbers, RigidShape, pose_of};
+use super::description::{RigidDescription, pose_of};
+use super::numbers::{FlatRigid, RigidNumbers};
 use super::world::World;
-use super::{POSE_PAIR_FLOATS, Rigids, forms, numbers};
+use super::{Member, POSE_PAIR_FLOATS, Rigids, forms, pose_numbers};
 use crate::collide::space::Pose;
 use crate::error::RestoreError;
 use crate::hash::Hash;
 
-/// kind, shape, dimensions, vertices, indices, pose at creation, and restitution, friction, density.
-type SavedRigid = (u8, u8, Vec<f32>, Vec<f32>, Vec<u32>, [f32; 7], [f32; 3]);
+/// The description as flat numbers: numbers, vertices, indices.
+type SavedRigid = (Vec<f32>, Vec<f32>, Vec<u32>);
 type Saved = (Vec<SavedRigid>, Vec<f32>, Vec<Option<[f32; 7]>>, PhysicsWorld);
 /// The same, borrowed, which is all that writing needs.
 type SavedRef<'a> = (Vec<SavedRigid>, &'a [f32], Vec<Option<[f32; 7]>>, &'a PhysicsWorld);
@@ -24,11 +25,11 @@ impl Rigids {
         if self.count() == 0 {
             return Vec::new();
         }
-        let rigids = self.members.iter().map(|member| saved(&member.description)).collect();
+        let rigids = self.members.iter().map(saved).collect();
         let targets = self
             .members
             .iter()
-            .map(|member| member.target.as_ref().map(numbers))
+            .map(|member| member.target.as_ref().map(pose_numbers))
             .collect();
         let state: SavedRef = (rigids, &self.poses, targets, self.world.physics());
         let mut bytes = postcard::to_allocvec(&state).expect("memory takes every byte");
@@ -72,47 +73,22 @@ impl Rigids {
     }
 }
 
-fn saved(description: &RigidDescription) -> SavedRigid {
-    let kind = match description.kind {
-        RigidKind::Fixed => 0,
-        RigidKind::Kinematic => 1,
-        RigidKind::Dynamic => 2,
-    };
-    let none = (Vec::new(), Vec::new());
-    let (shape, dimensions, (vertices, indices)) = match &description.shape {
-        RigidShape::Ball { radius } => (0, vec![*radius], none),
-        RigidShape::Cuboid { half_extents } => (1, half_extents.to_vec(), none),
-        RigidShape::Capsule { half_height, radius } => (2, vec![*half_height, *radius], none),
-        RigidShape::Cylinder { half_height, radius } => (3, vec![*half_height, *radius], none),
-        RigidShape::ConvexHull { vertices } => (4, Vec::new(), (vertices.concat(), Vec::new())),
-        RigidShape::Trimesh { vertices, indices } => (5, Vec::new(), (vertices.concat(), indices.concat())),
-    };
-    let surface = [description.restitution, description.friction, description.density];
-    (
-        kind,
-        shape,
-        dimensions,
+fn saved(member: &Member) -> SavedRigid {
+    let FlatRigid {
+        numbers,
         vertices,
         indices,
-        numbers(&description.pose),
-        surface,
-    )
+    } = member.description.to_numbers();
+    (numbers, vertices, indices)
 }
 
-fn described(rigid: &SavedRigid) -> Result<RigidDescription, RestoreError> {
-    let (kind, shape, dimensions, vertices, indices, pose, [restitution, friction, density]) = rigid;
-    let numbers = RigidNumbers {
-        kind: *kind,
-        shape: *shape,
-        dimensions,
+fn described((numbers, vertices, indices): &SavedRigid) -> Result<RigidDescription, RestoreError> {
+    let flat = RigidNumbers {
+        numbers,
         vertices,
         indices,
-        pose,
-        restitution: *restitution,
-        friction: *friction,
-        density: *density,
     };
-    RigidDescription::from_numbers(&numbers).map_err(|error| RestoreError::new(error.message))
+    RigidDescription::from_numbers(&flat).map_err(|error| RestoreError::new(error.message))
 }
 
 fn read_target(target: Option<[f32; 7]>) -> Result<Option<Pose>, RestoreError> {

@@ -24,18 +24,22 @@ impl World {
         Self { physics }
     }
 
-    /// Adds a rigid with a shape made from its description.
-    pub fn add(&mut self, description: &RigidDescription, shape: SharedShape) {
+    /// Adds a rigid with the shapes made from its description, at least one, each with its pose in the rigid.
+    pub fn add(&mut self, description: &RigidDescription, shapes: &[(Pose, SharedShape)]) {
         let body = match description.kind {
             RigidKind::Fixed => RigidBodyBuilder::fixed(),
             RigidKind::Kinematic => RigidBodyBuilder::kinematic_position_based(),
             RigidKind::Dynamic => RigidBodyBuilder::dynamic().ccd_enabled(true),
         };
-        let collider = ColliderBuilder::new(shape)
-            .restitution(description.restitution)
-            .friction(description.friction)
-            .density(description.density);
-        self.physics.insert(body.pose(rapiers(&description.pose)), collider);
+        let body = self.physics.insert_body(body.pose(rapiers(&description.pose)));
+        for (pose, shape) in shapes {
+            let collider = ColliderBuilder::new(shape.clone())
+                .position(rapiers(pose))
+                .restitution(description.restitution)
+                .friction(description.friction)
+                .density(description.density);
+            self.physics.insert_collider(collider, Some(body));
+        }
     }
 
     /// Where the coming step takes a kinematic rigid.

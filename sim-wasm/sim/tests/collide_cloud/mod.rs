@@ -84,12 +84,10 @@ impl Cloud {
 
 pub fn rigid(kind: RigidKind, shape: RigidShape, pose: Pose) -> RigidDescription {
     RigidDescription {
-        kind,
-        shape,
-        pose,
         restitution: 0.1,
         friction: 0.2,
         density: 500.0,
+        ..RigidDescription::new(kind, shape, pose)
     }
 }
 
