@@ -1,19 +1,76 @@
 //! Births.
 //!
 //! An emitter owes rate * share / (sum of shares) particles a second. What it owes is kept as a fraction, so that
-//! counts are exact over any time. Each birth has its own moment within the step: the particle starts the step as far
-//! behind as it must so that, moved by the whole step, it stands where it would after the rest of it. Therefore
-//! neither a fast jet nor wind shows beads. When the simulator is full, births wait and are made up as soon as there
+//! counts are exact over any time. Each birth has its own moment within the step, from which on it moves (see
+//! `motion::Motion::launch`). Therefore neither a fast jet nor wind shows beads. When the simulator is full, births wait and are made up as soon as there
 //! is room; emitters take turns in being first, so that none starves.
 //!
 //! Directions are uniform over the cone about the emitter's direction, places uniform over the point, disc (normal
 //! to the direction) or ball.
 
-use crate::forces::{Air, unit};
-use crate::motion::Integrator;
-use crate::parameters::{Emission, Emitter, LIST_LIMIT, Parameters};
+use crate::forces::unit;
+use crate::parameters::field::{DIRECTION, Field, PLACE, SHARE, number, vector};
+use crate::parameters::section::Item;
+use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::particles::{Newborn, Particles};
 use crate::random::Random;
+use crate::scope::Scope;
+
+/// `emitters.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Emitter {
+    pub shape: f64,
+    pub position: [f64; 3],
+    pub direction: [f64; 3],
+    pub radius: f64,
+    pub speed: f64,
+    pub speed_variation: f64,
+    pub spread: f64,
+    pub size: f64,
+    pub size_variation: f64,
+    pub lifetime_variation: f64,
+    pub temperature: f64,
+    pub share: f64,
+    pub scope: Scope,
+}
+
+impl Item for Emitter {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("shape", "1", [0.0, 2.0], 0.0, |e: &mut Self| &mut e.shape)
+            .named(&["point", "disc", "ball"])
+            .says("Shape", "Where its puffs are born."),
+        vector("position", "m", PLACE, [0.0; 3], |e: &mut Self| &mut e.position).says("Place", "Centre of its shape."),
+        vector("direction", "1", DIRECTION, [0.0, 1.0, 0.0], |e: &mut Self| {
+            &mut e.direction
+        })
+        .says("Direction", "Where it blows its puffs."),
+        number("radius", "m", [0.0, 100.0], 0.1, |e: &mut Self| &mut e.radius).says("Radius", "Radius of its shape."),
+        number("speed", "m/s", [0.0, 50.0], 0.5, |e: &mut Self| &mut e.speed)
+            .says("Speed", "How fast its puffs leave, relative to the air."),
+        number("speedVariation", "1", SHARE, 0.2, |e: &mut Self| &mut e.speed_variation)
+            .says("Speed range", "How much faster or slower some leave, as a share."),
+        number("spread", "rad", [0.0, std::f64::consts::PI], 0.3, |e: &mut Self| {
+            &mut e.spread
+        })
+        .says("Spread", "Half angle of the cone into which they leave."),
+        number("size", "m", [0.001, 20.0], 0.3, |e: &mut Self| &mut e.size)
+            .says("Size", "Radius of its puffs at full density."),
+        number("sizeVariation", "1", SHARE, 0.2, |e: &mut Self| &mut e.size_variation)
+            .says("Size range", "How much larger or smaller some are, as a share."),
+        number("lifetimeVariation", "1", SHARE, 0.2, |e: &mut Self| {
+            &mut e.lifetime_variation
+        })
+        .says("Lifetime range", "How much longer or shorter some live, as a share."),
+        number("temperature", "1", [0.0, 4.0], 1.0, |e: &mut Self| &mut e.temperature)
+            .says("Temperature", "How warm its puffs are; warm smoke rises."),
+        number("share", "1", [0.0, 1000.0], 1.0, |e: &mut Self| &mut e.share)
+            .says("Share", "Its part of all births, relative to the other emitters."),
+    ];
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}
 
 /// What emitters remember from step to step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,8 +84,6 @@ pub struct Births {
 /// What a step's births depend on besides the emitter.
 pub struct Surroundings<'s> {
     pub parameters: &'s Parameters,
-    pub air: &'s Air,
-    pub integrator: Integrator,
     /// Number of the step: it decides which emitter comes first.
     pub step: u64,
     /// Length of the step (s).
@@ -129,27 +184,19 @@ impl Source<'_, '_> {
     /// One birth `delay` seconds after the start of the step.
     fn bear(&mut self, delay: f64) {
         let emitter = self.emitter.emitter;
-        let Emission {
-            lifetime,
-            puff_variations,
-            ..
-        } = self.around.parameters.emission;
+        let Parameters { emission, puff, .. } = self.around.parameters;
         let place = self.place();
         let speed = vary(emitter.speed, emitter.speed_variation, self.random);
         let slip = self.direction().map(|component| component * speed);
-        let velocity = match self.around.integrator {
-            Integrator::AirAndSlip => sum(slip, self.around.air.velocity_at(place)),
-            Integrator::Paper => slip,
-        };
-        let lifetime = vary(lifetime, emitter.lifetime_variation, self.random).max(self.around.dt as f32);
+        let lifetime = vary(emission.lifetime, emitter.lifetime_variation, self.random).max(self.around.dt as f32);
         let newborn = Newborn {
-            position: sum(place, velocity.map(|component| component * -delay as f32)),
+            position: place,
             slip,
             age: -delay as f32,
             lifetime,
             size: vary(emitter.size, emitter.size_variation, self.random),
             temperature: emitter.temperature as f32,
-            look: look(puff_variations as u32, self.random),
+            look: look(puff.variations as u32, self.random),
         };
         self.particles.push(&newborn);
     }

@@ -18,9 +18,11 @@ pub mod random;
 #[cfg(feature = "rigids")]
 pub mod rigids;
 pub mod rows;
+pub mod scope;
 pub mod simd;
 pub mod simulator;
 mod snapshot;
+pub mod tile;
 pub mod view;
 
 pub use error::{ParameterError, RestoreError};

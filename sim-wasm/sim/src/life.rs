@@ -29,7 +29,7 @@ impl RadiusLaw {
     /// The law that `parameters` set.
     pub fn new(parameters: &Parameters) -> Self {
         Self {
-            puff_size: parameters.emission.puff_size as f32,
+            puff_size: parameters.puff.size as f32,
             growth_time: parameters.emission.growth_time as f32,
         }
     }

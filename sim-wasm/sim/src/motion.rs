@@ -1,21 +1,22 @@
 //! How particles move in one step.
 //!
-//! Air and slip: a particle goes with the air at its place, and in addition with its slip, on which lift and drag act.
-//! The slip has a closed form (see `forces::drag`). The air is followed by a midpoint rule. Wind is everywhere the same.
-//! Turbulence and the speed of vortices, by far the dearest, are evaluated once, half of the last step's displacement
-//! ahead: that is the middle of this step up to second order, since velocities hardly change within a step, at half the
-//! cost of a trial step, and unlike a value at the start it does not throw particles out of the swirls. The direction
-//! in which a vortex moves a particle is that of the middle, found by a half step (see `forces::vortex`).
+//! Air and slip: a particle goes with the air at its place, and in addition with its slip, on which accelerations and
+//! drag act. The slip has a closed form (see `forces::drag`). The air is followed by a midpoint rule: it is evaluated
+//! half of the last step's displacement ahead, which is the middle of this step up to second order, since velocities
+//! hardly change within a step, at half the cost of a trial step, and unlike a value at the start it does not throw
+//! particles out of the swirls. The direction in which a vortex moves a particle is that of the middle, found by a half
+//! step (see `forces::vortex`).
 //!
 //! Paper: forward Euler on one inertial velocity v, as published: x += v h, v += k h (u - v) + a h. The air acts only
 //! through drag, and vortices fling particles outwards.
 
 use wide::f32x4;
 
-use crate::forces::drag::Drag;
-use crate::forces::{Air, Lift};
+use crate::forces::drag::{self, Factors};
+use crate::forces::{Forces, Setting, Stage, buoyancy, gravity};
 use crate::particles::{LANES, Particles};
-use crate::simd::{Vector4, blocks, blocks_mut};
+use crate::simd::{Vector4, blocks, blocks_mut, positive_part, smaller};
+use crate::tile::{Columns, Tile, tiles};
 
 /// The rule by which particles move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,121 +35,248 @@ impl Integrator {
 }
 
 /// All that moves particles in one step.
-#[derive(Clone, Copy, Debug)]
 pub struct Motion {
     pub integrator: Integrator,
-    pub air: Air,
-    pub lift: Lift,
-    pub drag: Drag,
-    /// Length of the step (s).
-    pub dt: f32,
+    forces: Forces,
+    lift: Lift,
+    /// Drag where no other drag adds to it, and its rate (1/s).
+    drag: Factors,
+    rate: f32x4,
+    dt: f32,
 }
 
-/// What a step makes of a block: places and slips at its end.
-type Moved = (Vector4, Vector4);
+/// The accelerations that act everywhere: they are vertical, so that one number a particle is enough.
+struct Lift {
+    gravity: f32x4,
+    buoyancy: f32x4,
+}
 
-/// Moves every particle by one step; `px`, `py`, `pz` become the places at its start.
-pub fn advance(particles: &mut Particles, motion: &Motion) {
-    match motion.integrator {
-        Integrator::AirAndSlip => for_each_block(particles, |block| motion.air_and_slip(block)),
-        Integrator::Paper => for_each_block(particles, |block| motion.paper(block)),
+impl Lift {
+    #[inline(always)]
+    fn acceleration(&self, temperature: f32x4) -> f32x4 {
+        self.buoyancy * temperature - self.gravity
     }
-}
-
-/// Turns what the particles keep from slip into velocity, or back, so that a change of the integrator does not jerk.
-pub fn change_integrator(particles: &mut Particles, air: &Air, to: Integrator) {
-    let sign = f32x4::splat(if to == Integrator::Paper { 1.0 } else { -1.0 });
-    let count = particles.padded_alive() / LANES;
-    let (x, y, z) = (
-        blocks(&particles.x, count),
-        blocks(&particles.y, count),
-        blocks(&particles.z, count),
-    );
-    let sx = blocks_mut(&mut particles.sx, count);
-    let sy = blocks_mut(&mut particles.sy, count);
-    let sz = blocks_mut(&mut particles.sz, count);
-    for block in 0..count {
-        let velocity = air.velocity(Vector4::load(x, y, z, block)) * sign;
-        let slip = Vector4::load(sx, sy, sz, block) + velocity;
-        store(slip, sx, sy, sz, block);
-    }
-}
-
-/// State of four particles at the start of a step.
-struct Block {
-    place: Vector4,
-    previous: Vector4,
-    slip: Vector4,
-    temperature: f32x4,
 }
 
 impl Motion {
-    #[inline(always)]
-    fn air_and_slip(&self, block: Block) -> Moved {
-        let (slip, slipped) = self.slip(&block);
-        let dt = f32x4::splat(self.dt);
-        let ahead = (block.place - block.previous) * f32x4::HALF;
-        let mut flow = self.air.wind;
-        if !self.air.turbulence.is_empty() {
-            flow += self.air.turbulence.velocity(block.place + ahead);
+    /// The motion that the parameters of `setting` ask for.
+    pub fn new(setting: &Setting) -> Self {
+        let parameters = setting.parameters;
+        let rate = drag::rate(parameters);
+        Self {
+            integrator: Integrator::from_parameter(parameters.simulation.integrator),
+            forces: Forces::new(setting),
+            lift: Lift {
+                gravity: f32x4::splat(gravity::acceleration(parameters)),
+                buoyancy: f32x4::splat(buoyancy::acceleration_per_temperature(parameters)),
+            },
+            drag: Factors::new(rate, setting.now.dt),
+            rate: f32x4::splat(rate as f32),
+            dt: setting.now.dt as f32,
         }
-        if !self.air.vortices.is_empty() {
-            let half = (flow * dt + slipped) * f32x4::HALF;
-            flow += self.air.vortices.mean_velocity(block.place, ahead, half);
+    }
+
+    /// Moves every particle by one step; `px`, `py`, `pz` become the places at its start.
+    pub fn advance(&self, particles: &mut Particles) {
+        let mut tile = Tile::new(self.dt, self.integrator == Integrator::Paper);
+        for (first, len) in tiles(particles, 0) {
+            tile.load(particles, first, len);
+            self.forces.act(Stage::Air, &mut tile);
+            self.forces.act(Stage::Push, &mut tile);
+            match self.integrator {
+                Integrator::AirAndSlip => self.air_and_slip(&mut tile),
+                Integrator::Paper => self.paper(&mut tile),
+            }
+            store(&mut tile, particles, first);
         }
-        (block.place + flow * dt + slipped, slip)
     }
 
-    /// Slip after the step, and the displacement that it brings.
-    #[inline(always)]
-    fn slip(&self, block: &Block) -> (Vector4, Vector4) {
-        let lift = self.lift.acceleration(block.temperature);
-        let mut slip = block.slip * self.drag.kept;
-        slip.y += lift * self.drag.first;
-        let mut slipped = block.slip * self.drag.first;
-        slipped.y += lift * self.drag.second;
-        (slip, slipped)
+    /// Puts particles from number `first` on that were born within this step as far behind their places as makes the
+    /// whole step, which is about to be made, take them where the rest of it would have.
+    pub fn launch(&self, particles: &mut Particles, first: usize) {
+        let mut tile = Tile::new(self.dt, true);
+        for (first, len) in tiles(particles, first / LANES) {
+            tile.load(particles, first, len);
+            if self.integrator == Integrator::AirAndSlip {
+                self.forces.act(Stage::Air, &mut tile);
+                self.forces.act(Stage::Swirl, &mut tile);
+            }
+            let ages = &blocks(&particles.age, first + len)[first..];
+            let Columns { flow, slip, .. } = tile.columns();
+            for ((flow, slip), age) in flow.iter_mut().zip(&*slip).zip(ages) {
+                let delay = positive_part(f32x4::ZERO - f32x4::new(*age));
+                *flow = (*flow + *slip) * delay;
+            }
+            put_back(flow, particles, first);
+        }
     }
 
-    #[inline(always)]
-    fn paper(&self, block: Block) -> Moved {
-        let dt = f32x4::splat(self.dt);
-        let air = self.air.velocity(block.place);
-        let mut velocity = block.slip + (air - block.slip) * self.drag.euler;
-        velocity.y += self.lift.acceleration(block.temperature) * dt;
-        (block.place + block.slip * dt, velocity)
+    /// Velocity of the air (m/s) at a place.
+    pub fn air_velocity(&self, place: [f32; 3]) -> [f32; 3] {
+        let mut tile = Tile::at(place, self.dt);
+        self.forces.act(Stage::Air, &mut tile);
+        self.forces.act(Stage::Swirl, &mut tile);
+        tile.columns().flow[0].first()
     }
-}
 
-#[inline(always)]
-fn for_each_block(particles: &mut Particles, rule: impl Fn(Block) -> Moved) {
-    let count = particles.padded_alive() / LANES;
-    let x = blocks_mut(&mut particles.x, count);
-    let y = blocks_mut(&mut particles.y, count);
-    let z = blocks_mut(&mut particles.z, count);
-    let px = blocks_mut(&mut particles.px, count);
-    let py = blocks_mut(&mut particles.py, count);
-    let pz = blocks_mut(&mut particles.pz, count);
-    let sx = blocks_mut(&mut particles.sx, count);
-    let sy = blocks_mut(&mut particles.sy, count);
-    let sz = blocks_mut(&mut particles.sz, count);
-    for (block, temperature) in blocks(&particles.temperature, count).iter().enumerate() {
-        let place = Vector4::load(x, y, z, block);
-        let (moved, slip) = rule(Block {
-            place,
-            previous: Vector4::load(px, py, pz, block),
-            slip: Vector4::load(sx, sy, sz, block),
-            temperature: f32x4::new(*temperature),
+    /// Turns what the particles keep from slip into velocity, or back, so that a change of the integrator to that of
+    /// `self` does not jerk.
+    pub fn take_over(&self, particles: &mut Particles) {
+        let sign = f32x4::splat(if self.integrator == Integrator::Paper {
+            1.0
+        } else {
+            -1.0
         });
-        store(place, px, py, pz, block);
-        store(moved, x, y, z, block);
-        store(slip, sx, sy, sz, block);
+        let mut tile = Tile::new(self.dt, true);
+        for (first, len) in tiles(particles, 0) {
+            tile.load(particles, first, len);
+            self.forces.act(Stage::Air, &mut tile);
+            self.forces.act(Stage::Swirl, &mut tile);
+            let Columns { flow, slip, .. } = tile.columns();
+            for (slip, flow) in slip.iter_mut().zip(flow) {
+                *slip += *flow * sign;
+            }
+            put_slip(slip, particles, first);
+        }
+    }
+
+    #[inline(always)]
+    fn air_and_slip(&self, tile: &mut Tile) {
+        if tile.is_pushed {
+            self.push(tile);
+        } else {
+            self.glide(tile);
+        }
+        self.forces.act(Stage::Swirl, tile);
+        self.forces.act(Stage::Limit, tile);
+        let dt = f32x4::splat(self.dt);
+        let Columns {
+            ahead,
+            place,
+            flow,
+            slipped,
+            ..
+        } = tile.columns();
+        for (block, ahead) in ahead.iter_mut().enumerate() {
+            *ahead = place[block] + flow[block] * dt + slipped[block];
+        }
+    }
+
+    /// Slip under gravity, buoyancy and drag alone.
+    #[inline(always)]
+    fn glide(&self, tile: &mut Tile) {
+        let Columns {
+            slip, slipped, heat, ..
+        } = tile.columns();
+        for ((slip, slipped), heat) in slip.iter_mut().zip(slipped).zip(heat) {
+            let lift = self.lift.acceleration(*heat);
+            *slipped = *slip * self.drag.first;
+            slipped.y += lift * self.drag.second;
+            *slip = *slip * self.drag.kept;
+            slip.y += lift * self.drag.first;
+        }
+    }
+
+    /// Slip where each particle has an acceleration and a rate of drag of its own.
+    fn push(&self, tile: &mut Tile) {
+        let dt = self.dt;
+        let Columns {
+            slip,
+            slipped,
+            push,
+            resistance,
+            heat,
+            ..
+        } = tile.columns();
+        for (block, slip) in slip.iter_mut().enumerate() {
+            let factors = Factors::of_rates(self.rate + resistance[block], dt);
+            let mut push = push[block];
+            push.y += self.lift.acceleration(heat[block]);
+            slipped[block] = *slip * factors.first + push * factors.second;
+            *slip = *slip * factors.kept + push * factors.first;
+        }
+    }
+
+    /// Explicit Euler swings where the drag's k h is beyond 1: there it is taken for 1.
+    #[inline(always)]
+    fn paper(&self, tile: &mut Tile) {
+        self.forces.act(Stage::Swirl, tile);
+        let dt = f32x4::splat(self.dt);
+        let Columns {
+            place,
+            ahead,
+            flow,
+            slip,
+            push,
+            resistance,
+            heat,
+            ..
+        } = tile.columns();
+        for (block, velocity) in slip.iter_mut().enumerate() {
+            let share = smaller((self.rate + resistance[block]) * dt, f32x4::ONE);
+            ahead[block] = place[block] + *velocity * dt;
+            let mut push = push[block];
+            push.y += self.lift.acceleration(heat[block]);
+            *velocity += (flow[block] - *velocity) * share + push * dt;
+        }
+    }
+}
+
+/// Writes back what a step has made of a tile: the way ahead has become the place at the end.
+#[inline(always)]
+fn store(tile: &mut Tile, particles: &mut Particles, first: usize) {
+    let Columns { place, ahead, slip, .. } = tile.columns();
+    let count = first + place.len();
+    write(
+        place,
+        [&mut particles.px, &mut particles.py, &mut particles.pz],
+        first,
+        count,
+    );
+    write(
+        ahead,
+        [&mut particles.x, &mut particles.y, &mut particles.z],
+        first,
+        count,
+    );
+    put_slip(slip, particles, first);
+}
+
+/// Takes the ways `back` from the places now and before.
+fn put_back(back: &[Vector4], particles: &mut Particles, first: usize) {
+    let count = first + back.len();
+    let Particles {
+        x, y, z, px, py, pz, ..
+    } = particles;
+    for [x, y, z] in [[x, y, z], [px, py, pz]] {
+        let column = |column| &mut blocks_mut(column, count)[first..];
+        let (x, y, z) = (column(x), column(y), column(z));
+        for (block, back) in back.iter().enumerate() {
+            x[block] = (f32x4::new(x[block]) - back.x).to_array();
+            y[block] = (f32x4::new(y[block]) - back.y).to_array();
+            z[block] = (f32x4::new(z[block]) - back.z).to_array();
+        }
     }
 }
 
 #[inline(always)]
-fn store(value: Vector4, x: &mut [[f32; LANES]], y: &mut [[f32; LANES]], z: &mut [[f32; LANES]], block: usize) {
-    x[block] = value.x.to_array();
-    y[block] = value.y.to_array();
-    z[block] = value.z.to_array();
+fn put_slip(slip: &[Vector4], particles: &mut Particles, first: usize) {
+    let count = first + slip.len();
+    write(
+        slip,
+        [&mut particles.sx, &mut particles.sy, &mut particles.sz],
+        first,
+        count,
+    );
+}
+
+#[inline(always)]
+fn write(vectors: &[Vector4], [x, y, z]: [&mut Vec<f32>; 3], first: usize, count: usize) {
+    let column = |column| &mut blocks_mut(column, count)[first..];
+    let (x, y, z) = (column(x), column(y), column(z));
+    for (block, vector) in vectors.iter().enumerate() {
+        x[block] = vector.x.to_array();
+        y[block] = vector.y.to_array();
+        z[block] = vector.z.to_array();
+    }
 }

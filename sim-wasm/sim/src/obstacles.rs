@@ -2,12 +2,47 @@
 
 use crate::collide::{AnalyticCollider, ColliderShape};
 use crate::forces::unit;
-use crate::parameters::{Collider, LIST_LIMIT, Parameters};
+use crate::parameters::field::{DIRECTION, Field, LENGTH, PLACE, SHARE, number, vector};
+use crate::parameters::section::{Item, item};
+use crate::parameters::{LIST_LIMIT, Parameters};
+
+/// `colliders.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Collider {
+    pub shape: f64,
+    pub position: [f64; 3],
+    pub axis: [f64; 3],
+    pub half_extents: [f64; 3],
+    pub radius: f64,
+    pub restitution: f64,
+    pub friction: f64,
+}
+
+impl Item for Collider {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("shape", "1", [0.0, 3.0], 0.0, |c: &mut Self| &mut c.shape)
+            .named(&["plane", "ball", "box", "capsule"])
+            .says("Shape", "What smoke bumps into."),
+        vector("position", "m", PLACE, [0.0; 3], |c: &mut Self| &mut c.position)
+            .says("Place", "Its centre, or a point on the plane."),
+        vector("axis", "1", DIRECTION, [0.0, 1.0, 0.0], |c: &mut Self| &mut c.axis)
+            .says("Axis", "Where the plane faces, or the way up of a box or capsule."),
+        vector("halfExtents", "m", LENGTH, [0.5; 3], |c: &mut Self| &mut c.half_extents).says(
+            "Half sides",
+            "Half sides of a box; of a capsule y is half its straight part.",
+        ),
+        number("radius", "m", LENGTH, 0.5, |c: &mut Self| &mut c.radius).says("Radius", "Radius of a ball or capsule."),
+        number("restitution", "1", SHARE, 0.1, |c: &mut Self| &mut c.restitution)
+            .says("Bounce", "Share of the speed with which smoke comes back."),
+        number("friction", "1", SHARE, 0.2, |c: &mut Self| &mut c.friction)
+            .says("Friction", "Share of the speed along it that smoke loses."),
+    ];
+}
 
 /// The colliders that the parameters describe; only as many as the list is long are meant.
 pub fn colliders(parameters: &Parameters) -> [AnalyticCollider; LIST_LIMIT] {
     let items = parameters.colliders.items();
-    std::array::from_fn(|i| collider(items.get(i).unwrap_or(&Collider::default())))
+    std::array::from_fn(|i| collider(items.get(i).unwrap_or(&item())))
 }
 
 fn collider(parameters: &Collider) -> AnalyticCollider {

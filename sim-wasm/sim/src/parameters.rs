@@ -1,240 +1,168 @@
 //! The parameters that the simulator reads, by the flat keys of the share link.
 //!
-//! One table names every key with its range, default and unit. `#` stands for an index 0..7 of a list; a list is as
-//! long as the greatest index that was ever set, and empty before. Values are checked before anything is changed.
+//! The table is made of sections: what exists once, such as `emission.rate`, and lists, such as `vortices.0.circulation`,
+//! whose items all have the same parameters. A list is as long as the greatest index that was ever set, and empty
+//! before. Values are checked before anything is changed.
 
 use crate::error::ParameterError;
 
+pub mod field;
+pub mod section;
+pub mod settings;
 mod table;
-pub use table::{ROWS, Row};
 
-/// Most items of each list: emitters, vortices, colliders.
+use field::Meta;
+use section::{Section, Slot};
+pub use table::Parameters;
+use table::sections;
+
+/// Most items of each list.
 pub const LIST_LIMIT: usize = 8;
 
-/// One of the three lists.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ListName {
-    Emitters,
-    Vortices,
-    Colliders,
+/// One number of the table; in a list, that of any item.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The key; `#` stands for the index in a list.
+    pub key: String,
+    pub default: f64,
+    pub is_of_list: bool,
+    /// Unit, range and the rest; its key is only the last part of the whole key.
+    pub meta: &'static Meta,
 }
 
-/// Items `0..len` exist.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct List<Item> {
-    items: [Item; LIST_LIMIT],
-    len: usize,
-}
-
-impl<Item> List<Item> {
-    /// The items that exist.
-    pub fn items(&self) -> &[Item] {
-        &self.items[..self.len]
-    }
-}
-
-/// `emission.*` and `puff.*`: what holds for all emitters.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Emission {
-    pub rate: f64,
-    pub lifetime: f64,
-    pub growth_time: f64,
-    pub puff_size: f64,
-    pub puff_variations: f64,
-}
-
-/// `forces.*`: multipliers, and the wind itself.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Forces {
-    pub gravity: f64,
-    pub buoyancy: f64,
-    pub turbulence: f64,
-    pub vortex: f64,
-    pub drag: f64,
-    pub wind: [f64; 3],
-}
-
-/// `buoyancy.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Buoyancy {
-    pub acceleration: f64,
-    pub cooling_time: f64,
-}
-
-/// `turbulence.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Turbulence {
-    pub speed: f64,
-    pub scale: f64,
-    pub octaves: f64,
-    pub evolution: f64,
-}
-
-/// `emitters.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Emitter {
-    pub shape: f64,
-    pub position: [f64; 3],
-    pub direction: [f64; 3],
-    pub radius: f64,
-    pub speed: f64,
-    pub speed_variation: f64,
-    pub spread: f64,
-    pub size: f64,
-    pub size_variation: f64,
-    pub lifetime_variation: f64,
-    pub temperature: f64,
-    pub share: f64,
-}
-
-/// `vortices.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Vortex {
-    pub position: [f64; 3],
-    pub axis: [f64; 3],
-    pub circulation: f64,
-    pub core_radius: f64,
-    pub reach: f64,
-}
-
-/// `colliders.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Collider {
-    pub shape: f64,
-    pub position: [f64; 3],
-    pub axis: [f64; 3],
-    pub half_extents: [f64; 3],
-    pub radius: f64,
-    pub restitution: f64,
-    pub friction: f64,
-}
-
-/// Every parameter, in the units of the table. All values are within their ranges, always.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters {
-    pub emission: Emission,
-    pub forces: Forces,
-    pub gravity_acceleration: f64,
-    pub buoyancy: Buoyancy,
-    pub drag_rate: f64,
-    pub turbulence: Turbulence,
-    pub integrator: f64,
-    pub emitters: List<Emitter>,
-    pub vortices: List<Vortex>,
-    pub colliders: List<Collider>,
-}
-
-impl Default for Parameters {
-    /// The defaults of the table, all lists empty.
-    fn default() -> Self {
-        let mut parameters = Self {
-            emission: Emission::default(),
-            forces: Forces::default(),
-            gravity_acceleration: 0.0,
-            buoyancy: Buoyancy::default(),
-            drag_rate: 0.0,
-            turbulence: Turbulence::default(),
-            integrator: 0.0,
-            emitters: List::default(),
-            vortices: List::default(),
-            colliders: List::default(),
-        };
-        for row in ROWS {
-            for index in 0..row.length() {
-                *row.field(&mut parameters, index) = row.default;
-            }
-        }
-        parameters
-    }
-}
-
-/// A key that was found and a value that its row accepts.
-#[derive(Clone, Copy)]
+/// A key that was found and a value that its parameter accepts.
 struct Assignment {
-    row: &'static Row,
+    section: &'static dyn Section,
     index: usize,
+    slot: Slot,
     value: f64,
 }
 
 impl Parameters {
     /// Sets one parameter. An unknown key, NaN, an infinite value or one out of range is refused by name.
     pub fn set(&mut self, key: &str, value: f64) -> Result<(), ParameterError> {
-        self.assign(check(key, value)?);
+        let Assignment {
+            section,
+            index,
+            slot,
+            value,
+        } = check(key, value)?;
+        *section.value(self, index, slot) = value;
+        section.lengthen(self, index + 1);
         Ok(())
     }
 
     /// Sets all of `entries`, or none of them and tells the first that is refused.
     pub fn set_all(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
-        let before = *self;
-        let result = entries.iter().try_for_each(|(key, value)| self.set(key, *value));
-        if result.is_err() {
-            *self = before;
+        for (key, value) in entries {
+            check(key, *value)?;
         }
-        result
+        entries.iter().try_for_each(|(key, value)| self.set(key, *value))
     }
 
     /// Every key that exists now with its value, lists in full: given to `set` one by one, they make these parameters.
     pub fn entries(&self) -> Vec<(String, f64)> {
         let mut copy = *self;
         let mut entries = Vec::new();
-        for row in ROWS {
-            let length = row.list.map_or(1, |list| copy.list_length(list));
-            for index in 0..length {
-                let key = row.key.replace('#', &index.to_string());
-                entries.push((key, *row.field(&mut copy, index)));
+        for section in sections() {
+            for index in 0..section.len(self) {
+                for_each_slot(section, |meta, end, slot| {
+                    let key = key_of(section, &index.to_string(), meta, end);
+                    entries.push((key, *section.value(&mut copy, index, slot)));
+                });
             }
         }
         entries
     }
-
-    fn assign(&mut self, assignment: Assignment) {
-        *assignment.row.field(self, assignment.index) = assignment.value;
-        let needed = assignment.index + 1;
-        match assignment.row.list {
-            None => {}
-            Some(ListName::Emitters) => self.emitters.len = self.emitters.len.max(needed),
-            Some(ListName::Vortices) => self.vortices.len = self.vortices.len.max(needed),
-            Some(ListName::Colliders) => self.colliders.len = self.colliders.len.max(needed),
-        }
-    }
-
-    fn list_length(&self, list: ListName) -> usize {
-        match list {
-            ListName::Emitters => self.emitters.len,
-            ListName::Vortices => self.vortices.len,
-            ListName::Colliders => self.colliders.len,
-        }
-    }
 }
 
 fn check(key: &str, value: f64) -> Result<Assignment, ParameterError> {
-    let (row, index) = find(key).ok_or_else(|| ParameterError::unknown_key(key, value))?;
-    if !(row.min..=row.max).contains(&value) {
-        return Err(ParameterError::out_of_range(key, value, row.min, row.max));
+    let (section, index, slot) = find(key).ok_or_else(|| ParameterError::unknown_key(key, value))?;
+    let (meta, _) = section.meta(slot.field).expect("what was found exists");
+    if !(meta.min..=meta.max).contains(&value) {
+        return Err(ParameterError::out_of_range(key, value, meta.min, meta.max));
     }
-    if row.whole && value.fract() != 0.0 {
-        return Err(ParameterError::not_whole(key, value, row.min, row.max));
+    if meta.whole && libm::floor(value) != value {
+        return Err(ParameterError::not_whole(key, value, meta.min, meta.max));
     }
     // Minus zero equals zero and must do the same: adding zero makes it so.
+    let value = value + 0.0;
     Ok(Assignment {
-        row,
+        section,
         index,
-        value: value + 0.0,
+        slot,
+        value,
     })
 }
 
-fn find(key: &str) -> Option<(&'static Row, usize)> {
-    ROWS.iter().find_map(|row| Some((row, row.index_in(key)?)))
+fn find(key: &str) -> Option<(&'static dyn Section, usize, Slot)> {
+    let (name, rest) = key.split_once('.')?;
+    sections().filter(|section| section.name() == name).find_map(|section| {
+        let (index, rest) = if section.is_list() {
+            let (digit, rest) = rest.split_once('.')?;
+            (index(digit)?, rest)
+        } else {
+            (0, rest)
+        };
+        Some((section, index, section.find(rest)?))
+    })
+}
+
+/// One digit, below the limit of lists.
+fn index(text: &str) -> Option<usize> {
+    let [digit] = text.as_bytes() else {
+        return None;
+    };
+    let index = usize::from(digit.wrapping_sub(b'0'));
+    (index < LIST_LIMIT).then_some(index)
+}
+
+fn for_each_slot(section: &dyn Section, mut visit: impl FnMut(&'static Meta, &'static str, Slot)) {
+    let mut field = 0;
+    while let Some((meta, ends)) = section.meta(field) {
+        for (part, end) in ends.iter().enumerate() {
+            visit(meta, end, Slot { field, part });
+        }
+        field += 1;
+    }
+}
+
+fn key_of(section: &dyn Section, index: &str, meta: &Meta, end: &str) -> String {
+    let mut key = String::from(section.name());
+    if section.is_list() {
+        key.push('.');
+        key.push_str(index);
+    }
+    key.push('.');
+    key.push_str(meta.key);
+    key.push_str(end);
+    key
+}
+
+/// Every number of the table in its order.
+pub fn rows() -> Vec<Row> {
+    let mut rows = Vec::new();
+    for section in sections() {
+        for_each_slot(section, |meta, end, slot| {
+            rows.push(Row {
+                key: key_of(section, "#", meta, end),
+                default: meta.default[slot.part],
+                is_of_list: section.is_list(),
+                meta,
+            });
+        });
+    }
+    rows
 }
 
 /// The table as text, one line a key: `key min max default whole|real unit`, for comparison with other tables.
 pub fn describe() -> String {
-    let line = |row: &Row| {
-        let kind = if row.whole { "whole" } else { "real" };
-        format!(
-            "{} {} {} {} {kind} {}\n",
-            row.key, row.min, row.max, row.default, row.unit
-        )
+    let line = |row: Row| {
+        let Meta {
+            min, max, unit, whole, ..
+        } = row.meta;
+        let kind = if *whole { "whole" } else { "real" };
+        format!("{} {min} {max} {} {kind} {unit}\n", row.key, row.default)
     };
-    ROWS.iter().map(line).collect()
+    rows().into_iter().map(line).collect()
 }

@@ -7,12 +7,11 @@ use crate::arrange::Arranger;
 use crate::collide::{self, AnalyticCollider, Scratch};
 use crate::emitter::{Births, Surroundings};
 use crate::error::{ParameterError, RestoreError};
-use crate::forces::drag::Drag;
-use crate::forces::turbulence::TurbulenceState;
-use crate::forces::{Air, Lift};
+use crate::forces::Setting;
+use crate::forces::turbulence::{self, TurbulenceState};
 use crate::hash::Hash;
 use crate::life::{self, Ageing, RadiusLaw};
-use crate::motion::{self, Integrator, Motion};
+use crate::motion::{Integrator, Motion};
 use crate::obstacles;
 use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::particles::{Newborn, Particles};
@@ -20,6 +19,7 @@ use crate::random::Random;
 #[cfg(feature = "rigids")]
 use crate::rigids::Rigids;
 use crate::rows::Moment;
+use crate::scope::Now;
 use crate::snapshot;
 use crate::view::View;
 
@@ -36,7 +36,7 @@ pub struct Simulator {
     pub(crate) steps: u64,
     pub(crate) random: Random,
     pub(crate) births: Births,
-    pub(crate) turbulence: TurbulenceState,
+    pub(crate) turbulence: [TurbulenceState; LIST_LIMIT + 1],
     pub(crate) particles: Particles,
     #[cfg(feature = "rigids")]
     pub(crate) rigids: Rigids,
@@ -55,7 +55,7 @@ impl Simulator {
             steps: 0,
             random: Random::new(seed),
             births: Births::default(),
-            turbulence: TurbulenceState::default(),
+            turbulence: [TurbulenceState::default(); LIST_LIMIT + 1],
             particles: Particles::new(room),
             #[cfg(feature = "rigids")]
             rigids: Rigids::new(),
@@ -74,8 +74,7 @@ impl Simulator {
         let before = self.integrator();
         self.parameters.set_all(entries)?;
         if self.integrator() != before {
-            let (air, now) = (self.air(), self.integrator());
-            motion::change_integrator(&mut self.particles, &air, now);
+            self.motion().take_over(&mut self.particles);
         }
         Ok(())
     }
@@ -95,11 +94,11 @@ impl Simulator {
         #[cfg(feature = "rigids")]
         self.rigids.advance(STEP as f32);
         let motion = self.motion();
-        self.bear(&motion.air);
-        motion::advance(&mut self.particles, &motion);
+        self.bear(&motion);
+        motion.advance(&mut self.particles);
         self.collide();
         life::advance(&mut self.particles, &Ageing::new(&self.parameters, STEP));
-        self.turbulence.advance(&self.parameters, STEP);
+        turbulence::advance(&mut self.turbulence, &self.parameters, STEP);
         self.steps += 1;
     }
 
@@ -157,6 +156,11 @@ impl Simulator {
         &self.particles
     }
 
+    /// Velocity of the air (m/s) at a place (m) in the middle of the coming step.
+    pub fn air_velocity(&self, place: [f32; 3]) -> [f32; 3] {
+        self.motion().air_velocity(place)
+    }
+
     /// The rigids.
     #[cfg(feature = "rigids")]
     pub fn rigids(&self) -> &Rigids {
@@ -183,11 +187,13 @@ impl Simulator {
             .iter()
             .for_each(|look| hash.word(*look));
         let Births { owed, waiting } = self.births;
-        let TurbulenceState { drift, phase } = self.turbulence;
-        owed.iter()
-            .chain(&drift)
-            .chain([&phase])
-            .for_each(|number| hash.long(number.to_bits()));
+        owed.iter().for_each(|number| hash.long(number.to_bits()));
+        for TurbulenceState { drift, phase } in &self.turbulence {
+            drift
+                .iter()
+                .chain([phase])
+                .for_each(|number| hash.long(number.to_bits()));
+        }
         waiting.iter().for_each(|count| hash.long(*count));
         #[cfg(feature = "rigids")]
         self.rigids.hash_into(&mut hash);
@@ -216,32 +222,41 @@ impl Simulator {
     }
 
     fn integrator(&self) -> Integrator {
-        Integrator::from_parameter(self.parameters.integrator)
-    }
-
-    fn air(&self) -> Air {
-        Air::new(&self.parameters, &self.turbulence, self.seed, STEP as f32)
+        Integrator::from_parameter(self.parameters.simulation.integrator)
     }
 
     fn motion(&self) -> Motion {
-        Motion {
-            integrator: self.integrator(),
-            air: self.air(),
-            lift: Lift::new(&self.parameters),
-            drag: Drag::new(&self.parameters, STEP),
-            dt: STEP as f32,
-        }
+        Motion::new(&Setting {
+            parameters: &self.parameters,
+            now: Now {
+                time: (self.steps as f64 + 0.5) * STEP,
+                dt: STEP,
+                poses: self.rigid_poses(),
+            },
+            seed: self.seed,
+            turbulence: &self.turbulence,
+        })
     }
 
-    fn bear(&mut self, air: &Air) {
+    #[cfg(feature = "rigids")]
+    fn rigid_poses(&self) -> &[f32] {
+        self.rigids.poses()
+    }
+
+    #[cfg(not(feature = "rigids"))]
+    fn rigid_poses(&self) -> &[f32] {
+        &[]
+    }
+
+    fn bear(&mut self, motion: &Motion) {
         let around = Surroundings {
             parameters: &self.parameters,
-            air,
-            integrator: self.integrator(),
             step: self.steps,
             dt: STEP,
         };
+        let first = self.particles.alive();
         self.births.step(&around, &mut self.random, &mut self.particles);
+        motion.launch(&mut self.particles, first);
     }
 
     fn collide(&mut self) {

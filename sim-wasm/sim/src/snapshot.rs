@@ -86,26 +86,30 @@ fn checksum(bytes: &[u8]) -> u64 {
     hash.finish()
 }
 
-fn write_memory(body: &mut Writer, births: &Births, turbulence: &TurbulenceState) {
+fn write_memory(body: &mut Writer, births: &Births, turbulence: &[TurbulenceState]) {
     births.owed.iter().for_each(|owed| body.number(*owed));
     births.waiting.iter().for_each(|count| body.long(*count));
-    turbulence.drift.iter().for_each(|metres| body.number(*metres));
-    body.number(turbulence.phase);
+    for state in turbulence {
+        state.drift.iter().for_each(|metres| body.number(*metres));
+        body.number(state.phase);
+    }
 }
 
-fn read_memory(reader: &mut Reader) -> Result<(Births, TurbulenceState), RestoreError> {
+fn read_memory(reader: &mut Reader) -> Result<(Births, [TurbulenceState; LIST_LIMIT + 1]), RestoreError> {
     let mut births = Births::default();
-    let mut turbulence = TurbulenceState::default();
+    let mut turbulence = [TurbulenceState::default(); LIST_LIMIT + 1];
     for index in 0..LIST_LIMIT {
         births.owed[index] = reader.number()?.clamp(-1.0, 1.0);
     }
     for index in 0..LIST_LIMIT {
         births.waiting[index] = reader.long()?;
     }
-    for index in 0..3 {
-        turbulence.drift[index] = reader.number()?;
+    for state in &mut turbulence {
+        for metres in &mut state.drift {
+            *metres = reader.number()?;
+        }
+        state.phase = reader.number()?;
     }
-    turbulence.phase = reader.number()?;
     Ok((births, turbulence))
 }
 

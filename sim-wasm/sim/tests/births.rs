@@ -125,9 +125,9 @@ fn directions_fill_the_cone_and_stay_in_it() {
         let cone = [
             ("emission.rate", 10_000.0),
             ("emitters.0.spread", spread),
-            ("emitters.0.direction.x", 2.0),
-            ("emitters.0.direction.y", -3.0),
-            ("emitters.0.direction.z", -6.0),
+            ("emitters.0.direction.x", 0.2),
+            ("emitters.0.direction.y", -0.3),
+            ("emitters.0.direction.z", -0.6),
             ("emitters.0.speed", 1.0),
         ];
         let mut simulator = simulator(10_000, 1, &[STILL, EVEN, &cone]);

@@ -5,8 +5,6 @@ mod common;
 use std::f64::consts::{PI, TAU};
 
 use common::{STILL, newborn, place, simulator, steps};
-use sim::forces::Air;
-use sim::forces::turbulence::TurbulenceState;
 use sim::particles::Newborn;
 
 const STEP: f64 = 1.0 / 60.0;
@@ -194,8 +192,7 @@ fn two_vortices_in_wind_follow_the_true_path() {
     let mut simulator = simulator(1, 1, &[STILL, &settings]);
     simulator.add(&newborn([0.5, 0.1, 0.0]));
     steps(&mut simulator, 120);
-    let air = Air::new(simulator.parameters(), &TurbulenceState::default(), 1, STEP as f32);
-    let velocity = |p: [f64; 3]| air.velocity_at(p.map(|c| c as f32)).map(f64::from);
+    let velocity = |p: [f64; 3]| simulator.air_velocity(p.map(|c| c as f32)).map(f64::from);
     let shifted = |p: [f64; 3], v: [f64; 3], h: f64| std::array::from_fn(|i| p[i] + v[i] * h);
     let (mut p, h) = ([0.5, 0.1, 0.0], STEP / 10.0);
     for _ in 0..1200 {
@@ -224,11 +221,10 @@ fn turbulence_follows_the_true_path_better_than_euler() {
     let mut simulator = simulator(1, 1, &[STILL, &settings]);
     simulator.add(&newborn([0.5, 0.1, 0.0]));
     steps(&mut simulator, 120);
-    let air = Air::new(simulator.parameters(), &TurbulenceState::default(), 1, STEP as f32);
     let path = |count: usize| {
         let h = 2.0 / count as f64;
         (0..count).fold([0.5, 0.1, 0.0], |p: [f64; 3], _| {
-            let v = air.velocity_at(p.map(|c| c as f32)).map(f64::from);
+            let v = simulator.air_velocity(p.map(|c| c as f32)).map(f64::from);
             std::array::from_fn(|i| p[i] + h * v[i])
         })
     };

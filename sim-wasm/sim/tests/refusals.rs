@@ -5,21 +5,21 @@ mod common;
 use common::{LIVELY, simulator, steps};
 use proptest::prelude::*;
 use sim::Simulator;
-use sim::parameters::{Parameters, ROWS, describe};
+use sim::parameters::{Parameters, describe, rows};
 
 #[test]
 fn every_parameter_refuses_what_is_no_number_or_out_of_range() {
     let mut simulator = simulator(100, 1, &[LIVELY]);
     let before = *simulator.parameters();
-    for row in ROWS {
+    for row in rows() {
         let key = row.key.replace('#', "7");
-        let below = row.min - 0.001_f64.max(row.min.abs() * 1e-9);
-        let above = row.max + 0.001_f64.max(row.max.abs() * 1e-9);
+        let below = row.meta.min - 0.001_f64.max(row.meta.min.abs() * 1e-9);
+        let above = row.meta.max + 0.001_f64.max(row.meta.max.abs() * 1e-9);
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, below, above, 1e300, -1e300] {
             let error = simulator.set(&key, value).unwrap_err();
             assert_eq!(
                 (error.key.as_str(), error.min, error.max),
-                (key.as_str(), row.min, row.max)
+                (key.as_str(), row.meta.min, row.meta.max)
             );
             assert!(
                 error.value.to_bits() == value.to_bits() && error.message.contains(&key),
@@ -37,8 +37,8 @@ fn every_parameter_refuses_what_is_no_number_or_out_of_range() {
 #[test]
 fn every_parameter_takes_its_ends_and_its_default() {
     let mut simulator = Simulator::new(100, 1).unwrap();
-    for row in ROWS {
-        for value in [row.min, row.max, row.default] {
+    for row in rows() {
+        for value in [row.meta.min, row.meta.max, row.default] {
             let key = row.key.replace('#', "0");
             simulator.set(&key, value).unwrap();
             let entries = simulator.parameters().entries();
@@ -52,9 +52,9 @@ fn every_parameter_takes_its_ends_and_its_default() {
 
 #[test]
 fn whole_numbers_are_asked_for_where_they_are_meant() {
-    for row in ROWS.iter().filter(|row| row.whole) {
+    for row in rows().iter().filter(|row| row.meta.whole) {
         let error = Parameters::default()
-            .set(&row.key.replace('#', "0"), row.min + 0.5)
+            .set(&row.key.replace('#', "0"), row.meta.min + 0.5)
             .unwrap_err();
         assert!(error.message.contains("whole"), "{error}");
     }
@@ -100,7 +100,7 @@ fn a_bundle_is_set_whole_or_not_at_all() {
     assert_eq!(*simulator.parameters(), before);
     simulator.set_all(&bundle[..2]).unwrap();
     assert_eq!(simulator.parameters().emission.rate, 5.0);
-    assert_eq!(simulator.parameters().vortices.items().len(), 3);
+    assert_eq!(simulator.parameters().lists.vortices.items().len(), 3);
 }
 
 #[test]
@@ -117,14 +117,14 @@ fn capacities_have_a_range() {
 #[test]
 fn the_description_has_a_line_for_each_key() {
     let text = describe();
-    assert_eq!(text.lines().count(), ROWS.len());
+    assert_eq!(text.lines().count(), rows().len());
     assert!(text.contains("emission.rate 0 20000 120 real particles/s\n"), "{text}");
 }
 
 fn any_parameters() -> impl Strategy<Value = Vec<(String, f64)>> {
-    let value = |(index, row): (usize, &sim::parameters::Row)| {
+    let value = |(index, row): (usize, sim::parameters::Row)| {
         let key = row.key.replace('#', &(index % 3).to_string());
-        let (min, max, whole) = (row.min, row.max, row.whole);
+        let (min, max, whole) = (row.meta.min, row.meta.max, row.meta.whole);
         // Both ends, the middle of the range, and small values, where most that is divided by lies.
         let number = prop_oneof![
             Just(min),
@@ -134,14 +134,10 @@ fn any_parameters() -> impl Strategy<Value = Vec<(String, f64)>> {
         ];
         number.prop_map(move |number| (key.clone(), if whole { number.round() } else { number }))
     };
-    let rows: Vec<_> = ROWS
-        .iter()
-        .cycle()
-        .take(ROWS.len() * 2)
-        .enumerate()
-        .map(value)
-        .collect();
-    (rows, prop::collection::vec(any::<bool>(), ROWS.len() * 2)).prop_map(|(entries, used)| {
+    let table = rows();
+    let count = table.len() * 2;
+    let rows: Vec<_> = table.into_iter().cycle().take(count).enumerate().map(value).collect();
+    (rows, prop::collection::vec(any::<bool>(), count)).prop_map(|(entries, used)| {
         entries
             .into_iter()
             .zip(used)

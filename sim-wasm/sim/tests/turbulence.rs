@@ -1,26 +1,22 @@
 //! The field of turbulence: free of divergence, of the right speed, without favourites.
 
-use sim::forces::turbulence::{Turbulence, TurbulenceState};
-use sim::parameters::Parameters;
+use sim::forces::turbulence::{self, Pattern, Swirls, TurbulenceState};
+use sim::parameters::{LIST_LIMIT, Parameters};
 use sim::random::Random;
 use sim::simd::Vector4;
 
-fn parameters(octaves: f64, evolution: f64) -> Parameters {
-    let mut parameters = Parameters::default();
-    for (key, value) in [
-        ("speed", 2.0),
-        ("scale", 0.8),
-        ("octaves", octaves),
-        ("evolution", evolution),
-    ] {
-        parameters.set(&format!("turbulence.{key}"), value).unwrap();
+fn pattern(octaves: f64) -> Pattern {
+    Pattern {
+        speed: 2.0,
+        scale: 0.8,
+        octaves,
+        evolution: 0.0,
     }
-    parameters
 }
 
-fn field(octaves: f64, phase: f64) -> Turbulence {
+fn field(octaves: f64, phase: f64) -> Swirls {
     let state = TurbulenceState { drift: [0.0; 3], phase };
-    Turbulence::new(&parameters(octaves, 0.0), &state, 5)
+    Swirls::new(&pattern(octaves), 1.0, &state, 5).unwrap()
 }
 
 fn places(count: usize) -> impl Iterator<Item = [f32; 3]> {
@@ -28,12 +24,12 @@ fn places(count: usize) -> impl Iterator<Item = [f32; 3]> {
     (0..count).map(move |_| std::array::from_fn(|_| random.signed() * 20.0))
 }
 
-fn at(field: &Turbulence, place: [f32; 3]) -> [f64; 3] {
+fn at(field: &Swirls, place: [f32; 3]) -> [f64; 3] {
     field.velocity(Vector4::splat(place)).first().map(f64::from)
 }
 
 /// Central difference of component `of` along `along`; the step is a power of two, so that places are exact.
-fn slope(field: &Turbulence, place: [f32; 3], of: usize, along: usize) -> f64 {
+fn slope(field: &Swirls, place: [f32; 3], of: usize, along: usize) -> f64 {
     const STEP: f32 = 1.0 / 512.0;
     let place = place.map(|component| (component * 512.0).round() / 512.0);
     let moved = |sign: f32| std::array::from_fn(|i| if i == along { place[i] + sign * STEP } else { place[i] });
@@ -128,14 +124,13 @@ fn a_quarter_turn_of_the_phase_forgets_the_pattern() {
 
 #[test]
 fn wind_carries_the_pattern_along() {
-    let mut parameters = parameters(2.0, 0.0);
+    let mut parameters = Parameters::default();
     parameters.set("forces.wind.x", 3.0).unwrap();
-    let (mut state, still) = (
-        TurbulenceState::default(),
-        Turbulence::new(&parameters, &TurbulenceState::default(), 5),
-    );
-    state.advance(&parameters, 2.5);
-    let moved = Turbulence::new(&parameters, &state, 5);
+    parameters.set("turbulence.evolution", 0.0).unwrap();
+    let mut states = [TurbulenceState::default(); LIST_LIMIT + 1];
+    turbulence::advance(&mut states, &parameters, 2.5);
+    let [still, moved] = [TurbulenceState::default(), states[LIST_LIMIT]]
+        .map(|state| Swirls::new(&pattern(2.0), 1.0, &state, 5).unwrap());
     for place in places(200) {
         let (before, after) = (at(&still, place), at(&moved, [place[0] + 7.5, place[1], place[2]]));
         let difference = before.iter().zip(after).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

@@ -2,10 +2,76 @@
 //!
 //! a = b m T up, and T falls by T' = -T / tau. Parameters: `buoyancy.acceleration` b (m/s2 upward at temperature 1),
 //! `forces.buoyancy` m (multiplier), `buoyancy.coolingTime` tau (s). The cooling of a whole step is exact.
+//! `buoyancies.#.*` add to b, or take from it, each in its region.
 
+use wide::f32x4;
+
+use super::{Force, Setting, Stage};
 use crate::parameters::Parameters;
+use crate::parameters::field::{Field, number};
+use crate::parameters::section::Item;
+use crate::scope::{Reach, Scope};
+use crate::tile::{Columns, Tile};
 
-/// Upward acceleration (m/s2) at temperature 1.
+/// `buoyancies.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Buoyancy {
+    pub acceleration: f64,
+    pub scope: Scope,
+}
+
+impl Item for Buoyancy {
+    const FIELDS: &'static [Field<Self>] = &[number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |b: &mut Self| {
+        &mut b.acceleration
+    })
+    .says("Lift", "Upward acceleration of smoke at temperature 1 in its region.")];
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}
+
+/// A lift of one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel {
+    acceleration: f32x4,
+    reach: Reach,
+}
+
+impl Force for Buoyancy {
+    type Kernel = Kernel;
+    const STAGE: Stage = Stage::Push;
+
+    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+        let acceleration = (self.acceleration * setting.parameters.forces.buoyancy) as f32;
+        if acceleration == 0.0 {
+            return None;
+        }
+        Some(Kernel {
+            acceleration: f32x4::splat(acceleration),
+            reach: Reach::new(&self.scope, &setting.now)?,
+        })
+    }
+
+    fn act(kernels: &[Kernel], tile: &mut Tile) {
+        tile.is_pushed = true;
+        let Columns {
+            ahead,
+            push,
+            heat,
+            weight,
+            ..
+        } = tile.columns();
+        for kernel in kernels {
+            kernel.reach.weigh(ahead, weight);
+            for ((push, heat), weight) in push.iter_mut().zip(heat).zip(&*weight) {
+                push.y += kernel.acceleration * *heat * *weight;
+            }
+        }
+    }
+}
+
+/// Upward acceleration (m/s2) at temperature 1, everywhere.
 pub fn acceleration_per_temperature(parameters: &Parameters) -> f32 {
     (parameters.buoyancy.acceleration * parameters.forces.buoyancy) as f32
 }

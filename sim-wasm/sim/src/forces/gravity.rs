@@ -1,11 +1,77 @@
 //! Gravity: smoke that is heavier than air sinks.
 //!
 //! a = -g m up. Parameters: `gravity.acceleration` g (m/s2, downward: the weight that the air does not carry, not
-//! 9.81 for smoke), `forces.gravity` m (multiplier).
+//! 9.81 for smoke), `forces.gravity` m (multiplier). `gravities.#.*` pull in any direction, each in its region.
 
+use super::{Force, Setting, Stage};
+use crate::collide::space::Vector;
 use crate::parameters::Parameters;
+use crate::parameters::field::{Field, vector};
+use crate::parameters::section::Item;
+use crate::scope::{Reach, Scope};
+use crate::simd::Vector4;
+use crate::tile::{Columns, Tile};
 
-/// Downward acceleration (m/s2).
+/// `gravities.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Gravity {
+    pub acceleration: [f64; 3],
+    pub scope: Scope,
+}
+
+impl Item for Gravity {
+    const FIELDS: &'static [Field<Self>] =
+        &[
+            vector("acceleration", "m/s2", [-100.0, 100.0], [0.0; 3], |g: &mut Self| {
+                &mut g.acceleration
+            })
+            .says("Pull", "Acceleration of all smoke in its region."),
+        ];
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}
+
+/// A pull of one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel {
+    acceleration: Vector4,
+    reach: Reach,
+}
+
+impl Force for Gravity {
+    type Kernel = Kernel;
+    const STAGE: Stage = Stage::Push;
+
+    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+        let strength = setting.parameters.forces.gravity;
+        let acceleration = self.acceleration.map(|component| (component * strength) as f32);
+        if acceleration == [0.0; 3] {
+            return None;
+        }
+        let frame = setting.now.frame(&self.scope);
+        Some(Kernel {
+            acceleration: Vector4::splat(frame.turned(Vector::from(acceleration)).into()),
+            reach: Reach::new(&self.scope, &setting.now)?,
+        })
+    }
+
+    fn act(kernels: &[Kernel], tile: &mut Tile) {
+        tile.is_pushed = true;
+        let Columns {
+            ahead, push, weight, ..
+        } = tile.columns();
+        for kernel in kernels {
+            kernel.reach.weigh(ahead, weight);
+            for (push, weight) in push.iter_mut().zip(&*weight) {
+                *push += kernel.acceleration * *weight;
+            }
+        }
+    }
+}
+
+/// Downward acceleration (m/s2) everywhere.
 pub fn acceleration(parameters: &Parameters) -> f32 {
-    (parameters.gravity_acceleration * parameters.forces.gravity) as f32
+    (parameters.gravity.acceleration * parameters.forces.gravity) as f32
 }

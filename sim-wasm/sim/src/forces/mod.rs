@@ -1,6 +1,9 @@
-//! The six forces. Three of them say how the air moves - wind, vortices, turbulence -, three act on a particle's
-//! slip, which is its velocity relative to the air - gravity, buoyancy, drag. What each does stands in its own file;
-//! how they move a particle stands in `motion`.
+//! The forces. Wind, turbulence, vortices and jets say how the air moves; gravity, buoyancy, drag and the others act on
+//! a particle's slip, which is its velocity relative to the air. What each does stands in its own file; how they move a
+//! particle stands in `motion`.
+//!
+//! A force is a file here and a row of the table below. Its items are a list of the parameters, its kernel works on a
+//! tile of particles at a time, and one that no item asks for costs nothing.
 
 pub mod buoyancy;
 pub mod drag;
@@ -9,64 +12,123 @@ pub mod turbulence;
 pub mod vortex;
 pub mod wind;
 
-use wide::f32x4;
+use arrayvec::ArrayVec;
 
-use crate::parameters::Parameters;
-use crate::simd::Vector4;
-use turbulence::{Turbulence, TurbulenceState};
-use vortex::Vortices;
+use crate::parameters::section::{Item, List, Many, Section};
+use crate::parameters::{LIST_LIMIT, Parameters};
+use crate::scope::Now;
+use crate::tile::Tile;
+use turbulence::TurbulenceState;
 
-/// How the air moves during one step, ready for the lanes. What is absent is empty and skipped for whole blocks.
+/// When in a step a force has its turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Adds to the air's velocity, evaluated where the middle of the step is expected.
+    Air,
+    /// Adds accelerations and drag, or changes the slip.
+    Push,
+    /// Turns the air, once all else that moves the particle is known.
+    Swirl,
+    /// Limits the way of the step.
+    Limit,
+}
+
+/// What forces are made ready from.
 #[derive(Clone, Copy, Debug)]
-pub struct Air {
-    pub wind: Vector4,
-    pub vortices: Vortices,
-    pub turbulence: Turbulence,
+pub struct Setting<'s> {
+    pub parameters: &'s Parameters,
+    pub now: Now<'s>,
+    /// Chooses the patterns of chance.
+    pub seed: u32,
+    /// Of each turbulence of the list, then of the one that is everywhere.
+    pub turbulence: &'s [TurbulenceState; LIST_LIMIT + 1],
 }
 
-impl Air {
-    /// The air that `parameters` describe, for steps of `dt` seconds; `seed` chooses the pattern of turbulence.
-    pub fn new(parameters: &Parameters, state: &TurbulenceState, seed: u32, dt: f32) -> Self {
-        Self {
-            wind: Vector4::splat(wind::velocity(parameters)),
-            vortices: Vortices::new(parameters, dt),
-            turbulence: Turbulence::new(parameters, state, seed),
+/// A kind of force, described by what one item of its list holds.
+pub trait Force: Item {
+    /// An item made ready for the lanes of one step.
+    type Kernel;
+
+    /// Its turn in a step.
+    const STAGE: Stage;
+
+    /// Makes item `index` ready; none where it does nothing in this step.
+    fn kernel(&self, index: usize, setting: &Setting) -> Option<Self::Kernel>;
+
+    /// The force that acts everywhere by parameters of its own, beside the list.
+    fn everywhere(_setting: &Setting) -> Option<Self::Kernel> {
+        None
+    }
+
+    /// Lets all that are ready act on the particles of `tile`.
+    fn act(kernels: &[Self::Kernel], tile: &mut Tile);
+}
+
+type Kernels<F> = ArrayVec<<F as Force>::Kernel, { LIST_LIMIT + 1 }>;
+
+fn kernels<F: Force>(list: &List<F>, setting: &Setting) -> Kernels<F> {
+    let items = list.items().iter().enumerate();
+    let listed = items.filter_map(|(index, item)| item.kernel(index, setting));
+    F::everywhere(setting).into_iter().chain(listed).collect()
+}
+
+fn act<F: Force>(kernels: &Kernels<F>, stage: Stage, tile: &mut Tile) {
+    if F::STAGE == stage && !kernels.is_empty() {
+        F::act(kernels, tile);
+    }
+}
+
+macro_rules! forces {
+    ($($(#[$doc:meta])* $list:ident: $Force:ty,)*) => {
+        /// The lists of forces.
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        pub struct Lists {
+            $($(#[$doc])* pub $list: List<$Force>,)*
         }
-    }
 
-    /// Velocity (m/s) of the air at four places.
-    #[inline(always)]
-    pub fn velocity(&self, place: Vector4) -> Vector4 {
-        self.wind + self.turbulence.velocity(place) + self.vortices.velocity(place)
-    }
+        /// The lists as sections of the table.
+        pub(crate) const SECTIONS: &[&dyn Section] = &[$(
+            &Many {
+                name: stringify!($list),
+                of: |p| &mut p.lists.$list,
+                len: |p| p.lists.$list.items().len(),
+            },
+        )*];
 
-    /// Velocity (m/s) of the air at one place.
-    pub fn velocity_at(&self, place: [f32; 3]) -> [f32; 3] {
-        self.velocity(Vector4::splat(place)).first()
-    }
-}
-
-/// The accelerations that act on slip: all are vertical, so that one number a particle is enough.
-#[derive(Clone, Copy, Debug)]
-pub struct Lift {
-    gravity: f32x4,
-    buoyancy: f32x4,
-}
-
-impl Lift {
-    /// Gravity and buoyancy as `parameters` have them.
-    pub fn new(parameters: &Parameters) -> Self {
-        Self {
-            gravity: f32x4::splat(gravity::acceleration(parameters)),
-            buoyancy: f32x4::splat(buoyancy::acceleration_per_temperature(parameters)),
+        /// All forces of one step, ready for the lanes.
+        pub struct Forces {
+            $($list: Kernels<$Force>,)*
         }
-    }
 
-    /// Upward acceleration (m/s2) at these temperatures.
-    #[inline(always)]
-    pub fn acceleration(&self, temperature: f32x4) -> f32x4 {
-        self.buoyancy * temperature - self.gravity
-    }
+        impl Forces {
+            /// Those that act in this step.
+            pub fn new(setting: &Setting) -> Self {
+                Self {
+                    $($list: kernels(&setting.parameters.lists.$list, setting),)*
+                }
+            }
+
+            /// Lets those whose turn is `stage` act on the particles of `tile`.
+            pub fn act(&self, stage: Stage, tile: &mut Tile) {
+                $(act::<$Force>(&self.$list, stage, tile);)*
+            }
+        }
+    };
+}
+
+forces! {
+    /// `winds.#.*`
+    winds: wind::Wind,
+    /// `turbulences.#.*`
+    turbulences: turbulence::Turbulence,
+    /// `vortices.#.*`
+    vortices: vortex::Vortex,
+    /// `gravities.#.*`
+    gravities: gravity::Gravity,
+    /// `buoyancies.#.*`
+    buoyancies: buoyancy::Buoyancy,
+    /// `drags.#.*`
+    drags: drag::Drag,
 }
 
 /// `v` with length 1; straight up where it has no length.

@@ -14,13 +14,19 @@
 //! have the root mean square speed `turbulence.speed` (m/s) times `forces.turbulence`. The pattern changes because
 //! v = a cos(p) + b sin(p) with two hashed vectors a, b, and p grows by `turbulence.evolution` (rad/s), 1.5 times as
 //! fast in each next octave: after a quarter turn nothing is left of the old pattern, while the speed stays the same.
-//! The wind carries the pattern along.
+//! The wind of `forces.wind.*` carries the pattern along. `turbulence.*` acts everywhere, `turbulences.#.*` add to it, each
+//! in its region.
 
 use wide::bytemuck::cast;
 use wide::{f32x4, i32x4, u32x4};
 
-use crate::parameters::Parameters;
+use super::{Force, Setting, Stage};
+use crate::parameters::field::{Field, number};
+use crate::parameters::section::Item;
+use crate::parameters::{LIST_LIMIT, Parameters};
+use crate::scope::{Reach, Scope};
 use crate::simd::{Vector4, cell_and_fraction};
+use crate::tile::{Columns, Tile};
 
 /// Most octaves.
 pub const OCTAVE_LIMIT: usize = 4;
@@ -33,7 +39,54 @@ const COMPONENT_VARIANCE: f64 = 4_611_686_018_427_387_904.0 / 3.0;
 /// Mean over a cube of |u|^2 where the components of v have variance 1, from the formula above.
 const CUBE_VARIANCE: f64 = 1.097_421;
 
-/// What turbulence remembers from step to step.
+/// `turbulence.*`: the swirls that are everywhere.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pattern {
+    pub speed: f64,
+    pub scale: f64,
+    pub octaves: f64,
+    pub evolution: f64,
+}
+
+impl Item for Pattern {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("speed", "m/s", [0.0, 20.0], 0.0, |t: &mut Self| &mut t.speed),
+        number("scale", "m", [0.05, 100.0], 1.0, |t: &mut Self| &mut t.scale),
+        number("octaves", "1", [0.0, 4.0], 1.0, |t: &mut Self| &mut t.octaves).whole(),
+        number("evolution", "1/s", [0.0, 10.0], 0.3, |t: &mut Self| &mut t.evolution),
+    ];
+}
+
+/// `turbulences.#.*`: swirls in a region.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Turbulence {
+    pub pattern: Pattern,
+    pub scope: Scope,
+}
+
+impl Item for Turbulence {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("speed", "m/s", [0.0, 20.0], 0.0, |t: &mut Self| &mut t.pattern.speed).says(
+            "Speed",
+            "Typical (root mean square) speed of the swirls; 0 takes this turbulence away.",
+        ),
+        number("scale", "m", [0.05, 100.0], 1.0, |t: &mut Self| &mut t.pattern.scale)
+            .says("Scale", "Size of the largest swirls."),
+        number("octaves", "1", [0.0, 4.0], 1.0, |t: &mut Self| &mut t.pattern.octaves)
+            .whole()
+            .says("Octaves", "How many finer layers of swirls are added; 0 is still air."),
+        number("evolution", "1/s", [0.0, 10.0], 0.3, |t: &mut Self| {
+            &mut t.pattern.evolution
+        })
+        .says("Evolution", "How fast the pattern of swirls changes."),
+    ];
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}
+
+/// What a turbulence remembers from step to step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TurbulenceState {
     /// How far the wind has carried the pattern (m).
@@ -42,19 +95,65 @@ pub struct TurbulenceState {
     pub phase: f64,
 }
 
+/// Moves all patterns on by `dt` seconds: those of the list, then the one that is everywhere.
+pub fn advance(states: &mut [TurbulenceState; LIST_LIMIT + 1], parameters: &Parameters, dt: f64) {
+    let listed = parameters.lists.turbulences.items().iter();
+    for (state, turbulence) in states.iter_mut().zip(listed) {
+        state.advance(&turbulence.pattern, parameters, dt);
+    }
+    states[LIST_LIMIT].advance(&parameters.turbulence, parameters, dt);
+}
+
 impl TurbulenceState {
-    /// Moves the pattern on by `dt` seconds.
-    pub fn advance(&mut self, parameters: &Parameters, dt: f64) {
+    fn advance(&mut self, pattern: &Pattern, parameters: &Parameters, dt: f64) {
         for (drift, wind) in self.drift.iter_mut().zip(parameters.forces.wind) {
             *drift += wind * dt;
         }
-        self.phase += parameters.turbulence.evolution * dt;
+        self.phase += pattern.evolution * dt;
     }
+}
+
+impl Force for Turbulence {
+    type Kernel = Kernel;
+    const STAGE: Stage = Stage::Air;
+
+    fn kernel(&self, index: usize, setting: &Setting) -> Option<Kernel> {
+        let swirls = Swirls::of_setting(&self.pattern, setting, index)?;
+        let reach = Some(Reach::new(&self.scope, &setting.now)?);
+        Some(Kernel { swirls, reach })
+    }
+
+    fn everywhere(setting: &Setting) -> Option<Kernel> {
+        let swirls = Swirls::of_setting(&setting.parameters.turbulence, setting, LIST_LIMIT)?;
+        Some(Kernel { swirls, reach: None })
+    }
+
+    fn act(kernels: &[Kernel], tile: &mut Tile) {
+        let Columns {
+            ahead, flow, weight, ..
+        } = tile.columns();
+        for kernel in kernels {
+            match &kernel.reach {
+                Some(reach) => reach.weigh(ahead, weight),
+                None => weight.fill(f32x4::ONE),
+            }
+            for octave in &kernel.swirls.octaves[..kernel.swirls.len] {
+                octave.act(ahead, weight, flow);
+            }
+        }
+    }
+}
+
+/// A turbulence of one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel {
+    swirls: Swirls,
+    reach: Option<Reach>,
 }
 
 /// The field of one step.
 #[derive(Clone, Copy, Debug)]
-pub struct Turbulence {
+pub struct Swirls {
     octaves: [Octave; OCTAVE_LIMIT],
     len: usize,
 }
@@ -73,41 +172,38 @@ struct Octave {
     is_still: bool,
 }
 
-impl Turbulence {
-    /// The field that `parameters` describe; without octaves or speed it is empty.
-    pub fn new(parameters: &Parameters, state: &TurbulenceState, seed: u32) -> Self {
-        let speed = parameters.turbulence.speed * parameters.forces.turbulence;
-        let len = if speed > 0.0 {
-            parameters.turbulence.octaves as usize
-        } else {
-            0
-        };
+impl Swirls {
+    /// The field of `pattern`, its speed multiplied by `strength`; none without octaves or speed.
+    pub fn new(pattern: &Pattern, strength: f64, state: &TurbulenceState, seed: u32) -> Option<Self> {
+        let speed = pattern.speed * strength;
+        let len = pattern.octaves as usize;
+        if len == 0 || speed <= 0.0 {
+            return None;
+        }
         let total: f64 = (0..len)
             .map(|octave| libm::pow(OCTAVE_SPEED, 2.0 * octave as f64))
             .sum();
-        let first = speed / libm::sqrt(total.max(1.0) * COMPONENT_VARIANCE * CUBE_VARIANCE);
-        let octaves = std::array::from_fn(|octave| Octave::new(parameters, state, seed, octave, first));
-        Self { octaves, len }
+        let first = speed / libm::sqrt(total * COMPONENT_VARIANCE * CUBE_VARIANCE);
+        let octaves = std::array::from_fn(|octave| Octave::new(pattern.scale, state, seed, octave, first));
+        Some(Self { octaves, len })
     }
 
-    /// Whether the air is smooth.
-    #[inline(always)]
-    pub fn is_empty(&self) -> bool {
-        self.len == 0
+    /// Number `index` of all turbulences of a simulation.
+    fn of_setting(pattern: &Pattern, setting: &Setting, index: usize) -> Option<Self> {
+        // The one that is everywhere keeps the seed as it is.
+        let number = (index + 1) % (LIST_LIMIT + 1);
+        let seed = setting.seed ^ (number as u32).wrapping_mul(0xc2b2_ae35);
+        let strength = setting.parameters.forces.turbulence;
+        Self::new(pattern, strength, &setting.turbulence[index], seed)
     }
 
     /// Velocity (m/s) at four places.
-    #[inline(always)]
     pub fn velocity(&self, place: Vector4) -> Vector4 {
-        let mut sum = Vector4::zero();
+        let mut flow = [Vector4::zero()];
         for octave in &self.octaves[..self.len] {
-            sum += if octave.is_still {
-                octave.velocity::<false>(place)
-            } else {
-                octave.velocity::<true>(place)
-            };
+            octave.act(&[place], &[f32x4::ONE], &mut flow);
         }
-        sum
+        flow[0]
     }
 }
 
@@ -167,9 +263,9 @@ impl Edge {
 }
 
 impl Octave {
-    fn new(parameters: &Parameters, state: &TurbulenceState, seed: u32, octave: usize, first: f64) -> Self {
+    fn new(scale: f64, state: &TurbulenceState, seed: u32, octave: usize, first: f64) -> Self {
         let number = octave as f64;
-        let frequency = libm::pow(2.0, number) / parameters.turbulence.scale;
+        let frequency = libm::pow(2.0, number) / scale;
         // The shift keeps the corners of the octaves, and the world's origin, from falling on each other.
         let drift = state.drift.map(|metres| metres * frequency + 0.37 * (number + 1.0));
         let (sine, cosine) = libm::sincos(state.phase * libm::pow(OCTAVE_PACE, number));
@@ -182,6 +278,20 @@ impl Octave {
             cosine: splat(cosine * amplitude),
             sine: splat(sine * amplitude),
             is_still: sine == 0.0,
+        }
+    }
+
+    fn act(&self, ahead: &[Vector4], weight: &[f32x4], flow: &mut [Vector4]) {
+        if self.is_still {
+            self.add::<false>(ahead, weight, flow);
+        } else {
+            self.add::<true>(ahead, weight, flow);
+        }
+    }
+
+    fn add<const EVOLVES: bool>(&self, ahead: &[Vector4], weight: &[f32x4], flow: &mut [Vector4]) {
+        for ((flow, ahead), weight) in flow.iter_mut().zip(ahead).zip(weight) {
+            *flow += self.velocity::<EVOLVES>(*ahead) * *weight;
         }
     }
 

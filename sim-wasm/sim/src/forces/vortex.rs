@@ -17,19 +17,54 @@
 
 use wide::f32x4;
 
-use super::unit;
-use crate::parameters::{self, LIST_LIMIT, Parameters};
+use super::{Force, Setting, Stage, unit};
+use crate::collide::space::{Frame, Vector};
+use crate::parameters::LIST_LIMIT;
+use crate::parameters::field::{DIRECTION, Field, PLACE, number, vector};
+use crate::parameters::section::Item;
+use crate::scope::{Reach, Scope};
 use crate::simd::{Vector4, exp_minus, positive_part};
+use crate::tile::{Columns, TILE_BLOCKS, Tile};
 
-/// The vortices that turn.
-#[derive(Clone, Copy, Debug)]
-pub struct Vortices {
-    items: [Vortex; LIST_LIMIT],
-    len: usize,
+/// `vortices.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vortex {
+    pub circulation: f64,
+    pub core_radius: f64,
+    pub reach: f64,
+    pub position: [f64; 3],
+    pub axis: [f64; 3],
+    pub scope: Scope,
 }
 
+impl Item for Vortex {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("circulation", "m2/s", [-200.0, 200.0], 0.0, |v: &mut Self| {
+            &mut v.circulation
+        })
+        .says(
+            "Circulation",
+            "Strength and sense of the swirl; 0 takes this vortex away.",
+        ),
+        number("coreRadius", "m", [0.01, 50.0], 0.25, |v: &mut Self| &mut v.core_radius)
+            .says("Core", "Radius of the calm middle, where the swirl is fastest."),
+        number("reach", "m", [0.05, 1000.0], 2.0, |v: &mut Self| &mut v.reach).says(
+            "Reach",
+            "Distance from the axis at which the swirl has faded to nothing.",
+        ),
+        vector("position", "m", PLACE, [0.0; 3], |v: &mut Self| &mut v.position).says("Place", "A point on the axis."),
+        vector("axis", "1", DIRECTION, [0.0, 0.0, 1.0], |v: &mut Self| &mut v.axis)
+            .says("Axis", "Direction of the axis."),
+    ];
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}
+
+/// A vortex of one step.
 #[derive(Clone, Copy, Debug)]
-struct Vortex {
+pub struct Kernel {
     position: Vector4,
     axis: Vector4,
     /// Angular velocity at the axis (rad/s).
@@ -39,73 +74,100 @@ struct Vortex {
     /// A quarter of the step (s), and its inverse (1/s).
     quarter: f32x4,
     per_quarter: f32x4,
+    scope: Reach,
 }
 
-impl Vortices {
-    /// The vortices of `parameters` that are not still, for steps of `dt` seconds.
-    pub fn new(parameters: &Parameters, dt: f32) -> Self {
-        let mut vortices = Self {
-            items: [Vortex::new(&parameters::Vortex::default(), 0.0, dt); LIST_LIMIT],
-            len: 0,
-        };
-        let strength = parameters.forces.vortex;
-        for vortex in parameters
-            .vortices
-            .items()
-            .iter()
-            .filter(|vortex| vortex.circulation * strength != 0.0)
-        {
-            vortices.items[vortices.len] = Vortex::new(vortex, strength, dt);
-            vortices.len += 1;
+impl Force for Vortex {
+    type Kernel = Kernel;
+    const STAGE: Stage = Stage::Swirl;
+
+    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+        let strength = setting.parameters.forces.vortex;
+        if self.circulation * strength == 0.0 {
+            return None;
         }
-        vortices
+        let scope = Reach::new(&self.scope, &setting.now)?;
+        let frame = setting.now.frame(&self.scope);
+        Some(Kernel::new(self, strength, &frame, scope, setting.now.dt as f32))
     }
 
-    /// Whether nothing turns.
-    #[inline(always)]
-    pub fn is_empty(&self) -> bool {
-        self.len == 0
+    fn act(kernels: &[Kernel], tile: &mut Tile) {
+        if tile.is_instant {
+            return add_velocities(kernels, tile);
+        }
+        // The common case keeps its turn in registers instead of a table.
+        match kernels {
+            [kernel] => add_mean_velocity(kernel, tile),
+            _ => add_mean_velocities(kernels, tile),
+        }
     }
+}
 
-    /// Velocity (m/s) at four places.
-    #[inline(always)]
-    pub fn velocity(&self, place: Vector4) -> Vector4 {
-        let mut sum = Vector4::zero();
-        for vortex in self.items() {
-            sum += vortex.velocity(place);
+/// Adds the velocities (m/s) at the places.
+fn add_velocities(kernels: &[Kernel], tile: &mut Tile) {
+    let Columns {
+        place, flow, weight, ..
+    } = tile.columns();
+    for kernel in kernels {
+        kernel.scope.weigh(place, weight);
+        for ((flow, place), weight) in flow.iter_mut().zip(&*place).zip(&*weight) {
+            *flow += kernel.velocity(*place) * *weight;
         }
-        sum
     }
+}
 
-    /// Mean velocity (m/s) over a step that begins at `place`. `ahead` leads to where the middle of the step is
-    /// expected; `half` is what all that is no vortex adds to the first half of the step (m).
-    #[inline(always)]
-    pub fn mean_velocity(&self, place: Vector4, ahead: Vector4, half: Vector4) -> Vector4 {
-        // The common case keeps its turn in registers instead of a table that has to be cleared for every four particles.
-        if let [vortex] = self.items() {
-            let turn = vortex.turn(place + ahead);
-            let middle = place + half + vortex.half_step(place, &turn);
-            return vortex.chord_velocity(middle, &turn);
-        }
-        let mut turns = [Turn {
-            sine: f32x4::ZERO,
-            cosine: f32x4::ZERO,
-        }; LIST_LIMIT];
-        let mut middle = place + half;
-        for (vortex, turn) in self.items().iter().zip(&mut turns) {
-            *turn = vortex.turn(place + ahead);
-            middle += vortex.half_step(place, turn);
-        }
-        let mut sum = Vector4::zero();
-        for (vortex, turn) in self.items().iter().zip(&turns) {
-            sum += vortex.chord_velocity(middle, turn);
-        }
-        sum
+/// Adds the mean velocity (m/s) over the step where there is one vortex.
+fn add_mean_velocity(kernel: &Kernel, tile: &mut Tile) {
+    let dt = f32x4::splat(tile.dt);
+    let Columns {
+        place,
+        ahead,
+        flow,
+        slipped,
+        weight,
+        ..
+    } = tile.columns();
+    kernel.scope.weigh(ahead, weight);
+    let rest = ahead.iter().zip(&*slipped).zip(&*weight);
+    for ((flow, place), ((ahead, slipped), weight)) in flow.iter_mut().zip(&*place).zip(rest) {
+        let turn = kernel.turn(*ahead, *weight);
+        let half = (*flow * dt + *slipped) * f32x4::HALF;
+        let middle = *place + half + kernel.half_step(*place, &turn);
+        *flow += kernel.chord_velocity(middle, &turn);
     }
+}
 
-    #[inline(always)]
-    fn items(&self) -> &[Vortex] {
-        &self.items[..self.len]
+/// Adds the mean velocity (m/s) over the step of several vortices, each of which moves the middle for the others.
+fn add_mean_velocities(kernels: &[Kernel], tile: &mut Tile) {
+    let dt = f32x4::splat(tile.dt);
+    let still = Turn {
+        sine: f32x4::ZERO,
+        cosine: f32x4::ZERO,
+    };
+    let mut turns = [[still; TILE_BLOCKS]; LIST_LIMIT];
+    let mut middles = [Vector4::zero(); TILE_BLOCKS];
+    let Columns {
+        place,
+        ahead,
+        flow,
+        slipped,
+        weight,
+        ..
+    } = tile.columns();
+    for (((middle, place), slipped), flow) in middles.iter_mut().zip(&*place).zip(&*slipped).zip(&*flow) {
+        *middle = *place + (*flow * dt + *slipped) * f32x4::HALF;
+    }
+    for (kernel, turns) in kernels.iter().zip(&mut turns) {
+        kernel.scope.weigh(ahead, weight);
+        for (block, turn) in turns[..place.len()].iter_mut().enumerate() {
+            *turn = kernel.turn(ahead[block], weight[block]);
+            middles[block] += kernel.half_step(place[block], turn);
+        }
+    }
+    for (kernel, turns) in kernels.iter().zip(&turns) {
+        for ((flow, middle), turn) in flow.iter_mut().zip(&middles).zip(turns) {
+            *flow += kernel.chord_velocity(*middle, turn);
+        }
     }
 }
 
@@ -117,19 +179,21 @@ struct Turn {
     cosine: f32x4,
 }
 
-impl Vortex {
-    fn new(vortex: &parameters::Vortex, strength: f64, dt: f32) -> Self {
+impl Kernel {
+    fn new(vortex: &Vortex, strength: f64, frame: &Frame, scope: Reach, dt: f32) -> Self {
         let core_squared = (vortex.core_radius * vortex.core_radius).max(1e-12);
         let reach_squared = (vortex.reach * vortex.reach).max(1e-12);
         let turn = vortex.circulation * strength / (2.0 * std::f64::consts::PI * core_squared);
+        let position = frame.world_from_local(vortex.position.map(|component| component as f32).into());
         Self {
-            position: Vector4::splat(vortex.position.map(|component| component as f32)),
-            axis: Vector4::splat(unit(vortex.axis)),
+            position: Vector4::splat(position.into()),
+            axis: Vector4::splat(frame.turned(Vector::from(unit(vortex.axis))).into()),
             turn: f32x4::splat(turn as f32),
             inverse_core_squared: f32x4::splat((1.0 / core_squared) as f32),
             inverse_reach_squared: f32x4::splat((1.0 / reach_squared) as f32),
             quarter: f32x4::splat(dt * 0.25),
             per_quarter: f32x4::splat(4.0 / dt),
+            scope,
         }
     }
 
@@ -159,12 +223,12 @@ impl Vortex {
         around * (dividend / divisor)
     }
 
-    /// The turn of half a step.
+    /// The turn of half a step where the vortex acts with the strength `weight`.
     #[inline(always)]
-    fn turn(&self, place: Vector4) -> Turn {
+    fn turn(&self, place: Vector4, weight: f32x4) -> Turn {
         let around = self.around(place);
         let (dividend, divisor) = self.angular_velocity(around.dot(around));
-        let dividend = dividend * self.quarter;
+        let dividend = dividend * (self.quarter * weight);
         let share = dividend / (divisor * divisor + dividend * dividend);
         Turn {
             sine: divisor * share,
@@ -191,23 +255,29 @@ impl Vortex {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::parameters::section::item;
+    use crate::scope::Now;
 
     #[test]
     fn velocity_is_that_of_the_formula() {
-        let mut parameters = Parameters::default();
-        for (key, value) in [
-            ("circulation", 3.0),
-            ("coreRadius", 0.4),
-            ("reach", 5.0),
-            ("position.x", 1.0),
-        ] {
-            parameters.set(&format!("vortices.0.{key}"), value).unwrap();
-        }
-        let vortices = Vortices::new(&parameters, 1.0 / 60.0);
+        let vortex = Vortex {
+            circulation: 3.0,
+            core_radius: 0.4,
+            reach: 5.0,
+            position: [1.0, 0.0, 0.0],
+            ..item()
+        };
+        let now = Now {
+            time: 0.5,
+            dt: 1.0 / 60.0,
+            poses: &[],
+        };
+        let scope = Reach::new(&vortex.scope, &now).unwrap();
+        let kernel = Kernel::new(&vortex, 1.0, &now.frame(&vortex.scope), scope, 1.0 / 60.0);
         for r in [1e-4_f64, 0.03, 0.05, 0.4, 1.3, 4.9, 5.0, 7.0] {
             let fade = (1.0 - r * r / 25.0).max(0.0);
             let speed = 3.0 / (2.0 * std::f64::consts::PI * r) * (1.0 - (-r * r / 0.16).exp()) * fade * fade;
-            let [x, y, z] = vortices.velocity(Vector4::splat([1.0 + r as f32, 0.0, 8.0])).first();
+            let [x, y, z] = kernel.velocity(Vector4::splat([1.0 + r as f32, 0.0, 8.0])).first();
             // The place itself is rounded to 1.2e-7 beside the axis at x = 1.
             assert!(
                 (f64::from(y) - speed).abs() < speed * (2e-4 + 2e-7 / r) + 1e-6,

@@ -1,11 +1,178 @@
 //! Wind: the air as a whole moves.
 //!
-//! u = w, the same everywhere. Parameters: `forces.wind.x`, `.y`, `.z` (m/s). Wind also carries the pattern of
-//! turbulence along, as it carries all air.
+//! u = w (1 + s (y - h)) + d g(t), for the mean velocity w (m/s), the shear s (1/m) about the height h (m), and gusts g
+//! along the direction d of the mean wind. The shear never turns the wind around: where its factor would be negative, it
+//! is 0. Gusts have the root mean square speed `gusts` and a spectrum that is flat up to the frequency 1 / `gustTime` and
+//! falls with the power -5/3 beyond, as that of Kaimal et al., "Spectral characteristics of surface-layer turbulence",
+//! Quarterly Journal of the Royal Meteorological Society 98, 1972: they are a sum of sixteen waves whose phases the seed
+//! chooses, the same at all places. Still air has no direction; its gusts go along x.
+//!
+//! `forces.wind.*` with `wind.*` blows everywhere and carries the pattern of turbulence along; `winds.#.*` blow in their
+//! regions.
 
-use crate::parameters::Parameters;
+use wide::f32x4;
 
-/// Velocity of the wind (m/s).
-pub fn velocity(parameters: &Parameters) -> [f32; 3] {
-    parameters.forces.wind.map(|component| component as f32)
+use super::{Force, Setting, Stage, unit};
+use crate::collide::space::{Frame, Vector};
+use crate::parameters::field::{Field, PLACE, number, vector};
+use crate::parameters::section::Item;
+use crate::random::Random;
+use crate::scope::{Reach, Scope};
+use crate::simd::{Vector4, positive_part};
+use crate::tile::{Columns, Tile};
+
+const WAVES: u32 = 16;
+/// From one wave to the next the frequency grows by this factor: sixteen of them span a factor of 300.
+const FREQUENCY_RATIO: f64 = 1.46;
+/// The slowest wave, as a share of 1 / `gustTime`.
+const SLOWEST: f64 = 0.1;
+
+/// `wind.*`: how the wind of `forces.wind.*` changes with height and time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Weather {
+    pub gusts: f64,
+    pub gust_time: f64,
+    pub shear: f64,
+    pub height: f64,
+}
+
+impl Item for Weather {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("gusts", "m/s", [0.0, 20.0], 0.0, |w: &mut Self| &mut w.gusts)
+            .says("Gusts", "Typical (root mean square) speed of gusts along the wind."),
+        number("gustTime", "s", [0.1, 60.0], 2.0, |w: &mut Self| &mut w.gust_time)
+            .says("Gust time", "How long a strong gust lasts."),
+        number("shear", "1/m", [-10.0, 10.0], 0.0, |w: &mut Self| &mut w.shear).says(
+            "Shear",
+            "How much faster the wind is for each metre of height, as a share.",
+        ),
+        number("height", "m", PLACE, 0.0, |w: &mut Self| &mut w.height)
+            .says("Shear height", "Height at which shear changes nothing."),
+    ];
+}
+
+/// `winds.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wind {
+    pub velocity: [f64; 3],
+    pub weather: Weather,
+    pub scope: Scope,
+}
+
+impl Item for Wind {
+    const FIELDS: &'static [Field<Self>] = &[
+        vector("velocity", "m/s", [-50.0, 50.0], [0.0; 3], |w: &mut Self| {
+            &mut w.velocity
+        })
+        .says("Wind", "Velocity of the wind."),
+        number("gusts", "m/s", [0.0, 20.0], 0.0, |w: &mut Self| &mut w.weather.gusts)
+            .says("Gusts", "Typical (root mean square) speed of gusts along the wind."),
+        number("gustTime", "s", [0.1, 60.0], 2.0, |w: &mut Self| {
+            &mut w.weather.gust_time
+        })
+        .says("Gust time", "How long a strong gust lasts."),
+        number("shear", "1/m", [-10.0, 10.0], 0.0, |w: &mut Self| &mut w.weather.shear).says(
+            "Shear",
+            "How much faster the wind is for each metre of height, as a share.",
+        ),
+        number("height", "m", PLACE, 0.0, |w: &mut Self| &mut w.weather.height)
+            .says("Shear height", "Height at which shear changes nothing."),
+    ];
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}
+
+/// A wind of one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel {
+    mean: Vector4,
+    gust: Vector4,
+    shear: f32x4,
+    height: f32x4,
+    reach: Reach,
+}
+
+impl Force for Wind {
+    type Kernel = Kernel;
+    const STAGE: Stage = Stage::Air;
+
+    fn kernel(&self, index: usize, setting: &Setting) -> Option<Kernel> {
+        self.blowing(index as u32 + 1, setting)
+    }
+
+    fn everywhere(setting: &Setting) -> Option<Kernel> {
+        let wind = Wind {
+            velocity: setting.parameters.forces.wind,
+            weather: setting.parameters.wind,
+            scope: Scope {
+                rigid: crate::scope::WORLD,
+                ..Scope::default()
+            },
+        };
+        wind.blowing(0, setting)
+    }
+
+    fn act(kernels: &[Kernel], tile: &mut Tile) {
+        let Columns {
+            ahead, flow, weight, ..
+        } = tile.columns();
+        for kernel in kernels {
+            kernel.reach.weigh(ahead, weight);
+            for ((flow, ahead), weight) in flow.iter_mut().zip(&*ahead).zip(&*weight) {
+                let factor = positive_part(f32x4::ONE + kernel.shear * (ahead.y - kernel.height));
+                *flow += (kernel.mean * factor + kernel.gust) * *weight;
+            }
+        }
+    }
+}
+
+impl Wind {
+    /// The wind of this step; `number` tells its gusts from those of the others.
+    fn blowing(&self, number: u32, setting: &Setting) -> Option<Kernel> {
+        if self.velocity == [0.0; 3] && self.weather.gusts == 0.0 {
+            return None;
+        }
+        let reach = Reach::new(&self.scope, &setting.now)?;
+        let frame = setting.now.frame(&self.scope);
+        Some(self.blow(&frame, reach, number, setting))
+    }
+
+    fn blow(&self, frame: &Frame, reach: Reach, number: u32, setting: &Setting) -> Kernel {
+        let turned = |v: [f32; 3]| Vector4::splat(frame.turned(Vector::from(v)).into());
+        let along = if self.velocity == [0.0; 3] {
+            [1.0, 0.0, 0.0]
+        } else {
+            unit(self.velocity)
+        };
+        let speed = gust(&self.weather, setting.now.time, setting.seed ^ number) as f32;
+        Kernel {
+            mean: turned(self.velocity.map(|component| component as f32)),
+            gust: turned(along.map(|component| component * speed)),
+            shear: f32x4::splat(self.weather.shear as f32),
+            height: f32x4::splat(self.weather.height as f32),
+            reach,
+        }
+    }
+}
+
+/// Speed of the gusts (m/s) at `time` (s).
+pub fn gust(weather: &Weather, time: f64, seed: u32) -> f64 {
+    if weather.gusts == 0.0 {
+        return 0.0;
+    }
+    let mut random = Random::new(seed ^ 0x9d2c_5680);
+    let (mut sum, mut power) = (0.0, 0.0);
+    for wave in 0..WAVES {
+        let share = SLOWEST * libm::pow(FREQUENCY_RATIO, f64::from(wave));
+        let phase = f64::from(random.unit());
+        let density = libm::pow(1.0 + share, -5.0 / 3.0);
+        // The waves stand at equal ratios, so that each has a band as wide as its frequency to stand for.
+        let amplitude = libm::sqrt(density * share);
+        let cycles = share / weather.gust_time * time + phase;
+        sum += amplitude * libm::sin(2.0 * std::f64::consts::PI * (cycles - libm::floor(cycles)));
+        power += 0.5 * amplitude * amplitude;
+    }
+    weather.gusts * sum / libm::sqrt(power)
 }

@@ -1,0 +1,196 @@
+//! Sections of the table: groups of parameters that exist once, and lists of items that have the same parameters.
+
+use super::field::{Field, Meta};
+use super::{LIST_LIMIT, Parameters};
+use crate::scope::Scope;
+
+/// A group of parameters with a place in the table.
+pub trait Item: Copy + Default + 'static {
+    /// Its parameters in their order.
+    const FIELDS: &'static [Field<Self>];
+
+    /// Where, when and on what it acts, if that can be chosen; the scope's parameters follow its own.
+    fn scope(&mut self) -> Option<&mut Scope> {
+        None
+    }
+}
+
+/// An item with the defaults of the table.
+pub fn item<I: Item>() -> I {
+    let mut item = I::default();
+    for field in I::FIELDS {
+        for part in 0..field.parts().len() {
+            *field.value(&mut item, part) = field.meta.default[part];
+        }
+    }
+    if let Some(scope) = item.scope() {
+        *scope = self::item();
+    }
+    item
+}
+
+/// Items `0..len` exist.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct List<I> {
+    items: [I; LIST_LIMIT],
+    len: usize,
+}
+
+impl<I: Item> Default for List<I> {
+    fn default() -> Self {
+        Self {
+            items: [item(); LIST_LIMIT],
+            len: 0,
+        }
+    }
+}
+
+impl<I> List<I> {
+    /// The items that exist.
+    pub fn items(&self) -> &[I] {
+        &self.items[..self.len]
+    }
+}
+
+/// A parameter of a section, by its numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Slot {
+    pub field: usize,
+    pub part: usize,
+}
+
+/// A section, whatever its items are.
+pub trait Section: Sync {
+    /// What its keys begin with.
+    fn name(&self) -> &'static str;
+
+    /// Whether its keys have an index behind the name.
+    fn is_list(&self) -> bool;
+
+    /// How many items exist: 1 where it is no list.
+    fn len(&self, parameters: &Parameters) -> usize;
+
+    /// Makes items `0..len` exist, and those beyond too that exist already.
+    fn lengthen(&self, parameters: &mut Parameters, len: usize);
+
+    /// The parameter whose key behind name and index is `key`.
+    fn find(&self, key: &str) -> Option<Slot>;
+
+    /// What there is to say about parameter number `field`, and the ends of its keys; none beyond the last.
+    fn meta(&self, field: usize) -> Option<(&'static Meta, &'static [&'static str])>;
+
+    /// The value in item `index`.
+    fn value<'p>(&self, parameters: &'p mut Parameters, index: usize, slot: Slot) -> &'p mut f64;
+}
+
+/// A section that exists once.
+pub struct Single<I: Item> {
+    pub name: &'static str,
+    pub of: fn(&mut Parameters) -> &mut I,
+}
+
+/// A section that is a list.
+pub struct Many<I: Item> {
+    pub name: &'static str,
+    pub of: fn(&mut Parameters) -> &mut List<I>,
+    pub len: fn(&Parameters) -> usize,
+}
+
+impl<I: Item> Section for Single<I> {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn is_list(&self) -> bool {
+        false
+    }
+
+    fn len(&self, _parameters: &Parameters) -> usize {
+        1
+    }
+
+    fn lengthen(&self, _parameters: &mut Parameters, _len: usize) {}
+
+    fn find(&self, key: &str) -> Option<Slot> {
+        find::<I>(key)
+    }
+
+    fn meta(&self, field: usize) -> Option<(&'static Meta, &'static [&'static str])> {
+        meta::<I>(field)
+    }
+
+    fn value<'p>(&self, parameters: &'p mut Parameters, _index: usize, slot: Slot) -> &'p mut f64 {
+        value((self.of)(parameters), slot)
+    }
+}
+
+impl<I: Item> Section for Many<I> {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn is_list(&self) -> bool {
+        true
+    }
+
+    fn len(&self, parameters: &Parameters) -> usize {
+        (self.len)(parameters)
+    }
+
+    fn lengthen(&self, parameters: &mut Parameters, len: usize) {
+        let list = (self.of)(parameters);
+        list.len = list.len.max(len);
+    }
+
+    fn find(&self, key: &str) -> Option<Slot> {
+        find::<I>(key)
+    }
+
+    fn meta(&self, field: usize) -> Option<(&'static Meta, &'static [&'static str])> {
+        meta::<I>(field)
+    }
+
+    fn value<'p>(&self, parameters: &'p mut Parameters, index: usize, slot: Slot) -> &'p mut f64 {
+        value(&mut (self.of)(parameters).items[index], slot)
+    }
+}
+
+/// The fields of a scope, where `I` has one.
+fn scope_fields<I: Item>() -> &'static [Field<Scope>] {
+    if I::default().scope().is_some() {
+        Scope::FIELDS
+    } else {
+        &[]
+    }
+}
+
+fn find<I: Item>(key: &str) -> Option<Slot> {
+    let own = I::FIELDS.len();
+    find_in(I::FIELDS, key, 0).or_else(|| find_in(scope_fields::<I>(), key, own))
+}
+
+fn find_in<I>(fields: &[Field<I>], key: &str, first: usize) -> Option<Slot> {
+    fields.iter().enumerate().find_map(|(number, field)| {
+        let part = field.part_named(key)?;
+        let field = first + number;
+        Some(Slot { field, part })
+    })
+}
+
+fn meta<I: Item>(field: usize) -> Option<(&'static Meta, &'static [&'static str])> {
+    if let Some(own) = I::FIELDS.get(field) {
+        return Some((&own.meta, own.parts()));
+    }
+    let shared = scope_fields::<I>().get(field - I::FIELDS.len())?;
+    Some((&shared.meta, shared.parts()))
+}
+
+fn value<I: Item>(item: &mut I, slot: Slot) -> &mut f64 {
+    match I::FIELDS.get(slot.field) {
+        Some(field) => field.value(item, slot.part),
+        None => {
+            let scope = item.scope().expect("only a scope has fields beyond an item's own");
+            Scope::FIELDS[slot.field - I::FIELDS.len()].value(scope, slot.part)
+        }
+    }
+}

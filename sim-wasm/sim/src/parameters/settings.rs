@@ -1,0 +1,106 @@
+//! Sections that exist once.
+
+use super::field::{Field, number, vector};
+use super::section::Item;
+
+const MULTIPLIER: [f64; 2] = [0.0, 10.0];
+
+/// `emission.*`: what holds for all emitters.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Emission {
+    pub rate: f64,
+    pub lifetime: f64,
+    pub growth_time: f64,
+    pub entrainment: f64,
+}
+
+impl Item for Emission {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("rate", "particles/s", [0.0, 20_000.0], 120.0, |e: &mut Self| {
+            &mut e.rate
+        }),
+        number("lifetime", "s", [0.1, 60.0], 4.0, |e: &mut Self| &mut e.lifetime),
+        number("growthTime", "s", [0.0, 30.0], 0.0, |e: &mut Self| &mut e.growth_time),
+        number("entrainment", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.entrainment),
+    ];
+}
+
+/// `puff.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Puff {
+    pub size: f64,
+    pub variations: f64,
+}
+
+impl Item for Puff {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("size", "1", [0.1, 4.0], 1.0, |p: &mut Self| &mut p.size),
+        number("variations", "1", [1.0, 255.0], 4.0, |p: &mut Self| &mut p.variations).whole(),
+    ];
+}
+
+/// `forces.*`: multipliers on all forces of a kind, and the wind that blows everywhere.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Multipliers {
+    pub gravity: f64,
+    pub buoyancy: f64,
+    pub turbulence: f64,
+    pub vortex: f64,
+    pub drag: f64,
+    pub wind: [f64; 3],
+}
+
+impl Item for Multipliers {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("gravity", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.gravity),
+        number("buoyancy", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.buoyancy),
+        number("turbulence", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.turbulence),
+        number("vortex", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.vortex),
+        number("drag", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.drag),
+        vector("wind", "m/s", [-50.0, 50.0], [0.0; 3], |f: &mut Self| &mut f.wind),
+    ];
+}
+
+/// `gravity.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Gravity {
+    pub acceleration: f64,
+}
+
+impl Item for Gravity {
+    const FIELDS: &'static [Field<Self>] = &[number("acceleration", "m/s2", [0.0, 100.0], 0.0, |g: &mut Self| {
+        &mut g.acceleration
+    })];
+}
+
+/// `buoyancy.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Buoyancy {
+    pub acceleration: f64,
+    pub cooling_time: f64,
+}
+
+impl Item for Buoyancy {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("acceleration", "m/s2", [0.0, 100.0], 1.5, |b: &mut Self| {
+            &mut b.acceleration
+        }),
+        number("coolingTime", "s", [0.01, 1000.0], 4.0, |b: &mut Self| {
+            &mut b.cooling_time
+        }),
+    ];
+}
+
+/// `simulation.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Settings {
+    pub integrator: f64,
+}
+
+impl Item for Settings {
+    const FIELDS: &'static [Field<Self>] =
+        &[
+            number("integrator", "1", [0.0, 1.0], 0.0, |s: &mut Self| &mut s.integrator)
+                .named(&["airAndSlip", "paper"]),
+        ];
+}

@@ -1,0 +1,134 @@
+//! A tile: a few hundred particles that all forces work on, one after the other, while they lie in the nearest cache.
+
+use wide::f32x4;
+
+use crate::particles::{LANES, Particles};
+use crate::simd::{Vector4, blocks};
+
+/// Blocks of four particles in a full tile.
+pub const TILE_BLOCKS: usize = 32;
+
+/// What forces read and write of the particles of a tile. Only the first `len` blocks mean anything.
+pub struct Tile {
+    len: usize,
+    /// Length of the step (s).
+    pub dt: f32,
+    /// Whether the air is asked for its velocity at the places themselves, not for its mean over the step.
+    pub is_instant: bool,
+    /// Whether a force has written into `push` or `resistance`, which are all zero otherwise.
+    pub is_pushed: bool,
+    place: [Vector4; TILE_BLOCKS],
+    ahead: [Vector4; TILE_BLOCKS],
+    flow: [Vector4; TILE_BLOCKS],
+    slip: [Vector4; TILE_BLOCKS],
+    slipped: [Vector4; TILE_BLOCKS],
+    push: [Vector4; TILE_BLOCKS],
+    resistance: [f32x4; TILE_BLOCKS],
+    heat: [f32x4; TILE_BLOCKS],
+    weight: [f32x4; TILE_BLOCKS],
+}
+
+/// The columns of a tile, each as long as the tile.
+pub struct Columns<'t> {
+    /// Where the particles are at the start of the step (m).
+    pub place: &'t mut [Vector4],
+    /// Where they are expected in the middle of the step (m).
+    pub ahead: &'t mut [Vector4],
+    /// Velocity of the air (m/s).
+    pub flow: &'t mut [Vector4],
+    /// Slip (m/s).
+    pub slip: &'t mut [Vector4],
+    /// How far the slip takes them in the step (m).
+    pub slipped: &'t mut [Vector4],
+    /// Acceleration besides the one that gravity and buoyancy have everywhere (m/s2).
+    pub push: &'t mut [Vector4],
+    /// Rate of drag besides the one that is everywhere (1/s).
+    pub resistance: &'t mut [f32x4],
+    /// Temperature.
+    pub heat: &'t [f32x4],
+    /// For each force its own: how strongly it acts, 0..=1.
+    pub weight: &'t mut [f32x4],
+}
+
+impl Tile {
+    /// An empty tile for steps of `dt` seconds.
+    pub fn new(dt: f32, is_instant: bool) -> Self {
+        let vectors = [Vector4::zero(); TILE_BLOCKS];
+        let numbers = [f32x4::ZERO; TILE_BLOCKS];
+        Self {
+            len: 0,
+            dt,
+            is_instant,
+            is_pushed: false,
+            place: vectors,
+            ahead: vectors,
+            flow: vectors,
+            slip: vectors,
+            slipped: vectors,
+            push: vectors,
+            resistance: numbers,
+            heat: numbers,
+            weight: numbers,
+        }
+    }
+
+    /// One place four times over, for whoever asks how the air moves there.
+    pub fn at(place: [f32; 3], dt: f32) -> Self {
+        let mut tile = Self::new(dt, true);
+        tile.len = 1;
+        tile.place[0] = Vector4::splat(place);
+        tile.ahead[0] = tile.place[0];
+        tile
+    }
+
+    /// Takes up the particles of `len` blocks from `first` on, with air that does not move.
+    #[inline(always)]
+    pub fn load(&mut self, particles: &Particles, first: usize, len: usize) {
+        self.len = len;
+        if self.is_pushed {
+            self.push = [Vector4::zero(); TILE_BLOCKS];
+            self.resistance = [f32x4::ZERO; TILE_BLOCKS];
+            self.is_pushed = false;
+        }
+        let column = |column| &blocks(column, first + len)[first..];
+        let vector = |x, y, z| (column(x), column(y), column(z));
+        let (x, y, z) = vector(&particles.x, &particles.y, &particles.z);
+        let (px, py, pz) = vector(&particles.px, &particles.py, &particles.pz);
+        let (sx, sy, sz) = vector(&particles.sx, &particles.sy, &particles.sz);
+        let heat = column(&particles.temperature);
+        let half = if self.is_instant { f32x4::ZERO } else { f32x4::HALF };
+        for (block, heat) in heat.iter().enumerate() {
+            let place = Vector4::load(x, y, z, block);
+            self.place[block] = place;
+            self.ahead[block] = place + (place - Vector4::load(px, py, pz, block)) * half;
+            self.slip[block] = Vector4::load(sx, sy, sz, block);
+            self.heat[block] = f32x4::new(*heat);
+        }
+        self.flow[..len].fill(Vector4::zero());
+    }
+
+    /// The columns.
+    #[inline(always)]
+    pub fn columns(&mut self) -> Columns<'_> {
+        let len = self.len.min(TILE_BLOCKS);
+        Columns {
+            place: &mut self.place[..len],
+            ahead: &mut self.ahead[..len],
+            flow: &mut self.flow[..len],
+            slip: &mut self.slip[..len],
+            slipped: &mut self.slipped[..len],
+            push: &mut self.push[..len],
+            resistance: &mut self.resistance[..len],
+            heat: &self.heat[..len],
+            weight: &mut self.weight[..len],
+        }
+    }
+}
+
+/// The blocks of `particles` from `first` on, cut into tiles: first block and number of blocks of each.
+pub fn tiles(particles: &Particles, first: usize) -> impl Iterator<Item = (usize, usize)> + use<> {
+    let end = particles.padded_alive() / LANES;
+    (first..end)
+        .step_by(TILE_BLOCKS)
+        .map(move |from| (from, TILE_BLOCKS.min(end - from)))
+}
