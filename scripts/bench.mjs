@@ -2,7 +2,8 @@
  * `npm run bench -- SUITE [--quick] [--json FILE]`: runs tests/bench/SUITE.mjs, prints its figures as a table and
  * writes them as `{ suite, commit, figures }`.
  *
- * A suite exports `run({ quick })`, which resolves to its figures. Figures are reported, never judged here.
+ * A suite exports `run({ quick })`, which resolves to its figures, and may export `summary(figures)`, which makes text
+ * of them to print below. Figures are reported, never judged here.
  */
 
 import { existsSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
@@ -30,8 +31,9 @@ await conclude(async () => {
   // Resolved now, because npm runs this where package.json is, and a refusal should not come after minutes.
   const file = values.json === undefined ? undefined : resolve(values.json);
   await setUp(TESTS);
-  const figures = await measure(suite, values.quick);
+  const { figures, summary } = await measure(suite, values.quick);
   console.log(figuresTable(figures));
+  if (summary) console.log(`\n${summary}`);
   if (file) {
     mkdirSync(dirname(file), { recursive: true });
     writeFileSync(file, `${JSON.stringify({ suite, commit: await commit(), figures }, null, 2)}\n`);
@@ -51,13 +53,13 @@ function chooseSuite(names) {
   return names[0];
 }
 
-/** @param {string} suite @param {boolean} quick @returns {Promise<Figure[]>} */
+/** @param {string} suite @param {boolean} quick @returns {Promise<{ figures: Figure[], summary?: string }>} */
 async function measure(suite, quick) {
   const module = await import(pathToFileURL(inRoot(`${FOLDER}/${suite}.mjs`)).href);
   if (typeof module.run !== 'function') throw new Refusal(`${FOLDER}/${suite}.mjs is no suite: it exports no run().`);
   const figures = await withProgress(`Bench ${suite}`, (say) => module.run({ quick, say }));
   if (!Array.isArray(figures) || figures.length === 0) throw new Refusal(`The suite ${suite} measured nothing.`);
-  return figures;
+  return { figures, summary: module.summary?.(figures) };
 }
 
 /** The commit that was measured, marked when files differ from it. */

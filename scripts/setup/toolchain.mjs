@@ -17,9 +17,20 @@ const PROGRAMS = { clippy: 'cargo-clippy' };
  *
  * @param {string[]} parameters
  * @param {(line: string) => void} [onLine]
+ * @param {NodeJS.ProcessEnv} [environment] added to the process's own
  */
-export function cargo(parameters, onLine) {
-  return rustup(['run', readToolchain().channel, 'cargo', ...parameters], onLine);
+export function cargo(parameters, onLine, environment) {
+  return rustup(['run', readToolchain().channel, 'cargo', ...parameters], onLine, environment);
+}
+
+/**
+ * Runs the compiler of the same version in sim-wasm.
+ *
+ * @param {string[]} parameters
+ * @param {(line: string) => void} [onLine]
+ */
+export function rustc(parameters, onLine) {
+  return rustup(['run', readToolchain().channel, 'rustc', ...parameters], onLine);
 }
 
 /** Whether the toolchain and everything in it that the project needs is installed. */
@@ -66,12 +77,12 @@ function readToolchain() {
   };
 }
 
-/** @param {string[]} parameters @param {(line: string) => void} [onLine] */
-function rustup(parameters, onLine) {
+/** @param {string[]} parameters @param {(line: string) => void} [onLine] @param {NodeJS.ProcessEnv} [added] */
+function rustup(parameters, onLine, added) {
   // A shell that was open when rustup was installed does not have its folder on PATH yet.
   const home = process.env.CARGO_HOME || join(homedir(), '.cargo');
   const PATH = [process.env.PATH, join(home, 'bin')].filter(Boolean).join(delimiter);
   // Nothing is installed in passing: what is missing is brought by its own step, with its own sentence.
-  const environment = { PATH, RUSTUP_AUTO_INSTALL: '0', CARGO_TERM_COLOR: 'never' };
+  const environment = { PATH, RUSTUP_AUTO_INSTALL: '0', CARGO_TERM_COLOR: 'never', ...added };
   return run('rustup', parameters, { folder: inRoot('sim-wasm'), environment, onLine });
 }

@@ -1,8 +1,21 @@
-/** `npm run bench -- sim`: a step of ours against the same step in JavaScript, and our collisions against Rapier's queries. */
+/**
+ * `npm run bench -- sim`: what a step costs, beside the same in native code, in JavaScript and as a mere pass over
+ * memory, and beside two particle engines; and our collisions against Rapier's queries.
+ */
 
+import { costsTable } from './sim/costsTable.mjs';
+import { buildContestants, Native } from './sim/native.mjs';
 import { measureInPage } from './support/page.mjs';
 
 /** @param {import('./support/page.mjs').Choice} choice */
-export function run(choice) {
-  return measureInPage('/tests/bench/sim/suite.ts', choice);
+export async function run(choice) {
+  await buildContestants(choice.say);
+  const native = new Native();
+  try {
+    return await measureInPage('/tests/bench/sim/suite.ts', choice, [native.plugin()]);
+  } finally {
+    native.stop();
+  }
 }
+
+export { costsTable as summary };

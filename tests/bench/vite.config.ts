@@ -4,7 +4,7 @@ import tests from '../support/vite.config.ts';
 /** The tests' server for measuring: isolated pages, because only those get a clock of 5 instead of 100 microseconds. */
 export default mergeConfig(tests, {
   cacheDir: '.cache/vite-bench',
-  optimizeDeps: { include: ['@dimforge/rapier3d-compat'] },
+  optimizeDeps: { include: ['@dimforge/rapier3d-compat', 'three.quarks', 'three-nebula'] },
   server: {
     headers: {
       'Cross-Origin-Opener-Policy': 'same-origin',

@@ -1,13 +1,16 @@
 /** What `npm run bench -- sim` measures, inside one page. */
 import type { Figure } from '../support/figures.ts';
+import { measureParts } from './parts.ts';
+import { measureSizes } from './sizes.ts';
 import { measureAgainstCompat } from './versusCompat.ts';
-import { measureAgainstJavaScript, measureSteps } from './versusJavaScript.ts';
+import { measureAgainstOthers } from './versusOthers.ts';
 
 export async function measure(quick: boolean): Promise<Figure[]> {
   if (!globalThis.crossOriginIsolated) throw new Error('The page is not isolated, so its clock is too coarse.');
   return [
-    ...(await measureAgainstJavaScript(quick)),
+    ...(await measureAgainstOthers(quick)),
+    ...(await measureParts(quick)),
+    ...(await measureSizes(quick)),
     ...(await measureAgainstCompat(quick)),
-    ...(await measureSteps(quick)),
   ];
 }

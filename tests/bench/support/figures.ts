@@ -1,5 +1,7 @@
 /** Figures, and how rounds become one: a median with its range, since single timings on a shared machine are noise. */
 
+import { median } from './statistics.ts';
+
 /** As scripts/bench.mjs prints and writes it. */
 export interface Figure {
   name: string;
@@ -13,20 +15,8 @@ export interface Figure {
 
 /** A figure from its rounds, at least one. */
 export function figure(name: string, unit: string, rounds: readonly number[], note: string): Figure {
-  const sorted = [...rounds].sort((a, b) => a - b);
-  return {
-    name,
-    value: median(sorted),
-    unit,
-    range: [sorted[0], sorted[sorted.length - 1]],
-    rounds: rounds.length,
-    note,
-  };
-}
-
-function median(sorted: readonly number[]): number {
-  const middle = sorted.length >> 1;
-  return sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+  const range: [number, number] = [Math.min(...rounds), Math.max(...rounds)];
+  return { name, value: median(rounds), unit, range, rounds: rounds.length, note };
 }
 
 /** Stops the suite: a ratio of different work is worth nothing. */

@@ -20,10 +20,12 @@ const MEASURING_FLAGS = ['--enable-precise-memory-info', '--js-flags=--expose-gc
  *
  * @param {`/${string}`} path
  * @param {Choice} choice
+ * @param {import('vite').Plugin[]} [plugins] added to the server of the page
  * @returns {Promise<Figure[]>}
  */
-export async function measureInPage(path, { quick, say }) {
-  const server = await createServer({ configFile: inRoot('tests/bench/vite.config.ts'), logLevel: 'error' });
+export async function measureInPage(path, { quick, say }, plugins = []) {
+  const configFile = inRoot('tests/bench/vite.config.ts');
+  const server = await createServer({ configFile, plugins, logLevel: 'error' });
   const browser = await chromium.launch({
     executablePath: await findBrowser(),
     args: [...CHROMIUM_FLAGS, ...MEASURING_FLAGS],

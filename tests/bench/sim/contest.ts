@@ -1,0 +1,91 @@
+/** Ours in WASM, natively and in JavaScript, the memory pass, and two particle engines, at one number of particles. */
+import { demand, say } from '../support/figures.ts';
+import { seededCloud } from './cloud.ts';
+import { meanDistance, type Contestant } from './contestant.ts';
+import { Memory, Native, NativeMemory } from './limits.ts';
+import { Nebula } from './nebula.ts';
+import { JavaScript, Wasm } from './ours.ts';
+import { Quarks } from './quarks.ts';
+import { takeTurns, type Costs, type Plan } from './rounds.ts';
+import { largestDifference } from './twin.ts';
+
+/** Metres, and what else a particle has: single precision at 5 m over the steps that are compared. */
+const TOLERANCE = 1e-4;
+const COMPARED_STEPS = 20;
+/** Of the mean way in so many steps, an engine's and ours, one may be so many times the other. */
+const COMPARABLE = 2;
+const DISTANCE_STEPS = 120;
+
+export interface Field {
+  wasm: Wasm;
+  native: Native;
+  javaScript: JavaScript;
+  memory: Memory;
+  engines: (Quarks | Nebula)[];
+}
+
+export async function enter(count: number): Promise<Field> {
+  await say(`${count} particles are made`);
+  const wasm = await Wasm.create(count);
+  const native = await Native.create(count, wasm.start);
+  const cloud = seededCloud(count, 3);
+  return {
+    wasm,
+    native,
+    javaScript: new JavaScript(wasm.start),
+    memory: await Memory.create(count),
+    engines: [new Quarks(cloud), new Nebula(cloud)],
+  };
+}
+
+/** All costs at one number of particles, after it was checked that all do the same, or what they can of it. */
+export async function hold(count: number, plan: Plan): Promise<Costs> {
+  const field = await enter(count);
+  await compareOurs(field);
+  if (count === 10_000) compareEngines(field);
+  const { wasm, native, javaScript, memory, engines } = field;
+  const contestants: Contestant[] = [wasm, native, javaScript, memory, new NativeMemory(), ...engines];
+  const before = engines.map((engine) => engine.places());
+  const costs = await takeTurns(
+    contestants,
+    contestants.map(() => count),
+    plan,
+    `${count} particles`,
+  );
+  engines.forEach((engine, i) => {
+    demand(engine.alive === count, `${engine.alive} of ${count} particles live in ${engine.name}`);
+    demand(meanDistance(before[i], engine.places()) > 0, `nothing moves in ${engine.name}`);
+  });
+  demand(wasm.simulator.alive === count, `${wasm.simulator.alive} of ${count} particles live in ours`);
+  contestants.forEach((contestant) => contestant.dispose());
+  return costs;
+}
+
+/** In WASM and natively it must be the same to the last bit, in JavaScript up to rounding. */
+async function compareOurs({ wasm, native, javaScript }: Field): Promise<void> {
+  const start = wasm.particles();
+  wasm.advance(COMPARED_STEPS);
+  await native.advance(COMPARED_STEPS);
+  javaScript.advance(COMPARED_STEPS);
+  const [hash, nativeHash] = [wasm.simulator.hash(), await native.hash()];
+  demand(hash === nativeHash, `the fingerprint is ${hash} in WASM and ${nativeHash} natively`);
+  const end = wasm.particles();
+  const difference = largestDifference(end, javaScript.particles);
+  demand(difference < TOLERANCE, `WASM and JavaScript differ by ${difference}`);
+  demand(javaScript.alive === end.x.length, 'different numbers of particles live in WASM and JavaScript');
+  demand(largestDifference(end, start) > 0.1, 'nothing moves in ours');
+}
+
+/** Engines with other laws of motion cannot end in the same places, but their particles must go as far. */
+function compareEngines({ wasm, engines }: Field): void {
+  wasm.restart();
+  const start = wasm.places();
+  wasm.advance(DISTANCE_STEPS);
+  const ours = meanDistance(start, wasm.places());
+  for (const engine of engines) {
+    engine.advance(DISTANCE_STEPS);
+    const theirs = meanDistance(start, engine.places());
+    const ratio = Math.max(ours / theirs, theirs / ours);
+    demand(ratio < COMPARABLE, `particles go ${ours} m on average in ours and ${theirs} m in ${engine.name}`);
+  }
+}

@@ -1,0 +1,95 @@
+/** The simulator as a program of its own beside the page, and the way on which the page gives it orders. */
+
+import { spawn } from 'node:child_process';
+import { existsSync, mkdirSync } from 'node:fs';
+import { createInterface } from 'node:readline';
+import { inRoot } from '../../../scripts/lib/paths.mjs';
+import { Refusal } from '../../../scripts/lib/refusal.mjs';
+import { cargo, rustc } from '../../../scripts/setup/toolchain.mjs';
+
+const FOLDER = 'sim-wasm/target/bench';
+const PROGRAM = `${FOLDER}/release/examples/contest${process.platform === 'win32' ? '.exe' : ''}`;
+
+/**
+ * What WASM's SIMD can do and the least x86-64 cannot, such as rounding four numbers down: without it the comparison
+ * would be with a weaker machine. Fused multiply-add stays out on both sides.
+ */
+const FEATURES = process.arch === 'x64' ? '-C target-feature=+sse4.1' : '';
+
+/** @param {(line: string) => void} say */
+export async function buildContestants(say) {
+  mkdirSync(inRoot(FOLDER), { recursive: true });
+  const native = ['build', '--release', '--locked', '--package', 'sim', '--example', 'contest'];
+  demandBuilt('contest', await cargo([...native, '--target-dir', inRoot(FOLDER)], say, { RUSTFLAGS: FEATURES }));
+  const wasm = ['--edition', '2024', '--crate-type', 'cdylib', '--target', 'wasm32-unknown-unknown'];
+  const tuned = ['-C', 'opt-level=3', '-C', 'target-feature=+simd128', '-C', 'strip=symbols'];
+  const source = inRoot('sim-wasm/sim/examples/memory/wasm.rs');
+  demandBuilt('memory', await rustc([...wasm, ...tuned, source, '-o', inRoot(`${FOLDER}/memory.wasm`)], say));
+}
+
+function demandBuilt(
+  /** @type {string} */ example,
+  /** @type {import('../../../scripts/lib/command.mjs').Outcome} */ { status, output },
+) {
+  if (status !== 0) throw new Refusal(`The example ${example} does not compile: see the lines above.`, output);
+}
+
+/** The running program; it ends with its standard input, and so with this process. */
+export class Native {
+  /** @type {((line: string) => void)[]} */
+  #waiting = [];
+  #child;
+
+  constructor() {
+    if (!existsSync(inRoot(PROGRAM))) throw new Refusal(`${PROGRAM} was not built.`);
+    this.#child = spawn(inRoot(PROGRAM), { stdio: ['pipe', 'pipe', 'inherit'] });
+    createInterface({ input: this.#child.stdout }).on('line', (line) => this.#waiting.shift()?.(line));
+    this.#child.on('exit', () => this.#waiting.splice(0).forEach((answer) => answer('')));
+  }
+
+  /**
+   * The vite plugin that passes orders on: POST /native?LINE, with the bytes that follow the line as the body. The
+   * answer is the program's line.
+   *
+   * @returns {import('vite').Plugin}
+   */
+  plugin() {
+    return {
+      name: 'native-contestant',
+      configureServer: (server) => {
+        server.middlewares.use('/native', (request, response, next) => {
+          this.#answer(request, response).catch(next);
+        });
+      },
+    };
+  }
+
+  stop() {
+    this.#child.stdin.end();
+  }
+
+  /** @param {import('node:http').IncomingMessage} request @param {import('node:http').ServerResponse} response */
+  async #answer(request, response) {
+    const line = decodeURIComponent(new URL(request.url ?? '', 'http://localhost').search.slice(1));
+    const answer = await this.#ask(line, await readAll(request));
+    response.statusCode = answer === '' ? 500 : 200;
+    response.end(answer);
+  }
+
+  /** @param {string} line @param {Buffer} bytes @returns {Promise<string>} */
+  #ask(line, bytes) {
+    if (this.#child.exitCode !== null) return Promise.resolve('');
+    return new Promise((resolve) => {
+      this.#waiting.push(resolve);
+      this.#child.stdin.write(`${line}\n`);
+      if (bytes.length > 0) this.#child.stdin.write(bytes);
+    });
+  }
+}
+
+/** @param {import('node:http').IncomingMessage} request */
+async function readAll(request) {
+  const pieces = [];
+  for await (const piece of request) pieces.push(/** @type {Buffer} */ (piece));
+  return Buffer.concat(pieces);
+}

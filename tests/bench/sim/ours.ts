@@ -1,0 +1,92 @@
+/** Our simulator in WASM, and the same equations in JavaScript. */
+import { loadSimulators } from '../../../src/sim/load.ts';
+import type { Simulator } from '../../../src/sim/simulator.ts';
+import { time } from '../support/figures.ts';
+import { readMemory, readParticles, withParticles, type Particles } from '../support/snapshot.ts';
+import { SIX_FORCES, seededCloud } from './cloud.ts';
+import type { Contestant } from './contestant.ts';
+import { TwinSimulator } from './twin.ts';
+
+export class Wasm implements Contestant {
+  readonly name = 'wasm';
+  readonly simulator: Simulator;
+  /** The saved state that every round starts from, parameters included. */
+  readonly start: Uint8Array;
+
+  private constructor(simulator: Simulator, start: Uint8Array) {
+    this.simulator = simulator;
+    this.start = start;
+    this.restart();
+  }
+
+  /** A simulator filled with the seeded cloud. */
+  static async create(count: number, forces: Readonly<Record<string, number>> = SIX_FORCES): Promise<Wasm> {
+    const factory = await loadSimulators({ physics: false });
+    const simulator = factory.create({ capacity: count, seed: 7 });
+    simulator.set(forces);
+    return new Wasm(simulator, withParticles(simulator.save(), seededCloud(count, 3)));
+  }
+
+  restart(): void {
+    this.simulator.restore(this.start);
+  }
+
+  advance(steps: number): number {
+    return time(() => this.simulator.step(steps));
+  }
+
+  particles(): Particles {
+    return readParticles(this.simulator.save());
+  }
+
+  places(): Float32Array {
+    return placesOf(this.particles());
+  }
+
+  dispose(): void {
+    this.simulator.dispose();
+  }
+}
+
+export class JavaScript implements Contestant {
+  readonly name = 'javaScript';
+  private readonly start: Uint8Array;
+  private twin: TwinSimulator;
+
+  constructor(start: Uint8Array) {
+    this.start = start;
+    this.twin = this.fresh();
+  }
+
+  get particles(): Particles {
+    return this.twin.particles;
+  }
+
+  get alive(): number {
+    return this.twin.alive;
+  }
+
+  restart(): void {
+    this.twin = this.fresh();
+  }
+
+  advance(steps: number): number {
+    return time(() => {
+      for (let step = 0; step < steps; step++) this.twin.step();
+    });
+  }
+
+  places(): Float32Array {
+    return placesOf(this.twin.particles);
+  }
+
+  dispose(): void {}
+
+  private fresh(): TwinSimulator {
+    return new TwinSimulator(SIX_FORCES, readMemory(this.start), readParticles(this.start));
+  }
+}
+
+function placesOf({ x, y, z }: Particles): Float32Array {
+  return Float32Array.from({ length: 3 * x.length }, (_, i) => [x, y, z][i % 3][(i / 3) | 0]);
+}

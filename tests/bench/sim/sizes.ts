@@ -1,0 +1,34 @@
+/** sim.linear: whether a particle costs the same among many as among few. */
+import { figure, type Figure } from '../support/figures.ts';
+import { median, spread } from '../support/statistics.ts';
+import type { Contestant } from './contestant.ts';
+import { Wasm } from './ours.ts';
+import { takeTurns } from './rounds.ts';
+
+const SIZES = [10_000, 30_000, 100_000, 300_000, 1_000_000];
+
+export async function measureSizes(quick: boolean): Promise<Figure[]> {
+  const contestants: Contestant[] = [];
+  for (const size of SIZES) {
+    const wasm = await Wasm.create(size);
+    contestants.push({
+      name: String(size),
+      restart: () => wasm.restart(),
+      advance: (steps) => wasm.advance(steps),
+      dispose: () => wasm.dispose(),
+    });
+  }
+  const plan = { rounds: quick ? 5 : 9, share: quick ? 60 : 150, warming: quick ? 100 : 300 };
+  const costs = await takeTurns(contestants, SIZES, plan, 'sizes');
+  contestants.forEach((contestant) => contestant.dispose());
+  const rounds = Array.from({ length: plan.rounds }, (_, round) => spread(SIZES.map((size) => costs[size][round])));
+  const list = SIZES.map((size) => `${size}: ${median(costs[size]).toFixed(1)}`).join(', ');
+  return [
+    figure(
+      'sim.linear',
+      'x',
+      rounds,
+      `dearest through cheapest of each round, six forces, ns a particle by number of particles: ${list}; goal <= 1.2`,
+    ),
+  ];
+}

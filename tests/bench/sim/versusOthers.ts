@@ -1,0 +1,54 @@
+/** The contest at four numbers of particles, and the ratios that are read from it. */
+import { figure, type Figure } from '../support/figures.ts';
+import { ratios } from '../support/statistics.ts';
+import { hold } from './contest.ts';
+import type { Costs, Plan } from './rounds.ts';
+
+const JUDGED = 100_000;
+const SIZES = [1_000, 10_000, JUDGED, 1_000_000];
+
+/** What is timed. */
+const CONTESTANTS: Readonly<Record<string, string>> = {
+  wasm: 'step() of this simulator in WASM',
+  native: 'the same crate natively, with SSE4.1 and without FMA as in WASM; ends in the same fingerprint',
+  javaScript: 'the same step in JavaScript, struct of arrays; ends in the same places up to 0.1 mm',
+  memory: 'a pass in WASM that reads and writes the columns that a step reads and writes',
+  nativeMemory: 'the same pass natively',
+  quarks: "three.quarks' update of a system with six behaviours, no renderer",
+  nebula: "three-nebula's System.update with five behaviours and damping, no renderer",
+};
+
+/** Where the engines' behaviours are no equals of ours. */
+const UNEQUAL = {
+  quarks: 'its turbulence has divergence, its vortex turns all at one rate, its buoyancy does not cool',
+  nebula: 'its turbulence does not evolve, its vortex has no core, its buoyancy does not cool',
+};
+
+export async function measureAgainstOthers(quick: boolean): Promise<Figure[]> {
+  const figures: Figure[] = [];
+  for (const size of SIZES) {
+    const costs = await hold(size, planFor(size, quick));
+    if (size === JUDGED) figures.unshift(...judge(costs));
+    for (const [name, note] of Object.entries(CONTESTANTS)) {
+      figures.push(figure(`sim.cost.${name}.${size}`, 'ns/particle', costs[name], note));
+    }
+  }
+  return figures;
+}
+
+function planFor(size: number, quick: boolean): Plan {
+  const rounds = quick || size === SIZES[3] ? 5 : 9;
+  return { rounds, share: quick ? 30 : 100, warming: quick ? 150 : 400 };
+}
+
+function judge(costs: Costs): Figure[] {
+  const work = `${JUDGED} particles, six forces, one octave`;
+  const against = (name: string, rival: string, note: string) =>
+    figure(name, 'x', ratios(costs[rival], costs.wasm), `${work}; ${note}`);
+  return [
+    against('sim.vsJavaScript', 'javaScript', `${CONTESTANTS.javaScript}, through ours; goal >= 4`),
+    against('sim.vsQuarks', 'quarks', `${CONTESTANTS.quarks}, through ours; ${UNEQUAL.quarks}; goal >= 20`),
+    against('sim.vsNebula', 'nebula', `${CONTESTANTS.nebula}, through ours; ${UNEQUAL.nebula}`),
+    figure('sim.vsNative', 'x', ratios(costs.wasm, costs.native), `${work}; ${CONTESTANTS.native}; goal <= 1.6`),
+  ];
+}
