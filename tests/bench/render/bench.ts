@@ -58,7 +58,7 @@ export class RenderBench {
     const factory = await loadSimulators({ physics: false });
     const simulator = factory.create({ capacity: PARTICLES, seed: 1 });
     simulator.set({ 'emission.rate': 0, 'emission.growthTime': 0 });
-    simulator.restore(withParticles(simulator.save(), seededPlume(PARTICLES, 9)));
+    simulator.restore(withParticles(simulator, seededPlume(PARTICLES, 9)));
     return new RenderBench(simulator, WIDTH * scale, HEIGHT * scale);
   }
 

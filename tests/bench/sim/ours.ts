@@ -2,10 +2,13 @@
 import { loadSimulators } from '../../../src/sim/load.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
 import { time } from '../support/figures.ts';
-import { readMemory, readParticles, withParticles, type Particles } from '../support/snapshot.ts';
+import { readParticles, withParticles, type Particles } from '../support/snapshot.ts';
 import { SIX_FORCES, seededCloud } from './cloud.ts';
 import type { Contestant } from './contestant.ts';
 import { TwinSimulator } from './twin.ts';
+
+/** Chooses the pattern of turbulence. */
+const SEED = 7;
 
 export class Wasm implements Contestant {
   readonly name = 'wasm';
@@ -22,9 +25,9 @@ export class Wasm implements Contestant {
   /** A simulator filled with the seeded cloud. */
   static async create(count: number, forces: Readonly<Record<string, number>> = SIX_FORCES): Promise<Wasm> {
     const factory = await loadSimulators({ physics: false });
-    const simulator = factory.create({ capacity: count, seed: 7 });
+    const simulator = factory.create({ capacity: count, seed: SEED });
     simulator.set(forces);
-    return new Wasm(simulator, withParticles(simulator.save(), seededCloud(count, 3)));
+    return new Wasm(simulator, withParticles(simulator, seededCloud(count, 3)));
   }
 
   restart(): void {
@@ -36,7 +39,7 @@ export class Wasm implements Contestant {
   }
 
   particles(): Particles {
-    return readParticles(this.simulator.save());
+    return readParticles(this.simulator);
   }
 
   places(): Float32Array {
@@ -50,11 +53,11 @@ export class Wasm implements Contestant {
 
 export class JavaScript implements Contestant {
   readonly name = 'javaScript';
-  private readonly start: Uint8Array;
+  private readonly count: number;
   private twin: TwinSimulator;
 
-  constructor(start: Uint8Array) {
-    this.start = start;
+  constructor(count: number) {
+    this.count = count;
     this.twin = this.fresh();
   }
 
@@ -83,7 +86,7 @@ export class JavaScript implements Contestant {
   dispose(): void {}
 
   private fresh(): TwinSimulator {
-    return new TwinSimulator(SIX_FORCES, readMemory(this.start), readParticles(this.start));
+    return new TwinSimulator(SIX_FORCES, { seed: SEED, drift: [0, 0, 0], phase: 0 }, seededCloud(this.count, 3));
   }
 }
 

@@ -45,8 +45,8 @@ class Contest {
     for (const swing of this.swings) {
       withRigids.addRigid({ kind: 'kinematic', shape: swing.shape, ...poseAt(swing, 0), friction: 0.2 });
     }
-    this.start = withParticles(withRigids.save(), smoke);
-    this.startWithout = withParticles(without.save(), smoke);
+    this.start = withParticles(withRigids, smoke);
+    this.startWithout = withParticles(without, smoke);
   }
 
   static async create(): Promise<Contest> {
@@ -129,14 +129,14 @@ function compare(contest: Contest): number {
     // Its air must be as old, though its particles are replaced.
     contest.without.step();
   }
-  const before = readParticles(contest.withRigids.save());
-  contest.without.restore(withParticles(contest.without.save(), before));
+  const before = readParticles(contest.withRigids);
+  contest.without.restore(withParticles(contest.without, before));
   contest.send();
   contest.withRigids.step();
   contest.without.step();
   comparePoses(contest);
-  const after = readParticles(contest.withRigids.save());
-  const free = readParticles(contest.without.save());
+  const after = readParticles(contest.withRigids);
+  const free = readParticles(contest.without);
   let [pushed, overlapping] = [0, 0];
   for (let i = 0; i < COUNT; i++) {
     const gap = contest.compat.distance(free.x[i], free.y[i], free.z[i]) - free.size[i];

@@ -1,7 +1,7 @@
 /** The contest at four numbers of particles, and the ratios that are read from it. */
 import { figure, type Figure } from '../support/figures.ts';
 import { ratios } from '../support/statistics.ts';
-import { hold } from './contest.ts';
+import { compareEngines, hold } from './contest.ts';
 import type { Costs, Plan } from './rounds.ts';
 
 const JUDGED = 100_000;
@@ -26,9 +26,10 @@ const UNEQUAL = {
 
 export async function measureAgainstOthers(quick: boolean): Promise<Figure[]> {
   const figures: Figure[] = [];
+  const ways = await compareEngines();
   for (const size of SIZES) {
     const costs = await hold(size, planFor(size, quick));
-    if (size === JUDGED) figures.unshift(...judge(costs));
+    if (size === JUDGED) figures.unshift(...judge(costs, ways));
     for (const [name, note] of Object.entries(CONTESTANTS)) {
       figures.push(figure(`sim.cost.${name}.${size}`, 'ns/particle', costs[name], note));
     }
@@ -41,14 +42,16 @@ function planFor(size: number, quick: boolean): Plan {
   return { rounds, share: quick ? 30 : 100, warming: quick ? 150 : 400 };
 }
 
-function judge(costs: Costs): Figure[] {
+function judge(costs: Costs, ways: Readonly<Record<string, number>>): Figure[] {
   const work = `${JUDGED} particles, six forces, one octave`;
   const against = (name: string, rival: string, note: string) =>
     figure(name, 'x', ratios(costs[rival], costs.wasm), `${work}; ${note}`);
+  const engine = (name: 'quarks' | 'nebula') =>
+    `${CONTESTANTS[name]}, through ours; ${UNEQUAL[name]}, its particles go ${ways[name].toPrecision(2)} times as far`;
   return [
     against('sim.vsJavaScript', 'javaScript', `${CONTESTANTS.javaScript}, through ours; goal >= 4`),
-    against('sim.vsQuarks', 'quarks', `${CONTESTANTS.quarks}, through ours; ${UNEQUAL.quarks}; goal >= 20`),
-    against('sim.vsNebula', 'nebula', `${CONTESTANTS.nebula}, through ours; ${UNEQUAL.nebula}`),
+    against('sim.vsQuarks', 'quarks', `${engine('quarks')}; goal >= 20`),
+    against('sim.vsNebula', 'nebula', engine('nebula')),
     figure('sim.vsNative', 'x', ratios(costs.wasm, costs.native), `${work}; ${CONTESTANTS.native}; goal <= 1.6`),
   ];
 }

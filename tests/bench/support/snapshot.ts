@@ -1,6 +1,7 @@
 /**
- * Particles in and out of a simulator by its saved state, because nothing else can place a given particle. The layout
- * is that of sim-wasm/sim/src/snapshot.rs; another version of it is refused there and here.
+ * Particles in and out of a simulator by its saved state, because nothing else can place a given particle. Only two
+ * things of the layout in sim-wasm/sim/src/snapshot.rs are known here: the checksum in the head, and that the living
+ * particles, their number first and then column by column, are the end.
  */
 
 /** The columns of particle state in the order in which they are saved. */
@@ -23,7 +24,7 @@ export const FLOAT_COLUMNS = [
 /** Struct of arrays; units as in sim-wasm/sim/src/particles.rs. */
 export type Particles = Record<(typeof FLOAT_COLUMNS)[number], Float32Array> & { look: Uint32Array };
 
-/** What a simulator remembers besides its particles, as far as a step without emission needs it. */
+/** What a simulator that has made no step yet remembers besides its particles, as far as the twin needs it. */
 export interface Memory {
   seed: number;
   /** Metres by which the wind has carried the turbulence, and its phase in radians. */
@@ -31,43 +32,38 @@ export interface Memory {
   phase: number;
 }
 
-const VERSION = 1;
+/** A simulator, as far as this file needs one. */
+interface Saving {
+  readonly alive: number;
+  save(): Uint8Array;
+}
+
+/** Where the checksum stands, and where what it covers begins. */
+const CHECKSUM = 8;
 const BODY = 16;
-const SEED = 24;
-const DRIFT = 164;
-const PHASE = 188;
-const PARAMETERS = 196;
+const PARTICLE = 4 * (FLOAT_COLUMNS.length + 1);
 
 export function emptyParticles(count: number): Particles {
   const columns = FLOAT_COLUMNS.map((name) => [name, new Float32Array(count)]);
   return { ...Object.fromEntries(columns), look: new Uint32Array(count) } as Particles;
 }
 
-/** The living particles of a saved state, copied. */
-export function readParticles(saved: Uint8Array): Particles {
-  const offset = particlesOffset(saved);
-  const count = viewOf(saved).getUint32(offset, true);
-  const words = saved.slice(offset + 4).buffer;
+/** The living particles, copied. */
+export function readParticles(simulator: Saving): Particles {
+  const saved = simulator.save();
+  const count = simulator.alive;
+  const words = saved.slice(particlesOffset(saved, count) + 4).buffer;
   const columns = FLOAT_COLUMNS.map((name, index) => [name, new Float32Array(words, 4 * count * index, count)]);
   const look = new Uint32Array(words, 4 * count * FLOAT_COLUMNS.length, count);
   return { ...Object.fromEntries(columns), look } as Particles;
 }
 
-export function readMemory(saved: Uint8Array): Memory {
-  const view = viewOf(saved);
-  const drift = (axis: number) => view.getFloat64(DRIFT + 8 * axis, true);
-  return {
-    seed: view.getUint32(SEED, true),
-    drift: [drift(0), drift(1), drift(2)],
-    phase: view.getFloat64(PHASE, true),
-  };
-}
-
-/** The same saved state with other particles. */
-export function withParticles(saved: Uint8Array, particles: Particles): Uint8Array {
-  const offset = particlesOffset(saved);
+/** The simulator's state with other particles, for restore. */
+export function withParticles(simulator: Saving, particles: Particles): Uint8Array {
+  const saved = simulator.save();
+  const offset = particlesOffset(saved, simulator.alive);
   const count = particles.x.length;
-  const bytes = new Uint8Array(offset + 4 + 4 * count * (FLOAT_COLUMNS.length + 1));
+  const bytes = new Uint8Array(offset + 4 + PARTICLE * count);
   bytes.set(saved.subarray(0, offset));
   viewOf(bytes).setUint32(offset, count, true);
   const columns = [...FLOAT_COLUMNS.map((name) => particles[name]), particles.look];
@@ -82,16 +78,13 @@ function viewOf(bytes: Uint8Array): DataView {
   return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 }
 
-/** Where the number of particles stands: behind the parameters by key and the rigids. */
-function particlesOffset(saved: Uint8Array): number {
-  const view = viewOf(saved);
-  const version = view.getUint32(4, true);
-  if (version !== VERSION) throw new Error(`The saved state has version ${version}, the bench knows ${VERSION}.`);
-  let offset = PARAMETERS + 4;
-  for (let entries = view.getUint32(PARAMETERS, true); entries > 0; entries--) {
-    offset += 4 + view.getUint32(offset, true) + 8;
+/** Where the number of particles stands. */
+function particlesOffset(saved: Uint8Array, alive: number): number {
+  const offset = saved.length - PARTICLE * alive - 4;
+  if (viewOf(saved).getUint32(offset, true) !== alive) {
+    throw new Error('The particles are no longer the end of a saved state.');
   }
-  return offset + 4 + view.getUint32(offset, true);
+  return offset;
 }
 
 /** FNV-1a over words as in sim-wasm/sim/src/hash.rs, in two halves of 32 bits. */
@@ -110,6 +103,6 @@ function writeChecksum(bytes: Uint8Array): void {
   add(bytes.length - end);
   add(0);
   for (let offset = end; offset < bytes.length; offset++) add(bytes[offset]);
-  view.setUint32(8, low, true);
-  view.setUint32(12, high, true);
+  view.setUint32(CHECKSUM, low, true);
+  view.setUint32(CHECKSUM + 4, high, true);
 }
