@@ -4,6 +4,7 @@ mod fault;
 mod refusal;
 mod rigids;
 mod simulator;
+mod take;
 
 use wasm_bindgen::prelude::*;
 

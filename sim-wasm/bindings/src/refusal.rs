@@ -24,6 +24,7 @@ fn refusal(key: &str, value: f64, min: f64, max: f64, message: &str) -> JsValue 
     object.into()
 }
 
-fn put(object: &Object, name: &str, value: &JsValue) {
+/// Gives a fresh plain object a property.
+pub fn put(object: &Object, name: &str, value: &JsValue) {
     Reflect::set(object, &name.into(), value).expect("a fresh plain object takes every property");
 }

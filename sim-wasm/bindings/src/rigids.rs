@@ -24,7 +24,7 @@ mod with_rapier {
 }
 
 #[cfg(not(feature = "rigids"))]
-fn without_rapier() -> JsValue {
+pub fn without_rapier() -> JsValue {
     crate::refusal::plain_refusal(
         "This variant of the simulator has no rigids: load the one with physics, loadSimulators({ physics: true }).",
     )

@@ -79,6 +79,12 @@ impl RestoreError {
     }
 }
 
+impl From<ParameterError> for RestoreError {
+    fn from(error: ParameterError) -> Self {
+        Self::new(error.message)
+    }
+}
+
 impl fmt::Display for RestoreError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(&self.message)

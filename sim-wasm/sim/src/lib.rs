@@ -3,6 +3,7 @@
 //! Start at [`Simulator::step`], which shows the order of a step.
 
 pub mod arrange;
+mod bytes;
 pub mod collide;
 pub mod emitter;
 pub mod error;
@@ -22,6 +23,7 @@ pub mod scope;
 pub mod simd;
 pub mod simulator;
 mod snapshot;
+pub mod take;
 pub mod tile;
 pub mod view;
 

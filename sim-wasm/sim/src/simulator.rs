@@ -20,7 +20,9 @@ use crate::random::Random;
 use crate::rigids::Rigids;
 use crate::rows::Moment;
 use crate::scope::Now;
-use crate::snapshot;
+use crate::snapshot::{self, Room};
+use crate::take::Recorder;
+use crate::take::touch::Touch;
 use crate::view::View;
 
 /// Length of a step (s).
@@ -40,6 +42,8 @@ pub struct Simulator {
     pub(crate) particles: Particles,
     #[cfg(feature = "rigids")]
     pub(crate) rigids: Rigids,
+    pub(crate) touch: Touch,
+    pub(crate) recorder: Recorder,
     arranger: Arranger,
     scratch: Scratch,
 }
@@ -59,6 +63,8 @@ impl Simulator {
             particles: Particles::new(room),
             #[cfg(feature = "rigids")]
             rigids: Rigids::new(),
+            touch: Touch::default(),
+            recorder: Recorder::default(),
             arranger: Arranger::new(room),
             scratch: Scratch::new(room),
         })
@@ -84,6 +90,13 @@ impl Simulator {
         &self.parameters
     }
 
+    /// The value of each of `keys`; NaN for one that does not exist now.
+    pub fn values<'k>(&self, keys: impl Iterator<Item = &'k str>) -> Vec<f64> {
+        let entries = self.parameters.entries();
+        let value = |key: &str| entries.iter().find(|(known, _)| known == key).map(|(_, value)| *value);
+        keys.map(|key| value(key).unwrap_or(f64::NAN)).collect()
+    }
+
     /// Adds one particle that no emitter made. False when the simulator is full.
     pub fn add(&mut self, newborn: &Newborn) -> bool {
         self.particles.push(newborn)
@@ -99,7 +112,9 @@ impl Simulator {
         self.collide();
         life::advance(&mut self.particles, &Ageing::new(&self.parameters, STEP));
         turbulence::advance(&mut self.turbulence, &self.parameters, STEP);
+        self.touch.advance();
         self.steps += 1;
+        self.follow_log();
     }
 
     /// Writes the rows that the 32 numbers of `view` ask for (see [`View`]) and returns how many there are. Refuses a
@@ -151,6 +166,11 @@ impl Simulator {
         self.steps
     }
 
+    /// What started the random numbers.
+    pub fn seed(&self) -> u32 {
+        self.seed
+    }
+
     /// The particles.
     pub fn particles(&self) -> &Particles {
         &self.particles
@@ -195,6 +215,7 @@ impl Simulator {
                 .for_each(|number| hash.long(number.to_bits()));
         }
         waiting.iter().for_each(|count| hash.long(*count));
+        self.touch.hash_into(&mut hash);
         #[cfg(feature = "rigids")]
         self.rigids.hash_into(&mut hash);
         hash.finish()
@@ -206,19 +227,30 @@ impl Simulator {
     }
 
     /// Goes on from bytes that `save` made, whatever the seed and the capacity of this simulator, as long as all that
-    /// lives finds room. Bytes that are damaged or do not fit are refused, and nothing is changed.
+    /// lives finds room. Bytes that are damaged or do not fit are refused, and nothing is changed. A take that is being
+    /// recorded begins anew.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
-        snapshot::restore(self, bytes)
+        snapshot::restore(self, bytes, Room::Own)?;
+        self.begin_take_anew();
+        Ok(())
     }
 
     /// Changes how many particles can live at once. All that live are carried over; where they do not fit, those go
     /// that are nearest to their death.
     pub fn resize(&mut self, capacity: u32) -> Result<(), ParameterError> {
         let room = check_capacity(capacity)?;
-        self.particles = self.particles.resized(room);
-        self.arranger = Arranger::new(room);
-        self.scratch = Scratch::new(room);
+        self.put_particles(self.particles.resized(room));
         Ok(())
+    }
+
+    /// Goes on with other particles, and with what their capacity needs.
+    pub(crate) fn put_particles(&mut self, particles: Particles) {
+        let room = particles.capacity();
+        if room != self.capacity() {
+            self.arranger = Arranger::new(room);
+            self.scratch = Scratch::new(room);
+        }
+        self.particles = particles;
     }
 
     fn integrator(&self) -> Integrator {
@@ -235,6 +267,7 @@ impl Simulator {
             },
             seed: self.seed,
             turbulence: &self.turbulence,
+            gusts: self.touch.gusts(),
         })
     }
 
@@ -273,7 +306,7 @@ impl Simulator {
     }
 }
 
-fn check_capacity(capacity: u32) -> Result<usize, ParameterError> {
+pub(crate) fn check_capacity(capacity: u32) -> Result<usize, ParameterError> {
     if (1..=CAPACITY_LIMIT).contains(&capacity) {
         return Ok(capacity as usize);
     }

@@ -1,138 +1,196 @@
 //! A simulation as bytes.
 //!
-//! Little-endian: the magic number, the version, a checksum of all that follows; then steps, seed, random numbers, what
-//! emitters and turbulence remember, the parameters by key, the rigids as their own bytes, and the living particles
-//! column by column. Another version is refused rather than guessed at.
+//! An envelope (kind, version, checksum) around sections, each with its name and its length. What a part of the state
+//! writes and reads stands in its [`Section`]; a further part is one row of `sections!`. Another version is refused
+//! rather than guessed at.
 
+use crate::bytes::{Reader, Writer};
 use crate::emitter::Births;
 use crate::error::RestoreError;
 use crate::forces::turbulence::TurbulenceState;
-use crate::hash::Hash;
 use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::particles::Particles;
 use crate::random::Random;
-use crate::simulator::Simulator;
+use crate::simulator::{CAPACITY_LIMIT, Simulator};
+use crate::take::touch::Touch;
 
-mod bytes;
-use bytes::{Reader, Writer};
+const KIND: &[u8; 4] = b"smok";
+const VERSION: u32 = 2;
+const NAME: &str = "saved simulation";
 
-const MAGIC: u32 = u32::from_le_bytes(*b"smok");
-const VERSION: u32 = 1;
+/// A part of the state that can be written and read.
+pub(crate) trait Section: Sized {
+    fn write(&self, body: &mut Writer);
+    /// Reads what `write` wrote, and refuses what can never have been written.
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError>;
+}
+
+/// Declares what is saved besides particles and rigids: the section's name, and the simulator's field.
+macro_rules! sections {
+    ($($name:literal => $field:ident: $type:ty,)*) => {
+        struct Draft {
+            $($field: $type,)*
+        }
+
+        impl Draft {
+            fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+                Ok(Self { $($field: reader.section($name, <$type as Section>::read)?,)* })
+            }
+
+            fn put_into(self, simulator: &mut Simulator) {
+                $(simulator.$field = self.$field;)*
+            }
+        }
+
+        fn write_sections(simulator: &Simulator, body: &mut Writer) {
+            $(body.section($name, |body| simulator.$field.write(body));)*
+        }
+    };
+}
+
+sections! {
+    b"time" => steps: u64,
+    b"seed" => seed: u32,
+    b"rand" => random: Random,
+    b"born" => births: Births,
+    b"turb" => turbulence: [TurbulenceState; LIST_LIMIT + 1],
+    b"hand" => touch: Touch,
+    b"para" => parameters: Parameters,
+}
+
+/// Whose capacity a restored simulator has.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Room {
+    /// Its own; what was saved must fit.
+    Own,
+    /// That of the saved one.
+    Saved,
+}
 
 /// All of `simulator` as bytes.
 pub fn save(simulator: &Simulator) -> Vec<u8> {
     let mut body = Writer::default();
-    body.long(simulator.steps);
-    body.word(simulator.seed);
-    body.long(simulator.random.state());
-    write_memory(&mut body, &simulator.births, &simulator.turbulence);
-    write_parameters(&mut body, &simulator.parameters);
-    body.block(&rigids_bytes(simulator));
-    write_particles(&mut body, &simulator.particles);
-    let body = body.finish();
-    let mut whole = Writer::default();
-    whole.word(MAGIC);
-    whole.word(VERSION);
-    whole.long(checksum(&body));
-    whole.raw(&body);
-    whole.finish()
+    write_sections(simulator, &mut body);
+    body.section(b"rigi", |body| body.raw(&rigids_bytes(simulator)));
+    body.section(b"room", |body| body.word(simulator.capacity() as u32));
+    body.section(b"part", |body| write_particles(body, &simulator.particles));
+    body.seal(KIND, VERSION)
 }
 
 /// Puts what `bytes` hold into `simulator`, or refuses them and changes nothing.
-pub fn restore(simulator: &mut Simulator, bytes: &[u8]) -> Result<(), RestoreError> {
-    let mut reader = Reader::new(check(bytes)?);
-    let (steps, seed) = (reader.long()?, reader.word()?);
-    let random = Random::from_state(reader.long()?);
-    let (births, turbulence) = read_memory(&mut reader)?;
-    let parameters = read_parameters(&mut reader)?;
-    let rigids = reader.block()?;
-    let particles = read_particles(&mut reader, simulator.capacity())?;
+pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: Room) -> Result<(), RestoreError> {
+    let mut reader = Reader::open(bytes, KIND, VERSION, NAME)?;
+    let draft = Draft::read(&mut reader)?;
+    let rigids = reader.section(b"rigi", |reader| Ok(reader.rest()))?;
+    let saved = reader.section(b"room", read_capacity)?;
+    let capacity = if room == Room::Saved {
+        saved
+    } else {
+        simulator.capacity()
+    };
+    let particles = reader.section(b"part", |reader| read_particles(reader, capacity))?;
     reader.end()?;
     // Everything has been checked but the rigids; they come first, since nothing may fail after the first change.
     restore_rigids(simulator, rigids)?;
-    simulator.parameters = parameters;
-    (simulator.seed, simulator.steps, simulator.random) = (seed, steps, random);
-    (simulator.births, simulator.turbulence) = (births, turbulence);
-    simulator.particles = particles;
+    draft.put_into(simulator);
+    simulator.put_particles(particles);
     Ok(())
 }
 
-fn check(bytes: &[u8]) -> Result<&[u8], RestoreError> {
-    let mut reader = Reader::new(bytes);
-    if reader.word()? != MAGIC {
-        return Err(RestoreError::new(
-            "these bytes are not a saved simulation; give what save() returned",
-        ));
+impl Section for u64 {
+    fn write(&self, body: &mut Writer) {
+        body.long(*self);
     }
-    let version = reader.word()?;
-    if version != VERSION {
-        let message = format!("the simulation was saved in format {version}, this version reads {VERSION} only");
-        return Err(RestoreError::new(message));
-    }
-    let sum = reader.long()?;
-    if checksum(reader.rest()) != sum {
-        return Err(RestoreError::new(
-            "the saved simulation is damaged; give all the bytes that save() returned",
-        ));
-    }
-    Ok(reader.rest())
-}
 
-fn checksum(bytes: &[u8]) -> u64 {
-    let mut hash = Hash::new();
-    let (words, rest) = bytes.as_chunks::<4>();
-    words.iter().for_each(|word| hash.word(u32::from_le_bytes(*word)));
-    hash.bytes(rest);
-    hash.finish()
-}
-
-fn write_memory(body: &mut Writer, births: &Births, turbulence: &[TurbulenceState]) {
-    births.owed.iter().for_each(|owed| body.number(*owed));
-    births.waiting.iter().for_each(|count| body.long(*count));
-    for state in turbulence {
-        state.drift.iter().for_each(|metres| body.number(*metres));
-        body.number(state.phase);
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        reader.long()
     }
 }
 
-fn read_memory(reader: &mut Reader) -> Result<(Births, [TurbulenceState; LIST_LIMIT + 1]), RestoreError> {
-    let mut births = Births::default();
-    let mut turbulence = [TurbulenceState::default(); LIST_LIMIT + 1];
-    for index in 0..LIST_LIMIT {
-        births.owed[index] = reader.number()?.clamp(-1.0, 1.0);
+impl Section for u32 {
+    fn write(&self, body: &mut Writer) {
+        body.word(*self);
     }
-    for index in 0..LIST_LIMIT {
-        births.waiting[index] = reader.long()?;
+
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        reader.word()
     }
-    for state in &mut turbulence {
-        for metres in &mut state.drift {
-            *metres = reader.number()?;
+}
+
+impl Section for Random {
+    fn write(&self, body: &mut Writer) {
+        body.long(self.state());
+    }
+
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        reader.long().map(Random::from_state)
+    }
+}
+
+impl Section for Births {
+    fn write(&self, body: &mut Writer) {
+        self.owed.iter().for_each(|owed| body.number(*owed));
+        self.waiting.iter().for_each(|count| body.long(*count));
+    }
+
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        let mut births = Self::default();
+        for index in 0..LIST_LIMIT {
+            births.owed[index] = reader.number()?.clamp(-1.0, 1.0);
         }
-        state.phase = reader.number()?;
-    }
-    Ok((births, turbulence))
-}
-
-fn write_parameters(body: &mut Writer, parameters: &Parameters) {
-    let entries = parameters.entries();
-    body.word(entries.len() as u32);
-    for (key, value) in entries {
-        body.block(key.as_bytes());
-        body.number(value);
+        for index in 0..LIST_LIMIT {
+            births.waiting[index] = reader.long()?;
+        }
+        Ok(births)
     }
 }
 
-fn read_parameters(reader: &mut Reader) -> Result<Parameters, RestoreError> {
-    let mut parameters = Parameters::default();
-    for _ in 0..reader.word()? {
-        let key = std::str::from_utf8(reader.block()?);
-        let key = key.map_err(|_| RestoreError::new("the saved simulation names a parameter that is no text"))?;
-        let value = reader.number()?;
-        parameters
-            .set(key, value)
-            .map_err(|error| RestoreError::new(error.message))?;
+impl<const N: usize> Section for [TurbulenceState; N] {
+    fn write(&self, body: &mut Writer) {
+        for TurbulenceState { drift, phase } in self {
+            drift.iter().chain([phase]).for_each(|number| body.number(*number));
+        }
     }
-    Ok(parameters)
+
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        let mut states = [TurbulenceState::default(); N];
+        for TurbulenceState { drift, phase } in &mut states {
+            for number in drift.iter_mut().chain([phase]) {
+                *number = reader.number()?;
+            }
+        }
+        Ok(states)
+    }
+}
+
+impl Section for Parameters {
+    fn write(&self, body: &mut Writer) {
+        let entries = self.entries();
+        body.word(entries.len() as u32);
+        for (key, value) in entries {
+            body.text(&key);
+            body.number(value);
+        }
+    }
+
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        let mut parameters = Self::default();
+        for _ in 0..reader.word()? {
+            let (key, value) = (reader.text()?, reader.number()?);
+            parameters.set(key, value).map_err(RestoreError::from)?;
+        }
+        Ok(parameters)
+    }
+}
+
+fn read_capacity(reader: &mut Reader) -> Result<usize, RestoreError> {
+    let capacity = reader.word()?;
+    if (1..=CAPACITY_LIMIT).contains(&capacity) {
+        return Ok(capacity as usize);
+    }
+    Err(RestoreError::new(
+        "the saved simulation has no capacity that a simulator can have",
+    ))
 }
 
 fn write_particles(body: &mut Writer, particles: &Particles) {

@@ -33,9 +33,9 @@ fn restored_it_goes_on_to_the_same_hash() {
         (original.hash(), 100, original.waiting())
     );
     assert_eq!(restored.parameters(), original.parameters());
-    assert_eq!(restored.save(), bytes);
     // The larger one has more room for what waits: go on with the same capacity.
     restored.resize(500).unwrap();
+    assert!(restored.save() == bytes, "something was not restored");
     for _ in 0..60 {
         steps(&mut original, 5);
         steps(&mut restored, 5);

@@ -5,6 +5,7 @@
 //! A force is a file here and a row of the table below. Its items are a list of the parameters, its kernel works on a
 //! tile of particles at a time, and one that no item asks for costs nothing.
 
+pub mod blow;
 pub mod buoyancy;
 pub mod drag;
 pub mod gravity;
@@ -17,6 +18,7 @@ use arrayvec::ArrayVec;
 use crate::parameters::section::{Item, List, Many, Section};
 use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::scope::Now;
+use crate::take::touch::Gust;
 use crate::tile::Tile;
 use turbulence::TurbulenceState;
 
@@ -42,6 +44,8 @@ pub struct Setting<'s> {
     pub seed: u32,
     /// Of each turbulence of the list, then of the one that is everywhere.
     pub turbulence: &'s [TurbulenceState; LIST_LIMIT + 1],
+    /// What people blow.
+    pub gusts: &'s [Gust],
 }
 
 /// A kind of force, described by what one item of its list holds.
@@ -98,6 +102,7 @@ macro_rules! forces {
         /// All forces of one step, ready for the lanes.
         pub struct Forces {
             $($list: Kernels<$Force>,)*
+            blows: blow::Kernels,
         }
 
         impl Forces {
@@ -105,12 +110,16 @@ macro_rules! forces {
             pub fn new(setting: &Setting) -> Self {
                 Self {
                     $($list: kernels(&setting.parameters.lists.$list, setting),)*
+                    blows: blow::kernels(setting),
                 }
             }
 
             /// Lets those whose turn is `stage` act on the particles of `tile`.
             pub fn act(&self, stage: Stage, tile: &mut Tile) {
                 $(act::<$Force>(&self.$list, stage, tile);)*
+                if stage == Stage::Air && !self.blows.is_empty() {
+                    blow::act(&self.blows, tile);
+                }
             }
         }
     };

@@ -136,20 +136,21 @@ impl Rigids {
     /// # Errors
     /// When there is no such rigid or it is not kinematic.
     pub fn move_to(&mut self, index: u32, pose: Pose) -> Result<(), ParameterError> {
-        let count = self.count();
-        let Some(member) = self.members.get_mut(index as usize) else {
-            return Err(ParameterError::out_of_range(
-                "rigid.index",
-                f64::from(index),
-                0.0,
-                count as f64 - 1.0,
-            ));
+        self.check_kinematic(index)?;
+        self.members[index as usize].target = Some(pose);
+        Ok(())
+    }
+
+    /// Refuses a rigid that does not exist or cannot be told where to go.
+    pub(crate) fn check_kinematic(&self, index: u32) -> Result<(), ParameterError> {
+        let Some(member) = self.members.get(index as usize) else {
+            let last = self.count() as f64 - 1.0;
+            return Err(ParameterError::out_of_range("rigid.index", f64::from(index), 0.0, last));
         };
         if member.description.kind != RigidKind::Kinematic {
             let message = format!("rigid {index} is not kinematic; only kinematic rigids can be told where to go");
             return Err(description::shape_error("rigid.index", f64::from(index), message));
         }
-        member.target = Some(pose);
         Ok(())
     }
 

@@ -1,0 +1,149 @@
+//! Inputs and takes for JavaScript: one call of `sim` behind each method.
+
+use js_sys::Object;
+use sim::take::{BlowNumbers, Take};
+use wasm_bindgen::prelude::*;
+
+use crate::refusal::{parameter_refusal, plain_refusal, put};
+use crate::simulator::Simulator;
+
+#[wasm_bindgen]
+impl Simulator {
+    /// Begins a take here and now.
+    pub fn record(&mut self) {
+        self.simulator.record();
+    }
+
+    /// An input: sets `values[i]` for the i-th line of `keys`; all or none.
+    #[wasm_bindgen(js_name = inputValues)]
+    pub fn input_values(&mut self, keys: &str, values: &[f64]) -> Result<(), JsValue> {
+        let pairs: Vec<(&str, f64)> = keys.lines().zip(values.iter().copied()).collect();
+        self.simulator.input_values(&pairs).map_err(parameter_refusal)
+    }
+
+    /// An input: another capacity.
+    #[wasm_bindgen(js_name = inputCapacity)]
+    pub fn input_capacity(&mut self, capacity: u32) -> Result<(), JsValue> {
+        self.simulator.input_capacity(capacity).map_err(parameter_refusal)
+    }
+
+    /// An input: a kinematic rigid is sent to x, y, z and the quaternion x, y, z, w.
+    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[wasm_bindgen(js_name = inputPose)]
+    pub fn input_pose(&mut self, rigid: u32, pose: &[f64]) -> Result<(), JsValue> {
+        #[cfg(feature = "rigids")]
+        return match pose.try_into() {
+            Ok(numbers) => self.simulator.input_pose(rigid, numbers).map_err(parameter_refusal),
+            Err(_) => Err(plain_refusal("a pose has seven numbers")),
+        };
+        #[cfg(not(feature = "rigids"))]
+        Err(crate::rigids::without_rapier())
+    }
+
+    /// An input: a channel gets a value.
+    #[wasm_bindgen(js_name = inputSteer)]
+    pub fn input_steer(&mut self, channel: u32, value: f64) -> Result<(), JsValue> {
+        self.simulator.input_steer(channel, value).map_err(parameter_refusal)
+    }
+
+    /// An input: a blow, as eleven numbers: origin, ray, velocity, radius and seconds.
+    #[wasm_bindgen(js_name = inputBlow)]
+    pub fn input_blow(&mut self, numbers: &[f64]) -> Result<(), JsValue> {
+        let Ok([ox, oy, oz, rx, ry, rz, vx, vy, vz, radius, seconds]) = <[f64; 11]>::try_from(numbers) else {
+            return Err(plain_refusal("a blow has eleven numbers"));
+        };
+        let blow = BlowNumbers {
+            origin: [ox, oy, oz],
+            ray: [rx, ry, rz],
+            velocity: [vx, vy, vz],
+            radius,
+            seconds,
+        };
+        self.simulator.input_blow(&blow).map_err(parameter_refusal)
+    }
+
+    /// What a channel was steered to.
+    pub fn control(&self, channel: u32) -> f32 {
+        self.simulator.control(channel)
+    }
+
+    /// The take so far as bytes.
+    pub fn take(&self, note: &str) -> Result<Vec<u8>, JsValue> {
+        self.simulator.take(note).map_err(|error| plain_refusal(&error.message))
+    }
+
+    /// Goes to the start of a take.
+    pub fn replay(&mut self, take: &[u8]) -> Result<(), JsValue> {
+        self.simulator
+            .replay(take)
+            .map_err(|error| plain_refusal(&error.message))
+    }
+
+    /// Goes to a state that `save` gave within the take, or to its start.
+    pub fn rewind(&mut self, state: Option<Vec<u8>>) -> Result<(), JsValue> {
+        self.simulator
+            .rewind(state.as_deref())
+            .map_err(|error| plain_refusal(&error.message))
+    }
+
+    /// Inputs of the take that have been done.
+    #[wasm_bindgen(getter = inputsDone)]
+    pub fn inputs_done(&self) -> u32 {
+        self.simulator.inputs().0
+    }
+
+    /// Inputs of the take.
+    #[wasm_bindgen(getter = inputCount)]
+    pub fn input_count(&self) -> u32 {
+        self.simulator.inputs().1
+    }
+
+    /// Whether inputs came for which the take had no room.
+    #[wasm_bindgen(getter = isTruncated)]
+    pub fn is_truncated(&self) -> bool {
+        self.simulator.is_truncated()
+    }
+
+    /// Steps made at the farthest point of the take.
+    #[wasm_bindgen(getter = takeEnd)]
+    pub fn take_end(&self) -> f64 {
+        self.simulator.end() as f64
+    }
+
+    /// Most particles that live at once.
+    #[wasm_bindgen(getter)]
+    pub fn capacity(&self) -> u32 {
+        self.simulator.capacity() as u32
+    }
+
+    /// What starts the random numbers.
+    #[wasm_bindgen(getter)]
+    pub fn seed(&self) -> u32 {
+        self.simulator.seed()
+    }
+
+    /// The value of each line of `keys`, NaN for a key that does not exist now.
+    pub fn values(&self, keys: &str) -> Vec<f64> {
+        self.simulator.values(keys.lines())
+    }
+}
+
+/// What a take says of itself: `{ seed, capacity, start, end, inputs, isTruncated, note }`.
+#[wasm_bindgen(js_name = readTake)]
+pub fn read_take(bytes: &[u8]) -> Result<JsValue, JsValue> {
+    let take = Take::parse(bytes).map_err(|error| plain_refusal(&error.message))?;
+    let numbers = [
+        ("seed", f64::from(take.origin.seed)),
+        ("capacity", f64::from(take.origin.capacity)),
+        ("start", take.origin.step as f64),
+        ("end", take.end as f64),
+        ("inputs", take.log.len() as f64),
+    ];
+    let object = Object::new();
+    for (name, number) in numbers {
+        put(&object, name, &number.into());
+    }
+    put(&object, "isTruncated", &take.log.is_truncated().into());
+    put(&object, "note", &take.note.into());
+    Ok(object.into())
+}

@@ -1,0 +1,193 @@
+//! Little-endian numbers in a row of bytes, and the envelope around them. Reading past the end is an error, never a
+//! panic.
+
+use crate::error::RestoreError;
+use crate::hash::Hash;
+
+/// Bytes in the making.
+#[derive(Default)]
+pub struct Writer(Vec<u8>);
+
+impl Writer {
+    pub fn byte(&mut self, byte: u8) {
+        self.0.push(byte);
+    }
+
+    pub fn short(&mut self, short: u16) {
+        self.0.extend_from_slice(&short.to_le_bytes());
+    }
+
+    pub fn word(&mut self, word: u32) {
+        self.0.extend_from_slice(&word.to_le_bytes());
+    }
+
+    pub fn long(&mut self, long: u64) {
+        self.0.extend_from_slice(&long.to_le_bytes());
+    }
+
+    pub fn number(&mut self, number: f64) {
+        self.long(number.to_bits());
+    }
+
+    pub fn raw(&mut self, bytes: &[u8]) {
+        self.0.extend_from_slice(bytes);
+    }
+
+    /// Bytes with their number before them.
+    pub fn block(&mut self, bytes: &[u8]) {
+        self.word(bytes.len() as u32);
+        self.raw(bytes);
+    }
+
+    /// A block of UTF-8.
+    pub fn text(&mut self, text: &str) {
+        self.block(text.as_bytes());
+    }
+
+    /// What `fill` writes, as a block with a name of four letters before it.
+    pub fn section(&mut self, name: &[u8; 4], fill: impl FnOnce(&mut Writer)) {
+        let mut content = Writer::default();
+        fill(&mut content);
+        self.raw(name);
+        self.block(&content.0);
+    }
+
+    pub fn finish(self) -> Vec<u8> {
+        self.0
+    }
+
+    /// All of it behind what tells its `kind`, its `version`, and whether it was damaged.
+    pub fn seal(self, kind: &[u8; 4], version: u32) -> Vec<u8> {
+        let mut whole = Writer::default();
+        whole.raw(kind);
+        whole.word(version);
+        whole.long(checksum(&self.0));
+        whole.raw(&self.0);
+        whole.0
+    }
+}
+
+/// Bytes that are read from the front.
+pub struct Reader<'b>(&'b [u8]);
+
+impl<'b> Reader<'b> {
+    /// What `Writer::seal` made, without the envelope. `name` is what people call such bytes.
+    pub fn open(bytes: &'b [u8], kind: &[u8; 4], version: u32, name: &str) -> Result<Self, RestoreError> {
+        let mut reader = Self(bytes);
+        if reader.take()? != *kind {
+            return Err(RestoreError::new(format!("these bytes are not a {name}")));
+        }
+        let found = reader.word()?;
+        if found != version {
+            let message = format!("the {name} has format {found}, this version reads {version} only");
+            return Err(RestoreError::new(message));
+        }
+        if reader.long()? != checksum(reader.0) {
+            return Err(RestoreError::new(format!(
+                "the {name} is damaged; give all of its bytes"
+            )));
+        }
+        Ok(reader)
+    }
+
+    pub fn byte(&mut self) -> Result<u8, RestoreError> {
+        self.take().map(u8::from_le_bytes)
+    }
+
+    pub fn short(&mut self) -> Result<u16, RestoreError> {
+        self.take().map(u16::from_le_bytes)
+    }
+
+    pub fn word(&mut self) -> Result<u32, RestoreError> {
+        self.take().map(u32::from_le_bytes)
+    }
+
+    pub fn long(&mut self) -> Result<u64, RestoreError> {
+        self.take().map(u64::from_le_bytes)
+    }
+
+    /// A number that is finite.
+    pub fn number(&mut self) -> Result<f64, RestoreError> {
+        let number = f64::from_bits(self.long()?);
+        if number.is_finite() {
+            Ok(number)
+        } else {
+            Err(not_finite())
+        }
+    }
+
+    /// A number of single precision that is finite.
+    pub fn float(&mut self) -> Result<f32, RestoreError> {
+        let number = f32::from_bits(self.word()?);
+        if number.is_finite() {
+            Ok(number)
+        } else {
+            Err(not_finite())
+        }
+    }
+
+    /// Bytes that their number stands before.
+    pub fn block(&mut self) -> Result<&'b [u8], RestoreError> {
+        let length = self.word()? as usize;
+        let (block, rest) = self.0.split_at_checked(length).ok_or_else(too_short)?;
+        self.0 = rest;
+        Ok(block)
+    }
+
+    /// A block that is UTF-8.
+    pub fn text(&mut self) -> Result<&'b str, RestoreError> {
+        let text = std::str::from_utf8(self.block()?);
+        text.map_err(|_| RestoreError::new("the bytes hold a text that is none"))
+    }
+
+    /// All that has not been read.
+    pub fn rest(&mut self) -> &'b [u8] {
+        std::mem::take(&mut self.0)
+    }
+
+    /// What `read` makes of the section of this name, which must be the next and be read to its end.
+    pub fn section<T>(
+        &mut self,
+        name: &[u8; 4],
+        read: impl FnOnce(&mut Reader<'b>) -> Result<T, RestoreError>,
+    ) -> Result<T, RestoreError> {
+        if self.take()? != *name {
+            return Err(RestoreError::new("the bytes have other parts than this version writes"));
+        }
+        let mut content = Reader(self.block()?);
+        let result = read(&mut content)?;
+        content.end()?;
+        Ok(result)
+    }
+
+    /// Checks that everything has been read.
+    pub fn end(&self) -> Result<(), RestoreError> {
+        if self.0.is_empty() {
+            Ok(())
+        } else {
+            Err(RestoreError::new("there are bytes to spare"))
+        }
+    }
+
+    fn take<const N: usize>(&mut self) -> Result<[u8; N], RestoreError> {
+        let (taken, rest) = self.0.split_first_chunk::<N>().ok_or_else(too_short)?;
+        self.0 = rest;
+        Ok(*taken)
+    }
+}
+
+fn too_short() -> RestoreError {
+    RestoreError::new("the bytes end too early; give all of them")
+}
+
+fn not_finite() -> RestoreError {
+    RestoreError::new("the bytes hold a number that is not finite")
+}
+
+fn checksum(bytes: &[u8]) -> u64 {
+    let mut hash = Hash::new();
+    let (words, rest) = bytes.as_chunks::<4>();
+    words.iter().for_each(|word| hash.word(u32::from_le_bytes(*word)));
+    hash.bytes(rest);
+    hash.finish()
+}

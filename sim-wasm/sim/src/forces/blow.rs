@@ -1,0 +1,65 @@
+//! Blows: gusts that people give along a ray, such as that from the eye through the pointer.
+//!
+//! u = w e f(r / R)^2 a(s / R), for the velocity w at the height of the gust, its level e in time (`take::touch::Gust`),
+//! the distance r from the ray and s from its origin along it, and the radius R. f(x) = 1 - x^2 within the radius and 0
+//! beyond; a rises as 3 x^2 - 2 x^3 from the origin on and stays 1, so that nothing is torn at the mouth. The velocity
+//! has a direction of its own: a pointer that is swept across the picture blows across its ray.
+
+use arrayvec::ArrayVec;
+use wide::f32x4;
+
+use super::Setting;
+use crate::simd::{Vector4, positive_part, smaller};
+use crate::take::touch::{Gust, MOST_GUSTS};
+use crate::tile::{Columns, Tile};
+
+/// All gusts of one step.
+pub type Kernels = ArrayVec<Kernel, MOST_GUSTS>;
+
+/// A gust of one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel {
+    origin: Vector4,
+    ray: Vector4,
+    velocity: Vector4,
+    /// 1 / R (1/m).
+    narrowness: f32x4,
+}
+
+/// The gusts that blow now.
+pub fn kernels(setting: &Setting) -> Kernels {
+    setting.gusts.iter().map(Kernel::new).collect()
+}
+
+/// Lets all of them act on the particles of `tile`.
+pub fn act(kernels: &Kernels, tile: &mut Tile) {
+    let Columns { ahead, flow, .. } = tile.columns();
+    for kernel in kernels {
+        for (flow, ahead) in flow.iter_mut().zip(&*ahead) {
+            *flow += kernel.velocity * kernel.share(*ahead);
+        }
+    }
+}
+
+impl Kernel {
+    fn new(gust: &Gust) -> Self {
+        let level = f32x4::splat(gust.level());
+        Self {
+            origin: Vector4::splat(gust.blow.origin()),
+            ray: Vector4::splat(gust.blow.ray()),
+            velocity: Vector4::splat(gust.blow.velocity()) * level,
+            narrowness: f32x4::splat(1.0 / gust.blow.radius()),
+        }
+    }
+
+    /// How much of its velocity the air has at a place, 0..=1.
+    #[inline(always)]
+    fn share(&self, place: Vector4) -> f32x4 {
+        let from_origin = place - self.origin;
+        let along = from_origin.dot(self.ray);
+        let across = (from_origin - self.ray * along) * self.narrowness;
+        let fall = positive_part(f32x4::ONE - across.dot(across));
+        let onset = smaller(positive_part(along * self.narrowness), f32x4::ONE);
+        fall * fall * onset * onset * (f32x4::splat(3.0) - onset - onset)
+    }
+}

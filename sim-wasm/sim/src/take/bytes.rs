@@ -1,0 +1,160 @@
+//! A take as bytes, and everything that is checked before it is believed.
+
+use super::Origin;
+use super::input::Input;
+use super::log::{Log, MOST_INPUTS, Record};
+use crate::bytes::{Reader, Writer};
+use crate::error::RestoreError;
+use crate::parameters::Parameters;
+use crate::simulator::CAPACITY_LIMIT;
+use crate::snapshot::Section;
+
+const KIND: &[u8; 4] = b"take";
+const VERSION: u32 = 1;
+const NAME: &str = "take";
+/// Longest note (bytes).
+pub const MOST_NOTE: usize = 65_536;
+/// No take is longer (steps): more than 500 years.
+const MOST_STEPS: u64 = 1 << 40;
+
+/// A take that was read.
+#[derive(Clone, Debug)]
+pub struct Take {
+    pub origin: Origin,
+    pub log: Log,
+    /// Steps made at its end, those before the take included.
+    pub end: u64,
+    /// What the page that recorded it wrote beside it.
+    pub note: String,
+}
+
+impl Take {
+    /// Reads a take and checks all that can be checked without the scene it is meant for.
+    pub fn parse(bytes: &[u8]) -> Result<Self, RestoreError> {
+        let mut reader = Reader::open(bytes, KIND, VERSION, NAME)?;
+        let (origin, end) = reader.section(b"from", read_origin)?;
+        let keys = reader.section(b"keys", read_keys)?;
+        let log = reader.section(b"logs", |reader| read_log(reader, keys, origin.step, end))?;
+        let note = reader.section(b"note", read_note)?;
+        reader.end()?;
+        Ok(Self { origin, log, end, note })
+    }
+
+    /// The bytes that it was read from.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut body = Writer::default();
+        write(&mut body, &self.origin, &self.log, self.end, &self.note);
+        seal(body)
+    }
+}
+
+pub(super) fn seal(body: Writer) -> Vec<u8> {
+    body.seal(KIND, VERSION)
+}
+
+pub(super) fn write(body: &mut Writer, origin: &Origin, log: &Log, end: u64, note: &str) {
+    body.section(b"from", |body| write_origin(body, origin, end));
+    body.section(b"keys", |body| {
+        body.short(log.keys.len() as u16);
+        log.keys.iter().for_each(|key| body.text(key));
+    });
+    body.section(b"logs", |body| write_log(body, log));
+    body.section(b"note", |body| body.text(note));
+}
+
+fn write_origin(body: &mut Writer, origin: &Origin, end: u64) {
+    body.word(origin.seed);
+    body.word(origin.capacity);
+    body.long(origin.step);
+    body.long(end);
+    body.long(origin.scene);
+    origin.parameters.write(body);
+    body.byte(u8::from(origin.is_fresh));
+    body.block(if origin.is_fresh { &[] } else { &origin.state });
+}
+
+fn read_origin(reader: &mut Reader) -> Result<(Origin, u64), RestoreError> {
+    let (seed, capacity) = (reader.word()?, reader.word()?);
+    let (step, end) = (reader.long()?, reader.long()?);
+    let scene = reader.long()?;
+    let parameters = Parameters::read(reader)?;
+    let (is_fresh, state) = (reader.byte()?, reader.block()?);
+    let is_sound = (1..=CAPACITY_LIMIT).contains(&capacity) && step <= end && end <= MOST_STEPS && is_fresh <= 1;
+    let is_fresh = is_fresh == 1;
+    if !is_sound || (is_fresh && (step > 0 || !state.is_empty())) {
+        return Err(RestoreError::new("the take begins in no way that a take can begin"));
+    }
+    let origin = Origin {
+        state: state.to_vec(),
+        is_fresh,
+        scene,
+        seed,
+        capacity,
+        step,
+        parameters,
+    };
+    Ok((origin, end))
+}
+
+fn read_keys(reader: &mut Reader) -> Result<Vec<String>, RestoreError> {
+    let mut keys = Vec::new();
+    for _ in 0..reader.short()? {
+        keys.push(reader.text()?.to_owned());
+    }
+    Ok(keys)
+}
+
+fn write_log(body: &mut Writer, log: &Log) {
+    body.byte(u8::from(log.is_truncated));
+    body.word(log.len() as u32);
+    for Record { step, input } in &log.records {
+        body.long(*step);
+        input.write(body);
+    }
+}
+
+fn read_log(reader: &mut Reader, keys: Vec<String>, start: u64, end: u64) -> Result<Log, RestoreError> {
+    let is_truncated = reader.byte()? != 0;
+    let count = reader.word()? as usize;
+    if count > MOST_INPUTS {
+        return Err(RestoreError::new("the take holds more inputs than a take can hold"));
+    }
+    let mut scratch = Parameters::default();
+    let mut records = Vec::new();
+    let mut earliest = start;
+    for _ in 0..count {
+        let step = reader.long()?;
+        if !(earliest..=end).contains(&step) {
+            return Err(RestoreError::new(
+                "the take's inputs are not in the order of their steps",
+            ));
+        }
+        earliest = step;
+        let input = Input::read(reader)?;
+        check_set(&input, &keys, &mut scratch)?;
+        records.push(Record { step, input });
+    }
+    Ok(Log {
+        keys,
+        records,
+        is_truncated,
+    })
+}
+
+/// Refuses a parameter that does not exist or does not take the value.
+fn check_set(input: &Input, keys: &[String], scratch: &mut Parameters) -> Result<(), RestoreError> {
+    let Input::Set { key, value } = input else {
+        return Ok(());
+    };
+    let key = keys.get(usize::from(*key));
+    let key = key.ok_or_else(|| RestoreError::new("the take sets a parameter that it does not name"))?;
+    scratch.set(key, *value).map_err(RestoreError::from)
+}
+
+fn read_note(reader: &mut Reader) -> Result<String, RestoreError> {
+    let note = reader.text()?;
+    if note.len() > MOST_NOTE {
+        return Err(RestoreError::new("the take's note is too long"));
+    }
+    Ok(note.to_owned())
+}

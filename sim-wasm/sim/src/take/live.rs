@@ -1,0 +1,142 @@
+//! Inputs as they come: quantised, done, and kept.
+
+use super::input::Input;
+use super::{Blow, BlowNumbers, Origin, Recorder};
+use crate::error::ParameterError;
+use crate::simulator::{Simulator, check_capacity};
+
+impl Simulator {
+    /// Begins a take here and now: inputs are kept from here on.
+    pub fn record(&mut self) {
+        self.touch.done = 0;
+        self.recorder = Recorder::new(Origin::of(self), Default::default(), self.steps);
+    }
+
+    /// After a change that no log can tell of: what is recorded begins here.
+    pub(crate) fn begin_take_anew(&mut self) {
+        self.touch.done = 0;
+        if self.recorder.is_on() {
+            self.record();
+        }
+    }
+
+    /// The parameters get these values, or none of them where one is refused.
+    pub fn input_values(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
+        let mut trial = self.parameters;
+        trial.set_all(entries)?;
+        for (key, value) in entries {
+            let key = self.recorder.log.number_of(key);
+            self.give(Input::Set { key, value: *value })?;
+        }
+        Ok(())
+    }
+
+    /// There is room for another number of particles: see [`Simulator::resize`].
+    pub fn input_capacity(&mut self, capacity: u32) -> Result<(), ParameterError> {
+        check_capacity(capacity)?;
+        self.give(Input::Resize { capacity })
+    }
+
+    /// A kinematic rigid goes to a pose: x, y, z (m) to the millimetre, and the quaternion x, y, z, w.
+    #[cfg(feature = "rigids")]
+    pub fn input_pose(&mut self, rigid: u32, numbers: [f64; 7]) -> Result<(), ParameterError> {
+        let pose = super::pose::QuantisedPose::new(numbers)?;
+        self.rigids.check_kinematic(rigid)?;
+        let rigid = rigid as u16;
+        self.give(Input::Move { rigid, pose })
+    }
+
+    /// A channel, 0..=7, gets a value, -1..=1.
+    pub fn input_steer(&mut self, channel: u32, value: f64) -> Result<(), ParameterError> {
+        self.give(Input::steer(channel, value)?)
+    }
+
+    /// Somebody blows.
+    pub fn input_blow(&mut self, numbers: &BlowNumbers) -> Result<(), ParameterError> {
+        self.give(Input::Blow(Blow::new(numbers)?))
+    }
+
+    /// A channel that `input_steer` steers, -1..=1; 0 before, and for one that does not exist.
+    pub fn control(&self, channel: u32) -> f32 {
+        self.touch.control(channel as usize)
+    }
+
+    /// How many inputs of the take have been done, and how many it holds.
+    pub fn inputs(&self) -> (u32, u32) {
+        (self.touch.done, self.recorder.log.len() as u32)
+    }
+
+    /// Whether inputs came for which the take had no room.
+    pub fn is_truncated(&self) -> bool {
+        self.recorder.log.is_truncated()
+    }
+
+    /// Steps made at the farthest point of the take.
+    pub fn end(&self) -> u64 {
+        self.recorder.end
+    }
+
+    fn give(&mut self, input: Input) -> Result<(), ParameterError> {
+        self.with_log(|simulator, recorder| {
+            simulator.perform(&input, &recorder.log)?;
+            if recorder.is_on() {
+                recorder.end = simulator.steps;
+                recorder.log.cut(simulator.touch.done as usize);
+                recorder.log.push(simulator.steps, input);
+                simulator.touch.done = recorder.log.len() as u32;
+            }
+            Ok(())
+        })
+    }
+
+    /// Does the inputs of the log that are due.
+    pub(crate) fn follow_log(&mut self) {
+        self.recorder.end = self.recorder.end.max(self.steps);
+        if self
+            .recorder
+            .next(&self.touch)
+            .is_none_or(|record| record.step > self.steps)
+        {
+            return;
+        }
+        self.with_log(|simulator, recorder| {
+            while let Some(record) = recorder.next(&simulator.touch)
+                && record.step <= simulator.steps
+            {
+                // A made-up take may move a rigid that cannot be moved: then nothing happens, everywhere alike.
+                let _ = simulator.perform(&record.input, &recorder.log);
+                simulator.touch.done += 1;
+            }
+        });
+    }
+
+    fn perform(&mut self, input: &Input, log: &super::Log) -> Result<(), ParameterError> {
+        match input {
+            Input::Set { key, value } => self.set_all(&[(log.key(*key), *value)]),
+            Input::Resize { capacity } => self.resize(*capacity),
+            #[cfg(feature = "rigids")]
+            Input::Move { rigid, pose } => {
+                let pose = crate::rigids::pose_of(&pose.numbers())?;
+                self.rigids.move_to(u32::from(*rigid), pose)
+            }
+            #[cfg(not(feature = "rigids"))]
+            Input::Move { .. } => Ok(()),
+            Input::Steer { channel, value } => {
+                self.touch.steer(*channel, *value);
+                Ok(())
+            }
+            Input::Blow(blow) => {
+                self.touch.blow(*blow);
+                Ok(())
+            }
+        }
+    }
+
+    /// Lets `action` have the log and the rest of the simulator at once.
+    fn with_log<T>(&mut self, action: impl FnOnce(&mut Self, &mut Recorder) -> T) -> T {
+        let mut recorder = std::mem::take(&mut self.recorder);
+        let result = action(self, &mut recorder);
+        self.recorder = recorder;
+        result
+    }
+}

@@ -1,0 +1,112 @@
+//! Poses in whole millimetres and in 32,767ths of a unit quaternion.
+
+use super::input::{quantise, within};
+use crate::bytes::{Reader, Writer};
+use crate::error::{ParameterError, RestoreError};
+
+/// No input reaches farther from the world's origin (mm, then m).
+const FARTHEST: i32 = 1_000_000;
+const FARTHEST_METRES: f64 = 1000.0;
+const PARTS_A_METRE: f64 = 1000.0;
+/// Parts of a quantised unit vector.
+const UNIT: i16 = i16::MAX;
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A place in whole millimetres.
+pub type Millimetres = [i32; 3];
+
+/// A place (m) in millimetres; `key` names it in refusals.
+pub fn millimetres(key: &str, place: [f64; 3]) -> Result<Millimetres, ParameterError> {
+    let mut whole = [0; 3];
+    for axis in 0..3 {
+        let range = [-FARTHEST_METRES, FARTHEST_METRES];
+        whole[axis] = quantise(&of_axis(key, axis), place[axis], range, PARTS_A_METRE)? as i32;
+    }
+    Ok(whole)
+}
+
+/// The place (m) again.
+pub fn metres(place: Millimetres) -> [f32; 3] {
+    place.map(|whole| whole as f32 / PARTS_A_METRE as f32)
+}
+
+/// `key.x`, `key.y` or `key.z`.
+pub fn of_axis(key: &str, axis: usize) -> String {
+    [key, ".", AXES[axis]].concat()
+}
+
+/// A vector of any length but 0 as a direction in whole parts; `key` names it in refusals.
+pub fn direction<const N: usize>(key: &str, vector: [f64; N]) -> Result<[i16; N], ParameterError> {
+    let length = libm::sqrt(vector.iter().map(|part| part * part).sum());
+    if !(1e-6..=1e6).contains(&length) {
+        return Err(ParameterError::out_of_range(key, length, 1e-6, 1e6));
+    }
+    Ok(vector.map(|part| libm::round(part / length * f64::from(UNIT)) as i16))
+}
+
+/// A direction in numbers, of length 1 but for the quantisation.
+pub fn undirected<const N: usize>(direction: [i16; N]) -> [f32; N] {
+    direction.map(|part| f32::from(part) / f32::from(UNIT))
+}
+
+pub fn write_place(place: Millimetres, body: &mut Writer) {
+    place.iter().for_each(|whole| body.word(*whole as u32));
+}
+
+pub fn read_place(reader: &mut Reader) -> Result<Millimetres, RestoreError> {
+    let mut place = [0; 3];
+    for whole in &mut place {
+        *whole = within(reader.word()? as i32, -FARTHEST, FARTHEST)?;
+    }
+    Ok(place)
+}
+
+pub fn write_direction<const N: usize>(direction: [i16; N], body: &mut Writer) {
+    direction.iter().for_each(|part| body.short(*part as u16));
+}
+
+pub fn read_direction<const N: usize>(reader: &mut Reader) -> Result<[i16; N], RestoreError> {
+    let mut direction = [0; N];
+    for part in &mut direction {
+        *part = within(reader.short()? as i16, -UNIT, UNIT)?;
+    }
+    let square: f32 = undirected(direction).iter().map(|part| part * part).sum();
+    within(square, 0.99, 1.01)?;
+    Ok(direction)
+}
+
+/// A place and a rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct QuantisedPose {
+    place: Millimetres,
+    turn: [i16; 4],
+}
+
+impl QuantisedPose {
+    /// Of x, y, z (m) and the quaternion x, y, z, w.
+    pub fn new(numbers: [f64; 7]) -> Result<Self, ParameterError> {
+        let [x, y, z, turn @ ..] = numbers;
+        Ok(Self {
+            place: millimetres("rigid.position", [x, y, z])?,
+            turn: direction("rigid.rotation", turn)?,
+        })
+    }
+
+    /// The seven numbers again.
+    pub fn numbers(&self) -> [f32; 7] {
+        let ([x, y, z], [i, j, k, w]) = (metres(self.place), undirected(self.turn));
+        [x, y, z, i, j, k, w]
+    }
+
+    pub(super) fn write(&self, body: &mut Writer) {
+        write_place(self.place, body);
+        write_direction(self.turn, body);
+    }
+
+    pub(super) fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        Ok(Self {
+            place: read_place(reader)?,
+            turn: read_direction(reader)?,
+        })
+    }
+}

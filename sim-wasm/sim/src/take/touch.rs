@@ -1,0 +1,130 @@
+//! What is left of inputs in the state: channels that scenes read, and gusts that still blow.
+
+use super::blow::Blow;
+use super::input::{STEER_PARTS, within};
+use crate::bytes::{Reader, Writer};
+use crate::error::RestoreError;
+use crate::hash::Hash;
+use crate::snapshot::Section;
+
+/// How many channels there are.
+pub const CHANNELS: usize = 8;
+/// Most gusts that blow at once; a further one replaces that which has blown longest.
+pub const MOST_GUSTS: usize = 16;
+
+/// A gust on its way.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Gust {
+    pub blow: Blow,
+    /// Steps that it has blown.
+    pub age: u16,
+}
+
+impl Gust {
+    /// How strongly it blows in the coming step, 0..=1: 16 s^2 (1 - s)^2 of the share s of its time.
+    pub fn level(&self) -> f32 {
+        let share = (f32::from(self.age) + 0.5) / f32::from(self.blow.steps);
+        let bell = 4.0 * share * (1.0 - share);
+        bell * bell
+    }
+}
+
+/// Channels, gusts, and how much of the log has been done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Touch {
+    channels: [i16; CHANNELS],
+    gusts: [Gust; MOST_GUSTS],
+    count: usize,
+    /// Inputs of the log that have been done; no part of the hash.
+    pub(super) done: u32,
+}
+
+impl Touch {
+    /// A channel, -1..=1; 0 for one that does not exist.
+    pub fn control(&self, channel: usize) -> f32 {
+        let parts = self.channels.get(channel).copied().unwrap_or(0);
+        f32::from(parts) / f32::from(STEER_PARTS)
+    }
+
+    /// The gusts that blow.
+    pub fn gusts(&self) -> &[Gust] {
+        &self.gusts[..self.count]
+    }
+
+    pub(super) fn steer(&mut self, channel: u8, parts: i16) {
+        self.channels[usize::from(channel)] = parts;
+    }
+
+    /// Begins a gust; in one step only the last of several is begun.
+    pub(super) fn blow(&mut self, blow: Blow) {
+        if self.gusts().last().is_some_and(|gust| gust.age == 0) {
+            self.count -= 1;
+        }
+        if self.count == MOST_GUSTS {
+            self.gusts.copy_within(1.., 0);
+            self.count -= 1;
+        }
+        self.gusts[self.count] = Gust { blow, age: 0 };
+        self.count += 1;
+    }
+
+    /// One step is over.
+    pub(crate) fn advance(&mut self) {
+        let mut kept = 0;
+        for index in 0..self.count {
+            let Gust { blow, age } = self.gusts[index];
+            if age + 1 < blow.steps {
+                self.gusts[kept] = Gust { blow, age: age + 1 };
+                kept += 1;
+            }
+        }
+        self.gusts[kept..self.count].fill(Gust::default());
+        self.count = kept;
+    }
+
+    /// Nobody has done anything that still acts.
+    pub(super) fn is_nothing(&self) -> bool {
+        self.count == 0 && self.channels == [0; CHANNELS]
+    }
+
+    /// Adds what acts to `hash`; adds nothing where nothing does.
+    pub(crate) fn hash_into(&self, hash: &mut Hash) {
+        if self.is_nothing() {
+            return;
+        }
+        let mut body = Writer::default();
+        self.write_state(&mut body);
+        hash.bytes(&body.finish());
+    }
+
+    fn write_state(&self, body: &mut Writer) {
+        self.channels.iter().for_each(|parts| body.short(*parts as u16));
+        body.byte(self.count as u8);
+        for gust in self.gusts() {
+            gust.blow.write(body);
+            body.short(gust.age);
+        }
+    }
+}
+
+impl Section for Touch {
+    fn write(&self, body: &mut Writer) {
+        self.write_state(body);
+        body.word(self.done);
+    }
+
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        let mut touch = Self::default();
+        for parts in &mut touch.channels {
+            *parts = within(reader.short()? as i16, -STEER_PARTS, STEER_PARTS)?;
+        }
+        touch.count = within(usize::from(reader.byte()?), 0, MOST_GUSTS)?;
+        for gust in &mut touch.gusts[..touch.count] {
+            let blow = Blow::read(reader)?;
+            let age = within(reader.short()?, 0, blow.steps - 1)?;
+            *gust = Gust { blow, age };
+        }
+        touch.done = reader.word()?;
+        Ok(touch)
+    }
+}

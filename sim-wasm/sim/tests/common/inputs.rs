@@ -1,0 +1,65 @@
+//! Random things that people do, for property tests.
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+use proptest::prelude::*;
+use sim::Simulator;
+use sim::take::BlowNumbers;
+
+/// Something that a person does.
+#[derive(Clone, Debug)]
+pub enum Act {
+    Set(&'static str, f64),
+    Resize(u32),
+    Steer(u32, f64),
+    Blow([f64; 3], [f64; 3], f64, f64),
+    Move([f64; 3]),
+}
+
+/// Parameters that people turn, with ranges in which much happens.
+const TURNED: &[(&str, f64, f64)] = &[
+    ("emission.rate", 0.0, 2000.0),
+    ("emission.lifetime", 0.1, 3.0),
+    ("forces.wind.x", -3.0, 3.0),
+    ("forces.turbulence", 0.0, 3.0),
+    ("vortices.2.circulation", -5.0, 5.0),
+    ("emitters.0.speed", 0.0, 5.0),
+];
+
+/// Any act.
+pub fn act() -> impl Strategy<Value = Act> {
+    let place = || prop::array::uniform3(-2.0..2.0);
+    prop_oneof![
+        4 => (prop::sample::select(TURNED), 0.0..1.0).prop_map(|((key, min, max), s)| Act::Set(key, min + s * (max - min))),
+        1 => (0..2_u32).prop_map(|integrator| Act::Set("simulation.integrator", f64::from(integrator))),
+        1 => (50_u32..600).prop_map(Act::Resize),
+        2 => (0_u32..8, -1.0..1.0).prop_map(|(channel, value)| Act::Steer(channel, value)),
+        2 => (place(), place(), 0.05..2.0, 0.02..1.0).prop_map(|(at, way, radius, time)| Act::Blow(at, way, radius, time)),
+        2 => place().prop_map(Act::Move),
+    ]
+}
+
+/// Does it to a simulator whose rigid 0, if it has rigids, is kinematic.
+pub fn perform(simulator: &mut Simulator, act: &Act) {
+    match act {
+        Act::Set(key, value) => simulator.input_values(&[(key, *value)]),
+        Act::Resize(capacity) => simulator.input_capacity(*capacity),
+        Act::Steer(channel, value) => simulator.input_steer(*channel, *value),
+        Act::Blow(origin, velocity, radius, seconds) => simulator.input_blow(&BlowNumbers {
+            origin: *origin,
+            ray: [0.3, 1.0, -0.2],
+            velocity: *velocity,
+            radius: *radius,
+            seconds: *seconds,
+        }),
+        #[cfg(feature = "rigids")]
+        Act::Move([x, y, z]) => simulator.input_pose(0, [*x, *y, *z, 0.0, 0.1, 0.0, 1.0]),
+        #[cfg(not(feature = "rigids"))]
+        Act::Move(_) => Ok(()),
+    }
+    .unwrap();
+}
+
+/// Acts with the steps made before each.
+pub fn script() -> impl Strategy<Value = Vec<(usize, Act)>> {
+    prop::collection::vec((prop_oneof![3 => 0..3_usize, 1 => 3..20_usize], act()), 1..40)
+}
