@@ -51,12 +51,7 @@ export interface RigidDescription {
 }
 
 /** The arguments of the module's addRigid, in its order; `sim/src/rigids/numbers.rs` tells what they mean. */
-export type RigidArguments = [
-  numbers: Float32Array,
-  vertices: Float32Array,
-  indices: Uint32Array,
-  path: Float32Array,
-];
+export type RigidArguments = [numbers: Float32Array, vertices: Float32Array, indices: Uint32Array, path: Float32Array];
 
 const KINDS: readonly string[] = ['fixed', 'kinematic', 'dynamic'];
 const SHAPES: readonly string[] = ['ball', 'cuboid', 'capsule', 'cylinder', 'convexHull', 'trimesh'];

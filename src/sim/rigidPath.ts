@@ -24,8 +24,7 @@ export type RigidPath =
    * at `speed` m/s; closed when it loops. `along`: the rigid's z axis looks ahead, its y axis up.
    */
   | ({ type: 'spline'; points: readonly Triple[]; loop?: boolean; along?: boolean } & (
-      | { duration: number; speed?: undefined }
-      | { speed: number; duration?: undefined }
+      { duration: number; speed?: undefined } | { speed: number; duration?: undefined }
     ));
 
 /** A steady spin about an axis in the rigid's own space. */
