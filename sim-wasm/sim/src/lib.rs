@@ -10,6 +10,8 @@ pub mod error;
 pub mod forces;
 pub mod hash;
 pub mod life;
+#[cfg(feature = "bench")]
+pub mod measure;
 pub mod motion;
 mod obstacles;
 mod order;

@@ -31,6 +31,21 @@ pub const STEP: f64 = 1.0 / 60.0;
 /// Most particles that a simulator can be made for.
 pub const CAPACITY_LIMIT: u32 = 1_000_000;
 
+/// What a step consists of, in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Rapier's step.
+    World,
+    /// The rigids' ways from pose to pose made ready for particles.
+    Follow,
+    /// Births and motion.
+    Motion,
+    /// Particles out of colliders and rigids.
+    Collision,
+    /// Ageing, and what changes without particles.
+    Rest,
+}
+
 /// A simulation. See the head of this file.
 pub struct Simulator {
     pub(crate) parameters: Parameters,
@@ -104,17 +119,29 @@ impl Simulator {
 
     /// Advances by 1/60 s.
     pub fn step(&mut self) {
+        self.step_in_parts(|_| ());
+    }
+
+    /// As `step`; calls `ended` at the end of each part, so that a measurement can tell what it took.
+    pub(crate) fn step_in_parts(&mut self, mut ended: impl FnMut(Part)) {
         #[cfg(feature = "rigids")]
-        self.rigids.advance(STEP as f32);
+        self.rigids.step_world(STEP as f32);
+        ended(Part::World);
+        #[cfg(feature = "rigids")]
+        self.rigids.follow_world(STEP as f32);
+        ended(Part::Follow);
         let motion = self.motion();
         self.bear(&motion);
         motion.advance(&mut self.particles);
+        ended(Part::Motion);
         self.collide();
+        ended(Part::Collision);
         life::advance(&mut self.particles, &Ageing::new(&self.parameters, STEP));
         turbulence::advance(&mut self.turbulence, &self.parameters, STEP);
         self.touch.advance();
         self.steps += 1;
         self.follow_log();
+        ended(Part::Rest);
     }
 
     /// Writes the rows that the 32 numbers of `view` ask for (see [`View`]) and returns how many there are. Refuses a

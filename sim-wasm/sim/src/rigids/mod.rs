@@ -10,6 +10,8 @@ mod forms;
 mod grab;
 mod grid;
 mod guide;
+#[cfg(feature = "bench")]
+mod measure;
 mod meshes;
 mod numbers;
 pub mod path;
@@ -156,6 +158,12 @@ impl Rigids {
 
     /// Moves every rigid over `dt` seconds; keeps the poses at the start and at the end.
     pub fn advance(&mut self, dt: f32) {
+        self.step_world(dt);
+        self.follow_world(dt);
+    }
+
+    /// The first half of [`Rigids::advance`]: the world's own step.
+    pub(crate) fn step_world(&mut self, dt: f32) {
         self.steps += 1;
         if self.members.is_empty() {
             return;
@@ -165,6 +173,10 @@ impl Rigids {
             member.lead(index, &mut self.world, time, dt);
         }
         self.world.step(dt);
+    }
+
+    /// The second half of [`Rigids::advance`]: each rigid as an obstacle on its way.
+    pub(crate) fn follow_world(&mut self, dt: f32) {
         for index in 0..self.count() {
             let start = self.members[index].pose;
             let end = self.world.pose(index);
