@@ -5,7 +5,7 @@ import { SIX_FORCES } from './cloud.ts';
 import type { Contestant } from './contestant.ts';
 import { Memory } from './limits.ts';
 import { Wasm } from './ours.ts';
-import { takeTurns, type Costs } from './rounds.ts';
+import { takeTurns, type Costs, type Plan } from './rounds.ts';
 
 const COUNT = 100_000;
 
@@ -41,7 +41,13 @@ export async function measureParts(quick: boolean): Promise<Figure[]> {
       dispose: () => wasm.dispose(),
     });
   }
-  const plan = { rounds: quick ? 5 : 11, share: quick ? 20 : 80, warming: quick ? 100 : 300 };
+  const plan: Plan = {
+    rounds: quick ? 5 : 11,
+    share: quick ? 40 : 120,
+    warming: quick ? 100 : 300,
+    slice: 10,
+    cost: 'cheapest',
+  };
   const counts = contestants.map(() => COUNT);
   const costs = await takeTurns(contestants, counts, plan, 'parts of a step');
   contestants.forEach((contestant) => contestant.dispose());
