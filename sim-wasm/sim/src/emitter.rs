@@ -35,6 +35,7 @@ pub struct Emitter {
 }
 
 impl Item for Emitter {
+    const LABEL: &'static str = "Emitter";
     const FIELDS: &'static [Field<Self>] = &[
         number("shape", "1", [0.0, 2.0], 0.0, |e: &mut Self| &mut e.shape)
             .named(&["point", "disc", "ball"])

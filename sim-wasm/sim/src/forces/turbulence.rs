@@ -65,11 +65,14 @@ pub struct Turbulence {
 }
 
 impl Item for Turbulence {
+    const LABEL: &'static str = "Turbulence";
     const FIELDS: &'static [Field<Self>] = &[
-        number("speed", "m/s", [0.0, 20.0], 0.0, |t: &mut Self| &mut t.pattern.speed).says(
-            "Speed",
-            "Typical (root mean square) speed of the swirls; 0 takes this turbulence away.",
-        ),
+        number("speed", "m/s", [0.0, 20.0], 0.0, |t: &mut Self| &mut t.pattern.speed)
+            .starts_at(0.5)
+            .says(
+                "Speed",
+                "Typical (root mean square) speed of the swirls; 0 takes this turbulence away.",
+            ),
         number("scale", "m", [0.05, 100.0], 1.0, |t: &mut Self| &mut t.pattern.scale)
             .says("Scale", "Size of the largest swirls."),
         number("octaves", "1", [0.0, 4.0], 1.0, |t: &mut Self| &mut t.pattern.octaves)
