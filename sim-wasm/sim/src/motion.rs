@@ -219,6 +219,7 @@ impl Motion {
             push.y += self.lift.acceleration(heat[block]);
             *velocity += (flow[block] - *velocity) * share + push * dt;
         }
+        self.forces.act(Stage::Limit, tile);
     }
 }
 

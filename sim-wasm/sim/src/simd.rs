@@ -129,6 +129,12 @@ pub fn smaller(a: f32x4, b: f32x4) -> f32x4 {
     a.simd_lt(b).select(a, b)
 }
 
+/// The larger of two numbers; they must not be zeros of different sign.
+#[inline(always)]
+pub fn larger(a: f32x4, b: f32x4) -> f32x4 {
+    a.simd_gt(b).select(a, b)
+}
+
 /// Whole cell below `value` and the position within it, 0..=1. For |value| under 2^22: the finest octave of the
 /// smallest scale at the end of the world is at 1.6e6.
 #[inline(always)]
