@@ -10,6 +10,7 @@ mod forms;
 mod grab;
 mod grid;
 mod guide;
+pub mod joints;
 #[cfg(feature = "bench")]
 mod measure;
 mod meshes;
@@ -31,6 +32,7 @@ pub use description::{RigidDescription, RigidKind, RigidPart, RigidShape, Spin, 
 pub use grab::Grab;
 use grid::Grid;
 use guide::Guide;
+pub use joints::{JointDescription, JointKind, Motor};
 pub use numbers::{FlatRigid, RigidNumbers};
 pub use path::{Keyframe, Pace, Path};
 use track::Track;

@@ -3,7 +3,7 @@
 use rapier3d::glamx::{Mat3, Pose3, Quat, Vec3};
 use rapier3d::parry::shape::SharedShape;
 use rapier3d::prelude::{
-    ColliderBuilder, PhysicsWorld, RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodyMassProps,
+    ColliderBuilder, GenericJoint, PhysicsWorld, RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodyMassProps,
 };
 
 use super::description::{RigidDescription, RigidKind};
@@ -45,6 +45,16 @@ impl World {
                 .density(description.density);
             self.physics.insert_collider(collider, Some(body));
         }
+    }
+
+    /// Joins two rigids.
+    pub fn join(&mut self, a: usize, b: usize, joint: GenericJoint) {
+        self.physics.insert_impulse_joint(handle(a), handle(b), joint);
+    }
+
+    /// Joints added so far.
+    pub fn joint_count(&self) -> usize {
+        self.physics.impulse_joints.len()
     }
 
     /// Where the coming step takes a kinematic rigid.
