@@ -25,7 +25,6 @@ export function lamp(): Scene {
     name: 'lamp',
     rig: rig(model),
     rigids: rigids(model),
-    rigidNames: ['Ball', 'Table', ...model.collision.map((_, part) => `Lamp, part ${part + 1}`)],
     surfaces: surfaces(model),
     handle: {
       rigid: BALL,

@@ -8,6 +8,7 @@ use crate::forces::turbulence::Pattern;
 use crate::forces::wind::Weather;
 use crate::forces::{self, Lists};
 use crate::obstacles::Collider;
+use crate::vortex_particles::shedder::Shedder;
 
 /// Every parameter, in the units of the table. All values are within their ranges, always.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +24,7 @@ pub struct Parameters {
     pub simulation: Settings,
     pub emitters: List<Emitter>,
     pub colliders: List<Collider>,
+    pub shedders: List<Shedder>,
     /// The lists of forces.
     pub lists: Lists,
 }
@@ -42,6 +44,7 @@ impl Default for Parameters {
             simulation: item(),
             emitters: List::default(),
             colliders: List::default(),
+            shedders: List::default(),
             lists: Lists::default(),
         }
     }
@@ -70,6 +73,11 @@ const OWN: &[&dyn Section] = &[
         name: "colliders",
         of: |p| &mut p.colliders,
         len: |p| p.colliders.items().len(),
+    },
+    &Many {
+        name: "shedders",
+        of: |p| &mut p.shedders,
+        len: |p| p.shedders.items().len(),
     },
 ];
 
