@@ -1,6 +1,6 @@
 import type { Value } from '../preset/parameter.ts';
 import type { Stage } from '../stage/stage.ts';
-import type { Editor } from './editor.ts';
+import type { Changes, Editor } from './editor.ts';
 
 /**
  * Lets stage and editor follow each other: edits reach the stage once a frame, and values that somebody gives to the
@@ -8,24 +8,29 @@ import type { Editor } from './editor.ts';
  * @param tell says what the stage refused
  */
 export function connectStage(editor: Editor, stage: Stage, tell: (message: string) => void): void {
-  let waiting: Record<string, Value> = {};
+  let waiting: Changes = {};
+  let isFlushing = false;
   const isWaiting = () => Object.keys(waiting).length > 0;
   const flush = () => {
-    const values = waiting;
+    const changes = Object.entries(waiting);
     waiting = {};
+    isFlushing = true;
     try {
-      stage.set(values);
+      stage.unset(changes.flatMap(([key, value]) => (value === undefined ? [key] : [])));
+      stage.set(Object.fromEntries(changes.filter((change): change is [string, Value] => change[1] !== undefined)));
     } catch (error) {
       tell((error as Error).message);
       editor.adopt(stage.get());
+    } finally {
+      isFlushing = false;
     }
   };
   editor.listen((_state, changed) => {
     const wasWaiting = isWaiting();
-    Object.assign(waiting, changed);
+    waiting = { ...waiting, ...changed };
     if (!wasWaiting && isWaiting()) requestAnimationFrame(flush);
   });
   stage.on('statechange', () => {
-    if (!isWaiting()) editor.adopt(stage.get());
+    if (!isWaiting() && !isFlushing) editor.adopt(stage.get());
   });
 }

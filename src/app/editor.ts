@@ -4,8 +4,11 @@ import { defaultPreset, findPreset, presetValues } from '../preset/presets.ts';
 import { table } from '../preset/table.ts';
 import { History } from './history.ts';
 
-/** Told after each change: the state as it is now and the values that are new. */
-export type EditListener = (state: State, changed: Values) => void;
+/** What changed: the new values, and undefined for optional ones that went back to what the scene has. */
+export type Changes = Readonly<Record<string, Value | undefined>>;
+
+/** Told after each change: the state as it is now and what is new in it. */
+export type EditListener = (state: State, changed: Changes) => void;
 
 /** What the page edits: a preset and its values, with undo. Panel, stage and address bar listen; none of them is known here. */
 export class Editor {
@@ -40,7 +43,14 @@ export class Editor {
 
   /** Sets one value. Changes of the same gesture are undone together, until `settle`. */
   change(key: string, value: Value, gesture?: string): void {
-    this.replace({ ...this.current, values: { ...this.current.values, [key]: value } }, gesture);
+    this.changeAll({ [key]: value }, gesture);
+  }
+
+  /** Sets several values, or takes optional ones away, as one change. */
+  changeAll(changes: Changes, gesture?: string): void {
+    const entries = Object.entries({ ...this.current.values, ...changes });
+    const values = Object.fromEntries(entries.filter((entry): entry is [string, Value] => entry[1] !== undefined));
+    this.replace({ ...this.current, values }, gesture);
   }
 
   /** Ends a gesture. */
@@ -50,7 +60,7 @@ export class Editor {
   }
 
   reset(key: string): void {
-    this.change(key, this.base[key]);
+    this.changeAll({ [key]: this.base[key] });
   }
 
   resetAll(): void {
@@ -66,9 +76,9 @@ export class Editor {
     this.replace(state);
   }
 
-  /** Takes up values that somebody gave to the stage directly, as from the console; a run of them is undone together. */
+  /** Takes up the values of the stage, which somebody changed directly, as from the console; a run is undone together. */
   adopt(values: Values): void {
-    this.replace({ ...this.current, values: { ...this.current.values, ...values } }, 'stage');
+    this.replace({ ...this.current, values }, 'stage');
   }
 
   undo(): void {
@@ -92,17 +102,17 @@ export class Editor {
     this.tell(changed);
   }
 
-  private tell(changed: Values): void {
+  private tell(changed: Changes): void {
     for (const listener of this.listeners) listener(this.current, changed);
   }
 }
 
 /** What `after` has otherwise than `before`. */
-export function differences(before: Values, after: Values): Values {
+export function differences(before: Values, after: Values): Changes {
   const keys = table.map(({ key }) => key).filter((key) => before[key] !== after[key]);
   return Object.fromEntries(keys.map((key) => [key, after[key]]));
 }
 
-function isEmpty(values: Values): boolean {
+function isEmpty(values: Changes): boolean {
   return Object.keys(values).length === 0;
 }

@@ -31,7 +31,7 @@ export function buildPage(
   const help = createHelp();
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
   toggle.setAttribute('aria-controls', PANEL_ID);
-  const panel = createPanel(editor, () => {
+  const panel = createPanel(editor, stage, () => {
     page.togglePanel();
     toggle.focus();
   });

@@ -5,18 +5,21 @@ import { createChooser } from './chooser.ts';
 import { create, iconButton, textButton } from './dom.ts';
 import type { Editor } from './editor.ts';
 import { icon } from './icons.ts';
+import { createItems, type SceneLists } from './items.ts';
 import { createRow, type Row } from './row.ts';
 import { strings } from './strings.ts';
 
 export const PANEL_ID = 'parameters';
 
 /** The panel of live parameters, made from the table. */
-export function createPanel(editor: Editor, close: () => void): HTMLElement {
-  const rows = new Map(table.filter(hasChoice).map((parameter) => [parameter.key, createRow(parameter, editor)]));
+export function createPanel(editor: Editor, scene: SceneLists, close: () => void): HTMLElement {
+  const shown = table.filter((parameter) => hasChoice(parameter) && isOfPanel(parameter));
+  const rows = new Map(shown.map((parameter) => [parameter, createRow(parameter, editor)]));
   const chooser = createChooser(editor);
   const head = createHead(editor, close);
   const caption = create('p', { class: 'caption', 'aria-hidden': 'true' }, strings.panel.caption);
-  const scroll = create('div', { class: 'scroll' }, chooser.element, ...createGroups(rows));
+  const items = createItems(editor, scene);
+  const scroll = create('div', { class: 'scroll' }, chooser.element, ...createGroups(rows), items.element);
   const panel = create('section', { id: PANEL_ID, class: 'panel card', 'aria-label': strings.panel.title });
   panel.append(head.element, scroll, caption);
   explainIn(caption, panel);
@@ -24,7 +27,11 @@ export function createPanel(editor: Editor, close: () => void): HTMLElement {
     chooser.show(state);
     head.show();
     const base = editor.base;
-    for (const [key, row] of rows) row.show(state.values[key], base[key]);
+    items.show(state);
+    for (const [{ key, default: initial }, row] of rows) {
+      const scenes = scene.rig[key] ?? initial;
+      row.show(state.values[key] ?? scenes, base[key] ?? scenes);
+    }
   };
   editor.listen(show);
   show(editor.state);
@@ -36,10 +43,14 @@ function hasChoice(parameter: Parameter): boolean {
   return parameter.kind !== 'choice' || parameter.options.length > 1;
 }
 
-function createGroups(rows: ReadonlyMap<string, Row>): HTMLElement[] {
+/** Items of lists come into the panel when they are added. */
+function isOfPanel({ group }: Parameter): boolean {
+  return groups.some(({ key }) => key === group);
+}
+
+function createGroups(rows: ReadonlyMap<Parameter, Row>): HTMLElement[] {
   return groups.map(({ key, label, advanced }) => {
-    const keys = table.filter(({ group }) => group === key).map((parameter) => parameter.key);
-    const elements = keys.flatMap((parameterKey) => rows.get(parameterKey)?.element ?? []);
+    const elements = [...rows].flatMap(([{ group }, row]) => (group === key ? [row.element] : []));
     const summary = create('summary', {}, label);
     return create('details', { class: 'group', open: !advanced }, summary, ...elements);
   });

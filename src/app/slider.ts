@@ -21,6 +21,9 @@ export function placeOf(parameter: NumberParameter, value: number): number {
 
 /** The value at a place of the slider, on a whole number of steps from the origin, within the range. */
 export function valueAt(parameter: NumberParameter, place: number): number {
+  // The ends need not lie on a step.
+  if (place >= PLACES) return parameter.max;
+  if (place <= -PLACES) return parameter.min;
   const share = place / PLACES;
   const bent = parameter.slider === 'fine' ? share ** 3 : share;
   const value = origin(parameter) + bent * spanTowards(parameter, place >= 0);

@@ -13,6 +13,12 @@ export const strings = {
     reset: (label: string) => `Reset ${label}`,
     exactly: (label: string) => `${label}, exact value`,
   },
+  items: {
+    kind: 'What to add',
+    add: 'Add',
+    remove: (label: string) => `Remove ${label}`,
+    world: 'Nothing',
+  },
   transport: {
     title: 'Playback',
     play: 'Play',

@@ -2,7 +2,7 @@
  * The share link: state to the hash of an address and back, `#v=1&preset=lamp&emission.rate=240`.
  *
  * A link holds what differs from its preset, in the order of the table. Reading one never throws and never trusts:
- * what cannot be used is told in notices, and the result always has a value in range for every key.
+ * what cannot be used is told in notices, and the result always has a value in range for every key that needs one.
  */
 import { notice, quoteKey, summarise, type Notice } from './notice.ts';
 import { DECODED_LIMIT, pack, unpack } from './packing.ts';
@@ -11,7 +11,7 @@ import { defaultPreset, findPreset, presetValues } from './presets.ts';
 import { findParameter, table } from './table.ts';
 import { readText, writeText } from './values.ts';
 
-/** What a link carries: a preset and a value for every key of the table. */
+/** What a link carries: a preset and a value for every key of the table that is not optional. */
 export interface State {
   readonly preset: string;
   readonly values: Values;

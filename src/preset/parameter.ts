@@ -22,6 +22,8 @@ interface Described {
   /** One sentence: what turning it does. */
   readonly text: string;
   readonly reader: Reader;
+  /** Of a list: without a value of its own it is as the scene has it, so that values need not have the key. */
+  readonly isOptional?: true;
 }
 
 /** A quantity in a closed range. */

@@ -12,7 +12,7 @@ import type {
   Reader,
   ToggleParameter,
 } from './parameter.ts';
-import { vortexParameters } from './vortices.ts';
+import { itemLabel, LIST_LIMIT, listNames, listParameters } from './lists.ts';
 
 /** The groups of the panel in their order; `advanced` ones start folded. */
 export const groups: readonly { readonly key: string; readonly label: string; readonly advanced: boolean }[] = [
@@ -21,12 +21,19 @@ export const groups: readonly { readonly key: string; readonly label: string; re
   { key: 'light', label: 'Light', advanced: false },
   { key: 'forces', label: 'Forces', advanced: false },
   { key: 'turbulence', label: 'Turbulence', advanced: true },
-  { key: 'vortices.0', label: 'Vortex 1', advanced: true },
-  { key: 'vortices.1', label: 'Vortex 2', advanced: true },
-  { key: 'vortices.2', label: 'Vortex 3', advanced: true },
-  { key: 'vortices.3', label: 'Vortex 4', advanced: true },
+  { key: 'air', label: 'Air and weight', advanced: true },
   { key: 'simulation', label: 'Simulation', advanced: true },
 ];
+
+/** A group of the panel for each item that a list can have; it comes up when the item is added. */
+export const itemGroups: readonly { readonly key: string; readonly list: string; readonly label: string }[] =
+  listNames.flatMap((list) =>
+    Array.from({ length: LIST_LIMIT }, (_, index) => ({
+      key: `${list}.${index}`,
+      list,
+      label: itemLabel(list, index),
+    })),
+  );
 
 type Named = Pick<Parameter, 'label' | 'text'>;
 type Quantity = Named & Partial<NumberParameter> & Pick<NumberParameter, 'min' | 'max' | 'step' | 'default'>;
@@ -43,6 +50,15 @@ function multiplier(name: string, label: string, text: string): NumberParameter 
 function wind(axis: 'x' | 'y' | 'z', label: string, text: string): NumberParameter {
   const range = { min: -50, max: 50, step: 0.05, default: 0, unit: 'm/s' } as const;
   return quantity(`forces.wind.${axis}`, 'forces', 'simulator', { label, text, ...range, slider: 'fine' });
+}
+
+/** What a scene sets and anybody may change. */
+function ofScene(
+  key: string,
+  rest: Named & Partial<NumberParameter> & { max: number; default: number },
+): NumberParameter {
+  const range = { min: 0, step: 0.05, slider: 'fine' } as const;
+  return { ...quantity(key, 'air', 'simulator', { ...range, ...rest }), isOptional: true };
 }
 
 function toggle(name: string, label: string, text: string): ToggleParameter {
@@ -245,7 +261,90 @@ export const table: readonly Parameter[] = [
     label: 'Evolution',
     text: 'How fast the pattern of swirls changes.',
   }),
-  ...vortexParameters(4),
+  ofScene('gravity.acceleration', {
+    max: 100,
+    default: 0,
+    unit: 'm/s\u00b2',
+    label: 'Weight',
+    text: 'How fast cold smoke falls.',
+  }),
+  ofScene('buoyancy.acceleration', {
+    max: 100,
+    default: 1.5,
+    unit: 'm/s\u00b2',
+    label: 'Lift',
+    text: 'How fast smoke at temperature 1 rises.',
+  }),
+  ofScene('buoyancy.coolingTime', {
+    min: 0.01,
+    max: 1000,
+    default: 4,
+    unit: 's',
+    label: 'Cooling',
+    text: 'How long warm smoke takes to lose two thirds of its warmth.',
+  }),
+  ofScene('drag.rate', {
+    max: 1000,
+    default: 1.5,
+    unit: '1/s',
+    label: 'Drag rate',
+    text: 'How firmly the air of this scene takes smoke along.',
+  }),
+  ofScene('drag.quadratic', {
+    max: 1000,
+    default: 0,
+    unit: '1/m',
+    label: 'Quadratic drag',
+    text: 'Drag that grows with speed: fast smoke is stopped first.',
+  }),
+  ofScene('wind.gusts', {
+    max: 20,
+    default: 0,
+    unit: 'm/s',
+    label: 'Gusts',
+    text: 'Typical (root mean square) speed of gusts along the wind.',
+  }),
+  ofScene('wind.gustTime', {
+    min: 0.1,
+    max: 60,
+    default: 2,
+    unit: 's',
+    label: 'Gust time',
+    text: 'How long a strong gust lasts.',
+  }),
+  ofScene('wind.shear', {
+    min: -10,
+    max: 10,
+    default: 0,
+    unit: '1/m',
+    label: 'Wind shear',
+    text: 'How much faster the wind is for each metre of height, as a share.',
+  }),
+  ofScene('wind.height', {
+    min: -1000,
+    max: 1000,
+    default: 0,
+    unit: 'm',
+    label: 'Shear height',
+    text: 'Height at which shear changes nothing.',
+  }),
+  {
+    ...choice(
+      'simulation.integrator',
+      'simulation',
+      'simulator',
+      {
+        label: 'Motion',
+        text: 'How puffs follow the air; the paper lets vortices fling them out.',
+        default: 'airAndSlip',
+      },
+      [
+        ['airAndSlip', 'With the air'],
+        ['paper', 'As in the paper'],
+      ],
+    ),
+    isOptional: true,
+  },
   quantity('simulation.maxParticles', 'simulation', 'stage', {
     kind: 'integer',
     min: 1,
@@ -257,6 +356,7 @@ export const table: readonly Parameter[] = [
     label: 'Most particles',
     text: 'Room for living puffs; when it is full, new ones wait.',
   }),
+  ...listParameters(),
 ];
 
 const rows: ReadonlyMap<string, Parameter> = new Map(table.map((parameter) => [parameter.key, parameter]));

@@ -7,9 +7,10 @@ import { findParameter, table } from './table.ts';
 const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const COLOR = /^#[0-9a-f]{6}$/i;
 
-/** Every key of the table with its default. */
+/** Every key of the table that must have a value, with its default. */
 export function defaults(): Record<string, Value> {
-  return Object.fromEntries(table.map((parameter) => [parameter.key, parameter.default]));
+  const needed = table.filter(({ isOptional }) => !isOptional);
+  return Object.fromEntries(needed.map((parameter) => [parameter.key, parameter.default]));
 }
 
 /**
@@ -22,6 +23,13 @@ export function validate(values: Values): void {
     if (!parameter) throw new ParameterError(key, value, 'no value: there is no such parameter');
     if (!isAccepted(parameter, value)) throw new ParameterError(key, value, accepted(parameter));
   }
+}
+
+/** @throws ParameterError when the table has no such key or its row needs a value */
+export function requireOptional(key: string): void {
+  const parameter = findParameter(key);
+  if (!parameter) throw new ParameterError(key, undefined, 'no value: there is no such parameter');
+  if (!parameter.isOptional) throw new ParameterError(key, undefined, accepted(parameter));
 }
 
 /** Whether a row takes this value as it stands. */
@@ -49,7 +57,11 @@ export function writeText(parameter: Parameter, value: Value): string {
  * Reads a value out of a link, under the limits for links. What is out of range is clamped, what cannot be read
  * becomes the fallback; both are told.
  */
-export function readText(parameter: Parameter, text: string, fallback: Value): { value: Value; notice?: Notice } {
+export function readText(
+  parameter: Parameter,
+  text: string,
+  fallback: Value = parameter.default,
+): { value: Value; notice?: Notice } {
   if (parameter.kind === 'number' || parameter.kind === 'integer') return readNumber(parameter, text, fallback);
   const value = parse(parameter, text);
   return value === undefined ? malformed(parameter, text, fallback) : { value };

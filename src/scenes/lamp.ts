@@ -25,6 +25,7 @@ export function lamp(): Scene {
     name: 'lamp',
     rig: rig(model),
     rigids: rigids(model),
+    rigidNames: ['Ball', 'Table', ...model.collision.map((_, part) => `Lamp, part ${part + 1}`)],
     surfaces: surfaces(model),
     handle: {
       rigid: BALL,

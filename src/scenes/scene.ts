@@ -30,6 +30,8 @@ export interface Scene {
   rig: Readonly<Record<string, number>>;
   /** In the order of their numbers. A scene without rigids never loads the physics. */
   rigids: readonly RigidDescription[];
+  /** What people call them, by their number: emitters and forces can ride on any of them. */
+  rigidNames: readonly string[];
   surfaces: readonly SurfaceDescription[];
   handle?: Handle;
   camera: CameraPose;

@@ -2,8 +2,8 @@
  * Rigids as a caller describes them, and as they cross into WASM.
  */
 import { ParameterError } from '../preset/errors.ts';
-
-type Triple = ArrayLike<number>;
+import { poseNumbers, type Quaternion, type Triple } from './pose.ts';
+import { pathNumbers, spinNumbers, type RigidPath, type RigidSpin } from './rigidPath.ts';
 
 /** A single shape stands around its own origin; capsule and cylinder along y. Lengths in metres. */
 export type SingleShape =
@@ -23,7 +23,7 @@ export interface RigidPart {
   /** Metres. */
   position: Triple;
   /** Unit quaternion x, y, z, w; no rotation when left out. */
-  rotation?: ArrayLike<number>;
+  rotation?: Quaternion;
 }
 
 /** One shape, or 1 to 64 of them that move as one. */
@@ -37,25 +37,25 @@ export interface RigidDescription {
   /** Metres. */
   position: Triple;
   /** Unit quaternion x, y, z, w; no rotation when left out. */
-  rotation?: ArrayLike<number>;
+  rotation?: Quaternion;
   /** 0 (default): nothing bounces. 1: particles and rigids keep their speed. */
   restitution?: number;
   /** 0: smooth. 1: what touches it keeps no speed along it. Default 0.5. */
   friction?: number;
   /** kg/m3, default 1000; for dynamic rigids. */
   density?: number;
+  /** How a kinematic rigid spins, on top of all else that moves it. */
+  spin?: RigidSpin;
+  /** Where a kinematic rigid goes by itself; it begins at `position` all the same. */
+  path?: RigidPath;
 }
 
 /** The arguments of the module's addRigid, in its order; `sim/src/rigids/numbers.rs` tells what they mean. */
-export type RigidArguments = [numbers: Float32Array, vertices: Float32Array, indices: Uint32Array];
-
-/** Position, then the quaternion x, y, z, w. */
-export type PoseNumbers = [x: number, y: number, z: number, i: number, j: number, k: number, w: number];
+export type RigidArguments = [numbers: Float32Array, vertices: Float32Array, indices: Uint32Array, path: Float32Array];
 
 const KINDS: readonly string[] = ['fixed', 'kinematic', 'dynamic'];
 const SHAPES: readonly string[] = ['ball', 'cuboid', 'capsule', 'cylinder', 'convexHull', 'trimesh'];
 const ORIGIN = [0, 0, 0];
-const NO_ROTATION = [0, 0, 0, 1];
 
 /** @throws ParameterError when the kind or the shape has no such name; numbers are judged by the simulator. */
 export function rigidArguments(description: RigidDescription): RigidArguments {
@@ -66,6 +66,7 @@ export function rigidArguments(description: RigidDescription): RigidArguments {
     description.restitution ?? 0,
     description.friction ?? 0.5,
     description.density ?? 1000,
+    ...spinNumbers(description.spin),
   ];
   const flat: Flat = { numbers, vertices: [], indices: [] };
   if (shape.type === 'compound') {
@@ -76,12 +77,12 @@ export function rigidArguments(description: RigidDescription): RigidArguments {
     numbers.push(0);
     pushPart(flat, { shape, position: ORIGIN }, 'rigid');
   }
-  return [Float32Array.from(numbers), Float32Array.from(flat.vertices), Uint32Array.from(flat.indices)];
-}
-
-/** Position and rotation as the seven numbers of a pose. */
-export function poseNumbers(position: Triple, rotation: ArrayLike<number> = NO_ROTATION): PoseNumbers {
-  return [position[0], position[1], position[2], rotation[0], rotation[1], rotation[2], rotation[3]];
+  return [
+    Float32Array.from(numbers),
+    Float32Array.from(flat.vertices),
+    Uint32Array.from(flat.indices),
+    pathNumbers(description.path),
+  ];
 }
 
 interface Flat {

@@ -3,7 +3,9 @@
  */
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type * as Bindings from './wasm/core/bindings.js';
-import { poseNumbers, rigidArguments, type RigidDescription } from './rigid.ts';
+import { poseNumbers } from './pose.ts';
+import { rigidArguments, type RigidDescription } from './rigid.ts';
+import { pathNumbers, spinNumbers, type RigidPath, type RigidSpin } from './rigidPath.ts';
 import { LOOK_WORDS, PLACE_FLOATS, POSE_FLOATS, RIGID_FLOATS, type Rows } from './rows.ts';
 import { VIEW_FLOATS, writeView, type View } from './view.ts';
 
@@ -78,12 +80,41 @@ export class Simulator {
 
   /**
    * Sends a kinematic rigid to a place, which it reaches in the coming step, or later when it would have to move
-   * faster than 20 m/s.
+   * faster than 120 m/s. It leaves its path for that; its spin goes on.
    *
    * @param rotation Unit quaternion x, y, z, w; no rotation when left out.
    */
   moveRigid(index: number, position: ArrayLike<number>, rotation?: ArrayLike<number>): void {
     this.#attempt(() => this.#handle.moveRigid(index, ...poseNumbers(position, rotation)));
+  }
+
+  /** Gives a kinematic rigid a path by the simulator's time, or takes it away. */
+  setPath(index: number, path?: RigidPath): void {
+    const numbers = pathNumbers(path);
+    this.#attempt(() => this.#handle.setRigidPath(index, numbers));
+  }
+
+  /** Lets a kinematic rigid spin on top of all else that moves it, or ends that; it goes on from how it is turned. */
+  setSpin(index: number, spin?: RigidSpin): void {
+    this.#attempt(() => this.#handle.setRigidSpin(index, ...spinNumbers(spin)));
+  }
+
+  /**
+   * Draws a point of a kinematic or dynamic rigid to a place by a critically damped spring that is as fast for every
+   * mass, until {@link releaseRigid}. Call it again to move the place.
+   *
+   * @param anchor The point in the rigid's own space, metres.
+   * @param target Metres, world space.
+   * @param stiffness The spring's angular frequency, 0.1 to 200 1/s: a twentieth of the way is left after 4.7 / stiffness s.
+   */
+  dragRigid(index: number, anchor: ArrayLike<number>, target: ArrayLike<number>, stiffness = 30): void {
+    const [a, b, c] = [anchor[0], anchor[1], anchor[2]];
+    this.#attempt(() => this.#handle.dragRigid(index, a, b, c, target[0], target[1], target[2], stiffness));
+  }
+
+  /** Lets go: a kinematic rigid stays or goes back to its path, a dynamic one flies on. */
+  releaseRigid(index: number): void {
+    this.#attempt(() => this.#handle.releaseRigid(index));
   }
 
   /** Advances by `count` steps of 1/60 s. */

@@ -1,11 +1,12 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { Values } from '../preset/parameter.ts';
+import { findParameter } from '../preset/table.ts';
 import type { Scene } from '../scenes/scene.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import { POSE_FLOATS } from '../sim/rows.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { Drag } from './drag.ts';
-import { simulatorValues } from './simulatorValues.ts';
+import { simulatorValues, valueOf } from './simulatorValues.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);
 
@@ -37,9 +38,22 @@ export class Simulation {
     this.current = this.create(values);
   }
 
-  /** Hands on what the simulator reads of `changed`; `values` holds all of them. */
-  set(values: Values, changed: Values): void {
-    this.current.set(simulatorValues(values, changed));
+  /** Hands on what the simulator reads of `changed`. */
+  set(changed: Values): void {
+    this.current.set(simulatorValues(changed));
+  }
+
+  /** Lets optional parameters go back to what the scene has, or to their defaults. */
+  unset(keys: readonly string[]): void {
+    this.set(Object.fromEntries(keys.map((key) => [key, this.rig[key] ?? findParameter(key)!.default])));
+  }
+
+  /** What the scene sets of the optional parameters. */
+  get rig(): Values {
+    const entries = Object.entries(this.scene.rig).map(([key, number]) => [key, findParameter(key), number] as const);
+    return Object.fromEntries(
+      entries.flatMap(([key, parameter, number]) => (parameter?.isOptional ? [[key, valueOf(parameter, number)]] : [])),
+    );
   }
 
   advance(steps: number): void {
@@ -81,7 +95,7 @@ export class Simulation {
   private create(values: Values): Simulator {
     const capacity = values['simulation.maxParticles'] as number;
     const simulator = this.factory.create({ capacity, seed: values.seed as number });
-    simulator.set({ ...this.scene.rig, ...simulatorValues(values, values) });
+    simulator.set({ ...this.scene.rig, ...simulatorValues(values) });
     for (const rigid of this.scene.rigids) simulator.addRigid(rigid);
     this.drag = this.scene.handle && new Drag(this.scene.handle);
     return simulator;

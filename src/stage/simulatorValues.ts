@@ -1,10 +1,23 @@
-import type { Values } from '../preset/parameter.ts';
-import { table } from '../preset/table.ts';
+import type { Parameter, Value, Values } from '../preset/parameter.ts';
+import { findParameter } from '../preset/table.ts';
 
-const simulatorKeys = new Set(table.filter(({ reader }) => reader === 'simulator').map(({ key }) => key));
+/** Of `values`, those that the simulator reads, as its numbers. */
+export function simulatorValues(values: Values): Record<string, number> {
+  const numbers: Record<string, number> = {};
+  for (const [key, value] of Object.entries(values)) {
+    const parameter = findParameter(key);
+    if (parameter?.reader === 'simulator') numbers[key] = numberOf(parameter, value);
+  }
+  return numbers;
+}
 
-/** Of the keys in `changed`, those that the simulator reads, with their values as numbers. */
-export function simulatorValues(values: Values, changed: Values): Record<string, number> {
-  const keys = Object.keys(changed).filter((key) => simulatorKeys.has(key));
-  return Object.fromEntries(keys.map((key) => [key, Number(values[key])]));
+/** The value of a parameter as people see it, from the number that the simulator has. */
+export function valueOf(parameter: Parameter, number: number): Value {
+  return parameter.kind === 'choice' ? parameter.options[number].value : number;
+}
+
+/** Choices are numbered from 0 on. */
+function numberOf(parameter: Parameter, value: Value): number {
+  if (parameter.kind !== 'choice') return Number(value);
+  return parameter.options.findIndex((option) => option.value === value);
 }

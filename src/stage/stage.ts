@@ -2,7 +2,7 @@ import { MathUtils, Vector2, Vector3 } from 'three';
 import type { DeviceCanvas } from '../device/device.ts';
 import { SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
-import { defaults, validate } from '../preset/values.ts';
+import { defaults, requireOptional, validate } from '../preset/values.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
 import { loadSimulators, type SimulatorFactory } from '../sim/load.ts';
@@ -160,7 +160,7 @@ export class Stage {
     validate(values);
     const before = this.#values;
     const after = { ...before, ...values };
-    this.#simulation.set(after, values);
+    this.#simulation.set(values);
     this.#values = after;
     this.#style = styleOf(after);
     this.#aimLight();
@@ -170,9 +170,32 @@ export class Stage {
     if (!this.#playing) this.#draw();
   }
 
-  /** All values by flat key. */
+  /**
+   * Lets optional parameters, those of lists, go back to what the scene has.
+   * @throws ParameterError for a key that is not optional
+   */
+  unset(keys: readonly string[]): void {
+    this.#requireAlive();
+    keys.forEach(requireOptional);
+    this.#simulation.unset(keys);
+    this.#values = Object.fromEntries(Object.entries(this.#values).filter(([key]) => !keys.includes(key)));
+    this.#listeners.tell('statechange', { playing: this.#playing });
+    if (!this.#playing) this.#draw();
+  }
+
+  /** All values by flat key; optional ones only where somebody has set them. */
   get(): Values {
     return { ...this.#values };
+  }
+
+  /** Names of the scene's rigids by their number, for people who attach something to one. */
+  get rigidNames(): readonly string[] {
+    return this.#scene.rigidNames;
+  }
+
+  /** What the scene itself sets of the optional parameters; it holds wherever `get()` has no value. */
+  get rig(): Values {
+    return this.#simulation.rig;
   }
 
   /**

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { figure, type Figure } from '../bench/support/figures.ts';
 import { median, ratios, slope, spread } from '../bench/support/statistics.ts';
 import { meanDistance, type Contestant } from '../bench/sim/contestant.ts';
-import { takeTurns } from '../bench/sim/rounds.ts';
+import { takeTurns, type Plan } from '../bench/sim/rounds.ts';
 
 // Its path is no literal, because the compiler has no types for plain JavaScript here.
 const path = '../bench/sim/costsTable.mjs';
@@ -76,7 +76,7 @@ class Clockwork implements Contestant {
 }
 
 describe('turns', () => {
-  const plan = { rounds: 3, share: 40, warming: 50 };
+  const plan: Plan = { rounds: 3, share: 40, warming: 50, slice: 10, cost: 'mean' };
 
   it('give nanoseconds for a particle and a step, whatever the pace', async () => {
     const log: string[] = [];
@@ -85,7 +85,24 @@ describe('turns', () => {
     expect(costs.quick).toHaveLength(3);
     for (const cost of costs.quick) expect(cost).toBeCloseTo(500, 9);
     for (const cost of costs.slow) expect(cost).toBeCloseTo(200_000, 6);
-    expect([quick.restarts, slow.restarts]).toEqual([5, 5]);
+    expect([quick.restarts, slow.restarts]).toEqual([4, 4]);
+  });
+
+  it('cost the mean of their slices, or the cheapest', async () => {
+    // After warming by one and by ten steps each round has four slices of ten steps.
+    const moody = () => {
+      let slice = 0;
+      return {
+        name: 'moody',
+        restart() {},
+        advance: (steps: number) => (slice++ < 6 ? steps : steps * [2, 6, 3, 5][(slice - 7) % 4]),
+        dispose() {},
+      };
+    };
+    expect((await takeTurns([moody()], [1000], plan, 'test')).moody).toEqual([4000, 4000, 4000]);
+    expect((await takeTurns([moody()], [1000], { ...plan, cost: 'cheapest' }, 'test')).moody).toEqual([
+      2000, 2000, 2000,
+    ]);
   });
 
   it('change who is first, and never let one run through its share alone', async () => {

@@ -1,18 +1,18 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { Editor } from '../../src/app/editor.ts';
+import { Editor, type Changes } from '../../src/app/editor.ts';
 import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from '../../src/app/slider.ts';
 import { defaultState } from '../../src/preset/codec.ts';
-import type { NumberParameter, Values } from '../../src/preset/parameter.ts';
+import type { NumberParameter } from '../../src/preset/parameter.ts';
 import { findParameter, table } from '../../src/preset/table.ts';
 import { isAccepted } from '../../src/preset/values.ts';
 
 const numbers = table.filter((row): row is NumberParameter => row.kind === 'number' || row.kind === 'integer');
 const RATE = 'emission.rate';
 
-function editing(): { editor: Editor; told: Values[]; rate: () => unknown } {
+function editing(): { editor: Editor; told: Changes[]; rate: () => unknown } {
   const editor = new Editor(defaultState());
-  const told: Values[] = [];
+  const told: Changes[] = [];
   editor.listen((_state, changed) => told.push(changed));
   return { editor, told, rate: () => editor.state.values[RATE] };
 }

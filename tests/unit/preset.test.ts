@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { readEnvironment } from '../../src/preset/environment.ts';
 import { ParameterError } from '../../src/preset/errors.ts';
 import { defaultPreset, findPreset, presets, presetValues } from '../../src/preset/presets.ts';
-import { findParameter, groups, table } from '../../src/preset/table.ts';
+import { findParameter, groups, itemGroups, table } from '../../src/preset/table.ts';
 import { defaults, isAccepted, validate } from '../../src/preset/values.ts';
 
 /** What other people's links and pages rely on. */
@@ -39,7 +39,7 @@ describe('table', () => {
     const keys = table.map(({ key }) => key);
     expect(keys).toEqual(expect.arrayContaining(PROMISED));
     expect(new Set(keys).size).toBe(keys.length);
-    for (const row of table) expect(groups.map(({ key }) => key)).toContain(row.group);
+    for (const row of table) expect([...groups, ...itemGroups].map(({ key }) => key)).toContain(row.group);
   });
 
   it('has a default that each row accepts and that a slider of its step can reach', () => {

@@ -19,11 +19,11 @@ function range(parameter: Parameter): string {
   }
 }
 
-/** Vortices are alike: the first stands for all. */
+/** The items of a list are alike, and a vector's three numbers too: the first stands for all. */
 function rows(): string[] {
-  const listed = table.filter(({ key }) => !/^vortices\.[1-9]/.test(key));
+  const listed = table.filter(({ key }) => !/^\w+\.[1-7]\./.test(key) && !/^\w+\.0\..*\.[yz]$/.test(key));
   return listed.map((parameter) => {
-    const key = parameter.key.replace('vortices.0', 'vortices.0‥3');
+    const key = parameter.key.replace('.0.', '.0‥7.').replace(/(?<=\.0‥7\..*)\.x$/, '.x, .y, .z');
     return `| \`${key}\` | ${range(parameter)} | ${parameter.default} | ${parameter.text} |`;
   });
 }

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { ParameterError, SimulatorError } from '../../src/preset/errors.ts';
 import type { RigidDescription, RigidPart, RigidShape } from '../../src/sim/rigid.ts';
+import type { RigidPath } from '../../src/sim/rigidPath.ts';
 import { EVERYTHING } from '../support/everything.ts';
 import { JET, loadVariant } from './simWasm.ts';
 
@@ -18,7 +19,11 @@ const SHAPES: RigidShape[] = [
     type: 'compound',
     parts: [
       { shape: { type: 'ball', radius: 0.3 }, position: [0.5, 0, 0] },
-      { shape: { type: 'trimesh', vertices: TETRAHEDRON, indices: FACES }, position: [0, 1, 0], rotation: [1, 0, 0, 0] },
+      {
+        shape: { type: 'trimesh', vertices: TETRAHEDRON, indices: FACES },
+        position: [0, 1, 0],
+        rotation: [1, 0, 0, 0],
+      },
     ],
   },
 ];
@@ -48,7 +53,10 @@ describe('rigids', () => {
     const mesh = (indices: number[], vertices = TETRAHEDRON): RigidShape => ({ type: 'trimesh', vertices, indices });
     const ball = still(SHAPES[0]);
     const compound = (shape: unknown, position = [0, 0, 0]): RigidDescription => {
-      const parts = [{ shape: SHAPES[0], position: [0, 0, 0] }, { shape, position }] as RigidPart[];
+      const parts = [
+        { shape: SHAPES[0], position: [0, 0, 0] },
+        { shape, position },
+      ] as RigidPart[];
       return still({ type: 'compound', parts });
     };
     const wrong: [RigidDescription, string][] = [
@@ -106,12 +114,47 @@ describe('rigids', () => {
     simulator.dispose();
   });
 
+  it('follow paths, spin and springs, each refused by name', async () => {
+    const simulator = await create();
+    const spin = { axis: [0, 1, 0], rate: 2 };
+    const points = [
+      [0, 0, 0],
+      [1, 0, 0],
+      [2, 1, 0],
+    ];
+    const onPath = simulator.addRigid({
+      ...still(SHAPES[0]),
+      path: { type: 'spline', points, duration: 1 },
+      spin,
+    });
+    const dragged = simulator.addRigid({ ...still(SHAPES[0]), kind: 'dynamic', position: [0, 5, 0] });
+    simulator.step();
+    simulator.dragRigid(dragged, [0, 0, 0], [3, 5, 0]);
+    simulator.step(60);
+    const poses = simulator.rigidPoses(1);
+    [2, 1, 0].forEach((place, axis) => expect(poses[axis]).toBeCloseTo(place, 4));
+    expect(2 * Math.atan2(poses[4], poses[6])).toBeCloseTo((2 * 61) / 60, 3);
+    expect(poses[7]).toBeCloseTo(3, 2);
+    simulator.releaseRigid(dragged);
+    simulator.setSpin(onPath);
+    simulator.setPath(onPath, { type: 'keyframes', frames: [{ time: 0, position: [5, 5, 5] }], loop: true });
+    simulator.step(10);
+    expect(simulator.rigidPoses(1)[2]).toBeCloseTo(5, 5);
+    expect(simulator.rigidPoses(1)[8]).toBeLessThan(5);
+    expect(() => simulator.setPath(onPath, { type: 'spline', points, speed: 0 })).toThrow(/rigid\.path\.speed/);
+    expect(() => simulator.setPath(dragged, { type: 'spline', points, speed: 1 })).toThrow(/kinematic/);
+    expect(() => simulator.setPath(onPath, { type: 'orbit' } as unknown as RigidPath)).toThrow(/rigid\.path\.type/);
+    expect(() => simulator.setSpin(onPath, { axis: [0, 0, 0], rate: 1 })).toThrow(/rigid\.spin\.axis/);
+    expect(() => simulator.dragRigid(onPath, [0, 0, 0], [NaN, 0, 0])).toThrow(/rigid\.drag\.target\.x/);
+    expect(() => simulator.dragRigid(9, [0, 0, 0], [0, 0, 0])).toThrow(/rigid\.index/);
+    simulator.dispose();
+  });
+
   it('give poses between two steps', async () => {
     const simulator = await create();
     const ball = simulator.addRigid(still(SHAPES[0]));
     simulator.moveRigid(ball, [0.2, 0, 0], [0, Math.SQRT1_2, 0, Math.SQRT1_2]);
-    // A quarter turn of a ball of half a metre and 0.2 m of way are more than 20 m/s allow in one step.
-    simulator.step(6);
+    simulator.step();
     simulator.moveRigid(ball, [0.3, 0, 0], [0, Math.SQRT1_2, 0, Math.SQRT1_2]);
     simulator.step();
     const at = (blend: number) => [...simulator.rigidPoses(blend)];

@@ -14,7 +14,7 @@ it(`burns for ${STEPS} steps with constant memory and every particle in its plac
   const simulator = factory.create({ capacity: 1000, seed: 11 });
   const values = presetValues(defaultPreset);
   const scene = lamp();
-  simulator.set({ ...scene.rig, ...simulatorValues(values, values), 'emission.rate': 130 });
+  simulator.set({ ...scene.rig, ...simulatorValues(values), 'emission.rate': 130 });
   for (const rigid of scene.rigids) simulator.addRigid(rigid);
   simulator.step(STEPS / SAMPLES);
   const bytes = factory.module.memory.buffer.byteLength;

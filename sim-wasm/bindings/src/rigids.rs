@@ -7,7 +7,7 @@ use crate::simulator::Simulator;
 
 #[cfg(feature = "rigids")]
 mod with_rapier {
-    use sim::rigids::{RigidDescription, RigidNumbers, Rigids, pose_of};
+    use sim::rigids::{Grab, Path, RigidDescription, RigidNumbers, Rigids, pose_of};
     use wasm_bindgen::JsValue;
 
     use crate::refusal::parameter_refusal;
@@ -20,6 +20,30 @@ mod with_rapier {
     pub fn move_to(rigids: &mut Rigids, index: u32, pose: &[f32]) -> Result<(), JsValue> {
         let pose = pose_of(pose).map_err(parameter_refusal)?;
         rigids.move_to(index, pose).map_err(parameter_refusal)
+    }
+
+    pub fn set_path(rigids: &mut Rigids, index: u32, numbers: &[f32]) -> Result<(), JsValue> {
+        let path = Path::from_numbers(numbers).map_err(parameter_refusal)?;
+        rigids.set_path(index, path).map_err(parameter_refusal)
+    }
+
+    pub fn set_spin(rigids: &mut Rigids, index: u32, axis: [f32; 3], rate: f32) -> Result<(), JsValue> {
+        rigids.set_spin(index, axis, rate).map_err(parameter_refusal)
+    }
+
+    pub fn drag(
+        rigids: &mut Rigids,
+        index: u32,
+        anchor: [f32; 3],
+        target: [f32; 3],
+        stiffness: f32,
+    ) -> Result<(), JsValue> {
+        let grab = Grab::from_numbers(anchor, target, stiffness).map_err(parameter_refusal)?;
+        rigids.drag(index, grab).map_err(parameter_refusal)
+    }
+
+    pub fn release(rigids: &mut Rigids, index: u32) -> Result<(), JsValue> {
+        rigids.release(index).map_err(parameter_refusal)
     }
 }
 
@@ -35,7 +59,13 @@ impl Simulator {
     /// Adds a rigid and returns its index; `sim::rigids::RigidNumbers` tells what the numbers mean.
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = addRigid)]
-    pub fn add_rigid(&mut self, numbers: &[f32], vertices: &[f32], indices: &[u32]) -> Result<u32, JsValue> {
+    pub fn add_rigid(
+        &mut self,
+        numbers: &[f32],
+        vertices: &[f32],
+        indices: &[u32],
+        path: &[f32],
+    ) -> Result<u32, JsValue> {
         #[cfg(feature = "rigids")]
         return with_rapier::add(
             self.simulator.rigids_mut(),
@@ -43,6 +73,7 @@ impl Simulator {
                 numbers,
                 vertices,
                 indices,
+                path,
             },
         );
         #[cfg(not(feature = "rigids"))]
@@ -67,6 +98,57 @@ impl Simulator {
     ) -> Result<(), JsValue> {
         #[cfg(feature = "rigids")]
         return with_rapier::move_to(self.simulator.rigids_mut(), index, &[x, y, z, i, j, k, w]);
+        #[cfg(not(feature = "rigids"))]
+        Err(without_rapier())
+    }
+
+    /// Gives a kinematic rigid a path; no numbers take it away. `sim::rigids::path` tells what they mean.
+    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[wasm_bindgen(js_name = setRigidPath)]
+    pub fn set_rigid_path(&mut self, index: u32, numbers: &[f32]) -> Result<(), JsValue> {
+        #[cfg(feature = "rigids")]
+        return with_rapier::set_path(self.simulator.rigids_mut(), index, numbers);
+        #[cfg(not(feature = "rigids"))]
+        Err(without_rapier())
+    }
+
+    /// Lets a kinematic rigid spin about an axis of its own, in rad/s.
+    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[wasm_bindgen(js_name = setRigidSpin)]
+    pub fn set_rigid_spin(&mut self, index: u32, x: f32, y: f32, z: f32, rate: f32) -> Result<(), JsValue> {
+        #[cfg(feature = "rigids")]
+        return with_rapier::set_spin(self.simulator.rigids_mut(), index, [x, y, z], rate);
+        #[cfg(not(feature = "rigids"))]
+        Err(without_rapier())
+    }
+
+    /// Draws the point a, b, c of a rigid to x, y, z of the world by a spring.
+    #[allow(clippy::too_many_arguments, reason = "as with moveRigid")]
+    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[wasm_bindgen(js_name = dragRigid)]
+    pub fn drag_rigid(
+        &mut self,
+        index: u32,
+        a: f32,
+        b: f32,
+        c: f32,
+        x: f32,
+        y: f32,
+        z: f32,
+        stiffness: f32,
+    ) -> Result<(), JsValue> {
+        #[cfg(feature = "rigids")]
+        return with_rapier::drag(self.simulator.rigids_mut(), index, [a, b, c], [x, y, z], stiffness);
+        #[cfg(not(feature = "rigids"))]
+        Err(without_rapier())
+    }
+
+    /// Lets go of a rigid.
+    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[wasm_bindgen(js_name = releaseRigid)]
+    pub fn release_rigid(&mut self, index: u32) -> Result<(), JsValue> {
+        #[cfg(feature = "rigids")]
+        return with_rapier::release(self.simulator.rigids_mut(), index);
         #[cfg(not(feature = "rigids"))]
         Err(without_rapier())
     }

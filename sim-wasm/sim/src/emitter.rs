@@ -35,6 +35,7 @@ pub struct Emitter {
 }
 
 impl Item for Emitter {
+    const LABEL: &'static str = "Emitter";
     const FIELDS: &'static [Field<Self>] = &[
         number("shape", "1", [0.0, 2.0], 0.0, |e: &mut Self| &mut e.shape)
             .named(&["point", "disc", "ball"])
@@ -231,7 +232,7 @@ impl Source<'_, '_> {
 }
 
 /// A place in the ball of radius 1, by rejection: no cube root, and uniform.
-pub(crate) fn in_ball(random: &mut Random) -> [f32; 3] {
+fn in_ball(random: &mut Random) -> [f32; 3] {
     loop {
         let place = [random.signed(), random.signed(), random.signed()];
         if place.iter().map(|component| component * component).sum::<f32>() <= 1.0 {

@@ -10,6 +10,8 @@ pub mod error;
 pub mod forces;
 pub mod hash;
 pub mod life;
+#[cfg(feature = "bench")]
+pub mod measure;
 pub mod motion;
 mod obstacles;
 mod order;
@@ -26,7 +28,6 @@ mod snapshot;
 pub mod take;
 pub mod tile;
 pub mod view;
-pub mod vortex_particles;
 
 pub use error::{ParameterError, RestoreError};
 pub use simulator::Simulator;

@@ -19,6 +19,7 @@ pub struct Collider {
 }
 
 impl Item for Collider {
+    const LABEL: &'static str = "Obstacle";
     const FIELDS: &'static [Field<Self>] = &[
         number("shape", "1", [0.0, 3.0], 0.0, |c: &mut Self| &mut c.shape)
             .named(&["plane", "ball", "box", "capsule"])

@@ -155,6 +155,52 @@ pub fn rows() -> Vec<Row> {
     rows
 }
 
+/// The lists as JSON, for pages that let people fill them: the name and the label of each list, and of each of its
+/// parameters everything that `Meta` holds. One parameter a line.
+#[cfg(not(target_family = "wasm"))]
+pub fn lists_as_json() -> String {
+    let lists: Vec<String> = sections()
+        .filter(|section| section.is_list())
+        .map(list_as_json)
+        .collect();
+    format!("{{\n{}\n}}\n", lists.join(",\n"))
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn list_as_json(section: &dyn Section) -> String {
+    let mut fields = Vec::new();
+    let mut field = 0;
+    while let Some((meta, ends)) = section.meta(field) {
+        fields.push(format!("      {}", field_as_json(meta, ends)));
+        field += 1;
+    }
+    let (name, label) = (section.name(), section.label());
+    let fields = fields.join(",\n");
+    format!("  \"{name}\": {{\n    \"label\": \"{label}\",\n    \"fields\": [\n{fields}\n    ]\n  }}")
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn field_as_json(meta: &Meta, ends: &[&str]) -> String {
+    let Meta {
+        key,
+        unit,
+        min,
+        max,
+        default,
+        whole,
+        names,
+        start,
+        label,
+        text,
+    } = meta;
+    let default = &default[..ends.len()];
+    let start = start.map(|start| format!(", \"start\": {start}")).unwrap_or_default();
+    format!(
+        "{{ \"key\": \"{key}\", \"unit\": \"{unit}\", \"min\": {min}, \"max\": {max}, \"default\": {default:?}{start}, \
+         \"whole\": {whole}, \"names\": {names:?}, \"label\": \"{label}\", \"text\": \"{text}\" }}"
+    )
+}
+
 /// The table as text, one line a key: `key min max default whole|real unit`, for comparison with other tables.
 pub fn describe() -> String {
     let line = |row: Row| {

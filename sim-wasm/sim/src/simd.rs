@@ -5,7 +5,7 @@
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 use wide::bytemuck::cast;
-use wide::{f32x4, i32x4};
+use wide::{f32x4, i32x4, u32x4};
 
 use crate::particles::LANES;
 
@@ -29,6 +29,27 @@ impl Vector4 {
             x: f32x4::splat(v[0]),
             y: f32x4::splat(v[1]),
             z: f32x4::splat(v[2]),
+        }
+    }
+
+    /// The same number in every component.
+    #[inline(always)]
+    pub fn diagonal(value: f32x4) -> Self {
+        Self {
+            x: value,
+            y: value,
+            z: value,
+        }
+    }
+
+    /// The opposite vector in lanes where the highest bit of `sign` is set; its other bits must be 0.
+    #[inline(always)]
+    pub fn negated_where(self, sign: u32x4) -> Self {
+        let sign: f32x4 = cast(sign);
+        Self {
+            x: self.x ^ sign,
+            y: self.y ^ sign,
+            z: self.z ^ sign,
         }
     }
 
@@ -129,14 +150,21 @@ pub fn smaller(a: f32x4, b: f32x4) -> f32x4 {
     a.simd_lt(b).select(a, b)
 }
 
-/// Whole cell below `value` and the position within it, 0..=1. For |value| under 2^22: the finest octave of the
-/// smallest scale at the end of the world is at 1.6e6.
+/// The larger of two numbers; they must not be zeros of different sign.
 #[inline(always)]
-pub fn cell_and_fraction(value: f32x4) -> (i32x4, f32x4) {
+pub fn larger(a: f32x4, b: f32x4) -> f32x4 {
+    a.simd_gt(b).select(a, b)
+}
+
+/// The number that [`cell_and_fraction`] gives to cell 0.
+pub const CELL_ZERO: u32 = 0x4B40_0000;
+
+/// Whole cell below `value`, counted from [`CELL_ZERO`], and the position within it, 0..=1. For |value| under 2^22.
+#[inline(always)]
+pub fn cell_and_fraction(value: f32x4) -> (u32x4, f32x4) {
     let below = value.floor();
     // Beside 1.5 * 2^23 the last bits of a float are its whole number; a conversion that saturates costs far more.
-    let bits = cast::<f32x4, i32x4>(below + f32x4::splat(12_582_912.0));
-    (bits - i32x4::splat(0x4B40_0000), value - below)
+    (cast(below + f32x4::splat(12_582_912.0)), value - below)
 }
 
 /// exp(-x) for x >= 0, relative error under 3e-7 up to x = 80; beyond, exp(-80).
@@ -182,7 +210,8 @@ mod tests {
     fn cells_lie_below_and_fractions_within() {
         for value in [-3.0_f32, -2.5, -0.1, -1e-9, 0.0, 0.3, 1.0, 1e6 + 0.5] {
             let (cell, fraction) = cell_and_fraction(f32x4::splat(value));
-            assert_eq!(cell.to_array()[1], value.floor() as i32, "cell of {value}");
+            let expected = (value.floor() as i32 as u32).wrapping_add(CELL_ZERO);
+            assert_eq!(cell.to_array()[1], expected, "cell of {value}");
             assert!((0.0..=1.0).contains(&fraction.to_array()[1]), "fraction of {value}");
         }
     }

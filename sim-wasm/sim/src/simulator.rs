@@ -24,13 +24,27 @@ use crate::snapshot::{self, Room};
 use crate::take::Recorder;
 use crate::take::touch::Touch;
 use crate::view::View;
-use crate::vortex_particles::{VortexParticle, VortexParticles};
 
 /// Length of a step (s).
 pub const STEP: f64 = 1.0 / 60.0;
 
 /// Most particles that a simulator can be made for.
 pub const CAPACITY_LIMIT: u32 = 1_000_000;
+
+/// What a step consists of, in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Rapier's step.
+    World,
+    /// The rigids' ways from pose to pose made ready for particles.
+    Follow,
+    /// Births and motion.
+    Motion,
+    /// Particles out of colliders and rigids.
+    Collision,
+    /// Ageing, and what changes without particles.
+    Rest,
+}
 
 /// A simulation. See the head of this file.
 pub struct Simulator {
@@ -43,8 +57,6 @@ pub struct Simulator {
     pub(crate) particles: Particles,
     #[cfg(feature = "rigids")]
     pub(crate) rigids: Rigids,
-    /// None as long as there never was a shedder.
-    pub(crate) vortex_particles: Option<Box<VortexParticles>>,
     pub(crate) touch: Touch,
     pub(crate) recorder: Recorder,
     arranger: Arranger,
@@ -66,7 +78,6 @@ impl Simulator {
             particles: Particles::new(room),
             #[cfg(feature = "rigids")]
             rigids: Rigids::new(),
-            vortex_particles: None,
             touch: Touch::default(),
             recorder: Recorder::default(),
             arranger: Arranger::new(room),
@@ -84,11 +95,7 @@ impl Simulator {
         let before = self.integrator();
         self.parameters.set_all(entries)?;
         if self.integrator() != before {
-            let stirrers = self.vortex_particles.as_deref();
-            self.motion().take_over(&mut self.particles, stirrers);
-        }
-        if !self.parameters.shedders.items().is_empty() {
-            self.vortex_particles_mut();
+            self.motion().take_over(&mut self.particles);
         }
         Ok(())
     }
@@ -112,18 +119,29 @@ impl Simulator {
 
     /// Advances by 1/60 s.
     pub fn step(&mut self) {
+        self.step_in_parts(|_| ());
+    }
+
+    /// As `step`; calls `ended` at the end of each part, so that a measurement can tell what it took.
+    pub(crate) fn step_in_parts(&mut self, mut ended: impl FnMut(Part)) {
         #[cfg(feature = "rigids")]
-        self.rigids.advance(STEP as f32);
+        self.rigids.step_world(STEP as f32);
+        ended(Part::World);
+        #[cfg(feature = "rigids")]
+        self.rigids.follow_world(STEP as f32);
+        ended(Part::Follow);
         let motion = self.motion();
         self.bear(&motion);
-        motion.advance(&mut self.particles, self.vortex_particles.as_deref());
+        motion.advance(&mut self.particles);
+        ended(Part::Motion);
         self.collide();
+        ended(Part::Collision);
         life::advance(&mut self.particles, &Ageing::new(&self.parameters, STEP));
-        self.shed(&motion);
         turbulence::advance(&mut self.turbulence, &self.parameters, STEP);
         self.touch.advance();
         self.steps += 1;
         self.follow_log();
+        ended(Part::Rest);
     }
 
     /// Writes the rows that the 32 numbers of `view` ask for (see [`View`]) and returns how many there are. Refuses a
@@ -187,23 +205,7 @@ impl Simulator {
 
     /// Velocity of the air (m/s) at a place (m) in the middle of the coming step.
     pub fn air_velocity(&self, place: [f32; 3]) -> [f32; 3] {
-        self.motion().air_velocity(place, self.vortex_particles.as_deref())
-    }
-
-    /// Adds a vortex particle that no shedder made; when there are too many, the first goes. False, and nothing
-    /// changed, when it is not sound.
-    pub fn add_vortex_particle(&mut self, particle: &VortexParticle) -> bool {
-        self.vortex_particles_mut().add(particle)
-    }
-
-    /// How many vortex particles there are.
-    pub fn vortex_particles(&self) -> usize {
-        self.vortex_particles.as_ref().map_or(0, |all| all.count())
-    }
-
-    /// Vortex particle number `index`, in the order in which they were shed.
-    pub fn vortex_particle(&self, index: usize) -> Option<VortexParticle> {
-        self.vortex_particles.as_ref()?.get(index)
+        self.motion().air_velocity(place)
     }
 
     /// The rigids.
@@ -241,9 +243,6 @@ impl Simulator {
         }
         waiting.iter().for_each(|count| hash.long(*count));
         self.touch.hash_into(&mut hash);
-        if let Some(all) = &self.vortex_particles {
-            all.hash_into(&mut hash);
-        }
         #[cfg(feature = "rigids")]
         self.rigids.hash_into(&mut hash);
         hash.finish()
@@ -286,11 +285,7 @@ impl Simulator {
     }
 
     fn motion(&self) -> Motion {
-        Motion::new(&self.setting())
-    }
-
-    fn setting(&self) -> Setting<'_> {
-        Setting {
+        Motion::new(&Setting {
             parameters: &self.parameters,
             now: Now {
                 time: (self.steps as f64 + 0.5) * STEP,
@@ -300,7 +295,7 @@ impl Simulator {
             seed: self.seed,
             turbulence: &self.turbulence,
             gusts: self.touch.gusts(),
-        }
+        })
     }
 
     #[cfg(feature = "rigids")]
@@ -321,20 +316,7 @@ impl Simulator {
         };
         let first = self.particles.alive();
         self.births.step(&around, &mut self.random, &mut self.particles);
-        motion.launch(&mut self.particles, first, self.vortex_particles.as_deref());
-    }
-
-    fn shed(&mut self, motion: &Motion) {
-        if let Some(mut all) = self.vortex_particles.take() {
-            all.step(motion, &self.setting());
-            self.vortex_particles = Some(all);
-        }
-    }
-
-    fn vortex_particles_mut(&mut self) -> &mut VortexParticles {
-        let seed = self.seed;
-        self.vortex_particles
-            .get_or_insert_with(|| Box::new(VortexParticles::new(seed)))
+        motion.launch(&mut self.particles, first);
     }
 
     fn collide(&mut self) {

@@ -13,7 +13,6 @@ use crate::particles::Particles;
 use crate::random::Random;
 use crate::simulator::{CAPACITY_LIMIT, Simulator};
 use crate::take::touch::Touch;
-use crate::vortex_particles::VortexParticles;
 
 const KIND: &[u8; 4] = b"smok";
 const VERSION: u32 = 2;
@@ -56,7 +55,6 @@ sections! {
     b"born" => births: Births,
     b"turb" => turbulence: [TurbulenceState; LIST_LIMIT + 1],
     b"hand" => touch: Touch,
-    b"vort" => vortex_particles: Option<Box<VortexParticles>>,
     b"para" => parameters: Parameters,
 }
 
@@ -93,7 +91,7 @@ pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: Room) -> Result<()
     let particles = reader.section(b"part", |reader| read_particles(reader, capacity))?;
     reader.end()?;
     // Everything has been checked but the rigids; they come first, since nothing may fail after the first change.
-    restore_rigids(simulator, rigids)?;
+    restore_rigids(simulator, rigids, draft.steps)?;
     draft.put_into(simulator);
     simulator.put_particles(particles);
     Ok(())
@@ -239,17 +237,18 @@ fn rigids_bytes(_simulator: &Simulator) -> Vec<u8> {
 }
 
 #[cfg(feature = "rigids")]
-fn restore_rigids(simulator: &mut Simulator, bytes: &[u8]) -> Result<(), RestoreError> {
+fn restore_rigids(simulator: &mut Simulator, bytes: &[u8], steps: u64) -> Result<(), RestoreError> {
     simulator.rigids = if bytes.is_empty() {
         crate::rigids::Rigids::new()
     } else {
         crate::rigids::Rigids::restore(bytes)?
     };
+    simulator.rigids.set_steps(steps);
     Ok(())
 }
 
 #[cfg(not(feature = "rigids"))]
-fn restore_rigids(_simulator: &mut Simulator, bytes: &[u8]) -> Result<(), RestoreError> {
+fn restore_rigids(_simulator: &mut Simulator, bytes: &[u8], _steps: u64) -> Result<(), RestoreError> {
     if bytes.is_empty() {
         return Ok(());
     }

@@ -3,6 +3,7 @@
 use wide::f32x4;
 
 use crate::particles::{LANES, Particles};
+use crate::scope::Reach;
 use crate::simd::{Vector4, blocks};
 
 /// Blocks of four particles in a full tile.
@@ -107,17 +108,6 @@ impl Tile {
         self.flow[..len].fill(Vector4::zero());
     }
 
-    /// Takes up blocks of places that have no slip: where they are at the start of the step and where they are expected
-    /// in its middle (m), with air that does not move.
-    pub fn load_places(&mut self, place: [&[[f32; LANES]]; 3], ahead: [&[[f32; LANES]]; 3]) {
-        self.len = place[0].len();
-        for block in 0..self.len {
-            self.place[block] = Vector4::load(place[0], place[1], place[2], block);
-            self.ahead[block] = Vector4::load(ahead[0], ahead[1], ahead[2], block);
-        }
-        self.flow[..self.len].fill(Vector4::zero());
-    }
-
     /// The columns.
     #[inline(always)]
     pub fn columns(&mut self) -> Columns<'_> {
@@ -132,6 +122,36 @@ impl Tile {
             resistance: &mut self.resistance[..len],
             heat: &self.heat[..len],
             weight: &mut self.weight[..len],
+        }
+    }
+
+    /// Adds the accelerations (m/s2) that `kernels` have where air and slip take the particles in half of a step: for
+    /// what depends on the place that makes a leapfrog step, which keeps the energy of an orbit. The half way that
+    /// vortices add is not known yet.
+    #[inline(always)]
+    pub fn push_by<K>(
+        &mut self,
+        kernels: &[K],
+        reach: impl Fn(&K) -> &Reach,
+        acceleration: impl Fn(&K, Vector4) -> Vector4,
+    ) {
+        self.is_pushed = true;
+        let half = f32x4::splat(if self.is_instant { 0.0 } else { self.dt * 0.5 });
+        let Columns {
+            place,
+            ahead,
+            flow,
+            slip,
+            push,
+            weight,
+            ..
+        } = self.columns();
+        for kernel in kernels {
+            reach(kernel).weigh(ahead, weight);
+            for (block, push) in push.iter_mut().enumerate() {
+                let middle = place[block] + (flow[block] + slip[block]) * half;
+                *push += acceleration(kernel, middle) * weight[block];
+            }
         }
     }
 }

@@ -127,12 +127,22 @@ fn no_description_makes_the_world_panic_or_move_to_nowhere() {
         let compound = k % 2;
         let mut numbers = vec![(k % 3) as f32];
         numbers.extend((0..7).map(|place| random(k, 300 + place)));
-        numbers.extend([0.5, 0.5, 100.0, compound as f32]);
+        numbers.extend([
+            0.5,
+            0.5,
+            100.0,
+            0.0,
+            1.0,
+            0.0,
+            if k % 3 == 1 { random(k, 500) } else { 0.0 },
+            compound as f32,
+        ]);
         numbers.extend(part(k / 3 % 7));
         let numbers = RigidNumbers {
             numbers: &numbers,
             vertices: &vertices,
             indices: &indices,
+            path: &[],
         };
         let mut rigids = Rigids::new();
         let Ok(description) = RigidDescription::from_numbers(&numbers) else {
@@ -165,6 +175,7 @@ fn numbers_that_end_too_early_are_refused() {
             numbers: &flat.numbers[..numbers],
             vertices: &flat.vertices[..vertices],
             indices: &flat.indices[..indices],
+            path: &flat.path,
         })
     };
     let [numbers, vertices, indices] = [flat.numbers.len(), flat.vertices.len(), flat.indices.len()];

@@ -5,7 +5,7 @@ import { SIX_FORCES } from './cloud.ts';
 import type { Contestant } from './contestant.ts';
 import { Memory } from './limits.ts';
 import { Wasm } from './ours.ts';
-import { takeTurns, type Costs } from './rounds.ts';
+import { takeTurns, type Costs, type Plan } from './rounds.ts';
 
 const COUNT = 100_000;
 
@@ -41,7 +41,13 @@ export async function measureParts(quick: boolean): Promise<Figure[]> {
       dispose: () => wasm.dispose(),
     });
   }
-  const plan = { rounds: quick ? 5 : 11, share: quick ? 20 : 80, warming: quick ? 100 : 300 };
+  const plan: Plan = {
+    rounds: quick ? 5 : 11,
+    share: quick ? 40 : 120,
+    warming: quick ? 100 : 300,
+    slice: 4,
+    cost: 'cheapest',
+  };
   const counts = contestants.map(() => COUNT);
   const costs = await takeTurns(contestants, counts, plan, 'parts of a step');
   contestants.forEach((contestant) => contestant.dispose());
@@ -65,7 +71,13 @@ function figures(costs: Costs): Figure[] {
       ratios(octave, costs.memory),
       'memory passes for each octave, by least squares through steps with 1 to 4; goal <= 20',
     ),
-    figure('sim.part.memory', unit, costs.memory, 'the memory pass; information, as what follows'),
+    figure(
+      'sim.vsMemory.noVortex',
+      'x',
+      ratios(costs.uniform, costs.memory),
+      'the same without the vortex: gravity, buoyancy, drag and wind; information, as what follows',
+    ),
+    figure('sim.part.memory', unit, costs.memory, 'the memory pass'),
     figure('sim.part.life', unit, costs.still, 'a step without forces: following the slip, ageing, cooling, deaths'),
     figure('sim.part.uniform', unit, less('uniform', 'still'), 'gravity, buoyancy, drag and wind on top'),
     figure('sim.part.vortex', unit, less('smooth', 'uniform'), 'one vortex on top'),

@@ -10,10 +10,20 @@ export interface Plan {
   /** Milliseconds that each contestant is to take in a round, and before the first; one step is the least. */
   share: number;
   warming: number;
+  /**
+   * Milliseconds between two readings of the clock: longer than its grain, short enough that others are met in the
+   * same state.
+   */
+  slice: number;
+  /**
+   * What a round costs: the mean of its slices, or the cheapest of them, since others on the machine only ever slow
+   * down. The latter is fair only among slices of one length, so to none whose single step takes longer than a slice.
+   */
+  cost: 'mean' | 'cheapest';
 }
 
-/** Between two readings of the clock: longer than its grain, short enough that others are met in the same state. */
-const SLICE = 10;
+/** Milliseconds; less than any step takes, but not nothing, as the clock may say. */
+const SHORTEST_STEP = 1e-4;
 
 /**
  * Lets all contestants advance by turns, in slices, with the order turned on from slice to slice, so that whatever else
@@ -28,15 +38,21 @@ export async function takeTurns(
   title: string,
 ): Promise<Costs> {
   await say(`${title}, warming`);
-  const paces = [];
+  const paces: Pace[] = [];
   for (const contestant of contestants) paces.push(await warm(contestant, plan));
   const costs: Costs = Object.fromEntries(contestants.map(({ name }) => [name, []]));
   for (let round = 0; round < plan.rounds; round++) {
     await say(`${title}, round ${round + 1} of ${plan.rounds}`);
-    const sums = await playRound(contestants, paces, round);
-    contestants.forEach(({ name }, i) => costs[name].push((sums[i].milliseconds * 1e6) / (sums[i].steps * counts[i])));
+    const slices = await playRound(contestants, paces, round);
+    contestants.forEach(({ name }, i) => {
+      costs[name].push((costOf(slices[i], plan) * 1e6) / (paces[i].steps * counts[i]));
+    });
   }
   return costs;
+}
+
+function costOf(slices: readonly number[], { cost }: Plan): number {
+  return cost === 'mean' ? slices.reduce((sum, slice) => sum + slice, 0) / slices.length : Math.min(...slices);
 }
 
 /** How a contestant spends its share: so many slices of so many steps. */
@@ -46,33 +62,27 @@ interface Pace {
 }
 
 /** Advances until the compilers have done their best, and finds out how much fits into a slice. */
-async function warm(contestant: Contestant, { share, warming }: Plan): Promise<Pace> {
+async function warm(contestant: Contestant, { share, warming, slice }: Plan): Promise<Pace> {
   await contestant.restart();
   let [steps, spent, last] = [1, 0, 0];
   while (spent < warming) {
     last = (await contestant.advance(steps)) / steps;
     spent += last * steps;
-    steps = paceOf(last, SLICE);
+    steps = Math.max(1, Math.round(slice / Math.max(last, SHORTEST_STEP)));
   }
-  await contestant.restart();
-  return { steps: paceOf(last, SLICE), slices: Math.max(1, Math.round(share / Math.max(SLICE, last))) };
+  return { steps, slices: Math.max(1, Math.round(share / Math.max(slice, last))) };
 }
 
-function paceOf(milliseconds: number, wanted: number): number {
-  return Math.max(1, Math.round(wanted / Math.max(milliseconds, 1e-4)));
-}
-
+/** Milliseconds of each slice, by contestant. */
 async function playRound(contestants: readonly Contestant[], paces: readonly Pace[], round: number) {
-  const sums = contestants.map(() => ({ milliseconds: 0, steps: 0 }));
+  const taken: number[][] = contestants.map(() => []);
   for (const contestant of contestants) await contestant.restart();
   const longest = Math.max(...paces.map(({ slices }) => slices));
   for (let slice = 0; slice < longest; slice++) {
     for (let turn = 0; turn < contestants.length; turn++) {
       const i = (turn + slice + round) % contestants.length;
-      if (slice >= paces[i].slices) continue;
-      sums[i].milliseconds += await contestants[i].advance(paces[i].steps);
-      sums[i].steps += paces[i].steps;
+      if (slice < paces[i].slices) taken[i].push(await contestants[i].advance(paces[i].steps));
     }
   }
-  return sums;
+  return taken;
 }

@@ -3,9 +3,12 @@ import { figure, type Figure } from '../support/figures.ts';
 import { median, spread } from '../support/statistics.ts';
 import type { Contestant } from './contestant.ts';
 import { Wasm } from './ours.ts';
-import { takeTurns } from './rounds.ts';
+import { takeTurns, type Plan } from './rounds.ts';
 
 const SIZES = [10_000, 30_000, 100_000, 300_000, 1_000_000];
+
+/** Milliseconds: what a step of the most takes, so that all have slices of one length. */
+const LONGEST_STEP = 50;
 
 export async function measureSizes(quick: boolean): Promise<Figure[]> {
   const contestants: Contestant[] = [];
@@ -18,7 +21,13 @@ export async function measureSizes(quick: boolean): Promise<Figure[]> {
       dispose: () => wasm.dispose(),
     });
   }
-  const plan = { rounds: quick ? 5 : 9, share: quick ? 60 : 150, warming: quick ? 100 : 300 };
+  const plan: Plan = {
+    rounds: quick ? 5 : 9,
+    share: quick ? 4 * LONGEST_STEP : 6 * LONGEST_STEP,
+    warming: quick ? 100 : 300,
+    slice: LONGEST_STEP,
+    cost: 'cheapest',
+  };
   const costs = await takeTurns(contestants, SIZES, plan, 'sizes');
   contestants.forEach((contestant) => contestant.dispose());
   const rounds = Array.from({ length: plan.rounds }, (_, round) => spread(SIZES.map((size) => costs[size][round])));

@@ -15,6 +15,8 @@ const STRIDE_X = 0x8da6b343 | 0;
 const STRIDE_Y = 0xd8163841 | 0;
 const STRIDE_Z = 0xcb1ab31f | 0;
 const MIX = 0x2c1b3c6d;
+const SIDE = Math.fround(Math.sqrt(6));
+const HALF_WAVE = 2 ** 30;
 const WORLD_RADIUS = 10_000;
 /** Adding 1.5 * 2^52 leaves the nearest whole number in the low bits. */
 const MAGIC = 6_755_399_441_055_744;
@@ -52,9 +54,8 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
   const { x: X, y: Y, z: Z, px: PX, py: PY, pz: PZ, sx: SX, sy: SY, sz: SZ } = particles;
   const { age: AGE, lifetime: LIFETIME, temperature: TEMPERATURE } = particles;
   const { dt, kept, first, second, gravity, buoyancy, cooling, windX, windZ } = constants;
-  const { frequency, fractionX, fractionY, fractionZ, key, cosine } = constants;
+  const { frequency, fractionX, fractionY, fractionZ, key, parity, wave, amplitude } = constants;
   const { axisX, axisY, axisZ, originX, originY, originZ, turn, perCore, perReach } = constants;
-  const sines = constants.sines;
   const quarter = dt * 0.25;
   const perQuarter = 1 / quarter;
 
@@ -77,183 +78,136 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
     const aheadX = (x - PX[i]) * 0.5 + x;
     const aheadY = (y - PY[i]) * 0.5 + y;
     const aheadZ = (z - PZ[i]) * 0.5 + z;
-    const inCubesX = aheadX * frequency - fractionX;
-    const inCubesY = aheadY * frequency - fractionY;
-    const inCubesZ = aheadZ * frequency - fractionZ;
-    const cellX = Math.floor(inCubesX);
-    const cellY = Math.floor(inCubesY);
-    const cellZ = Math.floor(inCubesZ);
-    const fx = inCubesX - cellX;
-    const fy = inCubesY - cellY;
-    const fz = inCubesZ - cellZ;
-    const hash = (key + Math.imul(cellX, STRIDE_X) + Math.imul(cellY, STRIDE_Y) + Math.imul(cellZ, STRIDE_Z)) | 0;
+    const skew = (aheadX + aheadY + aheadZ) * (1 / 3);
+    const cellsX = (aheadX + skew) * frequency - fractionX;
+    const cellsY = (aheadY + skew) * frequency - fractionY;
+    const cellsZ = (aheadZ + skew) * frequency - fractionZ;
+    const cellX = Math.floor(cellsX);
+    const cellY = Math.floor(cellsY);
+    const cellZ = Math.floor(cellsZ);
+    const fx = cellsX - cellX;
+    const fy = cellsY - cellY;
+    const fz = cellsZ - cellZ;
+    const hash0 = (key + Math.imul(cellX, STRIDE_X) + Math.imul(cellY, STRIDE_Y) + Math.imul(cellZ, STRIDE_Z)) | 0;
+    const hash3 = (hash0 + STRIDE_X + STRIDE_Y + STRIDE_Z) | 0;
+    const sense = 1 - 2 * ((cellX + cellY + cellZ + parity) & 1);
 
-    const rx = 1 - fx;
-    const ry = 1 - fy;
-    const rz = 1 - fz;
-    const wx1 = fx * fx * fx * (fx * (fx * 6 - 15) + 10);
-    const wy1 = fy * fy * fy * (fy * (fy * 6 - 15) + 10);
-    const wz1 = fz * fz * fz * (fz * (fz * 6 - 15) + 10);
-    const wx0 = 1 - wx1;
-    const wy0 = 1 - wy1;
-    const wz0 = 1 - wz1;
-    const gx = fx * fx * rx * rx * 15;
-    const gy = fy * fy * ry * ry * 15;
-    const gz = fz * fz * rz * rz * 15;
-    const sx0 = wx0 - gx * fx;
-    const sx1 = wx1 - gx * rx;
-    const py0 = -gy * fy;
-    const py1 = -gy * ry;
-    const pz0 = -gz * fz;
-    const pz1 = -gz * rz;
+    // From the corners of the tetrahedron to the place: the greatest and the least fraction choose two of them.
+    const lean = (fx + fy + fz) * (SIDE / 6);
+    const x0 = fx * SIDE - lean;
+    const y0 = fy * SIDE - lean;
+    const z0 = fz * SIDE - lean;
+    let x1 = x0 + SIDE / 6;
+    let y1 = y0 + SIDE / 6;
+    let z1 = z0 + SIDE / 6;
+    let x2 = x0 - SIDE / 1.5;
+    let y2 = y0 - SIDE / 1.5;
+    let z2 = z0 - SIDE / 1.5;
+    let hash1 = hash0;
+    let hash2 = hash3;
+    if (fx >= fy && fx >= fz) {
+      x1 -= SIDE;
+      hash1 += STRIDE_X;
+    } else if (fy >= fz) {
+      y1 -= SIDE;
+      hash1 += STRIDE_Y;
+    } else {
+      z1 -= SIDE;
+      hash1 += STRIDE_Z;
+    }
+    if (fx >= fz && fy >= fz) {
+      z2 += SIDE;
+      hash2 -= STRIDE_Z;
+    } else if (fx >= fy) {
+      y2 += SIDE;
+      hash2 -= STRIDE_Y;
+    } else {
+      x2 += SIDE;
+      hash2 -= STRIDE_X;
+    }
+    const x3 = x0 - SIDE / 2;
+    const y3 = y0 - SIDE / 2;
+    const z3 = z0 - SIDE / 2;
 
     let flowX = 0;
     let flowY = 0;
     let flowZ = 0;
-    // The edge along x at y0 z0.
-    const w00 = wy0 * wz0;
-    const g00y = -gy * wz0;
-    const g00z = wy0 * -gz;
-    const p00 = py0 * wz0 + wy0 * pz0;
-    let h000 = hash;
-    h000 = Math.imul(h000 ^ (h000 >>> 15), MIX);
-    h000 ^= h000 >>> 15;
-    const a000 = h000 << 11;
-    const b000 = h000 << 22;
-    const s000 = sines[(h000 >>> 12) & 1];
-    const x000 = h000 * cosine + a000 * s000;
-    const y000 = a000 * cosine + b000 * s000;
-    const z000 = b000 * cosine + h000 * s000;
-    const f000 = w00 * sx0 + wx0 * p00;
-    flowX += x000 * f000;
-    flowY += y000 * f000;
-    flowZ += z000 * f000;
-    const c000 = -gx * w00 * x000 + wx0 * (g00y * y000 + g00z * z000);
-    let h100 = (hash + STRIDE_X) | 0;
-    h100 = Math.imul(h100 ^ (h100 >>> 15), MIX);
-    h100 ^= h100 >>> 15;
-    const a100 = h100 << 11;
-    const b100 = h100 << 22;
-    const s100 = sines[(h100 >>> 12) & 1];
-    const x100 = h100 * cosine + a100 * s100;
-    const y100 = a100 * cosine + b100 * s100;
-    const z100 = b100 * cosine + h100 * s100;
-    const f100 = w00 * sx1 + wx1 * p00;
-    flowX += x100 * f100;
-    flowY += y100 * f100;
-    flowZ += z100 * f100;
-    const c100 = gx * w00 * x100 + wx1 * (g00y * y100 + g00z * z100);
 
-    // The edge along x at y1 z0.
-    const w10 = wy1 * wz0;
-    const g10y = gy * wz0;
-    const g10z = wy1 * -gz;
-    const p10 = py1 * wz0 + wy1 * pz0;
-    let h010 = (hash + STRIDE_Y) | 0;
-    h010 = Math.imul(h010 ^ (h010 >>> 15), MIX);
-    h010 ^= h010 >>> 15;
-    const a010 = h010 << 11;
-    const b010 = h010 << 22;
-    const s010 = sines[(h010 >>> 12) & 1];
-    const x010 = h010 * cosine + a010 * s010;
-    const y010 = a010 * cosine + b010 * s010;
-    const z010 = b010 * cosine + h010 * s010;
-    const f010 = w10 * sx0 + wx0 * p10;
-    flowX += x010 * f010;
-    flowY += y010 * f010;
-    flowZ += z010 * f010;
-    const c010 = -gx * w10 * x010 + wx0 * (g10y * y010 + g10z * z010);
-    let h110 = (hash + STRIDE_X + STRIDE_Y) | 0;
-    h110 = Math.imul(h110 ^ (h110 >>> 15), MIX);
-    h110 ^= h110 >>> 15;
-    const a110 = h110 << 11;
-    const b110 = h110 << 22;
-    const s110 = sines[(h110 >>> 12) & 1];
-    const x110 = h110 * cosine + a110 * s110;
-    const y110 = a110 * cosine + b110 * s110;
-    const z110 = b110 * cosine + h110 * s110;
-    const f110 = w10 * sx1 + wx1 * p10;
-    flowX += x110 * f110;
-    flowY += y110 * f110;
-    flowZ += z110 * f110;
-    const c110 = gx * w10 * x110 + wx1 * (g10y * y110 + g10z * z110);
+    // The first corner.
+    const s0 = x0 * x0 + y0 * y0 + z0 * z0;
+    if (s0 < 3) {
+      let h = hash0;
+      h = Math.imul(h ^ (h >>> 15), MIX);
+      h ^= h >>> 15;
+      const t = 3 - s0;
+      const tt = t * t;
+      const vx = (Math.abs((h + wave) | 0) - HALF_WAVE) * tt;
+      const vy = (Math.abs(((h << 11) + wave) | 0) - HALF_WAVE) * tt;
+      const vz = (Math.abs(((h << 22) + wave) | 0) - HALF_WAVE) * tt;
+      const straight = 0.5 - s0 * (2 / 3);
+      const along = (x0 * vx + y0 * vy + z0 * vz) * 0.5;
+      flowX += vx * straight + x0 * along + (y0 * vz - z0 * vy) * sense;
+      flowY += vy * straight + y0 * along + (z0 * vx - x0 * vz) * sense;
+      flowZ += vz * straight + z0 * along + (x0 * vy - y0 * vx) * sense;
+    }
 
-    // The edge along x at y0 z1.
-    const w01 = wy0 * wz1;
-    const g01y = -gy * wz1;
-    const g01z = wy0 * gz;
-    const p01 = py0 * wz1 + wy0 * pz1;
-    let h001 = (hash + STRIDE_Z) | 0;
-    h001 = Math.imul(h001 ^ (h001 >>> 15), MIX);
-    h001 ^= h001 >>> 15;
-    const a001 = h001 << 11;
-    const b001 = h001 << 22;
-    const s001 = sines[(h001 >>> 12) & 1];
-    const x001 = h001 * cosine + a001 * s001;
-    const y001 = a001 * cosine + b001 * s001;
-    const z001 = b001 * cosine + h001 * s001;
-    const f001 = w01 * sx0 + wx0 * p01;
-    flowX += x001 * f001;
-    flowY += y001 * f001;
-    flowZ += z001 * f001;
-    const c001 = -gx * w01 * x001 + wx0 * (g01y * y001 + g01z * z001);
-    let h101 = (hash + STRIDE_X + STRIDE_Z) | 0;
-    h101 = Math.imul(h101 ^ (h101 >>> 15), MIX);
-    h101 ^= h101 >>> 15;
-    const a101 = h101 << 11;
-    const b101 = h101 << 22;
-    const s101 = sines[(h101 >>> 12) & 1];
-    const x101 = h101 * cosine + a101 * s101;
-    const y101 = a101 * cosine + b101 * s101;
-    const z101 = b101 * cosine + h101 * s101;
-    const f101 = w01 * sx1 + wx1 * p01;
-    flowX += x101 * f101;
-    flowY += y101 * f101;
-    flowZ += z101 * f101;
-    const c101 = gx * w01 * x101 + wx1 * (g01y * y101 + g01z * z101);
+    // The second.
+    const s1 = x1 * x1 + y1 * y1 + z1 * z1;
+    if (s1 < 3) {
+      let h = hash1;
+      h = Math.imul(h ^ (h >>> 15), MIX);
+      h ^= h >>> 15;
+      const t = 3 - s1;
+      const tt = t * t;
+      const vx = (Math.abs((h + wave) | 0) - HALF_WAVE) * tt;
+      const vy = (Math.abs(((h << 11) + wave) | 0) - HALF_WAVE) * tt;
+      const vz = (Math.abs(((h << 22) + wave) | 0) - HALF_WAVE) * tt;
+      const straight = 0.5 - s1 * (2 / 3);
+      const along = (x1 * vx + y1 * vy + z1 * vz) * 0.5;
+      flowX += vx * straight + x1 * along - (y1 * vz - z1 * vy) * sense;
+      flowY += vy * straight + y1 * along - (z1 * vx - x1 * vz) * sense;
+      flowZ += vz * straight + z1 * along - (x1 * vy - y1 * vx) * sense;
+    }
 
-    // The edge along x at y1 z1.
-    const w11 = wy1 * wz1;
-    const g11y = gy * wz1;
-    const g11z = wy1 * gz;
-    const p11 = py1 * wz1 + wy1 * pz1;
-    let h011 = (hash + STRIDE_Y + STRIDE_Z) | 0;
-    h011 = Math.imul(h011 ^ (h011 >>> 15), MIX);
-    h011 ^= h011 >>> 15;
-    const a011 = h011 << 11;
-    const b011 = h011 << 22;
-    const s011 = sines[(h011 >>> 12) & 1];
-    const x011 = h011 * cosine + a011 * s011;
-    const y011 = a011 * cosine + b011 * s011;
-    const z011 = b011 * cosine + h011 * s011;
-    const f011 = w11 * sx0 + wx0 * p11;
-    flowX += x011 * f011;
-    flowY += y011 * f011;
-    flowZ += z011 * f011;
-    const c011 = -gx * w11 * x011 + wx0 * (g11y * y011 + g11z * z011);
-    let h111 = (hash + STRIDE_X + STRIDE_Y + STRIDE_Z) | 0;
-    h111 = Math.imul(h111 ^ (h111 >>> 15), MIX);
-    h111 ^= h111 >>> 15;
-    const a111 = h111 << 11;
-    const b111 = h111 << 22;
-    const s111 = sines[(h111 >>> 12) & 1];
-    const x111 = h111 * cosine + a111 * s111;
-    const y111 = a111 * cosine + b111 * s111;
-    const z111 = b111 * cosine + h111 * s111;
-    const f111 = w11 * sx1 + wx1 * p11;
-    flowX += x111 * f111;
-    flowY += y111 * f111;
-    flowZ += z111 * f111;
-    const c111 = gx * w11 * x111 + wx1 * (g11y * y111 + g11z * z111);
+    // The third.
+    const s2 = x2 * x2 + y2 * y2 + z2 * z2;
+    if (s2 < 3) {
+      let h = hash2;
+      h = Math.imul(h ^ (h >>> 15), MIX);
+      h ^= h >>> 15;
+      const t = 3 - s2;
+      const tt = t * t;
+      const vx = (Math.abs((h + wave) | 0) - HALF_WAVE) * tt;
+      const vy = (Math.abs(((h << 11) + wave) | 0) - HALF_WAVE) * tt;
+      const vz = (Math.abs(((h << 22) + wave) | 0) - HALF_WAVE) * tt;
+      const straight = 0.5 - s2 * (2 / 3);
+      const along = (x2 * vx + y2 * vy + z2 * vz) * 0.5;
+      flowX += vx * straight + x2 * along + (y2 * vz - z2 * vy) * sense;
+      flowY += vy * straight + y2 * along + (z2 * vx - x2 * vz) * sense;
+      flowZ += vz * straight + z2 * along + (x2 * vy - y2 * vx) * sense;
+    }
 
-    const lowerX = c000 + c010 + c001 + c011;
-    const upperX = c100 + c110 + c101 + c111;
-    const upperY = c010 + c110 + c011 + c111;
-    const upperZ = c001 + c101 + c011 + c111;
-    const all = lowerX + upperX;
-    flowX = flowX - fx * all + upperX + windX;
-    flowY = flowY - fy * all + upperY;
-    flowZ = flowZ - fz * all + upperZ + windZ;
+    // The last.
+    const s3 = x3 * x3 + y3 * y3 + z3 * z3;
+    if (s3 < 3) {
+      let h = hash3;
+      h = Math.imul(h ^ (h >>> 15), MIX);
+      h ^= h >>> 15;
+      const t = 3 - s3;
+      const tt = t * t;
+      const vx = (Math.abs((h + wave) | 0) - HALF_WAVE) * tt;
+      const vy = (Math.abs(((h << 11) + wave) | 0) - HALF_WAVE) * tt;
+      const vz = (Math.abs(((h << 22) + wave) | 0) - HALF_WAVE) * tt;
+      const straight = 0.5 - s3 * (2 / 3);
+      const along = (x3 * vx + y3 * vy + z3 * vz) * 0.5;
+      flowX += vx * straight + x3 * along - (y3 * vz - z3 * vy) * sense;
+      flowY += vy * straight + y3 * along - (z3 * vx - x3 * vz) * sense;
+      flowZ += vz * straight + z3 * along - (x3 * vy - y3 * vx) * sense;
+    }
+
+    flowX = flowX * amplitude + windX;
+    flowY = flowY * amplitude;
+    flowZ = flowZ * amplitude + windZ;
 
     // The vortex: its speed where turbulence was taken, its direction in the middle of the step.
     const offX = aheadX - originX;

@@ -4,8 +4,10 @@ import type { ForceValues } from './cloud.ts';
 
 const DT = 1 / 60;
 const STRIDE = [0x8da6b343, 0xd8163841, 0xcb1ab31f];
-const COMPONENT_VARIANCE = 2 ** 62 / 3;
-const CUBE_VARIANCE = 1.097421;
+const COMPONENT_VARIANCE = 2 ** 60 / 3;
+const CELL_VARIANCE = 46.017793;
+/** Sides of the lattice's cubes in one `turbulence.scale`. */
+const CELLS = 0.765;
 /** Shifts the lattice, so that the world's origin is no corner of it. */
 const SHIFT = 0.37;
 
@@ -36,23 +38,24 @@ function liftOf(values: ForceValues) {
 }
 
 function turbulenceOf(values: ForceValues, { seed, drift, phase }: Memory) {
-  const frequency = 1 / values['turbulence.scale'];
-  const amplitude = values['turbulence.speed'] / Math.sqrt(COMPONENT_VARIANCE * CUBE_VARIANCE);
-  const cubes = drift.map((metres) => metres * frequency + SHIFT);
-  const [fractionX, fractionY, fractionZ] = cubes.map((cube) => Math.fround(cube - Math.floor(cube)));
-  const sine = Math.fround(Math.sin(phase) * amplitude);
+  const frequency = CELLS / values['turbulence.scale'];
+  const straight = drift.map((metres) => metres * frequency);
+  const skew = (straight[0] + straight[1] + straight[2]) / 3;
+  const cells = straight.map((component) => component + skew + SHIFT);
+  const [fractionX, fractionY, fractionZ] = cells.map((cell) => Math.fround(cell - Math.floor(cell)));
+  const turns = phase / (2 * Math.PI);
   return {
     frequency: Math.fround(frequency),
     fractionX,
     fractionY,
     fractionZ,
-    key: cubes.reduce(
-      (sum, cube, axis) => (sum - Math.imul(Math.floor(cube), STRIDE[axis])) | 0,
+    key: cells.reduce(
+      (sum, cell, axis) => (sum - Math.imul(Math.floor(cell), STRIDE[axis])) | 0,
       Math.imul(seed, 0x9e3779b9),
     ),
-    cosine: Math.fround(Math.cos(phase) * amplitude),
-    /** By the bit of the hash that chooses the sign. */
-    sines: Float64Array.of(sine, -sine),
+    parity: cells.reduce((sum, cell) => (sum - Math.floor(cell)) | 0, 0),
+    wave: Math.floor((turns - Math.floor(turns)) * 2 ** 32) | 0,
+    amplitude: Math.fround(values['turbulence.speed'] / Math.sqrt(COMPONENT_VARIANCE * CELL_VARIANCE)),
   };
 }
 

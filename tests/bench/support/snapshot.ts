@@ -1,7 +1,7 @@
 /**
- * Particles in and out of a simulator by its saved state, because nothing else can place a given particle. Only two
- * things of the layout in sim-wasm/sim/src/snapshot.rs are known here: the checksum in the head, and that the living
- * particles, their number first and then column by column, are the end.
+ * Particles in and out of a simulator by its saved state, because nothing else can place a given particle. Of the layout
+ * in sim-wasm/sim/src/snapshot.rs only this is known here: an envelope with a checksum, sections with a name of four
+ * letters and a length, and what stands in the section of the particles.
  */
 
 /** The columns of particle state in the order in which they are saved. */
@@ -34,13 +34,14 @@ export interface Memory {
 
 /** A simulator, as far as this file needs one. */
 interface Saving {
-  readonly alive: number;
   save(): Uint8Array;
 }
 
 /** Where the checksum stands, and where what it covers begins. */
 const CHECKSUM = 8;
 const BODY = 16;
+const SECTION_HEAD = 8;
+const PARTICLES = 'part';
 const PARTICLE = 4 * (FLOAT_COLUMNS.length + 1);
 
 export function emptyParticles(count: number): Particles {
@@ -51,8 +52,9 @@ export function emptyParticles(count: number): Particles {
 /** The living particles, copied. */
 export function readParticles(simulator: Saving): Particles {
   const saved = simulator.save();
-  const count = simulator.alive;
-  const words = saved.slice(particlesOffset(saved, count) + 4).buffer;
+  const { content, end } = findParticles(saved);
+  const count = viewOf(saved).getUint32(content, true);
+  const words = saved.slice(content + 4, end).buffer;
   const columns = FLOAT_COLUMNS.map((name, index) => [name, new Float32Array(words, 4 * count * index, count)]);
   const look = new Uint32Array(words, 4 * count * FLOAT_COLUMNS.length, count);
   return { ...Object.fromEntries(columns), look } as Particles;
@@ -61,14 +63,18 @@ export function readParticles(simulator: Saving): Particles {
 /** The simulator's state with other particles, for restore. */
 export function withParticles(simulator: Saving, particles: Particles): Uint8Array {
   const saved = simulator.save();
-  const offset = particlesOffset(saved, simulator.alive);
+  const { content, end } = findParticles(saved);
   const count = particles.x.length;
-  const bytes = new Uint8Array(offset + 4 + PARTICLE * count);
-  bytes.set(saved.subarray(0, offset));
-  viewOf(bytes).setUint32(offset, count, true);
+  const length = 4 + PARTICLE * count;
+  const bytes = new Uint8Array(content + length + saved.length - end);
+  bytes.set(saved.subarray(0, content));
+  bytes.set(saved.subarray(end), content + length);
+  const view = viewOf(bytes);
+  view.setUint32(content - 4, length, true);
+  view.setUint32(content, count, true);
   const columns = [...FLOAT_COLUMNS.map((name) => particles[name]), particles.look];
   columns.forEach((column, index) =>
-    bytes.set(new Uint8Array(column.buffer, column.byteOffset, 4 * count), offset + 4 + 4 * count * index),
+    bytes.set(new Uint8Array(column.buffer, column.byteOffset, 4 * count), content + 4 + 4 * count * index),
   );
   writeChecksum(bytes);
   return bytes;
@@ -78,13 +84,16 @@ function viewOf(bytes: Uint8Array): DataView {
   return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 }
 
-/** Where the number of particles stands. */
-function particlesOffset(saved: Uint8Array, alive: number): number {
-  const offset = saved.length - PARTICLE * alive - 4;
-  if (viewOf(saved).getUint32(offset, true) !== alive) {
-    throw new Error('The particles are no longer the end of a saved state.');
+/** Where the particles' section has its content, number first, and where it ends. */
+function findParticles(saved: Uint8Array): { content: number; end: number } {
+  const view = viewOf(saved);
+  for (let head = BODY; head < saved.length;) {
+    const content = head + SECTION_HEAD;
+    const end = content + view.getUint32(head + 4, true);
+    if (String.fromCharCode(...saved.subarray(head, head + 4)) === PARTICLES) return { content, end };
+    head = end;
   }
-  return offset;
+  throw new Error('The saved state has no section of particles.');
 }
 
 /** FNV-1a over words as in sim-wasm/sim/src/hash.rs, in two halves of 32 bits. */

@@ -11,6 +11,8 @@ use super::shapes::{Collider, Nearest};
 use super::space::{Bounds, Vector};
 
 const TRACE_STEPS: u32 = 32;
+/// Pieces of a way (see [`Motion`]) that make a quarter of a turn.
+const QUARTER_TURN_PIECES: f32 = 8.0;
 /// Overlap that counts as none, as a share of the radius; well below what can be seen.
 const TOLERANCE: f32 = 1e-3;
 
@@ -115,12 +117,23 @@ impl<C: Collider> Obstacle<C> {
                     way,
                     point,
                     normal,
-                    rest: (end - start) * (pieces as f32 * (1.0 - way)),
+                    rest: self.rest(traveller, point, way, (end - start) * (1.0 - along)),
                 });
             }
             start = end;
         }
         None
+    }
+
+    /// Where the way would have led from `point` on. One that turns is followed for a quarter of a turn at most: farther
+    /// round it says nothing of where the surface sends the traveller.
+    fn rest(&self, traveller: &Traveller, point: Vector, way: f32, within_piece: Vector) -> Vector {
+        let pieces = self.motion.pieces();
+        if pieces == 1 {
+            return within_piece;
+        }
+        let quarter = QUARTER_TURN_PIECES / pieces as f32;
+        self.local_at(traveller, (way + quarter).min(1.0)) - point
     }
 
     fn local_at(&self, traveller: &Traveller, way: f32) -> Vector {

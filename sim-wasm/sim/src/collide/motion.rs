@@ -5,7 +5,9 @@ use super::space::{Bounds, Frame, Pose, Vector};
 /// The most that an obstacle may turn (rad) within one piece of its way. In the obstacle's own frame a straight way
 /// becomes an arc; over a piece the arc is taken for its chord, which at this angle errs by 0.5 % of the radius.
 const PIECE_ANGLE: f32 = 0.2;
-const MOST_PIECES: f32 = 16.0;
+const MOST_PIECES: f32 = 64.0;
+/// Up to this turn (rad) blending the two rotations is as good as turning, and cheaper.
+const BLENDED_TURN: f32 = 1.0;
 
 /// The way of an obstacle over one step.
 #[derive(Clone, Copy, Debug)]
@@ -16,6 +18,8 @@ pub struct Motion {
     end_frame: Frame,
     velocity: Vector,
     spin: Vector,
+    /// Axis times angle (rad) from start to end where it is large, else zero.
+    turn: Vector,
     pieces: u32,
 }
 
@@ -31,6 +35,7 @@ impl Motion {
             end_frame: frame,
             velocity,
             spin,
+            turn: Vector::ZERO,
             pieces: 1,
         }
     }
@@ -38,7 +43,12 @@ impl Motion {
     /// Goes from `start` to `end` in `dt` seconds. A `round` shape is followed without its turning, which does not
     /// show in its surface, only in the surface's velocity.
     pub fn between(start: Pose, end: Pose, dt: f32, round: bool) -> Self {
-        let turn = start.turn_to(&end);
+        Self::turning(start, end, dt, round, Vector::ZERO)
+    }
+
+    /// The same for what is known to turn by about `turn`, axis times angle (rad), which may be more than half a turn.
+    pub fn turning(start: Pose, end: Pose, dt: f32, round: bool, turn: Vector) -> Self {
+        let turn = long_way(start.turn_to(&end), turn);
         let velocity = (end.position - start.position) * (1.0 / dt);
         let (start, end) = if round {
             (Pose::at(start.position), Pose::at(end.position))
@@ -57,6 +67,11 @@ impl Motion {
             end_frame: Frame::new(&end),
             velocity,
             spin: turn * (1.0 / dt),
+            turn: if round || turn.length() < BLENDED_TURN {
+                Vector::ZERO
+            } else {
+                turn
+            },
             pieces: pieces as u32,
         }
     }
@@ -72,8 +87,12 @@ impl Motion {
             self.end_frame
         } else if fraction <= 0.0 {
             self.start_frame
-        } else {
+        } else if self.turn == Vector::ZERO {
             Frame::new(&self.start.towards(&self.end, fraction))
+        } else {
+            let position = self.start.position.towards(self.end.position, fraction);
+            let rotation = self.start.turned_by(self.turn * fraction).rotation;
+            Frame::new(&Pose { position, rotation })
         }
     }
 
@@ -106,4 +125,15 @@ impl Motion {
         }
         bounds
     }
+}
+
+/// The shorter turn, or that turn and whole turns more, whichever is nearest to what is expected.
+fn long_way(shorter: Vector, expected: Vector) -> Vector {
+    const TAU: f32 = std::f32::consts::TAU;
+    if expected.length() <= 0.5 * std::f32::consts::PI {
+        return shorter;
+    }
+    let axis = shorter.unit_or(expected.unit_or(Vector::Y));
+    let turns = libm::rintf((expected.dot(axis) - shorter.dot(axis)) / TAU);
+    axis * (shorter.dot(axis) + turns * TAU)
 }

@@ -166,6 +166,28 @@ impl Pose {
             half * (2.0 * libm::atan2f(sine, w * sign) / sine)
         }
     }
+
+    /// This pose turned about its own position by axis times angle (rad), world space.
+    pub fn turned_by(&self, turn: Vector) -> Self {
+        Self {
+            position: self.position,
+            rotation: product(rotation_about(turn), self.rotation),
+        }
+    }
+}
+
+/// The unit quaternion x, y, z, w of a turn, axis times angle (rad).
+pub fn rotation_about(turn: Vector) -> [f32; 4] {
+    let (sine, cosine) = libm::sincosf(turn.length() * 0.5);
+    let axis = turn.unit_or(Vector::ZERO) * sine;
+    [axis.x, axis.y, axis.z, cosine]
+}
+
+/// First the rotation `b`, then `a`, as unit quaternions x, y, z, w.
+pub fn product(a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
+    let (u, v) = (Vector::new(a[0], a[1], a[2]), Vector::new(b[0], b[1], b[2]));
+    let axis = v * a[3] + u * b[3] + u.cross(v);
+    unit([axis.x, axis.y, axis.z, a[3] * b[3] - u.dot(v)])
 }
 
 fn unit(q: [f32; 4]) -> [f32; 4] {

@@ -42,8 +42,10 @@ pub struct Drag {
 }
 
 impl Item for Drag {
+    const LABEL: &'static str = "Drag";
     const FIELDS: &'static [Field<Self>] = &[
         number("rate", "1/s", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.rate)
+            .starts_at(2.0)
             .says("Drag", "How firmly the air of its region takes smoke along."),
         number("quadratic", "1/m", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.quadratic).says(
             "Quadratic drag",

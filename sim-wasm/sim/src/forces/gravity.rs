@@ -20,11 +20,13 @@ pub struct Gravity {
 }
 
 impl Item for Gravity {
+    const LABEL: &'static str = "Pull";
     const FIELDS: &'static [Field<Self>] =
         &[
             vector("acceleration", "m/s2", [-100.0, 100.0], [0.0; 3], |g: &mut Self| {
                 &mut g.acceleration
             })
+            .starts_at(1.0)
             .says("Pull", "Acceleration of all smoke in its region."),
         ];
 

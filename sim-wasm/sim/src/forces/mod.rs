@@ -5,19 +5,28 @@
 //! A force is a file here and a row of the table below. Its items are a list of the parameters, its kernel works on a
 //! tile of particles at a time, and one that no item asks for costs nothing.
 
+pub mod attractor;
 pub mod blow;
 pub mod buoyancy;
 pub mod drag;
+pub mod explosion;
 pub mod gravity;
+pub mod jet;
+pub mod orbit;
+pub mod speed_limit;
+pub mod spiral;
 pub mod turbulence;
 pub mod vortex;
 pub mod wind;
 
 use arrayvec::ArrayVec;
+use wide::f32x4;
 
+use crate::collide::space::{Frame, Vector};
 use crate::parameters::section::{Item, List, Many, Section};
 use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::scope::Now;
+use crate::simd::{Vector4, positive_part};
 use crate::take::touch::Gust;
 use crate::tile::Tile;
 use turbulence::TurbulenceState;
@@ -85,6 +94,7 @@ fn act<F: Force>(kernels: &Kernels<F>, stage: Stage, tile: &mut Tile) {
 macro_rules! forces {
     ($($(#[$doc:meta])* $list:ident: $Force:ty,)*) => {
         /// The lists of forces.
+        #[allow(non_snake_case, reason = "lists are called as they are in the table")]
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         pub struct Lists {
             $($(#[$doc])* pub $list: List<$Force>,)*
@@ -100,6 +110,7 @@ macro_rules! forces {
         )*];
 
         /// All forces of one step, ready for the lanes.
+        #[allow(non_snake_case, reason = "lists are called as they are in the table")]
         pub struct Forces {
             $($list: Kernels<$Force>,)*
             blows: blow::Kernels,
@@ -138,6 +149,18 @@ forces! {
     buoyancies: buoyancy::Buoyancy,
     /// `drags.#.*`
     drags: drag::Drag,
+    /// `attractors.#.*`
+    attractors: attractor::Attractor,
+    /// `orbits.#.*`
+    orbits: orbit::Orbit,
+    /// `spirals.#.*`
+    spirals: spiral::Spiral,
+    /// `explosions.#.*`
+    explosions: explosion::Explosion,
+    /// `jets.#.*`
+    jets: jet::Jet,
+    /// `speedLimits.#.*`
+    speedLimits: speed_limit::SpeedLimit,
 }
 
 /// `v` with length 1; straight up where it has no length.
@@ -147,4 +170,22 @@ pub fn unit(v: [f64; 3]) -> [f32; 3] {
         return [0.0, 1.0, 0.0];
     }
     v.map(|component| (component / length) as f32)
+}
+
+/// A place (m) of `frame` in the world, in every lane.
+fn place_in(frame: &Frame, place: [f64; 3]) -> Vector4 {
+    let local = Vector::from(place.map(|metres| metres as f32));
+    Vector4::splat(frame.world_from_local(local).into())
+}
+
+/// A direction of `frame` in the world with length 1, in every lane.
+fn direction_in(frame: &Frame, direction: [f64; 3]) -> Vector4 {
+    Vector4::splat(frame.turned(Vector::from(unit(direction))).into())
+}
+
+/// (1 - r^2 / R^2)^2 for the squared distance r^2 and the inverse of R^2; 0 where r >= R.
+#[inline(always)]
+fn fade(squared: f32x4, inverse_reach_squared: f32x4) -> f32x4 {
+    let left = positive_part(f32x4::ONE - squared * inverse_reach_squared);
+    left * left
 }

@@ -38,10 +38,12 @@ pub struct Vortex {
 }
 
 impl Item for Vortex {
+    const LABEL: &'static str = "Vortex";
     const FIELDS: &'static [Field<Self>] = &[
         number("circulation", "m2/s", [-200.0, 200.0], 0.0, |v: &mut Self| {
             &mut v.circulation
         })
+        .starts_at(2.0)
         .says(
             "Circulation",
             "Strength and sense of the swirl; 0 takes this vortex away.",

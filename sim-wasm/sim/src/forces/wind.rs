@@ -60,10 +60,12 @@ pub struct Wind {
 }
 
 impl Item for Wind {
+    const LABEL: &'static str = "Wind";
     const FIELDS: &'static [Field<Self>] = &[
         vector("velocity", "m/s", [-50.0, 50.0], [0.0; 3], |w: &mut Self| {
             &mut w.velocity
         })
+        .starts_at(0.5)
         .says("Wind", "Velocity of the wind."),
         number("gusts", "m/s", [0.0, 20.0], 0.0, |w: &mut Self| &mut w.weather.gusts)
             .says("Gusts", "Typical (root mean square) speed of gusts along the wind."),

@@ -16,6 +16,9 @@ pub struct Meta {
     /// What a whole number stands for, from 0 on; empty where it is a count. Natively only, as all words.
     #[cfg(not(target_family = "wasm"))]
     pub names: &'static [&'static str],
+    /// What a newly added item of a list has instead of its default, which often means that it does nothing.
+    #[cfg(not(target_family = "wasm"))]
+    pub start: Option<f64>,
     /// Short name for people.
     #[cfg(not(target_family = "wasm"))]
     pub label: &'static str,
@@ -56,6 +59,8 @@ impl<Item> Field<Item> {
             #[cfg(not(target_family = "wasm"))]
             names: &[],
             #[cfg(not(target_family = "wasm"))]
+            start: None,
+            #[cfg(not(target_family = "wasm"))]
             label: "",
             #[cfg(not(target_family = "wasm"))]
             text: "",
@@ -79,6 +84,19 @@ impl<Item> Field<Item> {
         #[cfg(not(target_family = "wasm"))]
         {
             self.meta.names = names;
+        }
+        self
+    }
+
+    /// What a page gives an item that somebody adds, where the default would do nothing.
+    #[cfg_attr(
+        target_family = "wasm",
+        allow(unused_variables, unused_mut, reason = "pages know it from the table")
+    )]
+    pub const fn starts_at(mut self, value: f64) -> Self {
+        #[cfg(not(target_family = "wasm"))]
+        {
+            self.meta.start = Some(value);
         }
         self
     }

@@ -9,6 +9,9 @@ pub trait Item: Copy + Default + 'static {
     /// Its parameters in their order.
     const FIELDS: &'static [Field<Self>];
 
+    /// What people call one item of its list.
+    const LABEL: &'static str = "";
+
     /// Where, when and on what it acts, if that can be chosen; the scope's parameters follow its own.
     fn scope(&mut self) -> Option<&mut Scope> {
         None
@@ -67,6 +70,9 @@ pub trait Section: Sync {
     /// Whether its keys have an index behind the name.
     fn is_list(&self) -> bool;
 
+    /// What people call one of its items.
+    fn label(&self) -> &'static str;
+
     /// How many items exist: 1 where it is no list.
     fn len(&self, parameters: &Parameters) -> usize;
 
@@ -105,6 +111,10 @@ impl<I: Item> Section for Single<I> {
         false
     }
 
+    fn label(&self) -> &'static str {
+        I::LABEL
+    }
+
     fn len(&self, _parameters: &Parameters) -> usize {
         1
     }
@@ -131,6 +141,10 @@ impl<I: Item> Section for Many<I> {
 
     fn is_list(&self) -> bool {
         true
+    }
+
+    fn label(&self) -> &'static str {
+        I::LABEL
     }
 
     fn len(&self, parameters: &Parameters) -> usize {

@@ -8,7 +8,6 @@ use crate::forces::turbulence::Pattern;
 use crate::forces::wind::Weather;
 use crate::forces::{self, Lists};
 use crate::obstacles::Collider;
-use crate::vortex_particles::shedder::Shedder;
 
 /// Every parameter, in the units of the table. All values are within their ranges, always.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,7 +23,6 @@ pub struct Parameters {
     pub simulation: Settings,
     pub emitters: List<Emitter>,
     pub colliders: List<Collider>,
-    pub shedders: List<Shedder>,
     /// The lists of forces.
     pub lists: Lists,
 }
@@ -44,7 +42,6 @@ impl Default for Parameters {
             simulation: item(),
             emitters: List::default(),
             colliders: List::default(),
-            shedders: List::default(),
             lists: Lists::default(),
         }
     }
@@ -73,11 +70,6 @@ const OWN: &[&dyn Section] = &[
         name: "colliders",
         of: |p| &mut p.colliders,
         len: |p| p.colliders.items().len(),
-    },
-    &Many {
-        name: "shedders",
-        of: |p| &mut p.shedders,
-        len: |p| p.shedders.items().len(),
     },
 ];
 

@@ -1,5 +1,6 @@
 //! What a rigid is made of, and the ranges of what callers give.
 
+use super::path::Path;
 use crate::collide::space::{Pose, Vector};
 use crate::error::ParameterError;
 
@@ -72,6 +73,27 @@ pub struct RigidDescription {
     pub friction: f32,
     /// kg/m3, 0.01..100,000.
     pub density: f32,
+    /// How a kinematic rigid spins, on top of all else that moves it.
+    pub spin: Spin,
+    /// Where a kinematic rigid goes by itself. It begins at `pose` all the same.
+    pub path: Option<Path>,
+}
+
+/// A steady spin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spin {
+    /// Unit vector in the rigid's own space.
+    pub axis: Vector,
+    /// rad/s, at most so much that no point of the surface is faster than [`super::TOP_SPEED`]; 0: none.
+    pub rate: f32,
+}
+
+impl Spin {
+    /// No spin.
+    pub const NONE: Spin = Spin {
+        axis: Vector::Y,
+        rate: 0.0,
+    };
 }
 
 impl RigidDescription {
@@ -84,6 +106,8 @@ impl RigidDescription {
             restitution: 0.0,
             friction: 0.5,
             density: 1000.0,
+            spin: Spin::NONE,
+            path: None,
         }
     }
 }

@@ -3,13 +3,21 @@
 //! Rapier moves the rigids; particles are none. After Rapier's step each rigid is an obstacle on its way from the pose
 //! before to the pose after, and [`crate::collide`] lets the particles near it bump into that.
 
+mod commands;
 mod compound;
 pub mod description;
 mod forms;
+mod grab;
 mod grid;
+mod guide;
+pub mod joints;
+#[cfg(feature = "bench")]
+mod measure;
 mod meshes;
 mod numbers;
+pub mod path;
 mod save;
+mod track;
 mod world;
 
 use crate::collide::contact::{Material, Obstacle};
@@ -19,13 +27,19 @@ use crate::collide::space::{Bounds, Pose, Vector};
 use crate::collide::survey::{Extent, Ways};
 use crate::error::ParameterError;
 use crate::hash::Hash;
-pub use description::{RigidDescription, RigidKind, RigidPart, RigidShape, pose_of};
+use crate::simulator::STEP;
+pub use description::{RigidDescription, RigidKind, RigidPart, RigidShape, Spin, pose_of};
+pub use grab::Grab;
 use grid::Grid;
+use guide::Guide;
+pub use joints::{JointDescription, JointKind, Motor};
 pub use numbers::{FlatRigid, RigidNumbers};
+pub use path::{Keyframe, Pace, Path};
+use track::Track;
 use world::World;
 
 /// A kinematic rigid's surface never moves faster (m/s): up to here no particle can get through it.
-pub const TOP_SPEED: f32 = 20.0;
+pub const TOP_SPEED: f32 = 120.0;
 /// Floats of one rigid in [`Rigids::poses`].
 pub const POSE_PAIR_FLOATS: usize = 14;
 const MOST_RIGIDS: usize = 4096;
@@ -38,13 +52,14 @@ pub struct Rigids {
     poses: Vec<f32>,
     grid: Grid,
     bounds: Bounds,
+    /// Steps of the simulator, which paths go by.
+    steps: u64,
 }
 
 struct Member {
     description: RigidDescription,
     pose: Pose,
-    /// Where a kinematic rigid was told to go, until it is there.
-    target: Option<Pose>,
+    guide: Guide,
     /// No point of the shape is farther from its origin (m).
     reach: f32,
 }
@@ -74,7 +89,13 @@ impl Rigids {
             poses: Vec::new(),
             grid: Grid::default(),
             bounds: Bounds::NOTHING,
+            steps: 0,
         }
+    }
+
+    /// Tells how many steps the simulator has made; paths go by that.
+    pub fn set_steps(&mut self, steps: u64) {
+        self.steps = steps;
     }
 
     /// How many there are.
@@ -97,6 +118,7 @@ impl Rigids {
             ));
         }
         let forms = forms::forms_of(&description)?;
+        check_motion(&description, reach_of(&forms.ours.bounds()))?;
         self.world.add(&description, &forms.rapiers);
         self.place(description, forms.ours);
         Ok(index as u32)
@@ -120,38 +142,15 @@ impl Rigids {
             material,
             bounds,
         });
-        let reach = own.min.abs().greatest(own.max.abs()).length();
+        let mut guide = Guide::new(pose);
+        guide.track = description.path.as_ref().map(Track::new);
         self.members.push(Member {
             description,
             pose,
-            target: None,
-            reach,
+            guide,
+            reach: reach_of(&own),
         });
         self.poses.extend_from_slice(&pair(&pose, &pose));
-    }
-
-    /// Sends a kinematic rigid to a pose: it is there after the coming step, or after more when its surface would have
-    /// to move faster than [`TOP_SPEED`].
-    ///
-    /// # Errors
-    /// When there is no such rigid or it is not kinematic.
-    pub fn move_to(&mut self, index: u32, pose: Pose) -> Result<(), ParameterError> {
-        self.check_kinematic(index)?;
-        self.members[index as usize].target = Some(pose);
-        Ok(())
-    }
-
-    /// Refuses a rigid that does not exist or cannot be told where to go.
-    pub(crate) fn check_kinematic(&self, index: u32) -> Result<(), ParameterError> {
-        let Some(member) = self.members.get(index as usize) else {
-            let last = self.count() as f64 - 1.0;
-            return Err(ParameterError::out_of_range("rigid.index", f64::from(index), 0.0, last));
-        };
-        if member.description.kind != RigidKind::Kinematic {
-            let message = format!("rigid {index} is not kinematic; only kinematic rigids can be told where to go");
-            return Err(description::shape_error("rigid.index", f64::from(index), message));
-        }
-        Ok(())
     }
 
     /// For each rigid its pose before and after the last step: x, y, z (m) and the quaternion x, y, z, w, twice.
@@ -161,15 +160,25 @@ impl Rigids {
 
     /// Moves every rigid over `dt` seconds; keeps the poses at the start and at the end.
     pub fn advance(&mut self, dt: f32) {
+        self.step_world(dt);
+        self.follow_world(dt);
+    }
+
+    /// The first half of [`Rigids::advance`]: the world's own step.
+    pub(crate) fn step_world(&mut self, dt: f32) {
+        self.steps += 1;
         if self.members.is_empty() {
             return;
         }
+        let time = self.steps as f64 * STEP;
         for (index, member) in self.members.iter_mut().enumerate() {
-            if let Some(next) = member.next_pose(dt) {
-                self.world.head_for(index, &next);
-            }
+            member.lead(index, &mut self.world, time, dt);
         }
         self.world.step(dt);
+    }
+
+    /// The second half of [`Rigids::advance`]: each rigid as an obstacle on its way.
+    pub(crate) fn follow_world(&mut self, dt: f32) {
         for index in 0..self.count() {
             let start = self.members[index].pose;
             let end = self.world.pose(index);
@@ -181,11 +190,13 @@ impl Rigids {
 
     fn follow(&mut self, index: usize, start: Pose, end: Pose, dt: f32) {
         let obstacle = &mut self.obstacles[index];
-        let still = start == end;
+        let member = &self.members[index];
+        let turn = member.guide.turn(&member.description.spin, dt);
+        let still = start == end && turn == Vector::ZERO;
         obstacle.motion = if still {
             Motion::resting(end)
         } else {
-            Motion::between(start, end, dt, obstacle.shape.is_round())
+            Motion::turning(start, end, dt, obstacle.shape.is_round(), turn)
         };
         obstacle.bounds = obstacle.motion.bounds_of(&obstacle.shape.bounds());
         self.grid.place(index, obstacle.bounds);
@@ -224,27 +235,44 @@ impl Rigids {
         hash.floats(&self.poses);
         for (index, member) in self.members.iter().enumerate() {
             self.world.hash_into(index, hash);
-            if let Some(target) = &member.target {
-                hash.floats(&pose_numbers(target));
-            }
+            member.guide.hash_into(hash);
         }
     }
 }
 
 impl Member {
-    /// How far towards its target this rigid gets in `dt` seconds.
-    fn next_pose(&mut self, dt: f32) -> Option<Pose> {
-        let target = self.target?;
-        let way = (target.position - self.pose.position).length();
-        let arc = self.pose.turn_to(&target).length() * self.reach;
-        let share = TOP_SPEED * dt / (way + arc).max(f32::MIN_POSITIVE);
-        if share >= 1.0 {
-            self.target = None;
-            Some(target)
-        } else {
-            Some(self.pose.towards(&target, share))
+    /// Tells the world where this rigid goes, or what draws it, in the coming step, which ends at `time`.
+    fn lead(&mut self, index: usize, world: &mut World, time: f64, dt: f32) {
+        match (self.description.kind, &self.guide.grab) {
+            (RigidKind::Kinematic, _) => {
+                if let Some(next) = self.guide.next(time, dt, self.reach, &self.description.spin) {
+                    world.head_for(index, &next);
+                }
+            }
+            (RigidKind::Dynamic, grab) => {
+                world.clear_forces(index);
+                if let Some(grab) = grab {
+                    world.pull(index, grab, dt);
+                }
+            }
+            (RigidKind::Fixed, _) => {}
         }
     }
+}
+
+/// Refuses a path or a spin of what is not kinematic, and a spin that is too fast for a shape of this `reach` (m).
+fn check_motion(description: &RigidDescription, reach: f32) -> Result<(), ParameterError> {
+    let moves = description.path.is_some() || description.spin.rate != 0.0;
+    if moves && description.kind != RigidKind::Kinematic {
+        let message = "rigid.kind must be kinematic for a rigid with a path or a spin".to_owned();
+        return Err(description::shape_error("rigid.kind", f64::NAN, message));
+    }
+    commands::check_spin(&description.spin, reach)
+}
+
+/// No point in the box is farther from the origin (m).
+fn reach_of(bounds: &Bounds) -> f32 {
+    bounds.min.abs().greatest(bounds.max.abs()).length()
 }
 
 impl Collider for Box<dyn Collider> {

@@ -1,14 +1,17 @@
 //! Rigids as flat numbers: how they cross a language boundary and how they are saved.
 //!
 //! `numbers`: kind (0 fixed, 1 kinematic, 2 dynamic); position x, y, z and quaternion x, y, z, w; restitution, friction,
-//! density; the count of parts, 0 for a single shape that is no compound. Then for each part: shape (0 ball, 1 cuboid,
+//! density; the axis of the spin x, y, z and its rate; the count of parts, 0 for a single shape that is no compound. Then for each part: shape (0 ball, 1 cuboid,
 //! 2 capsule, 3 cylinder, 4 convex hull, 5 trimesh), how many dimensions, vertex numbers and indices it has, its pose
 //! in the rigid (7, as above), and its dimensions. Ball: radius. Cuboid: half extents. Capsule and cylinder: half
 //! height, radius. Hull and trimesh: none.
 
+use super::commands::spin_of;
 use super::description::{
-    AXES, LENGTHS, RigidDescription, RigidKind, RigidPart, RigidShape, count_error, pose_under, ranged, shape_error,
+    AXES, LENGTHS, RigidDescription, RigidKind, RigidPart, RigidShape, Spin, count_error, pose_under, ranged,
+    shape_error,
 };
+use super::path::Path;
 use super::pose_numbers;
 use crate::collide::space::{Pose, Vector};
 use crate::error::ParameterError;
@@ -24,6 +27,8 @@ pub struct RigidNumbers<'a> {
     pub vertices: &'a [f32],
     /// Three vertices of each triangle, counted within the part; part by part.
     pub indices: &'a [u32],
+    /// As [`Path::from_numbers`] reads it.
+    pub path: &'a [f32],
 }
 
 /// The same, owned.
@@ -32,6 +37,7 @@ pub struct FlatRigid {
     pub numbers: Vec<f32>,
     pub vertices: Vec<f32>,
     pub indices: Vec<u32>,
+    pub path: Vec<f32>,
 }
 
 impl RigidDescription {
@@ -47,6 +53,7 @@ impl RigidDescription {
         let restitution = ranged("rigid.restitution", reader.number()?, (0.0, 1.0))?;
         let friction = ranged("rigid.friction", reader.number()?, (0.0, 1.0))?;
         let density = ranged("rigid.density", reader.number()?, DENSITIES)?;
+        let spin = reader.spin()?;
         Ok(Self {
             kind,
             shape: reader.shape()?,
@@ -54,12 +61,17 @@ impl RigidDescription {
             restitution,
             friction,
             density,
+            spin,
+            path: Path::from_numbers(numbers.path)?,
         })
     }
 
     /// The flat numbers of which [`RigidDescription::from_numbers`] makes the same description.
     pub fn to_numbers(&self) -> FlatRigid {
-        let mut flat = FlatRigid::default();
+        let mut flat = FlatRigid {
+            path: self.path.as_ref().map(Path::to_numbers).unwrap_or_default(),
+            ..FlatRigid::default()
+        };
         flat.numbers.push(match self.kind {
             RigidKind::Fixed => 0.0,
             RigidKind::Kinematic => 1.0,
@@ -67,6 +79,8 @@ impl RigidDescription {
         });
         flat.numbers.extend(pose_numbers(&self.pose));
         flat.numbers.extend([self.restitution, self.friction, self.density]);
+        flat.numbers.extend(<[f32; 3]>::from(self.spin.axis));
+        flat.numbers.push(self.spin.rate);
         match &self.shape {
             RigidShape::Compound { parts } => {
                 flat.numbers.push(parts.len() as f32);
@@ -122,6 +136,11 @@ impl<'a> Reader<'a> {
             return Err(ParameterError::not_whole(key, f64::from(count), 0.0, most as f64));
         }
         Ok(count as usize)
+    }
+
+    fn spin(&mut self) -> Result<Spin, ParameterError> {
+        let axis = [self.number()?, self.number()?, self.number()?];
+        spin_of(axis, self.number()?)
     }
 
     fn shape(&mut self) -> Result<RigidShape, ParameterError> {

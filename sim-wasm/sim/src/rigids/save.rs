@@ -4,18 +4,21 @@
 use rapier3d::prelude::PhysicsWorld;
 
 use super::description::{RigidDescription, pose_of};
+use super::grab::Grab;
+use super::guide::Guide;
 use super::numbers::{FlatRigid, RigidNumbers};
 use super::world::World;
 use super::{Member, POSE_PAIR_FLOATS, Rigids, forms, pose_numbers};
-use crate::collide::space::Pose;
-use crate::error::RestoreError;
+use crate::error::{ParameterError, RestoreError};
 use crate::hash::Hash;
 
-/// The description as flat numbers: numbers, vertices, indices.
-type SavedRigid = (Vec<f32>, Vec<f32>, Vec<u32>);
-type Saved = (Vec<SavedRigid>, Vec<f32>, Vec<Option<[f32; 7]>>, PhysicsWorld);
+/// The description as flat numbers: numbers, vertices, indices, path.
+type SavedRigid = (Vec<f32>, Vec<f32>, Vec<u32>, Vec<f32>);
+/// What leads a rigid: base, velocity, angle, target, grab.
+type SavedGuide = ([f32; 7], [f32; 3], f64, Option<[f32; 7]>, Option<[f32; 7]>);
+type Saved = (u64, Vec<SavedRigid>, Vec<f32>, Vec<SavedGuide>, PhysicsWorld);
 /// The same, borrowed, which is all that writing needs.
-type SavedRef<'a> = (Vec<SavedRigid>, &'a [f32], Vec<Option<[f32; 7]>>, &'a PhysicsWorld);
+type SavedRef<'a> = (u64, Vec<SavedRigid>, &'a [f32], Vec<SavedGuide>, &'a PhysicsWorld);
 
 const DIGEST_BYTES: usize = 8;
 
@@ -26,12 +29,8 @@ impl Rigids {
             return Vec::new();
         }
         let rigids = self.members.iter().map(saved).collect();
-        let targets = self
-            .members
-            .iter()
-            .map(|member| member.target.as_ref().map(pose_numbers))
-            .collect();
-        let state: SavedRef = (rigids, &self.poses, targets, self.world.physics());
+        let guides = self.members.iter().map(|member| saved_guide(&member.guide)).collect();
+        let state: SavedRef = (self.steps, rigids, &self.poses, guides, self.world.physics());
         let mut bytes = postcard::to_allocvec(&state).expect("memory takes every byte");
         bytes.extend_from_slice(&digest(&bytes));
         bytes
@@ -55,22 +54,45 @@ impl Rigids {
         Self::of_saved(saved)
     }
 
-    fn of_saved((rigids, poses, targets, physics): Saved) -> Result<Self, RestoreError> {
+    fn of_saved((steps, rigids, poses, guides, physics): Saved) -> Result<Self, RestoreError> {
         let count = rigids.len();
-        if poses.len() != count * POSE_PAIR_FLOATS || targets.len() != count || physics.bodies.len() != count {
+        if poses.len() != count * POSE_PAIR_FLOATS || guides.len() != count || physics.bodies.len() != count {
             return Err(corrupt());
         }
         let mut restored = Self::new();
         restored.world = World::of(physics);
-        for (rigid, target) in rigids.iter().zip(targets) {
+        for (rigid, guide) in rigids.iter().zip(guides) {
             let description = described(rigid)?;
             let forms = forms::forms_of(&description).map_err(|error| RestoreError::new(error.message))?;
             restored.place(description, forms.ours);
-            restored.members.last_mut().expect("one was just placed").target = read_target(target)?;
+            let member = restored.members.last_mut().expect("one was just placed");
+            take_up(&mut member.guide, guide).map_err(|error| RestoreError::new(error.message))?;
         }
         restored.poses = poses;
+        restored.steps = steps;
         Ok(restored)
     }
+}
+
+fn saved_guide(guide: &Guide) -> SavedGuide {
+    (
+        pose_numbers(&guide.base),
+        guide.velocity.into(),
+        guide.angle,
+        guide.target.as_ref().map(pose_numbers),
+        guide.grab.as_ref().map(Grab::numbers),
+    )
+}
+
+fn take_up(guide: &mut Guide, (base, velocity, angle, target, grab): SavedGuide) -> Result<(), ParameterError> {
+    guide.base = pose_of(&base)?;
+    guide.velocity = velocity.into();
+    guide.angle = angle;
+    guide.target = target.map(|numbers| pose_of(&numbers)).transpose()?;
+    guide.grab = grab
+        .map(|[a, b, c, x, y, z, stiffness]| Grab::from_numbers([a, b, c], [x, y, z], stiffness))
+        .transpose()?;
+    Ok(())
 }
 
 fn saved(member: &Member) -> SavedRigid {
@@ -78,24 +100,19 @@ fn saved(member: &Member) -> SavedRigid {
         numbers,
         vertices,
         indices,
+        path,
     } = member.description.to_numbers();
-    (numbers, vertices, indices)
+    (numbers, vertices, indices, path)
 }
 
-fn described((numbers, vertices, indices): &SavedRigid) -> Result<RigidDescription, RestoreError> {
+fn described((numbers, vertices, indices, path): &SavedRigid) -> Result<RigidDescription, RestoreError> {
     let flat = RigidNumbers {
         numbers,
         vertices,
         indices,
+        path,
     };
     RigidDescription::from_numbers(&flat).map_err(|error| RestoreError::new(error.message))
-}
-
-fn read_target(target: Option<[f32; 7]>) -> Result<Option<Pose>, RestoreError> {
-    target
-        .map(|floats| pose_of(&floats))
-        .transpose()
-        .map_err(|error| RestoreError::new(error.message))
 }
 
 fn digest(bytes: &[u8]) -> [u8; DIGEST_BYTES] {

@@ -1,15 +1,20 @@
 //! The world of Rapier: what falls, is pushed and is told where to go. Gravity is 9.81 m/s2 downward.
 
-use rapier3d::glamx::{Pose3, Quat, Vec3};
+use rapier3d::glamx::{Mat3, Pose3, Quat, Vec3};
 use rapier3d::parry::shape::SharedShape;
-use rapier3d::prelude::{ColliderBuilder, PhysicsWorld, RigidBody, RigidBodyBuilder, RigidBodyHandle};
+use rapier3d::prelude::{
+    ColliderBuilder, GenericJoint, PhysicsWorld, RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodyMassProps,
+};
 
 use super::description::{RigidDescription, RigidKind};
+use super::grab::Grab;
 use super::meshes::{ours, parrys};
 use crate::collide::space::Pose;
 use crate::hash::Hash;
 
 const GRAVITY: f32 = -9.81;
+/// Angular damping of what is dragged, as a share of the spring's stiffness.
+const SWING_DAMPING: f32 = 0.5;
 
 /// Rapier's world; its rigid bodies are numbered as they were added, and none is ever removed.
 pub struct World {
@@ -42,9 +47,41 @@ impl World {
         }
     }
 
+    /// Joins two rigids.
+    pub fn join(&mut self, a: usize, b: usize, joint: GenericJoint) {
+        self.physics.insert_impulse_joint(handle(a), handle(b), joint);
+    }
+
+    /// Joints added so far.
+    pub fn joint_count(&self) -> usize {
+        self.physics.impulse_joints.len()
+    }
+
     /// Where the coming step takes a kinematic rigid.
     pub fn head_for(&mut self, index: usize, pose: &Pose) {
         self.physics.bodies[handle(index)].set_next_kinematic_position(rapiers(pose));
+    }
+
+    /// Draws a point of a dynamic rigid: by the force that gives the point, over `dt` seconds and against gravity, the
+    /// velocity that the spring wants, whatever the rigid's mass is. Its swinging about the point is damped.
+    pub fn pull(&mut self, index: usize, grab: &Grab, dt: f32) {
+        let gravity = self.physics.gravity;
+        let body = &mut self.physics.bodies[handle(index)];
+        let point = body.position().transform_point(parrys(grab.anchor));
+        let velocity = body.velocity_at_point(point);
+        let wanted = grab.spring(ours(point), ours(velocity), grab.target, dt);
+        let change = parrys(wanted) - velocity - gravity * dt;
+        let force = mass_at(body.mass_properties(), point) * change / dt;
+        body.add_force_at_point(force, point, true);
+        body.set_angular_damping(SWING_DAMPING * grab.stiffness);
+    }
+
+    /// Forgets the forces of the last step, before those of the coming one are added.
+    pub fn clear_forces(&mut self, index: usize) {
+        let body = &mut self.physics.bodies[handle(index)];
+        body.reset_forces(false);
+        body.reset_torques(false);
+        body.set_angular_damping(0.0);
     }
 
     /// Advances by `dt` seconds.
@@ -86,6 +123,22 @@ impl World {
     /// A world as it was saved.
     pub fn of(physics: PhysicsWorld) -> Self {
         Self { physics }
+    }
+}
+
+/// How a rigid resists being accelerated at a point, kg: the inverse of 1/m - [r] I^-1 [r]. None before the first
+/// step, in which Rapier finds the masses.
+fn mass_at(properties: &RigidBodyMassProps, point: Vec3) -> Mat3 {
+    let arm = point - properties.world_com;
+    let column = |axis: Vec3| {
+        let turned = properties.effective_world_inv_inertia.mul_vec(arm.cross(axis));
+        properties.effective_inv_mass * axis + turned.cross(arm)
+    };
+    let mobility = Mat3::from_cols(column(Vec3::X), column(Vec3::Y), column(Vec3::Z));
+    if mobility.determinant() > 0.0 {
+        mobility.inverse()
+    } else {
+        Mat3::ZERO
     }
 }
 

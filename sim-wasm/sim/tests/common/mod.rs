@@ -66,3 +66,30 @@ pub fn place(simulator: &Simulator, i: usize) -> [f32; 3] {
     let particles = simulator.particles();
     [particles.x[i], particles.y[i], particles.z[i]]
 }
+
+/// Length of a step (s).
+pub const STEP: f64 = sim::simulator::STEP;
+
+/// A simulator in still air with one particle, which has this slip.
+pub fn alone(settings: &[(&str, f64)], position: [f32; 3], slip: [f32; 3]) -> Simulator {
+    let mut simulator = simulator(1, 1, &[STILL, settings]);
+    simulator.add(&Newborn {
+        slip,
+        ..newborn(position)
+    });
+    simulator
+}
+
+/// The slip of particle `i`.
+pub fn slip(simulator: &Simulator, i: usize) -> [f32; 3] {
+    let particles = simulator.particles();
+    [particles.sx[i], particles.sy[i], particles.sz[i]]
+}
+
+/// That `value` is `expected` but for a share `tolerance` of it.
+pub fn assert_close(name: &str, value: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (value - expected).abs() <= tolerance * expected.abs(),
+        "{name}: {value}, expected {expected}"
+    );
+}

@@ -1,0 +1,91 @@
+//! Speed limits: smoke moves no faster than it may.
+//!
+//! Where air and slip together would take a particle farther in a step than L h, its way and its slip become shorter by
+//! the same factor: a hard limit, below which nothing changes. Where the region's weight is w, the factor f becomes
+//! 1 - w (1 - f). Parameter: `speedLimits.#.speed` L (m/s). After Sims, "Particle Animation and Rendering Using Data
+//! Parallel Computation", SIGGRAPH 1990.
+
+use wide::f32x4;
+
+use super::{Force, Setting, Stage};
+use crate::parameters::field::{Field, number};
+use crate::parameters::section::Item;
+use crate::scope::{Reach, Scope};
+use crate::simd::Vector4;
+use crate::tile::{Columns, Tile};
+
+/// `speedLimits.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SpeedLimit {
+    pub speed: f64,
+    pub scope: Scope,
+}
+
+impl Item for SpeedLimit {
+    const FIELDS: &'static [Field<Self>] =
+        &[
+            number("speed", "m/s", [0.0, 1000.0], 1000.0, |s: &mut Self| &mut s.speed)
+                .says("Top speed", "Smoke in its region moves no faster."),
+        ];
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}
+
+/// A limit of one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel {
+    speed: f32x4,
+    reach: Reach,
+}
+
+impl Force for SpeedLimit {
+    type Kernel = Kernel;
+    const STAGE: Stage = Stage::Limit;
+
+    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+        Some(Kernel {
+            speed: f32x4::splat(self.speed as f32),
+            reach: Reach::new(&self.scope, &setting.now)?,
+        })
+    }
+
+    fn act(kernels: &[Kernel], tile: &mut Tile) {
+        let is_instant = tile.is_instant;
+        let per_dt = f32x4::splat(1.0 / tile.dt);
+        let Columns {
+            ahead,
+            flow,
+            slip,
+            slipped,
+            weight,
+            ..
+        } = tile.columns();
+        for kernel in kernels {
+            kernel.reach.weigh(ahead, weight);
+            for (block, weight) in weight.iter().enumerate() {
+                // The paper's rule has one velocity, and it stands where slip stands otherwise.
+                let velocity = if is_instant {
+                    slip[block]
+                } else {
+                    flow[block] + slipped[block] * per_dt
+                };
+                let factor = kernel.factor(velocity, *weight);
+                flow[block] = flow[block] * factor;
+                slipped[block] = slipped[block] * factor;
+                slip[block] = slip[block] * factor;
+            }
+        }
+    }
+}
+
+impl Kernel {
+    #[inline(always)]
+    fn factor(&self, velocity: Vector4, weight: f32x4) -> f32x4 {
+        let speed = velocity.dot(velocity).sqrt();
+        let is_fast = speed.simd_gt(self.speed);
+        let kept = is_fast.select(self.speed / speed, f32x4::ONE);
+        f32x4::ONE - weight * (f32x4::ONE - kept)
+    }
+}

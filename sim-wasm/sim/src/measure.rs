@@ -1,0 +1,45 @@
+//! What only measurements need, by the feature `bench`: a step in its parts, and the answers that Rapier itself gives
+//! about the same particles and rigids.
+
+use crate::collide::space::{Bounds, Vector};
+use crate::life::RadiusLaw;
+pub use crate::simulator::Part;
+use crate::simulator::Simulator;
+
+impl Simulator {
+    /// As [`Simulator::step`]; calls `ended` at the end of each part.
+    pub fn step_observed(&mut self, ended: impl FnMut(Part)) {
+        self.step_in_parts(ended);
+    }
+
+    /// Writes the numbers of the living particles whose own box touches the box that a rigid swept in the last step:
+    /// any cells that hold all that may touch hold at least these.
+    pub fn find_in_touched_boxes(&self, found: &mut Vec<u32>) {
+        found.clear();
+        let puff_size = RadiusLaw::new(&self.parameters).puff_size;
+        let mut near = Vec::new();
+        for index in 0..self.alive() as u32 {
+            let centre = self.centre(index);
+            let radius = self.particles.size[index as usize] * puff_size;
+            near.clear();
+            self.rigids
+                .find_near(&Bounds::of_way(centre, centre, radius), 0, &mut near);
+            if !near.is_empty() {
+                found.push(index);
+            }
+        }
+    }
+
+    /// Asks Rapier's query pipeline for the point of any rigid nearest to each of `asked` and writes the signed
+    /// distance (m); for points farther than `limit` (m) that limit.
+    pub fn project(&self, asked: &[u32], limit: f32, distances: &mut Vec<f32>) {
+        distances.clear();
+        let points = asked.iter().map(|index| self.centre(*index));
+        self.rigids.project(points, limit, distances);
+    }
+
+    fn centre(&self, index: u32) -> Vector {
+        let i = index as usize;
+        Vector::new(self.particles.x[i], self.particles.y[i], self.particles.z[i])
+    }
+}

@@ -1,0 +1,138 @@
+//! What a rigid can be told once it is there.
+
+use super::description::{RigidKind, Spin, ranged, shape_error};
+use super::grab::Grab;
+use super::path::Path;
+use super::track::Track;
+use super::{Member, Rigids, TOP_SPEED};
+use crate::collide::space::{Pose, Vector};
+use crate::error::ParameterError;
+
+/// Fastest spin (rad/s), for shapes so small that [`TOP_SPEED`] would allow more: two turns a step.
+const FASTEST_SPIN: f32 = 720.0;
+
+impl Rigids {
+    /// Sends a kinematic rigid to a pose: it is there after the coming step, or after more when its surface would have
+    /// to move faster than [`TOP_SPEED`]. It leaves its path for that; its spin goes on.
+    ///
+    /// # Errors
+    /// When there is no such rigid or it is not kinematic.
+    pub fn move_to(&mut self, index: u32, pose: Pose) -> Result<(), ParameterError> {
+        let member = self.kinematic(index)?;
+        member.description.path = None;
+        member.guide.track = None;
+        member.guide.target = Some(pose);
+        Ok(())
+    }
+
+    /// Gives a kinematic rigid a path, or takes it away. The path's time is that of the simulator; a rigid that is
+    /// elsewhere goes to its path no faster than [`TOP_SPEED`].
+    ///
+    /// # Errors
+    /// When there is no such rigid or it is not kinematic.
+    pub fn set_path(&mut self, index: u32, path: Option<Path>) -> Result<(), ParameterError> {
+        let member = self.kinematic(index)?;
+        member.guide.target = None;
+        member.guide.track = path.as_ref().map(Track::new);
+        member.description.path = path;
+        Ok(())
+    }
+
+    /// Lets a kinematic rigid spin about `axis`, in its own space, at `rate` rad/s on top of all else that moves it. It
+    /// goes on from how it is turned now.
+    ///
+    /// # Errors
+    /// When there is no such rigid, it is not kinematic, the axis has no direction, or the surface would move faster
+    /// than [`TOP_SPEED`].
+    pub fn set_spin(&mut self, index: u32, axis: [f32; 3], rate: f32) -> Result<(), ParameterError> {
+        let member = self.kinematic(index)?;
+        let spin = spin_of(axis, rate)?;
+        check_spin(&spin, member.reach)?;
+        member.guide.base = member.guide.pose(&member.description.spin);
+        member.guide.angle = 0.0;
+        member.description.spin = spin;
+        Ok(())
+    }
+
+    /// Draws a point of a rigid to a place by a critically damped spring, until [`Rigids::release`].
+    ///
+    /// # Errors
+    /// When there is no such rigid or it is fixed.
+    pub fn drag(&mut self, index: u32, grab: Grab) -> Result<(), ParameterError> {
+        let member = self.member(index)?;
+        if member.description.kind == RigidKind::Fixed {
+            let message = format!("rigid {index} is fixed; only kinematic and dynamic rigids can be dragged");
+            return Err(shape_error("rigid.index", f64::from(index), message));
+        }
+        member.guide.target = None;
+        member.guide.grab = Some(grab);
+        Ok(())
+    }
+
+    /// Lets go: a kinematic rigid stays where it is or goes back to its path, a dynamic one flies on.
+    ///
+    /// # Errors
+    /// When there is no such rigid.
+    pub fn release(&mut self, index: u32) -> Result<(), ParameterError> {
+        let guide = &mut self.member(index)?.guide;
+        guide.grab = None;
+        guide.velocity = Vector::ZERO;
+        Ok(())
+    }
+
+    fn member(&mut self, index: u32) -> Result<&mut Member, ParameterError> {
+        let count = self.count();
+        self.members
+            .get_mut(index as usize)
+            .ok_or_else(|| no_such_rigid(index, count))
+    }
+
+    fn kinematic(&mut self, index: u32) -> Result<&mut Member, ParameterError> {
+        self.check_kinematic(index)?;
+        self.member(index)
+    }
+
+    /// Refuses a rigid that does not exist or cannot be told where to go.
+    pub(crate) fn check_kinematic(&self, index: u32) -> Result<(), ParameterError> {
+        let Some(member) = self.members.get(index as usize) else {
+            return Err(no_such_rigid(index, self.count()));
+        };
+        if member.description.kind == RigidKind::Kinematic {
+            return Ok(());
+        }
+        let message = format!("rigid {index} is not kinematic; only kinematic rigids can be told where to go");
+        Err(shape_error("rigid.index", f64::from(index), message))
+    }
+}
+
+/// A refusal of the number of a rigid, where there are `count`.
+pub(super) fn no_such_rigid(index: u32, count: usize) -> ParameterError {
+    ParameterError::out_of_range("rigid.index", f64::from(index), 0.0, count as f64 - 1.0)
+}
+
+/// Reads a spin: its axis, brought to unit length, and its rate (rad/s).
+///
+/// # Errors
+/// When a number is not finite or too large, or the axis has no direction.
+pub(super) fn spin_of(axis: [f32; 3], rate: f32) -> Result<Spin, ParameterError> {
+    let rate = ranged(
+        "rigid.spin.rate",
+        rate,
+        (-f64::from(FASTEST_SPIN), f64::from(FASTEST_SPIN)),
+    )?;
+    for (name, value) in ["x", "y", "z"].iter().zip(axis) {
+        ranged(&format!("rigid.spin.axis.{name}"), value, (-1e3, 1e3))?;
+    }
+    let length = Vector::from(axis).length();
+    ranged("rigid.spin.axis", length, (1e-3, 2e3))?;
+    // What is a unit but for rounding stays bit for bit, as with rotations.
+    let scale = if (length - 1.0).abs() < 1e-5 { 1.0 } else { 1.0 / length };
+    let axis = Vector::from(axis) * scale;
+    Ok(Spin { axis, rate })
+}
+
+/// Refuses a spin at which a rigid of `reach` (m) would be faster than [`TOP_SPEED`].
+pub(super) fn check_spin(spin: &Spin, reach: f32) -> Result<(), ParameterError> {
+    let most = f64::from((TOP_SPEED / reach).min(FASTEST_SPIN));
+    ranged("rigid.spin.rate", spin.rate, (-most, most)).map(|_| ())
+}

@@ -1,0 +1,110 @@
+//! What leads a kinematic rigid: a place it was told to go to, a path, a pointer that drags it; and a spin on top.
+
+use super::description::Spin;
+use super::grab::Grab;
+use super::track::Track;
+use super::{TOP_SPEED, pose_numbers};
+use crate::collide::space::{Frame, Pose, Vector, product, rotation_about};
+use crate::hash::Hash;
+
+/// The state of what leads one rigid.
+#[derive(Clone, Debug)]
+pub struct Guide {
+    /// The pose without the spin.
+    pub base: Pose,
+    /// Velocity (m/s) of the base while it is dragged.
+    pub velocity: Vector,
+    /// How far it has spun (rad), 0..2 pi.
+    pub angle: f64,
+    /// Where it was told to go, until it is there.
+    pub target: Option<Pose>,
+    pub track: Option<Track>,
+    pub grab: Option<Grab>,
+}
+
+impl Guide {
+    /// Nothing leads.
+    pub fn new(base: Pose) -> Self {
+        Self {
+            base,
+            velocity: Vector::ZERO,
+            angle: 0.0,
+            target: None,
+            track: None,
+            grab: None,
+        }
+    }
+
+    /// Leads a rigid of `reach` (m) for `dt` seconds, up to `time` (s); none when nothing leads it.
+    pub fn next(&mut self, time: f64, dt: f32, reach: f32, spin: &Spin) -> Option<Pose> {
+        let led = self.grab.is_some() || self.track.is_some() || self.target.is_some();
+        if !led && spin.rate == 0.0 {
+            return None;
+        }
+        if let Some(goal) = self.goal(time, dt) {
+            self.go_to(&goal, dt, reach);
+        }
+        let turned = self.angle + f64::from(spin.rate) * f64::from(dt);
+        self.angle = turned - libm::floor(turned / std::f64::consts::TAU) * std::f64::consts::TAU;
+        Some(self.pose(spin))
+    }
+
+    /// The base with the spin.
+    pub fn pose(&self, spin: &Spin) -> Pose {
+        if spin.rate == 0.0 && self.angle == 0.0 {
+            return self.base;
+        }
+        Pose {
+            position: self.base.position,
+            rotation: product(self.base.rotation, rotation_about(spin.axis * self.angle as f32)),
+        }
+    }
+
+    /// Axis times angle (rad, world space) by which the spin turns the rigid in `dt` seconds.
+    pub fn turn(&self, spin: &Spin, dt: f32) -> Vector {
+        Frame::new(&self.base).turned(spin.axis) * (spin.rate * dt)
+    }
+
+    fn goal(&mut self, time: f64, dt: f32) -> Option<Pose> {
+        if let Some(grab) = &self.grab {
+            let anchor = Frame::new(&self.base).turned(grab.anchor);
+            self.velocity = grab.spring(self.base.position, self.velocity, grab.target - anchor, dt);
+            return Some(Pose {
+                position: self.base.position + self.velocity * dt,
+                ..self.base
+            });
+        }
+        if let Some(track) = &self.track {
+            return Some(track.pose(time, self.base.rotation));
+        }
+        self.target
+    }
+
+    /// Goes as far as [`TOP_SPEED`] allows.
+    fn go_to(&mut self, goal: &Pose, dt: f32, reach: f32) {
+        let way = (goal.position - self.base.position).length();
+        let arc = self.base.turn_to(goal).length() * reach;
+        let share = TOP_SPEED * dt / (way + arc).max(f32::MIN_POSITIVE);
+        if share >= 1.0 {
+            self.target = None;
+            self.base = *goal;
+        } else {
+            self.base = self.base.towards(goal, share);
+        }
+    }
+
+    /// Adds to `hash` what the coming steps depend on; nothing for what nothing leads.
+    pub fn hash_into(&self, hash: &mut Hash) {
+        if let Some(target) = &self.target {
+            hash.floats(&pose_numbers(target));
+        }
+        if self.angle != 0.0 {
+            hash.floats(&pose_numbers(&self.base));
+            hash.long(self.angle.to_bits());
+        }
+        if let Some(grab) = &self.grab {
+            hash.floats(&<[f32; 3]>::from(self.velocity));
+            hash.floats(&grab.numbers());
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! The way that a kinematic rigid goes by itself, as it is described and as flat numbers.
+//!
+//! `numbers` of keyframes: 0, looped (0 or 1), then for each frame its time and pose (position, quaternion). Of a
+//! spline: 1, looped, along (0 or 1), 0 and a duration or 1 and a speed, then x, y, z of each point. None: no path.
+
+use super::description::{AXES, PLACES, pose_under, ranged, shape_error};
+use super::{TOP_SPEED, pose_numbers};
+use crate::collide::space::Pose;
+use crate::error::ParameterError;
+
+const TIMES: (f64, f64) = (0.0, 1e5);
+const DURATIONS: (f64, f64) = (1e-2, 1e5);
+const SPEEDS: (f64, f64) = (1e-3, TOP_SPEED as f64);
+const MOST_FRAMES: usize = 1024;
+const MOST_POINTS: usize = 256;
+/// Points nearer to each other than this (m) say nothing of a direction.
+const LEAST_DISTANCE: f32 = 1e-4;
+const FRAME_NUMBERS: usize = 8;
+
+/// A pose at a time (s) of the simulator.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Keyframe {
+    pub time: f32,
+    pub pose: Pose,
+}
+
+/// How fast a spline is followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Pace {
+    /// Seconds for the whole way, 0.01..100,000.
+    Duration(f32),
+    /// m/s, 0.001..[`TOP_SPEED`].
+    Speed(f32),
+}
+
+/// Where a kinematic rigid is at each time of the simulator; 1..=1024 frames or 2..=256 points.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Path {
+    /// From pose to pose, straight and by the shorter turn, each at an even pace. Before the first it stands at the
+    /// first; after the last it stands there, or begins anew when `looped`. Times ascend, 0..100,000.
+    Keyframes { frames: Vec<Keyframe>, looped: bool },
+    /// A centripetal Catmull-Rom spline through `points` at an even pace from time 0 on. `looped`: closed, for ever.
+    /// `along`: the rigid's z axis looks ahead, its y axis as far up as that allows; else it keeps its rotation.
+    Spline {
+        points: Vec<[f32; 3]>,
+        pace: Pace,
+        looped: bool,
+        along: bool,
+    },
+}
+
+impl Path {
+    /// Reads and checks flat numbers; none make no path.
+    ///
+    /// # Errors
+    /// Names the number that is missing, not finite or out of range, as `rigid.path.*`.
+    pub fn from_numbers(numbers: &[f32]) -> Result<Option<Self>, ParameterError> {
+        match numbers {
+            [] => Ok(None),
+            [0.0, looped, frames @ ..] => keyframes(frames, *looped == 1.0).map(Some),
+            [1.0, looped, along, by_speed, pace, points @ ..] => Ok(Some(Path::Spline {
+                points: points_of(points, *looped == 1.0)?,
+                pace: pace_of(*by_speed == 1.0, *pace)?,
+                looped: *looped == 1.0,
+                along: *along == 1.0,
+            })),
+            [other, ..] => Err(ParameterError::out_of_range(
+                "rigid.path.type",
+                f64::from(*other),
+                0.0,
+                1.0,
+            )),
+        }
+    }
+
+    /// The flat numbers of which [`Path::from_numbers`] makes the same path.
+    pub fn to_numbers(&self) -> Vec<f32> {
+        let flag = |is: bool| f32::from(u8::from(is));
+        match self {
+            Path::Keyframes { frames, looped } => {
+                let frame = |frame: &Keyframe| [frame.time].into_iter().chain(pose_numbers(&frame.pose));
+                [0.0, flag(*looped)]
+                    .into_iter()
+                    .chain(frames.iter().flat_map(frame))
+                    .collect()
+            }
+            Path::Spline {
+                points,
+                pace,
+                looped,
+                along,
+            } => {
+                let (by_speed, pace) = match pace {
+                    Pace::Duration(seconds) => (0.0, *seconds),
+                    Pace::Speed(speed) => (1.0, *speed),
+                };
+                let mut numbers = vec![1.0, flag(*looped), flag(*along), by_speed, pace];
+                numbers.extend(points.as_flattened());
+                numbers
+            }
+        }
+    }
+}
+
+fn keyframes(numbers: &[f32], looped: bool) -> Result<Path, ParameterError> {
+    let (chunks, rest) = numbers.as_chunks::<FRAME_NUMBERS>();
+    check_count("rigid.path.keyframes", chunks.len(), (1, MOST_FRAMES), rest.len())?;
+    let mut frames: Vec<Keyframe> = Vec::with_capacity(chunks.len());
+    for (index, [time, pose @ ..]) in chunks.iter().enumerate() {
+        let name = format!("rigid.path.keyframes.{index}");
+        let key = format!("{name}.time");
+        let time = ranged(&key, *time, TIMES)?;
+        if frames.last().is_some_and(|before| before.time >= time) {
+            let message = format!("{key} is {time}; give each keyframe a later time than the one before it");
+            return Err(shape_error(&key, f64::from(time), message));
+        }
+        let pose = pose_under(&name, pose)?;
+        frames.push(Keyframe { time, pose });
+    }
+    Ok(Path::Keyframes { frames, looped })
+}
+
+fn points_of(numbers: &[f32], looped: bool) -> Result<Vec<[f32; 3]>, ParameterError> {
+    let (points, rest) = numbers.as_chunks::<3>();
+    check_count("rigid.path.points", points.len(), (2, MOST_POINTS), rest.len())?;
+    for (place, value) in numbers.iter().enumerate() {
+        let key = format!("rigid.path.points.{}.{}", place / 3, AXES[place % 3]);
+        ranged(&key, *value, PLACES)?;
+    }
+    let steps = if looped { points.len() } else { points.len() - 1 };
+    for index in 0..steps {
+        let (from, to) = (points[index], points[(index + 1) % points.len()]);
+        let apart = (0..3).map(|axis| (to[axis] - from[axis]).abs()).fold(0.0, f32::max);
+        if apart < LEAST_DISTANCE {
+            let key = format!("rigid.path.points.{index}");
+            let message =
+                format!("{key} is where the next point is, in a loop the first after the last; leave one out");
+            return Err(shape_error(&key, f64::from(apart), message));
+        }
+    }
+    Ok(points.to_vec())
+}
+
+fn check_count(key: &str, count: usize, (least, most): (usize, usize), rest: usize) -> Result<(), ParameterError> {
+    if rest == 0 && (least..=most).contains(&count) {
+        return Ok(());
+    }
+    Err(ParameterError::out_of_range(
+        key,
+        count as f64,
+        least as f64,
+        most as f64,
+    ))
+}
+
+fn pace_of(by_speed: bool, pace: f32) -> Result<Pace, ParameterError> {
+    if by_speed {
+        ranged("rigid.path.speed", pace, SPEEDS).map(Pace::Speed)
+    } else {
+        ranged("rigid.path.duration", pace, DURATIONS).map(Pace::Duration)
+    }
+}

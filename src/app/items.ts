@@ -1,0 +1,104 @@
+import type { State } from '../preset/codec.ts';
+import { listLabel, listNames, startValues } from '../preset/lists.ts';
+import type { ChoiceParameter, Parameter, Value, Values } from '../preset/parameter.ts';
+import { findParameter, itemGroups, table } from '../preset/table.ts';
+import { create, textButton } from './dom.ts';
+import type { Editor } from './editor.ts';
+import { createRow, type Row } from './row.ts';
+import { strings } from './strings.ts';
+
+/** What the scene says of the lists. */
+export interface SceneLists {
+  /** Values of optional parameters that hold where nobody has set one. */
+  readonly rig: Values;
+  /** Names of the rigids that items can ride on, by their number. */
+  readonly rigidNames: readonly string[];
+}
+
+/** A part of the panel. */
+export interface Section {
+  readonly element: HTMLElement;
+  show(state: State): void;
+}
+
+/** Emitters, vortices and the other lists: the items that the scene or somebody has set, and a way to add more. */
+export function createItems(editor: Editor, scene: SceneLists): Section {
+  const items = new Map<string, Section>();
+  const holder = create('div', { class: 'items' });
+  const element = create('div', {}, createAdder(editor, scene), holder);
+  const show = (state: State) => {
+    const present = itemsOf({ ...scene.rig, ...state.values });
+    for (const [key, item] of items) item.element.hidden = !present.has(key);
+    for (const { key, label } of itemGroups) {
+      if (!present.has(key)) continue;
+      if (!items.has(key)) {
+        items.set(key, createItem(key, label, editor, scene));
+        holder.append(items.get(key)!.element);
+      }
+      items.get(key)!.show(state);
+    }
+  };
+  return { element, show };
+}
+
+/** Groups, such as `vortices.0`, of the items that have a value. */
+function itemsOf(values: Values): ReadonlySet<string> {
+  return new Set(Object.keys(values).flatMap((key) => findParameter(key)?.group ?? []));
+}
+
+/** Adds the first item of a list that is not there yet. */
+function createAdder(editor: Editor, scene: SceneLists): HTMLElement {
+  const options = listNames.map((list) => create('option', { value: list }, listLabel(list)));
+  const select = create('select', { 'aria-label': strings.items.kind }, ...options);
+  const button = textButton('quiet', strings.items.add, () => {
+    const present = itemsOf({ ...scene.rig, ...editor.state.values });
+    const free = itemGroups.find(({ list, key }) => list === select.value && !present.has(key));
+    if (free) editor.changeAll(startValues(free.list, Number(free.key.split('.')[1])));
+  });
+  return create('div', { class: 'adder' }, select, button);
+}
+
+/** One item, whose rows are made when somebody looks at them: there may be dozens. */
+function createItem(group: string, label: string, editor: Editor, scene: SceneLists): Section {
+  const rows = new Map<Parameter, Row>();
+  const remove = textButton('quiet', strings.items.remove(label), () => editor.changeAll(removal(group, editor)));
+  const foot = create('div', { class: 'item-foot' }, remove);
+  const element = create('details', { class: 'group' }, create('summary', {}, label));
+  const show = ({ values }: State) => {
+    remove.hidden = !canBeRemoved(group, editor, scene);
+    for (const [parameter, row] of rows) {
+      const scenes = scene.rig[parameter.key] ?? parameter.default;
+      row.show(values[parameter.key] ?? scenes, editor.base[parameter.key] ?? scenes);
+    }
+  };
+  element.addEventListener('toggle', () => {
+    if (rows.size > 0 || !element.open) return;
+    for (const parameter of table.filter((row) => row.group === group)) {
+      const row = createRow(riding(parameter, scene), editor);
+      rows.set(parameter, row);
+      element.append(row.element);
+    }
+    element.append(foot);
+    show(editor.state);
+  });
+  return { element, show };
+}
+
+/** The number of a rigid as a choice among the names that the scene's rigids have. */
+function riding(parameter: Parameter, { rigidNames }: SceneLists): Parameter {
+  if (parameter.kind !== 'integer' || !parameter.key.endsWith('.rigid')) return parameter;
+  const { key, group, label, text, reader } = parameter;
+  const names = [strings.items.world, ...rigidNames];
+  const options = names.map((name, index) => ({ value: index - 1, label: name }));
+  return { kind: 'choice', key, group, label, text, reader, options, default: -1 } satisfies ChoiceParameter;
+}
+
+/** What the scene or the preset has can be turned down but not taken away. */
+function canBeRemoved(group: string, editor: Editor, scene: SceneLists): boolean {
+  return !itemsOf({ ...scene.rig, ...editor.base }).has(group);
+}
+
+function removal(group: string, editor: Editor): Record<string, Value | undefined> {
+  const keys = Object.keys(editor.state.values).filter((key) => findParameter(key)?.group === group);
+  return Object.fromEntries(keys.map((key) => [key, undefined]));
+}
