@@ -137,13 +137,10 @@ fn add(simulator: &mut Simulator, random: &mut Random, index: usize) -> Swing {
         pace: 1.0 + 0.5 * random.signed(),
         phase: 3.0 + 3.0 * random.signed(),
     };
+    let pose = pose_of(&swing.pose(0.0)).expect("a pose");
     let description = RigidDescription {
-        kind: RigidKind::Kinematic,
-        shape,
-        pose: pose_of(&swing.pose(0.0)).expect("a pose"),
-        restitution: 0.0,
         friction: 0.2,
-        density: 1000.0,
+        ..RigidDescription::new(RigidKind::Kinematic, shape, pose)
     };
     simulator.rigids_mut().add(description).expect("the shape has a volume");
     swing

@@ -17,14 +17,10 @@ impl Simulator {
     pub fn find_in_touched_boxes(&self, found: &mut Vec<u32>) {
         found.clear();
         let puff_size = RadiusLaw::new(&self.parameters).puff_size;
-        let mut near = Vec::new();
         for index in 0..self.alive() as u32 {
             let centre = self.centre(index);
             let radius = self.particles.size[index as usize] * puff_size;
-            near.clear();
-            self.rigids
-                .find_near(&Bounds::of_way(centre, centre, radius), 0, &mut near);
-            if !near.is_empty() {
+            if self.rigids.any_touches(&Bounds::of_way(centre, centre, radius)) {
                 found.push(index);
             }
         }

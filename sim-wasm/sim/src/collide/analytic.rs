@@ -1,6 +1,7 @@
 //! Resting obstacles in closed form, as the parameters `colliders.#.*` describe them.
 
 use super::contact::{Material, Obstacle};
+use super::core::Core;
 use super::motion::Motion;
 use super::shapes::{Ball, Capsule, Collider, Cuboid, HalfSpace, Nearest};
 use super::space::{Bounds, Pose, Vector};
@@ -64,6 +65,7 @@ impl AnalyticCollider {
             motion,
             material,
             bounds,
+            core: shape.core(),
         }
     }
 
@@ -107,6 +109,15 @@ impl Collider for AnalyticShape {
             AnalyticShape::Ball(shape) => shape.bounds(),
             AnalyticShape::Cuboid(shape) => shape.bounds(),
             AnalyticShape::Capsule(shape) => shape.bounds(),
+        }
+    }
+
+    fn core(&self) -> Core {
+        match self {
+            AnalyticShape::HalfSpace(shape) => shape.core(),
+            AnalyticShape::Ball(shape) => shape.core(),
+            AnalyticShape::Cuboid(shape) => shape.core(),
+            AnalyticShape::Capsule(shape) => shape.core(),
         }
     }
 }

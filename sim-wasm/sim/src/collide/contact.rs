@@ -6,6 +6,7 @@
 //! and slowed by friction, and the rest of the way is gone with what is left. At last the sphere is pushed out to the
 //! surface.
 
+use super::core::Core;
 use super::motion::Motion;
 use super::shapes::{Collider, Nearest};
 use super::space::{Bounds, Vector};
@@ -33,6 +34,8 @@ pub struct Obstacle<C> {
     pub material: Material,
     /// The world box that holds the shape during the whole step.
     pub bounds: Bounds,
+    /// A simple solid that holds the shape.
+    pub core: Core,
 }
 
 /// A particle on its way through one step.

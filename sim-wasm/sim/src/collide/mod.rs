@@ -5,7 +5,9 @@
 
 pub mod analytic;
 pub mod contact;
+pub mod core;
 pub mod motion;
+pub(crate) mod passer;
 pub mod shapes;
 pub mod space;
 pub(crate) mod survey;
@@ -18,8 +20,9 @@ use crate::particles::Particles;
 use crate::rigids::Rigids;
 use analytic::AnalyticShape;
 use contact::{Obstacle, Pass, Traveller};
-use space::{Bounds, Vector};
-use survey::Ways;
+use passer::Passer;
+use space::{Vector, WideBounds};
+use survey::{Sight, Ways};
 
 /// Rounds in which a particle is moved out of one obstacle and perhaps into the next. A right corner needs two; in an
 /// acute one each round leaves a share of the overlap, the squared cosine of its angle.
@@ -84,17 +87,18 @@ pub fn resolve(
     if obstacles.are_none() {
         return;
     }
-    let may_touch = |ways: &Ways| obstacles.may_touch(ways);
-    survey::for_each_near(particles, radii, may_touch, |particles, i, way| {
-        obstacles.find_near(way, &mut scratch.near);
-        if !scratch.near.is_empty() {
-            resolve_one(particles, i, radii, &obstacles, dt, &scratch.near);
+    let look = |ways: &Ways| obstacles.look(ways);
+    survey::for_each_near(particles, radii, look, |particles, i, spot| {
+        let traveller = traveller(particles, i, radii, dt);
+        let passer = Passer::new(&traveller, particles.size[i] * radii.puff_size, spot);
+        if !obstacles.find_near(&passer, &mut scratch.near) {
+            scratch.near.sort_unstable();
+            resolve_one(particles, i, &obstacles, traveller, &scratch.near);
         }
     });
 }
 
-fn resolve_one(particles: &mut Particles, i: usize, radii: &RadiusLaw, obstacles: &Obstacles, dt: f32, near: &[u32]) {
-    let traveller = traveller(particles, i, radii, dt);
+fn resolve_one(particles: &mut Particles, i: usize, obstacles: &Obstacles, traveller: Traveller, near: &[u32]) {
     let mut pushed = traveller;
     if obstacles.meet(&mut pushed, near) {
         [particles.x[i], particles.y[i], particles.z[i]] = pushed.to.into();
@@ -136,28 +140,43 @@ impl Obstacles<'_> {
         self.analytic.is_empty()
     }
 
-    /// Bit k is set when the k-th of four particles may be near an obstacle.
-    fn may_touch(&self, ways: &Ways) -> u32 {
-        let analytic = self
+    /// What four particles see around them.
+    #[inline]
+    fn look(&self, ways: &Ways) -> Sight {
+        let lanes = self
             .analytic
             .iter()
             .fold(0, |lanes, obstacle| lanes | ways.touching(&obstacle.bounds));
         #[cfg(feature = "rigids")]
-        return analytic | self.rigids.may_touch(ways);
-        #[cfg(not(feature = "rigids"))]
-        analytic
+        if self.rigids.count() > 0 {
+            let rigids = self.rigids.look(ways);
+            return Sight {
+                lanes: lanes | rigids.lanes,
+                ..rigids
+            };
+        }
+        Sight {
+            lanes,
+            ..Sight::default()
+        }
     }
 
-    /// Writes the numbers of the obstacles that `way` may touch: the analytic ones, then the rigids, each in order.
-    fn find_near(&self, way: &Bounds, near: &mut Vec<u32>) {
+    /// Writes the numbers of the obstacles whose boxes the passer's touches. True when it surely passes them all by.
+    #[inline]
+    fn find_near(&self, passer: &Passer, near: &mut Vec<u32>) -> bool {
         near.clear();
+        let mut passes = true;
         for (index, obstacle) in self.analytic.iter().enumerate() {
-            if obstacle.bounds.touches(way) {
+            if WideBounds::from(&obstacle.bounds).touches(&passer.bounds) {
                 near.push(index as u32);
+                passes = passes && passer.passes(obstacle);
             }
         }
         #[cfg(feature = "rigids")]
-        self.rigids.find_near(way, self.analytic.len() as u32, near);
+        if self.rigids.count() > 0 {
+            passes &= self.rigids.find_near(passer, self.analytic.len() as u32, near);
+        }
+        passes
     }
 
     /// True when the traveller touched any of `near`.

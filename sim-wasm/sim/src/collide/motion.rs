@@ -81,6 +81,12 @@ impl Motion {
         self.pieces
     }
 
+    /// The frames at the start and at the end of the step.
+    #[inline]
+    pub fn ends(&self) -> (&Frame, &Frame) {
+        (&self.start_frame, &self.end_frame)
+    }
+
     /// The frame at a fraction of the step.
     pub fn frame(&self, fraction: f32) -> Frame {
         if fraction >= 1.0 {

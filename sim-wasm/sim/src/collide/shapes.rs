@@ -2,6 +2,7 @@
 //!
 //! Distances are signed: negative inside. The closed forms are those of Quilez, 'Distance functions'.
 
+use super::core::Core;
 use super::space::{Bounds, Vector};
 
 /// The surface as seen from a point.
@@ -21,6 +22,11 @@ pub trait Collider {
 
     /// The box that holds the shape.
     fn bounds(&self) -> Bounds;
+
+    /// A simple solid that holds the shape, the closer the better.
+    fn core(&self) -> Core {
+        Core::of(&self.bounds())
+    }
 
     /// Whether turning the shape about its origin leaves it as it is.
     fn is_round(&self) -> bool {
@@ -65,6 +71,10 @@ impl Collider for Ball {
 
     fn bounds(&self) -> Bounds {
         Bounds::of_way(Vector::ZERO, Vector::ZERO, self.radius)
+    }
+
+    fn core(&self) -> Core {
+        Core::around(Vector::ZERO, self.radius)
     }
 
     fn is_round(&self) -> bool {
@@ -143,6 +153,10 @@ impl Collider for Capsule {
         let tip = Vector::Y * self.half_height;
         Bounds::of_way(-tip, tip, self.radius)
     }
+
+    fn core(&self) -> Core {
+        Core::around(Vector::Y * self.half_height, self.radius)
+    }
 }
 
 /// A cylinder along y.
@@ -180,5 +194,12 @@ impl Collider for Cylinder {
     fn bounds(&self) -> Bounds {
         let half = Vector::new(self.radius, self.half_height, self.radius);
         Bounds { min: -half, max: half }
+    }
+
+    fn core(&self) -> Core {
+        Core {
+            about_y: true,
+            ..Core::around(Vector::new(self.radius, self.half_height, 0.0), 0.0)
+        }
     }
 }

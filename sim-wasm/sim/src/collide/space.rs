@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
+use wide::f32x4;
+
 /// A vector of three (m, or m/s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vector {
@@ -258,6 +260,46 @@ impl Frame {
             max: centre + reach,
         }
     }
+}
+
+/// A box along the axes (m) in two registers, for many comparisons without a branch.
+#[derive(Clone, Copy, Debug)]
+pub struct WideBounds {
+    /// x, y, z and 0.
+    min: f32x4,
+    max: f32x4,
+}
+
+impl WideBounds {
+    /// The box around a way from `from` to `to`, `reach` wider on all sides.
+    #[inline]
+    pub fn of_way(from: Vector, to: Vector, reach: f32) -> Self {
+        let (from, to, reach) = (four(from), four(to), f32x4::new([reach, reach, reach, 0.0]));
+        Self {
+            min: from.fast_min(to) - reach,
+            max: from.fast_max(to) + reach,
+        }
+    }
+
+    /// Whether the two have a point in common.
+    #[inline]
+    pub fn touches(&self, other: &Self) -> bool {
+        (self.min.simd_le(other.max) & self.max.simd_ge(other.min)).to_bitmask() == 0b1111
+    }
+}
+
+impl From<&Bounds> for WideBounds {
+    fn from(bounds: &Bounds) -> Self {
+        Self {
+            min: four(bounds.min),
+            max: four(bounds.max),
+        }
+    }
+}
+
+#[inline]
+fn four(vector: Vector) -> f32x4 {
+    f32x4::new([vector.x, vector.y, vector.z, 0.0])
 }
 
 /// A box along the axes (m).

@@ -2,7 +2,9 @@
 
 use wide::f32x4;
 
-use super::space::{Bounds, Vector};
+use super::space::Bounds;
+#[cfg(feature = "rigids")]
+use super::space::Vector;
 use crate::life::RadiusLaw;
 use crate::particles::{LANES, Particles};
 
@@ -65,18 +67,6 @@ impl Ways {
         let [x, y, z] = std::array::from_fn(|axis| self.max[axis] - self.min[axis]);
         x.fast_max(y).fast_max(z) * f32x4::splat(0.5)
     }
-
-    /// The k-th box.
-    pub(crate) fn one(&self, lane: usize) -> Bounds {
-        let corner = |parts: &[f32x4; 3]| {
-            let [x, y, z] = parts.map(|part| part.to_array()[lane]);
-            Vector::new(x, y, z)
-        };
-        Bounds {
-            min: corner(&self.min),
-            max: corner(&self.max),
-        }
-    }
 }
 
 fn four(column: &[f32], first: usize) -> f32x4 {
@@ -86,21 +76,40 @@ fn four(column: &[f32], first: usize) -> f32x4 {
     f32x4::from(*lanes)
 }
 
-/// Calls `meet` for each living particle that `may_touch` picks from a block of four, with the box around its way.
+/// What a block of four particles finds around it.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Sight {
+    /// Bit k is set when the k-th particle may be near an obstacle.
+    pub(crate) lanes: u32,
+    /// Of each particle.
+    pub(crate) spots: [Spot; LANES],
+}
+
+/// Where the grid of rigids is to be looked into for one particle.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Spot {
+    #[cfg(feature = "rigids")]
+    pub(crate) cell: u32,
+    /// Too large for one cell.
+    #[cfg(feature = "rigids")]
+    pub(crate) is_large: bool,
+}
+
+/// Calls `meet` for each living particle that `look` picks from a block of four, with its number and its spot.
 pub(crate) fn for_each_near(
     particles: &mut Particles,
     radii: &RadiusLaw,
-    may_touch: impl Fn(&Ways) -> u32,
-    mut meet: impl FnMut(&mut Particles, usize, &Bounds),
+    look: impl Fn(&Ways) -> Sight,
+    mut meet: impl FnMut(&mut Particles, usize, Spot),
 ) {
     let alive = particles.alive();
     for first in (0..alive).step_by(LANES) {
-        let ways = Ways::load(particles, radii, first);
-        let mut lanes = may_touch(&ways);
+        let sight = look(&Ways::load(particles, radii, first));
+        let mut lanes = sight.lanes;
         while lanes != 0 {
             let lane = lanes.trailing_zeros() as usize;
             if first + lane < alive {
-                meet(particles, first + lane, &ways.one(lane));
+                meet(particles, first + lane, sight.spots[lane]);
             }
             lanes &= lanes - 1;
         }

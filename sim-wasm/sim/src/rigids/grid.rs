@@ -6,8 +6,9 @@
 
 use wide::{f32x4, i32x4};
 
-use crate::collide::space::{Bounds, Vector};
-use crate::collide::survey::Ways;
+use crate::collide::space::{Bounds, Vector, WideBounds};
+use crate::collide::survey::{Sight, Spot, Ways};
+use crate::particles::LANES;
 
 const CELLS_PER_RIGID: usize = 64;
 const FEWEST_CELLS: usize = 512;
@@ -20,6 +21,8 @@ const MOST_ALONG_AN_AXIS: f32 = 128.0;
 #[derive(Debug, Default)]
 pub struct Grid {
     boxes: Vec<Bounds>,
+    /// The same boxes.
+    wide: Vec<WideBounds>,
     margin: f32,
     origin: Vector,
     cells_per_metre: [f32; 3],
@@ -46,6 +49,7 @@ impl Grid {
     /// Makes room for one more rigid, so that laying the grid never allocates.
     pub fn add(&mut self, bounds: Bounds) {
         self.boxes.push(bounds);
+        self.wide.push(WideBounds::from(&bounds));
         let count = self.boxes.len();
         self.starts
             .reserve((cell_limit(count) + 2).saturating_sub(self.starts.len()));
@@ -57,6 +61,7 @@ impl Grid {
     /// Tells where a rigid is during the coming step.
     pub fn place(&mut self, index: usize, bounds: Bounds) {
         self.boxes[index] = bounds;
+        self.wide[index] = WideBounds::from(&bounds);
     }
 
     /// The box of all rigids.
@@ -77,13 +82,28 @@ impl Grid {
         self.write_entries(&area);
     }
 
-    /// Bit k is set when a look at the cell of the k-th particle is worth while: some rigid may be near it.
+    /// The spots of four particles, and for which of them a look there is worth while.
     #[inline]
-    pub fn occupied(&self, ways: &Ways) -> u32 {
-        let mut lanes = ways.reaches().simd_gt(f32x4::splat(self.margin)).to_bitmask();
+    pub fn look(&self, ways: &Ways) -> Sight {
+        let cells = self.cells_of(ways);
+        let large = ways.reaches().simd_gt(f32x4::splat(self.margin)).to_bitmask();
+        let mut lanes = large;
         for index in &self.large {
             lanes |= ways.touching(&self.boxes[usize::from(*index)]);
         }
+        let spots = std::array::from_fn(|lane| {
+            let cell = cells[lane] as usize;
+            lanes |= u32::from(self.starts[cell] != self.starts[cell + 1]) << lane;
+            Spot {
+                cell: cells[lane] as u32,
+                is_large: large >> lane & 1 == 1,
+            }
+        });
+        Sight { lanes, spots }
+    }
+
+    #[inline]
+    fn cells_of(&self, ways: &Ways) -> [i32; LANES] {
         let middles = ways.middles();
         let origin: [f32; 3] = self.origin.into();
         let [x, y, z] = std::array::from_fn(|axis| {
@@ -92,27 +112,25 @@ impl Grid {
             place.fast_max(f32x4::splat(0.0)).fast_min(last).fast_trunc_int()
         });
         let [width, height] = [self.size[0] as i32, self.size[1] as i32].map(i32x4::splat);
-        for (lane, cell) in ((z * height + y) * width + x).to_array().into_iter().enumerate() {
-            let cell = cell as usize;
-            lanes |= u32::from(self.starts[cell] != self.starts[cell + 1]) << lane;
-        }
-        lanes
+        ((z * height + y) * width + x).to_array()
     }
 
-    /// Writes the rigids whose boxes touch `way`, in ascending order, each number raised by `first`.
-    pub fn find_near(&self, way: &Bounds, first: u32, near: &mut Vec<u32>) {
-        let half = (way.max - way.min) * 0.5;
-        let begin = near.len();
-        let touching = |index: &usize| self.boxes[*index].touches(way);
-        if half.x.max(half.y).max(half.z) > self.margin {
-            near.extend((0..self.boxes.len()).filter(touching).map(|index| first + index as u32));
+    /// Calls `act` for each rigid whose box touches `bounds`.
+    #[inline]
+    pub fn for_each_touching(&self, bounds: &WideBounds, spot: Spot, mut act: impl FnMut(usize)) {
+        let mut look_at = |index: usize| {
+            if self.wide[index].touches(bounds) {
+                act(index);
+            }
+        };
+        if spot.is_large {
+            (0..self.wide.len()).for_each(look_at);
             return;
         }
-        let cell = self.cell_of((way.min + way.max) * 0.5);
+        let cell = spot.cell as usize;
+        self.large.iter().for_each(|index| look_at(usize::from(*index)));
         let entries = &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize];
-        let candidates = self.large.iter().chain(entries).map(|index| usize::from(*index));
-        near.extend(candidates.filter(touching).map(|index| first + index as u32));
-        near[begin..].sort_unstable();
+        entries.iter().for_each(|index| look_at(usize::from(*index)));
     }
 
     fn measure(&mut self, area: &Bounds) {
@@ -198,11 +216,6 @@ impl Grid {
             // A float too large for an integer becomes the greatest one, a negative one 0.
             (place as usize).min(self.size[axis] - 1)
         })
-    }
-
-    fn cell_of(&self, point: Vector) -> usize {
-        let [x, y, z] = self.place_of(point);
-        (z * self.size[1] + y) * self.size[0] + x
     }
 }
 

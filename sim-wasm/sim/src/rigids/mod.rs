@@ -21,10 +21,12 @@ mod track;
 mod world;
 
 use crate::collide::contact::{Material, Obstacle};
+use crate::collide::core::Core;
 use crate::collide::motion::Motion;
+use crate::collide::passer::Passer;
 use crate::collide::shapes::{Collider, Nearest};
 use crate::collide::space::{Bounds, Pose, Vector};
-use crate::collide::survey::{Extent, Ways};
+use crate::collide::survey::{Extent, Sight, Ways};
 use crate::error::ParameterError;
 use crate::hash::Hash;
 use crate::simulator::STEP;
@@ -137,6 +139,7 @@ impl Rigids {
         self.grid.add(bounds);
         self.bounds = self.grid.bounds();
         self.obstacles.push(Obstacle {
+            core: shape.core(),
             shape,
             motion,
             material,
@@ -210,19 +213,31 @@ impl Rigids {
         self.grid.lay(&extent.middles, margin);
     }
 
-    /// Bit k is set when the k-th of four particles may be near a rigid.
-    pub(crate) fn may_touch(&self, ways: &Ways) -> u32 {
+    /// What four particles see of the rigids.
+    #[inline]
+    pub(crate) fn look(&self, ways: &Ways) -> Sight {
         match ways.touching(&self.bounds) {
-            0 => 0,
-            lanes => lanes & self.grid.occupied(ways),
+            0 => Sight::default(),
+            lanes => {
+                let sight = self.grid.look(ways);
+                Sight {
+                    lanes: lanes & sight.lanes,
+                    ..sight
+                }
+            }
         }
     }
 
-    /// Appends the numbers, raised by `first`, of the rigids whose box touches `way`.
-    pub(crate) fn find_near(&self, way: &Bounds, first: u32, near: &mut Vec<u32>) {
-        if self.count() > 0 {
-            self.grid.find_near(way, first, near);
-        }
+    /// Appends the numbers, raised by `first`, of the rigids whose box the passer's touches. True when it surely
+    /// passes all of them by.
+    #[inline]
+    pub(crate) fn find_near(&self, passer: &Passer, first: u32, near: &mut Vec<u32>) -> bool {
+        let mut passes = true;
+        self.grid.for_each_touching(&passer.bounds, passer.spot, |index| {
+            near.push(first + index as u32);
+            passes = passes && passer.passes(&self.obstacles[index]);
+        });
+        passes
     }
 
     /// A rigid on its way through the step.
@@ -282,6 +297,10 @@ impl Collider for Box<dyn Collider> {
 
     fn bounds(&self) -> Bounds {
         self.as_ref().bounds()
+    }
+
+    fn core(&self) -> Core {
+        self.as_ref().core()
     }
 
     fn is_round(&self) -> bool {
