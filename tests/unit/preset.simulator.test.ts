@@ -78,6 +78,8 @@ describe('the simulator', () => {
   it('shows something else for an item of each list of forces as it starts', () => {
     const shown = (values: Record<string, number>) => {
       const simulator = smoking({ 'gravity.acceleration': 1, ...values });
+      // Long enough for what starts anew every two seconds.
+      simulator.step(120);
       const places = simulator.arrange(EVERYTHING).place.join();
       simulator.dispose();
       return places;

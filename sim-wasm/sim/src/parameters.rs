@@ -171,7 +171,7 @@ fn list_as_json(section: &dyn Section) -> String {
     let mut fields = Vec::new();
     let mut field = 0;
     while let Some((meta, ends)) = section.meta(field) {
-        fields.push(format!("      {}", field_as_json(meta, ends)));
+        fields.push(format!("      {}", field_as_json(section, meta, ends)));
         field += 1;
     }
     let (name, label) = (section.name(), section.label());
@@ -180,7 +180,7 @@ fn list_as_json(section: &dyn Section) -> String {
 }
 
 #[cfg(not(target_family = "wasm"))]
-fn field_as_json(meta: &Meta, ends: &[&str]) -> String {
+fn field_as_json(section: &dyn Section, meta: &Meta, ends: &[&str]) -> String {
     let Meta {
         key,
         unit,
@@ -194,6 +194,7 @@ fn field_as_json(meta: &Meta, ends: &[&str]) -> String {
         text,
     } = meta;
     let default = &default[..ends.len()];
+    let start = start.or_else(|| section.start(key));
     let start = start.map(|start| format!(", \"start\": {start}")).unwrap_or_default();
     format!(
         "{{ \"key\": \"{key}\", \"unit\": \"{unit}\", \"min\": {min}, \"max\": {max}, \"default\": {default:?}{start}, \

@@ -30,6 +30,7 @@ impl Item for Attractor {
         number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |a: &mut Self| {
             &mut a.acceleration
         })
+        .starts_at(3.0)
         .says("Pull", "How strongly it draws smoke in; negative drives smoke away."),
         number("coreRadius", "m", [0.01, 50.0], 0.1, |a: &mut Self| &mut a.core_radius)
             .says("Core", "Radius within which the pull fades towards the centre."),
@@ -37,6 +38,8 @@ impl Item for Attractor {
             .says("Reach", "Distance at which the pull has faded to nothing."),
         vector("position", "m", PLACE, [0.0; 3], |a: &mut Self| &mut a.position).says("Place", "Where it draws to."),
     ];
+
+    const LABEL: &'static str = "Attractor";
 
     fn scope(&mut self) -> Option<&mut Scope> {
         Some(&mut self.scope)

@@ -45,6 +45,7 @@ pub struct Jet {
 impl Item for Jet {
     const FIELDS: &'static [Field<Self>] = &[
         number("speed", "m/s", [0.0, 100.0], 0.0, |j: &mut Self| &mut j.speed)
+            .starts_at(4.0)
             .says("Speed", "How fast the air leaves the nozzle."),
         number("radius", "m", [0.001, 50.0], 0.1, |j: &mut Self| &mut j.radius).says("Nozzle", "Radius of the nozzle."),
         number("spread", "1", [0.01, 1.0], 0.113, |j: &mut Self| &mut j.spread).says(
@@ -62,6 +63,8 @@ impl Item for Jet {
         })
         .says("Direction", "Where it blows."),
     ];
+
+    const LABEL: &'static str = "Jet";
 
     fn scope(&mut self) -> Option<&mut Scope> {
         Some(&mut self.scope)

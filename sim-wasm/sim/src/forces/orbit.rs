@@ -35,6 +35,7 @@ impl Item for Orbit {
         number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |o: &mut Self| {
             &mut o.acceleration
         })
+        .starts_at(2.0)
         .says(
             "Pull",
             "Pull at a distance of one metre: nearer it grows, farther away it falls.",
@@ -48,6 +49,8 @@ impl Item for Orbit {
             "Direction of the line that smoke orbits; all 0 where it is a point.",
         ),
     ];
+
+    const LABEL: &'static str = "Orbit";
 
     fn scope(&mut self) -> Option<&mut Scope> {
         Some(&mut self.scope)

@@ -25,8 +25,11 @@ impl Item for SpeedLimit {
     const FIELDS: &'static [Field<Self>] =
         &[
             number("speed", "m/s", [0.0, 1000.0], 1000.0, |s: &mut Self| &mut s.speed)
+                .starts_at(0.5)
                 .says("Top speed", "Smoke in its region moves no faster."),
         ];
+
+    const LABEL: &'static str = "Speed limit";
 
     fn scope(&mut self) -> Option<&mut Scope> {
         Some(&mut self.scope)

@@ -36,6 +36,7 @@ pub struct Spiral {
 impl Item for Spiral {
     const FIELDS: &'static [Field<Self>] = &[
         number("turn", "rad/s", [-50.0, 50.0], 0.0, |s: &mut Self| &mut s.turn)
+            .starts_at(3.0)
             .says("Turn", "How fast and in which sense the air turns about the axis."),
         number("inward", "m/s", [-20.0, 20.0], 0.0, |s: &mut Self| &mut s.inward).says(
             "Inward",
@@ -55,6 +56,8 @@ impl Item for Spiral {
         vector("axis", "1", DIRECTION, [0.0, 1.0, 0.0], |s: &mut Self| &mut s.axis)
             .says("Axis", "Direction of the axis."),
     ];
+
+    const LABEL: &'static str = "Spiral";
 
     fn scope(&mut self) -> Option<&mut Scope> {
         Some(&mut self.scope)

@@ -12,6 +12,9 @@ pub trait Item: Copy + Default + 'static {
     /// What people call one item of its list.
     const LABEL: &'static str = "";
 
+    /// What a page gives an item that somebody adds, of the scope's parameters: keys as in the scope, and values.
+    const STARTS: &'static [(&'static str, f64)] = &[];
+
     /// Where, when and on what it acts, if that can be chosen; the scope's parameters follow its own.
     fn scope(&mut self) -> Option<&mut Scope> {
         None
@@ -19,6 +22,8 @@ pub trait Item: Copy + Default + 'static {
 }
 
 /// An item with the defaults of the table.
+// A call of its own, or every list would have its copy of how a scope is made.
+#[inline(never)]
 pub fn item<I: Item>() -> I {
     let mut item = I::default();
     for field in I::FIELDS {
@@ -73,6 +78,10 @@ pub trait Section: Sync {
     /// What people call one of its items.
     fn label(&self) -> &'static str;
 
+    /// What a page gives an item that somebody adds, where the parameter of this key says nothing itself.
+    #[cfg(not(target_family = "wasm"))]
+    fn start(&self, key: &str) -> Option<f64>;
+
     /// How many items exist: 1 where it is no list.
     fn len(&self, parameters: &Parameters) -> usize;
 
@@ -115,6 +124,11 @@ impl<I: Item> Section for Single<I> {
         I::LABEL
     }
 
+    #[cfg(not(target_family = "wasm"))]
+    fn start(&self, key: &str) -> Option<f64> {
+        start::<I>(key)
+    }
+
     fn len(&self, _parameters: &Parameters) -> usize {
         1
     }
@@ -147,6 +161,11 @@ impl<I: Item> Section for Many<I> {
         I::LABEL
     }
 
+    #[cfg(not(target_family = "wasm"))]
+    fn start(&self, key: &str) -> Option<f64> {
+        start::<I>(key)
+    }
+
     fn len(&self, parameters: &Parameters) -> usize {
         (self.len)(parameters)
     }
@@ -167,6 +186,14 @@ impl<I: Item> Section for Many<I> {
     fn value<'p>(&self, parameters: &'p mut Parameters, index: usize, slot: Slot) -> &'p mut f64 {
         value(&mut (self.of)(parameters).items[index], slot)
     }
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn start<I: Item>(key: &str) -> Option<f64> {
+    I::STARTS
+        .iter()
+        .find(|(named, _)| *named == key)
+        .map(|(_, value)| *value)
 }
 
 /// The fields of a scope, where `I` has one.
