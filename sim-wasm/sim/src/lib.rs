@@ -5,7 +5,7 @@
 pub mod arrange;
 mod bytes;
 pub mod collide;
-pub mod emitter;
+pub mod emission;
 pub mod error;
 pub mod forces;
 pub mod hash;

@@ -1,68 +1,29 @@
 //! Growth, ageing, cooling and death.
 //!
-//! radius(age) = size * puff.size * growth(age) * (1 - age / lifetime), exactly 0 at death. growth(age) is t (2 - t)
-//! for t = age / growthTime up to 1, and 1 where growthTime is 0: the linear loss of density of the paper. Growth is
-//! steepest at birth, so that smoke leaves a nozzle as a stem and not as a string of specks. Within a step of h seconds
-//! the radius therefore changes by at most size * puff.size * h * (1 / lifetime + 2 / growthTime), the last term only
-//! where growthTime is not 0.
+//! radius(age) = size * puff.size * growth(age) * density(age / lifetime), exactly 0 at birth and at death. growth(age)
+//! is t (2 - t) for t = age / growthTime up to 1; growth is steepest at birth, so that smoke leaves a nozzle as a stem
+//! and not as a string of specks. A growth time below [`SHORTEST_GROWTH`] is taken for that, but not by the integrator
+//! `paper`, where it may be 0 and growth is 1. density(t) is 1 - t, the linear loss of density of the paper, or the
+//! curve of `density.#`.
+//!
+//! The radius never pops: within a step of h seconds it changes by at most size * puff.size * h * (2 / growthTime +
+//! slope / lifetime), the first term only where growthTime is not 0; slope is 1 for the linear law and the steepest one
+//! of a curve, which is at most 50. Entrainment adds puff.size * entrainment * |slip| * h.
+
+pub mod density;
+pub mod entrainment;
+pub mod radius;
 
 use wide::f32x4;
 
 use crate::forces::buoyancy;
 use crate::parameters::Parameters;
 use crate::particles::{LANES, Particles};
-use crate::simd::{Vector4, blocks, blocks_mut, positive_part, smaller};
+use crate::simd::{Vector4, blocks, blocks_mut};
+pub use radius::{RadiusLaw, SHORTEST_GROWTH};
 
 /// Distance from the origin (m) beyond which a particle dies: nothing is seen there, and single precision ends.
 pub const WORLD_RADIUS: f32 = 10_000.0;
-
-/// Radius of a particle from its size and age; two numbers that hold for all particles.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RadiusLaw {
-    /// Factor on every radius, `puff.size`.
-    pub puff_size: f32,
-    /// Seconds until a newborn particle has its full size, `emission.growthTime`; 0: from the start.
-    pub growth_time: f32,
-}
-
-impl RadiusLaw {
-    /// The law that `parameters` set.
-    pub fn new(parameters: &Parameters) -> Self {
-        Self {
-            puff_size: parameters.puff.size as f32,
-            growth_time: parameters.emission.growth_time as f32,
-        }
-    }
-
-    /// Radius (m) of a particle of `size` (m) at `age` of `lifetime` (s). 0 from the moment of death on; an age
-    /// below 0 counts as 0.
-    pub fn radius(&self, size: f32, age: f32, lifetime: f32) -> f32 {
-        let age = age.max(0.0);
-        let density = (1.0 - age / lifetime).max(0.0);
-        size * self.puff_size * self.growth(age) * density
-    }
-
-    /// The same for four particles, to the last bit.
-    #[inline(always)]
-    pub fn radii(&self, size: f32x4, age: f32x4, lifetime: f32x4) -> f32x4 {
-        let age = positive_part(age);
-        let density = positive_part(f32x4::ONE - age / lifetime);
-        let full = size * f32x4::splat(self.puff_size);
-        if self.growth_time <= 0.0 {
-            return full * density;
-        }
-        let t = smaller(age / f32x4::splat(self.growth_time), f32x4::ONE);
-        full * (t * (f32x4::splat(2.0) - t)) * density
-    }
-
-    fn growth(&self, age: f32) -> f32 {
-        if self.growth_time <= 0.0 {
-            return 1.0;
-        }
-        let t = (age / self.growth_time).min(1.0);
-        t * (2.0 - t)
-    }
-}
 
 /// What a step's passing does to every particle.
 #[derive(Clone, Copy, Debug)]
@@ -126,13 +87,41 @@ fn bury(particles: &mut Particles, first: usize, dead: u32) {
 mod tests {
     use super::*;
 
+    fn law(stops: &[[f64; 2]], growth_time: f64, integrator: f64) -> RadiusLaw {
+        let mut parameters = Parameters::default();
+        let mut set = |key: &str, value| parameters.set(key, value).expect("a test's values are in range");
+        for (index, [age, value]) in stops.iter().enumerate() {
+            set(&format!("density.{index}.age"), *age);
+            set(&format!("density.{index}.value"), *value);
+        }
+        set("puff.size", 1.3);
+        set("emission.growthTime", growth_time);
+        set("simulation.integrator", integrator);
+        RadiusLaw::new(&parameters)
+    }
+
     #[test]
     fn lanes_and_single_particles_have_the_same_radius() {
-        for growth_time in [0.0, 0.7] {
-            let law = RadiusLaw {
-                puff_size: 1.3,
-                growth_time,
-            };
+        let curves: [&[[f64; 2]]; 4] = [
+            &[],
+            &[[0.3, 0.6]],
+            &[[0.7, 0.1], [0.1, 0.33], [0.4, 1.0]],
+            &[
+                [0.0, 0.0],
+                [0.0, 1.0],
+                [0.2, 0.3],
+                [0.2, 0.7],
+                [0.5, 0.0],
+                [0.6, 0.1],
+                [0.9, 1.0],
+                [1.0, 1.0],
+            ],
+        ];
+        for (stops, (growth_time, integrator)) in curves
+            .iter()
+            .flat_map(|curve| [(0.0, 1.0), (0.7, 0.0)].map(|rest| (curve, rest)))
+        {
+            let law = law(stops, growth_time, integrator);
             for step in -5..300 {
                 let age = step as f32 / 60.0;
                 let lanes = law.radii(f32x4::splat(0.4), f32x4::splat(age), f32x4::splat(3.1));

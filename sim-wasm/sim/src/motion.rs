@@ -14,6 +14,7 @@ use wide::f32x4;
 
 use crate::forces::drag::{self, Factors};
 use crate::forces::{Forces, Setting, Stage, buoyancy, gravity};
+use crate::life::entrainment::Entrainment;
 use crate::particles::{LANES, Particles};
 use crate::simd::{Vector4, blocks, blocks_mut, positive_part, smaller};
 use crate::tile::{Columns, Tile, tiles};
@@ -38,6 +39,7 @@ impl Integrator {
 pub struct Motion {
     pub integrator: Integrator,
     forces: Forces,
+    entrainment: Option<Entrainment>,
     lift: Lift,
     /// Drag where no other drag adds to it, and its rate (1/s).
     drag: Factors,
@@ -66,6 +68,7 @@ impl Motion {
         Self {
             integrator: Integrator::from_parameter(parameters.simulation.integrator),
             forces: Forces::new(setting),
+            entrainment: Entrainment::new(parameters, setting.now.dt),
             lift: Lift {
                 gravity: f32x4::splat(gravity::acceleration(parameters)),
                 buoyancy: f32x4::splat(buoyancy::acceleration_per_temperature(parameters)),
@@ -86,6 +89,9 @@ impl Motion {
             match self.integrator {
                 Integrator::AirAndSlip => self.air_and_slip(&mut tile),
                 Integrator::Paper => self.paper(&mut tile),
+            }
+            if let Some(entrainment) = &self.entrainment {
+                entrainment.act(tile.columns().slipped, particles, first);
             }
             store(&mut tile, particles, first);
         }
@@ -207,6 +213,7 @@ impl Motion {
             ahead,
             flow,
             slip,
+            slipped,
             push,
             resistance,
             heat,
@@ -215,6 +222,7 @@ impl Motion {
         for (block, velocity) in slip.iter_mut().enumerate() {
             let share = smaller((self.rate + resistance[block]) * dt, f32x4::ONE);
             ahead[block] = place[block] + *velocity * dt;
+            slipped[block] = (*velocity - flow[block]) * dt;
             let mut push = push[block];
             push.y += self.lift.acceleration(heat[block]);
             *velocity += (flow[block] - *velocity) * share + push * dt;

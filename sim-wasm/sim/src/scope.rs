@@ -14,6 +14,11 @@ use region::Shape;
 /// No rigid: what is attached to it stands still in the world.
 pub const WORLD: f64 = -1.0;
 
+/// The parameters of a scope but for its region, for what acts at places of its own.
+pub const WHEN_AND_ON_WHAT: &[Field<Scope>] = Scope::FIELDS.split_at(REGION_FIELDS).1;
+/// How many parameters of a scope tell its region; they come first.
+const REGION_FIELDS: usize = 4;
+
 /// `*.region.*`, `*.envelope.*` and `*.rigid`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Scope {

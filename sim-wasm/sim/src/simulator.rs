@@ -5,7 +5,8 @@
 
 use crate::arrange::Arranger;
 use crate::collide::{self, AnalyticCollider, Scratch};
-use crate::emitter::{Births, Surroundings};
+use crate::emission::surface::{Surface, Surfaces};
+use crate::emission::{Births, Surroundings};
 use crate::error::{ParameterError, RestoreError};
 use crate::forces::Setting;
 use crate::forces::turbulence::{self, TurbulenceState};
@@ -54,6 +55,7 @@ pub struct Simulator {
     pub(crate) random: Random,
     pub(crate) births: Births,
     pub(crate) turbulence: [TurbulenceState; LIST_LIMIT + 1],
+    pub(crate) surfaces: Surfaces,
     pub(crate) particles: Particles,
     #[cfg(feature = "rigids")]
     pub(crate) rigids: Rigids,
@@ -75,6 +77,7 @@ impl Simulator {
             random: Random::new(seed),
             births: Births::default(),
             turbulence: [TurbulenceState::default(); LIST_LIMIT + 1],
+            surfaces: Surfaces::default(),
             particles: Particles::new(room),
             #[cfg(feature = "rigids")]
             rigids: Rigids::new(),
@@ -115,6 +118,15 @@ impl Simulator {
     /// Adds one particle that no emitter made. False when the simulator is full.
     pub fn add(&mut self, newborn: &Newborn) -> bool {
         self.particles.push(newborn)
+    }
+
+    /// Takes up the surface of a mesh, from which emitters of shape 8 can smoke, and returns its number: see
+    /// [`Surface::new`].
+    ///
+    /// # Errors
+    /// When the mesh is none, by the name of what is wrong with it, or there are 16 surfaces already.
+    pub fn add_surface(&mut self, vertices: &[f32], indices: &[u32]) -> Result<u32, ParameterError> {
+        self.surfaces.add(Surface::new(vertices, indices)?)
     }
 
     /// Advances by 1/60 s.
@@ -311,7 +323,13 @@ impl Simulator {
     fn bear(&mut self, motion: &Motion) {
         let around = Surroundings {
             parameters: &self.parameters,
+            surfaces: &self.surfaces,
+            #[cfg(feature = "rigids")]
+            ride: &|scope| self.rigids.ride(scope.rigid),
+            #[cfg(not(feature = "rigids"))]
+            ride: &|_| None,
             step: self.steps,
+            time: (self.steps as f64 + 0.5) * STEP,
             dt: STEP,
         };
         let first = self.particles.alive();

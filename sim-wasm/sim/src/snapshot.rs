@@ -5,7 +5,8 @@
 //! rather than guessed at.
 
 use crate::bytes::{Reader, Writer};
-use crate::emitter::Births;
+use crate::emission::Births;
+use crate::emission::surface::Surfaces;
 use crate::error::RestoreError;
 use crate::forces::turbulence::TurbulenceState;
 use crate::parameters::{LIST_LIMIT, Parameters};
@@ -56,6 +57,7 @@ sections! {
     b"turb" => turbulence: [TurbulenceState; LIST_LIMIT + 1],
     b"hand" => touch: Touch,
     b"para" => parameters: Parameters,
+    b"surf" => surfaces: Surfaces,
 }
 
 /// Whose capacity a restored simulator has.

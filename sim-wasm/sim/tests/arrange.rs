@@ -7,6 +7,8 @@ use sim::Simulator;
 use sim::particles::Newborn;
 use sim::random::Random;
 
+/// The paper's law: particles are born full, and have a row from the start.
+const FULL: &[(&str, f64)] = &[("simulation.integrator", 1.0)];
 const BOX: [f32; 6] = [-12.0, -1.0, -12.0, 12.0, 12.0, 12.0];
 
 /// A view that keeps everything, ordered along -z.
@@ -62,7 +64,7 @@ fn moved(mut projection: [f32; 16], by: [f32; 3]) -> [f32; 16] {
 }
 
 fn cloud(count: u32) -> Simulator {
-    let mut simulator = simulator(count, 1, &[STILL]);
+    let mut simulator = simulator(count, 1, &[STILL, FULL]);
     let mut random = Random::new(8);
     for _ in 0..count {
         let position = [random.signed() * 12.0, random.unit() * 12.0, random.signed() * 12.0];
@@ -102,7 +104,7 @@ fn rows_come_near_to_far_and_are_complete() {
 
 #[test]
 fn equal_depths_keep_the_order_of_slots() {
-    let mut simulator = simulator(40, 1, &[STILL]);
+    let mut simulator = simulator(40, 1, &[STILL, FULL]);
     (0..40).for_each(|i| assert!(simulator.add(&newborn([i as f32, 0.0, (i % 2) as f32 * -0.0]))));
     let rows = rows(&mut simulator, &view());
     assert!(rows.windows(2).all(|pair| pair[0][0] < pair[1][0]), "{rows:?}");
@@ -151,7 +153,7 @@ fn who_is_not_born_yet_and_who_has_no_radius_has_no_row() {
         ("emitters.0.speed", 3.0),
         ("emission.growthTime", 0.0),
     ];
-    let mut newborns = simulator(64, 1, &[STILL, &settings]);
+    let mut newborns = simulator(64, 1, &[STILL, FULL, &settings]);
     newborns.step();
     for (blend, expected) in [(0.0, 0), (0.25, 16), (0.5, 32), (1.0, 64)] {
         let mut view = view();
@@ -169,7 +171,7 @@ fn who_is_not_born_yet_and_who_has_no_radius_has_no_row() {
 
 #[test]
 fn what_left_the_world_leaves_no_row_behind() {
-    let mut simulator = simulator(4, 1, &[STILL]);
+    let mut simulator = simulator(4, 1, &[STILL, FULL]);
     simulator.add(&newborn([0.0; 3]));
     simulator.add(&newborn([20_000.0, 0.0, 0.0]));
     simulator.step();
@@ -179,7 +181,7 @@ fn what_left_the_world_leaves_no_row_behind() {
 
 #[test]
 fn looks_are_packed_as_documented() {
-    let mut simulator = simulator(3, 1, &[STILL]);
+    let mut simulator = simulator(3, 1, &[STILL, FULL]);
     let look = 3 | 200 << 8 | 0x4000 << 16;
     for (age, temperature) in [(0.0, 0.0), (10.0, 1.0), (30.0, 9.0)] {
         simulator.add(&Newborn {
@@ -206,7 +208,7 @@ fn looks_are_packed_as_documented() {
 
 #[test]
 fn bounds_hold_all_that_lives_whatever_is_culled() {
-    let mut simulator = simulator(3, 1, &[STILL]);
+    let mut simulator = simulator(3, 1, &[STILL, FULL]);
     let mut view = view();
     view[2] = 1.0;
     assert_eq!(simulator.arrange(&view).unwrap(), 0);

@@ -7,10 +7,7 @@ use sim::particles::{Newborn, Particles};
 use sim::rigids::Rigids;
 
 const DT: f32 = 1.0 / 60.0;
-const RADII: RadiusLaw = RadiusLaw {
-    puff_size: 1.0,
-    growth_time: 0.0,
-};
+const RADII: RadiusLaw = RadiusLaw::linear(1.0, 0.0);
 /// So long a life that the radius does not change over a test.
 const LIFETIME: f32 = 1e9;
 

@@ -16,10 +16,7 @@ fn radii(growth_time: f32, lifetime: f32, size: f32) -> Vec<f32> {
         size,
         ..newborn([0.0; 3])
     });
-    let law = RadiusLaw {
-        puff_size: 1.0,
-        growth_time,
-    };
+    let law = RadiusLaw::linear(1.0, growth_time);
     let mut radii = Vec::new();
     while simulator.alive() == 1 {
         radii.push(law.radius(size, simulator.particles().age[0], lifetime));

@@ -108,6 +108,11 @@ impl Motion {
         self.velocity + self.spin.cross(point - origin)
     }
 
+    /// Axis times angle (rad) by which it turns in a step of `dt` seconds, which may be more than half a turn.
+    pub fn turned(&self, dt: f32) -> Vector {
+        self.spin * dt
+    }
+
     /// How much longer (m) than the straight way from `from` to `to`, both in the obstacle's frame, a way may be that
     /// the obstacle's turning bends.
     pub fn detour(&self, from: Vector, to: Vector) -> f32 {

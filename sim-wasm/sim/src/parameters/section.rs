@@ -15,7 +15,10 @@ pub trait Item: Copy + Default + 'static {
     /// What a page gives an item that somebody adds, of the scope's parameters: keys as in the scope, and values.
     const STARTS: &'static [(&'static str, f64)] = &[];
 
-    /// Where, when and on what it acts, if that can be chosen; the scope's parameters follow its own.
+    /// The parameters of a scope that apply to it, if it has one; they follow its own.
+    const SCOPE: &'static [Field<Scope>] = Scope::FIELDS;
+
+    /// Where, when and on what it acts, if that can be chosen.
     fn scope(&mut self) -> Option<&mut Scope> {
         None
     }
@@ -196,13 +199,9 @@ fn start<I: Item>(key: &str) -> Option<f64> {
         .map(|(_, value)| *value)
 }
 
-/// The fields of a scope, where `I` has one.
+/// The parameters of a scope that `I` has.
 fn scope_fields<I: Item>() -> &'static [Field<Scope>] {
-    if I::default().scope().is_some() {
-        Scope::FIELDS
-    } else {
-        &[]
-    }
+    if I::default().scope().is_some() { I::SCOPE } else { &[] }
 }
 
 fn find<I: Item>(key: &str) -> Option<Slot> {
@@ -231,7 +230,7 @@ fn value<I: Item>(item: &mut I, slot: Slot) -> &mut f64 {
         Some(field) => field.value(item, slot.part),
         None => {
             let scope = item.scope().expect("only a scope has fields beyond an item's own");
-            Scope::FIELDS[slot.field - I::FIELDS.len()].value(scope, slot.part)
+            I::SCOPE[slot.field - I::FIELDS.len()].value(scope, slot.part)
         }
     }
 }

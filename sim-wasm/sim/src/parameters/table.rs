@@ -2,11 +2,12 @@
 
 use super::section::{Item, List, Many, Section, Single, item};
 use super::settings::{Buoyancy, Emission, Gravity, Multipliers, Puff, Settings};
-use crate::emitter::Emitter;
+use crate::emission::Emitter;
 use crate::forces::drag::Resistance;
 use crate::forces::turbulence::Pattern;
 use crate::forces::wind::Weather;
 use crate::forces::{self, Lists};
+use crate::life::density::Stop;
 use crate::obstacles::Collider;
 
 /// Every parameter, in the units of the table. All values are within their ranges, always.
@@ -23,6 +24,7 @@ pub struct Parameters {
     pub simulation: Settings,
     pub emitters: List<Emitter>,
     pub colliders: List<Collider>,
+    pub density: List<Stop>,
     /// The lists of forces.
     pub lists: Lists,
 }
@@ -42,6 +44,7 @@ impl Default for Parameters {
             simulation: item(),
             emitters: List::default(),
             colliders: List::default(),
+            density: List::default(),
             lists: Lists::default(),
         }
     }
@@ -70,6 +73,11 @@ const OWN: &[&dyn Section] = &[
         name: "colliders",
         of: |p| &mut p.colliders,
         len: |p| p.colliders.items().len(),
+    },
+    &Many {
+        name: "density",
+        of: |p| &mut p.density,
+        len: |p| p.density.items().len(),
     },
 ];
 

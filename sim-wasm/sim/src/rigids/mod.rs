@@ -206,6 +206,18 @@ impl Rigids {
         self.poses[index * POSE_PAIR_FLOATS..][..POSE_PAIR_FLOATS].copy_from_slice(&pair(&start, &end));
     }
 
+    /// How the rigid that `scope::Scope::rigid` names moves in the step, round ones turning too; none where there is
+    /// no such rigid.
+    pub(crate) fn ride(&self, number: f64) -> Option<Motion> {
+        let index = (number >= 0.0).then_some(number as usize)?;
+        let turn = self.obstacles.get(index)?.motion.turned(STEP as f32);
+        let pair = self.poses[index * POSE_PAIR_FLOATS..][..POSE_PAIR_FLOATS]
+            .as_chunks::<7>()
+            .0;
+        let [start, end] = [0, 1].map(|moment| pose_of_numbers(&pair[moment]));
+        Some(Motion::turning(start, end, STEP as f32, false, turn))
+    }
+
     /// Makes ready for [`Rigids::find_near`], given where the particles are.
     pub(crate) fn prepare(&mut self, extent: &Extent) {
         // A few particles that are far larger or faster than the rest shall not make the cells of all others too full.
@@ -312,6 +324,14 @@ fn pose_numbers(pose: &Pose) -> [f32; 7] {
     let [x, y, z]: [f32; 3] = pose.position.into();
     let [i, j, k, w] = pose.rotation;
     [x, y, z, i, j, k, w]
+}
+
+fn pose_of_numbers(numbers: &[f32; 7]) -> Pose {
+    let [x, y, z, i, j, k, w] = *numbers;
+    Pose {
+        position: Vector::new(x, y, z),
+        rotation: [i, j, k, w],
+    }
 }
 
 fn pair(start: &Pose, end: &Pose) -> [f32; POSE_PAIR_FLOATS] {

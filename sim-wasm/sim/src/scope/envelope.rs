@@ -6,6 +6,9 @@
 
 use super::Scope;
 
+/// The least time (s) between two starts; a shorter period is taken for this one.
+const SHORTEST_PERIOD: f64 = 0.001;
+
 /// The level at `time` (s), 0..=1.
 pub fn level(scope: &Scope, time: f64) -> f64 {
     let Some(since) = since_start(scope, time) else {
@@ -27,7 +30,8 @@ pub fn since_start(scope: &Scope, time: f64) -> Option<f64> {
     if scope.period <= 0.0 {
         return Some(since);
     }
-    Some(since - libm::floor(since / scope.period) * scope.period)
+    let period = scope.period.max(SHORTEST_PERIOD);
+    Some(since - libm::floor(since / period) * period)
 }
 
 /// How often it has been switched on by `time` (s).
@@ -39,7 +43,7 @@ pub fn starts_until(scope: &Scope, time: f64) -> u64 {
     if scope.period <= 0.0 {
         return 1;
     }
-    libm::floor(since / scope.period) as u64 + 1
+    libm::floor(since / scope.period.max(SHORTEST_PERIOD)) as u64 + 1
 }
 
 fn ramp(seconds: f64, fade: f64) -> f64 {

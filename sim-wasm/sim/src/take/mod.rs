@@ -33,7 +33,7 @@ pub struct Origin {
     state: Vec<u8>,
     /// Nothing has happened yet: seed, capacity and parameters say all, in the same scene.
     is_fresh: bool,
-    /// Fingerprint of the rigids.
+    /// Fingerprint of the rigids and of the surfaces that emitters smoke from.
     scene: u64,
     pub seed: u32,
     pub capacity: u32,
@@ -87,14 +87,10 @@ impl Recorder {
     }
 }
 
-#[cfg(feature = "rigids")]
 fn scene_of(simulator: &Simulator) -> u64 {
     let mut hash = Hash::new();
+    #[cfg(feature = "rigids")]
     simulator.rigids.hash_into(&mut hash);
+    simulator.surfaces.hash_into(&mut hash);
     hash.finish()
-}
-
-#[cfg(not(feature = "rigids"))]
-fn scene_of(_simulator: &Simulator) -> u64 {
-    Hash::new().finish()
 }

@@ -11,10 +11,7 @@ use sim::particles::{Newborn, Particles};
 use sim::rigids::{POSE_PAIR_FLOATS, RigidDescription, RigidKind, RigidShape, Rigids};
 
 pub const DT: f32 = 1.0 / 60.0;
-pub const RADII: RadiusLaw = RadiusLaw {
-    puff_size: 1.0,
-    growth_time: 0.0,
-};
+pub const RADII: RadiusLaw = RadiusLaw::linear(1.0, 0.0);
 pub const LIFETIME: f32 = 1e9;
 
 /// A cloud in still air, with the velocity of each particle in its slip.

@@ -1,0 +1,92 @@
+//! One birth.
+
+use super::shapes::Nozzle;
+use super::{Emitter, Surroundings};
+use crate::collide::motion::Motion;
+use crate::collide::space::Vector;
+use crate::parameters::Parameters;
+use crate::particles::{Newborn, Particles};
+use crate::random::Random;
+
+/// An emitter in one step, and where its births go.
+pub struct Source<'s> {
+    emitter: &'s Emitter,
+    nozzle: Nozzle<'s>,
+    /// How its rigid moves in this step; none in the world.
+    ride: Option<Motion>,
+    around: &'s Surroundings<'s>,
+    random: &'s mut Random,
+    particles: &'s mut Particles,
+}
+
+impl<'s> Source<'s> {
+    pub fn new(
+        emitter: &'s Emitter,
+        around: &'s Surroundings<'s>,
+        random: &'s mut Random,
+        particles: &'s mut Particles,
+    ) -> Self {
+        Self {
+            emitter,
+            nozzle: Nozzle::new(emitter, around.surfaces),
+            ride: (around.ride)(&emitter.scope),
+            around,
+            random,
+            particles,
+        }
+    }
+
+    /// Length of the step (s).
+    pub fn dt(&self) -> f64 {
+        self.around.dt
+    }
+
+    /// How many more can live.
+    pub fn room(&self) -> usize {
+        self.particles.capacity() - self.particles.alive()
+    }
+
+    /// One birth `delay` seconds after the start of the step.
+    pub fn bear(&mut self, delay: f64) {
+        let emitter = self.emitter;
+        let Parameters { emission, puff, .. } = self.around.parameters;
+        let spot = self.nozzle.spot(self.random);
+        let speed = vary(emitter.speed, emitter.speed_variation, self.random);
+        let heading = self.nozzle.heading(&spot, self.random);
+        let (position, slip) = self.carried(spot.place, heading, speed, delay);
+        let lifetime = emission.lifetime * emitter.lifetime;
+        let newborn = Newborn {
+            position,
+            slip,
+            age: -delay as f32,
+            lifetime: vary(lifetime, emitter.lifetime_variation, self.random).max(self.around.dt as f32),
+            size: vary(emitter.size, emitter.size_variation, self.random),
+            temperature: emitter.temperature as f32,
+            look: look(puff.variations as u32, self.random),
+        };
+        self.particles.push(&newborn);
+    }
+
+    /// Place and slip in the world of what leaves at `place` towards `heading`, both as the emitter's rigid has them.
+    fn carried(&self, place: [f32; 3], heading: [f32; 3], speed: f32, delay: f64) -> ([f32; 3], [f32; 3]) {
+        let Some(ride) = &self.ride else {
+            return (place, heading.map(|part| part * speed));
+        };
+        let fraction = (delay / self.around.dt) as f32;
+        let frame = ride.frame(fraction);
+        let place = frame.world_from_local(place.into());
+        let momentum = ride.velocity_at(place, fraction) * self.emitter.inherit as f32;
+        let slip: Vector = frame.turned(heading.into()) * speed + momentum;
+        (place.into(), slip.into())
+    }
+}
+
+fn vary(value: f64, variation: f64, random: &mut Random) -> f32 {
+    value as f32 * (1.0 + variation as f32 * random.signed())
+}
+
+/// Variation, seed byte and roll, packed as [`Particles`] documents.
+fn look(variations: u32, random: &mut Random) -> u32 {
+    let variation = random.below(variations);
+    variation | (random.bits() >> 24) << 8 | (random.bits() >> 16) << 16
+}

@@ -1,0 +1,111 @@
+//! Births: how many, and when.
+//!
+//! An emitter owes rate * share / (sum of shares) * level particles a second, its envelope's level in the middle of the
+//! step. What it owes is kept as a fraction, so that counts are exact over any time. Each birth has its own moment
+//! within the step, at which the emitter stands where its rigid has carried it by then, and from which on the particle
+//! moves (see `motion::Motion::launch`). Therefore neither a fast jet nor wind nor a fast emitter shows beads.
+//!
+//! A burst is owed as a whole when the envelope starts, and spread evenly over that step. When the simulator is full,
+//! births wait, bursts too, and are made up as soon as there is room; emitters take turns in being first, so that none
+//! starves.
+
+mod birth;
+pub mod item;
+mod shapes;
+pub mod surface;
+
+use crate::collide::motion::Motion;
+use crate::parameters::{LIST_LIMIT, Parameters};
+use crate::particles::Particles;
+use crate::random::Random;
+use crate::scope::{Scope, envelope};
+use birth::Source;
+pub use item::Emitter;
+use surface::Surfaces;
+
+/// What emitters remember from step to step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Births {
+    /// Of each emitter: the part of a particle that it owes, 0..1.
+    pub owed: [f64; LIST_LIMIT],
+    /// Of each emitter: how many births wait for room.
+    pub waiting: [u64; LIST_LIMIT],
+}
+
+/// What a step's births depend on besides the emitter.
+pub struct Surroundings<'s> {
+    pub parameters: &'s Parameters,
+    pub surfaces: &'s Surfaces,
+    /// How the rigid moves in this step that something with this scope rides on; none where it stands in the world.
+    pub ride: &'s dyn Fn(&Scope) -> Option<Motion>,
+    /// Number of the step: it decides which emitter comes first.
+    pub step: u64,
+    /// Simulated seconds at the middle of the step.
+    pub time: f64,
+    /// Length of the step (s).
+    pub dt: f64,
+}
+
+impl Births {
+    /// How many births wait for room.
+    pub fn waiting(&self) -> u64 {
+        self.waiting.iter().fold(0, |sum, count| sum.saturating_add(*count))
+    }
+
+    /// The births of one step.
+    pub fn step(&mut self, around: &Surroundings, random: &mut Random, particles: &mut Particles) {
+        let emitters = around.parameters.emitters.items();
+        let shares: f64 = emitters.iter().map(|emitter| emitter.share).sum();
+        let count = emitters.len().max(1);
+        for turn in 0..emitters.len() {
+            let index = (around.step as usize).wrapping_add(turn) % count;
+            let emitter = &emitters[index];
+            let share = emitter.share / shares.max(f64::MIN_POSITIVE);
+            let level = envelope::level(&emitter.scope, around.time);
+            let mut source = Source::new(emitter, around, random, particles);
+            self.waiting[index] = self.waiting[index].saturating_add(burst(emitter, around));
+            self.make_up(index, &mut source);
+            self.emit(index, around.parameters.emission.rate * share * level, &mut source);
+        }
+    }
+
+    /// Births that waited, spread evenly over the step.
+    fn make_up(&mut self, index: usize, source: &mut Source) {
+        let count = self.waiting[index].min(source.room() as u64);
+        for number in 0..count {
+            source.bear(source.dt() * (number as f64 + 0.5) / count as f64);
+        }
+        self.waiting[index] -= count;
+    }
+
+    /// Births that fall due in this step, each at its moment.
+    fn emit(&mut self, index: usize, rate: f64, source: &mut Source) {
+        // Sums of decimal fractions miss whole numbers by a few units in the last place.
+        const SLACK: f64 = 1e-9;
+        if rate <= 0.0 {
+            return;
+        }
+        let before = self.owed[index];
+        let owed = before + rate * source.dt();
+        let due = libm::floor(owed + SLACK);
+        for number in 1..=due as u64 {
+            if source.room() == 0 {
+                self.waiting[index] = self.waiting[index].saturating_add(due as u64 + 1 - number);
+                break;
+            }
+            source.bear(((number as f64 - before) / rate).clamp(0.0, source.dt()));
+        }
+        self.owed[index] = owed - due;
+    }
+}
+
+/// How many births the bursts of `emitter` owe that begin between the middles of the last step and of this one: starts
+/// that are whole numbers of steps then never depend on rounding.
+fn burst(emitter: &Emitter, around: &Surroundings) -> u64 {
+    if emitter.burst_count <= 0.0 {
+        return 0;
+    }
+    let starts = |time| envelope::starts_until(&emitter.scope, time);
+    let begun = starts(around.time) - starts(around.time - around.dt);
+    begun.saturating_mul(emitter.burst_count as u64)
+}

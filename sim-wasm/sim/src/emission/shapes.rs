@@ -1,0 +1,186 @@
+//! Where on an emitter a particle is born, and where it leaves to.
+//!
+//! Places are uniform over the shape: by volume, area or length. Directions are uniform over the cone of `spread` about
+//! the emitter's direction; on a sphere or a surface about the normal, outwards. A cone is a nozzle: what is born on its
+//! disc leaves as if it came from the cone's apex, whose half angle is `spread`.
+
+use super::Emitter;
+use super::surface::{Surface, Surfaces};
+use crate::forces::unit;
+use crate::random::Random;
+
+/// A cone opens no wider (rad): beyond, it would need an infinite disc.
+const WIDEST_CONE: f64 = 1.5;
+
+/// Where a particle is born (m), and where its direction points.
+pub struct Spot {
+    pub place: [f32; 3],
+    way: Way,
+}
+
+/// Where particles leave to.
+enum Way {
+    /// Into the cone about the emitter's direction.
+    Ahead,
+    /// Into the cone about this unit vector.
+    About([f32; 3]),
+    /// Exactly along this unit vector.
+    Along([f32; 3]),
+}
+
+/// An emitter made ready for many births.
+pub struct Nozzle<'e> {
+    emitter: &'e Emitter,
+    surface: Option<&'e Surface>,
+    centre: [f32; 3],
+    ahead: Axis,
+    /// 1 - cos(spread).
+    cap: f32,
+    /// Tangent of a nozzle's half angle.
+    slope: f32,
+}
+
+impl<'e> Nozzle<'e> {
+    /// That of `emitter`; its surface is one of `surfaces`.
+    pub fn new(emitter: &'e Emitter, surfaces: &'e Surfaces) -> Self {
+        Self {
+            emitter,
+            surface: surfaces.get(emitter.surface as usize),
+            centre: emitter.position.map(|metres| metres as f32),
+            ahead: Axis::new(unit(emitter.direction)),
+            cap: 1.0 - libm::cos(emitter.spread) as f32,
+            slope: libm::tan(emitter.spread.min(WIDEST_CONE)) as f32,
+        }
+    }
+
+    /// A place of birth. A surface that does not exist is a point.
+    pub fn spot(&self, random: &mut Random) -> Spot {
+        match self.emitter.shape as u32 {
+            1 => self.ahead_from(self.across(disc(0.0, random))),
+            2 => self.ahead_from(in_ball(random).map(|part| part * self.radius())),
+            3 => self.ahead_from(self.across(disc(self.emitter.inner as f32, random))),
+            4 => self.on_sphere(random),
+            5 => self.ahead_from(self.emitter.extent.map(|half| random.signed() * half as f32)),
+            6 => self.in_nozzle(random),
+            7 => self.on_line(random),
+            8 => self.on_surface(random),
+            _ => self.ahead_from([0.0; 3]),
+        }
+    }
+
+    /// The direction, a unit vector, in which what is born at `spot` leaves.
+    pub fn heading(&self, spot: &Spot, random: &mut Random) -> [f32; 3] {
+        match spot.way {
+            Way::Ahead => self.ahead.cone(self.cap, random),
+            Way::About(normal) => Axis::new(normal).cone(self.cap, random),
+            Way::Along(heading) => heading,
+        }
+    }
+
+    fn radius(&self) -> f32 {
+        self.emitter.radius as f32
+    }
+
+    fn from(&self, offset: [f32; 3], way: Way) -> Spot {
+        Spot {
+            place: std::array::from_fn(|i| self.centre[i] + offset[i]),
+            way,
+        }
+    }
+
+    fn ahead_from(&self, offset: [f32; 3]) -> Spot {
+        self.from(offset, Way::Ahead)
+    }
+
+    /// The offset of a place on the disc of radius 1.
+    fn across(&self, [side, other_side]: [f32; 2]) -> [f32; 3] {
+        self.ahead
+            .vector(side, other_side, 0.0)
+            .map(|part| part * self.radius())
+    }
+
+    fn on_sphere(&self, random: &mut Random) -> Spot {
+        // Archimedes: what is uniform along the axis is uniform over the sphere.
+        let normal = self.ahead.cone(2.0, random);
+        self.from(normal.map(|part| part * self.radius()), Way::About(normal))
+    }
+
+    fn in_nozzle(&self, random: &mut Random) -> Spot {
+        let place = disc(0.0, random);
+        let [side, other_side] = place.map(|part| part * self.slope);
+        let length = (1.0 + side * side + other_side * other_side).sqrt();
+        let heading = self.ahead.vector(side, other_side, 1.0).map(|part| part / length);
+        self.from(self.across(place), Way::Along(heading))
+    }
+
+    fn on_line(&self, random: &mut Random) -> Spot {
+        let along = random.signed();
+        self.ahead_from(self.emitter.extent.map(|half| along * half as f32))
+    }
+
+    fn on_surface(&self, random: &mut Random) -> Spot {
+        let Some(surface) = self.surface else {
+            return self.ahead_from([0.0; 3]);
+        };
+        let (place, normal) = surface.pick(random);
+        self.from(place, Way::About(normal))
+    }
+}
+
+/// A unit vector with two others that are normal to it and to each other.
+struct Axis {
+    direction: [f32; 3],
+    side: [f32; 3],
+    other_side: [f32; 3],
+}
+
+impl Axis {
+    fn new(direction: [f32; 3]) -> Self {
+        let [side, other_side] = normals(direction);
+        Self {
+            direction,
+            side,
+            other_side,
+        }
+    }
+
+    /// The vector with these parts along the frame.
+    fn vector(&self, side: f32, other_side: f32, forward: f32) -> [f32; 3] {
+        std::array::from_fn(|i| side * self.side[i] + other_side * self.other_side[i] + forward * self.direction[i])
+    }
+
+    /// A unit vector in the cone about the axis, uniform over the sphere; `cap` is 1 minus the cosine of half its angle.
+    fn cone(&self, cap: f32, random: &mut Random) -> [f32; 3] {
+        let forward = 1.0 - random.unit() * cap;
+        let across = libm::sqrtf((1.0 - forward * forward).max(0.0));
+        let (sine, cosine) = libm::sincosf(random.unit() * std::f32::consts::TAU);
+        self.vector(across * cosine, across * sine, forward)
+    }
+}
+
+/// A place on the disc of radius 1, outside of the radius `inner`.
+fn disc(inner: f32, random: &mut Random) -> [f32; 2] {
+    let hole = inner * inner;
+    let distance = libm::sqrtf(hole + random.unit() * (1.0 - hole));
+    let (sine, cosine) = libm::sincosf(random.unit() * std::f32::consts::TAU);
+    [distance * cosine, distance * sine]
+}
+
+/// A place in the ball of radius 1, by rejection: no cube root, and uniform.
+fn in_ball(random: &mut Random) -> [f32; 3] {
+    loop {
+        let place = [random.signed(), random.signed(), random.signed()];
+        if place.iter().map(|component| component * component).sum::<f32>() <= 1.0 {
+            return place;
+        }
+    }
+}
+
+/// Two unit vectors normal to the unit vector `n` and to each other. Duff et al., "Building an Orthonormal Basis,
+/// Revisited", JCGT 6 (1), 2017: no case distinction but the sign.
+fn normals([x, y, z]: [f32; 3]) -> [[f32; 3]; 2] {
+    let sign = 1.0_f32.copysign(z);
+    let a = -1.0 / (sign + z);
+    let b = x * y * a;
+    [[1.0 + sign * x * x * a, sign * b, -sign * x], [b, sign + y * y * a, -y]]
+}

@@ -1,0 +1,191 @@
+//! Surfaces of meshes that emitters smoke from.
+//!
+//! A place on a mesh: a triangle by its share of the area, a point uniform over the triangle (Turk, "Generating Random
+//! Points in Triangles", Graphics Gems, 1990). Surfaces are inputs, as parameters are: they are saved, and no part of
+//! the state's hash. They are no surfaces to be drawn and nothing bumps into them.
+
+use crate::bytes::{Reader, Writer};
+use crate::collide::space::Vector;
+use crate::error::{ParameterError, RestoreError};
+use crate::hash::Hash;
+use crate::random::Random;
+use crate::snapshot::Section;
+
+/// Most surfaces of one simulator.
+pub const MOST_SURFACES: usize = 16;
+/// Most vertices, and most triangles, of one surface.
+pub const MOST_ELEMENTS: usize = 1_000_000;
+/// No coordinate of a vertex lies farther out (m).
+pub const FARTHEST: f32 = 1000.0;
+
+/// A mesh, ready for births.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    vertices: Vec<f32>,
+    indices: Vec<u32>,
+    /// Area (m2) of all triangles up to and with each.
+    areas: Vec<f64>,
+}
+
+impl Surface {
+    /// The surface of `vertices` (m), three numbers each, and triangles of three `indices` each, counter-clockwise from
+    /// outside; what is born leaves there.
+    ///
+    /// # Errors
+    /// `surface.vertices`: none, not whole, too many, not finite or farther out than 1000 m. `surface.indices`: none, not
+    /// whole, too many, or without such a vertex. `surface.area`: all triangles are degenerate.
+    pub fn new(vertices: &[f32], indices: &[u32]) -> Result<Self, ParameterError> {
+        check_count("surface.vertices", vertices.len())?;
+        check_count("surface.indices", indices.len())?;
+        for (number, metres) in vertices.iter().enumerate() {
+            if !(-FARTHEST..=FARTHEST).contains(metres) {
+                return Err(refuse(
+                    &format!("surface.vertices.{number}"),
+                    f64::from(*metres),
+                    -1e3,
+                    1e3,
+                ));
+            }
+        }
+        let last = vertices.len() as u32 / 3 - 1;
+        for (number, vertex) in indices.iter().enumerate() {
+            if *vertex > last {
+                let key = format!("surface.indices.{number}");
+                return Err(refuse(&key, f64::from(*vertex), 0.0, f64::from(last)));
+            }
+        }
+        Self::measured(vertices.to_vec(), indices.to_vec())
+    }
+
+    fn measured(vertices: Vec<f32>, indices: Vec<u32>) -> Result<Self, ParameterError> {
+        let mut surface = Self {
+            areas: Vec::with_capacity(indices.len() / 3),
+            vertices,
+            indices,
+        };
+        let mut area = 0.0;
+        for triangle in 0..surface.indices.len() / 3 {
+            area += f64::from(normal(&surface.corners(triangle)).length()) / 2.0;
+            surface.areas.push(area);
+        }
+        if area > 0.0 {
+            return Ok(surface);
+        }
+        let message = "surface.area is 0; give at least one triangle with three corners that lie apart".to_owned();
+        Err(ParameterError {
+            message,
+            ..refuse("surface.area", area, f64::MIN_POSITIVE, f64::MAX)
+        })
+    }
+
+    /// A place on it (m), uniform by area, and the unit normal there.
+    pub fn pick(&self, random: &mut Random) -> ([f32; 3], [f32; 3]) {
+        let total = self.areas[self.areas.len() - 1];
+        let sought = total * f64::from(random.bits()) / 4_294_967_296.0;
+        let corners = self.corners(self.areas.partition_point(|area| *area <= sought));
+        let [a, b, c] = corners;
+        let (root, along) = (libm::sqrtf(random.unit()), random.unit());
+        let place = a + (b - a) * (root * (1.0 - along)) + (c - a) * (root * along);
+        (place.into(), normal(&corners).unit_or(Vector::Y).into())
+    }
+
+    fn corners(&self, triangle: usize) -> [Vector; 3] {
+        std::array::from_fn(|corner| {
+            let at = 3 * self.indices[3 * triangle + corner] as usize;
+            Vector::new(self.vertices[at], self.vertices[at + 1], self.vertices[at + 2])
+        })
+    }
+}
+
+/// The surfaces of one simulator, by their numbers.
+#[derive(Clone, Debug, Default)]
+pub struct Surfaces(Vec<Surface>);
+
+impl Surfaces {
+    /// Takes up one more and returns its number.
+    ///
+    /// # Errors
+    /// `surface.count`: there are [`MOST_SURFACES`] already.
+    pub fn add(&mut self, surface: Surface) -> Result<u32, ParameterError> {
+        let count = self.0.len();
+        if count == MOST_SURFACES {
+            return Err(refuse("surface.count", count as f64 + 1.0, 0.0, MOST_SURFACES as f64));
+        }
+        self.0.push(surface);
+        Ok(count as u32)
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// The one of this number.
+    pub fn get(&self, number: usize) -> Option<&Surface> {
+        self.0.get(number)
+    }
+
+    /// Adds all meshes to `hash`; nothing where there are none.
+    pub fn hash_into(&self, hash: &mut Hash) {
+        for Surface { vertices, indices, .. } in &self.0 {
+            hash.floats(vertices);
+            indices.iter().for_each(|index| hash.word(*index));
+        }
+    }
+}
+
+impl Section for Surfaces {
+    fn write(&self, body: &mut Writer) {
+        body.word(self.0.len() as u32);
+        for Surface { vertices, indices, .. } in &self.0 {
+            body.word(vertices.len() as u32);
+            vertices.iter().for_each(|metres| body.word(metres.to_bits()));
+            body.word(indices.len() as u32);
+            indices.iter().for_each(|index| body.word(*index));
+        }
+    }
+
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        let mut surfaces = Self::default();
+        for _ in 0..reader.word()? {
+            let vertices = read_all(reader, Reader::float)?;
+            let indices = read_all(reader, Reader::word)?;
+            let surface = Surface::new(&vertices, &indices).map_err(RestoreError::from)?;
+            surfaces.add(surface).map_err(RestoreError::from)?;
+        }
+        Ok(surfaces)
+    }
+}
+
+/// As many as the word before them says. Memory grows with what is read, whatever that word claims.
+fn read_all<'b, T>(
+    reader: &mut Reader<'b>,
+    read: fn(&mut Reader<'b>) -> Result<T, RestoreError>,
+) -> Result<Vec<T>, RestoreError> {
+    let count = reader.word()?;
+    let mut values = Vec::new();
+    for _ in 0..count {
+        values.push(read(reader)?);
+    }
+    Ok(values)
+}
+
+/// Twice the area (m2) along the direction from which the corners go round counter-clockwise.
+fn normal([a, b, c]: &[Vector; 3]) -> Vector {
+    (*b - *a).cross(*c - *a)
+}
+
+fn check_count(key: &str, count: usize) -> Result<(), ParameterError> {
+    if count % 3 == 0 && (3..=3 * MOST_ELEMENTS).contains(&count) {
+        return Ok(());
+    }
+    let most = 3 * MOST_ELEMENTS;
+    Err(ParameterError {
+        message: format!("{key} has {count} numbers; give three each, from 3 to {most}"),
+        ..refuse(key, count as f64, 3.0, most as f64)
+    })
+}
+
+fn refuse(key: &str, value: f64, min: f64, max: f64) -> ParameterError {
+    ParameterError::out_of_range(key, value, min, max)
+}
