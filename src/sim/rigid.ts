@@ -44,6 +44,10 @@ export interface RigidDescription {
   friction?: number;
   /** kg/m3, default 1000; for dynamic rigids. */
   density?: number;
+  /** Within this distance of the moving surface air is dragged along with it; metres, 0 (default) to 10. */
+  boundaryLayer?: number;
+  /** How strongly smoke pushes a dynamic rigid: 0 (default) not at all, 1 as air would, up to 10. */
+  feelsSmoke?: number;
   /** How a kinematic rigid spins, on top of all else that moves it. */
   spin?: RigidSpin;
   /** Where a kinematic rigid goes by itself; it begins at `position` all the same. */
@@ -66,6 +70,8 @@ export function rigidArguments(description: RigidDescription): RigidArguments {
     description.restitution ?? 0,
     description.friction ?? 0.5,
     description.density ?? 1000,
+    description.boundaryLayer ?? 0,
+    description.feelsSmoke ?? 0,
     ...spinNumbers(description.spin),
   ];
   const flat: Flat = { numbers, vertices: [], indices: [] };

@@ -88,6 +88,9 @@ describe('rigids', () => {
       [{ ...ball, restitution: 2 }, 'rigid.restitution'],
       [{ ...ball, friction: -0.1 }, 'rigid.friction'],
       [{ ...ball, density: 0 }, 'rigid.density'],
+      [{ ...ball, boundaryLayer: -1 }, 'rigid.boundaryLayer'],
+      [{ ...ball, feelsSmoke: NaN }, 'rigid.feelsSmoke'],
+      [{ ...ball, spin: { axis: [0, 1, 0], rate: 1e4 } }, 'rigid.spin.rate'],
     ];
     for (const [description, key] of wrong) {
       let error: unknown;

@@ -137,7 +137,11 @@ impl Simulator {
     /// As `step`; calls `ended` at the end of each part, so that a measurement can tell what it took.
     pub(crate) fn step_in_parts(&mut self, mut ended: impl FnMut(Part)) {
         #[cfg(feature = "rigids")]
-        self.rigids.step_world(STEP as f32);
+        {
+            let radii = RadiusLaw::new(&self.parameters);
+            self.rigids.feel(&mut self.particles, &radii, STEP as f32);
+            self.rigids.step_world(STEP as f32);
+        }
         ended(Part::World);
         #[cfg(feature = "rigids")]
         self.rigids.follow_world(STEP as f32);
@@ -145,6 +149,9 @@ impl Simulator {
         let motion = self.motion();
         self.bear(&motion);
         motion.advance(&mut self.particles);
+        #[cfg(feature = "rigids")]
+        self.rigids
+            .drag_air(&mut self.particles, &RadiusLaw::new(&self.parameters), STEP as f32);
         ended(Part::Motion);
         self.collide();
         ended(Part::Collision);

@@ -76,6 +76,18 @@ impl Motion {
         }
     }
 
+    /// Whether it goes or turns at all.
+    #[cfg(feature = "rigids")]
+    pub fn is_moving(&self) -> bool {
+        self.velocity != Vector::ZERO || self.spin != Vector::ZERO
+    }
+
+    /// No point within `reach` (m) of the origin is faster (m/s).
+    #[cfg(feature = "rigids")]
+    pub fn top_speed(&self, reach: f32) -> f32 {
+        self.velocity.length() + self.spin.length() * reach
+    }
+
     /// Pieces in which the way has to be followed, at least 1.
     pub fn pieces(&self) -> u32 {
         self.pieces

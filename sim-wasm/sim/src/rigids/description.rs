@@ -73,6 +73,10 @@ pub struct RigidDescription {
     pub friction: f32,
     /// kg/m3, 0.01..100,000.
     pub density: f32,
+    /// Within this distance (m) air is dragged along with the moving surface, 0..10; 0: none is.
+    pub boundary_layer: f32,
+    /// How strongly smoke pushes a dynamic rigid, 0..10; 0: not at all, 1: as air would.
+    pub feels_smoke: f32,
     /// How a kinematic rigid spins, on top of all else that moves it.
     pub spin: Spin,
     /// Where a kinematic rigid goes by itself. It begins at `pose` all the same.
@@ -106,6 +110,8 @@ impl RigidDescription {
             restitution: 0.0,
             friction: 0.5,
             density: 1000.0,
+            boundary_layer: 0.0,
+            feels_smoke: 0.0,
             spin: Spin::NONE,
             path: None,
         }

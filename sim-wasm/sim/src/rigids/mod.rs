@@ -6,17 +6,20 @@
 mod commands;
 mod compound;
 pub mod description;
+mod feel;
 mod forms;
 mod grab;
 mod grid;
 mod guide;
 pub mod joints;
+mod layer;
 #[cfg(feature = "bench")]
 mod measure;
 mod meshes;
 mod numbers;
 pub mod path;
 mod save;
+mod shells;
 mod track;
 mod world;
 
@@ -31,12 +34,14 @@ use crate::error::ParameterError;
 use crate::hash::Hash;
 use crate::simulator::STEP;
 pub use description::{RigidDescription, RigidKind, RigidPart, RigidShape, Spin, pose_of};
+use feel::Sum;
 pub use grab::Grab;
 use grid::Grid;
 use guide::Guide;
 pub use joints::{JointDescription, JointKind, Motor};
 pub use numbers::{FlatRigid, RigidNumbers};
 pub use path::{Keyframe, Pace, Path};
+use shells::Shells;
 use track::Track;
 use world::World;
 
@@ -56,6 +61,10 @@ pub struct Rigids {
     bounds: Bounds,
     /// Steps of the simulator, which paths go by.
     steps: u64,
+    /// Those with a boundary layer, and those that feel smoke, with what they feel.
+    layered: Shells,
+    feeling: Shells,
+    sums: Vec<Sum>,
 }
 
 struct Member {
@@ -92,6 +101,9 @@ impl Rigids {
             grid: Grid::default(),
             bounds: Bounds::NOTHING,
             steps: 0,
+            layered: Shells::default(),
+            feeling: Shells::default(),
+            sums: Vec::new(),
         }
     }
 
@@ -154,6 +166,20 @@ impl Rigids {
             reach: reach_of(&own),
         });
         self.poses.extend_from_slice(&pair(&pose, &pose));
+        self.take_note_of_air();
+    }
+
+    /// Notes whether the last rigid has to do with the air.
+    fn take_note_of_air(&mut self) {
+        let index = self.count() - 1;
+        let member = &self.members[index];
+        if member.description.boundary_layer > 0.0 {
+            self.layered.add(index);
+        }
+        if member.feels() {
+            self.feeling.add(index);
+        }
+        self.sums.push(Sum::default());
     }
 
     /// For each rigid its pose before and after the last step: x, y, z (m) and the quaternion x, y, z, w, twice.
@@ -178,6 +204,11 @@ impl Rigids {
             member.lead(index, &mut self.world, time, dt);
         }
         self.world.step(dt);
+        for (index, member) in self.members.iter().enumerate() {
+            if member.description.kind == RigidKind::Dynamic {
+                self.world.clear_forces(index);
+            }
+        }
     }
 
     /// The second half of [`Rigids::advance`]: each rigid as an obstacle on its way.
@@ -276,13 +307,8 @@ impl Member {
                     world.head_for(index, &next);
                 }
             }
-            (RigidKind::Dynamic, grab) => {
-                world.clear_forces(index);
-                if let Some(grab) = grab {
-                    world.pull(index, grab, dt);
-                }
-            }
-            (RigidKind::Fixed, _) => {}
+            (RigidKind::Dynamic, Some(grab)) => world.pull(index, grab, dt),
+            _ => {}
         }
     }
 }

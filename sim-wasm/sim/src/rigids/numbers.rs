@@ -1,10 +1,10 @@
 //! Rigids as flat numbers: how they cross a language boundary and how they are saved.
 //!
 //! `numbers`: kind (0 fixed, 1 kinematic, 2 dynamic); position x, y, z and quaternion x, y, z, w; restitution, friction,
-//! density; the axis of the spin x, y, z and its rate; the count of parts, 0 for a single shape that is no compound. Then for each part: shape (0 ball, 1 cuboid,
-//! 2 capsule, 3 cylinder, 4 convex hull, 5 trimesh), how many dimensions, vertex numbers and indices it has, its pose
-//! in the rigid (7, as above), and its dimensions. Ball: radius. Cuboid: half extents. Capsule and cylinder: half
-//! height, radius. Hull and trimesh: none.
+//! density, boundary layer, feels smoke; the axis of the spin x, y, z and its rate; the count of parts, 0 for a single
+//! shape that is no compound. Then for each part: shape (0 ball, 1 cuboid, 2 capsule, 3 cylinder, 4 convex hull,
+//! 5 trimesh), how many dimensions, vertex numbers and indices it has, its pose in the rigid (7, as above), and its
+//! dimensions. Ball: radius. Cuboid: half extents. Capsule and cylinder: half height, radius. Hull and trimesh: none.
 
 use super::commands::spin_of;
 use super::description::{
@@ -17,6 +17,8 @@ use crate::collide::space::{Pose, Vector};
 use crate::error::ParameterError;
 
 const DENSITIES: (f64, f64) = (1e-2, 1e5);
+const LAYERS: (f64, f64) = (0.0, 10.0);
+const FEELINGS: (f64, f64) = (0.0, 10.0);
 const MOST_PARTS: usize = 64;
 
 /// A rigid as flat numbers, as the head of this file tells.
@@ -53,6 +55,8 @@ impl RigidDescription {
         let restitution = ranged("rigid.restitution", reader.number()?, (0.0, 1.0))?;
         let friction = ranged("rigid.friction", reader.number()?, (0.0, 1.0))?;
         let density = ranged("rigid.density", reader.number()?, DENSITIES)?;
+        let boundary_layer = ranged("rigid.boundaryLayer", reader.number()?, LAYERS)?;
+        let feels_smoke = ranged("rigid.feelsSmoke", reader.number()?, FEELINGS)?;
         let spin = reader.spin()?;
         Ok(Self {
             kind,
@@ -61,6 +65,8 @@ impl RigidDescription {
             restitution,
             friction,
             density,
+            boundary_layer,
+            feels_smoke,
             spin,
             path: Path::from_numbers(numbers.path)?,
         })
@@ -79,6 +85,7 @@ impl RigidDescription {
         });
         flat.numbers.extend(pose_numbers(&self.pose));
         flat.numbers.extend([self.restitution, self.friction, self.density]);
+        flat.numbers.extend([self.boundary_layer, self.feels_smoke]);
         flat.numbers.extend(<[f32; 3]>::from(self.spin.axis));
         flat.numbers.push(self.spin.rate);
         match &self.shape {

@@ -9,7 +9,7 @@ use rapier3d::prelude::{
 use super::description::{RigidDescription, RigidKind};
 use super::grab::Grab;
 use super::meshes::{ours, parrys};
-use crate::collide::space::Pose;
+use crate::collide::space::{Pose, Vector};
 use crate::hash::Hash;
 
 const GRAVITY: f32 = -9.81;
@@ -19,6 +19,18 @@ const SWING_DAMPING: f32 = 0.5;
 /// Rapier's world; its rigid bodies are numbered as they were added, and none is ever removed.
 pub struct World {
     physics: PhysicsWorld,
+}
+
+/// Air that pushes a rigid.
+pub struct Push {
+    /// The air's velocity (m/s).
+    pub velocity: Vector,
+    /// The rigid's own axes in the world.
+    pub axes: [Vector; 3],
+    /// Along each axis, force (N) by the square of the relative velocity, kg/m.
+    pub resistance: Vector,
+    /// Where it pushes, world space (m).
+    pub point: Vector,
 }
 
 impl World {
@@ -76,7 +88,29 @@ impl World {
         body.set_angular_damping(SWING_DAMPING * grab.stiffness);
     }
 
-    /// Forgets the forces of the last step, before those of the coming one are added.
+    /// Pushes a dynamic rigid by air. The force is that of the velocity relative to the air at the step's end, so that
+    /// it never throws a rigid back however light that is, and is exact where it balances gravity.
+    pub fn blow(&mut self, index: usize, push: &Push, dt: f32) {
+        let gravity = self.physics.gravity;
+        let body = &mut self.physics.bodies[handle(index)];
+        let mass = body.mass();
+        if mass <= 0.0 {
+            return;
+        }
+        let relative = parrys(push.velocity) - body.linvel();
+        let coming = relative - gravity * dt;
+        let rates = push.resistance * (relative.length() / mass);
+        let mut force = Vec3::ZERO;
+        for (axis, rate) in push.axes.into_iter().zip(<[f32; 3]>::from(rates)) {
+            let normal = parrys(axis);
+            force += normal * (mass * rate / (1.0 + rate * dt) * coming.dot(normal));
+        }
+        body.add_force_at_point(force, parrys(push.point), true);
+        let damping = body.angular_damping() + rates.x.max(rates.y).max(rates.z);
+        body.set_angular_damping(damping);
+    }
+
+    /// Forgets the forces of the step that was made.
     pub fn clear_forces(&mut self, index: usize) {
         let body = &mut self.physics.bodies[handle(index)];
         body.reset_forces(false);

@@ -1,0 +1,106 @@
+//! The other way: smoke pushes light rigids.
+//!
+//! What moves near a rigid tells how the air goes past it: the mean velocity u, relative to the rigid, of the particles
+//! in a shell as wide as the rigid is large. What is close to the surface has been stopped by it and tells little: at a
+//! share t of the shell the weight is 16 t^2 (1 - t)^2, none at the surface and none at the edge. The box around the shape is taken for three flat plates, the force on each is normal to it (Hoerner, 'Fluid-Dynamic Drag',
+//! 1965: a plate's normal force goes with the sine of its angle to the flow, C = 1.17 square on):
+//! F = sum over the axes n of C rho/2 A_n |u| (u.n) n. Its part along u is the drag, the rest the lift of a tilted
+//! plate. For a ball it is C rho/2 pi r2 |u| u with C = 0.47. The force acts off the middle where the smoke does, and
+//! the air damps turning as fast as it damps motion.
+
+use super::description::RigidKind;
+use super::world::Push;
+use super::{Member, Rigids};
+use crate::collide::shapes::Collider;
+use crate::collide::space::{Bounds, Frame, Vector};
+use crate::life::RadiusLaw;
+use crate::particles::Particles;
+
+/// kg/m3.
+const AIR_DENSITY: f32 = 1.2;
+const PLATE_COEFFICIENT: f32 = 1.17;
+const BALL_COEFFICIENT: f32 = 0.47;
+
+/// What the particles near one rigid say, weighted by where they are in the shell.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sum {
+    weight: f32,
+    velocity: Vector,
+    /// From the rigid's origin, world space.
+    offset: Vector,
+}
+
+impl Rigids {
+    /// Measures the smoke near the rigids that feel it and gives them the force for the coming step of `dt` seconds; to
+    /// be called before it.
+    pub(crate) fn feel(&mut self, particles: &mut Particles, radii: &RadiusLaw, dt: f32) {
+        let Self {
+            obstacles,
+            members,
+            feeling,
+            sums,
+            world,
+            ..
+        } = self;
+        sums.iter_mut().for_each(|sum| *sum = Sum::default());
+        let bounds = |rigid: usize| {
+            let member: &Member = &members[rigid];
+            let own = Frame::new(&member.pose).bounds_of(&obstacles[rigid].shape.bounds());
+            Some(own.wider(member.reach))
+        };
+        feeling.for_each_near(particles, radii, bounds, |particles, i, rigid| {
+            let reach = members[rigid].reach;
+            let place = Vector::new(particles.x[i], particles.y[i], particles.z[i]);
+            let before = Vector::new(particles.px[i], particles.py[i], particles.pz[i]);
+            let radius = radii.radius(particles.size[i], particles.age[i], particles.lifetime[i]);
+            let local = Frame::new(&members[rigid].pose).local_from_world(place);
+            let gap = obstacles[rigid].shape.nearest(local, radius + reach).distance - radius;
+            let t = (gap / reach).clamp(0.0, 1.0);
+            let weight = 16.0 * t * t * (1.0 - t) * (1.0 - t);
+            let sum = &mut sums[rigid];
+            sum.weight += weight;
+            sum.velocity = sum.velocity + (place - before) * (weight / dt);
+            sum.offset = sum.offset + (place - members[rigid].pose.position) * weight;
+        });
+        for (index, (member, sum)) in members.iter().zip(sums.iter()).enumerate() {
+            if member.feels() && sum.weight > 0.0 {
+                world.blow(index, &member.push(&obstacles[index].shape, sum), dt);
+            }
+        }
+    }
+}
+
+impl Member {
+    /// Whether smoke pushes this rigid.
+    pub(super) fn feels(&self) -> bool {
+        self.description.kind == RigidKind::Dynamic && self.description.feels_smoke > 0.0
+    }
+
+    fn push(&self, shape: &dyn Collider, sum: &Sum) -> Push {
+        let frame = Frame::new(&self.pose);
+        let bounds = shape.bounds();
+        let half = (bounds.max - bounds.min) * 0.5;
+        // Where there is little smoke it pushes little, or a single puff would be a storm.
+        let share = self.description.feels_smoke * sum.weight.min(1.0) * 0.5 * AIR_DENSITY;
+        let areas = if shape.is_round() {
+            let area = BALL_COEFFICIENT * std::f32::consts::PI * half.x * half.x;
+            Vector::new(area, area, area)
+        } else {
+            Vector::new(half.y * half.z, half.z * half.x, half.x * half.y) * (4.0 * PLATE_COEFFICIENT)
+        };
+        Push {
+            velocity: sum.velocity * (1.0 / sum.weight),
+            axes: [Vector::new(1.0, 0.0, 0.0), Vector::Y, Vector::new(0.0, 0.0, 1.0)].map(|axis| frame.turned(axis)),
+            resistance: areas * share,
+            point: frame.world_from_local(middle_part(&frame, &bounds, sum.offset * (1.0 / sum.weight))),
+        }
+    }
+}
+
+/// A world-space offset in the rigid's own space, no farther out than half way from the box's middle to its sides.
+fn middle_part(frame: &Frame, bounds: &Bounds, offset: Vector) -> Vector {
+    let middle = (bounds.min + bounds.max) * 0.5;
+    let quarter = (bounds.max - bounds.min) * 0.25;
+    let local = frame.local_from_world(frame.world_from_local(Vector::ZERO) + offset);
+    local.greatest(middle - quarter).least(middle + quarter)
+}

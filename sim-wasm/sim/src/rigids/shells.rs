@@ -1,0 +1,73 @@
+//! The neighbourhood of those rigids that do something to the air around them, or feel it: a grid of its own, so that
+//! all others cost nothing, and of these only the particles near them do.
+
+use super::grid::Grid;
+use crate::collide::space::{Bounds, Vector, WideBounds};
+use crate::collide::survey::{Sight, Ways, extent, for_each_near};
+use crate::life::RadiusLaw;
+use crate::particles::Particles;
+
+/// Some of the rigids, each with a box around it.
+#[derive(Debug, Default)]
+pub struct Shells {
+    rigids: Vec<usize>,
+    grid: Grid,
+    near: Vec<usize>,
+}
+
+impl Shells {
+    /// Takes up a rigid.
+    pub fn add(&mut self, rigid: usize) {
+        self.rigids.push(rigid);
+        self.grid.add(Bounds::NOTHING);
+        self.near.reserve(self.rigids.len());
+    }
+
+    /// Calls `meet` for each particle near the box of a rigid, in the order of the particles and for each in that of
+    /// the rigids; `bounds` tells the box, none where the rigid does not count now.
+    pub fn for_each_near(
+        &mut self,
+        particles: &mut Particles,
+        radii: &RadiusLaw,
+        bounds: impl Fn(usize) -> Option<Bounds>,
+        mut meet: impl FnMut(&mut Particles, usize, usize),
+    ) {
+        for (slot, rigid) in self.rigids.iter().enumerate() {
+            self.grid.place(slot, bounds(*rigid).unwrap_or(Bounds::NOTHING));
+        }
+        let all = self.grid.bounds();
+        if all == Bounds::NOTHING {
+            return;
+        }
+        let extent = extent(particles, radii);
+        let margin = extent.greatest_reach.min(3.0 * extent.mean_reach);
+        self.grid.lay(&extent.middles, margin);
+        let Self { rigids, grid, near } = self;
+        let look = |ways: &Ways| match ways.touching(&all) {
+            0 => Sight::default(),
+            lanes => {
+                let sight = grid.look(ways);
+                Sight {
+                    lanes: lanes & sight.lanes,
+                    ..sight
+                }
+            }
+        };
+        for_each_near(particles, radii, look, |particles, i, spot| {
+            near.clear();
+            let way = way_of(particles, i, radii);
+            grid.for_each_touching(&way, spot, |slot| near.push(slot));
+            near.sort_unstable();
+            for slot in near.iter() {
+                meet(particles, i, rigids[*slot]);
+            }
+        });
+    }
+}
+
+/// The box around the way of a particle in the last step, its sphere included.
+fn way_of(particles: &Particles, i: usize, radii: &RadiusLaw) -> WideBounds {
+    let from = Vector::new(particles.px[i], particles.py[i], particles.pz[i]);
+    let to = Vector::new(particles.x[i], particles.y[i], particles.z[i]);
+    WideBounds::of_way(from, to, particles.size[i] * radii.puff_size)
+}
