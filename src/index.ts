@@ -13,4 +13,6 @@ export { presets, presetValues, type Preset } from './preset/presets.ts';
 export { bakedPuffs } from './smoke/bakedPuffs.ts';
 export { CartoonSmoke, type SmokeOptions } from './smoke/smoke.ts';
 export type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './stage/contract.ts';
+export type { BlowInput } from './stage/blow.ts';
 export { createStage, type Stage } from './stage/stage.ts';
+export type { Take } from './stage/take.ts';

@@ -25,12 +25,18 @@ export function connectStage(editor: Editor, stage: Stage, tell: (message: strin
       isFlushing = false;
     }
   };
+  // What the editor learns from the stage must not come back to it later: it would undo what a take has set meanwhile.
+  let isAdopting = false;
   editor.listen((_state, changed) => {
+    if (isAdopting) return;
     const wasWaiting = isWaiting();
     waiting = { ...waiting, ...changed };
     if (!wasWaiting && isWaiting()) requestAnimationFrame(flush);
   });
   stage.on('statechange', () => {
-    if (!isWaiting() && !isFlushing) editor.adopt(stage.get());
+    if (isWaiting() || isFlushing) return;
+    isAdopting = true;
+    editor.adopt(stage.get());
+    isAdopting = false;
   });
 }

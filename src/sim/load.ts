@@ -2,7 +2,8 @@
  * Fetches and instantiates the WASM of the simulator, once a variant, and makes simulators from it.
  */
 import { LoadError, UnsupportedError } from '../preset/errors.ts';
-import { Simulator, type SimulatorModule, type SimulatorOptions } from './simulator.ts';
+import type { TakeInfo } from './input.ts';
+import { explainRefusal, isRefusal, Simulator, type SimulatorModule, type SimulatorOptions } from './simulator.ts';
 
 /** How far a download is; `total` is undefined when the server does not tell. Bytes after decompression. */
 export interface LoadProgress {
@@ -31,6 +32,15 @@ export class SimulatorFactory {
   /** @throws ParameterError when capacity or seed are out of range. */
   create(options: SimulatorOptions): Simulator {
     return new Simulator(this.module, options);
+  }
+
+  /** @throws SimulatorError when these bytes are no take, or a damaged one. */
+  readTake(bytes: Uint8Array): TakeInfo {
+    try {
+      return this.module.bindings.readTake(bytes) as TakeInfo;
+    } catch (error) {
+      throw isRefusal(error) ? explainRefusal(error) : error;
+    }
   }
 }
 

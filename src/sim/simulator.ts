@@ -3,6 +3,7 @@
  */
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type * as Bindings from './wasm/core/bindings.js';
+import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';
 import { poseNumbers } from './pose.ts';
 import { rigidArguments, type RigidDescription } from './rigid.ts';
 import { pathNumbers, spinNumbers, type RigidPath, type RigidSpin } from './rigidPath.ts';
@@ -60,16 +61,8 @@ export class Simulator {
 
   /** Changes parameters by their flat keys, such as `emission.rate`; all of them, or none when one is refused. */
   set(values: Readonly<Record<string, number>>): void {
-    const keys = Object.keys(values);
-    for (const key of keys) {
-      if (typeof values[key] !== 'number') throw new ParameterError(key, values[key], 'a number');
-    }
-    this.#attempt(() =>
-      this.#handle.set(
-        keys.join('\n'),
-        Float64Array.from(keys, (key) => values[key]),
-      ),
-    );
+    const [keys, numbers] = linesAndNumbers(values);
+    this.#attempt(() => this.#handle.set(keys, numbers));
   }
 
   /** Puts a rigid among the particles and returns its index; needs the variant with physics. */
@@ -207,6 +200,125 @@ export class Simulator {
     this.#attempt(() => this.#handle.restore(bytes));
   }
 
+  /**
+   * Begins a take: what comes through {@link inputValues}, {@link inputCapacity}, {@link inputPose}, {@link inputDrag},
+   * {@link inputRelease}, {@link inputSteer} and {@link inputBlow} from here on is kept with its step. Inputs act in the coming step, quantised as they are kept.
+   */
+  record(): void {
+    this.#attempt(() => this.#handle.record());
+  }
+
+  /** {@link set} as something that a person did. */
+  inputValues(values: Readonly<Record<string, number>>): void {
+    const [keys, numbers] = linesAndNumbers(values);
+    this.#attempt(() => this.#handle.inputValues(keys, numbers));
+  }
+
+  /** {@link resize} as something that a person did. */
+  inputCapacity(capacity: number): void {
+    requireWhole('simulation.maxParticles', capacity);
+    this.#attempt(() => this.#handle.inputCapacity(capacity));
+  }
+
+  /** {@link moveRigid} as something that a person did, to the millimetre. */
+  inputPose(rigid: number, position: ArrayLike<number>, rotation?: ArrayLike<number>): void {
+    requireWhole('rigid.index', rigid);
+    const pose = Float64Array.of(...poseNumbers(position, rotation));
+    this.#attempt(() => this.#handle.inputPose(rigid, pose));
+  }
+
+  /** {@link dragRigid} as something that a person did: places to the millimetre, stiffness to a tenth. */
+  inputDrag(rigid: number, anchor: ArrayLike<number>, target: ArrayLike<number>, stiffness = 30): void {
+    requireWhole('rigid.index', rigid);
+    const numbers = Float64Array.of(anchor[0], anchor[1], anchor[2], target[0], target[1], target[2], stiffness);
+    this.#attempt(() => this.#handle.inputDrag(rigid, numbers));
+  }
+
+  /** {@link releaseRigid} as something that a person did. */
+  inputRelease(rigid: number): void {
+    requireWhole('rigid.index', rigid);
+    this.#attempt(() => this.#handle.inputRelease(rigid));
+  }
+
+  /** Gives channel 0 to 7, which scenes read by {@link control}, a value from -1 to 1. */
+  inputSteer(channel: number, value: number): void {
+    requireWhole('steer.channel', channel);
+    this.#attempt(() => this.#handle.inputSteer(channel, value));
+  }
+
+  /** Lets somebody blow; of several blows between two steps only the last counts, and at most 16 go on at once. */
+  inputBlow(blow: Blow): void {
+    this.#attempt(() => this.#handle.inputBlow(blowNumbers(blow)));
+  }
+
+  /** What a channel was steered to, -1 to 1; 0 before, and for one that does not exist. */
+  control(channel: number): number {
+    return this.#attempt(() => this.#handle.control(channel));
+  }
+
+  /**
+   * The take so far as bytes.
+   *
+   * @param note Comes along unread, at most 64 KiB of UTF-8.
+   */
+  take(note = ''): Uint8Array {
+    return this.#attempt(() => this.#handle.take(note));
+  }
+
+  /**
+   * Goes to the start of a take; the steps that follow do its inputs, until another input takes over. The simulator
+   * must record and have the scene of the take. What is damaged or of another scene is refused and nothing is changed.
+   */
+  replay(take: Uint8Array): void {
+    this.#attempt(() => this.#handle.replay(take));
+  }
+
+  /**
+   * Goes to a moment of the take that is being recorded or replayed; the steps that follow do the inputs after it.
+   *
+   * @param state What {@link save} gave at that moment, before the inputs of its step; the start when left out.
+   */
+  rewind(state?: Uint8Array): void {
+    this.#attempt(() => this.#handle.rewind(state));
+  }
+
+  /** Inputs of the take that have been done. */
+  get inputsDone(): number {
+    return this.#attempt(() => this.#handle.inputsDone);
+  }
+
+  /** Inputs of the take, at most 20,000. */
+  get inputCount(): number {
+    return this.#attempt(() => this.#handle.inputCount);
+  }
+
+  /** Whether inputs came for which the take had no room: they acted, and a replay will lack them. */
+  get isTruncated(): boolean {
+    return this.#attempt(() => this.#handle.isTruncated);
+  }
+
+  /** Steps made at the farthest point of the take. */
+  get takeEnd(): number {
+    return this.#attempt(() => this.#handle.takeEnd);
+  }
+
+  /** Most particles that live at once. */
+  get capacity(): number {
+    return this.#attempt(() => this.#handle.capacity);
+  }
+
+  /** What starts the random numbers. */
+  get seed(): number {
+    return this.#attempt(() => this.#handle.seed);
+  }
+
+  /** Every parameter that exists now, by key. */
+  parameters(): Map<string, number> {
+    const numbers = this.#attempt(() => this.#handle.parameterValues());
+    const keys = this.#attempt(() => this.#handle.parameterKeys()).split('\n');
+    return new Map(keys.map((key, index) => [key, numbers[index]]));
+  }
+
   /** Stops the simulator as a fault inside it would, so that an application can try how it copes. */
   provokeFault(reason: string): void {
     this.#attempt(() => this.#module.bindings.provokeFault(reason));
@@ -245,11 +357,11 @@ function requireWhole(name: string, value: number): void {
   }
 }
 
-function isRefusal(error: unknown): error is Refusal {
+export function isRefusal(error: unknown): error is Refusal {
   return typeof error === 'object' && error !== null && 'key' in error && 'message' in error;
 }
 
-function explainRefusal(refusal: Refusal): Error {
+export function explainRefusal(refusal: Refusal): Error {
   if (refusal.key === '') return new SimulatorError(refusal.message);
   const ranged = refusal.min <= refusal.max;
   return new ParameterError(

@@ -11,6 +11,8 @@ export interface StageOptions {
   width?: number;
   height?: number;
   pixelRatio?: number;
+  /** Most bytes of states that are kept so that seeking backwards is quick, one a second; 64 MiB when left out. */
+  historyBytes?: number;
   /** Told how much of what must be fetched has come. */
   onProgress?: (progress: LoadProgress) => void;
 }
@@ -23,6 +25,11 @@ export interface StageStats {
   alive: number;
   /** Particles that wait for room to be born. */
   waiting: number;
+  /** What people did since the take began, and whether it was more than a take has room for. */
+  inputs: number;
+  isTruncated: boolean;
+  /** Bytes of the states that are kept for going back. */
+  historyBytes: number;
   bodiesDrawn: number;
   castersDrawn: number;
   bodiesTotal: number;

@@ -20,6 +20,11 @@ export class OrbitCamera {
     this.reset();
   }
 
+  /** From the eye to the target, metres. */
+  get distance(): number {
+    return this.place.radius;
+  }
+
   /** Turns about the target, radians. */
   orbit(azimuth: number, elevation: number): void {
     this.place.theta += azimuth;

@@ -6,11 +6,14 @@ import type { SimulatorFactory } from '../sim/load.ts';
 import { POSE_FLOATS } from '../sim/rows.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { Drag } from './drag.ts';
-import { simulatorValues, valueOf } from './simulatorValues.ts';
+import { simulatorValues, valueOf, valuesIn } from './simulatorValues.ts';
+import { KeptStates } from './states.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);
+/** A state is kept each second: saving one costs about as much as two steps. */
+const STEPS_BETWEEN_STATES = 60;
 
-/** A scene's simulator, set up from its rig and the values, with the rigid that people move. */
+/** A scene's simulator, set up from its rig and the values, with its past and the rigid that people move. */
 export class Simulation {
   /** Milliseconds of the latest step. */
   stepMs = 0;
@@ -18,13 +21,20 @@ export class Simulation {
   private readonly factory: SimulatorFactory;
   private readonly scene: Scene;
   private readonly matrices: Matrix4[];
+  private readonly states: KeptStates;
   private current: Simulator;
+  private start: Values;
+  private inputsSeen = 0;
 
-  constructor(factory: SimulatorFactory, scene: Scene, values: Values) {
+  /** @param historyBytes how much memory states may take that are kept for going back */
+  constructor(factory: SimulatorFactory, scene: Scene, values: Values, historyBytes: number) {
     this.factory = factory;
     this.scene = scene;
     this.matrices = scene.rigids.map(() => new Matrix4());
+    this.states = new KeptStates(historyBytes);
     this.current = this.create(values);
+    this.start = values;
+    this.resetDrag();
   }
 
   /** Another one after each restart. */
@@ -32,15 +42,54 @@ export class Simulation {
     return this.current;
   }
 
-  /** Begins again from the first step. */
+  /** The values with which the take began that is being recorded or replayed. */
+  get startValues(): Values {
+    return this.start;
+  }
+
+  /** Bytes of the states that are kept for going back. */
+  get historyBytes(): number {
+    return this.states.bytes;
+  }
+
+  /** Begins again from the first step, and a new take with it. */
   restart(values: Values): void {
-    this.current.dispose();
-    this.current = this.create(values);
+    this.replace(this.create(values), values);
+  }
+
+  /**
+   * Goes to the start of a take that was made in this scene.
+   * @throws SimulatorError when the take is damaged; nothing has changed then
+   */
+  replay(take: Uint8Array, values: Values): void {
+    const next = this.create(values);
+    try {
+      next.replay(take);
+    } catch (error) {
+      next.dispose();
+      throw error;
+    }
+    this.replace(next, values);
+  }
+
+  /** Takes up a saved state, with which a new take begins. */
+  restore(bytes: Uint8Array, values: Values): Values {
+    this.current.restore(bytes);
+    this.states.clear();
+    this.start = this.valuesIn(values);
+    this.resetDrag();
+    return this.start;
+  }
+
+  /** `values` with all that the simulator reads as it is now. */
+  valuesIn(values: Values): Values {
+    return valuesIn(this.current, values, this.scene.rig);
   }
 
   /** Hands on what the simulator reads of `changed`. */
   set(changed: Values): void {
-    this.current.set(simulatorValues(changed));
+    const inputs = simulatorValues(changed);
+    if (Object.keys(inputs).length > 0) this.input((simulator) => simulator.inputValues(inputs));
   }
 
   /** Lets optional parameters go back to what the scene has, or to their defaults. */
@@ -56,12 +105,33 @@ export class Simulation {
     );
   }
 
+  /** Sends the rigid that people move where they want it. */
+  moveHandle(): void {
+    if (this.drag)
+      this.input((simulator) => simulator.inputPose(this.scene.handle!.rigid, this.drag!.target.toArray()));
+  }
+
+  /** Does something that people did. If a take was being replayed, its rest is dropped. */
+  input(act: (simulator: Simulator) => void): void {
+    act(this.current);
+    this.states.dropFrom(this.current.steps);
+    this.inputsSeen = this.current.inputsDone;
+  }
+
+  /** Whether the log of a take has done or undone something since this was last asked. */
+  hasFollowed(): boolean {
+    const { inputsDone } = this.current;
+    const hasFollowed = inputsDone !== this.inputsSeen;
+    this.inputsSeen = inputsDone;
+    return hasFollowed;
+  }
+
   advance(steps: number): void {
     if (steps === 0) return;
     const started = performance.now();
     for (let taken = 0; taken < steps; ++taken) {
-      if (this.drag) this.current.moveRigid(this.scene.handle!.rigid, this.drag.target.toArray());
       this.current.step();
+      this.keepState();
     }
     this.stepMs = (performance.now() - started) / steps;
   }
@@ -70,6 +140,15 @@ export class Simulation {
   advanceFor(milliseconds: number, goal: number): void {
     const until = performance.now() + milliseconds;
     while (this.current.steps < goal && performance.now() < until) this.advance(1);
+  }
+
+  /** Goes to the moment from which the fewest steps lead to `goal`: a kept state, the start of the take, or where it is. */
+  approach(goal: number): void {
+    const { steps } = this.current;
+    const state = this.states.latest(goal);
+    if (steps <= goal && (state?.step ?? 0) <= steps) return;
+    this.current.rewind(state?.bytes);
+    this.resetDrag();
   }
 
   /** World transforms of the rigids, by their number, between the previous step (0) and now (1). */
@@ -97,7 +176,29 @@ export class Simulation {
     const simulator = this.factory.create({ capacity, seed: values.seed as number });
     simulator.set({ ...this.scene.rig, ...simulatorValues(values) });
     for (const rigid of this.scene.rigids) simulator.addRigid(rigid);
-    this.drag = this.scene.handle && new Drag(this.scene.handle);
+    simulator.record();
     return simulator;
+  }
+
+  private replace(next: Simulator, values: Values): void {
+    this.current.dispose();
+    this.current = next;
+    this.start = values;
+    this.states.clear();
+    this.resetDrag();
+  }
+
+  /** A drag that begins where its rigid is. */
+  private resetDrag(): void {
+    const { handle } = this.scene;
+    if (!handle) return;
+    this.drag = new Drag(handle);
+    this.drag.target.fromArray(this.current.rigidPoses(1), POSE_FLOATS * handle.rigid);
+  }
+
+  private keepState(): void {
+    const { steps } = this.current;
+    if (steps % STEPS_BETWEEN_STATES !== 0 || this.states.has(steps)) return;
+    this.states.add({ step: steps, bytes: this.current.save() });
   }
 }

@@ -1,5 +1,6 @@
 import type { Parameter, Value, Values } from '../preset/parameter.ts';
-import { findParameter } from '../preset/table.ts';
+import { findParameter, table } from '../preset/table.ts';
+import type { Simulator } from '../sim/simulator.ts';
 
 /** Of `values`, those that the simulator reads, as its numbers. */
 export function simulatorValues(values: Values): Record<string, number> {
@@ -9,6 +10,26 @@ export function simulatorValues(values: Values): Record<string, number> {
     if (parameter?.reader === 'simulator') numbers[key] = numberOf(parameter, value);
   }
   return numbers;
+}
+
+/**
+ * `values` with everything as the simulator has it: the log of a take and saved states set it too. Optional ones are
+ * left out where they are what the scene has.
+ * @param rig what the scene sets, as numbers
+ */
+export function valuesIn(simulator: Simulator, values: Values, rig: Readonly<Record<string, number>>): Values {
+  const after: Record<string, Value> = { ...values };
+  after['simulation.maxParticles'] = simulator.capacity;
+  after.seed = simulator.seed;
+  const numbers = simulator.parameters();
+  for (const parameter of table.filter(({ reader }) => reader === 'simulator')) {
+    const { key } = parameter;
+    const number = numbers.get(key);
+    if (number === undefined) delete after[key];
+    else if (key in values || number !== (rig[key] ?? numberOf(parameter, parameter.default)))
+      after[key] = valueOf(parameter, number);
+  }
+  return after;
 }
 
 /** The value of a parameter as people see it, from the number that the simulator has. */

@@ -10,6 +10,7 @@ import type { FrameReport } from '../smoke/frame.ts';
 import { towardsLight } from '../smoke/light.ts';
 import { CartoonSmoke } from '../smoke/smoke.ts';
 import { styleOf, type Style } from '../smoke/style.ts';
+import { blowOf, type BlowInput } from './blow.ts';
 import { Clock, STEP_SECONDS } from './clock.ts';
 import type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { Listeners } from './listeners.ts';
@@ -17,8 +18,10 @@ import { OrbitCamera } from './orbit.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
 import { advanceTo } from './seek.ts';
 import { Simulation } from './simulation.ts';
+import { noteOf, takeOf, type Take } from './take.ts';
 
 const LARGEST_PIXEL_RATIO = 4;
+const HISTORY_BYTES = 64 * 1024 * 1024;
 
 /** A running scene on a canvas. Reads no page: sizes, pointers and keys come in as numbers, so that it runs in a worker. */
 export class Stage {
@@ -35,6 +38,7 @@ export class Stage {
   readonly #presenter: Presenter;
   readonly #scene: Scene;
   readonly #simulation: Simulation;
+  readonly #factory: SimulatorFactory;
   readonly #eye: OrbitCamera;
   readonly #clock = new Clock();
   readonly #light = new Vector3();
@@ -50,6 +54,8 @@ export class Stage {
   #disposed = false;
   #seeking = false;
   #movedWhilePaused = false;
+  /** The most particles that the smoke can draw. */
+  #capacity = 0;
   #request = 0;
   #renderMs = 0;
   #report: FrameReport = { bodiesDrawn: 0, castersDrawn: 0, arrangeMs: 0 };
@@ -63,7 +69,8 @@ export class Stage {
     this.#scene = sceneNamed(this.#values.scene as string);
     this.#eye = new OrbitCamera(this.#scene.camera);
     this.#smoke = this.#prepareSmoke();
-    this.#simulation = new Simulation(factory, this.#scene, this.#values);
+    this.#factory = factory;
+    this.#simulation = new Simulation(factory, this.#scene, this.#values, options.historyBytes ?? HISTORY_BYTES);
     this.#aimLight();
     this.#stopListening = presenter.device.onContext((event) => (event === 'restored' ? this.#draw() : undefined));
     this.resize(options.width ?? canvas.width, options.height ?? canvas.height, options.pixelRatio ?? 1);
@@ -84,12 +91,15 @@ export class Stage {
   }
 
   get stats(): StageStats {
-    const { alive, waiting, steps } = this.#simulation.simulator;
+    const { alive, waiting, steps, inputCount, isTruncated } = this.#simulation.simulator;
     return {
       time: steps * STEP_SECONDS,
       steps,
       alive,
       waiting,
+      inputs: inputCount,
+      isTruncated,
+      historyBytes: this.#simulation.historyBytes,
       bodiesDrawn: this.#report.bodiesDrawn,
       castersDrawn: this.#report.castersDrawn,
       bodiesTotal: alive,
@@ -129,21 +139,27 @@ export class Stage {
     this.#showLatest();
   }
 
-  /** Goes to a simulated time, backwards by starting over. Playing goes on from there if it was playing. */
+  /**
+   * Goes to a simulated time, with everything that was done on the way, as far back as the take began. Playing goes on
+   * from there if it was playing. What is done there takes over: what was done later is forgotten.
+   */
   async seek(seconds: number, options: SeekOptions = {}): Promise<void> {
     this.#requireAlive();
     const goal = Math.max(0, Math.round(seconds / STEP_SECONDS));
-    if (goal < this.#simulation.simulator.steps) this.#simulation.restart(this.#values);
     this.#seeking = true;
     try {
+      this.#simulation.approach(goal);
       await advanceTo(goal, this.#simulation, options, () => this.#disposed);
     } finally {
       this.#seeking = false;
-      if (!this.#disposed) this.#showLatest();
+      if (!this.#disposed) {
+        this.#followLog();
+        this.#showLatest();
+      }
     }
   }
 
-  /** Starts over from the first step with the values as they are. */
+  /** Starts over from the first step with the values as they are, and begins a new take. */
   restart(): void {
     this.#requireAlive();
     this.#simulation.restart(this.#values);
@@ -152,7 +168,7 @@ export class Stage {
 
   /**
    * Changes parameters by flat key; all of them, or none when one is refused. A new seed starts over; a new
-   * simulation.maxParticles keeps what lives.
+   * simulation.maxParticles keeps what lives. What the simulator reads becomes part of the take; style and light do not.
    * @throws ParameterError naming the parameter, the value and what would have been accepted
    */
   set(values: Values): void {
@@ -160,13 +176,13 @@ export class Stage {
     validate(values);
     const before = this.#values;
     const after = { ...before, ...values };
-    this.#simulation.set(values);
-    this.#values = after;
-    this.#style = styleOf(after);
-    this.#aimLight();
-    if (after['simulation.maxParticles'] !== before['simulation.maxParticles']) this.#makeRoom();
+    this.#simulation.set(differing(values, before));
+    const capacity = after['simulation.maxParticles'] as number;
+    if (capacity !== before['simulation.maxParticles']) {
+      this.#simulation.input((simulator) => simulator.inputCapacity(capacity));
+    }
     if (after.seed !== before.seed) this.#simulation.restart(after);
-    this.#listeners.tell('statechange', { playing: this.#playing });
+    this.#showValues(after);
     if (!this.#playing) this.#draw();
   }
 
@@ -214,11 +230,62 @@ export class Stage {
     return this.#simulation.simulator.save();
   }
 
-  /** Takes up a saved state; refuses bytes that are none and then changes nothing. */
+  /** Takes up a saved state, with which a new take begins; refuses bytes that are none and then changes nothing. */
   restore(bytes: Uint8Array): void {
     this.#requireAlive();
-    this.#simulation.simulator.restore(bytes);
+    this.#showValues(this.#simulation.restore(bytes, this.#values));
     this.#showLatest();
+  }
+
+  /**
+   * What was done since the stage was created, restarted or restored, by step: parameters of the simulator, the rigid
+   * that was moved, steering and blowing. It has room for 20,000 inputs; more still act, and `isTruncated` tells.
+   */
+  take(): Take {
+    this.#requireAlive();
+    const bytes = this.#simulation.simulator.take(noteOf(this.#simulation.startValues));
+    return takeOf(bytes, this.#factory.readTake(bytes));
+  }
+
+  /**
+   * Goes to the start of a take, with all values as they were there; playing, stepping and seeking then do what was done
+   * in it, to the same hash at every step. What is done meanwhile takes over: the rest of the take is forgotten.
+   * @param take as `take()` gave it, or its bytes
+   * @throws SimulatorError when the bytes are damaged or the take was made in another scene; nothing has changed then
+   */
+  playTake(take: Take | Uint8Array): void {
+    this.#requireAlive();
+    const bytes = take instanceof Uint8Array ? take : take.toBytes();
+    const { values } = takeOf(bytes, this.#factory.readTake(bytes));
+    if (values.scene !== this.#scene.name) {
+      throw new SimulatorError(`The take was made in the scene ${values.scene}; this stage shows ${this.#scene.name}.`);
+    }
+    this.#simulation.replay(bytes, values);
+    this.#showValues(this.#simulation.valuesIn(values));
+    this.#showLatest();
+  }
+
+  /**
+   * Blows into the smoke at a place of the picture.
+   * @throws ParameterError naming what is out of range
+   */
+  blow(input: BlowInput): void {
+    this.#requireAlive();
+    if (!this.#isVisible) return;
+    const [width, height] = [this.#width / this.#pixelRatio, this.#height / this.#pixelRatio];
+    const blow = blowOf(input, this.#eye.camera, this.#eye.distance, width, height);
+    this.#simulation.input((simulator) => simulator.inputBlow(blow));
+  }
+
+  /**
+   * Steers what a scene has put on a channel.
+   * @param channel 0 to 7
+   * @param value -1 to 1
+   * @throws ParameterError naming what is out of range
+   */
+  steer(channel: number, value: number): void {
+    this.#requireAlive();
+    this.#simulation.input((simulator) => simulator.inputSteer(channel, value));
   }
 
   /** The simulator's state in 16 hexadecimal digits; equal states have equal hashes everywhere. */
@@ -245,6 +312,7 @@ export class Stage {
     if (type === 'down') return drag.grab(id, at, camera, this.#simulation.handlePlace()) ? 'rigid' : null;
     if (type !== 'move') return drag.release(id) ? 'rigid' : null;
     if (!drag.follow(id, at, camera)) return null;
+    this.#simulation.moveHandle();
     this.#showMoved();
     return 'rigid';
   }
@@ -253,6 +321,7 @@ export class Stage {
   nudge({ dx = 0, dy = 0, dz = 0 }: { dx?: number; dy?: number; dz?: number }): void {
     if (!this.#simulation.drag) return;
     this.#simulation.drag.nudge(new Vector3(dx, dy, dz));
+    this.#simulation.moveHandle();
     this.#showMoved();
   }
 
@@ -288,6 +357,24 @@ export class Stage {
   #advance(steps: number): void {
     if (steps > 0) this.#movedWhilePaused = false;
     this.#simulation.advance(steps);
+    this.#followLog();
+  }
+
+  /** Where the log of a take has done something since, its values are shown as the stage's. */
+  #followLog(): void {
+    if (this.#simulation.hasFollowed()) this.#showValues(this.#simulation.valuesIn(this.#values));
+  }
+
+  /** Goes on with these values, which the simulator has already. */
+  #showValues(values: Values): void {
+    this.#values = values;
+    this.#style = styleOf(values);
+    this.#aimLight();
+    if (this.#capacity !== values['simulation.maxParticles']) {
+      this.#smoke.dispose();
+      this.#smoke = this.#prepareSmoke();
+    }
+    this.#listeners.tell('statechange', { playing: this.#playing });
   }
 
   #showLatest(): void {
@@ -327,16 +414,9 @@ export class Stage {
     if (this.#listeners.has('frame')) this.#listeners.tell('frame', this.stats);
   }
 
-  /** Follows simulation.maxParticles. */
-  #makeRoom(): void {
-    this.#simulation.simulator.resize(this.#values['simulation.maxParticles'] as number);
-    this.#smoke.dispose();
-    this.#smoke = this.#prepareSmoke();
-  }
-
   #prepareSmoke(): CartoonSmoke {
-    const capacity = this.#values['simulation.maxParticles'] as number;
-    return new CartoonSmoke(this.#presenter.device, { ...this.#scene, capacity });
+    this.#capacity = this.#values['simulation.maxParticles'] as number;
+    return new CartoonSmoke(this.#presenter.device, { ...this.#scene, capacity: this.#capacity });
   }
 
   #aimLight(): void {
@@ -351,6 +431,11 @@ export class Stage {
   #requireAlive(): void {
     if (this.#disposed) throw new SimulatorError('This stage was disposed; create a new one.');
   }
+}
+
+/** Of `values`, those that `before` has otherwise. */
+function differing(values: Values, before: Values): Values {
+  return Object.fromEntries(Object.entries(values).filter(([key, value]) => before[key] !== value));
 }
 
 /**

@@ -40,6 +40,29 @@ impl Simulator {
         Err(crate::rigids::without_rapier())
     }
 
+    /// An input: a point of a rigid is drawn to a place, as seven numbers: point, place and stiffness.
+    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[wasm_bindgen(js_name = inputDrag)]
+    pub fn input_drag(&mut self, rigid: u32, numbers: &[f64]) -> Result<(), JsValue> {
+        #[cfg(feature = "rigids")]
+        return match numbers.try_into() {
+            Ok(numbers) => self.simulator.input_drag(rigid, numbers).map_err(parameter_refusal),
+            Err(_) => Err(plain_refusal("a drag has seven numbers")),
+        };
+        #[cfg(not(feature = "rigids"))]
+        Err(crate::rigids::without_rapier())
+    }
+
+    /// An input: a rigid is let go.
+    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[wasm_bindgen(js_name = inputRelease)]
+    pub fn input_release(&mut self, rigid: u32) -> Result<(), JsValue> {
+        #[cfg(feature = "rigids")]
+        return self.simulator.input_release(rigid).map_err(parameter_refusal);
+        #[cfg(not(feature = "rigids"))]
+        Err(crate::rigids::without_rapier())
+    }
+
     /// An input: a channel gets a value.
     #[wasm_bindgen(js_name = inputSteer)]
     pub fn input_steer(&mut self, channel: u32, value: f64) -> Result<(), JsValue> {
@@ -122,9 +145,19 @@ impl Simulator {
         self.simulator.seed()
     }
 
-    /// The value of each line of `keys`, NaN for a key that does not exist now.
-    pub fn values(&self, keys: &str) -> Vec<f64> {
-        self.simulator.values(keys.lines())
+    /// The keys of all parameters that exist now, in lines.
+    #[wasm_bindgen(js_name = parameterKeys)]
+    pub fn parameter_keys(&self) -> String {
+        let entries = self.simulator.parameters().entries();
+        let keys: Vec<String> = entries.into_iter().map(|(key, _)| key).collect();
+        keys.join("\n")
+    }
+
+    /// The values of all parameters that exist now, in the order of their keys.
+    #[wasm_bindgen(js_name = parameterValues)]
+    pub fn parameter_values(&self) -> Vec<f64> {
+        let entries = self.simulator.parameters().entries();
+        entries.into_iter().map(|(_, value)| value).collect()
     }
 }
 

@@ -108,13 +108,6 @@ impl Simulator {
         &self.parameters
     }
 
-    /// The value of each of `keys`; NaN for one that does not exist now.
-    pub fn values<'k>(&self, keys: impl Iterator<Item = &'k str>) -> Vec<f64> {
-        let entries = self.parameters.entries();
-        let value = |key: &str| entries.iter().find(|(known, _)| known == key).map(|(_, value)| *value);
-        keys.map(|key| value(key).unwrap_or(f64::NAN)).collect()
-    }
-
     /// Adds one particle that no emitter made. False when the simulator is full.
     pub fn add(&mut self, newborn: &Newborn) -> bool {
         self.particles.push(newborn)

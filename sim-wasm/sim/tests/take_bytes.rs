@@ -21,7 +21,7 @@ fn rich() -> Vec<u8> {
     live.record();
     for (wait, act) in script.iter().chain(&script) {
         steps(&mut live, *wait);
-        if !matches!(act, inputs::Act::Move(_)) {
+        if !matches!(act, inputs::Act::Move(_) | inputs::Act::Drag(..) | inputs::Act::Release) {
             perform(&mut live, act);
         }
     }

@@ -20,14 +20,8 @@ fn scene(seed: u32) -> Simulator {
     {
         use sim::rigids::{RigidDescription, RigidKind, RigidShape, pose_of};
         for (kind, y) in [(RigidKind::Kinematic, 0.5), (RigidKind::Dynamic, 2.5)] {
-            let ball = RigidDescription {
-                kind,
-                shape: RigidShape::Ball { radius: 0.4 },
-                pose: pose_of(&[0.2, y, 0.0, 0.0, 0.0, 0.0, 1.0]).unwrap(),
-                restitution: 0.2,
-                friction: 0.5,
-                density: 500.0,
-            };
+            let pose = pose_of(&[0.2, y, 0.0, 0.0, 0.0, 0.0, 1.0]).unwrap();
+            let ball = RigidDescription::new(kind, RigidShape::Ball { radius: 0.4 }, pose);
             scene.rigids_mut().add(ball).unwrap();
         }
     }

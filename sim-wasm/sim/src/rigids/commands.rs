@@ -92,6 +92,11 @@ impl Rigids {
         self.member(index)
     }
 
+    /// Refuses a rigid that does not exist.
+    pub(crate) fn check_exists(&mut self, index: u32) -> Result<(), ParameterError> {
+        self.member(index).map(|_| ())
+    }
+
     /// Refuses a rigid that does not exist or cannot be told where to go.
     pub(crate) fn check_kinematic(&self, index: u32) -> Result<(), ParameterError> {
         let Some(member) = self.members.get(index as usize) else {

@@ -93,18 +93,15 @@ impl Guide {
         }
     }
 
-    /// Adds to `hash` what the coming steps depend on; nothing for what nothing leads.
+    /// Adds to `hash` how it moves; nothing for what nothing leads. Where it was told to go is an input, as parameters
+    /// are, and no part of the state.
     pub fn hash_into(&self, hash: &mut Hash) {
-        if let Some(target) = &self.target {
-            hash.floats(&pose_numbers(target));
-        }
         if self.angle != 0.0 {
             hash.floats(&pose_numbers(&self.base));
             hash.long(self.angle.to_bits());
         }
-        if let Some(grab) = &self.grab {
+        if self.velocity != Vector::ZERO {
             hash.floats(&<[f32; 3]>::from(self.velocity));
-            hash.floats(&grab.numbers());
         }
     }
 }

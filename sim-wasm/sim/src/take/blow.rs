@@ -43,9 +43,9 @@ impl Blow {
     /// Refuses by name what is not finite or out of range.
     pub fn new(numbers: &BlowNumbers) -> Result<Self, ParameterError> {
         let mut velocity = [0; 3];
-        for axis in 0..3 {
+        for (axis, (whole, part)) in velocity.iter_mut().zip(numbers.velocity).enumerate() {
             let key = of_axis("blow.velocity", axis);
-            velocity[axis] = quantise(&key, numbers.velocity[axis], [-FASTEST, FASTEST], PARTS[0])? as i16;
+            *whole = quantise(&key, part, [-FASTEST, FASTEST], PARTS[0])? as i16;
         }
         Ok(Self {
             origin: millimetres("blow.origin", numbers.origin)?,

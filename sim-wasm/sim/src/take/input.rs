@@ -1,7 +1,7 @@
 //! The kinds of input, quantised, and as bytes.
 
 use super::blow::Blow;
-use super::pose::QuantisedPose;
+use super::pose::{Grip, QuantisedPose};
 use super::touch::CHANNELS;
 use crate::bytes::{Reader, Writer};
 use crate::error::{ParameterError, RestoreError};
@@ -16,6 +16,10 @@ pub enum Input {
     Resize { capacity: u32 },
     /// A kinematic rigid is sent to a pose.
     Move { rigid: u16, pose: QuantisedPose },
+    /// A point of a rigid is drawn to a place.
+    Drag { rigid: u16, grip: Grip },
+    /// A rigid is let go.
+    Release { rigid: u16 },
     /// A channel that scenes read gets a value, in parts of [`STEER_PARTS`].
     Steer { channel: u8, value: i16 },
     /// Somebody blows.
@@ -30,6 +34,8 @@ const RESIZE: u8 = 1;
 const MOVE: u8 = 2;
 const STEER: u8 = 3;
 const BLOW: u8 = 4;
+const DRAG: u8 = 5;
+const RELEASE: u8 = 6;
 
 impl Input {
     /// Channel `channel`, below [`CHANNELS`], at `value`, -1..=1.
@@ -55,9 +61,18 @@ impl Input {
         match (self, earlier) {
             (Self::Set { key: a, .. }, Self::Set { key: b, .. }) => a == b,
             (Self::Move { rigid: a, .. }, Self::Move { rigid: b, .. }) => a == b,
+            (Self::Drag { rigid: a, .. }, Self::Drag { rigid: b, .. }) => a == b,
             (Self::Steer { channel: a, .. }, Self::Steer { channel: b, .. }) => a == b,
             (Self::Blow(_), Self::Blow(_)) => true,
             _ => false,
+        }
+    }
+
+    /// The rigid that it moves.
+    pub fn rigid(&self) -> Option<u16> {
+        match self {
+            Self::Move { rigid, .. } | Self::Drag { rigid, .. } | Self::Release { rigid } => Some(*rigid),
+            _ => None,
         }
     }
 
@@ -76,6 +91,15 @@ impl Input {
                 body.byte(MOVE);
                 body.short(*rigid);
                 pose.write(body);
+            }
+            Self::Drag { rigid, grip } => {
+                body.byte(DRAG);
+                body.short(*rigid);
+                grip.write(body);
+            }
+            Self::Release { rigid } => {
+                body.byte(RELEASE);
+                body.short(*rigid);
             }
             Self::Steer { channel, value } => {
                 body.byte(STEER);
@@ -107,6 +131,11 @@ impl Input {
                 channel: within(reader.byte()?, 0, CHANNELS as u8 - 1)?,
                 value: within(reader.short()? as i16, -STEER_PARTS, STEER_PARTS)?,
             },
+            DRAG => Self::Drag {
+                rigid: reader.short()?,
+                grip: Grip::read(reader)?,
+            },
+            RELEASE => Self::Release { rigid: reader.short()? },
             BLOW => Self::Blow(Blow::read(reader)?),
             _ => return Err(impossible()),
         })

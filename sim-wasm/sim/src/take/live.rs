@@ -41,9 +41,28 @@ impl Simulator {
     #[cfg(feature = "rigids")]
     pub fn input_pose(&mut self, rigid: u32, numbers: [f64; 7]) -> Result<(), ParameterError> {
         let pose = super::pose::QuantisedPose::new(numbers)?;
+        // A number too large for the log is none of a rigid, and refused as such.
         self.rigids.check_kinematic(rigid)?;
         let rigid = rigid as u16;
         self.give(Input::Move { rigid, pose })
+    }
+
+    /// A point of a rigid, x, y, z in its own space, is drawn to x, y, z in the world (m) by a spring of some stiffness
+    /// (1/s): see [`crate::rigids::Rigids::drag`].
+    #[cfg(feature = "rigids")]
+    pub fn input_drag(&mut self, rigid: u32, numbers: [f64; 7]) -> Result<(), ParameterError> {
+        let grip = super::pose::Grip::new(numbers)?;
+        self.rigids.check_exists(rigid)?;
+        let rigid = rigid as u16;
+        self.give(Input::Drag { rigid, grip })
+    }
+
+    /// A rigid is let go.
+    #[cfg(feature = "rigids")]
+    pub fn input_release(&mut self, rigid: u32) -> Result<(), ParameterError> {
+        self.rigids.check_exists(rigid)?;
+        let rigid = rigid as u16;
+        self.give(Input::Release { rigid })
     }
 
     /// A channel, 0..=7, gets a value, -1..=1.
@@ -119,8 +138,16 @@ impl Simulator {
                 let pose = crate::rigids::pose_of(&pose.numbers())?;
                 self.rigids.move_to(u32::from(*rigid), pose)
             }
+            #[cfg(feature = "rigids")]
+            Input::Drag { rigid, grip } => {
+                let (anchor, target, stiffness) = grip.numbers();
+                let grab = crate::rigids::Grab::from_numbers(anchor, target, stiffness)?;
+                self.rigids.drag(u32::from(*rigid), grab)
+            }
+            #[cfg(feature = "rigids")]
+            Input::Release { rigid } => self.rigids.release(u32::from(*rigid)),
             #[cfg(not(feature = "rigids"))]
-            Input::Move { .. } => Ok(()),
+            Input::Move { .. } | Input::Drag { .. } | Input::Release { .. } => Ok(()),
             Input::Steer { channel, value } => {
                 self.touch.steer(*channel, *value);
                 Ok(())

@@ -78,9 +78,15 @@ impl Log {
 
     fn superseded(&self, step: u64, input: &Input) -> Option<usize> {
         let of_step = self.records.iter().rev().take_while(|record| record.step == step);
-        let mut open = of_step.take_while(|record| !self.is_conversion(&record.input));
+        let mut open = of_step.take_while(|record| !self.is_turning_point(&record.input, input));
         let back = open.position(|record| input.supersedes(&record.input))?;
         Some(self.len() - 1 - back)
+    }
+
+    /// Whether it makes a difference if `input` comes before or after `earlier`, which it does not supersede.
+    fn is_turning_point(&self, earlier: &Input, input: &Input) -> bool {
+        let is_of_same_rigid = earlier.rigid().is_some() && earlier.rigid() == input.rigid();
+        self.is_conversion(earlier) || (is_of_same_rigid && !input.supersedes(earlier))
     }
 
     fn is_conversion(&self, input: &Input) -> bool {

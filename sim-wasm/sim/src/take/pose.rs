@@ -1,4 +1,4 @@
-//! Poses in whole millimetres and in 32,767ths of a unit quaternion.
+//! Places in whole millimetres, and directions and quaternions in 32,767ths.
 
 use super::input::{quantise, within};
 use crate::bytes::{Reader, Writer};
@@ -18,9 +18,9 @@ pub type Millimetres = [i32; 3];
 /// A place (m) in millimetres; `key` names it in refusals.
 pub fn millimetres(key: &str, place: [f64; 3]) -> Result<Millimetres, ParameterError> {
     let mut whole = [0; 3];
-    for axis in 0..3 {
+    for (axis, (whole, metres)) in whole.iter_mut().zip(place).enumerate() {
         let range = [-FARTHEST_METRES, FARTHEST_METRES];
-        whole[axis] = quantise(&of_axis(key, axis), place[axis], range, PARTS_A_METRE)? as i32;
+        *whole = quantise(&of_axis(key, axis), metres, range, PARTS_A_METRE)? as i32;
     }
     Ok(whole)
 }
@@ -107,6 +107,53 @@ impl QuantisedPose {
         Ok(Self {
             place: read_place(reader)?,
             turn: read_direction(reader)?,
+        })
+    }
+}
+
+/// A point of a rigid that is drawn to a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Grip {
+    anchor: Millimetres,
+    target: Millimetres,
+    /// Tenths of 1/s.
+    stiffness: u16,
+}
+
+/// Range of the stiffness (1/s), and parts of it.
+const STIFFNESSES: [f64; 2] = [0.1, 200.0];
+const PARTS_OF_STIFFNESS: f64 = 10.0;
+
+impl Grip {
+    /// Of the point in the rigid's own space (m), the place in the world (m), and the spring's stiffness (1/s).
+    pub fn new(numbers: [f64; 7]) -> Result<Self, ParameterError> {
+        let [a, b, c, x, y, z, stiffness] = numbers;
+        let parts = quantise("rigid.drag.stiffness", stiffness, STIFFNESSES, PARTS_OF_STIFFNESS)?;
+        Ok(Self {
+            anchor: millimetres("rigid.drag.anchor", [a, b, c])?,
+            target: millimetres("rigid.drag.target", [x, y, z])?,
+            stiffness: parts as u16,
+        })
+    }
+
+    /// Point, place and stiffness again.
+    pub fn numbers(&self) -> ([f32; 3], [f32; 3], f32) {
+        let stiffness = f32::from(self.stiffness) / PARTS_OF_STIFFNESS as f32;
+        (metres(self.anchor), metres(self.target), stiffness)
+    }
+
+    pub(super) fn write(&self, body: &mut Writer) {
+        write_place(self.anchor, body);
+        write_place(self.target, body);
+        body.short(self.stiffness);
+    }
+
+    pub(super) fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        let [least, most] = STIFFNESSES.map(|stiffness| (stiffness * PARTS_OF_STIFFNESS) as u16);
+        Ok(Self {
+            anchor: read_place(reader)?,
+            target: read_place(reader)?,
+            stiffness: within(reader.short()?, least, most)?,
         })
     }
 }

@@ -27,6 +27,11 @@ impl Gust {
         let bell = 4.0 * share * (1.0 - share);
         bell * bell
     }
+
+    fn write(&self, body: &mut Writer) {
+        self.blow.write(body);
+        body.short(self.age);
+    }
 }
 
 /// Channels, gusts, and how much of the log has been done.
@@ -87,23 +92,23 @@ impl Touch {
         self.count == 0 && self.channels == [0; CHANNELS]
     }
 
-    /// Adds what acts to `hash`; adds nothing where nothing does.
+    /// Adds the gusts that have begun to blow to `hash`; nothing where none has. Channels and a gust of the coming step
+    /// are inputs, as parameters are, and no part of the state.
     pub(crate) fn hash_into(&self, hash: &mut Hash) {
-        if self.is_nothing() {
-            return;
-        }
         let mut body = Writer::default();
-        self.write_state(&mut body);
-        hash.bytes(&body.finish());
+        for gust in self.gusts().iter().filter(|gust| gust.age > 0) {
+            gust.write(&mut body);
+        }
+        let bytes = body.finish();
+        if !bytes.is_empty() {
+            hash.bytes(&bytes);
+        }
     }
 
     fn write_state(&self, body: &mut Writer) {
         self.channels.iter().for_each(|parts| body.short(*parts as u16));
         body.byte(self.count as u8);
-        for gust in self.gusts() {
-            gust.blow.write(body);
-            body.short(gust.age);
-        }
+        self.gusts().iter().for_each(|gust| gust.write(body));
     }
 }
 

@@ -13,6 +13,8 @@ pub enum Act {
     Steer(u32, f64),
     Blow([f64; 3], [f64; 3], f64, f64),
     Move([f64; 3]),
+    Drag([f64; 3], f64),
+    Release,
 }
 
 /// Parameters that people turn, with ranges in which much happens.
@@ -35,6 +37,8 @@ pub fn act() -> impl Strategy<Value = Act> {
         2 => (0_u32..8, -1.0..1.0).prop_map(|(channel, value)| Act::Steer(channel, value)),
         2 => (place(), place(), 0.05..2.0, 0.02..1.0).prop_map(|(at, way, radius, time)| Act::Blow(at, way, radius, time)),
         2 => place().prop_map(Act::Move),
+        2 => (place(), 1.0..100.0).prop_map(|(place, stiffness)| Act::Drag(place, stiffness)),
+        1 => Just(Act::Release),
     ]
 }
 
@@ -53,8 +57,12 @@ pub fn perform(simulator: &mut Simulator, act: &Act) {
         }),
         #[cfg(feature = "rigids")]
         Act::Move([x, y, z]) => simulator.input_pose(0, [*x, *y, *z, 0.0, 0.1, 0.0, 1.0]),
+        #[cfg(feature = "rigids")]
+        Act::Drag([x, y, z], stiffness) => simulator.input_drag(1, [0.1, 0.0, 0.0, *x, *y, *z, *stiffness]),
+        #[cfg(feature = "rigids")]
+        Act::Release => simulator.input_release(1),
         #[cfg(not(feature = "rigids"))]
-        Act::Move(_) => Ok(()),
+        Act::Move(_) | Act::Drag(..) | Act::Release => Ok(()),
     }
     .unwrap();
 }

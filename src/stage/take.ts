@@ -1,0 +1,53 @@
+/** Takes as a stage gives and takes them: the simulator's bytes, with the stage's values at the start as their note. */
+import { SimulatorError } from '../preset/errors.ts';
+import type { Value, Values } from '../preset/parameter.ts';
+import { findParameter } from '../preset/table.ts';
+import { defaults, isAccepted } from '../preset/values.ts';
+import type { TakeInfo } from '../sim/input.ts';
+
+/** What a person did, by step, and all that is needed to do it again: the same hash at every step. */
+export interface Take {
+  /** The stage's values at the start, style and light included. */
+  readonly values: Values;
+  readonly seed: number;
+  /** How many inputs there are. */
+  readonly inputs: number;
+  /** Steps that had been made at the start and at the end; the start is 0 unless a saved state was restored. */
+  readonly start: number;
+  readonly steps: number;
+  /** Whether more was done than a take has room for, 20,000 inputs. */
+  readonly isTruncated: boolean;
+  /** All of it, for keeping and sending. */
+  toBytes(): Uint8Array;
+}
+
+/** The note of a take that begins with these values. */
+export function noteOf(values: Values): string {
+  return JSON.stringify({ values });
+}
+
+/** @throws SimulatorError when the note is not one that a stage wrote */
+export function takeOf(bytes: Uint8Array, { note, seed, inputs, start, end, isTruncated }: TakeInfo): Take {
+  return { values: valuesOf(note), seed, inputs, start, steps: end, isTruncated, toBytes: () => bytes.slice() };
+}
+
+/** Values that a stranger wrote: keys that the table does not have are left out, values that it does not take refused. */
+function valuesOf(note: string): Values {
+  const found = Object.entries(readNote(note)).flatMap(([key, value]): [string, Value][] => {
+    const parameter = findParameter(key);
+    if (!parameter) return [];
+    if (!isAccepted(parameter, value)) throw new SimulatorError(`The take has a ${key} that it cannot have.`);
+    return [[parameter.key, value as Value]];
+  });
+  return { ...defaults(), ...Object.fromEntries(found) };
+}
+
+function readNote(note: string): object {
+  try {
+    const { values } = JSON.parse(note) as { values?: unknown };
+    if (typeof values === 'object' && values !== null) return values;
+  } catch {
+    // Told below, as for a note that is well-formed and says nothing.
+  }
+  throw new SimulatorError('The take was not recorded by a stage: it does not say which values it began with.');
+}

@@ -1,0 +1,180 @@
+/** Going back and forth in a take, and doing it again elsewhere, comes to the same hashes. */
+import { beforeAll, describe, expect, it } from 'vitest';
+import { ParameterError, SimulatorError } from '../../src/preset/errors.ts';
+import type { SimulatorFactory } from '../../src/sim/load.ts';
+import { valuesIn } from '../../src/stage/simulatorValues.ts';
+import { noteOf, takeOf } from '../../src/stage/take.ts';
+import { act, follow, LAST_STEP, lampSimulation, live, VALUES } from '../support/takeScript.ts';
+import { loadVariant } from './simWasm.ts';
+
+let factory: SimulatorFactory;
+beforeAll(async () => {
+  factory = await loadVariant('physics');
+});
+
+/** Goes to a step as a seek does. */
+function seek(simulation: ReturnType<typeof lampSimulation>, step: number): string {
+  simulation.approach(step);
+  simulation.advance(step - simulation.simulator.steps);
+  return simulation.simulator.hash();
+}
+
+describe('seeking', () => {
+  it.each([1e7, 0])('comes to the hashes of the straight way with %d bytes of history', (historyBytes) => {
+    const simulation = lampSimulation(factory, historyBytes);
+    const hashes = live(simulation);
+    for (const step of [380, 20, 200, 160, 400, 100, 300, 120]) {
+      expect(seek(simulation, step), `step ${step}`).toBe(hashes[step / 20 - 1]);
+    }
+    expect(valuesIn(simulation.simulator, VALUES)).toMatchObject({
+      'forces.wind.x': 70 / 200 - 1,
+      'simulation.maxParticles': 230,
+    });
+    simulation.dispose();
+  });
+
+  it('steps on from the nearest kept state', () => {
+    const simulation = lampSimulation(factory);
+    live(simulation);
+    simulation.approach(250);
+    expect(simulation.simulator.steps).toBe(240);
+    simulation.approach(399);
+    expect(simulation.simulator.steps, 'a later state is as good').toBe(360);
+    simulation.approach(59);
+    expect(simulation.simulator.steps).toBe(0);
+    simulation.dispose();
+  });
+
+  it('keeps its history within the budget', () => {
+    const simulation = lampSimulation(factory, 400_000);
+    let most = 0;
+    for (let step = 0; step < 60 * 40; step += 60) {
+      simulation.advance(60);
+      most = Math.max(most, simulation.historyBytes);
+    }
+    expect(most).toBeLessThanOrEqual(400_000);
+    expect(most).toBeGreaterThan(100_000);
+    simulation.dispose();
+  });
+
+  it('lets a person take over and forgets what came after', () => {
+    const simulation = lampSimulation(factory);
+    live(simulation);
+    seek(simulation, 240);
+    simulation.set({ 'emission.rate': 10 }, { 'emission.rate': 10 });
+    expect(simulation.simulator.takeEnd).toBe(240);
+    simulation.advance(100);
+    const hash = simulation.simulator.hash();
+    for (const step of [60, 340, 0, 340]) seek(simulation, step);
+    expect(simulation.simulator.hash()).toBe(hash);
+    expect(valuesIn(simulation.simulator, VALUES)['forces.wind.x']).toBeCloseTo(220 / 200 - 1, 12);
+    simulation.dispose();
+  });
+});
+
+describe('a take', () => {
+  it('replays to the same hashes', () => {
+    const first = lampSimulation(factory);
+    const hashes = live(first);
+    const bytes = first.simulator.take(noteOf(first.startValues));
+    const second = lampSimulation(factory);
+    second.set({ 'forces.drag': 4 }, { 'forces.drag': 4 });
+    second.advance(77);
+    second.replay(bytes, VALUES);
+    expect(follow(second)).toEqual(hashes);
+    expect(second.simulator.take(noteOf(VALUES))).toEqual(bytes);
+    first.dispose();
+    second.dispose();
+  });
+
+  it('tells what it is', () => {
+    const simulation = lampSimulation(factory);
+    live(simulation);
+    const bytes = simulation.simulator.take(noteOf(simulation.startValues));
+    const take = takeOf(bytes, factory.readTake(bytes));
+    expect(take).toMatchObject({ seed: 1, start: 0, steps: LAST_STEP, isTruncated: false, values: VALUES });
+    expect(take.inputs).toBe(simulation.simulator.inputCount);
+    expect(take.toBytes()).toEqual(bytes);
+    simulation.dispose();
+  });
+
+  it('may begin with a restored state', () => {
+    const first = lampSimulation(factory);
+    for (let step = 0; step < 150; ++step) {
+      act(first, step);
+      first.advance(1);
+    }
+    first.restore(first.simulator.save(), VALUES);
+    first.set({ 'forces.wind.z': 2 }, { 'forces.wind.z': 2 });
+    first.advance(50);
+    const second = lampSimulation(factory);
+    second.replay(first.simulator.take(noteOf(first.startValues)), first.startValues);
+    expect(second.simulator.steps).toBe(150);
+    second.advance(50);
+    expect(second.simulator.hash()).toBe(first.simulator.hash());
+    expect(seek(first, 20), 'nothing is known of what came before').toBe(seek(second, 150));
+    first.dispose();
+    second.dispose();
+  });
+
+  it('is refused when damaged or of another scene, and the running state stays', async () => {
+    const simulation = lampSimulation(factory);
+    simulation.advance(90);
+    const bytes = simulation.simulator.take(noteOf(VALUES));
+    const before = simulation.simulator.hash();
+    for (let place = 0; place < bytes.length; place += 97) {
+      const damaged = bytes.slice();
+      damaged[place] ^= 64;
+      expect(() => simulation.replay(damaged, VALUES)).toThrow(SimulatorError);
+      expect(() => factory.readTake(damaged)).toThrow(SimulatorError);
+    }
+    const bare = (await loadVariant('core')).create({ capacity: 10, seed: 1 });
+    bare.record();
+    expect(() => simulation.replay(bare.take(), VALUES)).toThrow(/another scene/);
+    expect(() => bare.replay(bytes)).toThrow(/another scene/);
+    expect(simulation.simulator.hash()).toBe(before);
+    expect(simulation.simulator.steps).toBe(90);
+    bare.dispose();
+    simulation.dispose();
+  });
+
+  it.each([
+    ['no note', '', /not recorded by a stage/],
+    ['a note of something else', '{"values":7}', /not recorded by a stage/],
+    ['a value that the table does not take', '{"values":{"emission.rate":-4}}', /emission\.rate/],
+  ])('is refused with %s', (_, note, message) => {
+    const simulator = factory.create({ capacity: 10, seed: 1 });
+    simulator.record();
+    const bytes = simulator.take(note);
+    expect(() => takeOf(bytes, factory.readTake(bytes))).toThrow(message);
+    simulator.dispose();
+  });
+});
+
+describe('inputs', () => {
+  it('are refused by name and change nothing', () => {
+    const { simulator } = lampSimulation(factory);
+    const before = [simulator.hash(), simulator.inputCount];
+    const blow = { origin: [0, 0, 0], ray: [0, 0, 1], velocity: [0, 0, 0], radius: 0.5, seconds: 1 };
+    const refused: [() => void, string][] = [
+      [() => simulator.inputSteer(8, 0), 'steer.channel'],
+      [() => simulator.inputSteer(-1, 0), 'steer.channel'],
+      [() => simulator.inputSteer(0, 1.01), 'steer.value'],
+      [() => simulator.inputBlow({ ...blow, seconds: 0 }), 'blow.seconds'],
+      [() => simulator.inputBlow({ ...blow, velocity: [0, NaN, 0] }), 'blow.velocity.y'],
+      [() => simulator.inputPose(1, [0, 0, 0]), 'rigid.index'],
+      [() => simulator.inputPose(0, [0, 2000, 0]), 'rigid.position.y'],
+      [() => simulator.inputValues({ 'emission.rate': 1e9 }), 'emission.rate'],
+      [() => simulator.inputCapacity(0), 'simulation.maxParticles'],
+    ];
+    for (const [action, key] of refused) {
+      expect(action).toThrow(ParameterError);
+      expect(action).toThrow(expect.objectContaining({ key }));
+    }
+    expect([simulator.hash(), simulator.inputCount]).toEqual(before);
+    expect(simulator.control(2)).toBe(0);
+    simulator.inputSteer(2, -0.5);
+    expect(simulator.control(2)).toBeCloseTo(-0.5, 4);
+    simulator.dispose();
+  });
+});
