@@ -27,8 +27,8 @@ describe('seeking', () => {
       expect(seek(simulation, step), `step ${step}`).toBe(hashes[step / 20 - 1]);
     }
     expect(valuesIn(simulation.simulator, VALUES)).toMatchObject({
-      'forces.wind.x': 70 / 200 - 1,
-      'simulation.maxParticles': 230,
+      'forces.wind.x': 120 / 200 - 1,
+      'simulation.maxParticles': 320,
     });
     simulation.dispose();
   });

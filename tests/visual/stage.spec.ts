@@ -63,3 +63,21 @@ for (const speed of [1, 0.5, 0.25]) {
     expect(await cases.evaluate((module, value) => module.movementAtSpeed(value), speed)).toBeLessThan(0.02);
   });
 }
+
+test('a take on another stage has the same hashes and the same picture', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { hashes, rates, inputs, changed } = await cases.evaluate((module) => module.replayTake());
+  expect(hashes[1]).toBe(hashes[0]);
+  expect(rates).toEqual([rates[0], rates[0], 60]);
+  expect(inputs).toEqual([4, 4]);
+  expect(changed).toBe(0);
+});
+
+test('seeking back and forth passes the same moments, with everything that was done', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { straight, again, bytes, rates } = await cases.evaluate((module) => module.seekBack());
+  expect(again).toEqual(straight);
+  expect(rates).toEqual([40, 80, 120, 160]);
+  expect(bytes).toBeGreaterThan(0);
+  expect(bytes).toBeLessThanOrEqual(1_000_000);
+});

@@ -185,3 +185,58 @@ async function wasmMemory(): Promise<WebAssembly.Memory> {
   const { loadSimulators } = await import('../../../src/sim/load.ts');
   return (await loadSimulators({ physics: true })).module.memory;
 }
+
+/** Lives a take on one stage and does it again on another: hashes, values and pictures of both. */
+export async function replayTake(): Promise<Record<'hashes' | 'rates' | 'inputs', unknown[]> & { changed: number }> {
+  const [first, second] = await Promise.all([1, 2].map(() => lampStage(new OffscreenCanvas(WIDTH, HEIGHT))));
+  first.set({ 'style.tones': 3 });
+  first.restart();
+  first.step(50);
+  first.set({ 'emission.rate': 60, 'light.azimuth': 20 });
+  first.nudge({ dx: -0.9, dy: -0.2 });
+  first.step(30);
+  first.blow({ x: WIDTH / 2, y: HEIGHT / 3, dx: 6, dy: -2 });
+  first.steer(2, 0.25);
+  first.step(40);
+  const hashes = [first.hash()];
+  second.set({ 'emission.rate': 90, seed: 5 });
+  second.step(33);
+  second.playTake(first.take().toBytes());
+  const rates = [SMALL['emission.rate'], second.get()['emission.rate']];
+  for (const seconds of [2, 0.5, 2]) await second.seek(seconds);
+  hashes.push(second.hash());
+  rates.push(second.get()['emission.rate']);
+  // The light was turned after the start and is no part of the simulation: it is the receiver's own.
+  second.set({ 'light.azimuth': 20 });
+  const inputs = [first.stats.inputs, second.take().inputs];
+  const [a, b] = await Promise.all([first, second].map(async (stage) => pixelsOf(await stage.picture())));
+  for (const stage of [first, second]) stage.dispose();
+  return { hashes, rates, inputs, changed: differing(a, b) };
+}
+
+/** Going back in time: hashes on the way there and on the way again, and the memory that it takes. */
+export async function seekBack(): Promise<{ straight: string[]; again: string[]; bytes: number; rates: unknown[] }> {
+  const stage = await createStage(new OffscreenCanvas(WIDTH, HEIGHT), {
+    values: SMALL,
+    width: WIDTH,
+    height: HEIGHT,
+    historyBytes: 1_000_000,
+  });
+  const straight: string[] = [];
+  for (let second = 1; second <= 4; ++second) {
+    stage.step(60);
+    straight.push(stage.hash());
+    stage.set({ 'emission.rate': 40 * second });
+    stage.nudge({ dx: -0.3 });
+  }
+  const again: string[] = [];
+  const rates: unknown[] = [];
+  for (const second of [3, 1, 4, 2]) {
+    await stage.seek(second);
+    again[second - 1] = stage.hash();
+    rates[second - 1] = stage.get()['emission.rate'];
+  }
+  const bytes = stage.stats.historyBytes;
+  stage.dispose();
+  return { straight, again, bytes, rates };
+}

@@ -1,0 +1,69 @@
+/**
+ * `npm run fuzz -- [--minutes N] [--rigids]`: throws mutated configurations, saved simulations and takes at the
+ * simulator, guided by coverage (libFuzzer), for a minute unless told otherwise. What is found stays in .cache/fuzz.
+ */
+
+import { mkdirSync } from 'node:fs';
+import { cargo } from './setup/toolchain.mjs';
+import { readArguments } from './lib/arguments.mjs';
+import { run } from './lib/command.mjs';
+import { inRoot } from './lib/paths.mjs';
+import { conclude, Refusal } from './lib/refusal.mjs';
+
+const TARGET = 'x86_64-unknown-linux-gnu';
+/** What makes a stable compiler count edges and comparisons for libFuzzer. */
+const COVERAGE = [
+  '-Cpasses=sancov-module',
+  '-Cllvm-args=-sanitizer-coverage-level=4',
+  '-Cllvm-args=-sanitizer-coverage-inline-8bit-counters',
+  '-Cllvm-args=-sanitizer-coverage-pc-table',
+  '-Cllvm-args=-sanitizer-coverage-trace-compares',
+  '--cfg=fuzzing',
+];
+
+await conclude(async () => {
+  const { values } = readArguments(
+    { minutes: { type: 'string', default: '1' }, rigids: { type: 'boolean', default: false } },
+    'npm run fuzz -- [--minutes N] [--rigids]',
+  );
+  const minutes = Number(values.minutes);
+  if (!(minutes > 0 && minutes <= 1440)) {
+    throw new Refusal(`--minutes ${values.minutes} is not a time: give a number of minutes up to 1440.`);
+  }
+  await compile(values.rigids);
+  const [seeds, corpus, findings] = ['seeds', 'corpus', 'findings'].map(folder);
+  const program = inRoot(`sim-wasm/target/fuzz/${TARGET}/release/fuzz`);
+  await demand(run(program, [], { environment: { FUZZ_SEEDS: seeds } }), 'The first inputs could not be written');
+  const limits = [`-max_total_time=${Math.ceil(60 * minutes)}`, '-max_len=16384', '-timeout=10', '-rss_limit_mb=2048'];
+  const parameters = [...limits, '-print_final_stats=1', `-artifact_prefix=${findings}/`, corpus, seeds];
+  const { status, output } = await run(program, parameters, { onLine: (line) => console.log(line) });
+  const executions = /number_of_executed_units:\s*(\d+)/.exec(output)?.[1] ?? 'no';
+  if (status !== 0) throw new Refusal(`The simulator failed on an input, which lies in ${findings}.`);
+  console.log(`${executions} inputs in ${minutes} minutes: refused or taken, no fault.`);
+});
+
+function compile(/** @type {boolean} */ hasRigids) {
+  const parameters = ['build', '--release', '--locked', '--manifest-path', inRoot('sim-wasm/fuzz/Cargo.toml')];
+  // Only with the target named do the flags leave build scripts alone, which have no fuzzer to report to.
+  parameters.push('--target', TARGET, '--target-dir', inRoot('sim-wasm/target/fuzz'));
+  if (hasRigids) parameters.push('--features', 'rigids');
+  parameters.push('--config', `build.rustflags=${JSON.stringify(COVERAGE)}`);
+  return demand(
+    cargo(parameters, (line) => console.log(line)),
+    'The fuzz target does not compile',
+  );
+}
+
+async function demand(
+  /** @type {Promise<import('./lib/command.mjs').Outcome>} */ pending,
+  /** @type {string} */ complaint,
+) {
+  const { status, output } = await pending;
+  if (status !== 0) throw new Refusal(`${complaint}: ${output.split('\n').slice(-5).join(' ')}`);
+}
+
+function folder(/** @type {string} */ name) {
+  const path = inRoot(`.cache/fuzz/${name}`);
+  mkdirSync(path, { recursive: true });
+  return path;
+}

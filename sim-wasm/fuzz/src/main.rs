@@ -1,0 +1,28 @@
+//! The fuzz target. The first byte chooses what the rest is: a configuration, a saved simulation or a take, with or
+//! without an envelope whose checksum holds. With FUZZ_SEEDS=FOLDER it writes sound inputs there to begin with.
+//!
+//! Whatever comes is refused and leaves the running simulation as it was, or is taken and leaves one that goes on.
+
+#![no_main]
+
+mod forge;
+mod running;
+mod seeds;
+
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(
+    init: seeds::write_if_asked(),
+    |data: &[u8]| running::with(|running| {
+        let Some((choice, rest)) = data.split_first() else {
+            return;
+        };
+        match choice % 5 {
+            0 => running.configure(rest),
+            1 => running.restore(rest),
+            2 => running.restore(&forge::sealed(b"smok", forge::SAVE_VERSION, rest)),
+            3 => running.replay(rest),
+            _ => running.replay(&forge::sealed(b"take", forge::TAKE_VERSION, rest)),
+        }
+    })
+);

@@ -1,0 +1,107 @@
+//! The simulation that everything is thrown at.
+
+use std::cell::RefCell;
+
+use sim::Simulator;
+use sim::parameters;
+
+const CAPACITY: u32 = 64;
+/// Steps that must go well after something was taken.
+const STEPS: usize = 3;
+/// What most configurations begin with, so that there is smoke to go wrong.
+const LIVELY: &[(&str, f64)] = &[
+    ("emission.rate", 400.0),
+    ("emission.lifetime", 1.0),
+    ("emitters.0.share", 1.0),
+    ("emitters.0.speed", 2.0),
+    ("turbulence.speed", 0.5),
+    ("turbulence.octaves", 2.0),
+    ("vortices.0.circulation", 2.0),
+    ("colliders.0.position.y", -0.5),
+];
+
+pub struct Running {
+    simulator: Simulator,
+    keys: Vec<String>,
+}
+
+/// Lets `action` have the running simulation, the same each time unless something changed it.
+pub fn with(action: impl FnOnce(&mut Running)) {
+    thread_local! {
+        static RUNNING: RefCell<Running> = RefCell::new(Running::new());
+    }
+    RUNNING.with_borrow_mut(action);
+}
+
+/// A lively simulation after a while, with a take of a few inputs.
+pub fn lively() -> Simulator {
+    let mut simulator = Simulator::new(CAPACITY, 7).expect("the capacity is in range");
+    simulator.set_all(LIVELY).expect("all of these exist");
+    simulator.record();
+    for step in 0..12 {
+        let _ = simulator.input_steer(step % 8, f64::from(step) / 12.0);
+        let _ = simulator.input_values(&[("forces.wind.x", f64::from(step))]);
+        simulator.step();
+    }
+    simulator
+}
+
+impl Running {
+    fn new() -> Self {
+        let rows = parameters::describe();
+        let keys = rows.lines().filter_map(|row| row.split(' ').next());
+        Self {
+            simulator: lively(),
+            keys: keys.map(str::to_owned).collect(),
+        }
+    }
+
+    /// Ten bytes each: two choose a key and the item of a list, eight are the value.
+    pub fn configure(&mut self, bytes: &[u8]) {
+        for entry in bytes.as_chunks::<10>().0 {
+            let [a, b, value @ ..] = *entry;
+            let choice = usize::from(u16::from_le_bytes([a, b]));
+            let key = self.keys[choice / 8 % self.keys.len()].replace('#', &(choice % 8).to_string());
+            self.attempt(|simulator| simulator.input_values(&[(&key, f64::from_le_bytes(value))]).is_ok());
+        }
+        self.go_on();
+    }
+
+    pub fn restore(&mut self, bytes: &[u8]) {
+        if self.attempt(|simulator| simulator.restore(bytes).is_ok()) {
+            self.go_on();
+        }
+    }
+
+    pub fn replay(&mut self, bytes: &[u8]) {
+        if self.attempt(|simulator| simulator.replay(bytes).is_ok()) {
+            self.go_on();
+        }
+    }
+
+    /// Does something; if it is refused, nothing may have changed.
+    fn attempt(&mut self, action: impl FnOnce(&mut Simulator) -> bool) -> bool {
+        let state = |simulator: &Simulator| (simulator.hash(), simulator.inputs(), *simulator.parameters());
+        let before = state(&self.simulator);
+        let is_taken = action(&mut self.simulator);
+        assert!(
+            is_taken || state(&self.simulator) == before,
+            "what was refused changed the state"
+        );
+        is_taken
+    }
+
+    /// After a change: it must run, stay finite, save and come back; then a fresh one takes its place.
+    fn go_on(&mut self) {
+        let simulator = &mut self.simulator;
+        (0..STEPS).for_each(|_| simulator.step());
+        let alive = simulator.alive();
+        for column in simulator.particles().float_columns() {
+            assert!(column[..alive].iter().all(|number| number.is_finite()));
+        }
+        let (bytes, hash) = (simulator.save(), simulator.hash());
+        simulator.restore(&bytes).expect("what was saved can be restored");
+        assert_eq!(simulator.hash(), hash);
+        *simulator = lively();
+    }
+}
