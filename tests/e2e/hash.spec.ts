@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from '../support/fixtures.ts';
 import { linesOf } from '../support/hashFixture.ts';
+import { nativeTakes } from '../support/nativeTakes.ts';
 
 type Load = typeof import('../../src/sim/load.ts');
 type Fixture = typeof import('../support/hashFixture.ts');
@@ -24,4 +25,25 @@ test('the same seed has the same hash natively and in Chromium', async ({ load }
   );
   const without = linesOf(text, 'hash without rigids')[0];
   expect(hashes).toEqual([without, without, linesOf(text, 'hash with rigids')[0]]);
+});
+
+test('takes over the whole parameter table have the same hashes natively and in Chromium', async ({ load }) => {
+  test.setTimeout(300_000);
+  const takes = await nativeTakes();
+  expect(takes.length).toBe(40);
+  expect(takes.filter(({ hasRigids }) => hasRigids).length).toBe(20);
+  expect(takes.filter(({ alive }) => alive > 50).length, 'takes with smoke in them').toBeGreaterThan(30);
+  const simulators = await load<Load>('/src/sim/load.ts');
+  const hashes = await simulators.evaluate(async (module, list) => {
+    const factories = await Promise.all([false, true].map((physics) => module.loadSimulators({ physics })));
+    return list.map(({ hasRigids, steps, take }) => {
+      const simulator = factories[Number(hasRigids)].create({ capacity: 1, seed: 0 });
+      simulator.replay(Uint8Array.from(take.match(/../g)!, (digits) => parseInt(digits, 16)));
+      simulator.step(steps - simulator.steps);
+      const hash = simulator.hash();
+      simulator.dispose();
+      return hash;
+    });
+  }, takes);
+  expect(hashes).toEqual(takes.map(({ hash }) => hash));
 });

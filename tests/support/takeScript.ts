@@ -16,7 +16,7 @@ export function lampSimulation(factory: SimulatorFactory, historyBytes = 1e7): S
 /** What a restless person does before step `step` is taken. */
 export function act(simulation: Simulation, step: number): void {
   const { drag } = simulation;
-  if (step % 50 === 20) simulation.set({ 'forces.wind.x': step / 200 - 1 }, { 'forces.wind.x': 0 });
+  if (step % 50 === 20) simulation.set({ 'forces.wind.x': step / 200 - 1 });
   if (step % 90 === 30) simulation.input((simulator) => simulator.inputCapacity(200 + step));
   if (step > 100 && step < 200) {
     drag!.target.set(0.012 * (step - 100), 1.6, Math.sin(step / 9));

@@ -2,7 +2,6 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 import { ParameterError, SimulatorError } from '../../src/preset/errors.ts';
 import type { SimulatorFactory } from '../../src/sim/load.ts';
-import { valuesIn } from '../../src/stage/simulatorValues.ts';
 import { noteOf, takeOf } from '../../src/stage/take.ts';
 import { act, follow, LAST_STEP, lampSimulation, live, VALUES } from '../support/takeScript.ts';
 import { loadVariant } from './simWasm.ts';
@@ -26,7 +25,7 @@ describe('seeking', () => {
     for (const step of [380, 20, 200, 160, 400, 100, 300, 120]) {
       expect(seek(simulation, step), `step ${step}`).toBe(hashes[step / 20 - 1]);
     }
-    expect(valuesIn(simulation.simulator, VALUES)).toMatchObject({
+    expect(simulation.valuesIn(VALUES)).toMatchObject({
       'forces.wind.x': 120 / 200 - 1,
       'simulation.maxParticles': 320,
     });
@@ -61,13 +60,13 @@ describe('seeking', () => {
     const simulation = lampSimulation(factory);
     live(simulation);
     seek(simulation, 240);
-    simulation.set({ 'emission.rate': 10 }, { 'emission.rate': 10 });
+    simulation.set({ 'emission.rate': 10 });
     expect(simulation.simulator.takeEnd).toBe(240);
     simulation.advance(100);
     const hash = simulation.simulator.hash();
     for (const step of [60, 340, 0, 340]) seek(simulation, step);
     expect(simulation.simulator.hash()).toBe(hash);
-    expect(valuesIn(simulation.simulator, VALUES)['forces.wind.x']).toBeCloseTo(220 / 200 - 1, 12);
+    expect(simulation.valuesIn(VALUES)['forces.wind.x']).toBeCloseTo(220 / 200 - 1, 12);
     simulation.dispose();
   });
 });
@@ -78,7 +77,7 @@ describe('a take', () => {
     const hashes = live(first);
     const bytes = first.simulator.take(noteOf(first.startValues));
     const second = lampSimulation(factory);
-    second.set({ 'forces.drag': 4 }, { 'forces.drag': 4 });
+    second.set({ 'forces.drag': 4 });
     second.advance(77);
     second.replay(bytes, VALUES);
     expect(follow(second)).toEqual(hashes);
@@ -105,7 +104,7 @@ describe('a take', () => {
       first.advance(1);
     }
     first.restore(first.simulator.save(), VALUES);
-    first.set({ 'forces.wind.z': 2 }, { 'forces.wind.z': 2 });
+    first.set({ 'forces.wind.z': 2 });
     first.advance(50);
     const second = lampSimulation(factory);
     second.replay(first.simulator.take(noteOf(first.startValues)), first.startValues);
