@@ -28,6 +28,7 @@ mod snapshot;
 pub mod take;
 pub mod tile;
 pub mod view;
+pub mod vortex_particles;
 
 pub use error::{ParameterError, RestoreError};
 pub use simulator::Simulator;

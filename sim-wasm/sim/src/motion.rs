@@ -18,6 +18,7 @@ use crate::life::entrainment::Entrainment;
 use crate::particles::{LANES, Particles};
 use crate::simd::{Vector4, blocks, blocks_mut, positive_part, smaller};
 use crate::tile::{Columns, Tile, tiles};
+use crate::vortex_particles::VortexParticles;
 
 /// The rule by which particles move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,8 +45,13 @@ pub struct Motion {
     /// Drag where no other drag adds to it, and its rate (1/s).
     drag: Factors,
     rate: f32x4,
+    /// How strongly vortex particles act.
+    stirring: f32,
     dt: f32,
 }
+
+/// The vortex particles of the simulation, if it has a shedder.
+type Stirrers<'s> = Option<&'s VortexParticles>;
 
 /// The accelerations that act everywhere: they are vertical, so that one number a particle is enough.
 struct Lift {
@@ -75,16 +81,17 @@ impl Motion {
             },
             drag: Factors::new(rate, setting.now.dt),
             rate: f32x4::splat(rate as f32),
+            stirring: parameters.forces.vortex as f32,
             dt: setting.now.dt as f32,
         }
     }
 
     /// Moves every particle by one step; `px`, `py`, `pz` become the places at its start.
-    pub fn advance(&self, particles: &mut Particles) {
+    pub fn advance(&self, particles: &mut Particles, stirrers: Stirrers) {
         let mut tile = Tile::new(self.dt, self.integrator == Integrator::Paper);
         for (first, len) in tiles(particles, 0) {
             tile.load(particles, first, len);
-            self.forces.act(Stage::Air, &mut tile);
+            self.air(&mut tile, stirrers);
             self.forces.act(Stage::Push, &mut tile);
             match self.integrator {
                 Integrator::AirAndSlip => self.air_and_slip(&mut tile),
@@ -99,13 +106,12 @@ impl Motion {
 
     /// Puts particles from number `first` on that were born within this step as far behind their places as makes the
     /// whole step, which is about to be made, take them where the rest of it would have.
-    pub fn launch(&self, particles: &mut Particles, first: usize) {
+    pub fn launch(&self, particles: &mut Particles, first: usize, stirrers: Stirrers) {
         let mut tile = Tile::new(self.dt, true);
         for (first, len) in tiles(particles, first / LANES) {
             tile.load(particles, first, len);
             if self.integrator == Integrator::AirAndSlip {
-                self.forces.act(Stage::Air, &mut tile);
-                self.forces.act(Stage::Swirl, &mut tile);
+                self.blow(&mut tile, stirrers);
             }
             let ages = &blocks(&particles.age, first + len)[first..];
             let Columns { flow, slip, .. } = tile.columns();
@@ -118,16 +124,15 @@ impl Motion {
     }
 
     /// Velocity of the air (m/s) at a place.
-    pub fn air_velocity(&self, place: [f32; 3]) -> [f32; 3] {
+    pub fn air_velocity(&self, place: [f32; 3], stirrers: Stirrers) -> [f32; 3] {
         let mut tile = Tile::at(place, self.dt);
-        self.forces.act(Stage::Air, &mut tile);
-        self.forces.act(Stage::Swirl, &mut tile);
+        self.blow(&mut tile, stirrers);
         tile.columns().flow[0].first()
     }
 
     /// Turns what the particles keep from slip into velocity, or back, so that a change of the integrator to that of
     /// `self` does not jerk.
-    pub fn take_over(&self, particles: &mut Particles) {
+    pub fn take_over(&self, particles: &mut Particles, stirrers: Stirrers) {
         let sign = f32x4::splat(if self.integrator == Integrator::Paper {
             1.0
         } else {
@@ -136,13 +141,27 @@ impl Motion {
         let mut tile = Tile::new(self.dt, true);
         for (first, len) in tiles(particles, 0) {
             tile.load(particles, first, len);
-            self.forces.act(Stage::Air, &mut tile);
-            self.forces.act(Stage::Swirl, &mut tile);
+            self.blow(&mut tile, stirrers);
             let Columns { flow, slip, .. } = tile.columns();
             for (slip, flow) in slip.iter_mut().zip(flow) {
                 *slip += *flow * sign;
             }
             put_slip(slip, particles, first);
+        }
+    }
+
+    /// Adds all of the air's velocity to the flow of `tile`.
+    pub fn blow(&self, tile: &mut Tile, stirrers: Stirrers) {
+        self.air(tile, stirrers);
+        self.forces.act(Stage::Swirl, tile);
+    }
+
+    /// Adds the air's velocity but for what turns it last.
+    #[inline(always)]
+    fn air(&self, tile: &mut Tile, stirrers: Stirrers) {
+        self.forces.act(Stage::Air, tile);
+        if let Some(stirrers) = stirrers {
+            stirrers.act(self.stirring, tile);
         }
     }
 

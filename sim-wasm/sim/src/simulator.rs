@@ -25,6 +25,7 @@ use crate::snapshot::{self, Room};
 use crate::take::Recorder;
 use crate::take::touch::Touch;
 use crate::view::View;
+use crate::vortex_particles::{VortexParticle, VortexParticles};
 
 /// Length of a step (s).
 pub const STEP: f64 = 1.0 / 60.0;
@@ -59,6 +60,8 @@ pub struct Simulator {
     pub(crate) particles: Particles,
     #[cfg(feature = "rigids")]
     pub(crate) rigids: Rigids,
+    /// None as long as there never was a shedder.
+    pub(crate) vortex_particles: Option<Box<VortexParticles>>,
     pub(crate) touch: Touch,
     pub(crate) recorder: Recorder,
     arranger: Arranger,
@@ -81,6 +84,7 @@ impl Simulator {
             particles: Particles::new(room),
             #[cfg(feature = "rigids")]
             rigids: Rigids::new(),
+            vortex_particles: None,
             touch: Touch::default(),
             recorder: Recorder::default(),
             arranger: Arranger::new(room),
@@ -98,7 +102,11 @@ impl Simulator {
         let before = self.integrator();
         self.parameters.set_all(entries)?;
         if self.integrator() != before {
-            self.motion().take_over(&mut self.particles);
+            let stirrers = self.vortex_particles.as_deref();
+            self.motion().take_over(&mut self.particles, stirrers);
+        }
+        if !self.parameters.shedders.items().is_empty() {
+            self.vortex_particles_mut();
         }
         Ok(())
     }
@@ -141,7 +149,7 @@ impl Simulator {
         ended(Part::Follow);
         let motion = self.motion();
         self.bear(&motion);
-        motion.advance(&mut self.particles);
+        motion.advance(&mut self.particles, self.vortex_particles.as_deref());
         #[cfg(feature = "rigids")]
         self.rigids
             .drag_air(&mut self.particles, &RadiusLaw::new(&self.parameters), STEP as f32);
@@ -149,6 +157,7 @@ impl Simulator {
         self.collide();
         ended(Part::Collision);
         life::advance(&mut self.particles, &Ageing::new(&self.parameters, STEP));
+        self.shed(&motion);
         turbulence::advance(&mut self.turbulence, &self.parameters, STEP);
         self.touch.advance();
         self.steps += 1;
@@ -217,7 +226,23 @@ impl Simulator {
 
     /// Velocity of the air (m/s) at a place (m) in the middle of the coming step.
     pub fn air_velocity(&self, place: [f32; 3]) -> [f32; 3] {
-        self.motion().air_velocity(place)
+        self.motion().air_velocity(place, self.vortex_particles.as_deref())
+    }
+
+    /// Adds a vortex particle that no shedder made; when there are too many, the first goes. False, and nothing
+    /// changed, when it is not sound.
+    pub fn add_vortex_particle(&mut self, particle: &VortexParticle) -> bool {
+        self.vortex_particles_mut().add(particle)
+    }
+
+    /// How many vortex particles there are.
+    pub fn vortex_particles(&self) -> usize {
+        self.vortex_particles.as_ref().map_or(0, |all| all.count())
+    }
+
+    /// Vortex particle number `index`, in the order in which they were shed.
+    pub fn vortex_particle(&self, index: usize) -> Option<VortexParticle> {
+        self.vortex_particles.as_ref()?.get(index)
     }
 
     /// The rigids.
@@ -255,6 +280,9 @@ impl Simulator {
         }
         waiting.iter().for_each(|count| hash.long(*count));
         self.touch.hash_into(&mut hash);
+        if let Some(all) = &self.vortex_particles {
+            all.hash_into(&mut hash);
+        }
         #[cfg(feature = "rigids")]
         self.rigids.hash_into(&mut hash);
         hash.finish()
@@ -297,7 +325,11 @@ impl Simulator {
     }
 
     fn motion(&self) -> Motion {
-        Motion::new(&Setting {
+        Motion::new(&self.setting())
+    }
+
+    fn setting(&self) -> Setting<'_> {
+        Setting {
             parameters: &self.parameters,
             now: Now {
                 time: (self.steps as f64 + 0.5) * STEP,
@@ -307,7 +339,7 @@ impl Simulator {
             seed: self.seed,
             turbulence: &self.turbulence,
             gusts: self.touch.gusts(),
-        })
+        }
     }
 
     #[cfg(feature = "rigids")]
@@ -334,7 +366,20 @@ impl Simulator {
         };
         let first = self.particles.alive();
         self.births.step(&around, &mut self.random, &mut self.particles);
-        motion.launch(&mut self.particles, first);
+        motion.launch(&mut self.particles, first, self.vortex_particles.as_deref());
+    }
+
+    fn shed(&mut self, motion: &Motion) {
+        if let Some(mut all) = self.vortex_particles.take() {
+            all.step(motion, &self.setting());
+            self.vortex_particles = Some(all);
+        }
+    }
+
+    fn vortex_particles_mut(&mut self) -> &mut VortexParticles {
+        let seed = self.seed;
+        self.vortex_particles
+            .get_or_insert_with(|| Box::new(VortexParticles::new(seed)))
     }
 
     fn collide(&mut self) {

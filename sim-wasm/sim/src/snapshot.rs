@@ -14,6 +14,7 @@ use crate::particles::Particles;
 use crate::random::Random;
 use crate::simulator::{CAPACITY_LIMIT, Simulator};
 use crate::take::touch::Touch;
+use crate::vortex_particles::VortexParticles;
 
 const KIND: &[u8; 4] = b"smok";
 const VERSION: u32 = 2;
@@ -56,6 +57,7 @@ sections! {
     b"born" => births: Births,
     b"turb" => turbulence: [TurbulenceState; LIST_LIMIT + 1],
     b"hand" => touch: Touch,
+    b"vort" => vortex_particles: Option<Box<VortexParticles>>,
     b"para" => parameters: Parameters,
     b"surf" => surfaces: Surfaces,
 }

@@ -11,7 +11,7 @@
 
 mod birth;
 pub mod item;
-mod shapes;
+pub(crate) mod shapes;
 pub mod surface;
 
 use crate::collide::motion::Motion;

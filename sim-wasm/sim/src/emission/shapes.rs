@@ -167,7 +167,7 @@ fn disc(inner: f32, random: &mut Random) -> [f32; 2] {
 }
 
 /// A place in the ball of radius 1, by rejection: no cube root, and uniform.
-fn in_ball(random: &mut Random) -> [f32; 3] {
+pub(crate) fn in_ball(random: &mut Random) -> [f32; 3] {
     loop {
         let place = [random.signed(), random.signed(), random.signed()];
         if place.iter().map(|component| component * component).sum::<f32>() <= 1.0 {

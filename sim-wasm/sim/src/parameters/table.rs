@@ -9,6 +9,7 @@ use crate::forces::wind::Weather;
 use crate::forces::{self, Lists};
 use crate::life::density::Stop;
 use crate::obstacles::Collider;
+use crate::vortex_particles::shedder::Shedder;
 
 /// Every parameter, in the units of the table. All values are within their ranges, always.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +26,7 @@ pub struct Parameters {
     pub emitters: List<Emitter>,
     pub colliders: List<Collider>,
     pub density: List<Stop>,
+    pub shedders: List<Shedder>,
     /// The lists of forces.
     pub lists: Lists,
 }
@@ -45,6 +47,7 @@ impl Default for Parameters {
             emitters: List::default(),
             colliders: List::default(),
             density: List::default(),
+            shedders: List::default(),
             lists: Lists::default(),
         }
     }
@@ -78,6 +81,11 @@ const OWN: &[&dyn Section] = &[
         name: "density",
         of: |p| &mut p.density,
         len: |p| p.density.items().len(),
+    },
+    &Many {
+        name: "shedders",
+        of: |p| &mut p.shedders,
+        len: |p| p.shedders.items().len(),
     },
 ];
 

@@ -1,0 +1,265 @@
+//! What sheds vortex particles: a place on a rigid, or in the world where the wind blows past it.
+//!
+//! A shedder sheds `rate` vortex particles a second, evenly, each at its moment within the step. The fastest air around
+//! a fresh one has the speed |`strength` + `perSpeed` V|, for the speed V of the air relative to the place, without what
+//! other vortex particles add: so a rigid that rests in still air sheds nothing by `perSpeed`, a post in the wind does,
+//! and a wake cannot feed itself. Those below 1 mm/s are not shed, and none is above 100 m/s. The envelope and the region of its scope, the
+//! latter at the place, weaken what is shed.
+//!
+//! They are born between `position` - `extent` and `position` + `extent`, all with the sense of `axis`. With `alternate`
+//! they are born by turns at the two ends with opposite senses, as in the street that von Karman described: as the
+//! shear layers of a body would have it, where the air passes across axis and extent, from whichever side it comes;
+//! else the end at +`extent` has the sense of `axis`, as for the tips of a wing with the axis along its way.
+
+use arrayvec::ArrayVec;
+use wide::f32x4;
+
+use super::swarm::{Swarm, VortexParticle};
+use crate::collide::space::{Frame, Pose, Vector};
+use crate::emission::shapes::in_ball;
+use crate::forces::{Setting, unit};
+use crate::hash::Hash;
+use crate::motion::Motion;
+use crate::parameters::LIST_LIMIT;
+use crate::parameters::field::{DIRECTION, Field, PLACE, SHARE, number, vector};
+use crate::parameters::section::Item;
+use crate::random::Random;
+use crate::scope::{Reach, Scope};
+use crate::simd::Vector4;
+
+const FASTEST_RATE: f64 = 2000.0;
+/// Most that one shedder sheds in a step of 1/60 s.
+const MOST_A_STEP: usize = 34;
+/// The fastest air around a vortex particle, as a share of what would turn with its centre at the radius of its core.
+const PEAK: f32 = 0.594_107;
+/// What is slower (m/s) is not worth a vortex particle.
+const LEAST_SPEED: f32 = 1e-3;
+/// No vortex particle is faster (m/s), however fast a rigid falls.
+const MOST_SPEED: f32 = 100.0;
+/// The air passes across where this share of its speed does.
+const ACROSS: f32 = 0.1;
+
+/// `shedders.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Shedder {
+    pub rate: f64,
+    pub position: [f64; 3],
+    pub extent: [f64; 3],
+    pub scatter: f64,
+    pub axis: [f64; 3],
+    pub jitter: f64,
+    pub alternate: f64,
+    pub strength: f64,
+    pub per_speed: f64,
+    pub core_radius: f64,
+    pub viscosity: f64,
+    pub lifetime: f64,
+    pub scope: Scope,
+}
+
+impl Item for Shedder {
+    const LABEL: &'static str = "Vortex shedder";
+    const FIELDS: &'static [Field<Self>] = &[
+        number("rate", "1/s", [0.0, FASTEST_RATE], 0.0, |s: &mut Self| &mut s.rate)
+            .starts_at(30.0)
+            .says("Rate", "Swirls shed in a second; 0 takes this shedder away."),
+        vector("position", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.position)
+            .says("Place", "Where on the rigid swirls are shed: the middle."),
+        vector("extent", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.extent).says(
+            "Extent",
+            "From the middle to one end of the line on which they are shed.",
+        ),
+        number("scatter", "m", [0.0, 100.0], 0.0, |s: &mut Self| &mut s.scatter)
+            .says("Scatter", "How far from their place they may be born."),
+        vector("axis", "1", DIRECTION, [0.0, 0.0, 1.0], |s: &mut Self| &mut s.axis)
+            .says("Axis", "Direction of their axes on the rigid."),
+        number("jitter", "1", SHARE, 0.1, |s: &mut Self| &mut s.jitter).says("Disorder", "How much their axes differ."),
+        number("alternate", "1", [0.0, 1.0], 0.0, |s: &mut Self| &mut s.alternate)
+            .named(&["alike", "alternating"])
+            .says("Senses", "All turn alike, or by turns at both ends against each other."),
+        number("strength", "m/s", [-20.0, 20.0], 0.0, |s: &mut Self| &mut s.strength)
+            .starts_at(1.0)
+            .says("Strength", "Fastest air around a fresh one, however slow the rigid is."),
+        number("perSpeed", "1", [-4.0, 4.0], 0.5, |s: &mut Self| &mut s.per_speed).says(
+            "With speed",
+            "Share of the speed of the air past the rigid that is added to the strength.",
+        ),
+        number("coreRadius", "m", [0.01, 5.0], 0.15, |s: &mut Self| &mut s.core_radius)
+            .says("Core", "Where a fresh one is fastest; it ends at three times that."),
+        number("viscosity", "m2/s", [0.0, 1.0], 0.002, |s: &mut Self| &mut s.viscosity)
+            .says("Viscosity", "How fast they grow wide and slow."),
+        number("lifetime", "s", [0.1, 60.0], 3.0, |s: &mut Self| &mut s.lifetime)
+            .says("Lifetime", "When they have faded away."),
+    ];
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}
+
+/// What shedders remember from step to step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shedding {
+    /// Of each shedder the part of a vortex particle that it owes, 0..1.
+    pub owed: [f64; LIST_LIMIT],
+    /// Of each shedder, how many fell due so far.
+    pub due: [u64; LIST_LIMIT],
+    pub random: Random,
+}
+
+impl Shedding {
+    /// Nothing shed yet.
+    pub fn new(seed: u32) -> Self {
+        Self {
+            owed: [0.0; LIST_LIMIT],
+            due: [0; LIST_LIMIT],
+            // Not the stream of the emitters, which must not change with what is shed.
+            random: Random::new(seed ^ 0x9e37_79b9),
+        }
+    }
+
+    /// What all shedders shed in one step of `motion`, which is that of `setting`.
+    pub fn step(&mut self, motion: &Motion, setting: &Setting, swarm: &mut Swarm) {
+        let dt = setting.now.dt;
+        for (index, shedder) in setting.parameters.shedders.items().iter().enumerate() {
+            let Some(reach) = Reach::new(&shedder.scope, &setting.now) else {
+                continue;
+            };
+            let before = self.owed[index];
+            let owed = before + shedder.rate * dt;
+            // Sums of decimal fractions miss whole numbers by a few units in the last place.
+            let due = libm::floor(owed + 1e-9);
+            self.owed[index] = owed - due;
+            if due < 1.0 {
+                continue;
+            }
+            let mut newborns = ArrayVec::<_, MOST_A_STEP>::new();
+            let mut source = Source::new(shedder, reach, motion, setting, &mut self.random);
+            for number in 1..=due as u64 {
+                let moment = ((number as f64 - before) / shedder.rate).clamp(0.0, dt);
+                newborns.extend(source.shed(moment as f32, self.due[index].wrapping_add(number) % 2 == 0));
+            }
+            self.due[index] = self.due[index].wrapping_add(due as u64);
+            swarm.make_room(newborns.len());
+            newborns.iter().for_each(|newborn| swarm.push(newborn));
+        }
+    }
+
+    pub fn hash_into(&self, hash: &mut Hash) {
+        self.owed.iter().for_each(|owed| hash.long(owed.to_bits()));
+        self.due.iter().for_each(|due| hash.long(*due));
+        hash.long(self.random.state());
+    }
+}
+
+/// A shedder in one step.
+struct Source<'s> {
+    shedder: &'s Shedder,
+    reach: Reach,
+    setting: &'s Setting<'s>,
+    /// Where the rigid is at the start and at the end of the step.
+    ends: [Frame; 2],
+    /// Velocity of the air (m/s) at the middle of the shedder.
+    air: Vector,
+    random: &'s mut Random,
+}
+
+impl<'s> Source<'s> {
+    fn new(
+        shedder: &'s Shedder,
+        reach: Reach,
+        motion: &Motion,
+        setting: &'s Setting<'s>,
+        random: &'s mut Random,
+    ) -> Self {
+        let frame = |fraction| frame(shedder, setting, fraction);
+        let middle = frame(0.5).world_from_local(single(shedder.position));
+        Self {
+            shedder,
+            reach,
+            setting,
+            ends: [frame(0.0), frame(1.0)],
+            air: motion.air_velocity(middle.into(), None).into(),
+            random,
+        }
+    }
+
+    /// One `moment` seconds after the start of the step, which for an alternating shedder stands at the second end
+    /// where `is_second`; none where it would hardly turn.
+    fn shed(&mut self, moment: f32, is_second: bool) -> Option<VortexParticle> {
+        let Shedder {
+            scatter,
+            jitter,
+            axis,
+            core_radius,
+            ..
+        } = *self.shedder;
+        let dt = self.setting.now.dt as f32;
+        let is_alternating = self.shedder.alternate == 1.0;
+        let side = match (is_alternating, is_second) {
+            (false, _) => self.random.signed(),
+            (true, false) => 1.0,
+            (true, true) => -1.0,
+        };
+        let extent = single(self.shedder.extent);
+        let local = single(self.shedder.position) + extent * side + self.within(scatter);
+        let axis = Vector::from(unit(axis));
+        let frame = frame(self.shedder, self.setting, moment / dt);
+        let place = frame.world_from_local(local);
+        let passing = self.air - self.velocity_of(local);
+        let sense = if is_alternating {
+            side * sense(frame.turned(axis), frame.turned(extent), passing)
+        } else {
+            1.0
+        };
+        let direction = frame.turned((axis + self.within(jitter)).unit_or(axis));
+        let speed = self.speed(place, passing);
+        (speed.abs() >= LEAST_SPEED).then(|| VortexParticle {
+            position: (place + self.air * (dt - moment)).into(),
+            swirl: (direction * (sense * speed / (PEAK * core_radius as f32))).into(),
+            core_radius: core_radius as f32,
+            viscosity: self.shedder.viscosity as f32,
+            age: dt - moment,
+            lifetime: self.shedder.lifetime as f32,
+        })
+    }
+
+    /// Fastest air (m/s) around what is shed at `place`, which the air passes with the velocity `passing`.
+    fn speed(&self, place: Vector, passing: Vector) -> f32 {
+        let mut weight = [f32x4::ZERO];
+        self.reach.weigh(&[Vector4::splat(place.into())], &mut weight);
+        let whole = self.shedder.strength as f32 + self.shedder.per_speed as f32 * passing.length();
+        (whole * weight[0].to_array()[0]).clamp(-MOST_SPEED, MOST_SPEED)
+    }
+
+    /// Velocity (m/s) of a place that moves with the rigid.
+    fn velocity_of(&self, local: Vector) -> Vector {
+        let [before, after] = self.ends.map(|frame| frame.world_from_local(local));
+        (after - before) * (1.0 / self.setting.now.dt as f32)
+    }
+
+    /// A random vector no longer than `radius`.
+    fn within(&mut self, radius: f64) -> Vector {
+        Vector::from(in_ball(self.random)) * radius as f32
+    }
+}
+
+fn frame(shedder: &Shedder, setting: &Setting, fraction: f32) -> Frame {
+    let pose = setting.now.ride(&shedder.scope, fraction);
+    Frame::new(&pose.unwrap_or(Pose::at(Vector::ZERO)))
+}
+
+/// 1 where at the end of `extent` the shear layer of the air that passes turns with `axis`, or where the air does not
+/// pass across, else -1.
+fn sense(axis: Vector, extent: Vector, passing: Vector) -> f32 {
+    let along = axis.dot(extent.cross(passing));
+    if along < -ACROSS * extent.length() * passing.length() {
+        -1.0
+    } else {
+        1.0
+    }
+}
+
+fn single(vector: [f64; 3]) -> Vector {
+    vector.map(|component| component as f32).into()
+}
