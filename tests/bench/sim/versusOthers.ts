@@ -39,7 +39,7 @@ export async function measureAgainstOthers(quick: boolean): Promise<Figure[]> {
 
 function planFor(size: number, quick: boolean): Plan {
   const rounds = quick || size === SIZES[3] ? 5 : 9;
-  return { rounds, share: quick ? 30 : 100, warming: quick ? 150 : 400, slice: 10, cost: 'mean' };
+  return { rounds, share: quick ? 30 : 100, warming: quick ? 300 : 600, slice: 10, cost: 'mean' };
 }
 
 function judge(costs: Costs, ways: Readonly<Record<string, number>>): Figure[] {

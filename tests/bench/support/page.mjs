@@ -5,8 +5,12 @@ import { createServer } from 'vite';
 import { inRoot } from '../../../scripts/lib/paths.mjs';
 import { CHROMIUM_FLAGS, findBrowser } from '../../../scripts/setup/browser.mjs';
 
-/** Heap sizes to the byte, and a collection when asked for: without them growth cannot be told from garbage. */
-const MEASURING_FLAGS = ['--enable-precise-memory-info', '--js-flags=--expose-gc'];
+/**
+ * Heap sizes to the byte, and a collection when asked for: without them growth cannot be told from garbage. WASM goes
+ * through the optimising compiler at once: its code is twice as fast, and on a busy machine the switch to it may come
+ * after the warming.
+ */
+const MEASURING_FLAGS = ['--enable-precise-memory-info', '--js-flags=--expose-gc --no-liftoff'];
 
 /**
  * @typedef {import('../../../scripts/bench/table.mjs').Figure} Figure
