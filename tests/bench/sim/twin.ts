@@ -18,10 +18,8 @@ const MIX = 0x2c1b3c6d;
 const SIDE = Math.fround(Math.sqrt(6));
 const HALF_WAVE = 2 ** 30;
 const WORLD_RADIUS = 10_000;
-/** Adding 1.5 * 2^52 leaves the nearest whole number in the low bits. */
-const MAGIC = 6_755_399_441_055_744;
-const DEEPEST_POWER = 120;
-const POWERS_OF_HALF = Float64Array.from({ length: DEEPEST_POWER + 1 }, (_, n) => 2 ** -n);
+/** Squared distance in core radii from which on a vortex is a free one. */
+const END_OF_CORE = 12.75;
 
 export class TwinSimulator {
   readonly particles: Particles;
@@ -220,22 +218,13 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
     const beyond = 1 - squared * perReach;
     if (beyond > 0) {
       const q = squared * perCore;
-      let dividend = turn * beyond * beyond * quarter;
-      let divisor = 1;
-      if (q < 0.01) {
-        dividend *= 1 - q * (0.5 - q * (1 / 6));
-      } else {
-        const exponent = (q < 80 ? q : 80) * Math.LOG2E;
-        const whole = exponent + MAGIC - MAGIC;
-        const f = whole - exponent;
-        const ff = f * f;
-        const series =
-          1 +
-          Math.LN2 * f +
-          ff * (0.2402265 + 0.05550411 * f + ff * (0.009618129 + 0.0013333558 * f + ff * 0.0001540353));
-        dividend *= 1 - series * POWERS_OF_HALF[whole];
-        divisor = q;
+      let divisor = q;
+      if (q < END_OF_CORE) {
+        const left = 1 - q / END_OF_CORE;
+        const square = left * left;
+        divisor += square * square * square * (1 + q * (-0.029029946 + q * (-0.024458739 + q * 0.0034428624)));
       }
+      const dividend = turn * beyond * beyond * quarter;
       const share = dividend / (divisor * divisor + dividend * dividend);
       const sine = divisor * share;
       const cosineLack = dividend * share;
