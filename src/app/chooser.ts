@@ -1,6 +1,6 @@
 import type { State } from '../preset/codec.ts';
 import { presets, presetValues, type Preset } from '../preset/presets.ts';
-import { create } from './dom.ts';
+import { create, createSvg } from './dom.ts';
 import type { Editor } from './editor.ts';
 import { strings } from './strings.ts';
 
@@ -28,14 +28,14 @@ function createOption(preset: Preset, input: HTMLInputElement): HTMLElement {
 /** A small puff as the preset draws it: its smoke, its shade, its ink. */
 function drawPuff(preset: Preset): SVGSVGElement {
   const values = presetValues(preset);
-  const puff = svg('svg', { viewBox: '0 0 32 24', class: 'puff', 'aria-hidden': 'true' });
+  const puff = createSvg('svg', { viewBox: '0 0 32 24', class: 'puff', 'aria-hidden': 'true' });
   const outline = 'M6 20a5 5 0 0 1-1-9.5 5.5 5.5 0 0 1 7-5.5 6.5 6.5 0 0 1 11.5 2 5 5 0 0 1 4 8.5A4 4 0 0 1 25 20z';
   const shade = 'M6 20a5 5 0 0 1-4-5c6 3 17 3 25.5-3a4.5 4.5 0 0 1-2.5 8z';
   const inkWidth = values['style.outlines'] === 1 ? Number(values['style.outlineWidth']) * 0.6 : 0;
   puff.append(
-    svg('path', { d: outline, fill: String(values['style.smokeColor']) }),
-    ...(values['style.tones'] === 1 ? [] : [svg('path', { d: shade, fill: '#3b2a6e', 'fill-opacity': '0.35' })]),
-    svg('path', {
+    createSvg('path', { d: outline, fill: String(values['style.smokeColor']) }),
+    ...(values['style.tones'] === 1 ? [] : [createSvg('path', { d: shade, fill: '#3b2a6e', 'fill-opacity': '0.35' })]),
+    createSvg('path', {
       d: outline,
       fill: 'none',
       stroke: String(values['style.inkColor']),
@@ -43,10 +43,4 @@ function drawPuff(preset: Preset): SVGSVGElement {
     }),
   );
   return puff;
-}
-
-function svg<Tag extends keyof SVGElementTagNameMap>(tag: Tag, attributes: Record<string, string>) {
-  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  return element;
 }

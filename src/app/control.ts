@@ -1,5 +1,6 @@
 import type { ChoiceParameter, NumberParameter, Parameter, Value } from '../preset/parameter.ts';
 import { isAccepted } from '../preset/values.ts';
+import { createCurve } from './curveControl.ts';
 import { create, uniqueId } from './dom.ts';
 import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from './slider.ts';
 import { strings } from './strings.ts';
@@ -28,6 +29,8 @@ export function createControl(parameter: Parameter, describedBy: string, listene
       return createChoice(parameter, describedBy, listener);
     case 'color':
       return createColor(describedBy, listener);
+    case 'curve':
+      return createCurve(describedBy, parameter.label, listener);
     default:
       return createNumber(parameter, describedBy, listener);
   }

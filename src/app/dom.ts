@@ -18,6 +18,18 @@ export function create<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** An element of a drawing. */
+export function createSvg<Tag extends keyof SVGElementTagNameMap>(
+  tag: Tag,
+  attributes: Readonly<Record<string, string | number>> = {},
+  ...children: Children
+): SVGElementTagNameMap[Tag] {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  element.append(...children);
+  return element;
+}
+
 /** A button with an icon and a name; the name is read aloud and shown by a tool tip. */
 export function iconButton(className: string, name: string, icon: Node, press: () => void): HTMLButtonElement {
   const button = create('button', { type: 'button', class: className, 'aria-label': name, title: name }, icon);

@@ -13,6 +13,10 @@ export const strings = {
     reset: (label: string) => `Reset ${label}`,
     exactly: (label: string) => `${label}, exact value`,
   },
+  curve: {
+    stop: (number: number, at: number, value: number) =>
+      `Stop ${number}: ${Math.round(100 * value)} % at ${Math.round(100 * at)} %`,
+  },
   items: {
     kind: 'What to add',
     add: 'Add',

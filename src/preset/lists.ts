@@ -31,7 +31,8 @@ interface List {
   readonly fields: readonly Field[];
 }
 
-const lists: Readonly<Record<string, List>> = source;
+/** The density over life is a list for the simulator and a curve for people: `emission.density`. */
+const { density: _curve, ...lists }: Readonly<Record<string, List>> = source;
 
 /** Names of the lists in their order. */
 export const listNames: readonly string[] = Object.keys(lists);

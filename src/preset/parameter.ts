@@ -3,6 +3,8 @@
  * element, the table of the README and the values that reach the simulator.
  */
 
+import { LEAST_STOPS, MOST_STOPS } from './curve.ts';
+
 /** A value as callers, links and the simulator see it: a number, the name of a choice, or `#rrggbb`. */
 export type Value = number | string;
 
@@ -61,7 +63,13 @@ export interface ColorParameter extends Described {
   readonly default: string;
 }
 
-export type Parameter = NumberParameter | ToggleParameter | ChoiceParameter | ColorParameter;
+/** A curve over 0..1, as stops `0:1,.5:.8,1:0` in the order of their places; values from 0 to 1, straight lines between. */
+export interface CurveParameter extends Described {
+  readonly kind: 'curve';
+  readonly default: string;
+}
+
+export type Parameter = CurveParameter | NumberParameter | ToggleParameter | ChoiceParameter | ColorParameter;
 
 /** What a parameter accepts, in words that end the sentence 'it takes ...'. */
 export function accepted(parameter: Parameter): string {
@@ -70,6 +78,8 @@ export function accepted(parameter: Parameter): string {
       return '0 or 1';
     case 'color':
       return 'a colour such as #f4efe6';
+    case 'curve':
+      return `${LEAST_STOPS} to ${MOST_STOPS} stops such as 0:1,.5:.8,1:0, places rising from 0 to 1, values from 0 to 1`;
     case 'choice':
       return parameter.options.map((option) => String(option.value)).join(', ');
     default: {

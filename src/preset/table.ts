@@ -55,10 +55,11 @@ function wind(axis: 'x' | 'y' | 'z', label: string, text: string): NumberParamet
 /** What a scene sets and anybody may change. */
 function ofScene(
   key: string,
+  group: string,
   rest: Named & Partial<NumberParameter> & { max: number; default: number },
 ): NumberParameter {
   const range = { min: 0, step: 0.05, slider: 'fine' } as const;
-  return { ...quantity(key, 'air', 'simulator', { ...range, ...rest }), isOptional: true };
+  return { ...quantity(key, group, 'simulator', { ...range, ...rest }), isOptional: true };
 }
 
 function toggle(name: string, label: string, text: string): ToggleParameter {
@@ -121,6 +122,23 @@ export const table: readonly Parameter[] = [
     slider: 'fine',
     label: 'Growth',
     text: 'How long a young puff takes to swell to full size; 0 is born full, as in the paper.',
+  }),
+  {
+    kind: 'curve',
+    key: 'emission.density',
+    group: 'emission',
+    reader: 'simulator',
+    label: 'Density',
+    text: 'How large a puff is over its life, from birth to death, where it always ends at nothing.',
+    default: '0:1,1:0',
+  },
+  ofScene('emission.entrainment', 'emission', {
+    max: 1,
+    default: 0,
+    slider: 'even',
+    step: 0.01,
+    label: 'Entrainment',
+    text: 'How much puffs swell on their way through the air.',
   }),
   quantity('puff.size', 'emission', 'simulator', {
     min: 0.1,
@@ -261,21 +279,21 @@ export const table: readonly Parameter[] = [
     label: 'Evolution',
     text: 'How fast the pattern of swirls changes.',
   }),
-  ofScene('gravity.acceleration', {
+  ofScene('gravity.acceleration', 'air', {
     max: 100,
     default: 0,
     unit: 'm/s\u00b2',
     label: 'Weight',
     text: 'How fast cold smoke falls.',
   }),
-  ofScene('buoyancy.acceleration', {
+  ofScene('buoyancy.acceleration', 'air', {
     max: 100,
     default: 1.5,
     unit: 'm/s\u00b2',
     label: 'Lift',
     text: 'How fast smoke at temperature 1 rises.',
   }),
-  ofScene('buoyancy.coolingTime', {
+  ofScene('buoyancy.coolingTime', 'air', {
     min: 0.01,
     max: 1000,
     default: 4,
@@ -283,28 +301,28 @@ export const table: readonly Parameter[] = [
     label: 'Cooling',
     text: 'How long warm smoke takes to lose two thirds of its warmth.',
   }),
-  ofScene('drag.rate', {
+  ofScene('drag.rate', 'air', {
     max: 1000,
     default: 1.5,
     unit: '1/s',
     label: 'Drag rate',
     text: 'How firmly the air of this scene takes smoke along.',
   }),
-  ofScene('drag.quadratic', {
+  ofScene('drag.quadratic', 'air', {
     max: 1000,
     default: 0,
     unit: '1/m',
     label: 'Quadratic drag',
     text: 'Drag that grows with speed: fast smoke is stopped first.',
   }),
-  ofScene('wind.gusts', {
+  ofScene('wind.gusts', 'air', {
     max: 20,
     default: 0,
     unit: 'm/s',
     label: 'Gusts',
     text: 'Typical (root mean square) speed of gusts along the wind.',
   }),
-  ofScene('wind.gustTime', {
+  ofScene('wind.gustTime', 'air', {
     min: 0.1,
     max: 60,
     default: 2,
@@ -312,7 +330,7 @@ export const table: readonly Parameter[] = [
     label: 'Gust time',
     text: 'How long a strong gust lasts.',
   }),
-  ofScene('wind.shear', {
+  ofScene('wind.shear', 'air', {
     min: -10,
     max: 10,
     default: 0,
@@ -320,7 +338,7 @@ export const table: readonly Parameter[] = [
     label: 'Wind shear',
     text: 'How much faster the wind is for each metre of height, as a share.',
   }),
-  ofScene('wind.height', {
+  ofScene('wind.height', 'air', {
     min: -1000,
     max: 1000,
     default: 0,

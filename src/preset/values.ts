@@ -1,4 +1,5 @@
 /** Values of the table: their defaults, the check for callers, and reading and writing them as text at the edge. */
+import { readCurve } from './curve.ts';
 import { ParameterError } from './errors.ts';
 import { notice, type Notice } from './notice.ts';
 import { accepted, type NumberParameter, type Parameter, type Value, type Values } from './parameter.ts';
@@ -41,6 +42,8 @@ export function isAccepted(parameter: Parameter, value: unknown): boolean {
       return parameter.options.some((option) => option.value === value);
     case 'color':
       return typeof value === 'string' && COLOR.test(value);
+    case 'curve':
+      return typeof value === 'string' && readCurve(value) !== undefined;
     case 'integer':
       return Number.isInteger(value) && isInRange(parameter, value as number);
     case 'number':
@@ -70,6 +73,7 @@ export function readText(
 function parse(parameter: Parameter, text: string): Value | undefined {
   if (parameter.kind === 'choice') return parameter.options.find(({ value }) => String(value) === text)?.value;
   if (parameter.kind === 'toggle') return text === '0' ? 0 : text === '1' ? 1 : undefined;
+  if (parameter.kind === 'curve') return readCurve(text) && text;
   const color = `#${text.replace(/^#/, '').toLowerCase()}`;
   return COLOR.test(color) ? color : undefined;
 }

@@ -1,3 +1,4 @@
+import { MOST_STOPS, readCurve } from '../preset/curve.ts';
 import type { Parameter, Value, Values } from '../preset/parameter.ts';
 import { findParameter, table } from '../preset/table.ts';
 import type { Simulator } from '../sim/simulator.ts';
@@ -7,7 +8,21 @@ export function simulatorValues(values: Values): Record<string, number> {
   const numbers: Record<string, number> = {};
   for (const [key, value] of Object.entries(values)) {
     const parameter = findParameter(key);
-    if (parameter?.reader === 'simulator') numbers[key] = numberOf(parameter, value);
+    if (parameter?.reader !== 'simulator') continue;
+    if (parameter.kind === 'curve') Object.assign(numbers, stopsOf(String(value)));
+    else numbers[key] = numberOf(parameter, value);
+  }
+  return numbers;
+}
+
+/** All places of the simulator's list, which never becomes shorter: what is left over repeats the last stop. */
+function stopsOf(curve: string): Record<string, number> {
+  const stops = readCurve(curve)!;
+  const numbers: Record<string, number> = {};
+  for (let index = 0; index < MOST_STOPS; index++) {
+    const { at, value } = stops[Math.min(index, stops.length - 1)];
+    numbers[`density.${index}.age`] = at;
+    numbers[`density.${index}.value`] = value;
   }
   return numbers;
 }

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { decode, defaultState, encode, type State } from '../../src/preset/codec.ts';
+import { writeCurve } from '../../src/preset/curve.ts';
 import { DECODED_LIMIT, pack } from '../../src/preset/packing.ts';
 import type { Parameter, Value, Values } from '../../src/preset/parameter.ts';
 import { defaultPreset, presets, presetValues } from '../../src/preset/presets.ts';
@@ -12,6 +13,16 @@ function withChanges(preset: string, changes: Values): State {
   return { preset, values: { ...base, ...changes } };
 }
 
+const anyCurve = fc
+  .uniqueArray(fc.integer({ min: 0, max: 1000 }), { minLength: 2, maxLength: 8 })
+  .chain((places) =>
+    fc.tuple(
+      fc.constant(places.toSorted((a, b) => a - b)),
+      fc.array(fc.integer({ min: 0, max: 1000 }), { minLength: places.length, maxLength: places.length }),
+    ),
+  )
+  .map(([places, values]) => writeCurve(places.map((at, index) => ({ at: at / 1000, value: values[index] / 1000 }))));
+
 /** Any value that a link may carry for this row. */
 function anyValue(parameter: Parameter): fc.Arbitrary<Value> {
   switch (parameter.kind) {
@@ -21,6 +32,8 @@ function anyValue(parameter: Parameter): fc.Arbitrary<Value> {
       return fc.constantFrom(...parameter.options.map(({ value }) => value));
     case 'color':
       return fc.integer({ min: 0, max: 0xffffff }).map((color) => `#${color.toString(16).padStart(6, '0')}`);
+    case 'curve':
+      return anyCurve;
     case 'integer':
       return fc.integer({ min: parameter.min, max: parameter.linkMax ?? parameter.max });
     case 'number':

@@ -12,6 +12,8 @@ function range(parameter: Parameter): string {
       return '0, 1';
     case 'color':
       return 'colour';
+    case 'curve':
+      return 'curve';
     case 'choice':
       return parameter.options.map(({ value }) => value).join(', ');
     default:

@@ -45,6 +45,12 @@ pub struct Curve {
     count: usize,
 }
 
+/// Whether the stops say no more than what holds without them.
+fn is_law_of_paper(stops: &[Stop]) -> bool {
+    let reaches = |age: f64| stops.iter().any(|stop| stop.age == age);
+    reaches(0.0) && reaches(1.0) && stops.iter().all(|stop| stop.value == 1.0 - stop.age)
+}
+
 /// From the age `from` on, over `width`, the density changes by `slope` per life.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Rise {
@@ -54,8 +60,11 @@ struct Rise {
 }
 
 impl Curve {
-    /// The curve through `stops`; none where there are none.
+    /// The curve through `stops`; none where there are none, or where they say what holds without them.
     pub fn new(stops: &[Stop]) -> Option<Self> {
+        if stops.is_empty() || is_law_of_paper(stops) {
+            return None;
+        }
         let mut sorted = [Stop::default(); LIST_LIMIT];
         let sorted = &mut sorted[..stops.len()];
         sorted.copy_from_slice(stops);

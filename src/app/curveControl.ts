@@ -1,0 +1,110 @@
+import { LEAST_STOPS, MOST_STOPS, readCurve, writeCurve, type Stop } from '../preset/curve.ts';
+import type { Control, ControlListener } from './control.ts';
+import { create, createSvg, uniqueId } from './dom.ts';
+import { strings } from './strings.ts';
+
+const [WIDTH, HEIGHT, MARGIN] = [240, 96, 8];
+const STEP = 0.02;
+/** Stops do not come nearer to each other than this. */
+const LEAST_GAP = 0.02;
+
+const ARROWS: Readonly<Record<string, readonly [at: number, value: number]>> = {
+  ArrowLeft: [-STEP, 0],
+  ArrowRight: [STEP, 0],
+  ArrowDown: [0, -STEP],
+  ArrowUp: [0, STEP],
+};
+
+/** A curve to draw on: stops are dragged, or moved with the arrow keys; a press on the free plane adds one, Delete takes one. */
+export function createCurve(describedBy: string, label: string, listener: ControlListener): Control {
+  const id = uniqueId();
+  const line = createSvg('polyline', { class: 'curve-line' });
+  const plane = createSvg('rect', { class: 'curve-plane', x: 0, y: 0, width: WIDTH, height: HEIGHT });
+  const handles = createSvg('g', {});
+  const box = `${-MARGIN} ${-MARGIN} ${WIDTH + 2 * MARGIN} ${HEIGHT + 2 * MARGIN}`;
+  const drawing = createSvg(
+    'svg',
+    { id, class: 'curve', viewBox: box, role: 'group', 'aria-label': label },
+    plane,
+    line,
+    handles,
+  );
+  drawing.setAttribute('aria-describedby', describedBy);
+  let stops: readonly Stop[] = [];
+  let held = -1;
+  const change = (next: readonly Stop[]) => listener.change(writeCurve(next));
+
+  plane.addEventListener('pointerdown', (event) => {
+    if (stops.length === MOST_STOPS) return;
+    const stop = pointed(drawing, event);
+    const index = stops.findIndex(({ at }) => at > stop.at);
+    held = index < 0 ? stops.length : index;
+    change(moved([...stops.slice(0, held), stop, ...stops.slice(held)], held, stop));
+    drawing.setPointerCapture(event.pointerId);
+  });
+  drawing.addEventListener('pointermove', (event) => {
+    if (held >= 0) change(moved(stops, held, pointed(drawing, event)));
+  });
+  const release = () => {
+    if (held >= 0) listener.settle();
+    held = -1;
+  };
+  drawing.addEventListener('pointerup', release);
+  drawing.addEventListener('pointercancel', release);
+
+  const handleOf = (index: number): SVGElement => {
+    const handle = createSvg('circle', { class: 'curve-stop', r: 6, tabindex: 0, role: 'button' });
+    handle.addEventListener('pointerdown', (event) => {
+      held = index;
+      drawing.setPointerCapture(event.pointerId);
+    });
+    handle.addEventListener('keydown', (event) => {
+      const way = ARROWS[event.key];
+      const { at, value } = stops[index];
+      if (way) change(moved(stops, index, { at: at + way[0], value: value + way[1] }));
+      else if (event.key !== 'Delete' || stops.length === LEAST_STOPS) return;
+      else change(stops.filter((_, other) => other !== index));
+      event.preventDefault();
+      event.stopPropagation();
+    });
+    handle.addEventListener('keyup', () => listener.settle());
+    return handle;
+  };
+
+  const show = (text: string | number) => {
+    stops = readCurve(String(text)) ?? [];
+    while (handles.childElementCount > stops.length) handles.lastElementChild!.remove();
+    while (handles.childElementCount < stops.length) handles.append(handleOf(handles.childElementCount));
+    line.setAttribute('points', pointsOf(stops));
+    stops.forEach(({ at, value }, index) => {
+      const handle = handles.children[index];
+      handle.setAttribute('cx', String(at * WIDTH));
+      handle.setAttribute('cy', String((1 - value) * HEIGHT));
+      handle.setAttribute('aria-label', strings.curve.stop(index + 1, at, value));
+    });
+  };
+  return { elements: [create('div', { class: 'curve-holder' }, drawing)], id, show };
+}
+
+/** The stop where a pointer is. */
+function pointed(drawing: SVGElement, { clientX, clientY }: PointerEvent): Stop {
+  const box = drawing.getBoundingClientRect();
+  const across = ((clientX - box.left) / box.width) * (WIDTH + 2 * MARGIN) - MARGIN;
+  const down = ((clientY - box.top) / box.height) * (HEIGHT + 2 * MARGIN) - MARGIN;
+  return { at: across / WIDTH, value: 1 - down / HEIGHT };
+}
+
+/** The stops with one of them moved, between its neighbours and within the plane. */
+export function moved(stops: readonly Stop[], index: number, { at, value }: Stop): Stop[] {
+  const least = index === 0 ? 0 : stops[index - 1].at + LEAST_GAP;
+  const most = index === stops.length - 1 ? 1 : stops[index + 1].at - LEAST_GAP;
+  const stop = { at: Math.max(least, Math.min(most, at)), value: Math.max(0, Math.min(1, value)) };
+  return stops.map((other, number) => (number === index ? stop : other));
+}
+
+/** The line goes on level before the first stop and after the last. */
+function pointsOf(stops: readonly Stop[]): string {
+  const [first, last] = [stops[0], stops[stops.length - 1]];
+  const all = [{ at: 0, value: first.value }, ...stops, { at: 1, value: last.value }];
+  return all.map(({ at, value }) => `${at * WIDTH},${(1 - value) * HEIGHT}`).join(' ');
+}

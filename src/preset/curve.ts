@@ -1,0 +1,34 @@
+/** Curves as text: stops `0:1,.5:.8,1:0`, each a place and a value, both from 0 to 1, the places rising. */
+
+/** A place on a curve and its value there, both 0..1. */
+export interface Stop {
+  readonly at: number;
+  readonly value: number;
+}
+
+export const LEAST_STOPS = 2;
+/** As many as the simulator takes. */
+export const MOST_STOPS = 8;
+
+const NUMBER = /^(0|1|0?\.\d+|1\.0+|0\.0*)$/;
+
+/** The stops of a curve; undefined where the text is none. */
+export function readCurve(text: string): Stop[] | undefined {
+  const stops = text.split(',').map(readStop);
+  if (stops.length < LEAST_STOPS || stops.length > MOST_STOPS) return undefined;
+  if (!stops.every((stop) => stop !== undefined)) return undefined;
+  const isRising = stops.every(({ at }, index) => index === 0 || at > stops[index - 1].at);
+  return isRising ? stops : undefined;
+}
+
+function readStop(text: string): Stop | undefined {
+  const parts = text.trim().split(':');
+  if (parts.length !== 2 || !parts.every((part) => NUMBER.test(part))) return undefined;
+  return { at: Number(parts[0]), value: Number(parts[1]) };
+}
+
+/** The text of a curve, three digits behind the point, without the zero before it. */
+export function writeCurve(stops: readonly Stop[]): string {
+  const short = (number: number) => String(Number(number.toFixed(3))).replace(/^0\./, '.');
+  return stops.map(({ at, value }) => `${short(at)}:${short(value)}`).join(',');
+}
