@@ -167,7 +167,9 @@ impl Motion {
 
     #[inline(always)]
     fn air_and_slip(&self, tile: &mut Tile) {
-        if tile.is_pushed {
+        if tile.is_dragged {
+            self.push_and_drag(tile);
+        } else if tile.is_pushed {
             self.push(tile);
         } else {
             self.glide(tile);
@@ -202,8 +204,26 @@ impl Motion {
         }
     }
 
-    /// Slip where each particle has an acceleration and a rate of drag of its own.
+    /// Slip where each particle has an acceleration of its own.
     fn push(&self, tile: &mut Tile) {
+        let Factors { kept, first, second } = self.drag;
+        let Columns {
+            slip,
+            slipped,
+            push,
+            heat,
+            ..
+        } = tile.columns();
+        for (block, slip) in slip.iter_mut().enumerate() {
+            let mut push = push[block];
+            push.y += self.lift.acceleration(heat[block]);
+            slipped[block] = *slip * first + push * second;
+            *slip = *slip * kept + push * first;
+        }
+    }
+
+    /// Slip where each particle has an acceleration and a rate of drag of its own.
+    fn push_and_drag(&self, tile: &mut Tile) {
         let dt = self.dt;
         let Columns {
             slip,

@@ -16,8 +16,10 @@ pub struct Tile {
     pub dt: f32,
     /// Whether the air is asked for its velocity at the places themselves, not for its mean over the step.
     pub is_instant: bool,
-    /// Whether a force has written into `push` or `resistance`, which are all zero otherwise.
+    /// Whether a force has written into `push`, which is all zero otherwise.
     pub is_pushed: bool,
+    /// Whether a force has written into `resistance`, which is all zero otherwise.
+    pub is_dragged: bool,
     place: [Vector4; TILE_BLOCKS],
     ahead: [Vector4; TILE_BLOCKS],
     flow: [Vector4; TILE_BLOCKS],
@@ -61,6 +63,7 @@ impl Tile {
             dt,
             is_instant,
             is_pushed: false,
+            is_dragged: false,
             place: vectors,
             ahead: vectors,
             flow: vectors,
@@ -88,8 +91,11 @@ impl Tile {
         self.len = len;
         if self.is_pushed {
             self.push = [Vector4::zero(); TILE_BLOCKS];
-            self.resistance = [f32x4::ZERO; TILE_BLOCKS];
             self.is_pushed = false;
+        }
+        if self.is_dragged {
+            self.resistance = [f32x4::ZERO; TILE_BLOCKS];
+            self.is_dragged = false;
         }
         let column = |column| &blocks(column, first + len)[first..];
         let vector = |x, y, z| (column(x), column(y), column(z));

@@ -81,7 +81,7 @@ impl Force for Drag {
     }
 
     fn act(kernels: &[Kernel], tile: &mut Tile) {
-        tile.is_pushed = true;
+        tile.is_dragged = true;
         let Columns {
             ahead,
             slip,
