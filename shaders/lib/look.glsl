@@ -11,3 +11,8 @@ float ageOf(uvec2 look) {
 int variationOf(uvec2 look) {
   return int(look.y & 0xffu);
 }
+
+// 0 for none, else 1 to 15.
+int tintOf(uvec2 look) {
+  return int(look.y >> 24u);
+}

@@ -44,6 +44,10 @@ export interface RigidDescription {
   friction?: number;
   /** kg/m3, default 1000; for dynamic rigids. */
   density?: number;
+  /** What becomes of smoke that touches it: it bounces (default), dies, or goes on with a tint. */
+  action?: 'bounce' | 'kill' | 'tint';
+  /** The tint that it gives, 1 (default) to 15. */
+  tint?: number;
   /** Within this distance of the moving surface air is dragged along with it; metres, 0 (default) to 10. */
   boundaryLayer?: number;
   /** How strongly smoke pushes a dynamic rigid: 0 (default) not at all, 1 as air would, up to 10. */
@@ -59,6 +63,7 @@ export type RigidArguments = [numbers: Float32Array, vertices: Float32Array, ind
 
 const KINDS: readonly string[] = ['fixed', 'kinematic', 'dynamic'];
 const SHAPES: readonly string[] = ['ball', 'cuboid', 'capsule', 'cylinder', 'convexHull', 'trimesh'];
+const ACTIONS: readonly string[] = ['bounce', 'kill', 'tint'];
 const ORIGIN = [0, 0, 0];
 
 /** @throws ParameterError when the kind or the shape has no such name; numbers are judged by the simulator. */
@@ -70,6 +75,8 @@ export function rigidArguments(description: RigidDescription): RigidArguments {
     description.restitution ?? 0,
     description.friction ?? 0.5,
     description.density ?? 1000,
+    indexOf(ACTIONS, 'rigid.action', description.action ?? 'bounce'),
+    description.tint ?? 1,
     description.boundaryLayer ?? 0,
     description.feelsSmoke ?? 0,
     ...spinNumbers(description.spin),

@@ -4,7 +4,7 @@
  * place: four float32: world x, y, z in metres at the view's blend, and the radius in metres.
  * look: two uint32.
  *   word 0: bits 0-15 roll as a fraction of a turn; bits 16-31 age as a fraction of the lifetime.
- *   word 1: byte 0 variation; byte 1 seed; byte 2 temperature in steps of 4/255; byte 3 zero.
+ *   word 1: byte 0 variation; byte 1 seed; byte 2 temperature in steps of 4/255; byte 3 tint, 0 for none.
  *
  * The same numbers stand in Rust; `tests/unit/simRows.test.ts` compares them with what the WASM reports.
  */
@@ -42,6 +42,8 @@ export interface Look {
   seed: number;
   /** 0 to {@link LOOK_TEMPERATURE_MAX}. */
   temperature: number;
+  /** 1 to 15 for what touched a collider that tints, else 0. */
+  tint: number;
 }
 
 /** Unpacks row `index` of a look array; for tests and tools, the shaders do the same for themselves. */
@@ -54,5 +56,6 @@ export function readLook(look: Uint32Array, index: number): Look {
     variation: kind & 0xff,
     seed: (kind >>> 8) & 0xff,
     temperature: (((kind >>> 16) & 0xff) / 0xff) * LOOK_TEMPERATURE_MAX,
+    tint: kind >>> 24,
   };
 }

@@ -4,6 +4,7 @@
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type * as Bindings from './wasm/core/bindings.js';
 import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';
+import { jointNumbers, type JointDescription } from './joint.ts';
 import { poseNumbers } from './pose.ts';
 import { rigidArguments, type RigidDescription } from './rigid.ts';
 import { pathNumbers, spinNumbers, type RigidPath, type RigidSpin } from './rigidPath.ts';
@@ -69,6 +70,12 @@ export class Simulator {
   addRigid(description: RigidDescription): number {
     const rigid = rigidArguments(description);
     return this.#attempt(() => this.#handle.addRigid(...rigid));
+  }
+
+  /** Joins two rigids and returns the joint's index. */
+  addJoint(description: JointDescription): number {
+    const numbers = jointNumbers(description);
+    return this.#attempt(() => this.#handle.addJoint(numbers));
   }
 
   /**

@@ -7,7 +7,7 @@ use crate::simulator::Simulator;
 
 #[cfg(feature = "rigids")]
 mod with_rapier {
-    use sim::rigids::{Grab, Path, RigidDescription, RigidNumbers, Rigids, pose_of};
+    use sim::rigids::{Grab, JointDescription, Path, RigidDescription, RigidNumbers, Rigids, pose_of};
     use wasm_bindgen::JsValue;
 
     use crate::refusal::parameter_refusal;
@@ -40,6 +40,11 @@ mod with_rapier {
     ) -> Result<(), JsValue> {
         let grab = Grab::from_numbers(anchor, target, stiffness).map_err(parameter_refusal)?;
         rigids.drag(index, grab).map_err(parameter_refusal)
+    }
+
+    pub fn join(rigids: &mut Rigids, numbers: &[f32]) -> Result<u32, JsValue> {
+        let joint = JointDescription::from_numbers(numbers).map_err(parameter_refusal)?;
+        rigids.add_joint(&joint).map_err(parameter_refusal)
     }
 
     pub fn release(rigids: &mut Rigids, index: u32) -> Result<(), JsValue> {
@@ -149,6 +154,16 @@ impl Simulator {
     pub fn release_rigid(&mut self, index: u32) -> Result<(), JsValue> {
         #[cfg(feature = "rigids")]
         return with_rapier::release(self.simulator.rigids_mut(), index);
+        #[cfg(not(feature = "rigids"))]
+        Err(without_rapier())
+    }
+
+    /// Joins two rigids and returns the joint's index; `sim::rigids::joints` tells what the numbers mean.
+    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[wasm_bindgen(js_name = addJoint)]
+    pub fn add_joint(&mut self, numbers: &[f32]) -> Result<u32, JsValue> {
+        #[cfg(feature = "rigids")]
+        return with_rapier::join(self.simulator.rigids_mut(), numbers);
         #[cfg(not(feature = "rigids"))]
         Err(without_rapier())
     }

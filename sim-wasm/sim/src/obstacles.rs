@@ -1,5 +1,6 @@
 //! From the parameters `colliders.#.*` to analytic colliders.
 
+use crate::collide::contact::Action;
 use crate::collide::{AnalyticCollider, ColliderShape};
 use crate::forces::unit;
 use crate::parameters::field::{DIRECTION, Field, LENGTH, PLACE, SHARE, number, vector};
@@ -16,6 +17,8 @@ pub struct Collider {
     pub radius: f64,
     pub restitution: f64,
     pub friction: f64,
+    pub action: f64,
+    pub tint: f64,
 }
 
 impl Item for Collider {
@@ -37,6 +40,12 @@ impl Item for Collider {
             .says("Bounce", "Share of the speed with which smoke comes back."),
         number("friction", "1", SHARE, 0.2, |c: &mut Self| &mut c.friction)
             .says("Friction", "Share of the speed along it that smoke loses."),
+        number("action", "1", [0.0, 2.0], 0.0, |c: &mut Self| &mut c.action)
+            .named(&["bounce", "kill", "tint"])
+            .says("Touch", "What becomes of smoke that touches it."),
+        number("tint", "1", [1.0, 15.0], 1.0, |c: &mut Self| &mut c.tint)
+            .whole()
+            .says("Tint", "The tint that it gives, where touching tints."),
     ];
 }
 
@@ -55,6 +64,7 @@ fn collider(parameters: &Collider) -> AnalyticCollider {
         radius: parameters.radius as f32,
         restitution: parameters.restitution as f32,
         friction: parameters.friction as f32,
+        action: Action::from_numbers(parameters.action as u8, parameters.tint as u8),
     }
 }
 

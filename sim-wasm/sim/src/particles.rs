@@ -30,7 +30,7 @@ pub struct Particles {
     pub size: Vec<f32>,
     /// Heat above the air's, 0 and up; buoyancy acts on it.
     pub temperature: Vec<f32>,
-    /// Bits 0-7 variation, 8-15 seed byte, 16-31 roll at birth as a fraction of a turn. Fixed at birth.
+    /// Bits 0-7 variation, 8-15 seed byte, 16-27 roll at birth in 4,096ths of a turn, fixed at birth; 28-31 tint, 0: none.
     pub look: Vec<u32>,
     alive: usize,
     capacity: usize,
@@ -183,4 +183,9 @@ impl Particles {
         resized.set_alive(kept.len());
         resized
     }
+}
+
+/// Gives a particle's look a tint, 0..=15.
+pub(crate) fn tint_look(look: &mut u32, tint: u8) {
+    *look = *look & 0x0fff_ffff | u32::from(tint & 15) << 28;
 }

@@ -3,7 +3,7 @@
 //! `place`, four f32: x, y, z in world space (m), radius (m), blended between the steps.
 //! `look`, two u32: word 0 = roll (bits 0-15, fraction of a turn times 65,536, with a slow spin by age) and
 //! age / lifetime (bits 16-31, times 65,535); word 1 = variation (bits 0-7), seed byte (8-15), temperature (16-23,
-//! 255 stands for 4), 0 (24-31).
+//! 255 stands for 4), tint (24-31, 0: none).
 
 use crate::life::RadiusLaw;
 use crate::particles::Particles;
@@ -46,10 +46,10 @@ impl Moment {
     pub fn look(&self, particles: &Particles, i: usize) -> [u32; 2] {
         let look = particles.look[i];
         let age = self.age(particles, i);
-        let roll = (look >> 16).wrapping_add(spin(look, age)) & 0xffff;
+        let roll = (look >> 12 & 0xfff0).wrapping_add(spin(look, age)) & 0xffff;
         let worn = fraction(age / particles.lifetime[i], 65_535.0);
         let heat = fraction(particles.temperature[i] / GREATEST_TEMPERATURE, 255.0);
-        [roll | worn << 16, look & 0xffff | heat << 16]
+        [roll | worn << 16, look & 0xffff | heat << 16 | look >> 28 << 24]
     }
 }
 

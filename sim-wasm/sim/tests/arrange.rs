@@ -182,7 +182,7 @@ fn what_left_the_world_leaves_no_row_behind() {
 #[test]
 fn looks_are_packed_as_documented() {
     let mut simulator = simulator(3, 1, &[STILL, FULL]);
-    let look = 3 | 200 << 8 | 0x4000 << 16;
+    let look = 3 | 200 << 8 | 0x400 << 16 | 9 << 28;
     for (age, temperature) in [(0.0, 0.0), (10.0, 1.0), (30.0, 9.0)] {
         simulator.add(&Newborn {
             look,
@@ -197,7 +197,7 @@ fn looks_are_packed_as_documented() {
     let expected = |age: f32, heat: u32| {
         [
             (spin(age) & 0xffff) | ((age / 40.0 * 65_535.0 + 0.5) as u32) << 16,
-            3 | 200 << 8 | heat << 16,
+            3 | 200 << 8 | heat << 16 | 9 << 24,
         ]
     };
     assert_eq!(

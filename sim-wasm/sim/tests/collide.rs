@@ -19,6 +19,7 @@ const GROUND: AnalyticCollider = AnalyticCollider {
     radius: 0.5,
     restitution: 0.0,
     friction: 0.0,
+    action: sim::collide::contact::Action::Bounce,
 };
 
 struct Probe {

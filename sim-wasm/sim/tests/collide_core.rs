@@ -29,6 +29,7 @@ fn obstacle<C: Collider + std::fmt::Debug>(shape: C, random: &mut Random, speed:
         material: Material {
             restitution: 0.3,
             friction: 0.2,
+            action: sim::collide::contact::Action::Bounce,
         },
         shape,
     }

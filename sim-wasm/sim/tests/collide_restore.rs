@@ -131,6 +131,8 @@ fn no_description_makes_the_world_panic_or_move_to_nowhere() {
             0.5,
             0.5,
             100.0,
+            (k % 3) as f32,
+            (1 + k % 15) as f32,
             0.1,
             1.0,
             0.0,

@@ -1,6 +1,6 @@
 //! Resting obstacles in closed form, as the parameters `colliders.#.*` describe them.
 
-use super::contact::{Material, Obstacle};
+use super::contact::{Action, Material, Obstacle};
 use super::core::Core;
 use super::motion::Motion;
 use super::shapes::{Ball, Capsule, Collider, Cuboid, HalfSpace, Nearest};
@@ -35,6 +35,7 @@ pub struct AnalyticCollider {
     pub restitution: f32,
     /// Share of the tangential velocity that is lost, 0..1.
     pub friction: f32,
+    pub action: Action,
 }
 
 /// The shape of a resting obstacle in its own space.
@@ -59,6 +60,7 @@ impl AnalyticCollider {
         let material = Material {
             restitution: self.restitution,
             friction: self.friction,
+            action: self.action,
         };
         Obstacle {
             shape,

@@ -17,13 +17,38 @@ const QUARTER_TURN_PIECES: f32 = 8.0;
 /// Overlap that counts as none, as a share of the radius; well below what can be seen.
 const TOLERANCE: f32 = 1e-3;
 
-/// How a surface treats what hits it; both 0..1.
+/// What becomes of a particle that touches a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Action {
+    /// It bounces.
+    #[default]
+    Bounce,
+    /// It dies at once.
+    Kill,
+    /// It goes on, tinted by this number, 1..=15.
+    Tint(u8),
+}
+
+impl Action {
+    /// The action of these numbers: 0 bounce, 1 kill, 2 tint.
+    pub fn from_numbers(action: u8, tint: u8) -> Self {
+        match action {
+            0 => Self::Bounce,
+            1 => Self::Kill,
+            _ => Self::Tint(tint),
+        }
+    }
+}
+
+/// How a surface treats what hits it; the shares are 0..1.
 #[derive(Clone, Copy, Debug)]
 pub struct Material {
     /// Share of the normal velocity that comes back.
     pub restitution: f32,
     /// Share of the tangential velocity that is lost.
     pub friction: f32,
+    /// Restitution and friction matter only where particles bounce.
+    pub action: Action,
 }
 
 /// A shape on its way through one step.

@@ -15,11 +15,11 @@ pub(crate) mod survey;
 pub use analytic::{AnalyticCollider, ColliderShape};
 
 use crate::life::RadiusLaw;
-use crate::particles::Particles;
+use crate::particles::{Particles, tint_look};
 #[cfg(feature = "rigids")]
 use crate::rigids::Rigids;
 use analytic::AnalyticShape;
-use contact::{Obstacle, Pass, Traveller};
+use contact::{Action, Obstacle, Pass, Traveller};
 use passer::Passer;
 use space::{Vector, WideBounds};
 use survey::{Sight, Ways};
@@ -100,7 +100,17 @@ pub fn resolve(
 
 fn resolve_one(particles: &mut Particles, i: usize, obstacles: &Obstacles, traveller: Traveller, near: &[u32]) {
     let mut pushed = traveller;
-    if obstacles.meet(&mut pushed, near) {
+    let touched = obstacles.meet(&mut pushed, near);
+    obstacles.sense(
+        particles,
+        i,
+        &Traveller {
+            to: pushed.to,
+            ..traveller
+        },
+        near,
+    );
+    if touched {
         [particles.x[i], particles.y[i], particles.z[i]] = pushed.to.into();
         if traveller.began <= 1.0 - SHORTEST_WAY {
             let change = pushed.velocity - traveller.velocity;
@@ -185,7 +195,8 @@ impl Obstacles<'_> {
         for pass in PASSES {
             let mut again = false;
             for &index in near {
-                again |= self.meet_one(index as usize, traveller, pass);
+                let bounces = self.action(index as usize) == Action::Bounce;
+                again |= bounces && self.meet_one(index as usize, traveller, pass);
             }
             if !again {
                 break;
@@ -193,6 +204,32 @@ impl Obstacles<'_> {
             touched = true;
         }
         touched
+    }
+
+    /// Kills or tints particle `i` if it touches an obstacle that does so on its way, which bounces have bent.
+    fn sense(&self, particles: &mut Particles, i: usize, traveller: &Traveller, near: &[u32]) {
+        for &index in near {
+            let index = index as usize;
+            let action = self.action(index);
+            if action == Action::Bounce || !self.meet_one(index, &mut { *traveller }, Pass::First) {
+                continue;
+            }
+            match action {
+                Action::Tint(tint) => tint_look(&mut particles.look[i], tint),
+                // Ageing buries what has lived its time.
+                _ => particles.age[i] = particles.lifetime[i],
+            }
+        }
+    }
+
+    fn action(&self, index: usize) -> Action {
+        match self.analytic.get(index) {
+            Some(obstacle) => obstacle.material.action,
+            #[cfg(feature = "rigids")]
+            None => self.rigids.obstacle(index - self.analytic.len()).material.action,
+            #[cfg(not(feature = "rigids"))]
+            None => unreachable!("only analytic colliders are found near"),
+        }
     }
 
     fn meet_one(&self, index: usize, traveller: &mut Traveller, pass: Pass) -> bool {

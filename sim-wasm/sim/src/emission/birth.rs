@@ -88,5 +88,5 @@ fn vary(value: f64, variation: f64, random: &mut Random) -> f32 {
 /// Variation, seed byte and roll, packed as [`Particles`] documents.
 fn look(variations: u32, random: &mut Random) -> u32 {
     let variation = random.below(variations);
-    variation | (random.bits() >> 24) << 8 | (random.bits() >> 16) << 16
+    variation | (random.bits() >> 24) << 8 | (random.bits() >> 20) << 16
 }

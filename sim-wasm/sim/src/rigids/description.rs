@@ -1,6 +1,7 @@
 //! What a rigid is made of, and the ranges of what callers give.
 
 use super::path::Path;
+use crate::collide::contact::Action;
 use crate::collide::space::{Pose, Vector};
 use crate::error::ParameterError;
 
@@ -73,6 +74,8 @@ pub struct RigidDescription {
     pub friction: f32,
     /// kg/m3, 0.01..100,000.
     pub density: f32,
+    /// What becomes of particles that touch it; other rigids bump into it all the same.
+    pub action: Action,
     /// Within this distance (m) air is dragged along with the moving surface, 0..10; 0: none is.
     pub boundary_layer: f32,
     /// How strongly smoke pushes a dynamic rigid, 0..10; 0: not at all, 1: as air would.
@@ -110,6 +113,7 @@ impl RigidDescription {
             restitution: 0.0,
             friction: 0.5,
             density: 1000.0,
+            action: Action::Bounce,
             boundary_layer: 0.0,
             feels_smoke: 0.0,
             spin: Spin::NONE,

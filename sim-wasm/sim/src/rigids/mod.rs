@@ -145,6 +145,7 @@ impl Rigids {
         let material = Material {
             restitution: description.restitution,
             friction: description.friction,
+            action: description.action,
         };
         let motion = Motion::resting(pose);
         let bounds = motion.bounds_of(&own);

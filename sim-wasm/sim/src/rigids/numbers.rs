@@ -1,7 +1,7 @@
 //! Rigids as flat numbers: how they cross a language boundary and how they are saved.
 //!
 //! `numbers`: kind (0 fixed, 1 kinematic, 2 dynamic); position x, y, z and quaternion x, y, z, w; restitution, friction,
-//! density, boundary layer, feels smoke; the axis of the spin x, y, z and its rate; the count of parts, 0 for a single
+//! density, action (0 bounce, 1 kill, 2 tint) and tint, boundary layer, feels smoke; the axis of the spin x, y, z and its rate; the count of parts, 0 for a single
 //! shape that is no compound. Then for each part: shape (0 ball, 1 cuboid, 2 capsule, 3 cylinder, 4 convex hull,
 //! 5 trimesh), how many dimensions, vertex numbers and indices it has, its pose in the rigid (7, as above), and its
 //! dimensions. Ball: radius. Cuboid: half extents. Capsule and cylinder: half height, radius. Hull and trimesh: none.
@@ -13,6 +13,7 @@ use super::description::{
 };
 use super::path::Path;
 use super::pose_numbers;
+use crate::collide::contact::Action;
 use crate::collide::space::{Pose, Vector};
 use crate::error::ParameterError;
 
@@ -55,6 +56,7 @@ impl RigidDescription {
         let restitution = ranged("rigid.restitution", reader.number()?, (0.0, 1.0))?;
         let friction = ranged("rigid.friction", reader.number()?, (0.0, 1.0))?;
         let density = ranged("rigid.density", reader.number()?, DENSITIES)?;
+        let action = reader.action()?;
         let boundary_layer = ranged("rigid.boundaryLayer", reader.number()?, LAYERS)?;
         let feels_smoke = ranged("rigid.feelsSmoke", reader.number()?, FEELINGS)?;
         let spin = reader.spin()?;
@@ -65,6 +67,7 @@ impl RigidDescription {
             restitution,
             friction,
             density,
+            action,
             boundary_layer,
             feels_smoke,
             spin,
@@ -85,6 +88,11 @@ impl RigidDescription {
         });
         flat.numbers.extend(pose_numbers(&self.pose));
         flat.numbers.extend([self.restitution, self.friction, self.density]);
+        flat.numbers.extend(match self.action {
+            Action::Bounce => [0.0, 1.0],
+            Action::Kill => [1.0, 1.0],
+            Action::Tint(tint) => [2.0, f32::from(tint)],
+        });
         flat.numbers.extend([self.boundary_layer, self.feels_smoke]);
         flat.numbers.extend(<[f32; 3]>::from(self.spin.axis));
         flat.numbers.push(self.spin.rate);
@@ -143,6 +151,15 @@ impl<'a> Reader<'a> {
             return Err(ParameterError::not_whole(key, f64::from(count), 0.0, most as f64));
         }
         Ok(count as usize)
+    }
+
+    fn action(&mut self) -> Result<Action, ParameterError> {
+        let action = self.count("rigid.action", 2)?;
+        let tint = self.count("rigid.tint", 15)?;
+        if tint == 0 {
+            return Err(ParameterError::out_of_range("rigid.tint", 0.0, 1.0, 15.0));
+        }
+        Ok(Action::from_numbers(action as u8, tint as u8))
     }
 
     fn spin(&mut self) -> Result<Spin, ParameterError> {
