@@ -4,6 +4,7 @@ import { measureParts } from './parts.ts';
 import { measureSizes } from './sizes.ts';
 import { measureAgainstCompat } from './versusCompat.ts';
 import { measureAgainstOthers } from './versusOthers.ts';
+import { measureVortexParticles } from './vortexParticles.ts';
 
 export async function measure(quick: boolean): Promise<Figure[]> {
   if (!globalThis.crossOriginIsolated) throw new Error('The page is not isolated, so its clock is too coarse.');
@@ -11,6 +12,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureAgainstOthers(quick)),
     ...(await measureParts(quick)),
     ...(await measureSizes(quick)),
+    ...(await measureVortexParticles(quick)),
     ...(await measureAgainstCompat(quick)),
   ];
 }

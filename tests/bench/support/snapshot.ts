@@ -52,7 +52,7 @@ export function emptyParticles(count: number): Particles {
 /** The living particles, copied. */
 export function readParticles(simulator: Saving): Particles {
   const saved = simulator.save();
-  const { content, end } = findParticles(saved);
+  const { content, end } = findSection(saved, PARTICLES);
   const count = viewOf(saved).getUint32(content, true);
   const words = saved.slice(content + 4, end).buffer;
   const columns = FLOAT_COLUMNS.map((name, index) => [name, new Float32Array(words, 4 * count * index, count)]);
@@ -63,7 +63,7 @@ export function readParticles(simulator: Saving): Particles {
 /** The simulator's state with other particles, for restore. */
 export function withParticles(simulator: Saving, particles: Particles): Uint8Array {
   const saved = simulator.save();
-  const { content, end } = findParticles(saved);
+  const { content, end } = findSection(saved, PARTICLES);
   const count = particles.x.length;
   const length = 4 + PARTICLE * count;
   const bytes = new Uint8Array(content + length + saved.length - end);
@@ -80,20 +80,26 @@ export function withParticles(simulator: Saving, particles: Particles): Uint8Arr
   return bytes;
 }
 
+/** Bytes that a section of the saved state takes. */
+export function sectionLength(simulator: Saving, name: string): number {
+  const { content, end } = findSection(simulator.save(), name);
+  return end - content;
+}
+
 function viewOf(bytes: Uint8Array): DataView {
   return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 }
 
-/** Where the particles' section has its content, number first, and where it ends. */
-function findParticles(saved: Uint8Array): { content: number; end: number } {
+/** Where a section has its content, and where it ends. */
+function findSection(saved: Uint8Array, name: string): { content: number; end: number } {
   const view = viewOf(saved);
   for (let head = BODY; head < saved.length;) {
     const content = head + SECTION_HEAD;
     const end = content + view.getUint32(head + 4, true);
-    if (String.fromCharCode(...saved.subarray(head, head + 4)) === PARTICLES) return { content, end };
+    if (String.fromCharCode(...saved.subarray(head, head + 4)) === name) return { content, end };
     head = end;
   }
-  throw new Error('The saved state has no section of particles.');
+  throw new Error(`The saved state has no section ${name}.`);
 }
 
 /** FNV-1a over words as in sim-wasm/sim/src/hash.rs, in two halves of 32 bits. */

@@ -1,0 +1,87 @@
+/** sim.vortexParticles: what 1,000 vortex particles add to a step of 20,000 particles under the six forces. */
+import { demand, figure, type Figure } from '../support/figures.ts';
+import { ratios } from '../support/statistics.ts';
+import { readParticles, sectionLength, withParticles } from '../support/snapshot.ts';
+import { SIX_FORCES, seededCloud } from './cloud.ts';
+import { meanDistance, type Contestant } from './contestant.ts';
+import { Wasm } from './ours.ts';
+import { takeTurns, type Plan } from './rounds.ts';
+
+const COUNT = 20_000;
+const VORTEX_PARTICLES = 1000;
+const SHEDDING_STEPS = 30;
+/** A second. */
+const RATE = (VORTEX_PARTICLES * 60) / SHEDDING_STEPS;
+const FIRST_STEP = Math.floor(RATE / 60);
+
+/**
+ * They are born in a ball of 5.5 m, of which the cloud's cube fills most. Each reaches three cores far, so that a place
+ * is within the reach of six of them on average.
+ */
+const SHEDDER = {
+  'shedders.0.rate': RATE,
+  'shedders.0.scatter': 5.5,
+  'shedders.0.jitter': 1,
+  'shedders.0.strength': 1,
+  'shedders.0.perSpeed': 0,
+  'shedders.0.coreRadius': 0.335,
+  'shedders.0.viscosity': 0,
+  'shedders.0.lifetime': 60,
+};
+const NO_MORE = { 'shedders.0.rate': 0 };
+
+export async function measureVortexParticles(quick: boolean): Promise<Figure[]> {
+  const without = await Wasm.create(COUNT);
+  const stirred = await Wasm.create(COUNT, { ...SIX_FORCES, ...SHEDDER });
+  const start = shed(stirred);
+  const withThem: Contestant = {
+    name: 'stirred',
+    restart: () => stirred.simulator.restore(start),
+    advance: (steps) => stirred.advance(steps),
+    dispose: () => stirred.dispose(),
+  };
+  await demandStirring(without, stirred, withThem);
+  const plan: Plan = {
+    rounds: quick ? 5 : 11,
+    share: quick ? 60 : 150,
+    warming: quick ? 200 : 400,
+    slice: 10,
+    cost: 'cheapest',
+  };
+  const costs = await takeTurns([without, withThem], [COUNT, COUNT], plan, 'vortex particles');
+  demand(stirred.simulator.alive === COUNT, `${stirred.simulator.alive} of ${COUNT} particles live`);
+  without.dispose();
+  withThem.dispose();
+  return [
+    figure(
+      'sim.vortexParticles',
+      'x',
+      ratios(costs.stirred, costs.wasm),
+      `a step of ${COUNT} particles, six forces, one octave, with ${VORTEX_PARTICLES} vortex particles through the step without; a place is within the reach of six; goal <= 6`,
+    ),
+  ];
+}
+
+/** Lets exactly so many be shed, and returns that state with the cloud as it was before. */
+function shed({ simulator }: Wasm): Uint8Array {
+  const size = () => sectionLength(simulator, 'vort');
+  const none = size();
+  simulator.step();
+  const each = (size() - none) / FIRST_STEP;
+  simulator.step(SHEDDING_STEPS - 1);
+  simulator.set(NO_MORE);
+  const count = (size() - none) / each;
+  demand(count === VORTEX_PARTICLES, `${count} vortex particles live`);
+  return withParticles(simulator, seededCloud(COUNT, 3));
+}
+
+/** What stirs nothing costs nothing either. */
+async function demandStirring(without: Wasm, stirred: Wasm, withThem: Contestant): Promise<void> {
+  await withThem.restart();
+  without.restart();
+  demand(readParticles(stirred.simulator).x.length === COUNT, 'the cloud has another size');
+  without.advance(5);
+  await withThem.advance(5);
+  const apart = meanDistance(without.places(), stirred.places());
+  demand(apart > 0.01, `vortex particles move smoke by ${apart} m`);
+}
