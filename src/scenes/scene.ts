@@ -1,4 +1,5 @@
 import type { Color } from '../device/ramps.ts';
+import type { TriangleMesh } from '../passes/extrusion.ts';
 import type { SurfaceDescription } from '../passes/surfaces.ts';
 import type { RigidDescription } from '../sim/rigid.ts';
 
@@ -33,6 +34,8 @@ export interface Scene {
   /** What people call them, by their number: emitters and forces can ride on any of them. */
   rigidNames: readonly string[];
   surfaces: readonly SurfaceDescription[];
+  /** Meshes that emitters smoke from, in the order of their numbers; none of them is drawn. */
+  emissionSurfaces?: readonly Pick<TriangleMesh, 'positions' | 'indices'>[];
   handle?: Handle;
   camera: CameraPose;
   backdrop?: { top: Color; bottom: Color };

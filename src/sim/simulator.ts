@@ -6,7 +6,7 @@ import type * as Bindings from './wasm/core/bindings.js';
 import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';
 import { jointNumbers, type JointDescription } from './joint.ts';
 import { poseNumbers } from './pose.ts';
-import { rigidArguments, type RigidDescription } from './rigid.ts';
+import { requireIndices, rigidArguments, type RigidDescription } from './rigid.ts';
 import { pathNumbers, spinNumbers, type RigidPath, type RigidSpin } from './rigidPath.ts';
 import { LOOK_WORDS, PLACE_FLOATS, POSE_FLOATS, RIGID_FLOATS, type Rows } from './rows.ts';
 import { VIEW_FLOATS, writeView, type View } from './view.ts';
@@ -64,6 +64,20 @@ export class Simulator {
   set(values: Readonly<Record<string, number>>): void {
     const [keys, numbers] = linesAndNumbers(values);
     this.#attempt(() => this.#handle.set(keys, numbers));
+  }
+
+  /**
+   * Takes up the surface of a mesh, which emitters of the shape `surface` smoke from by its number: `emitters.0.surface`.
+   * It is neither drawn nor bumped into. There is room for 16. A save holds it; the hash tells nothing of it.
+   *
+   * @param vertices x, y, z each, metres about the emitter's place, at most 1000 from it along each axis.
+   * @param indices Three a triangle, counter-clockwise from outside, where the smoke leaves.
+   * @returns Its number, from 0 on.
+   */
+  addSurface(vertices: ArrayLike<number>, indices: ArrayLike<number>): number {
+    requireIndices(indices, 'surface');
+    const mesh = [Float32Array.from(vertices), Uint32Array.from(indices)] as const;
+    return this.#attempt(() => this.#handle.addSurface(...mesh));
   }
 
   /** Puts a rigid among the particles and returns its index; needs the variant with physics. */

@@ -175,6 +175,7 @@ export class Simulation {
     const capacity = values['simulation.maxParticles'] as number;
     const simulator = this.factory.create({ capacity, seed: values.seed as number });
     simulator.set({ ...this.scene.rig, ...simulatorValues(values) });
+    for (const { positions, indices } of this.scene.emissionSurfaces ?? []) simulator.addSurface(positions, indices);
     for (const rigid of this.scene.rigids) simulator.addRigid(rigid);
     simulator.record();
     return simulator;

@@ -29,6 +29,14 @@ impl Simulator {
         self.simulator.set_all(&pairs).map_err(parameter_refusal)
     }
 
+    /// Takes up the surface of a mesh for emitters and returns its number: `sim::emission::surface::Surface::new`.
+    #[wasm_bindgen(js_name = addSurface)]
+    pub fn add_surface(&mut self, vertices: &[f32], indices: &[u32]) -> Result<u32, JsValue> {
+        self.simulator
+            .add_surface(vertices, indices)
+            .map_err(parameter_refusal)
+    }
+
     /// Advances by `count` steps of 1/60 s.
     pub fn step(&mut self, count: u32) {
         for _ in 0..count {

@@ -71,11 +71,8 @@ impl Surface {
         if area > 0.0 {
             return Ok(surface);
         }
-        let message = "surface.area is 0; give at least one triangle with three corners that lie apart".to_owned();
-        Err(ParameterError {
-            message,
-            ..refuse("surface.area", area, f64::MIN_POSITIVE, f64::MAX)
-        })
+        let message = "surface.area is 0; give at least one triangle whose corners lie on no line".to_owned();
+        Err(malformed("surface.area", area, message))
     }
 
     /// A place on it (m), uniform by area, and the unit normal there.
@@ -180,10 +177,16 @@ fn check_count(key: &str, count: usize) -> Result<(), ParameterError> {
         return Ok(());
     }
     let most = 3 * MOST_ELEMENTS;
-    Err(ParameterError {
-        message: format!("{key} has {count} numbers; give three each, from 3 to {most}"),
-        ..refuse(key, count as f64, 3.0, most as f64)
-    })
+    let message = format!("{key} are {count} numbers; give three for each, at most {most}");
+    Err(malformed(key, count as f64, message))
+}
+
+/// A refusal that no range explains.
+fn malformed(key: &str, value: f64, message: String) -> ParameterError {
+    ParameterError {
+        message,
+        ..refuse(key, value, f64::NAN, f64::NAN)
+    }
 }
 
 fn refuse(key: &str, value: f64, min: f64, max: f64) -> ParameterError {
