@@ -42,13 +42,14 @@ impl Ageing {
     }
 }
 
-/// Ages and cools all particles; removes those whose time is over and those that left the world.
+/// Ages and cools all particles; removes those that left the world and those whose time was over at the start of the
+/// step: in the step in which it ends they are still drawn on the way to radius 0.
 ///
 /// From the last block to the first: what fills a gap then comes from behind and has been aged already.
 pub fn advance(particles: &mut Particles, ageing: &Ageing) {
     for block in (0..particles.padded_alive() / LANES).rev() {
-        age_block(particles, ageing, block);
         let dead = dead_lanes(particles, block);
+        age_block(particles, ageing, block);
         if dead != 0 {
             bury(particles, block * LANES, dead);
         }
@@ -63,7 +64,7 @@ fn age_block(particles: &mut Particles, ageing: &Ageing, block: usize) {
     *temperature = (f32x4::new(*temperature) * ageing.cooling).to_array();
 }
 
-/// One bit for each lane that must go. A place that is not a number counts as outside of the world.
+/// One bit for each lane that must go, before it ages. A place that is not a number counts as outside of the world.
 #[inline(always)]
 fn dead_lanes(particles: &Particles, block: usize) -> u32 {
     let column = |column| blocks(column, block + 1);

@@ -89,6 +89,28 @@ fn no_emitter_starves_when_full() {
     );
 }
 
+#[test]
+fn a_small_emitter_gets_its_share_of_a_full_simulator() {
+    let two = [
+        ("emission.rate", 2000.0),
+        ("emission.lifetime", 0.5),
+        ("emitters.1.position.x", 100.0),
+        ("emitters.1.share", 0.05),
+    ];
+    for lifetime in [0.5, 31.0 / 60.0] {
+        let mut simulator = simulator(64, 1, &[STILL, EVEN, &two, &[("emission.lifetime", lifetime)]]);
+        let mut seconds = 0;
+        for _ in 0..1200 {
+            simulator.step();
+            let particles = simulator.particles();
+            seconds += particles.x[..simulator.alive()].iter().filter(|x| **x > 50.0).count();
+        }
+        let share = seconds as f64 / (1200.0 * 64.0);
+        // Rounding up helps the small one to somewhat more than 0.05 / 1.05.
+        assert!((0.04..0.2).contains(&share), "{share} of all that live");
+    }
+}
+
 /// Distances between neighbours along `axis`, least and greatest.
 fn gaps(settings: &[(&str, f64)], axis: usize) -> (f32, f32) {
     let mut simulator = simulator(1000, 1, &[STILL, EVEN, settings]);

@@ -6,8 +6,8 @@
 //! moves (see `motion::Motion::launch`). Therefore neither a fast jet nor wind nor a fast emitter shows beads.
 //!
 //! A burst is owed as a whole when the envelope starts, and spread evenly over that step. When the simulator is full,
-//! births wait, bursts too, and are made up as soon as there is room; emitters take turns in being first, so that none
-//! starves.
+//! births wait, bursts too, and are made up as soon as there is room, of which each emitter gets at least about its
+//! share, so that none starves.
 
 mod birth;
 pub mod item;
@@ -55,36 +55,50 @@ impl Births {
     /// The births of one step.
     pub fn step(&mut self, around: &Surroundings, random: &mut Random, particles: &mut Particles) {
         let emitters = around.parameters.emitters.items();
+        for (emitter, waiting) in emitters.iter().zip(&mut self.waiting) {
+            *waiting = waiting.saturating_add(burst(emitter, around));
+        }
+        self.make_up(around, random, particles);
         let shares: f64 = emitters.iter().map(|emitter| emitter.share).sum();
-        let count = emitters.len().max(1);
-        for turn in 0..emitters.len() {
-            let index = (around.step as usize).wrapping_add(turn) % count;
+        for index in turns(emitters.len(), around.step) {
             let emitter = &emitters[index];
             let share = emitter.share / shares.max(f64::MIN_POSITIVE);
-            let level = envelope::level(&emitter.scope, around.time);
-            let mut source = Source::new(emitter, around, random, particles);
-            self.waiting[index] = self.waiting[index].saturating_add(burst(emitter, around));
-            self.make_up(index, &mut source);
-            self.emit(index, around.parameters.emission.rate * share * level, &mut source);
+            let rate = around.parameters.emission.rate * share * envelope::level(&emitter.scope, around.time);
+            if rate > 0.0 {
+                self.emit(index, rate, &mut Source::new(emitter, around, random, particles));
+            }
         }
     }
 
-    /// Births that waited, spread evenly over the step.
-    fn make_up(&mut self, index: usize, source: &mut Source) {
-        let count = self.waiting[index].min(source.room() as u64);
-        for number in 0..count {
-            source.bear(source.dt() * (number as f64 + 0.5) / count as f64);
+    /// Births that waited, spread evenly over the step. Where there is no room for all, each emitter gets its share of
+    /// the room.
+    fn make_up(&mut self, around: &Surroundings, random: &mut Random, particles: &mut Particles) {
+        let emitters = around.parameters.emitters.items();
+        let mut left: f64 = self.waiting[..emitters.len()].iter().map(|count| *count as f64).sum();
+        if left == 0.0 {
+            return;
         }
-        self.waiting[index] -= count;
+        for index in turns(emitters.len(), around.step) {
+            let waiting = self.waiting[index];
+            if waiting == 0 {
+                continue;
+            }
+            let mut source = Source::new(&emitters[index], around, random, particles);
+            // Rounded up: who is first gets at least one, and everybody is first at times.
+            let part = libm::ceil(source.room() as f64 * (waiting as f64 / left));
+            let count = waiting.min(part as u64).min(source.room() as u64);
+            for number in 0..count {
+                source.bear(around.dt * (number as f64 + 0.5) / count as f64);
+            }
+            self.waiting[index] -= count;
+            left -= waiting as f64;
+        }
     }
 
     /// Births that fall due in this step, each at its moment.
     fn emit(&mut self, index: usize, rate: f64, source: &mut Source) {
         // Sums of decimal fractions miss whole numbers by a few units in the last place.
         const SLACK: f64 = 1e-9;
-        if rate <= 0.0 {
-            return;
-        }
         let before = self.owed[index];
         let owed = before + rate * source.dt();
         let due = libm::floor(owed + SLACK);
@@ -97,6 +111,14 @@ impl Births {
         }
         self.owed[index] = owed - due;
     }
+}
+
+/// The numbers below `count` in an order that begins with another one at each step, without a period that deaths could
+/// keep time with.
+fn turns(count: usize, step: u64) -> impl Iterator<Item = usize> {
+    const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+    let first = (step.wrapping_mul(GOLDEN) >> 33) as usize;
+    (0..count).map(move |turn| (first + turn) % count)
 }
 
 /// How many births the bursts of `emitter` owe that begin between the middles of the last step and of this one: starts
