@@ -171,6 +171,22 @@ fn lifetimes_are_an_emitters_own() {
 }
 
 #[test]
+fn tints_are_an_emitters_own() {
+    let settings = [
+        ("emission.rate", 600.0),
+        ("emitters.0.tint", 15.0),
+        ("emitters.1.position.x", 100.0),
+    ];
+    let mut simulator = simulator(5000, 1, &[STILL, EVEN, &settings]);
+    steps(&mut simulator, 50);
+    let particles = simulator.particles();
+    for i in 0..simulator.alive() {
+        let tint = if particles.x[i] > 50.0 { 0 } else { 15 };
+        assert_eq!(particles.look[i] >> 28, tint);
+    }
+}
+
+#[test]
 fn tiny_periods_are_no_division_by_zero() {
     let settings = [
         ("emission.rate", 600.0),

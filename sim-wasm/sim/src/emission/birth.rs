@@ -62,7 +62,7 @@ impl<'s> Source<'s> {
             lifetime: vary(lifetime, emitter.lifetime_variation, self.random).max(self.around.dt as f32),
             size: vary(emitter.size, emitter.size_variation, self.random),
             temperature: emitter.temperature as f32,
-            look: look(puff.variations as u32, self.random),
+            look: look(puff.variations as u32, emitter.tint as u32, self.random),
         };
         self.particles.push(&newborn);
     }
@@ -85,8 +85,8 @@ fn vary(value: f64, variation: f64, random: &mut Random) -> f32 {
     value as f32 * (1.0 + variation as f32 * random.signed())
 }
 
-/// Variation, seed byte and roll, packed as [`Particles`] documents.
-fn look(variations: u32, random: &mut Random) -> u32 {
+/// Variation, seed byte, roll and tint, packed as [`Particles`] documents.
+fn look(variations: u32, tint: u32, random: &mut Random) -> u32 {
     let variation = random.below(variations);
-    variation | (random.bits() >> 24) << 8 | (random.bits() >> 20) << 16
+    variation | (random.bits() >> 24) << 8 | (random.bits() >> 20) << 16 | tint << 28
 }

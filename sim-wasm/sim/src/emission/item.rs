@@ -25,6 +25,7 @@ pub struct Emitter {
     pub lifetime: f64,
     pub lifetime_variation: f64,
     pub temperature: f64,
+    pub tint: f64,
     pub share: f64,
     pub burst_count: f64,
     pub scope: Scope,
@@ -89,6 +90,9 @@ impl Item for Emitter {
         .says("Lifetime range", "How much longer or shorter some live, as a share."),
         number("temperature", "1", [0.0, 4.0], 1.0, |e: &mut Self| &mut e.temperature)
             .says("Temperature", "How warm its puffs are; warm smoke rises."),
+        number("tint", "1", [0.0, 15.0], 0.0, |e: &mut Self| &mut e.tint)
+            .whole()
+            .says("Tint", "Number of the tint that its puffs are born with; 0 has none."),
         number("share", "1", [0.0, 1000.0], 1.0, |e: &mut Self| &mut e.share)
             .says("Share", "Its part of all births, relative to the other emitters."),
         number("burst.count", "particles", [0.0, 20_000.0], 0.0, |e: &mut Self| {
