@@ -5,11 +5,13 @@
 
 import { costsTable } from './sim/costsTable.mjs';
 import { buildContestants, Native } from './sim/native.mjs';
+import { buildMeasuringModule } from './sim/measuringModule.mjs';
 import { measureInPage } from './support/page.mjs';
 
 /** @param {import('./support/page.mjs').Choice} choice */
 export async function run(choice) {
   await buildContestants(choice.say);
+  await buildMeasuringModule(choice.say);
   const native = new Native();
   try {
     return await measureInPage('/tests/bench/sim/suite.ts', choice, [native.plugin()]);

@@ -1,6 +1,8 @@
 //! The simulator for JavaScript: calls, numbers and addresses in WASM memory. Everything that thinks is in `sim`.
 
 mod fault;
+#[cfg(feature = "bench")]
+mod measure;
 mod refusal;
 mod rigids;
 mod simulator;

@@ -30,21 +30,27 @@ pub const VARIANTS: &[Variant] = &[
     },
 ];
 
+/// With calls that measure; no page loads it.
+pub const BENCH: Variant = Variant {
+    name: "bench",
+    features: &["bench"],
+};
+
 /// The generated files of a variant, without which it has to be built again.
 pub const FILES: &[&str] = &["bindings.js", "bindings.d.ts", "bindings_bg.wasm"];
 
-/// Builds `variant` into its folder.
+/// Builds `variant` into its folder under `output`.
 ///
 /// # Returns
 /// The size of the WASM module, bytes.
 ///
 /// # Errors
 /// When cargo or wasm-bindgen fail, or the folder cannot be written.
-pub fn build(variant: &Variant, places: &Places) -> Result<u64> {
+pub fn build(variant: &Variant, places: &Places, output: &Path) -> Result<u64> {
     let target = places.workspace.join("target").join("wasm");
     compile(variant, places, &target)?;
     let module = target.join(TARGET).join("release").join("bindings.wasm");
-    let folder = places.output.join(variant.name);
+    let folder = output.join(variant.name);
     bind(&module, &folder)?;
     let size = fs::metadata(folder.join("bindings_bg.wasm"))?.len();
     Ok(size)

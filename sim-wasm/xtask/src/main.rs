@@ -1,7 +1,8 @@
-//! `cargo xtask wasm [--force]`: the simulator as WASM, with the JavaScript and TypeScript that speak to it.
+//! `cargo xtask wasm [--force | --bench]`: the simulator as WASM, with the JavaScript and TypeScript that speak to it.
 //!
 //! Two variants of one API come out, `src/sim/wasm/core` (no Rapier) and `src/sim/wasm/physics`. Nothing is compiled
-//! when the sources are those of the last build; see [`stamp`].
+//! when the sources are those of the last build; see [`stamp`]. `--bench` builds a third one with calls that measure,
+//! and nothing else: into `sim-wasm/target/wasm/bench`, since no page loads it.
 
 mod build;
 mod places;
@@ -12,7 +13,7 @@ use std::process::ExitCode;
 use anyhow::{Result, bail};
 use places::Places;
 
-const USAGE: &str = "usage: cargo xtask wasm [--force]";
+const USAGE: &str = "usage: cargo xtask wasm [--force | --bench]";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -30,8 +31,14 @@ fn run(arguments: &[String]) -> Result<()> {
     match words.as_slice() {
         ["wasm"] => wasm(false),
         ["wasm", "--force"] => wasm(true),
+        ["wasm", "--bench"] => bench(),
         _ => bail!(USAGE),
     }
+}
+
+fn bench() -> Result<()> {
+    let places = Places::find();
+    build::build(&build::BENCH, &places, &places.workspace.join("target").join("wasm")).map(|_| ())
 }
 
 fn wasm(force: bool) -> Result<()> {
@@ -44,7 +51,7 @@ fn wasm(force: bool) -> Result<()> {
     stamp::clear(&places)?;
     for variant in build::VARIANTS {
         println!("building wasm: {}", variant.name);
-        let size = build::build(variant, &places)?;
+        let size = build::build(variant, &places, &places.output)?;
         println!("built {} ({} kB)", variant.name, size / 1000);
     }
     // A second look: sources edited while the compiler ran would otherwise be taken for built.

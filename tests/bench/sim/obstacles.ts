@@ -23,12 +23,13 @@ export interface Pose {
   rotation: [number, number, number, number];
 }
 
-/** A hundred rigids of four shapes, scattered by a seeded generator. */
-export function seededSwings(seed: number): Swing[] {
+/** Rigids of four shapes, scattered by a seeded generator; the more they are, the smaller, so that they fill as much. */
+export function seededSwings(seed: number, count = RIGIDS): Swing[] {
   const next = random(seed);
   const spot = () => (2 * next() - 1) * HALF_SIDE;
-  return Array.from({ length: RIGIDS }, (_, index) => ({
-    shape: shapeOf(index % 4, 0.08 + 0.1 * next()),
+  const scale = Math.cbrt(RIGIDS / count);
+  return Array.from({ length: count }, (_, index) => ({
+    shape: shapeOf(index % 4, scale * (0.08 + 0.1 * next())),
     place: [spot(), spot(), spot()] as const,
     pace: 0.5 + next(),
     phase: 2 * Math.PI * next(),

@@ -1,5 +1,6 @@
 /** What `npm run bench -- sim` measures, inside one page. */
 import type { Figure } from '../support/figures.ts';
+import { measureCollisions } from './collisions.ts';
 import { measureParts } from './parts.ts';
 import { measureSizes } from './sizes.ts';
 import { measureAgainstCompat } from './versusCompat.ts';
@@ -14,5 +15,6 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureSizes(quick)),
     ...(await measureVortexParticles(quick)),
     ...(await measureAgainstCompat(quick)),
+    ...(await measureCollisions(quick)),
   ];
 }

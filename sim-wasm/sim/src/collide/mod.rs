@@ -21,7 +21,7 @@ use crate::rigids::Rigids;
 use analytic::AnalyticShape;
 use contact::{Action, Obstacle, Pass, Traveller};
 use passer::Passer;
-use space::{Vector, WideBounds};
+use space::WideBounds;
 use survey::{Sight, Ways};
 
 /// Rounds in which a particle is moved out of one obstacle and perhaps into the next. A right corner needs two; in an
@@ -89,16 +89,16 @@ pub fn resolve(
     }
     let look = |ways: &Ways| obstacles.look(ways);
     survey::for_each_near(particles, radii, look, |particles, i, spot| {
-        let traveller = traveller(particles, i, radii, dt);
-        let passer = Passer::new(&traveller, particles.size[i] * radii.puff_size, spot);
+        let passer = Passer::new(particles, i, radii, spot);
         if !obstacles.find_near(&passer, &mut scratch.near) {
             scratch.near.sort_unstable();
-            resolve_one(particles, i, &obstacles, traveller, &scratch.near);
+            resolve_one(particles, i, radii, &obstacles, dt, &scratch.near);
         }
     });
 }
 
-fn resolve_one(particles: &mut Particles, i: usize, obstacles: &Obstacles, traveller: Traveller, near: &[u32]) {
+fn resolve_one(particles: &mut Particles, i: usize, radii: &RadiusLaw, obstacles: &Obstacles, dt: f32, near: &[u32]) {
+    let traveller = traveller(particles, i, radii, dt);
     let mut pushed = traveller;
     let touched = obstacles.meet(&mut pushed, near);
     obstacles.sense(
@@ -124,8 +124,7 @@ fn resolve_one(particles: &mut Particles, i: usize, obstacles: &Obstacles, trave
 /// Particle `i` on its way through the step that has just been made. Its age is that of the step's start, below 0 if it
 /// was born in the step; its radius is the larger of now and after ageing, so that growth does not put it into a wall.
 fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Traveller {
-    let from = Vector::new(particles.px[i], particles.py[i], particles.pz[i]);
-    let to = Vector::new(particles.x[i], particles.y[i], particles.z[i]);
+    let (from, to) = passer::way(particles, i);
     let (size, age, lifetime) = (particles.size[i], particles.age[i], particles.lifetime[i]);
     let began = (-age / dt).clamp(0.0, 1.0);
     let span = dt * (1.0 - began).max(SHORTEST_WAY);

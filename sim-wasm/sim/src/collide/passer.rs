@@ -1,8 +1,10 @@
 //! One particle as the search for obstacles sees it.
 
-use super::contact::{Obstacle, Traveller};
+use super::contact::Obstacle;
 use super::space::{Vector, WideBounds};
 use super::survey::Spot;
+use crate::life::RadiusLaw;
+use crate::particles::Particles;
 
 /// A particle that may pass obstacles by.
 pub(crate) struct Passer {
@@ -13,22 +15,25 @@ pub(crate) struct Passer {
     pub(crate) spot: Spot,
     from: Vector,
     to: Vector,
-    radius: f32,
+    /// Its radius is never greater (m).
+    reach: f32,
     /// Its way takes the whole step.
     is_whole: bool,
 }
 
 impl Passer {
-    /// `reach` is the greatest radius (m) that the particle may have.
+    /// Particle `i` after it has moved.
     #[inline]
-    pub(crate) fn new(traveller: &Traveller, reach: f32, spot: Spot) -> Self {
+    pub(crate) fn new(particles: &Particles, i: usize, radii: &RadiusLaw, spot: Spot) -> Self {
+        let (from, to) = way(particles, i);
+        let reach = particles.size[i] * radii.puff_size;
         Self {
-            bounds: WideBounds::of_way(traveller.from, traveller.to, reach),
+            bounds: WideBounds::of_way(from, to, reach),
             spot,
-            from: traveller.from,
-            to: traveller.to,
-            radius: traveller.radius,
-            is_whole: traveller.began == 0.0,
+            from,
+            to,
+            reach,
+            is_whole: particles.age[i] >= 0.0,
         }
     }
 
@@ -36,6 +41,14 @@ impl Passer {
     #[inline]
     pub(crate) fn passes<C>(&self, obstacle: &Obstacle<C>) -> bool {
         let Obstacle { core, motion, .. } = obstacle;
-        self.is_whole && core.is_passed_by(motion, self.from, self.to, self.radius)
+        self.is_whole && core.is_passed_by(motion, self.from, self.to, self.reach)
     }
+}
+
+/// From where to where particle `i` has moved in the step (m).
+#[inline]
+pub(crate) fn way(particles: &Particles, i: usize) -> (Vector, Vector) {
+    let from = Vector::new(particles.px[i], particles.py[i], particles.pz[i]);
+    let to = Vector::new(particles.x[i], particles.y[i], particles.z[i]);
+    (from, to)
 }

@@ -2,7 +2,8 @@
 //!
 //! A rigid stands in each cell that its box touches, widened by a margin; a particle whose own box is no larger than
 //! the margin finds all its neighbours in the one cell of its middle. Rigids that would fill many cells stand in a list
-//! of their own, and a particle that is larger than the margin looks at all rigids. Neither changes what is found.
+//! of their own, and a particle that is larger than the margin or outside of the grid looks at all rigids. Neither
+//! changes what is found.
 
 use wide::{f32x4, i32x4};
 
@@ -24,7 +25,9 @@ pub struct Grid {
     /// The same boxes.
     wide: Vec<WideBounds>,
     margin: f32,
+    /// Least and greatest corner.
     origin: Vector,
+    end: Vector,
     cells_per_metre: [f32; 3],
     size: [usize; 3],
     /// Where the entries of each cell begin; one more than there are cells.
@@ -69,13 +72,14 @@ impl Grid {
         self.boxes.iter().fold(Bounds::NOTHING, |all, one| all.with(one))
     }
 
-    /// Lays the grid over those `middles` of particles that can be near a rigid; `margin` (m) as told above.
+    /// Lays the grid over that part of `middles`, where most particles are, that can be near a rigid; `margin` (m) as
+    /// told above.
     pub fn lay(&mut self, middles: &Bounds, margin: f32) {
         self.margin = margin;
         let rigids = self.bounds().wider(margin);
         let area = Bounds {
-            min: rigids.min.greatest(middles.min),
-            max: rigids.max.least(middles.max),
+            min: rigids.min.greatest(middles.min - Vector::new(margin, margin, margin)),
+            max: rigids.max.least(middles.max + Vector::new(margin, margin, margin)),
         };
         self.measure(&area);
         self.count_entries(&area);
@@ -85,8 +89,9 @@ impl Grid {
     /// The spots of four particles, and for which of them a look there is worth while.
     #[inline]
     pub fn look(&self, ways: &Ways) -> Sight {
-        let cells = self.cells_of(ways);
-        let large = ways.reaches().simd_gt(f32x4::splat(self.margin)).to_bitmask();
+        let middles = ways.middles();
+        let cells = self.cells_of(&middles);
+        let large = ways.reaches().simd_gt(f32x4::splat(self.margin)).to_bitmask() | self.outside(&middles);
         let mut lanes = large;
         for index in &self.large {
             lanes |= ways.touching(&self.boxes[usize::from(*index)]);
@@ -103,8 +108,16 @@ impl Grid {
     }
 
     #[inline]
-    fn cells_of(&self, ways: &Ways) -> [i32; LANES] {
-        let middles = ways.middles();
+    fn outside(&self, middles: &[f32x4; 3]) -> u32 {
+        let (least, most): ([f32; 3], [f32; 3]) = (self.origin.into(), self.end.into());
+        let outside = |axis: usize| {
+            middles[axis].simd_lt(f32x4::splat(least[axis])) | middles[axis].simd_gt(f32x4::splat(most[axis]))
+        };
+        (outside(0) | outside(1) | outside(2)).to_bitmask()
+    }
+
+    #[inline]
+    fn cells_of(&self, middles: &[f32x4; 3]) -> [i32; LANES] {
         let origin: [f32; 3] = self.origin.into();
         let [x, y, z] = std::array::from_fn(|axis| {
             let place = (middles[axis] - f32x4::splat(origin[axis])) * f32x4::splat(self.cells_per_metre[axis]);
@@ -134,7 +147,7 @@ impl Grid {
     }
 
     fn measure(&mut self, area: &Bounds) {
-        self.origin = area.min;
+        (self.origin, self.end) = (area.min, area.max);
         let extent = (area.max - area.min).greatest(Vector::new(1e-3, 1e-3, 1e-3));
         let cells = cell_limit(self.boxes.len());
         let side = libm::cbrtf(extent.x * extent.y * extent.z / cells as f32);

@@ -1,0 +1,51 @@
+//! What only the bench calls: steps and queries that read the clock inside of the module.
+
+use wasm_bindgen::prelude::*;
+
+use crate::simulator::Simulator;
+
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(js_namespace = performance)]
+    fn now() -> f64;
+}
+
+#[wasm_bindgen]
+impl Simulator {
+    /// One step; the milliseconds of each of its parts, see `sim::measure::Part`.
+    #[wasm_bindgen(js_name = stepObserved)]
+    pub fn step_observed(&mut self) -> Vec<f64> {
+        let mut took = Vec::with_capacity(8);
+        let mut start = now();
+        self.simulator.step_observed(|_| {
+            let end = now();
+            took.push(end - start);
+            start = end;
+        });
+        took
+    }
+
+    /// The particles whose boxes touch that of a rigid.
+    #[wasm_bindgen(js_name = findInTouchedBoxes)]
+    pub fn find_in_touched_boxes(&self) -> Vec<u32> {
+        let mut found = Vec::new();
+        self.simulator.find_in_touched_boxes(&mut found);
+        found
+    }
+
+    /// Milliseconds that Rapier's query pipeline takes to project `asked` particles, none farther than `limit` metres.
+    #[wasm_bindgen(js_name = projectionTime)]
+    pub fn projection_time(&self, asked: &[u32], limit: f32) -> f64 {
+        let mut distances = Vec::with_capacity(asked.len());
+        let start = now();
+        self.simulator.project(asked, limit, &mut distances);
+        now() - start
+    }
+
+    /// The distances (m) that these projections give, negative inside.
+    pub fn distances(&self, asked: &[u32], limit: f32) -> Vec<f32> {
+        let mut distances = Vec::with_capacity(asked.len());
+        self.simulator.project(asked, limit, &mut distances);
+        distances
+    }
+}

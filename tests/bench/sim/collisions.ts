@@ -1,0 +1,116 @@
+/** collide.near, .far, .vsNaive and .rigids1 to .rigids1000: what collisions cost, beside Rapier's queries in the same WASM. */
+import { demand, figure, say, type Figure } from '../support/figures.ts';
+import { median, ratios } from '../support/statistics.ts';
+import { compareWork } from './collideCheck.ts';
+import { loadMeasured } from './collideModule.ts';
+import { COUNT, Scene } from './collideScene.ts';
+import { RIGIDS } from './obstacles.ts';
+
+/** Metres; no particle is larger, so one whose centre is farther from all rigids overlaps none. */
+const LIMIT = 0.08;
+const EVERYWHERE = 1e30;
+const CROWDS = [1, 10, 100, 1000];
+
+/** Milliseconds of a round's cheapest step: all steps do alike, and others on the machine only ever slow down. */
+interface Round {
+  near: number;
+  withFar: number;
+  touched: number;
+  naive: number;
+}
+
+export async function measureCollisions(quick: boolean): Promise<Figure[]> {
+  const make = await loadMeasured();
+  const [near, withFar] = [new Scene(make, RIGIDS), new Scene(make, RIGIDS, true)];
+  const work = compareWork(make, LIMIT);
+  const tenths = tenthsOf(COUNT);
+  const rounds: Round[] = [];
+  const [wanted, steps] = quick ? [5, 15] : [9, 40];
+  // The first round warms.
+  for (let round = 0; round <= wanted; round++) {
+    await say(`collisions among ${RIGIDS} rigids, round ${round} of ${wanted}`);
+    const result = playRound(near, withFar, tenths, steps);
+    if (round > 0) rounds.push(result);
+  }
+  near.dispose();
+  withFar.dispose();
+  const of = (name: keyof Round) => rounds.map((round) => round[name]);
+  const cost = `${COUNT} particles among ${RIGIDS} moving rigids, all of a step's collisions but Rapier's own step`;
+  return [
+    figure(
+      'collide.near',
+      'x',
+      ratios(of('near'), of('touched')),
+      `${cost}, against project_point in the same WASM for only the ${work.asked} whose box touches a rigid's, up to ` +
+        `${LIMIT} m; ${work.overlapping} overlap, ${work.pushed} were pushed; goal <= 1.5`,
+    ),
+    figure(
+      'collide.far',
+      'x',
+      ratios(of('withFar'), of('near')),
+      `${cost}, with ${COUNT} more particles far away against without; those near move alike to the bit; goal <= 1.1`,
+    ),
+    figure(
+      'collide.vsNaive',
+      'x',
+      ratios(of('naive'), of('near')),
+      `project_point in the same WASM for each particle, unlimited, against ${cost}; goal >= 3`,
+    ),
+    ...(await measureCrowds(make, quick)),
+  ];
+}
+
+/** All numbers below `count` in ten lists: queries for all of them take so long that others always come between. */
+function tenthsOf(count: number): Uint32Array[] {
+  const size = count / 10;
+  return Array.from({ length: 10 }, (_, tenth) => Uint32Array.from({ length: size }, (__, i) => tenth * size + i));
+}
+
+function playRound(near: Scene, withFar: Scene, tenths: readonly Uint32Array[], steps: number): Round {
+  near.restart();
+  withFar.restart();
+  const { rapier } = near.measured;
+  const least: Round = { near: Infinity, withFar: Infinity, touched: Infinity, naive: 0 };
+  const leastOfTenths = tenths.map(() => Infinity);
+  for (let step = 0; step < steps; step++) {
+    const scenes = step % 2 === 0 ? [near, withFar] : [withFar, near];
+    const costs = new Map(scenes.map((scene) => [scene, scene.step().collision]));
+    least.near = Math.min(least.near, costs.get(near) ?? Infinity);
+    least.withFar = Math.min(least.withFar, costs.get(withFar) ?? Infinity);
+    least.touched = Math.min(least.touched, rapier.projectionTime(rapier.findInTouchedBoxes(), LIMIT));
+    tenths.forEach((asked, tenth) => {
+      leastOfTenths[tenth] = Math.min(leastOfTenths[tenth], rapier.projectionTime(asked, EVERYWHERE));
+    });
+  }
+  demandAlike(near, withFar);
+  return { ...least, naive: leastOfTenths.reduce((sum, cost) => sum + cost, 0) };
+}
+
+function demandAlike(near: Scene, withFar: Scene): void {
+  const [one, other] = [near.particles, withFar.particles];
+  for (const axis of ['x', 'y', 'z'] as const) {
+    const alike = one[axis].every((value, i) => value === other[axis][i]);
+    demand(alike && other[axis].length === 2 * COUNT, `${axis} of the particles near differs with others far away`);
+  }
+}
+
+async function measureCrowds(make: Awaited<ReturnType<typeof loadMeasured>>, quick: boolean): Promise<Figure[]> {
+  const figures: Figure[] = [];
+  for (const rigids of CROWDS) {
+    await say(`collisions among ${rigids} rigids`);
+    const scene = new Scene(make, rigids);
+    const steps = quick ? 10 : 30;
+    const costs: number[] = [];
+    const worlds: number[] = [];
+    for (let round = 0; round < (quick ? 5 : 9); round++) {
+      scene.restart();
+      const parts = Array.from({ length: steps }, () => scene.step());
+      costs.push(Math.min(...parts.map(({ collision }) => collision)));
+      worlds.push(Math.min(...parts.map(({ world }) => world)));
+    }
+    scene.dispose();
+    const note = `${COUNT} particles, rigids that fill as much as ${RIGIDS} do; a step without Rapier's own, which takes ${median(worlds).toFixed(3)} ms`;
+    figures.push(figure(`collide.rigids${rigids}`, 'ms', costs, note));
+  }
+  return figures;
+}
