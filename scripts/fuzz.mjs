@@ -34,7 +34,7 @@ await conclude(async () => {
   const [seeds, corpus, findings] = ['seeds', 'corpus', 'findings'].map(folder);
   const program = inRoot(`sim-wasm/target/fuzz/${TARGET}/release/fuzz`);
   await demand(run(program, [], { environment: { FUZZ_SEEDS: seeds } }), 'The first inputs could not be written');
-  const limits = [`-max_total_time=${Math.ceil(60 * minutes)}`, '-max_len=16384', '-timeout=10', '-rss_limit_mb=2048'];
+  const limits = [`-max_total_time=${Math.ceil(60 * minutes)}`, '-max_len=8192', '-timeout=10', '-rss_limit_mb=2048'];
   const parameters = [...limits, '-print_final_stats=1', `-artifact_prefix=${findings}/`, corpus, seeds];
   const { status, output } = await run(program, parameters, { onLine: (line) => console.log(line) });
   const executions = /number_of_executed_units:\s*(\d+)/.exec(output)?.[1] ?? 'no';

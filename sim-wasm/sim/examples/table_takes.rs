@@ -53,11 +53,11 @@ fn configured(seed: u32) -> Simulator {
             simulator.set(&key, value).expect("the value is in range");
         }
     }
-    // Whatever else was thrown: something has to be there that can move.
+    // Whatever else was thrown: a plain emitter behind the last random one, so that there is something to move.
     let smoke = [
         ("emission.rate", 400.0),
         ("emission.lifetime", 3.0),
-        ("emitters.0.share", 1.0),
+        ("emitters.3.share", 1000.0),
     ];
     simulator.set_all(&smoke).expect("all of these exist");
     #[cfg(feature = "rigids")]
