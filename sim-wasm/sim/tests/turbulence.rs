@@ -59,6 +59,22 @@ fn divergence_is_zero_and_vorticity_is_not() {
 }
 
 #[test]
+fn swirls_turn_as_often_to_the_left_as_to_the_right() {
+    let field = field(1.0, 0.8);
+    let (mut helicity, mut speed, mut vorticity) = (0.0, 0.0, 0.0);
+    for place in places(4000) {
+        let d = |of: usize, along: usize| slope(&field, place, of, along);
+        let curl = [d(2, 1) - d(1, 2), d(0, 2) - d(2, 0), d(1, 0) - d(0, 1)];
+        let u = at(&field, place);
+        helicity += u.iter().zip(curl).map(|(u, w)| u * w).sum::<f64>();
+        speed += u.iter().map(|u| u * u).sum::<f64>();
+        vorticity += curl.iter().map(|w| w * w).sum::<f64>();
+    }
+    let handedness = helicity / (speed * vorticity).sqrt();
+    assert!(handedness.abs() < 0.05, "{handedness} of a corkscrew's");
+}
+
+#[test]
 fn speed_is_the_root_mean_square_whatever_octaves_and_phase() {
     for (octaves, phase) in [(1.0, 0.0), (1.0, 0.8), (2.0, 1.6), (4.0, 2.9)] {
         let field = field(octaves, phase);
