@@ -5,8 +5,8 @@
 //! half of the last step's displacement ahead, which is the middle of this step up to second order, since velocities
 //! hardly change within a step, at half the cost of a trial step, and unlike a value at the start it does not throw
 //! particles out of the swirls. After a second in turbulence of one octave, 1 m and 0.6 m/s, on ways of 0.5 m, it is
-//! 0.5 mm off the true path, a trial step 0.1 mm and a value at the start 10 mm (100, 14 and 380 mm at 2 m/s). The direction in which a vortex moves a particle is that of the middle, found by a half
-//! step (see `forces::vortex`).
+//! 0.5 mm off the true path, a trial step 0.1 mm and a value at the start 10 mm (100, 14 and 380 mm at 2 m/s). The
+//! direction in which a vortex moves a particle is that of the middle, found by a half step (see `forces::vortex`).
 //!
 //! Paper: forward Euler on one inertial velocity v, as published: x += v h, v += k h (u - v) + a h. The air acts only
 //! through drag, and vortices fling particles outwards.

@@ -7,9 +7,9 @@
 //! Parameters: `vortices.#.circulation` G (m2/s, counter-clockwise seen against the axis), `.coreRadius` c (m),
 //! `.reach` R (m, distance from the axis at which the swirl has faded to nothing), `.position.*` (m, a point on the
 //! axis), `.axis.*` (a direction of any length), `forces.vortex` m (multiplier). Inside the core the air turns like a
-//! solid, outside like a free vortex; the last factor makes the end smooth. `.profile` 1 is the core of Rankine instead,
-//! which turns exactly like a solid: 1 - exp(-r^2 / c^2) becomes the smaller of r^2 / c^2 and 1. Any w(r) is free of
-//! divergence. `.inflow` and `.updraft` (m/s) draw air to the axis and along it: see `draft`.
+//! solid, outside like a free vortex; the last factor makes the end smooth. `.profile` 1 is the core of Rankine
+//! instead, which turns exactly like a solid: 1 - exp(-r^2 / c^2) becomes the smaller of r^2 / c^2 and 1. Any w(r) is
+//! free of divergence. `.inflow` and `.updraft` (m/s) draw air to the axis and along it: see `draft`.
 //!
 //! A particle must not spiral out. The plain midpoint rule grows the radius by a^4 / 8 for a turn by the angle a, which
 //! is 1 % after 20 turns at 5 rad/s. Here w is taken where the last step, continued, puts the middle of this one; the

@@ -6,7 +6,8 @@
 //! SIGGRAPH 2001 course notes; Gustavson, "Simplex noise demystified", 2005.
 //!
 //! With d from a corner to the place, in units in which a corner is sqrt(3) from the opposite face, the corner's hashed
-//! vector v, its weight t = max(0, 3 - d.d), and e = 1 on one of the two cubic lattices, -1 on the other, the potential is
+//! vector v, its weight t = max(0, 3 - d.d), and e = 1 on one of the two cubic lattices, -1 on the other, the potential
+//! is
 //!
 //! A = sum over the corners of t^3 (v x d / 12 - e v / 6).
 //!
@@ -22,8 +23,8 @@
 //! (2.4 with rings on cubes), and the two senses e leave no handedness. After Bridson, Hourihan and Nordenstam,
 //! "Curl-Noise for Procedural Fluid Flow", SIGGRAPH 2007; the local potential is ours.
 //!
-//! A component of v is a triangle wave of its hashed phase plus the octave's: at any time all of them are spread evenly,
-//! so that the speed stays the same, and after a quarter of the period nothing is left of the old pattern.
+//! A component of v is a triangle wave of its hashed phase plus the octave's: at any time all of them are spread
+//! evenly, so that the speed stays the same, and after a quarter of the period nothing is left of the old pattern.
 
 use std::f64::consts::TAU;
 
@@ -32,8 +33,8 @@ use wide::{f32x4, u32x4};
 
 use crate::simd::{CELL_ZERO, Vector4, cell_and_fraction, positive_part};
 
-/// Sides of the lattice's cubes in one `turbulence.scale`. It makes vorticity over speed the same as on cubes with sides
-/// of that scale, each corner with the quintic of Perlin's noise.
+/// Sides of the lattice's cubes in one `turbulence.scale`. It makes vorticity over speed the same as on cubes with
+/// sides of that scale, each corner with the quintic of Perlin's noise.
 pub const CELLS: f64 = 0.765;
 
 const STRIDE: [u32; 3] = [0x8da6_b343, 0xd816_3841, 0xcb1a_b31f];
@@ -70,8 +71,8 @@ struct Sums {
 }
 
 impl Octave {
-    /// Octave `number` with swirls of size `scale` (m) and root mean square `speed` (m/s), carried along by `drift` (m);
-    /// `phase` (rad) grows as the pattern changes.
+    /// Octave `number` with swirls of size `scale` (m) and root mean square `speed` (m/s), carried along by `drift`
+    /// (m); `phase` (rad) grows as the pattern changes.
     pub fn new(number: u32, scale: f64, speed: f64, drift: [f64; 3], phase: f64, seed: u32) -> Self {
         let frequency = CELLS / scale;
         // The shift keeps the corners of the octaves, and the world's origin, from falling on each other.

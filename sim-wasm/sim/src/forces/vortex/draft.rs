@@ -1,16 +1,16 @@
 //! What a vortex does besides turning: it draws air in and lifts it.
 //!
-//! Inflow: at the distance r the air moves towards the axis at I m c s(r) / s(c), with s(r) = r times the profile of the
-//! angular velocity: like the swirl 0 at the axis, `inflow` I (m/s) at the core radius c and falling with 1 / r outside,
-//! so that air spirals in at the same angle everywhere. Updraft: along the axis at W m (1 - (r / c)^4)^2 with `updraft`
-//! W (m/s), 0 from the core radius on. Both fade at the reach as the swirl does.
+//! Inflow: at the distance r the air moves towards the axis at I m c s(r) / s(c), with s(r) = r times the profile of
+//! the angular velocity: like the swirl 0 at the axis, `inflow` I (m/s) at the core radius c and falling with 1 / r
+//! outside, so that air spirals in at the same angle everywhere. Updraft: along the axis at W m (1 - (r / c)^4)^2 with
+//! `updraft` W (m/s), 0 from the core radius on. Both fade at the reach as the swirl does.
 //!
 //! The updraft is free of divergence, the inflow is so outside the core (but for the fade): what it draws in vanishes
-//! in the core, as if it left along the axis. Burgers' pair u_r = -a r, u_z = 2 a z would be free of divergence, but its
-//! updraft grows without bounds along the axis, which is nothing to be steered by.
+//! in the core, as if it left along the axis. Burgers' pair u_r = -a r, u_z = 2 a z would be free of divergence, but
+//! its updraft grows without bounds along the axis, which is nothing to be steered by.
 //!
-//! In a step h a particle that turns by 2 p comes nearer by the factor exp(-2 j), with j half of h times the rate of the
-//! inflow. From the place x to the middle M = exp(-j) R(p) x and on to the end the way is
+//! In a step h a particle that turns by 2 p comes nearer by the factor exp(-2 j), with j half of h times the rate of
+//! the inflow. From the place x to the middle M = exp(-j) R(p) x and on to the end the way is
 //!
 //! 2 (cosh j sin p (axis x M) - sinh j cos p M),
 //!
