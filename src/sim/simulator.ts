@@ -196,6 +196,11 @@ export class Simulator {
     return this.#attempt(() => this.#handle.alive);
   }
 
+  /** Vortex particles that live, 1,024 at most: what shedders shed. */
+  get vortexParticles(): number {
+    return this.#attempt(() => this.#handle.vortexParticles);
+  }
+
   /** Particles that wait to be born until there is room. */
   get waiting(): number {
     return this.#attempt(() => this.#handle.waiting);

@@ -87,6 +87,12 @@ impl Simulator {
         self.simulator.waiting() as f64
     }
 
+    /// Vortex particles that live.
+    #[wasm_bindgen(getter = vortexParticles)]
+    pub fn vortex_particles(&self) -> u32 {
+        self.simulator.vortex_particles() as u32
+    }
+
     /// Steps since creation.
     #[wasm_bindgen(getter)]
     pub fn steps(&self) -> f64 {

@@ -1,7 +1,8 @@
 //! One simulation: parameters, particles, rigids and random numbers, and the order of a step.
 //!
 //! A step is 1/60 s, always. Same seed, same parameters and inputs at the same steps: the same state to the last bit,
-//! natively and in WASM. All memory is taken at creation; `step` and `arrange` take none.
+//! natively and in WASM. All memory is taken at creation, that of vortex particles when the first shedder is described;
+//! `step` and `arrange` take none.
 
 use crate::arrange::Arranger;
 use crate::collide::{self, AnalyticCollider, Scratch};
@@ -257,8 +258,8 @@ impl Simulator {
         &mut self.rigids
     }
 
-    /// The state's fingerprint: every living particle, the rigids, what emitters and turbulence remember, the random
-    /// numbers and the count of steps. Parameters are inputs and not part of it.
+    /// The state's fingerprint: every living particle, the rigids, what emitters and turbulence remember, vortex particles,
+    /// the random numbers and the count of steps. Parameters are inputs and not part of it.
     pub fn hash(&self) -> u64 {
         let mut hash = Hash::new();
         hash.long(self.steps);

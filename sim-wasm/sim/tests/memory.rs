@@ -57,7 +57,8 @@ fn memory_is_taken_at_creation_only() {
     let fixed = bytes_of(4);
     assert!(fixed < 65_536, "{fixed} bytes whatever the capacity");
 
-    let mut simulator = simulator(3000, 1, &[LIVELY, &[("emission.rate", 6000.0)]]);
+    let shedders = [("shedders.0.rate", 2000.0), ("shedders.0.strength", 1.0)];
+    let mut simulator = simulator(3000, 1, &[LIVELY, &[("emission.rate", 6000.0)], &shedders]);
     let before = CALLS.load(Ordering::Relaxed);
     for _ in 0..300 {
         steps(&mut simulator, 1);
@@ -67,6 +68,7 @@ fn memory_is_taken_at_creation_only() {
     }
     let calls = CALLS.load(Ordering::Relaxed) - before;
     assert!(simulator.alive() > 2900 && simulator.waiting() > 0);
+    assert_eq!(simulator.vortex_particles(), 1024);
     assert_eq!(calls, 0, "allocations in 300 steps and 600 arrangements");
     println!("{a_particle} bytes a particle and {fixed} bytes besides");
 }
