@@ -20,6 +20,7 @@ use crate::forces::buoyancy;
 use crate::parameters::Parameters;
 use crate::particles::{LANES, Particles};
 use crate::simd::{Vector4, blocks, blocks_mut};
+use crate::tile::{TILE_BLOCKS, tiles};
 pub use radius::{RadiusLaw, SHORTEST_GROWTH};
 
 /// Distance from the origin (m) beyond which a particle dies: nothing is seen there, and single precision ends.
@@ -44,35 +45,67 @@ impl Ageing {
 
 /// Ages and cools all particles; removes those that left the world and those whose time was over at the start of the
 /// step: in the step in which it ends they are still drawn on the way to radius 0.
+pub fn advance(particles: &mut Particles, ageing: &Ageing) {
+    for (first, len) in tiles(particles, 0).rev() {
+        advance_tile(particles, ageing, first, len);
+    }
+}
+
+/// The same for a tile, `len` blocks from block `first` on; the tiles behind it must have been done.
 ///
 /// From the last block to the first: what fills a gap then comes from behind and has been aged already.
-pub fn advance(particles: &mut Particles, ageing: &Ageing) {
-    for block in (0..particles.padded_alive() / LANES).rev() {
-        let dead = dead_lanes(particles, block);
-        age_block(particles, ageing, block);
-        if dead != 0 {
-            bury(particles, block * LANES, dead);
+pub fn advance_tile(particles: &mut Particles, ageing: &Ageing, first: usize, len: usize) {
+    let dead = age(particles, ageing, first, len);
+    if dead == 0 {
+        return;
+    }
+    for block in (0..len).rev() {
+        let lanes = dead >> (block * LANES) & 0b1111;
+        if lanes != 0 {
+            bury(particles, (first + block) * LANES, lanes as u32);
         }
     }
 }
 
+/// Ages and cools. One bit for each lane of the tile that must go, the first lane's lowest.
 #[inline(always)]
-fn age_block(particles: &mut Particles, ageing: &Ageing, block: usize) {
-    let age = &mut blocks_mut(&mut particles.age, block + 1)[block];
-    *age = (f32x4::new(*age) + ageing.dt).to_array();
-    let temperature = &mut blocks_mut(&mut particles.temperature, block + 1)[block];
-    *temperature = (f32x4::new(*temperature) * ageing.cooling).to_array();
+fn age(particles: &mut Particles, ageing: &Ageing, first: usize, len: usize) -> u128 {
+    const { assert!(TILE_BLOCKS * LANES <= 128, "a tile has a bit for each lane") };
+    let Particles {
+        x,
+        y,
+        z,
+        age,
+        lifetime,
+        temperature,
+        ..
+    } = particles;
+    let column = |column| &blocks(column, first + len)[first..];
+    let places = column(x).iter().zip(column(y)).zip(column(z));
+    let lifetimes = column(lifetime);
+    let ages = &mut blocks_mut(age, first + len)[first..];
+    let temperatures = &mut blocks_mut(temperature, first + len)[first..];
+    let lives = ages.iter_mut().zip(temperatures).zip(lifetimes);
+    let mut dead = 0;
+    for (block, (((age, temperature), lifetime), ((x, y), z))) in lives.zip(places).enumerate() {
+        let place = Vector4 {
+            x: f32x4::new(*x),
+            y: f32x4::new(*y),
+            z: f32x4::new(*z),
+        };
+        let old = f32x4::new(*age);
+        let leaving = !stays(place, old, f32x4::new(*lifetime)).to_bitmask() & 0b1111;
+        dead |= u128::from(leaving) << (block * LANES);
+        *age = (old + ageing.dt).to_array();
+        *temperature = (f32x4::new(*temperature) * ageing.cooling).to_array();
+    }
+    dead
 }
 
-/// One bit for each lane that must go, before it ages. A place that is not a number counts as outside of the world.
+/// All bits set in each lane that neither has died nor left the world. A place that is not a number is outside of it.
 #[inline(always)]
-fn dead_lanes(particles: &Particles, block: usize) -> u32 {
-    let column = |column| blocks(column, block + 1);
-    let place = Vector4::load(column(&particles.x), column(&particles.y), column(&particles.z), block);
-    let inside = place.dot(place).simd_le(f32x4::splat(WORLD_RADIUS * WORLD_RADIUS));
-    let age = f32x4::new(column(&particles.age)[block]);
-    let young = age.simd_lt(f32x4::new(column(&particles.lifetime)[block]));
-    !(inside & young).to_bitmask() & 0b1111
+fn stays(place: Vector4, age: f32x4, lifetime: f32x4) -> f32x4 {
+    place.dot(place).simd_le(f32x4::splat(WORLD_RADIUS * WORLD_RADIUS)) & age.simd_lt(lifetime)
 }
 
 fn bury(particles: &mut Particles, first: usize, dead: u32) {

@@ -87,10 +87,17 @@ impl Motion {
         }
     }
 
-    /// Moves every particle by one step; `px`, `py`, `pz` become the places at its start.
-    pub fn advance(&self, particles: &mut Particles, stirrers: Stirrers) {
+    /// Moves every particle by one step; `px`, `py`, `pz` become the places at its start. From the last tile to the
+    /// first; `moved` is told the first block and the number of blocks of each while they are in the nearest cache, and
+    /// may bury particles there.
+    pub fn advance(
+        &self,
+        particles: &mut Particles,
+        stirrers: Stirrers,
+        mut moved: impl FnMut(&mut Particles, usize, usize),
+    ) {
         let mut tile = Tile::new(self.dt, self.integrator == Integrator::Paper);
-        for (first, len) in tiles(particles, 0) {
+        for (first, len) in tiles(particles, 0).rev() {
             tile.load(particles, first, len);
             self.air(&mut tile, stirrers);
             self.forces.act(Stage::Push, &mut tile);
@@ -102,6 +109,7 @@ impl Motion {
                 entrainment.act(tile.columns().slipped, particles, first);
             }
             store(&mut tile, particles, first);
+            moved(particles, first, len);
         }
     }
 
@@ -185,8 +193,9 @@ impl Motion {
             slipped,
             ..
         } = tile.columns();
-        for (block, ahead) in ahead.iter_mut().enumerate() {
-            *ahead = place[block] + flow[block] * dt + slipped[block];
+        let ways = place.iter().zip(&*flow).zip(&*slipped);
+        for (ahead, ((place, flow), slipped)) in ahead.iter_mut().zip(ways) {
+            *ahead = *place + *flow * dt + *slipped;
         }
     }
 
@@ -321,11 +330,11 @@ fn put_slip(slip: &[Vector4], particles: &mut Particles, first: usize) {
 
 #[inline(always)]
 fn write(vectors: &[Vector4], [x, y, z]: [&mut Vec<f32>; 3], first: usize, count: usize) {
-    let column = |column| &mut blocks_mut(column, count)[first..];
-    let (x, y, z) = (column(x), column(y), column(z));
-    for (block, vector) in vectors.iter().enumerate() {
-        x[block] = vector.x.to_array();
-        y[block] = vector.y.to_array();
-        z[block] = vector.z.to_array();
+    let (x, y, z) = (blocks_mut(x, count), blocks_mut(y, count), blocks_mut(z, count));
+    let columns = x[first..].iter_mut().zip(&mut y[first..]).zip(&mut z[first..]);
+    for (((x, y), z), vector) in columns.zip(vectors) {
+        *x = vector.x.to_array();
+        *y = vector.y.to_array();
+        *z = vector.z.to_array();
     }
 }

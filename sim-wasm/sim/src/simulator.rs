@@ -150,14 +150,25 @@ impl Simulator {
         ended(Part::Follow);
         let motion = self.motion();
         self.bear(&motion);
-        motion.advance(&mut self.particles, self.vortex_particles.as_deref());
-        #[cfg(feature = "rigids")]
-        self.rigids
-            .drag_air(&mut self.particles, &RadiusLaw::new(&self.parameters), STEP as f32);
-        ended(Part::Motion);
-        self.collide();
-        ended(Part::Collision);
-        life::advance(&mut self.particles, &Ageing::new(&self.parameters, STEP));
+        let ageing = Ageing::new(&self.parameters, STEP);
+        let stirrers = self.vortex_particles.as_deref();
+        if self.has_obstacles() {
+            motion.advance(&mut self.particles, stirrers, |_, _, _| ());
+            #[cfg(feature = "rigids")]
+            self.rigids
+                .drag_air(&mut self.particles, &RadiusLaw::new(&self.parameters), STEP as f32);
+            ended(Part::Motion);
+            self.collide();
+            ended(Part::Collision);
+            life::advance(&mut self.particles, &ageing);
+        } else {
+            // Nothing comes between moving and ageing: one pass over the memory instead of two.
+            motion.advance(&mut self.particles, stirrers, |particles, first, len| {
+                life::advance_tile(particles, &ageing, first, len);
+            });
+            ended(Part::Motion);
+            ended(Part::Collision);
+        }
         self.shed(&motion);
         turbulence::advance(&mut self.turbulence, &self.parameters, STEP);
         self.touch.advance();
@@ -341,6 +352,15 @@ impl Simulator {
             turbulence: &self.turbulence,
             gusts: self.touch.gusts(),
         }
+    }
+
+    /// Whether there is anything that particles may meet.
+    fn has_obstacles(&self) -> bool {
+        #[cfg(feature = "rigids")]
+        if self.rigids.count() > 0 {
+            return true;
+        }
+        !self.parameters.colliders.items().is_empty()
     }
 
     #[cfg(feature = "rigids")]

@@ -88,6 +88,30 @@ impl Tile {
     /// Takes up the particles of `len` blocks from `first` on, with air that does not move.
     #[inline(always)]
     pub fn load(&mut self, particles: &Particles, first: usize, len: usize) {
+        self.clear(len);
+        let half = if self.is_instant { f32x4::ZERO } else { f32x4::HALF };
+        let column = |column| &blocks(column, first + len)[first..];
+        let vector = |x, y, z| column(x).iter().zip(column(y)).zip(column(z)).map(vector4);
+        let places = vector(&particles.x, &particles.y, &particles.z);
+        let before = vector(&particles.px, &particles.py, &particles.pz);
+        let slips = vector(&particles.sx, &particles.sy, &particles.sz);
+        let heats = column(&particles.temperature);
+        let own = self.place[..len]
+            .iter_mut()
+            .zip(&mut self.ahead[..len])
+            .zip(self.slip[..len].iter_mut().zip(&mut self.heat[..len]));
+        let theirs = places.zip(before).zip(slips.zip(heats));
+        for (((place, ahead), (slip, heat)), ((now, before), (its_slip, its_heat))) in own.zip(theirs) {
+            *place = now;
+            *ahead = now + (now - before) * half;
+            *slip = its_slip;
+            *heat = f32x4::new(*its_heat);
+        }
+    }
+
+    /// Makes it `len` blocks long, with air that does not move and nothing that pushes.
+    #[inline(always)]
+    fn clear(&mut self, len: usize) {
         self.len = len;
         if self.is_pushed {
             self.push = [Vector4::zero(); TILE_BLOCKS];
@@ -96,20 +120,6 @@ impl Tile {
         if self.is_dragged {
             self.resistance = [f32x4::ZERO; TILE_BLOCKS];
             self.is_dragged = false;
-        }
-        let column = |column| &blocks(column, first + len)[first..];
-        let vector = |x, y, z| (column(x), column(y), column(z));
-        let (x, y, z) = vector(&particles.x, &particles.y, &particles.z);
-        let (px, py, pz) = vector(&particles.px, &particles.py, &particles.pz);
-        let (sx, sy, sz) = vector(&particles.sx, &particles.sy, &particles.sz);
-        let heat = column(&particles.temperature);
-        let half = if self.is_instant { f32x4::ZERO } else { f32x4::HALF };
-        for (block, heat) in heat.iter().enumerate() {
-            let place = Vector4::load(x, y, z, block);
-            self.place[block] = place;
-            self.ahead[block] = place + (place - Vector4::load(px, py, pz, block)) * half;
-            self.slip[block] = Vector4::load(sx, sy, sz, block);
-            self.heat[block] = f32x4::new(*heat);
         }
         self.flow[..len].fill(Vector4::zero());
     }
@@ -173,8 +183,17 @@ impl Tile {
     }
 }
 
+#[inline(always)]
+fn vector4(((x, y), z): ((&[f32; LANES], &[f32; LANES]), &[f32; LANES])) -> Vector4 {
+    Vector4 {
+        x: f32x4::new(*x),
+        y: f32x4::new(*y),
+        z: f32x4::new(*z),
+    }
+}
+
 /// The blocks of `particles` from `first` on, cut into tiles: first block and number of blocks of each.
-pub fn tiles(particles: &Particles, first: usize) -> impl Iterator<Item = (usize, usize)> + use<> {
+pub fn tiles(particles: &Particles, first: usize) -> impl DoubleEndedIterator<Item = (usize, usize)> + use<> {
     let end = particles.padded_alive() / LANES;
     (first..end)
         .step_by(TILE_BLOCKS)
