@@ -1,7 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { ParameterError, SimulatorError } from '../../src/preset/errors.ts';
 import type { RigidDescription, RigidPart, RigidShape } from '../../src/sim/rigid.ts';
+import type { JointDescription } from '../../src/sim/joint.ts';
 import type { RigidPath } from '../../src/sim/rigidPath.ts';
+import { readLook } from '../../src/sim/rows.ts';
 import { EVERYTHING } from '../support/everything.ts';
 import { JET, loadVariant } from './simWasm.ts';
 
@@ -88,6 +90,8 @@ describe('rigids', () => {
       [{ ...ball, restitution: 2 }, 'rigid.restitution'],
       [{ ...ball, friction: -0.1 }, 'rigid.friction'],
       [{ ...ball, density: 0 }, 'rigid.density'],
+      [{ ...ball, action: 'freeze' as 'kill' }, 'rigid.action'],
+      [{ ...ball, action: 'tint', tint: 16 }, 'rigid.tint'],
       [{ ...ball, boundaryLayer: -1 }, 'rigid.boundaryLayer'],
       [{ ...ball, feelsSmoke: NaN }, 'rigid.feelsSmoke'],
       [{ ...ball, spin: { axis: [0, 1, 0], rate: 1e4 } }, 'rigid.spin.rate'],
@@ -151,6 +155,48 @@ describe('rigids', () => {
     expect(() => simulator.dragRigid(onPath, [0, 0, 0], [NaN, 0, 0])).toThrow(/rigid\.drag\.target\.x/);
     expect(() => simulator.dragRigid(9, [0, 0, 0], [0, 0, 0])).toThrow(/rigid\.index/);
     simulator.dispose();
+  });
+
+  it('are joined, and each joint is refused by the name of what is wrong', async () => {
+    const simulator = await create();
+    const peg = simulator.addRigid({ ...still(SHAPES[0]), kind: 'fixed' });
+    const bob = simulator.addRigid({ ...still({ type: 'ball', radius: 0.1 }), kind: 'dynamic', position: [0, -1, 0] });
+    const anchors = [
+      [0, 0, 0],
+      [0, 1, 0],
+    ] as const;
+    const joint: JointDescription = { type: 'ball', rigids: [peg, bob], anchors };
+    expect(simulator.addJoint(joint)).toBe(0);
+    simulator.step(30);
+    expect(simulator.rigidPoses(1)[8]).toBeCloseTo(-1, 2);
+    const wrong: [unknown, string][] = [
+      [{ ...joint, type: 'glue' }, 'joint.type'],
+      [{ ...joint, rigids: [bob, bob] }, 'joint.rigids'],
+      [{ ...joint, rigids: [bob, 9] }, 'rigid.index'],
+      [{ ...joint, type: 'rope', length: NaN }, 'joint.length'],
+      [{ ...joint, type: 'hinge', axis: [0, 0, 0] }, 'joint.axis'],
+      [{ ...joint, type: 'hinge', axis: [0, 1, 0], motor: { speed: 1e6, torque: 1 } }, 'joint.motor.speed'],
+    ];
+    for (const [description, key] of wrong) {
+      expect(() => simulator.addJoint(description as JointDescription), key).toThrow(key);
+    }
+    simulator.dispose();
+  });
+
+  it('kill or tint the smoke that touches them', async () => {
+    for (const action of ['kill', 'tint'] as const) {
+      const simulator = await create();
+      // Few enough that births never wait: there is always fresh smoke below the plate.
+      simulator.set({ ...JET, 'emission.rate': 60, 'emitters.0.spread': 0 });
+      const plate: RigidShape = { type: 'cuboid', halfExtents: [2, 0.1, 2] };
+      simulator.addRigid({ ...still(plate), position: [0, 1, 0], action, tint: 9 });
+      simulator.step(120);
+      const { count, look } = simulator.arrange(EVERYTHING);
+      const tints = new Set(Array.from({ length: count }, (_, row) => readLook(look, row).tint));
+      expect(tints).toEqual(new Set(action === 'kill' ? [0] : [0, 9]));
+      expect(simulator.bounds.max[1] > 1.5).toBe(action === 'tint');
+      simulator.dispose();
+    }
   });
 
   it('give poses between two steps', async () => {

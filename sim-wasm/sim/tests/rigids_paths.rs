@@ -133,6 +133,55 @@ fn an_open_spline_goes_through_its_points_at_the_speed_it_is_given_and_stays_at_
     assert!((before - Vector::from(points[3])).length() < 1e-5);
 }
 
+/// Barry and Goldman's pyramid of linear interpolations, which shares nothing with the simulator's polynomials.
+fn centripetal(points: &[Vector; 4], u: f32) -> Vector {
+    let mut knots = [0.0; 4];
+    for k in 1..4 {
+        knots[k] = knots[k - 1] + (points[k] - points[k - 1]).length().sqrt();
+    }
+    let t = knots[1] + (knots[2] - knots[1]) * u;
+    let mut level = points.to_vec();
+    for (height, count) in [(1, 3), (2, 2), (3, 1)] {
+        // The top of the pyramid spans the middle knots again.
+        let span = |k: usize| if height == 3 { (1, 2) } else { (k, k + height) };
+        level = (0..count)
+            .map(|k| {
+                let (from, to) = span(k);
+                level[k].towards(level[k + 1], (t - knots[from]) / (knots[to] - knots[from]))
+            })
+            .collect();
+    }
+    level[0]
+}
+
+#[test]
+fn a_spline_is_the_centripetal_one() {
+    let points = [[0.0, 0.0, 0.0], [0.2, 1.0, 0.0], [3.0, 1.2, 0.5], [3.1, 0.0, 0.0]];
+    let path = Path::Spline {
+        points: points.to_vec(),
+        pace: Pace::Duration(4.0),
+        looped: true,
+        along: false,
+    };
+    let mut rigids = Rigids::new();
+    rigids.add(with_path(path, Pose::at(Vector::ZERO))).unwrap();
+    let curve: Vec<Vector> = (0..4)
+        .flat_map(|piece| {
+            let knots = [3, 0, 1, 2].map(|step| Vector::from(points[(piece + step) % 4]));
+            (0..500).map(move |k| centripetal(&knots, k as f32 / 500.0))
+        })
+        .collect();
+    for step in 0..240 {
+        rigids.advance(DT);
+        let at = pose(&rigids, 0).position;
+        let off = curve
+            .iter()
+            .map(|point| (*point - at).length())
+            .fold(f32::INFINITY, f32::min);
+        assert!(off < 0.01, "step {step}: {at:?} is {off} m off the curve");
+    }
+}
+
 #[test]
 fn spin_goes_with_a_path_and_with_a_target() {
     let axis = Vector::new(0.0, 0.6, 0.8);
