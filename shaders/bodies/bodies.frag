@@ -25,6 +25,7 @@ flat in float inkReach;
 flat in float centreZ;
 flat in float radius;
 flat in float ringDrop;
+flat in float rampShift;
 
 layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
@@ -46,8 +47,8 @@ void main() {
   normal.xy = vec2(rollTurn.x * normal.x - rollTurn.y * normal.y, rollTurn.x * normal.y + rollTurn.y * normal.x);
   float facing = dot(normalize(normal), towardsLightInView);
   vec3 fill = paint.rgb * mix(gradientFactor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
-  vec3 litColor = textureLod(ramps, vec2(facing, litRow), 0.0).rgb * fill;
-  vec3 unlitColor = textureLod(ramps, vec2(facing, unlitRow), 0.0).rgb * fill;
+  vec3 litColor = textureLod(ramps, vec2(facing, litRow + rampShift), 0.0).rgb * fill;
+  vec3 unlitColor = textureLod(ramps, vec2(facing, unlitRow + rampShift), 0.0).rgb * fill;
   unlit = vec4(isInk ? inkColor : unlitColor, 1.0);
   lit = vec4(isInk ? inkColor : litColor, 0.0);
 

@@ -11,6 +11,7 @@ uniform float inkPixels;
 uniform float innerLine;
 uniform vec2 plumeHeight;
 uniform vec4 gradientWeights;
+uniform float rampPitch;
 
 in vec2 corner;
 in vec4 place;
@@ -24,6 +25,7 @@ flat out float inkReach;
 flat out float centreZ;
 flat out float radius;
 flat out float ringDrop;
+flat out float rampShift;
 
 #include ../lib/pixel.glsl
 #include ../lib/look.glsl
@@ -43,6 +45,7 @@ void main() {
   variation = variationOf(look);
   centreZ = centre.z;
   ringDrop = innerLine * radius;
+  rampShift = rampPitch * float(toneOf(look));
   float height = (place.y + point.y * radius - plumeHeight.x) / max(plumeHeight.y - plumeHeight.x, 1e-6);
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
   gradientPosition = dot(gradientWeights, vec4(0.5 + 0.5 * corner.y, height, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look)));

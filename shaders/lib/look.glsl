@@ -16,3 +16,9 @@ int variationOf(uvec2 look) {
 int tintOf(uvec2 look) {
   return int(look.y >> 24u);
 }
+
+// Which of the smoke's ramps: 0 without a tint, else one of the three tints by turns.
+int toneOf(uvec2 look) {
+  int tint = tintOf(look);
+  return tint == 0 ? 0 : 1 + (tint - 1) % 3;
+}

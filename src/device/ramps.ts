@@ -70,6 +70,11 @@ export class RampTexture {
     return { litRow: row(2 * material), unlitRow: row(2 * material + 1) };
   }
 
+  /** From one material to the next, as texture coordinate. */
+  get pitch(): number {
+    return 1 / this.materials;
+  }
+
   dispose(): void {
     this.texture.dispose();
   }

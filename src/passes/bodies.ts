@@ -36,7 +36,7 @@ export class BodiesPass {
     gradientFactor: { value: new Vector3(1, 1, 1) },
   };
 
-  /** @param material which ramp of `ramps` is the smoke's */
+  /** @param material which ramp of `ramps` is the smoke's; those of its tints follow it */
   constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, material: number, rows: BufferGeometry) {
     const { litRow, unlitRow } = ramps.rows(material);
     this.material = new RawShaderMaterial({
@@ -53,6 +53,7 @@ export class BodiesPass {
         ramps: { value: ramps.texture },
         litRow: { value: litRow },
         unlitRow: { value: unlitRow },
+        rampPitch: { value: ramps.pitch },
       },
     });
     const mesh = new Mesh(rows, this.material);

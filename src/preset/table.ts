@@ -174,6 +174,9 @@ export const table: readonly Parameter[] = [
     ],
   ),
   color('smokeColor', 'Smoke', 'Colour of the smoke in full light.', '#f6efe2'),
+  color('tint1', 'Tint 1', 'Colour of smoke that an emitter or an obstacle has given tint 1.', '#f08a5d'),
+  color('tint2', 'Tint 2', 'Colour of smoke that an emitter or an obstacle has given tint 2.', '#7fb2e5'),
+  color('tint3', 'Tint 3', 'Colour of smoke that an emitter or an obstacle has given tint 3.', '#8fcf7a'),
   color('inkColor', 'Ink', 'Colour of the outlines.', '#1d1720'),
   quantity('style.outlineWidth', 'style', 'style', {
     min: 0,

@@ -44,7 +44,8 @@ export interface SmokeOptions {
 }
 
 const SMOKE_RAMP = 0;
-const FIRST_SURFACE_RAMP = 1;
+const TINTS = 3;
+const FIRST_SURFACE_RAMP = SMOKE_RAMP + 1 + TINTS;
 
 /**
  * Cartoon smoke on a device: turns a simulator's particles into a picture, for any camera and directional light.
@@ -124,7 +125,9 @@ export class CartoonSmoke {
   private apply(style: Style, pixelRatio: number): void {
     const { body, surfaces, volumes } = this.passes;
     const inkPixels = style.outlines ? style.outlineWidth * pixelRatio : 0;
-    this.ramps.write(SMOKE_RAMP, rampOf(style.smokeColor, style));
+    [style.smokeColor, ...style.tints].forEach((color, tint) =>
+      this.ramps.write(SMOKE_RAMP + tint, rampOf(color, style)),
+    );
     this.surfaces.forEach(({ color }, index) =>
       this.ramps.write(FIRST_SURFACE_RAMP + index, rampOf(color, surfaceToning(style))),
     );

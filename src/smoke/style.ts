@@ -14,6 +14,8 @@ export interface Style extends Toning {
   /** Depth gap, in puff radii, beyond which a puff is outlined against what lies behind it. */
   innerLine: number;
   smokeColor: Color;
+  /** Colours of smoke that an emitter or a collider has tinted. */
+  tints: readonly [Color, Color, Color];
   inkColor: Color;
 }
 
@@ -29,6 +31,11 @@ export function styleOf(values: Values): Style {
     innerLine: values['style.innerLine'] as number,
     tones: values['style.tones'] as 1 | 2 | 3,
     smokeColor: parseColor(values['style.smokeColor'] as string),
+    tints: [tint(values, 1), tint(values, 2), tint(values, 3)],
     inkColor: parseColor(values['style.inkColor'] as string),
   };
+}
+
+function tint(values: Values, number: number): Color {
+  return parseColor(values[`style.tint${number}`] as string);
 }

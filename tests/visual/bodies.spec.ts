@@ -16,6 +16,13 @@ test('two tones show exactly the ramp, the ink and the page', async ({ load }) =
   expect(Object.keys(found).sort()).toEqual([...allowed].sort());
 });
 
+test('tinted puffs have the tones of their tint, by turns, and all others those of the smoke', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  for (const { tint, found, expected } of await cases.evaluate((module) => module.tintColors())) {
+    expect(found, `tint ${tint}`).toEqual(expected);
+  }
+});
+
 test('ink is the ink colour in light, in shade and in shadow', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const report = await cases.evaluate((module) => module.inkColors());

@@ -31,6 +31,8 @@ export interface LabPuff {
   radius: number;
   roll?: number;
   variation?: number;
+  /** 0 to 15. */
+  tint?: number;
   age?: number;
 }
 
@@ -61,6 +63,11 @@ export const PLAIN_STYLE: Style = {
   innerLine: 0.5,
   tones: 2,
   smokeColor: [240, 236, 224],
+  tints: [
+    [240, 138, 93],
+    [127, 178, 229],
+    [143, 207, 122],
+  ],
   inkColor: [27, 26, 46],
 };
 
@@ -81,7 +88,7 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
     place.set([...puff.place, puff.radius], 4 * index);
     look[2 * index] =
       (Math.round((turn - Math.floor(turn)) * 65536) & 0xffff) | (Math.round((puff.age ?? 0) * 65535) << 16);
-    look[2 * index + 1] = puff.variation ?? 0;
+    look[2 * index + 1] = (puff.variation ?? 0) | ((puff.tint ?? 0) << 24);
   });
   return { count: puffs.length, place, look };
 }

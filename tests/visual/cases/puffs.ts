@@ -90,6 +90,24 @@ export function toneColors(): { found: Record<string, number>; allowed: string[]
   };
 }
 
+/** The colours of a lone puff by its tint, most frequent first without ink and page, and those that the tint's ramp has. */
+export function tintColors(): { tint: number; found: string[]; expected: string[] }[] {
+  const { smokeColor, tints, inkColor } = PLAIN_STYLE;
+  const other = [`${inkColor.join()},255`, '0,0,0,0'];
+  return [smokeColor, ...tints, tints[0], tints[1]].map((color, tint) => {
+    const puffs = [{ place: [0, 0, 0] as Triple, radius: 1, tint }];
+    const found = colors(takePicture({ width: WIDTH, height: HEIGHT, puffs, towardsLight: [0.6, 0.6, 0.53] }));
+    const ramp = rampOf(color, { tones: 2, shading: true });
+    return {
+      tint,
+      found: Object.keys(found)
+        .filter((key) => !other.includes(key))
+        .sort(),
+      expected: ramp.lit.map((tone) => `${tone.color.join()},255`).sort(),
+    };
+  });
+}
+
 /** The ink of a puff that is lit, of one seen from its dark side, and of one in another's shadow. */
 export function inkColors(): Record<string, { ink: number; nearInk: number }> {
   const puff: LabPuff = { place: [0, 0, 0], radius: 0.8 };
