@@ -57,7 +57,8 @@ export class RenderBench {
   static async create(scale = 1): Promise<RenderBench> {
     const factory = await loadSimulators({ physics: false });
     const simulator = factory.create({ capacity: PARTICLES, seed: 1 });
-    simulator.set({ 'emission.rate': 0, 'emission.growthTime': 0 });
+    // The paper's law, by which particles are born full.
+    simulator.set({ 'emission.rate': 0, 'emission.growthTime': 0, 'simulation.integrator': 1 });
     simulator.restore(withParticles(simulator, seededPlume(PARTICLES, 9)));
     return new RenderBench(simulator, WIDTH * scale, HEIGHT * scale);
   }

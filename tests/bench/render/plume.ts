@@ -9,7 +9,7 @@ const VARIATIONS = 4;
 
 /**
  * A column of smoke that rises from the origin to 3.7 m, widens and drifts to the right by 4.5 m, where a camera on its
- * lower part no longer sees it. `emission.growthTime` must be 0.
+ * lower part no longer sees it. `emission.growthTime` must be 0, and the integrator the paper's.
  */
 export function seededPlume(count: number, seed: number): Particles {
   const next = random(seed);
