@@ -21,13 +21,22 @@ function range(parameter: Parameter): string {
   }
 }
 
-/** The items of a list are alike, and a vector's three numbers too: the first stands for all. */
+/** Where, when and on what an item acts: every list of forces has these, emitters all but the region. */
+const SCOPE = /^\w+\.0\.(region\.|envelope\.|rigid$)/;
+
+/** The items of a list are alike, and a vector's three numbers too, and what all lists have: one row stands for all. */
 function rows(): string[] {
   const listed = table.filter(({ key }) => !/^\w+\.[1-7]\./.test(key) && !/^\w+\.0\..*\.[yz]$/.test(key));
-  return listed.map((parameter) => {
-    const key = parameter.key.replace('.0.', '.0‥7.').replace(/(?<=\.0‥7\..*)\.x$/, '.x, .y, .z');
-    return `| \`${key}\` | ${range(parameter)} | ${parameter.default} | ${parameter.text} |`;
-  });
+  const scope = listed.filter(({ key }) => SCOPE.test(key) && key.startsWith('winds.'));
+  return [
+    ...listed.filter(({ key }) => !SCOPE.test(key)).map((parameter) => row(parameter, parameter.key)),
+    ...scope.map((parameter) => row(parameter, parameter.key.replace('winds.', '*.'))),
+  ];
+}
+
+function row(parameter: Parameter, key: string): string {
+  const name = key.replace('.0.', '.0‥7.').replace(/(?<=\.0‥7\..*)\.x$/, '.x, .y, .z');
+  return `| \`${name}\` | ${range(parameter)} | ${parameter.default} | ${parameter.text} |`;
 }
 
 it('lists the parameters as the table has them (UPDATE_README=1 writes them anew)', () => {
