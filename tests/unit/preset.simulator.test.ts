@@ -14,8 +14,8 @@ const WASM = new URL('../../src/sim/wasm/core/bindings_bg.wasm', import.meta.url
 const rows = table.filter(
   (row): row is NumberParameter => row.reader === 'simulator' && 'min' in row && !/^\w+\.[1-7]\./.test(row.key),
 );
-/** At their least, nothing is born. */
-const BIRTHS = new Set(['emission.rate', 'emitters.0.share']);
+/** At one of their ends, nothing is born. */
+const BIRTHS = new Set(['emission.rate', 'emitters.0.share', 'emitters.0.envelope.start']);
 const lamp = presetValues(presets[0]);
 
 /** The table of the page against the table of the simulator: two languages, one vocabulary. */

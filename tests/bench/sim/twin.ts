@@ -249,7 +249,7 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
     const movedX = x + flowX * dt + slippedX;
     const movedY = y + flowY * dt + slippedY;
     const movedZ = z + flowZ * dt + slippedZ;
-    const older = AGE[i] + dt;
+    const old = AGE[i];
     PX[i] = x;
     PY[i] = y;
     PZ[i] = z;
@@ -259,10 +259,10 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
     SX[i] = slipX * kept;
     SY[i] = slipY * kept + lift * first;
     SZ[i] = slipZ * kept;
-    AGE[i] = older;
+    AGE[i] = old + dt;
     TEMPERATURE[i] = heat * cooling;
     const distance = movedX * movedX + movedY * movedY + movedZ * movedZ;
-    if (!(older < LIFETIME[i] && distance <= WORLD_RADIUS * WORLD_RADIUS)) {
+    if (!(old < LIFETIME[i] && distance <= WORLD_RADIUS * WORLD_RADIUS)) {
       alive--;
       bury(particles, i, alive);
     }
