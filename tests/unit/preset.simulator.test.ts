@@ -15,7 +15,7 @@ const rows = table.filter(
   (row): row is NumberParameter => row.reader === 'simulator' && 'min' in row && !/^\w+\.[1-7]\./.test(row.key),
 );
 /** At one of their ends, nothing is born. */
-const BIRTHS = new Set(['emission.rate', 'emitters.0.share', 'emitters.0.envelope.start']);
+const BIRTHS = /^(emission\.rate|emitters\.0\.(share|envelope\.\w+))$/;
 const lamp = presetValues(presets[0]);
 
 /** The table of the page against the table of the simulator: two languages, one vocabulary. */
@@ -40,7 +40,7 @@ describe('the simulator', () => {
         const simulator = smoking({ [row.key]: value });
         const { count, place } = simulator.arrange(EVERYTHING);
         expect(place.every(Number.isFinite), `${row.key} = ${value}`).toBe(true);
-        if (!BIRTHS.has(row.key)) expect(count, `${row.key} = ${value}`).toBeGreaterThan(0);
+        if (!BIRTHS.test(row.key)) expect(count, `${row.key} = ${value}`).toBeGreaterThan(0);
         simulator.dispose();
       }
     }
