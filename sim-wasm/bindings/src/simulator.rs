@@ -32,9 +32,7 @@ impl Simulator {
     /// Takes up the surface of a mesh for emitters and returns its number: `sim::emission::surface::Surface::new`.
     #[wasm_bindgen(js_name = addSurface)]
     pub fn add_surface(&mut self, vertices: &[f32], indices: &[u32]) -> Result<u32, JsValue> {
-        self.simulator
-            .add_surface(vertices, indices)
-            .map_err(parameter_refusal)
+        self.simulator.add_surface(vertices, indices).map_err(parameter_refusal)
     }
 
     /// Advances by `count` steps of 1/60 s.

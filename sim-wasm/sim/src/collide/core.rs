@@ -13,6 +13,8 @@ pub struct Core {
     pub radius: f32,
     /// A cylinder along y, not a box.
     pub about_y: bool,
+    /// Distance (m) below which rounding may tell two looks at the shape apart.
+    slack: f32,
 }
 
 impl Core {
@@ -20,9 +22,7 @@ impl Core {
     pub fn of(bounds: &Bounds) -> Self {
         Self {
             centre: (bounds.min + bounds.max) * 0.5,
-            half: (bounds.max - bounds.min) * 0.5,
-            radius: 0.0,
-            about_y: false,
+            ..Self::around((bounds.max - bounds.min) * 0.5, 0.0)
         }
     }
 
@@ -33,6 +33,15 @@ impl Core {
             half,
             radius,
             about_y: false,
+            slack: 1e-5 * (half.length() + radius),
+        }
+    }
+
+    /// An upright cylinder about the origin.
+    pub fn upright(half_height: f32, radius: f32) -> Self {
+        Self {
+            about_y: true,
+            ..Self::around(Vector::new(radius, half_height, 0.0), 0.0)
         }
     }
 
@@ -45,8 +54,8 @@ impl Core {
         let way = (to - from).length() + motion.detour(from, to);
         let (first, last) = (self.distance(from), self.distance(to));
         // Rounding must not let anybody pass that the exact look would stop.
-        let radius = radius * 1.001 + 1e-5 * (self.half.length() + self.radius);
-        last >= radius && first + last >= way * 1.001 + 2.0 * radius
+        let radius = radius * 1.001 + self.slack;
+        (last >= radius) & (first + last >= way * 1.001 + 2.0 * radius)
     }
 
     /// At most the distance to the shape; inside of the box or cylinder no deeper than its radius.

@@ -178,7 +178,7 @@ impl Obstacles<'_> {
         for (index, obstacle) in self.analytic.iter().enumerate() {
             if WideBounds::from(&obstacle.bounds).touches(&passer.bounds) {
                 near.push(index as u32);
-                passes = passes && passer.passes(obstacle);
+                passes &= passer.passes(obstacle);
             }
         }
         #[cfg(feature = "rigids")]

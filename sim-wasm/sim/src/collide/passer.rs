@@ -41,7 +41,7 @@ impl Passer {
     #[inline]
     pub(crate) fn passes<C>(&self, obstacle: &Obstacle<C>) -> bool {
         let Obstacle { core, motion, .. } = obstacle;
-        self.is_whole && core.is_passed_by(motion, self.from, self.to, self.reach)
+        self.is_whole & core.is_passed_by(motion, self.from, self.to, self.reach)
     }
 }
 

@@ -197,9 +197,6 @@ impl Collider for Cylinder {
     }
 
     fn core(&self) -> Core {
-        Core {
-            about_y: true,
-            ..Core::around(Vector::new(self.radius, self.half_height, 0.0), 0.0)
-        }
+        Core::upright(self.half_height, self.radius)
     }
 }

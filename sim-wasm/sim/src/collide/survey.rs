@@ -95,6 +95,9 @@ pub(crate) struct Spot {
     pub(crate) is_large: bool,
 }
 
+/// Blocks that are looked at before those that they pick are met: what comes next is then easily foretold by a processor.
+const BATCH: usize = 64;
+
 /// Calls `meet` for each living particle that `look` picks from a block of four, with its number and its spot.
 pub(crate) fn for_each_near(
     particles: &mut Particles,
@@ -103,15 +106,23 @@ pub(crate) fn for_each_near(
     mut meet: impl FnMut(&mut Particles, usize, Spot),
 ) {
     let alive = particles.alive();
-    for first in (0..alive).step_by(LANES) {
-        let sight = look(&Ways::load(particles, radii, first));
-        let mut lanes = sight.lanes;
-        while lanes != 0 {
-            let lane = lanes.trailing_zeros() as usize;
-            if first + lane < alive {
-                meet(particles, first + lane, sight.spots[lane]);
+    let mut picked = [(0, Spot::default()); BATCH * LANES];
+    for begin in (0..alive).step_by(BATCH * LANES) {
+        let mut count = 0;
+        for first in (begin..alive.min(begin + BATCH * LANES)).step_by(LANES) {
+            let sight = look(&Ways::load(particles, radii, first));
+            if sight.lanes == 0 {
+                continue;
             }
-            lanes &= lanes - 1;
+            for (lane, spot) in sight.spots.into_iter().enumerate() {
+                picked[count] = (first + lane, spot);
+                count += (sight.lanes >> lane & 1) as usize;
+            }
+        }
+        for &(i, spot) in &picked[..count] {
+            if i < alive {
+                meet(particles, i, spot);
+            }
         }
     }
 }

@@ -128,22 +128,26 @@ impl Grid {
         ((z * height + y) * width + x).to_array()
     }
 
-    /// Calls `act` for each rigid whose box touches `bounds`.
+    /// Appends the rigids whose boxes touch `bounds`, each number raised by `first`; there is room for all.
     #[inline]
-    pub fn for_each_touching(&self, bounds: &WideBounds, spot: Spot, mut act: impl FnMut(usize)) {
-        let mut look_at = |index: usize| {
-            if self.wide[index].touches(bounds) {
-                act(index);
-            }
-        };
+    pub fn find_touching(&self, bounds: &WideBounds, spot: Spot, first: u32, near: &mut Vec<u32>) {
+        let touches = |index: &usize| self.wide[*index].touches(bounds);
         if spot.is_large {
-            (0..self.wide.len()).for_each(look_at);
+            near.extend((0..self.wide.len()).filter(touches).map(|index| first + index as u32));
             return;
         }
+        let large = self.large.iter().map(|index| usize::from(*index));
+        near.extend(large.filter(touches).map(|index| first + index as u32));
         let cell = spot.cell as usize;
-        self.large.iter().for_each(|index| look_at(usize::from(*index)));
         let entries = &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize];
-        entries.iter().for_each(|index| look_at(usize::from(*index)));
+        // Written first and kept if it touches: a processor foretells that better than a branch.
+        let mut count = near.len();
+        near.resize(count + entries.len(), 0);
+        for index in entries {
+            near[count] = first + u32::from(*index);
+            count += usize::from(touches(&usize::from(*index)));
+        }
+        near.truncate(count);
     }
 
     fn measure(&mut self, area: &Bounds) {

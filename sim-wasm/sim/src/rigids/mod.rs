@@ -276,11 +276,12 @@ impl Rigids {
     /// passes all of them by.
     #[inline]
     pub(crate) fn find_near(&self, passer: &Passer, first: u32, near: &mut Vec<u32>) -> bool {
+        let begin = near.len();
+        self.grid.find_touching(&passer.bounds, passer.spot, first, near);
         let mut passes = true;
-        self.grid.for_each_touching(&passer.bounds, passer.spot, |index| {
-            near.push(first + index as u32);
-            passes = passes && passer.passes(&self.obstacles[index]);
-        });
+        for index in &near[begin..] {
+            passes &= passer.passes(&self.obstacles[(index - first) as usize]);
+        }
         passes
     }
 

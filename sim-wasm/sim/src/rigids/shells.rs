@@ -12,7 +12,7 @@ use crate::particles::Particles;
 pub struct Shells {
     rigids: Vec<usize>,
     grid: Grid,
-    near: Vec<usize>,
+    near: Vec<u32>,
 }
 
 impl Shells {
@@ -56,10 +56,10 @@ impl Shells {
         for_each_near(particles, radii, look, |particles, i, spot| {
             near.clear();
             let way = way_of(particles, i, radii);
-            grid.for_each_touching(&way, spot, |slot| near.push(slot));
+            grid.find_touching(&way, spot, 0, near);
             near.sort_unstable();
             for slot in near.iter() {
-                meet(particles, i, rigids[*slot]);
+                meet(particles, i, rigids[*slot as usize]);
             }
         });
     }
