@@ -47,7 +47,7 @@ export function pathNumbers(path: RigidPath | undefined): Float32Array {
       const bySpeed = path.speed !== undefined;
       const pace = bySpeed ? path.speed : path.duration;
       const points = path.points.flatMap((point) => [point[0], point[1], point[2]]);
-      return Float32Array.of(1, loop, path.along ? 1 : 0, bySpeed ? 1 : 0, pace as number, ...points);
+      return Float32Array.of(1, loop, path.along ? 1 : 0, bySpeed ? 1 : 0, pace, ...points);
     }
     default:
       throw new ParameterError('rigid.path.type', (path as RigidPath).type, 'one of keyframes, spline');

@@ -256,11 +256,11 @@ fn tip_at_100_metres_a_second(reach: f32) {
     let mut hit = vec![false; 2 * COUNT];
     for step in 1..=40 {
         cloud.step(0.0);
-        for i in 0..2 * COUNT {
-            hit[i] |= cloud.particles.sx[i] != 0.0 || cloud.particles.sz[i] != 0.0;
+        for (i, hit) in hit.iter_mut().enumerate() {
+            *hit |= cloud.particles.sx[i] != 0.0 || cloud.particles.sz[i] != 0.0;
             let through = cloud.position(i).y > height + 0.011;
             assert!(
-                i % 2 == 1 || hit[i] || !through,
+                i % 2 == 1 || *hit || !through,
                 "step {step}, particle {i}, reach {reach}: not deflected"
             );
         }

@@ -35,9 +35,12 @@ fn moments(births: &[usize]) -> Vec<(usize, usize)> {
         .collect()
 }
 
+type Settings<'a> = &'a [(&'a str, f64)];
+type Moments<'a> = &'a [(usize, usize)];
+
 #[test]
 fn a_burst_comes_at_each_start_of_the_envelope() {
-    let cases: [(&[(&str, f64)], &[(usize, usize)]); 4] = [
+    let cases: [(Settings, Moments); 4] = [
         (&[], &[(0, 25)]),
         (&[("emitters.0.envelope.start", 0.5)], &[(30, 25)]),
         (

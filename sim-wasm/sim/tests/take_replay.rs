@@ -87,7 +87,7 @@ proptest! {
         for (wait, act) in &script {
             for _ in 0..*wait {
                 live.step();
-                if live.steps() % kept == 0 {
+                if live.steps().is_multiple_of(kept) {
                     states.push(live.save());
                 }
             }

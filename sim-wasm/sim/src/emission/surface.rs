@@ -173,7 +173,7 @@ fn normal([a, b, c]: &[Vector; 3]) -> Vector {
 }
 
 fn check_count(key: &str, count: usize) -> Result<(), ParameterError> {
-    if count % 3 == 0 && (3..=3 * MOST_ELEMENTS).contains(&count) {
+    if count.is_multiple_of(3) && (3..=3 * MOST_ELEMENTS).contains(&count) {
         return Ok(());
     }
     let most = 3 * MOST_ELEMENTS;

@@ -89,7 +89,7 @@ impl Curve {
             density += (worn - rise.from).max(0.0).min(rise.width) * rise.slope;
         }
         let end = ((1.0 - worn) * FALL).max(0.0);
-        density.max(0.0).min(1.0).min(end)
+        density.max(0.0).min(end.min(1.0))
     }
 
     /// The same for four particles, to the last bit.

@@ -110,9 +110,12 @@ impl RigidDescription {
     }
 }
 
+type Corners<'a> = &'a [[f32; 3]];
+type Triangles<'a> = &'a [[u32; 3]];
+
 impl FlatRigid {
     fn push(&mut self, shape: &RigidShape, pose: &Pose) {
-        let (number, dimensions, vertices, indices): (f32, &[f32], &[[f32; 3]], &[[u32; 3]]) = match shape {
+        let (number, dimensions, vertices, indices): (f32, &[f32], Corners, Triangles) = match shape {
             RigidShape::Ball { radius } => (0.0, &[*radius], &[], &[]),
             RigidShape::Cuboid { half_extents } => (1.0, half_extents, &[], &[]),
             RigidShape::Capsule { half_height, radius } => (2.0, &[*half_height, *radius], &[], &[]),

@@ -46,6 +46,9 @@ impl VortexParticle {
     }
 }
 
+/// Blocks of x, of y and of z.
+type Blocks<'s> = [&'s [[f32; LANES]]; 3];
+
 /// Columns of the state, each as long as there can be vortex particles.
 pub struct Swarm {
     /// Centre (m).
@@ -148,7 +151,7 @@ impl Swarm {
     }
 
     /// Places now and in the middle of the step, of `len` blocks from `first` on.
-    pub fn places(&self, first: usize, len: usize) -> ([&[[f32; LANES]]; 3], [&[[f32; LANES]]; 3]) {
+    pub fn places(&self, first: usize, len: usize) -> (Blocks<'_>, Blocks<'_>) {
         (part(&self.place, first, len), part(&self.ahead, first, len))
     }
 
@@ -220,6 +223,6 @@ fn at(vector: &[Vec<f32>; 3], i: usize) -> [f32; 3] {
     std::array::from_fn(|axis| vector[axis][i])
 }
 
-fn part(vector: &[Vec<f32>; 3], first: usize, len: usize) -> [&[[f32; LANES]]; 3] {
+fn part(vector: &[Vec<f32>; 3], first: usize, len: usize) -> Blocks<'_> {
     vector.each_ref().map(|column| &blocks(column, first + len)[first..])
 }

@@ -151,7 +151,7 @@ fn bernoulli(q: f32x4) -> f32x4 {
     let square = left * left;
     let power = square * square * square;
     let c = |value: f32| f32x4::splat(value);
-    power * (c(1.0) + q * (c(-0.029_029_946) + q * (c(-0.024_458_739) + q * c(0.003_442_862_4))))
+    power * (c(1.0) + q * (c(-0.029_029_946) + q * (c(-0.024_458_74) + q * c(0.003_442_862_4))))
 }
 
 #[cfg(test)]
