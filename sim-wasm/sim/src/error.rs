@@ -20,7 +20,7 @@ pub struct ParameterError {
 impl ParameterError {
     /// A value outside its range, or not a finite number.
     pub fn out_of_range(key: &str, value: f64, min: f64, max: f64) -> Self {
-        let message = format!("{key} is {value}; give a finite number from {min} to {max}");
+        let message = advice(key, value, "finite", min, max);
         Self {
             key: key.to_owned(),
             value,
@@ -32,7 +32,7 @@ impl ParameterError {
 
     /// A value that must be whole and is not.
     pub fn not_whole(key: &str, value: f64, min: f64, max: f64) -> Self {
-        let message = format!("{key} is {value}; give a whole number from {min} to {max}");
+        let message = advice(key, value, "whole", min, max);
         Self {
             key: key.to_owned(),
             value,
@@ -53,6 +53,17 @@ impl ParameterError {
             message,
         }
     }
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn advice(key: &str, value: f64, kind: &str, min: f64, max: f64) -> String {
+    format!("{key} is {value}; give a {kind} number from {min} to {max}")
+}
+
+/// Without the numbers, from which the web side words the same: what prints them takes 20 kB.
+#[cfg(target_family = "wasm")]
+fn advice(key: &str, _value: f64, kind: &str, _min: f64, _max: f64) -> String {
+    format!("{key} is out of range; give a {kind} number within it")
 }
 
 impl fmt::Display for ParameterError {

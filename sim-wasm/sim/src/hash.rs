@@ -34,6 +34,7 @@ impl Hash {
     }
 
     /// Adds the bit patterns of `values` in order.
+    #[inline(never)]
     pub fn floats(&mut self, values: &[f32]) {
         for value in values {
             self.word(value.to_bits());

@@ -4,6 +4,7 @@
 
 pub mod arrange;
 mod bytes;
+mod clamp;
 pub mod collide;
 pub mod emission;
 pub mod error;

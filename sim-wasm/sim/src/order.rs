@@ -1,4 +1,4 @@
-//! Stable order by depth: a radix sort of 32-bit keys in three passes of 11 bits, in memory that exists already.
+//! Stable order by depth, or by any other number: a radix sort of 32-bit keys in three passes of 11 bits, in memory that exists already.
 
 const BITS: usize = 11;
 const BUCKETS: usize = 1 << BITS;

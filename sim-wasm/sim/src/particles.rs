@@ -4,6 +4,8 @@
 //! `0..alive` live; the tail holds finite leftovers, so that a kernel may run over the last, partly filled block.
 //! A death swaps the last living particle into the gap: order is not kept. 56 bytes a particle.
 
+use crate::order::{self, Entry, Histogram};
+
 /// Particles that one SIMD operation handles.
 pub const LANES: usize = 4;
 
@@ -166,13 +168,20 @@ impl Particles {
         self.alive = alive;
     }
 
+    /// The slots of the `count` particles that have lived the smallest part of their lives, in order.
+    fn freshest(&self, count: usize) -> Vec<usize> {
+        let worn = |i: usize| self.age[i] / self.lifetime[i];
+        let mut entries: Vec<Entry> = (0..self.alive).map(|i| [order::key(worn(i)), i as u32]).collect();
+        let mut sorted = vec![[0; 2]; self.alive];
+        order::sort(&mut entries, &mut sorted, &mut Histogram::new());
+        let mut stays = vec![false; self.alive];
+        sorted.iter().take(count).for_each(|[_, i]| stays[*i as usize] = true);
+        (0..self.alive).filter(|i| stays[*i]).collect()
+    }
+
     /// The same particles with room for `capacity`; where they do not fit, those go that are nearest to their death.
     pub fn resized(&self, capacity: usize) -> Self {
-        let mut kept: Vec<usize> = (0..self.alive).collect();
-        let worn = |i: &usize| self.age[*i] / self.lifetime[*i];
-        kept.sort_by(|a, b| worn(a).total_cmp(&worn(b)));
-        kept.truncate(capacity);
-        kept.sort_unstable();
+        let kept = self.freshest(capacity);
         let mut resized = Self::new(capacity);
         for (to, from) in resized.float_columns_mut().into_iter().zip(self.float_columns()) {
             kept.iter().zip(to).for_each(|(i, value)| *value = from[*i]);

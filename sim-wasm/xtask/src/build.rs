@@ -16,17 +16,25 @@ pub struct Variant {
     /// Also the name of the folder that it is written to.
     pub name: &'static str,
     features: &'static [&'static str],
+    /// What rustc is told besides `.cargo/config.toml`.
+    flags: &'static [&'static str],
 }
+
+/// Set-up code is called, not copied to each place that needs it: a tenth of the module. The loops over particles name
+/// what must be part of them by `inline`, which this leaves alone.
+const CALLS_ARE_CHEAP: &[&str] = &["-Cllvm-args=-inline-threshold=25"];
 
 /// Every build, in the order of building: the small one first, it is what most pages load.
 pub const VARIANTS: &[Variant] = &[
     Variant {
         name: "core",
         features: &[],
+        flags: CALLS_ARE_CHEAP,
     },
     Variant {
         name: "physics",
         features: &["rigids"],
+        flags: &[],
     },
 ];
 
@@ -34,6 +42,7 @@ pub const VARIANTS: &[Variant] = &[
 pub const BENCH: Variant = Variant {
     name: "bench",
     features: &["bench"],
+    flags: &[],
 };
 
 /// The generated files of a variant, without which it has to be built again.
@@ -64,6 +73,7 @@ fn compile(variant: &Variant, places: &Places, target: &PathBuf) -> Result<()> {
         .args(["--target", TARGET])
         .arg("--target-dir")
         .arg(target)
+        .args(["--config", &format!("target.{TARGET}.rustflags={:?}", variant.flags)])
         .args(["--features", &variant.features.join(",")])
         .status()
         .context("cargo cannot be started")?;

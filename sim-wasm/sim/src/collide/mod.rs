@@ -91,6 +91,8 @@ pub fn resolve(
     survey::for_each_near(particles, radii, look, |particles, i, spot| {
         let passer = Passer::new(particles, i, radii, spot);
         if !obstacles.find_near(&passer, &mut scratch.near) {
+            // Colliders come in their order, rigids do not.
+            #[cfg(feature = "rigids")]
             scratch.near.sort_unstable();
             resolve_one(particles, i, radii, &obstacles, dt, &scratch.near);
         }

@@ -4,6 +4,7 @@
 
 use super::core::Core;
 use super::space::{Bounds, Vector};
+use crate::clamp::clamped;
 
 /// The surface as seen from a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,7 +142,7 @@ pub struct Capsule {
 
 impl Collider for Capsule {
     fn nearest(&self, point: Vector, _limit: f32) -> Nearest {
-        let on_axis = point.y.clamp(-self.half_height, self.half_height);
+        let on_axis = clamped(point.y, -self.half_height, self.half_height);
         let offset = Vector::new(point.x, point.y - on_axis, point.z);
         Nearest {
             distance: offset.length() - self.radius,

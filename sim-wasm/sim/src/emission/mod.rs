@@ -14,6 +14,7 @@ pub mod item;
 pub(crate) mod shapes;
 pub mod surface;
 
+use crate::clamp::clamped;
 use crate::collide::motion::Motion;
 use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::particles::Particles;
@@ -107,7 +108,7 @@ impl Births {
                 self.waiting[index] = self.waiting[index].saturating_add(due as u64 + 1 - number);
                 break;
             }
-            source.bear(((number as f64 - before) / rate).clamp(0.0, source.dt()));
+            source.bear(clamped((number as f64 - before) / rate, 0.0, source.dt()));
         }
         self.owed[index] = owed - due;
     }

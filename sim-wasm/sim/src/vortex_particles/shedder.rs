@@ -15,6 +15,7 @@ use arrayvec::ArrayVec;
 use wide::f32x4;
 
 use super::swarm::{Swarm, VortexParticle};
+use crate::clamp::clamped;
 use crate::collide::space::{Frame, Pose, Vector};
 use crate::emission::shapes::in_ball;
 use crate::forces::{Setting, unit};
@@ -136,7 +137,7 @@ impl Shedding {
             let mut newborns = ArrayVec::<_, MOST_A_STEP>::new();
             let mut source = Source::new(shedder, reach, motion, setting, &mut self.random);
             for number in 1..=due as u64 {
-                let moment = ((number as f64 - before) / shedder.rate).clamp(0.0, dt);
+                let moment = clamped((number as f64 - before) / shedder.rate, 0.0, dt);
                 newborns.extend(source.shed(moment as f32, self.due[index].wrapping_add(number) % 2 == 0));
             }
             self.due[index] = self.due[index].wrapping_add(due as u64);
