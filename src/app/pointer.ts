@@ -5,16 +5,21 @@ const ZOOM_PER_PIXEL = 0.0015;
 // What one line of a wheel that counts in lines is worth.
 const PIXELS_PER_LINE = 32;
 
+// A blow tells the way of a sixtieth of a second; moves that come closer together than half of that say little of it.
+const BLOW_MS = 1000 / 60;
+
 interface Point {
   x: number;
   y: number;
-  isPanning: boolean;
+  /** When the pointer was there, milliseconds. */
+  at: number;
+  does: 'turn' | 'pan' | 'blow';
 }
 
 /** Told by how many radians the view turned about the vertical. */
 export type TurnListener = (radians: number) => void;
 
-/** Hands mouse, pen and touch to the stage: what does not grab a rigid turns, shifts or zooms the view. */
+/** Hands mouse, pen and touch to the stage: what does not grab a rigid turns, shifts or zooms the view, or blows. */
 export class Pointers {
   private readonly stage: Stage;
   private readonly canvas: HTMLCanvasElement;
@@ -41,8 +46,8 @@ export class Pointers {
       this.canvas.classList.add('is-holding');
       return;
     }
-    const isPanning = event.button !== 0 || event.shiftKey;
-    this.loose.set(event.pointerId, { x: event.clientX, y: event.clientY, isPanning });
+    const does = event.button !== 0 || event.shiftKey ? 'pan' : event.altKey ? 'blow' : 'turn';
+    this.loose.set(event.pointerId, { x: event.clientX, y: event.clientY, at: event.timeStamp, does });
   }
 
   private move(event: PointerEvent): void {
@@ -51,9 +56,11 @@ export class Pointers {
     if (!point) return;
     const before = this.spread();
     const [dx, dy] = [event.clientX - point.x, event.clientY - point.y];
-    Object.assign(point, { x: event.clientX, y: event.clientY });
-    if (this.loose.size > 1) this.pinch(before, dx, dy);
-    else if (point.isPanning) this.stage.camera.pan(dx, dy);
+    const elapsed = event.timeStamp - point.at;
+    Object.assign(point, { x: event.clientX, y: event.clientY, at: event.timeStamp });
+    if (point.does === 'blow') this.blow(event, dx, dy, elapsed);
+    else if (this.loose.size > 1) this.pinch(before, dx, dy);
+    else if (point.does === 'pan') this.stage.camera.pan(dx, dy);
     else this.turn(-dx * TURN_PER_PIXEL, dy * TURN_PER_PIXEL);
   }
 
@@ -82,6 +89,12 @@ export class Pointers {
     this.turned(azimuth);
   }
 
+  private blow(event: PointerEvent, dx: number, dy: number, elapsed: number): void {
+    if (dx === 0 && dy === 0) return;
+    const share = BLOW_MS / Math.max(elapsed, BLOW_MS / 2);
+    this.stage.blow({ ...this.placeOf(event), dx: dx * share, dy: dy * share });
+  }
+
   /** Distance between the first two loose pointers, 0 for fewer. */
   private spread(): number {
     const [a, b] = this.loose.values();
@@ -89,8 +102,12 @@ export class Pointers {
   }
 
   private forward(type: 'down' | 'move' | 'up' | 'cancel', event: PointerEvent): 'rigid' | null {
+    return this.stage.pointer({ type, id: event.pointerId, ...this.placeOf(event) });
+  }
+
+  /** In CSS pixels from the top left of the canvas. */
+  private placeOf(event: PointerEvent): { x: number; y: number } {
     const box = this.canvas.getBoundingClientRect();
-    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
-    return this.stage.pointer({ type, id: event.pointerId, x, y });
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 }

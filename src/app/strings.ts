@@ -53,6 +53,7 @@ export const strings = {
     pointer: [
       ['Drag the ball', 'push it through the smoke'],
       ['Drag elsewhere', 'look from another side'],
+      ['Alt + drag elsewhere', 'blow into the smoke'],
       ['Wheel or pinch', 'come nearer, go farther'],
       ['Right button or two fingers', 'shift the view'],
     ],

@@ -12,6 +12,8 @@ import { KeptStates } from './states.ts';
 const UNSCALED = new Vector3(1, 1, 1);
 /** A state is kept each second: saving one costs about as much as two steps. */
 const STEPS_BETWEEN_STATES = 60;
+/** After so many steps the spring has brought the rigid to where it was let go, but for a 10,000th of the way. */
+const SETTLING_STEPS = 30;
 
 /** A scene's simulator, set up from its rig and the values, with its past and the rigid that people move. */
 export class Simulation {
@@ -25,6 +27,8 @@ export class Simulation {
   private current: Simulator;
   private start: Values;
   private inputsSeen = 0;
+  /** Steps after which the spring lets go of the rigid that people move: undefined while it does not hold it. */
+  private heldUntil: number | undefined;
 
   /** @param historyBytes how much memory states may take that are kept for going back */
   constructor(factory: SimulatorFactory, scene: Scene, values: Values, historyBytes: number) {
@@ -105,10 +109,18 @@ export class Simulation {
     );
   }
 
-  /** Sends the rigid that people move where they want it. */
-  moveHandle(): void {
-    if (this.drag)
-      this.input((simulator) => simulator.inputPose(this.scene.handle!.rigid, this.drag!.target.toArray()));
+  /** Draws the rigid that people move to where they want it, by a spring. */
+  dragHandle(): void {
+    const { drag } = this;
+    if (!drag) return;
+    const [anchor, grip] = [drag.anchor.toArray(), drag.grip.toArray()];
+    this.input((simulator) => simulator.inputDrag(this.scene.handle!.rigid, anchor, grip));
+    this.heldUntil = Infinity;
+  }
+
+  /** Lets go of it as soon as it has come to where it was drawn: let go in a pause, it could not come there otherwise. */
+  releaseHandle(): void {
+    if (this.heldUntil === Infinity) this.heldUntil = this.current.steps + SETTLING_STEPS;
   }
 
   /** Does something that people did. If a take was being replayed, its rest is dropped. */
@@ -130,6 +142,7 @@ export class Simulation {
     if (steps === 0) return;
     const started = performance.now();
     for (let taken = 0; taken < steps; ++taken) {
+      this.letGoWhenSettled();
       this.current.step();
       this.keepState();
     }
@@ -162,9 +175,9 @@ export class Simulation {
     return this.matrices;
   }
 
-  /** Where the rigid that people move was drawn. */
-  handlePlace(): Vector3 {
-    return new Vector3().setFromMatrixPosition(this.matrices[this.scene.handle!.rigid]);
+  /** The transform with which the rigid that people move was drawn. */
+  handleTransform(): Matrix4 {
+    return this.matrices[this.scene.handle!.rigid];
   }
 
   dispose(): void {
@@ -189,9 +202,16 @@ export class Simulation {
     this.resetDrag();
   }
 
+  private letGoWhenSettled(): void {
+    if (this.heldUntil === undefined || this.current.steps < this.heldUntil) return;
+    this.input((simulator) => simulator.inputRelease(this.scene.handle!.rigid));
+    this.heldUntil = undefined;
+  }
+
   /** A drag that begins where its rigid is. */
   private resetDrag(): void {
     const { handle } = this.scene;
+    this.heldUntil = undefined;
     if (!handle) return;
     this.drag = new Drag(handle);
     this.drag.target.fromArray(this.current.rigidPoses(1), POSE_FLOATS * handle.rigid);

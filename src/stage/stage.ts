@@ -309,19 +309,25 @@ export class Stage {
     const ratio = this.#pixelRatio;
     const at = new Vector2(((x * ratio) / this.#width) * 2 - 1, 1 - ((y * ratio) / this.#height) * 2);
     const { camera } = this.#eye;
-    if (type === 'down') return drag.grab(id, at, camera, this.#simulation.handlePlace()) ? 'rigid' : null;
-    if (type !== 'move') return drag.release(id) ? 'rigid' : null;
+    if (type === 'down') return drag.grab(id, at, camera, this.#simulation.handleTransform()) ? 'rigid' : null;
+    if (type !== 'move') {
+      if (!drag.release(id)) return null;
+      this.#simulation.releaseHandle();
+      return 'rigid';
+    }
     if (!drag.follow(id, at, camera)) return null;
-    this.#simulation.moveHandle();
+    this.#simulation.dragHandle();
     this.#showMoved();
     return 'rigid';
   }
 
-  /** Moves the scene's movable rigid by metres. */
+  /** Moves the place to which a spring draws the scene's movable rigid, by metres. */
   nudge({ dx = 0, dy = 0, dz = 0 }: { dx?: number; dy?: number; dz?: number }): void {
-    if (!this.#simulation.drag) return;
-    this.#simulation.drag.nudge(new Vector3(dx, dy, dz));
-    this.#simulation.moveHandle();
+    const { drag } = this.#simulation;
+    if (!drag) return;
+    drag.nudge(new Vector3(dx, dy, dz));
+    this.#simulation.dragHandle();
+    if (!drag.isHeld) this.#simulation.releaseHandle();
     this.#showMoved();
   }
 
@@ -383,7 +389,7 @@ export class Stage {
     this.#draw();
   }
 
-  /** In a pause the rigid is shown where it was put, though the smoke will notice only in the next step. */
+  /** In a pause the rigid is shown where it was put, though the spring will bring it there only in the next steps. */
   #showMoved(): void {
     if (this.#playing) return;
     this.#movedWhilePaused = true;

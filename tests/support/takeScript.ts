@@ -20,8 +20,9 @@ export function act(simulation: Simulation, step: number): void {
   if (step % 90 === 30) simulation.input((simulator) => simulator.inputCapacity(200 + step));
   if (step > 100 && step < 200) {
     drag!.target.set(0.012 * (step - 100), 1.6, Math.sin(step / 9));
-    simulation.moveHandle();
+    simulation.dragHandle();
   }
+  if (step === 200) simulation.releaseHandle();
   if (step % 40 === 5) {
     const blow = { origin: [0, 1.5, 6], ray: [0, 0, -1], velocity: [2, 0, -1], radius: 0.6, seconds: 0.7 };
     simulation.input((simulator) => simulator.inputBlow(blow));

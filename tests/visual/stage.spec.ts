@@ -69,8 +69,17 @@ test('a take on another stage has the same hashes and the same picture', async (
   const { hashes, rates, inputs, changed } = await cases.evaluate((module) => module.replayTake());
   expect(hashes[1]).toBe(hashes[0]);
   expect(rates).toEqual([rates[0], rates[0], 60]);
-  expect(inputs).toEqual([4, 4]);
+  // Rate, nudge, blow, steer, and that the spring let go of what had been nudged.
+  expect(inputs).toEqual([5, 5]);
   expect(changed).toBe(0);
+});
+
+test('a ball that a pointer drags goes the same way again in a take', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { lived, again, still, held } = await cases.evaluate((module) => module.replayDrag());
+  expect(held).toEqual(Array<string>(14).fill('rigid'));
+  expect(again).toBe(lived);
+  expect(lived).not.toBe(still);
 });
 
 test('seeking back and forth passes the same moments, with everything that was done', async ({ load }) => {

@@ -21,7 +21,10 @@ fn rich() -> Vec<u8> {
     live.record();
     for (wait, act) in script.iter().chain(&script) {
         steps(&mut live, *wait);
-        if !matches!(act, inputs::Act::Move(_) | inputs::Act::Drag(..) | inputs::Act::Release) {
+        if !matches!(
+            act,
+            inputs::Act::Move(_) | inputs::Act::Drag(..) | inputs::Act::Release(_)
+        ) {
             perform(&mut live, act);
         }
     }

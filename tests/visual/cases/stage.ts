@@ -240,3 +240,35 @@ export async function seekBack(): Promise<{ straight: string[]; again: string[];
   stage.dispose();
   return { straight, again, bytes, rates };
 }
+
+/** A ball that a pointer drags while smoke rises, and the same again as a take: hashes, and what it is without the drag. */
+export async function replayDrag(): Promise<Record<'lived' | 'again' | 'still', string> & { held: unknown[] }> {
+  const [first, second, still] = await Promise.all([1, 2, 3].map(() => lampStage(new OffscreenCanvas(WIDTH, HEIGHT))));
+  const [x, y] = ballOn(first);
+  first.step(60);
+  const held = [first.pointer({ type: 'down', id: 1, x, y })];
+  for (let move = 1; move <= 12; ++move) {
+    held.push(first.pointer({ type: 'move', id: 1, x: x - 9 * move, y: y - 3 * move }));
+    first.step(2);
+  }
+  held.push(first.pointer({ type: 'up', id: 1, x, y }));
+  first.step(60);
+  second.playTake(first.take().toBytes());
+  second.step(144);
+  still.step(144);
+  const hashes = { lived: first.hash(), again: second.hash(), still: still.hash() };
+  for (const stage of [first, second, still]) stage.dispose();
+  return { ...hashes, held };
+}
+
+/** Where the first pixel is, from the top left, by which the ball can be grabbed. */
+function ballOn(stage: Stage): [x: number, y: number] {
+  for (let y = 0; y < HEIGHT; y += 2) {
+    for (let x = 0; x < WIDTH; x += 2) {
+      const hit = stage.pointer({ type: 'down', id: 9, x, y });
+      stage.pointer({ type: 'cancel', id: 9, x, y });
+      if (hit) return [x, y];
+    }
+  }
+  throw new Error('there is no ball in the picture');
+}

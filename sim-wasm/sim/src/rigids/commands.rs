@@ -74,9 +74,7 @@ impl Rigids {
     /// # Errors
     /// When there is no such rigid.
     pub fn release(&mut self, index: u32) -> Result<(), ParameterError> {
-        let guide = &mut self.member(index)?.guide;
-        guide.grab = None;
-        guide.velocity = Vector::ZERO;
+        self.member(index)?.guide.grab = None;
         Ok(())
     }
 

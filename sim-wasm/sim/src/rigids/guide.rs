@@ -12,7 +12,7 @@ use crate::hash::Hash;
 pub struct Guide {
     /// The pose without the spin.
     pub base: Pose,
-    /// Velocity (m/s) of the base while it is dragged.
+    /// Velocity (m/s) of the base while it is dragged, and until the step after it is let go.
     pub velocity: Vector,
     /// How far it has spun (rad), 0..2 pi.
     pub angle: f64,
@@ -37,6 +37,10 @@ impl Guide {
 
     /// Leads a rigid of `reach` (m) for `dt` seconds, up to `time` (s); none when nothing leads it.
     pub fn next(&mut self, time: f64, dt: f32, reach: f32, spin: &Spin) -> Option<Pose> {
+        // Only now: that somebody let go is an input of this step and must not tell in the hash before it.
+        if self.grab.is_none() {
+            self.velocity = Vector::ZERO;
+        }
         let led = self.grab.is_some() || self.track.is_some() || self.target.is_some();
         if !led && spin.rate == 0.0 {
             return None;

@@ -13,8 +13,8 @@ pub enum Act {
     Steer(u32, f64),
     Blow([f64; 3], [f64; 3], f64, f64),
     Move([f64; 3]),
-    Drag([f64; 3], f64),
-    Release,
+    Drag(u32, [f64; 3], f64),
+    Release(u32),
 }
 
 /// Parameters that people turn, with ranges in which much happens.
@@ -37,12 +37,12 @@ pub fn act() -> impl Strategy<Value = Act> {
         2 => (0_u32..8, -1.0..1.0).prop_map(|(channel, value)| Act::Steer(channel, value)),
         2 => (place(), place(), 0.05..2.0, 0.02..1.0).prop_map(|(at, way, radius, time)| Act::Blow(at, way, radius, time)),
         2 => place().prop_map(Act::Move),
-        2 => (place(), 1.0..100.0).prop_map(|(place, stiffness)| Act::Drag(place, stiffness)),
-        1 => Just(Act::Release),
+        2 => (0_u32..2, place(), 1.0..100.0).prop_map(|(rigid, place, stiffness)| Act::Drag(rigid, place, stiffness)),
+        1 => (0_u32..2).prop_map(Act::Release),
     ]
 }
 
-/// Does it to a simulator whose rigid 0, if it has rigids, is kinematic.
+/// Does it to a simulator whose rigid 0, if it has rigids, is kinematic, and whose rigid 1 is dynamic.
 pub fn perform(simulator: &mut Simulator, act: &Act) {
     match act {
         Act::Set(key, value) => simulator.input_values(&[(key, *value)]),
@@ -58,11 +58,11 @@ pub fn perform(simulator: &mut Simulator, act: &Act) {
         #[cfg(feature = "rigids")]
         Act::Move([x, y, z]) => simulator.input_pose(0, [*x, *y, *z, 0.0, 0.1, 0.0, 1.0]),
         #[cfg(feature = "rigids")]
-        Act::Drag([x, y, z], stiffness) => simulator.input_drag(1, [0.1, 0.0, 0.0, *x, *y, *z, *stiffness]),
+        Act::Drag(rigid, [x, y, z], stiffness) => simulator.input_drag(*rigid, [0.1, 0.0, 0.0, *x, *y, *z, *stiffness]),
         #[cfg(feature = "rigids")]
-        Act::Release => simulator.input_release(1),
+        Act::Release(rigid) => simulator.input_release(*rigid),
         #[cfg(not(feature = "rigids"))]
-        Act::Move(_) | Act::Drag(..) | Act::Release => Ok(()),
+        Act::Move(_) | Act::Drag(..) | Act::Release(_) => Ok(()),
     }
     .unwrap();
 }
