@@ -54,7 +54,14 @@ export const CHECKS = [
  */
 export const LONG_CHECKS = [
   check('clippy-xtask', 'Lint of xtask (cargo clippy)', (say) => clippy(['--package', 'xtask'], say)),
+  check('fuzz', 'A minute of fuzzing', (say) => fuzz([], say)),
+  check('fuzz-rigids', 'A minute of fuzzing with rigids', (say) => fuzz(['--rigids'], say)),
 ];
+
+/** @param {string[]} choice @param {Say} say */
+function fuzz(choice, say) {
+  return run(process.execPath, [inRoot('scripts/fuzz.mjs'), '--minutes', '1', ...choice], { onLine: say });
+}
 
 /** @param {string[]} choice @param {Say} say */
 function clippy(choice, say) {

@@ -2,8 +2,7 @@
 
 mod common;
 
-use common::{LIVELY, simulator, steps};
-use proptest::prelude::*;
+use common::{LIVELY, simulator};
 use sim::Simulator;
 use sim::parameters::{Parameters, describe, rows};
 
@@ -119,46 +118,4 @@ fn the_description_has_a_line_for_each_key() {
     let text = describe();
     assert_eq!(text.lines().count(), rows().len());
     assert!(text.contains("emission.rate 0 20000 120 real particles/s\n"), "{text}");
-}
-
-fn any_parameters() -> impl Strategy<Value = Vec<(String, f64)>> {
-    let value = |(index, row): (usize, sim::parameters::Row)| {
-        let key = row.key.replace('#', &(index % 3).to_string());
-        let (min, max, whole) = (row.meta.min, row.meta.max, row.meta.whole);
-        // Both ends, the middle of the range, and small values, where most that is divided by lies.
-        let number = prop_oneof![
-            Just(min),
-            Just(max),
-            min..=max,
-            (0.0..1.0_f64).prop_map(move |s| min + s * s * s * (max - min) * 0.01)
-        ];
-        number.prop_map(move |number| (key.clone(), if whole { number.round() } else { number }))
-    };
-    let table = rows();
-    let count = table.len() * 2;
-    let rows: Vec<_> = table.into_iter().cycle().take(count).enumerate().map(value).collect();
-    (rows, prop::collection::vec(any::<bool>(), count)).prop_map(|(entries, used)| {
-        entries
-            .into_iter()
-            .zip(used)
-            .filter_map(|(entry, used)| used.then_some(entry))
-            .collect()
-    })
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
-
-    #[test]
-    fn no_parameters_ever_make_a_place_that_is_no_number(entries in any_parameters(), seed in any::<u32>()) {
-        let mut simulator = Simulator::new(300, seed).unwrap();
-        let bundle: Vec<(&str, f64)> = entries.iter().map(|(key, value)| (key.as_str(), *value)).collect();
-        simulator.set_all(&bundle).unwrap();
-        for _ in 0..300 {
-            steps(&mut simulator, 1);
-            for column in simulator.particles().float_columns() {
-                prop_assert!(column[..simulator.alive()].iter().all(|value| value.is_finite()));
-            }
-        }
-    }
 }
