@@ -39,7 +39,11 @@ fn play(simulator: &mut Simulator, script: &[(usize, Act)]) -> Vec<(u64, u64)> {
     let mut moments = Vec::new();
     for (wait, act) in script {
         steps(simulator, *wait);
+        let before = simulator.hash();
         perform(simulator, act);
+        if !matches!(act, Act::Resize(_) | Act::Set("simulation.integrator", _)) {
+            assert_eq!(simulator.hash(), before, "{act:?} acts before its step");
+        }
         moments.push((simulator.steps(), simulator.hash()));
     }
     steps(simulator, 25);
