@@ -1,8 +1,21 @@
 //! Errors of the simulator as plain JavaScript objects.
 
-use js_sys::{Object, Reflect};
 use sim::error::ParameterError;
 use wasm_bindgen::prelude::*;
+
+// The crate js-sys has both, and twice as much glue with them.
+#[wasm_bindgen]
+extern "C" {
+    /// A plain JavaScript object.
+    pub type Object;
+
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Object;
+
+    /// Gives it a property.
+    #[wasm_bindgen(method, structural, indexing_setter)]
+    pub fn put(this: &Object, name: &str, value: JsValue);
+}
 
 /// `{ key, value, min, max, message }` of a refused parameter; min and max are NaN where there is no range.
 pub fn parameter_refusal(error: ParameterError) -> JsValue {
@@ -16,15 +29,10 @@ pub fn plain_refusal(message: &str) -> JsValue {
 
 fn refusal(key: &str, value: f64, min: f64, max: f64, message: &str) -> JsValue {
     let object = Object::new();
-    put(&object, "key", &key.into());
-    put(&object, "value", &value.into());
-    put(&object, "min", &min.into());
-    put(&object, "max", &max.into());
-    put(&object, "message", &message.into());
+    object.put("key", key.into());
+    object.put("value", value.into());
+    object.put("min", min.into());
+    object.put("max", max.into());
+    object.put("message", message.into());
     object.into()
-}
-
-/// Gives a fresh plain object a property.
-pub fn put(object: &Object, name: &str, value: &JsValue) {
-    Reflect::set(object, &name.into(), value).expect("a fresh plain object takes every property");
 }

@@ -1,10 +1,9 @@
 //! Inputs and takes for JavaScript: one call of `sim` behind each method.
 
-use js_sys::Object;
 use sim::take::{BlowNumbers, Take};
 use wasm_bindgen::prelude::*;
 
-use crate::refusal::{parameter_refusal, plain_refusal, put};
+use crate::refusal::{Object, parameter_refusal, plain_refusal};
 use crate::simulator::Simulator;
 
 #[wasm_bindgen]
@@ -148,9 +147,14 @@ impl Simulator {
     /// The keys of all parameters that exist now, in lines.
     #[wasm_bindgen(js_name = parameterKeys)]
     pub fn parameter_keys(&self) -> String {
-        let entries = self.simulator.parameters().entries();
-        let keys: Vec<String> = entries.into_iter().map(|(key, _)| key).collect();
-        keys.join("\n")
+        let mut keys = String::new();
+        for (key, _) in self.simulator.parameters().entries() {
+            if !keys.is_empty() {
+                keys.push('\n');
+            }
+            keys.push_str(&key);
+        }
+        keys
     }
 
     /// The values of all parameters that exist now, in the order of their keys.
@@ -174,9 +178,9 @@ pub fn read_take(bytes: &[u8]) -> Result<JsValue, JsValue> {
     ];
     let object = Object::new();
     for (name, number) in numbers {
-        put(&object, name, &number.into());
+        object.put(name, number.into());
     }
-    put(&object, "isTruncated", &take.log.is_truncated().into());
-    put(&object, "note", &take.note.into());
+    object.put("isTruncated", take.log.is_truncated().into());
+    object.put("note", take.note.into());
     Ok(object.into())
 }

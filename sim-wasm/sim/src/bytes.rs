@@ -34,6 +34,7 @@ impl Writer {
     }
 
     /// Bytes with their number before them.
+    #[inline(never)]
     pub fn block(&mut self, bytes: &[u8]) {
         self.word(bytes.len() as u32);
         self.raw(bytes);
@@ -98,15 +99,18 @@ impl<'b> Reader<'b> {
         self.take().map(u16::from_le_bytes)
     }
 
+    #[inline(never)]
     pub fn word(&mut self) -> Result<u32, RestoreError> {
         self.take().map(u32::from_le_bytes)
     }
 
+    #[inline(never)]
     pub fn long(&mut self) -> Result<u64, RestoreError> {
         self.take().map(u64::from_le_bytes)
     }
 
     /// A number that is finite.
+    #[inline(never)]
     pub fn number(&mut self) -> Result<f64, RestoreError> {
         let number = f64::from_bits(self.long()?);
         if number.is_finite() {
@@ -117,6 +121,7 @@ impl<'b> Reader<'b> {
     }
 
     /// A number of single precision that is finite.
+    #[inline(never)]
     pub fn float(&mut self) -> Result<f32, RestoreError> {
         let number = f32::from_bits(self.word()?);
         if number.is_finite() {
@@ -127,6 +132,7 @@ impl<'b> Reader<'b> {
     }
 
     /// Bytes that their number stands before.
+    #[inline(never)]
     pub fn block(&mut self) -> Result<&'b [u8], RestoreError> {
         let length = self.word()? as usize;
         let (block, rest) = self.0.split_at_checked(length).ok_or_else(too_short)?;
@@ -151,16 +157,22 @@ impl<'b> Reader<'b> {
         name: &[u8; 4],
         read: impl FnOnce(&mut Reader<'b>) -> Result<T, RestoreError>,
     ) -> Result<T, RestoreError> {
-        if self.take()? != *name {
-            return Err(RestoreError::new("the bytes have other parts than this version writes"));
-        }
-        let mut content = Reader(self.block()?);
+        let mut content = self.enter(name)?;
         let result = read(&mut content)?;
         content.end()?;
         Ok(result)
     }
 
+    #[inline(never)]
+    fn enter(&mut self, name: &[u8; 4]) -> Result<Self, RestoreError> {
+        if self.take()? != *name {
+            return Err(RestoreError::new("the bytes have other parts than this version writes"));
+        }
+        self.block().map(Self)
+    }
+
     /// Checks that everything has been read.
+    #[inline(never)]
     pub fn end(&self) -> Result<(), RestoreError> {
         if self.0.is_empty() {
             Ok(())

@@ -19,6 +19,8 @@ pub struct ParameterError {
 
 impl ParameterError {
     /// A value outside its range, or not a finite number.
+    #[cold]
+    #[inline(never)]
     pub fn out_of_range(key: &str, value: f64, min: f64, max: f64) -> Self {
         let message = advice(key, value, "finite", min, max);
         Self {
@@ -83,6 +85,8 @@ pub struct RestoreError {
 
 impl RestoreError {
     /// An error that says `message`.
+    #[cold]
+    #[inline(never)]
     pub fn new(message: impl Into<String>) -> Self {
         Self {
             message: message.into(),

@@ -28,6 +28,7 @@ impl Hash {
     }
 
     /// Adds two words, the low one first.
+    #[inline(never)]
     pub fn long(&mut self, long: u64) {
         self.word(long as u32);
         self.word((long >> 32) as u32);

@@ -94,7 +94,7 @@ impl Motion {
         &self,
         particles: &mut Particles,
         stirrers: Stirrers,
-        mut moved: impl FnMut(&mut Particles, usize, usize),
+        moved: &mut dyn FnMut(&mut Particles, usize, usize),
     ) {
         let mut tile = Tile::new(self.dt, self.integrator == Integrator::Paper);
         for (first, len) in tiles(particles, 0).rev() {

@@ -153,7 +153,7 @@ impl Simulator {
         let ageing = Ageing::new(&self.parameters, STEP);
         let stirrers = self.vortex_particles.as_deref();
         if self.has_obstacles() {
-            motion.advance(&mut self.particles, stirrers, |_, _, _| ());
+            motion.advance(&mut self.particles, stirrers, &mut |_, _, _| ());
             #[cfg(feature = "rigids")]
             self.rigids
                 .drag_air(&mut self.particles, &RadiusLaw::new(&self.parameters), STEP as f32);
@@ -163,7 +163,7 @@ impl Simulator {
             life::advance(&mut self.particles, &ageing);
         } else {
             // Nothing comes between moving and ageing: one pass over the memory instead of two.
-            motion.advance(&mut self.particles, stirrers, |particles, first, len| {
+            motion.advance(&mut self.particles, stirrers, &mut |particles, first, len| {
                 life::advance_tile(particles, &ageing, first, len);
             });
             ended(Part::Motion);

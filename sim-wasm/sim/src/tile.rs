@@ -86,7 +86,7 @@ impl Tile {
     }
 
     /// Takes up the particles of `len` blocks from `first` on, with air that does not move.
-    #[inline(always)]
+    #[inline(never)]
     pub fn load(&mut self, particles: &Particles, first: usize, len: usize) {
         self.clear(len);
         let half = if self.is_instant { f32x4::ZERO } else { f32x4::HALF };

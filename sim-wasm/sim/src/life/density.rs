@@ -83,6 +83,7 @@ impl Curve {
     }
 
     /// The density, 0..=1, when the share `worn` of life is over, 0 or more.
+    #[inline(never)]
     pub fn density(&self, worn: f32) -> f32 {
         let mut density = self.first;
         for rise in &self.rises[..self.count] {
@@ -93,7 +94,7 @@ impl Curve {
     }
 
     /// The same for four particles, to the last bit.
-    #[inline]
+    #[inline(never)]
     pub fn densities(&self, worn: f32x4) -> f32x4 {
         let mut density = f32x4::splat(self.first);
         for rise in &self.rises[..self.count] {
