@@ -1,6 +1,6 @@
 /**
- * `npm run puffs:sheet`: draws the baked puffs as a contact sheet, .cache/puff-sheet.png, to look at after changing
- * a shape. The layers are made on the CPU, so the sheet is the same on every machine.
+ * `npm run puffs:sheet`: draws the puffs as contact sheets, to look at after changing a shape: of lobes from many sides
+ * in .cache/lobe-sheet.png, the baked layers in .cache/puff-sheet.png. All on the CPU, the same on every machine.
  */
 
 import { mkdirSync } from 'node:fs';
@@ -10,18 +10,20 @@ import { inRoot } from './lib/paths.mjs';
 import { conclude } from './lib/refusal.mjs';
 
 await conclude(async () => {
-  const sheet = inRoot('.cache/puff-sheet.png');
-  const bundle = inRoot('.cache/puff-sheet.mjs');
   mkdirSync(inRoot('.cache'), { recursive: true });
-  await build({
-    entryPoints: [inRoot('tests/bench/puff-sheet.ts')],
-    outfile: bundle,
-    bundle: true,
-    platform: 'node',
-    format: 'esm',
-    packages: 'external',
-  });
-  const { writeSheet } = await import(pathToFileURL(bundle).href);
-  writeSheet(sheet);
-  console.log(`Wrote ${sheet}.`);
+  for (const name of ['lobe-sheet', 'puff-sheet']) {
+    const bundle = inRoot(`.cache/${name}.mjs`);
+    await build({
+      entryPoints: [inRoot(`tests/bench/${name}.ts`)],
+      outfile: bundle,
+      bundle: true,
+      platform: 'node',
+      format: 'esm',
+      packages: 'external',
+    });
+    const { writeSheet } = await import(pathToFileURL(bundle).href);
+    const sheet = inRoot(`.cache/${name}.png`);
+    writeSheet(sheet);
+    console.log(`Wrote ${sheet}.`);
+  }
 });

@@ -12,6 +12,10 @@ int variationOf(uvec2 look) {
   return int(look.y & 0xffu);
 }
 
+int seedOf(uvec2 look) {
+  return int((look.y >> 8u) & 0xffu);
+}
+
 // 0 for none, else 1 to 15.
 int tintOf(uvec2 look) {
   return int(look.y >> 24u);

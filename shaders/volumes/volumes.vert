@@ -12,6 +12,7 @@ uniform vec3 receiversMin;
 uniform vec3 receiversMax;
 uniform float shadowRadius;
 uniform float leastCap;
+uniform bool facesEye;
 uniform sampler2DArray startCaps;
 
 in vec2 corner;
@@ -23,23 +24,38 @@ flat out float extent;
 flat out float radius;
 
 #include ../lib/look.glsl
+#include ../lib/orientation.glsl
 #include ../lib/box.glsl
 
 const float PI = 3.14159265359;
 // Radii between the farthest lit point and the cap, against rounding in depth.
 const float CAP_SLACK = 0.02;
 
+// The light's travel in the frame of the puff: a billboard rolls about the view axis, lobes stand in the world.
+vec3 travelInPuff(vec3 travel) {
+  if (!facesEye) return travelInWorld * worldFromPuff(look);
+  vec2 turn = vec2(cos(rollOf(look)), sin(rollOf(look)));
+  return vec3(turn.x * travel.x + turn.y * travel.y, turn.x * travel.y - turn.y * travel.x, travel.z);
+}
+
+// A nailboard is sheared along its view rays: its relief moves a fragment sideways, in radii. How much farther behind
+// that can take a lit point.
+float shearOf(vec3 travel, vec3 centre) {
+  // What of a puff is seen lies no deeper than this behind its centre plane, and of the unit ball height times distance
+  // from the view axis is at most a half. The billboards' relief begins at the centre plane.
+  const float LOWEST = -0.6;
+  float slope = dot(travel.xy, centre.xy / centre.z);
+  if (facesEye) return max(0.0, slope);
+  return max(slope, LOWEST * slope) - 0.5 * length(travel.xy) * place.w / centre.z;
+}
+
 // How far behind the centre (in radii, along the light's travel) the puff's farthest lit point lies, from the baked table.
 float startCap(vec3 travel, vec3 centre, bool perspective) {
-  float roll = rollOf(look);
-  vec2 turn = vec2(cos(roll), sin(roll));
-  vec3 towards = -travel;
-  towards.xy = vec2(turn.x * towards.x + turn.y * towards.y, turn.x * towards.y - turn.y * towards.x);
+  vec3 towards = -travelInPuff(travel);
   vec2 angles = vec2(atan(towards.y, towards.x) / (2.0 * PI) + 0.5, acos(clamp(towards.z, -1.0, 1.0)) / PI);
   float cap = textureLod(startCaps, vec3(angles, float(variationOf(look))), 0.0).r;
-  // A nailboard is sheared along its view rays: relief moves a fragment sideways, towards the middle of the picture.
-  float shear = perspective ? dot(travel.xy, centre.xy / centre.z) : 0.0;
-  return max(max(cap, 0.0) + max(0.0, shear) + CAP_SLACK, leastCap);
+  float shear = perspective ? shearOf(travel, centre) : 0.0;
+  return max(max(cap, 0.0) + shear + CAP_SLACK, leastCap);
 }
 
 // Radius, on the plane at unit depth, of a circle around the projected centre that covers the projected ball; negative

@@ -1,5 +1,6 @@
 import {
   DataArrayTexture,
+  DataTexture,
   FloatType,
   HalfFloatType,
   LinearFilter,
@@ -9,27 +10,106 @@ import {
   RGBAFormat,
   UnsignedByteType,
 } from 'three';
+import type { LobePuffs } from '../puffs/bakeLobes.ts';
 import type { PuffLayers } from '../puffs/layers.ts';
 import type { StartCaps } from '../puffs/startCaps.ts';
 
 /** A volume reaches to the ends of the puff's lobes, beyond its mean radius: no light leaks between neighbouring puffs. */
 export const SHADOW_SHARE = 1.15;
 
-/** Puffs as plain data: what the bodies show, and where volumes may begin. */
-export interface BakedPuffs {
+/** What a puff is on the screen: lobes met per pixel, or the paper's billboards, baked from one side. */
+export type PuffForm = 'lobes' | 'billboards';
+
+/** Billboards as plain data: what the bodies show, and where volumes may begin. */
+export interface BillboardPuffs {
   readonly layers: PuffLayers;
   readonly startCaps: StartCaps;
 }
 
-/** The puffs as the body and volume shaders read them: one layer for each variation. */
+/** Puffs as plain data in each form. Each may be made when it is first asked for. */
+export interface BakedPuffs {
+  readonly lobes: LobePuffs;
+  readonly billboards: BillboardPuffs;
+}
+
+/** What all that draws asks of the puffs in one form. */
+interface FormTextures {
+  /** A layer for each variation. */
+  readonly startCaps: DataArrayTexture;
+  /** Radius of a particle's shadow volume in radii of the particle. */
+  readonly shadowRadius: number;
+  /** Factor on a particle's radius that makes the sphere which holds all of its puff. */
+  readonly reach: number;
+}
+
+/** The puffs as the body and volume shaders read them. A form that no smoke draws takes no memory. */
 export class PuffTextures {
+  private readonly context: WebGL2RenderingContext;
+  private readonly puffs: BakedPuffs;
+  private lobeTextures: LobeTextures | undefined;
+  private billboardTextures: BillboardTextures | undefined;
+
+  /** @param context decides which filters there are */
+  constructor(context: WebGL2RenderingContext, puffs: BakedPuffs) {
+    this.context = context;
+    this.puffs = puffs;
+  }
+
+  get lobes(): LobeTextures {
+    this.lobeTextures ??= new LobeTextures(this.puffs.lobes);
+    return this.lobeTextures;
+  }
+
+  get billboards(): BillboardTextures {
+    this.billboardTextures ??= new BillboardTextures(this.context, this.puffs.billboards);
+    return this.billboardTextures;
+  }
+
+  of(form: PuffForm): FormTextures {
+    return form === 'lobes' ? this.lobes : this.billboards;
+  }
+
+  dispose(): void {
+    this.lobeTextures?.dispose();
+    this.billboardTextures?.dispose();
+  }
+}
+
+/** A row of numbers for each variation. */
+class LobeTextures implements FormTextures {
+  readonly puffs: LobePuffs;
+  readonly lobeTable: DataTexture;
+  readonly startCaps: DataArrayTexture;
+
+  constructor(puffs: LobePuffs) {
+    this.puffs = puffs;
+    this.lobeTable = new DataTexture(puffs.table, puffs.lobeCount + 1, puffs.count, RGBAFormat, FloatType);
+    this.lobeTable.needsUpdate = true;
+    this.startCaps = capTexture(puffs.startCaps);
+  }
+
+  get shadowRadius(): number {
+    return SHADOW_SHARE * this.puffs.silhouetteRadius;
+  }
+
+  get reach(): number {
+    return this.puffs.reach;
+  }
+
+  dispose(): void {
+    this.lobeTable.dispose();
+    this.startCaps.dispose();
+  }
+}
+
+/** A layer for each variation. */
+class BillboardTextures implements FormTextures {
   readonly layers: PuffLayers;
   readonly normalDepth: DataArrayTexture;
   readonly colorCoverage: DataArrayTexture;
   readonly startCaps: DataArrayTexture;
 
-  /** @param context decides which filters there are */
-  constructor(context: WebGL2RenderingContext, { layers, startCaps }: BakedPuffs) {
+  constructor(context: WebGL2RenderingContext, { layers, startCaps }: BillboardPuffs) {
     this.layers = layers;
     this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);
     this.normalDepth.format = RGBAFormat;
@@ -40,23 +120,16 @@ export class PuffTextures {
     this.colorCoverage.format = RGBAFormat;
     this.colorCoverage.type = UnsignedByteType;
     smooth(this.colorCoverage, true);
-    this.startCaps = new DataArrayTexture(startCaps.values, startCaps.width, startCaps.height, layers.count);
-    this.startCaps.format = RedFormat;
-    this.startCaps.type = FloatType;
-    this.startCaps.minFilter = NearestFilter;
-    this.startCaps.magFilter = NearestFilter;
-    this.startCaps.needsUpdate = true;
+    this.startCaps = capTexture(startCaps);
   }
 
-  /** Factor on a particle's radius that makes the sphere which holds all of its puff. */
-  get reach(): number {
-    return Math.max(...this.layers.figures.map(({ outerRadius, relief }) => Math.max(outerRadius, relief)));
-  }
-
-  /** Radius of a particle's shadow volume in radii of the particle. */
   get shadowRadius(): number {
     const { figures } = this.layers;
     return (SHADOW_SHARE * figures.reduce((sum, { silhouetteRadius }) => sum + silhouetteRadius, 0)) / figures.length;
+  }
+
+  get reach(): number {
+    return Math.max(...this.layers.figures.map(({ outerRadius, relief }) => Math.max(outerRadius, relief)));
   }
 
   dispose(): void {
@@ -64,6 +137,16 @@ export class PuffTextures {
     this.colorCoverage.dispose();
     this.startCaps.dispose();
   }
+}
+
+function capTexture({ values, width, height, count }: StartCaps): DataArrayTexture {
+  const texture = new DataArrayTexture(values, width, height, count);
+  texture.format = RedFormat;
+  texture.type = FloatType;
+  texture.minFilter = NearestFilter;
+  texture.magFilter = NearestFilter;
+  texture.needsUpdate = true;
+  return texture;
 }
 
 function smooth(texture: DataArrayTexture, withMipmaps: boolean): void {

@@ -9,12 +9,15 @@ import {
   Vector3,
   Vector4,
   type BufferGeometry,
+  type IUniform,
   type WebGLRenderer,
 } from 'three';
-import fragmentShader from '../../shaders/bodies/bodies.frag';
-import vertexShader from '../../shaders/bodies/bodies.vert';
+import billboardsFragmentShader from '../../shaders/bodies/billboards.frag';
+import billboardsVertexShader from '../../shaders/bodies/billboards.vert';
+import lobesFragmentShader from '../../shaders/bodies/lobes.frag';
+import lobesVertexShader from '../../shaders/bodies/lobes.vert';
 import type { Eye } from '../device/eye.ts';
-import type { PuffTextures } from '../device/puffTextures.ts';
+import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import { writeColor, type Color, type RampTexture } from '../device/ramps.ts';
 
 /** What runs along a gradient fill. */
@@ -26,7 +29,10 @@ const GRADIENTS: readonly Gradient[] = ['puff', 'height', 'screen', 'age'];
 export class BodiesPass {
   private readonly scene = new Scene();
   private readonly camera = new Camera();
-  private readonly material: RawShaderMaterial;
+  private readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
+  private readonly materials: Partial<Record<PuffForm, RawShaderMaterial>> = {};
+  private readonly puffs: PuffTextures;
+  private readonly common: Record<string, IUniform>;
   private readonly uniforms = {
     inkColor: { value: new ThreeColor() },
     inkPixels: { value: 2 },
@@ -39,26 +45,23 @@ export class BodiesPass {
   /** @param material which ramp of `ramps` is the smoke's; those of its tints follow it */
   constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, material: number, rows: BufferGeometry) {
     const { litRow, unlitRow } = ramps.rows(material);
-    this.material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader,
-      fragmentShader,
-      uniforms: {
-        ...eye.uniforms,
-        ...this.uniforms,
-        normalDepth: { value: puffs.normalDepth },
-        colorCoverage: { value: puffs.colorCoverage },
-        pad: { value: puffs.layers.pad },
-        distanceRange: { value: puffs.layers.distanceRange },
-        ramps: { value: ramps.texture },
-        litRow: { value: litRow },
-        unlitRow: { value: unlitRow },
-        rampPitch: { value: ramps.pitch },
-      },
-    });
-    const mesh = new Mesh(rows, this.material);
-    mesh.frustumCulled = false;
-    this.scene.add(mesh);
+    this.puffs = puffs;
+    this.common = {
+      ...eye.uniforms,
+      ...this.uniforms,
+      ramps: { value: ramps.texture },
+      litRow: { value: litRow },
+      unlitRow: { value: unlitRow },
+      rampPitch: { value: ramps.pitch },
+    };
+    this.mesh = new Mesh(rows, this.materialOf('lobes'));
+    this.mesh.frustumCulled = false;
+    this.scene.add(this.mesh);
+  }
+
+  /** Chooses how puffs become pixels; a form that is not drawn costs nothing. */
+  setForm(form: PuffForm): void {
+    this.mesh.material = this.materialOf(form);
   }
 
   /**
@@ -89,6 +92,47 @@ export class BodiesPass {
   }
 
   dispose(): void {
-    this.material.dispose();
+    for (const material of Object.values(this.materials)) material.dispose();
   }
+
+  private materialOf(form: PuffForm): RawShaderMaterial {
+    this.materials[form] ??= form === 'lobes' ? this.lobesMaterial() : this.billboardsMaterial();
+    return this.materials[form];
+  }
+
+  private lobesMaterial(): RawShaderMaterial {
+    const { lobeTable, puffs } = this.puffs.lobes;
+    return new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: withLobes(lobesVertexShader, puffs.lobeCount),
+      fragmentShader: withLobes(lobesFragmentShader, puffs.lobeCount),
+      uniforms: {
+        ...this.common,
+        lobeTable: { value: lobeTable },
+        fillet: { value: puffs.fillet },
+        blend: { value: puffs.blend },
+      },
+    });
+  }
+
+  private billboardsMaterial(): RawShaderMaterial {
+    const { layers, normalDepth, colorCoverage } = this.puffs.billboards;
+    return new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: billboardsVertexShader,
+      fragmentShader: billboardsFragmentShader,
+      uniforms: {
+        ...this.common,
+        normalDepth: { value: normalDepth },
+        colorCoverage: { value: colorCoverage },
+        pad: { value: layers.pad },
+        distanceRange: { value: layers.distanceRange },
+      },
+    });
+  }
+}
+
+/** Puts the number in as digits, which three.js needs to unroll the loops, and then the shader has no dynamic index. */
+function withLobes(shader: string, lobes: number): string {
+  return shader.replaceAll(/\bLOBES\b/g, String(lobes));
 }

@@ -1,8 +1,16 @@
-import { Camera, Mesh, type RawShaderMaterial, Scene, type BufferGeometry, type WebGLRenderer } from 'three';
+import {
+  Camera,
+  Mesh,
+  Scene,
+  type BufferGeometry,
+  type DataArrayTexture,
+  type RawShaderMaterial,
+  type WebGLRenderer,
+} from 'three';
 import fragmentShader from '../../shaders/volumes/volumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
 import type { Eye } from '../device/eye.ts';
-import type { PuffTextures } from '../device/puffTextures.ts';
+import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 
 /** Radii from a puff's centre to where nothing of it is left, relief included. */
@@ -16,21 +24,22 @@ export class VolumesPass {
   private readonly scene = new Scene();
   private readonly camera = new Camera();
   private readonly material: RawShaderMaterial;
+  private readonly puffs: PuffTextures;
   private readonly uniforms = {
     leastCap: { value: 0 },
+    facesEye: { value: false },
+    startCaps: { value: null as DataArrayTexture | null },
+    shadowRadius: { value: 1 },
   };
 
   constructor(eye: Eye, puffs: PuffTextures, rows: BufferGeometry) {
+    this.puffs = puffs;
     this.material = countingMaterial({
       vertexShader,
       fragmentShader,
-      uniforms: {
-        ...eye.uniforms,
-        ...this.uniforms,
-        startCaps: { value: puffs.startCaps },
-        shadowRadius: { value: puffs.shadowRadius },
-      },
+      uniforms: { ...eye.uniforms, ...this.uniforms },
     });
+    this.setForm('lobes');
     const mesh = new Mesh(rows, this.material);
     mesh.frustumCulled = false;
     countFaces(
@@ -39,6 +48,14 @@ export class VolumesPass {
       { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.DECR },
     );
     this.scene.add(mesh);
+  }
+
+  /** Follows how puffs become pixels. */
+  setForm(form: PuffForm): void {
+    const { startCaps, shadowRadius } = this.puffs.of(form);
+    this.uniforms.facesEye.value = form === 'billboards';
+    this.uniforms.startCaps.value = startCaps;
+    this.uniforms.shadowRadius.value = shadowRadius;
   }
 
   /** Whether a puff's shadow may begin on its own dark side; without shading that side is not dark, so it begins behind. */

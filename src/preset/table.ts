@@ -159,6 +159,20 @@ export const table: readonly Parameter[] = [
     label: 'Puff shapes',
     text: 'How many different shapes are mixed; a puff keeps the one it was born with.',
   }),
+  choice(
+    'puff.form',
+    'style',
+    'style',
+    {
+      label: 'Puffs',
+      text: 'Lobes are true shapes from every side; billboards are pictures of puffs that turn to the viewer, as in the paper.',
+      default: 'lobes',
+    },
+    [
+      ['lobes', 'Lobes'],
+      ['billboards', 'Billboards'],
+    ],
+  ),
   toggle('shading', 'Shading', 'Light and shade on the puffs; off leaves them flat.'),
   toggle('outlines', 'Outlines', 'Ink around the smoke and between its puffs.'),
   toggle('shadows', 'Shadows', 'Smoke shades itself and what stands below it.'),

@@ -2,19 +2,9 @@
  * Puffs as triangle meshes: one closed icosphere for each lobe. The lobes overlap; the depth test of whoever draws
  * the mesh makes the exact creases between them.
  */
+import { middleOf, NORMAL_BLEND, softNormal } from './normals.ts';
 import type { Lobe } from './shapes.ts';
-
-/**
- * Share of the puff's overall normal in every vertex normal (0..1). At 0 each lobe is lit as a ball of its own and
- * a cluster looks like a bag of marbles; at 1 the lobes vanish in the big form.
- */
-export const NORMAL_BLEND = 0.38;
-
-/**
- * Reach of the fillet along the creases in particle radii: normals (not positions) turn gradually from one lobe to the
- * next there, so that the border of the light runs round a lobe instead of stopping at a crease with a sharp corner.
- */
-export const CREASE_FILLET = 0.13;
+import { normalized, type Vector } from './vector.ts';
 
 /** Subdivisions of the icosahedron: 1,280 triangles a lobe, facets 0.3 % of the radius deep at most. */
 export const LOBE_SUBDIVISIONS = 3;
@@ -27,16 +17,9 @@ export interface TriangleMesh {
   readonly indices: Uint32Array;
 }
 
-type Vector = readonly [number, number, number];
-
 interface Icosphere {
   readonly vertices: readonly Vector[];
   readonly faces: readonly Vector[];
-}
-
-function normalized([x, y, z]: Vector): Vector {
-  const length = Math.sqrt(x * x + y * y + z * z) || 1;
-  return [x / length, y / length, z / length];
 }
 
 function icosahedron(): Icosphere {
@@ -82,35 +65,6 @@ function icosphere(subdivisions: number): Icosphere {
   return sphere;
 }
 
-/** Centre of the lobes' volumes, overlaps counted twice: where the overall normal points away from. */
-function middleOf(lobes: readonly Lobe[]): Vector {
-  let [x, y, z, total] = [0, 0, 0, 0];
-  for (const { center, radius } of lobes) {
-    const volume = radius ** 3;
-    x += center[0] * volume;
-    y += center[1] * volume;
-    z += center[2] * volume;
-    total += volume;
-  }
-  return [x / total, y / total, z / total];
-}
-
-/** Direction of the surface at `p` on a lobe, with those of the other lobes near it mixed in. */
-function filletedNormal(lobes: readonly Lobe[], own: number, p: Vector): Vector {
-  let [x, y, z] = [0, 0, 0];
-  for (let i = 0; i < lobes.length; i++) {
-    const { center, radius } = lobes[i];
-    const [dx, dy, dz] = [p[0] - center[0], p[1] - center[1], p[2] - center[2]];
-    const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-    const nearness = i === own ? 1 : Math.max(0, 1 - Math.abs(distance - radius) / CREASE_FILLET);
-    const weight = (nearness * nearness) / (distance || 1);
-    x += dx * weight;
-    y += dy * weight;
-    z += dz * weight;
-  }
-  return normalized([x, y, z]);
-}
-
 /**
  * The mesh of a puff's lobes in its unit frame.
  * @param blend share of the overall normal, 0..1
@@ -126,9 +80,8 @@ export function puffMesh(lobes: readonly Lobe[], blend = NORMAL_BLEND, subdivisi
     const first = positions.length / 3;
     for (const n of sphere.vertices) {
       const p: Vector = [center[0] + radius * n[0], center[1] + radius * n[1], center[2] + radius * n[2]];
-      const overall = normalized([p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]]);
       positions.push(...p);
-      normals.push(...normalized(mixed(filletedNormal(lobes, own, p), overall, blend)));
+      normals.push(...softNormal(lobes, middle, p, blend));
     }
     for (const [a, b, c] of sphere.faces) indices.push(first + a, first + b, first + c);
   }
@@ -137,8 +90,4 @@ export function puffMesh(lobes: readonly Lobe[], blend = NORMAL_BLEND, subdivisi
     normals: Float32Array.from(normals),
     indices: Uint32Array.from(indices),
   };
-}
-
-function mixed(a: Vector, b: Vector, share: number): Vector {
-  return [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share];
 }

@@ -1,10 +1,11 @@
 /**
- * The visible front of a puff as points, gathered in patches with bounds, so that a question about all points
- * ("which lit one lies farthest behind?") needs to look into few patches.
+ * The surface of a puff as points, gathered in patches with bounds, so that a question about all points ("which lit one
+ * lies farthest behind?") needs to look into few patches: of baked layers the visible front, of lobes all of it.
  */
 import { samplePuff, type PuffLayers, type PuffSample } from './layers.ts';
-
-type Vector = readonly [x: number, y: number, z: number];
+import { middleOf, softNormal } from './normals.ts';
+import type { Lobe } from './shapes.ts';
+import { dot, lengthOf, minus, spherePoint, type Vector } from './vector.ts';
 
 /** Numbers a point in a patch: normal (unit), position (particle radii), length of the position. */
 export const POINT_STRIDE = 7;
@@ -26,9 +27,18 @@ const PATCH_TEXELS = 8;
 const SMOOTH_COSINE = 0.985;
 /** Points between four texels, along x and along y, where the filter turns across a crease. */
 const CREASE_POINTS = 3;
+/** Between the points on lobes, particle radii. */
+const LOBE_SPACING = 0.026;
+/** Boxes along each axis that a lobe's points are gathered in. */
+const LOBE_BOXES = 5;
+
+/** The fronts of all layers. */
+export function frontsOf(layers: PuffLayers): Patch[][] {
+  return Array.from({ length: layers.count }, (_, layer) => frontOf(layers, layer));
+}
 
 /** The front of a layer's puff, dense enough where filtering bends normals between texels. */
-export function patchesOf(layers: PuffLayers, layer: number): Patch[] {
+function frontOf(layers: PuffLayers, layer: number): Patch[] {
   const patches: Patch[] = [];
   for (let j = 0; j < layers.size - 1; j += PATCH_TEXELS) {
     for (let i = 0; i < layers.size - 1; i += PATCH_TEXELS) {
@@ -37,6 +47,31 @@ export function patchesOf(layers: PuffLayers, layer: number): Patch[] {
     }
   }
   return patches;
+}
+
+/** All of the surface that some eye can see of a puff of lobes. */
+export function surfaceOf(lobes: readonly Lobe[]): Patch[] {
+  const middle = middleOf(lobes);
+  return lobes.flatMap((lobe) => {
+    const boxes = new Map<number, number[]>();
+    const count = Math.ceil((4 * Math.PI * lobe.radius ** 2) / LOBE_SPACING ** 2);
+    for (let index = 0; index < count; index++) {
+      const out = spherePoint(index, count);
+      const p = lobe.center.map((at, axis) => at + lobe.radius * out[axis]) as unknown as Vector;
+      if (lobes.some((other) => other !== lobe && lengthOf(minus(p, other.center)) < other.radius)) continue;
+      const box = boxOf(out);
+      if (!boxes.has(box)) boxes.set(box, []);
+      boxes.get(box)?.push(...softNormal(lobes, middle, p), ...p, lengthOf(p));
+    }
+    return [...boxes.values()].map((points) => bounded(Float32Array.from(points)));
+  });
+}
+
+function boxOf(out: Vector): number {
+  return out.reduce(
+    (box, at) => box * LOBE_BOXES + Math.min(LOBE_BOXES - 1, Math.floor((at + 1) * 0.5 * LOBE_BOXES)),
+    0,
+  );
 }
 
 function pointsIn(layers: PuffLayers, layer: number, firstI: number, firstJ: number): number[] {
@@ -95,8 +130,4 @@ function mean(points: Float32Array, offset: number): Vector {
   }
   const count = points.length / POINT_STRIDE;
   return [x / count, y / count, z / count];
-}
-
-function dot(a: Vector, b: Vector): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

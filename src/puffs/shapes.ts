@@ -23,7 +23,7 @@ function lobe(x: number, y: number, z: number, radius: number): Lobe {
   return { center: [x, y, z], radius };
 }
 
-/** The variations in layer order: a particle's variation selects one, modulo their number. */
+/** The billboards' variations in layer order, drawn for their front: a particle's variation selects one. */
 export const PUFF_SHAPES: readonly PuffShape[] = [
   {
     name: 'cauliflower',

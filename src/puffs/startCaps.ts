@@ -6,10 +6,8 @@
  * The table is read at the nearest entry. An entry bounds all directions of its cell, not only the one in its middle:
  * a point counts if it can be lit from anywhere in the cell, with the largest distance it can have from there.
  */
-import type { PuffLayers } from './layers.ts';
-import { patchesOf, POINT_STRIDE, type Patch } from './patches.ts';
-
-type Vector = readonly [x: number, y: number, z: number];
+import { POINT_STRIDE, type Patch } from './patches.ts';
+import { dot, type Vector } from './vector.ts';
 
 /** Columns of a table: azimuth of the light about the view axis. */
 export const CAP_COLUMNS = 64;
@@ -19,9 +17,9 @@ export const CAP_ROWS = 32;
 export const NOTHING_LIT = -1;
 
 /**
- * Start caps of all layers. `values[(layer * height + row) * width + column]` is the largest -(p . L) over the visible
- * points p with N . L above the threshold: how far behind the centre plane across L the farthest lit point lies, in
- * particle radii. For the direction L towards the light in the unrolled puff's view space,
+ * Start caps of all variations. `values[(layer * height + row) * width + column]` is the largest -(p . L) over the
+ * points p of a puff's surface with N . L above the threshold: how far behind the centre plane across L the farthest lit
+ * point lies, in particle radii. For the direction L towards the light in the puff's own frame,
  * column = floor((atan2(L.y, L.x) / 2 pi + 1/2) * width), row = floor(acos(L.z) / pi * height).
  */
 export interface StartCaps {
@@ -32,20 +30,20 @@ export interface StartCaps {
 }
 
 /**
- * Bakes the tables of all layers.
+ * Bakes the tables of all variations.
+ * @param surfaces the points of each variation that may be seen
  * @param litThreshold N . L from which a pixel's lit colour differs from its unlit one, -1..1
  */
-export function bakeStartCaps(layers: PuffLayers, litThreshold: number): StartCaps {
+export function bakeStartCaps(surfaces: readonly (readonly Patch[])[], litThreshold: number): StartCaps {
   const entries = CAP_COLUMNS * CAP_ROWS;
-  const values = new Float32Array(entries * layers.count);
-  for (let layer = 0; layer < layers.count; layer++) {
-    const patches = patchesOf(layers, layer);
+  const values = new Float32Array(entries * surfaces.length);
+  surfaces.forEach((patches, layer) => {
     for (let row = 0; row < CAP_ROWS; row++) {
       const first = layer * entries + row * CAP_COLUMNS;
       bakeRow(patches, Math.acos(litThreshold), row, values.subarray(first, first + CAP_COLUMNS));
     }
-  }
-  return { width: CAP_COLUMNS, height: CAP_ROWS, count: layers.count, values };
+  });
+  return { width: CAP_COLUMNS, height: CAP_ROWS, count: surfaces.length, values };
 }
 
 /** The start cap of a layer for a unit direction towards the light, as the shader reads it. */
@@ -117,8 +115,4 @@ function farthestPoint(points: Float32Array, faintest: number, cell: Cell, atLea
 function mostBehind(behind: number, length: number, { cosine, sine }: Cell): number {
   if (behind >= length * cosine) return length;
   return behind * cosine + Math.sqrt(Math.max(0, length * length - behind * behind)) * sine;
-}
-
-function dot(a: Vector, b: Vector): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

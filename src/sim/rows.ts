@@ -32,7 +32,7 @@ export interface Rows {
 
 /** A row's look, unpacked. */
 export interface Look {
-  /** Roll about the view axis, fraction of a turn, 0 to 1. */
+  /** Roll, fraction of a turn, 0 to 1: about the view axis, or of a puff of lobes about an axis that the seed chooses. */
   roll: number;
   /** Age as a fraction of the lifetime, 0 to 1. */
   age: number;

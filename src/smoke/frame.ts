@@ -72,7 +72,8 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   return { bodiesDrawn: bodies.count, castersDrawn: style.shadows ? casters.count : 0, arrangeMs };
 }
 
-function eyeView({ eye, reach }: SmokePasses, input: FrameInput): View {
+function eyeView(passes: SmokePasses, input: FrameInput): View {
+  const { eye } = passes;
   const inkPixels = input.style.outlines ? input.style.outlineWidth * input.pixelRatio : 0;
   return {
     purpose: 'eye',
@@ -81,12 +82,13 @@ function eyeView({ eye, reach }: SmokePasses, input: FrameInput): View {
     pad: inkPixels * eye.unitsPerPixel,
     clipFromWorld: eye.clipFromWorld.elements,
     direction: eye.forward.toArray(),
-    reach,
+    reach: passes.reachOf(input.style.form),
     receivers: { min: [0, 0, 0], max: [0, 0, 0] },
   };
 }
 
-function lightView({ eye, reach }: SmokePasses, input: FrameInput, receivers: Box3): View {
+function lightView(passes: SmokePasses, input: FrameInput, receivers: Box3): View {
+  const { eye } = passes;
   return {
     purpose: 'light',
     blend: input.blend,
@@ -94,7 +96,7 @@ function lightView({ eye, reach }: SmokePasses, input: FrameInput, receivers: Bo
     pad: 0,
     clipFromWorld: eye.clipFromWorld.elements,
     direction: eye.uniforms.travelInWorld.value.toArray(),
-    reach,
+    reach: passes.reachOf(input.style.form),
     receivers: { min: receivers.min.toArray(), max: receivers.max.toArray() },
   };
 }

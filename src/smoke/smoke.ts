@@ -1,6 +1,7 @@
 import type { Matrix4, WebGLRenderer } from 'three';
 import type { Device } from '../device/device.ts';
 import { Eye } from '../device/eye.ts';
+import type { PuffForm } from '../device/puffTextures.ts';
 import { RampTexture, type Color } from '../device/ramps.ts';
 import { FRONT_AND_BACK, Instances, ONE_QUAD } from '../instances/instances.ts';
 import { BackdropPass } from '../passes/backdrop.ts';
@@ -30,8 +31,8 @@ export interface SmokePasses {
   readonly mask: MaskPass;
   readonly resolve: ResolvePass;
   readonly hasBackdrop: boolean;
-  /** Factor on a particle's radius that makes the sphere which holds all of its puff. */
-  readonly reach: number;
+  /** Factor on a particle's radius that makes the sphere which holds all of its puff in a form. */
+  reachOf(form: PuffForm): number;
   placeSurfaces(rigids: readonly Matrix4[]): void;
 }
 
@@ -83,7 +84,7 @@ export class CartoonSmoke {
       mask: new MaskPass(),
       resolve: new ResolvePass(),
       hasBackdrop: backdrop !== undefined,
-      reach: device.puffs.reach,
+      reachOf: (form) => device.puffs.of(form).reach,
       placeSurfaces: (rigids) =>
         surfaces.forEach(({ rigid }, surface) => {
           if (rigid === undefined) return;
@@ -133,7 +134,9 @@ export class CartoonSmoke {
     );
     body.setInk(style.inkColor, inkPixels, style.innerLine);
     body.setGradient(style.gradient, style.gradientColor, style.smokeColor);
+    body.setForm(style.form);
     surfaces.setInk(style.inkColor, inkPixels);
+    volumes.setForm(style.form);
     volumes.setSelfShadow(!isFlat(style));
     this.style = style;
     this.pixelRatio = pixelRatio;

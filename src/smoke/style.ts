@@ -1,3 +1,4 @@
+import type { PuffForm } from '../device/puffTextures.ts';
 import type { Color } from '../device/ramps.ts';
 import type { Gradient } from '../passes/bodies.ts';
 import type { Values } from '../preset/parameter.ts';
@@ -5,6 +6,7 @@ import { parseColor, type Toning } from './palette.ts';
 
 /** How smoke is drawn: the paper's four effects, each on or off by itself, and their colours. */
 export interface Style extends Toning {
+  form: PuffForm;
   outlines: boolean;
   shadows: boolean;
   gradient: Gradient;
@@ -22,6 +24,7 @@ export interface Style extends Toning {
 /** Reads the style out of flat values that hold every key of the table. */
 export function styleOf(values: Values): Style {
   return {
+    form: values['puff.form'] as PuffForm,
     shading: values['style.shading'] === 1,
     outlines: values['style.outlines'] === 1,
     shadows: values['style.shadows'] === 1,

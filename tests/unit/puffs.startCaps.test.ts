@@ -1,11 +1,16 @@
 import { expect, test } from 'vitest';
 import { bakePuffs, samplePuff } from '../../src/puffs/layers.ts';
-import { PUFF_SHAPES } from '../../src/puffs/shapes.ts';
+import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
+import { middleOf, softNormal } from '../../src/puffs/normals.ts';
+import { frontsOf, surfaceOf } from '../../src/puffs/patches.ts';
+import { PUFF_SHAPES, type Lobe } from '../../src/puffs/shapes.ts';
 import { bakeStartCaps, NOTHING_LIT, startCapAt, type StartCaps } from '../../src/puffs/startCaps.ts';
+import { minus } from '../../src/puffs/vector.ts';
 
 type Vector = [number, number, number];
 
 const layers = bakePuffs(PUFF_SHAPES);
+const fronts = frontsOf(layers);
 
 let state = 2006;
 function next(): number {
@@ -44,7 +49,7 @@ const cases = [-0.25, 0, 0.25, 0.5, 0.75].flatMap((threshold) =>
 );
 const tables = new Map<number, StartCaps>();
 function capsFor(threshold: number): StartCaps {
-  const caps = tables.get(threshold) ?? bakeStartCaps(layers, threshold);
+  const caps = tables.get(threshold) ?? bakeStartCaps(fronts, threshold);
   tables.set(threshold, caps);
   return caps;
 }
@@ -78,13 +83,42 @@ test('nothing of the front is lit from straight behind, and a cap never leaves t
 
 test('a ball lit from half its hemisphere on has its cap half a radius before the centre', () => {
   const ball = bakePuffs([{ name: 'ball', lobes: [{ center: [0, 0, 0], radius: 0.8 }] }]);
-  const cap = startCapAt(bakeStartCaps(ball, 0.5), 0, [0, 0, 1]);
+  const cap = startCapAt(bakeStartCaps(frontsOf(ball), 0.5), 0, [0, 0, 1]);
   expect(cap).toBeGreaterThan(-0.8 * 0.5);
   expect(cap).toBeLessThan(-0.8 * 0.5 + 0.1);
 });
 
+/** Random places on all of a puff of lobes, as pixels from any side can fall on them. */
+function allRound(lobes: readonly Lobe[], count: number): { normal: readonly number[]; position: Vector }[] {
+  const middle = middleOf(lobes);
+  return Array.from({ length: count }, () => {
+    const { center, radius } = lobes[Math.floor(next() * lobes.length)];
+    return randomDirection().map((n, axis) => center[axis] + radius * n) as Vector;
+  })
+    .filter((p) => lobes.every(({ center, radius }) => Math.hypot(...minus(p, center)) > radius - 1e-9))
+    .map((position) => ({ position, normal: softNormal(lobes, middle, position) }));
+}
+
+test.each(LOBE_SHAPES.map(({ name }, layer): [string, number] => [name, layer]))(
+  'no lit place of the lobes of %s lies behind its cap, from anywhere',
+  (_, layer) => {
+    const { lobes } = LOBE_SHAPES[layer];
+    const caps = bakeStartCaps([surfaceOf(lobes)], 0.3);
+    const places = allRound(lobes, 30_000);
+    let slack = 0;
+    for (let trial = 0; trial < 150; trial++) {
+      const light = randomDirection();
+      const farthest = farthestLit(places, light, 0.3);
+      const cap = startCapAt(caps, 0, light);
+      expect(cap).toBeGreaterThanOrEqual(farthest);
+      slack += cap - farthest;
+    }
+    expect(slack / 150).toBeLessThan(0.16);
+  },
+);
+
 test('is baked anew in printed time', () => {
   const start = performance.now();
-  bakeStartCaps(layers, 0.5);
+  bakeStartCaps(fronts, 0.5);
   console.log(`bakeStartCaps: ${(performance.now() - start).toFixed(0)} ms`);
 });

@@ -3,71 +3,82 @@ import { expect, test } from '../support/fixtures.ts';
 type Cases = typeof import('./cases/puffs.ts');
 const CASES = '/tests/visual/cases/puffs.ts';
 
-test('a lone puff masks none of its own lit pixels', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
-  const report = await cases.evaluate((module) => module.selfMasked(200));
-  expect(report.lit).toBeGreaterThan(50_000);
-  expect(report.masked).toBe(0);
-});
+for (const form of ['lobes', 'billboards'] as const) {
+  test.describe(form, () => {
+    test('a lone puff masks none of its own lit pixels', async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      const report = await cases.evaluate((module, shape) => module.selfMasked(shape, 200), form);
+      expect(report.lit).toBeGreaterThan(50_000);
+      expect(report.masked).toBe(0);
+    });
 
-test('two tones show exactly the ramp, the ink and the page', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
-  const { found, allowed } = await cases.evaluate((module) => module.toneColors());
-  expect(Object.keys(found).sort()).toEqual([...allowed].sort());
-});
+    test('two tones show exactly the ramp, the ink and the page', async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      const { found, allowed } = await cases.evaluate((module, shape) => module.toneColors(shape), form);
+      expect(Object.keys(found).sort()).toEqual([...allowed].sort());
+    });
 
-test('tinted puffs have the tones of their tint, by turns, and all others those of the smoke', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
-  for (const { tint, found, expected } of await cases.evaluate((module) => module.tintColors())) {
-    expect(found, `tint ${tint}`).toEqual(expected);
-  }
-});
+    test('tinted puffs have the tones of their tint, by turns, and all others those of the smoke', async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      for (const { tint, found, expected } of await cases.evaluate((module, shape) => module.tintColors(shape), form)) {
+        expect(found, `tint ${tint}`).toEqual(expected);
+      }
+    });
 
-test('ink is the ink colour in light, in shade and in shadow', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
-  const report = await cases.evaluate((module) => module.inkColors());
-  for (const { ink, nearInk } of Object.values(report)) {
-    expect(ink).toBeGreaterThan(200);
-    expect(nearInk).toBe(0);
-  }
-});
+    test('ink is the ink colour in light, in shade and in shadow', async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      const report = await cases.evaluate((module, shape) => module.inkColors(shape), form);
+      for (const { ink, nearInk } of Object.values(report)) {
+        expect(ink).toBeGreaterThan(200);
+        expect(nearInk).toBe(0);
+      }
+    });
 
-test('ink shows between two puffs only where the gap is over the threshold', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
-  const [under, over] = await cases.evaluate((module) => [module.innerInk('under'), module.innerInk('over')]);
-  expect(under).toBe(0);
-  expect(over).toBeGreaterThan(150);
-});
+    test('ink shows between two puffs only where the gap is over the threshold', async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      const [under, over] = await cases.evaluate(
+        (module, shape) => [module.innerInk(shape, 'under'), module.innerInk(shape, 'over')],
+        form,
+      );
+      expect(under).toBe(0);
+      expect(over).toBeGreaterThan(150);
+    });
 
-test('drawing order does not change the picture', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
-  const { differing, painted, pixels } = await cases.evaluate((module) => module.orderSensitivity());
-  expect(painted).toBeGreaterThan(10_000);
-  expect(differing / pixels).toBeLessThanOrEqual(0.0001);
-});
+    test('drawing order does not change the picture', async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      const { differing, painted, pixels } = await cases.evaluate(
+        (module, shape) => module.orderSensitivity(shape),
+        form,
+      );
+      expect(painted).toBeGreaterThan(10_000);
+      expect(differing / pixels).toBeLessThanOrEqual(0.0001);
+    });
 
-for (const [radius, distance, variation, ink] of [
-  [0.8, 3, 0, 0],
-  [0.8, 3, 1, 0],
-  [0.5, 4, 2, 0],
-  [0.8, 3, 3, 6],
-  [0.4, 3, 1, 3],
-] as const) {
-  const line = ink > 0 ? ` and a line of ${ink} px` : '';
-  test(`puff ${variation} of radius ${radius} at ${distance} m covers its silhouette${line}`, async ({ load }) => {
-    const cases = await load<Cases>(CASES);
-    const report = await cases.evaluate((module, input) => module.outlineError(...input), [
-      radius,
-      distance,
-      variation,
-      ink,
-    ] as const);
-    expect(report.covered).toBeGreaterThan(2_000);
-    expect(report.worst).toBeLessThan(1);
+    for (const [radius, distance, variation, ink] of [
+      [0.8, 3, 0, 0],
+      [0.8, 3, 1, 0],
+      [0.5, 4, 2, 0],
+      [0.8, 3, 3, 6],
+      [0.4, 3, 1, 3],
+    ] as const) {
+      const line = ink > 0 ? ` and a line of ${ink} px` : '';
+      test(`puff ${variation} of radius ${radius} at ${distance} m covers its silhouette${line}`, async ({ load }) => {
+        const cases = await load<Cases>(CASES);
+        const report = await cases.evaluate((module, input) => module.outlineError(...input), [
+          form,
+          radius,
+          distance,
+          variation,
+          ink,
+        ] as const);
+        expect(report.covered).toBeGreaterThan(2_000);
+        expect(report.worst).toBeLessThan(1);
+      });
+    }
+
+    test('the seam between a puff and a plane is curved', async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      expect(await cases.evaluate((module, shape) => module.seamBend(shape), form)).toBeGreaterThan(8);
+    });
   });
 }
-
-test('the seam between a puff and a plane is curved', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
-  expect(await cases.evaluate((module) => module.seamBend())).toBeGreaterThan(8);
-});

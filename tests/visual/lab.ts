@@ -33,6 +33,8 @@ export interface LabPuff {
   variation?: number;
   /** 0 to 15. */
   tint?: number;
+  /** 0..255. */
+  seed?: number;
   age?: number;
 }
 
@@ -54,6 +56,7 @@ export interface LabScene {
 }
 
 export const PLAIN_STYLE: Style = {
+  form: 'lobes',
   shading: true,
   outlines: true,
   shadows: true,
@@ -88,7 +91,7 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
     place.set([...puff.place, puff.radius], 4 * index);
     look[2 * index] =
       (Math.round((turn - Math.floor(turn)) * 65536) & 0xffff) | (Math.round((puff.age ?? 0) * 65535) << 16);
-    look[2 * index + 1] = (puff.variation ?? 0) | ((puff.tint ?? 0) << 24);
+    look[2 * index + 1] = (puff.variation ?? 0) | ((puff.seed ?? 0) << 8) | ((puff.tint ?? 0) << 24);
   });
   return { count: puffs.length, place, look };
 }

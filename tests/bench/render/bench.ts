@@ -1,6 +1,7 @@
 /** The product's own frame over the seeded plume, and its passes one at a time. */
 import { Matrix4, PerspectiveCamera } from 'three';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
+import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { createDevice } from '../../../src/device/device.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { tableMesh } from '../../../src/scenes/models/table.ts';
@@ -9,6 +10,7 @@ import type { Simulator } from '../../../src/sim/simulator.ts';
 import type { FrameInput, FrameReport } from '../../../src/smoke/frame.ts';
 import { towardsLight } from '../../../src/smoke/light.ts';
 import { CartoonSmoke, type SmokeOptions } from '../../../src/smoke/smoke.ts';
+import type { Style } from '../../../src/smoke/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
 import { withParticles } from '../support/snapshot.ts';
 import { seededPlume } from './plume.ts';
@@ -26,6 +28,11 @@ const SURROUNDINGS: Omit<SmokeOptions, 'capacity'> = {
   backdrop: { top: [43, 45, 92], bottom: [214, 110, 122] },
 };
 
+const STYLES: Readonly<Record<PuffForm, Style>> = {
+  lobes: { ...PLAIN_STYLE, form: 'lobes' },
+  billboards: { ...PLAIN_STYLE, form: 'billboards' },
+};
+
 /** Milliseconds. */
 export interface FrameTimes {
   bodies: number;
@@ -38,6 +45,7 @@ export class RenderBench {
   readonly device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
   readonly smoke: CartoonSmoke;
   readonly simulator: Simulator;
+  form: PuffForm = 'lobes';
   private readonly width: number;
   private readonly height: number;
   private readonly pixel = new Uint8Array(4);
@@ -121,7 +129,7 @@ export class RenderBench {
       simulator: this.simulator,
       camera: this.camera,
       towardsLight: this.light,
-      style: PLAIN_STYLE,
+      style: STYLES[this.form],
       blend: 1,
       width: this.width,
       height: this.height,

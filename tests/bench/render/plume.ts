@@ -13,6 +13,7 @@ const VARIATIONS = 4;
  */
 export function seededPlume(count: number, seed: number): Particles {
   const next = random(seed);
+  const ownNumber = random(seed + 1);
   const particles = emptyParticles(count);
   for (let i = 0; i < count; i++) {
     const age = OLDEST * next();
@@ -23,7 +24,8 @@ export function seededPlume(count: number, seed: number): Particles {
     particles.z[i] = reach * Math.sin(turn);
     particles.age[i] = age * LIFETIME;
     particles.size[i] = (0.06 + 0.36 * age) * (0.7 + 0.6 * next());
-    particles.look[i] = Math.floor(VARIATIONS * next()) + 2 ** 16 * Math.floor(2 ** 16 * next());
+    const look = Math.floor(VARIATIONS * next()) + 2 ** 16 * Math.floor(2 ** 12 * next());
+    particles.look[i] = look + 2 ** 8 * Math.floor(2 ** 8 * ownNumber());
   }
   for (const axis of ['x', 'y', 'z'] as const) particles[`p${axis}`].set(particles[axis]);
   particles.lifetime.fill(LIFETIME);

@@ -1,10 +1,16 @@
 /** What `npm run bench -- render` measures, inside one page. */
 import type { Figure } from '../support/figures.ts';
 import { measureMemory } from './memory.ts';
+import { measureForms } from './forms.ts';
 import { measurePasses } from './passes.ts';
 import { measureUploads } from './uploads.ts';
 
 export async function measure(quick: boolean): Promise<Figure[]> {
   if (!globalThis.crossOriginIsolated) throw new Error('The page is not isolated, so its clock is too coarse.');
-  return [...(await measurePasses(quick)), ...(await measureUploads()), ...(await measureMemory())];
+  return [
+    ...(await measurePasses(quick)),
+    ...(await measureForms(quick)),
+    ...(await measureUploads()),
+    ...(await measureMemory()),
+  ];
 }

@@ -1,7 +1,9 @@
 /** The counters of the render suite against numbers that can be known. */
 import { OrthographicCamera } from 'three';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
+import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { createDevice } from '../../../src/device/device.ts';
+import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
 import { countFragments, type Fragments } from '../../bench/render/fragments.ts';
 import { watchUploads } from '../../bench/render/uploads.ts';
 import { Lab, type LabScene } from '../lab.ts';
@@ -9,17 +11,35 @@ import { Lab, type LabScene } from '../lab.ts';
 const SIZE = 100;
 
 /** Fragments of equal puffs in one place, 25 pixels in radius, and how many pixels they cover in the picture. */
-export function bodies(count: number): Fragments & { pixels: number } {
+export function bodies(form: PuffForm, count: number): Fragments & { pixels: number } {
   const puffs = Array.from({ length: count }, () => ({ place: [0, 0, 0] as const, radius: 0.5 }));
   const camera = new OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
   camera.position.set(0, 0, 4);
-  const scene: LabScene = { width: SIZE, height: SIZE, puffs, camera, style: { outlines: false, shadows: false } };
+  const scene: LabScene = {
+    width: SIZE,
+    height: SIZE,
+    puffs,
+    camera,
+    style: { form, outlines: false, shadows: false },
+  };
   const lab = new Lab(scene);
   const { pixels } = lab.draw(scene);
   const { bodies: rows, body, renderer } = lab['smoke'].passes;
-  const fragments = countFragments(renderer, rows.geometry, body['material'], SIZE, SIZE);
+  const fragments = countFragments(renderer, rows.geometry, body['mesh'].material, SIZE, SIZE);
   lab.dispose();
   return { ...fragments, pixels: pixels.filter((value, index) => index % 4 === 3 && value > 0).length };
+}
+
+/** Pixel centres in the quad of one such puff: round all that any puff can be, or round the silhouette of its lobes. */
+export function quadPixels(form: PuffForm): number {
+  const { lobes } = LOBE_SHAPES[0];
+  const across = (axis: 0 | 1): number => {
+    if (form === 'billboards') return SIZE / 2;
+    const ends = [-1, 1].map((side) => Math.max(...lobes.map(({ center, radius }) => side * center[axis] + radius)));
+    const [low, high] = [SIZE / 2 - (SIZE / 4) * ends[0], SIZE / 2 + (SIZE / 4) * ends[1]];
+    return Math.ceil(high - 0.5) - Math.ceil(low - 0.5);
+  };
+  return across(0) * across(1);
 }
 
 /** Bytes seen of uploads whose sizes are 100, 40, 32 and 12. */

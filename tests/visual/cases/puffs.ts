@@ -1,8 +1,12 @@
 /** What single puffs and small heaps of them must look like. */
-import { PerspectiveCamera, Vector3 } from 'three';
+import { PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import { colorAt } from '../../../src/device/ramps.ts';
-import { samplePuff } from '../../../src/puffs/layers.ts';
+import type { PuffForm } from '../../../src/device/puffTextures.ts';
+import { samplePuff, type PuffSample } from '../../../src/puffs/layers.ts';
+import { sampleLobes } from '../../../src/puffs/lobes.ts';
+import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
+import { orientationOf, turnedLobes } from '../../../src/puffs/orientation.ts';
 import { rampOf } from '../../../src/smoke/palette.ts';
 import { frontCamera, Lab, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
 import { random } from '../random.ts';
@@ -37,14 +41,22 @@ function heap(count: number, seed: number): LabPuff[] {
     radius: 0.15 + 0.3 * next(),
     roll: next() * 2 * Math.PI,
     variation: Math.floor(next() * 4),
+    seed: Math.floor(next() * 256),
   }));
 }
 
+/** A puff without roll as a camera that looks along -z sees it, by (x, y) in radii: computed without a GPU. */
+function seenOf(form: PuffForm, variation: number, seed = 0, roll = 0): (x: number, y: number) => PuffSample {
+  if (form === 'billboards') return (x, y) => samplePuff(bakedPuffs().billboards.layers, variation, x, y);
+  const lobes = turnedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes);
+  return (x, y) => sampleLobes(lobes, x, y);
+}
+
 /**
- * A lone puff under random lights, rolls and places in the picture, up to 35 degrees off the axis: how many of the
+ * A lone puff under random lights, however it and the camera are turned, up to 35 degrees off the axis: how many of the
  * pixels that its own light reaches its own shadow takes away again.
  */
-export function selfMasked(trials: number): { lit: number; masked: number; trialsWithMask: number } {
+export function selfMasked(form: PuffForm, trials: number): { lit: number; masked: number; trialsWithMask: number } {
   const next = random(2006);
   const lab = new Lab({ width: WIDTH, height: HEIGHT, puffs: [] });
   const result = { lit: 0, masked: 0, trialsWithMask: 0 };
@@ -52,18 +64,21 @@ export function selfMasked(trials: number): { lit: number; masked: number; trial
     const slope = Math.tan((35 * Math.PI) / 180) * Math.sqrt(next());
     const turn = next() * 2 * Math.PI;
     const depth = 1.6 + 1.4 * next();
+    const camera = new PerspectiveCamera(78, WIDTH / HEIGHT, 0.1, 50);
+    camera.quaternion.copy(new Quaternion(next() - 0.5, next() - 0.5, next() - 0.5, next() - 0.5).normalize());
+    camera.updateMatrixWorld();
+    const place = new Vector3(Math.cos(turn) * slope * depth, Math.sin(turn) * slope * depth, -depth);
     const puff: LabPuff = {
-      place: [Math.cos(turn) * slope * depth, Math.sin(turn) * slope * depth, -depth],
+      place: place.applyMatrix4(camera.matrixWorld).toArray(),
       radius: 0.35 + 0.25 * next(),
       roll: next() * 2 * Math.PI,
       variation: trial % 4,
+      seed: Math.floor(next() * 256),
     };
     const towardsLight = new Vector3().setFromSphericalCoords(1, Math.acos(2 * next() - 1), next() * 2 * Math.PI);
-    const camera = new PerspectiveCamera(78, WIDTH / HEIGHT, 0.1, 50);
-    camera.updateMatrixWorld();
     const scene = { width: WIDTH, height: HEIGHT, puffs: [puff], camera, towardsLight: towardsLight.toArray() };
-    const masked = lab.draw({ ...scene, style: { tones: 3 as const } });
-    const free = lab.draw({ ...scene, style: { tones: 3 as const, shadows: false } });
+    const masked = lab.draw({ ...scene, style: { form, tones: 3 as const } });
+    const free = lab.draw({ ...scene, style: { form, tones: 3 as const, shadows: false } });
     const difference = differing(masked, free);
     const dark = colorAt(rampOf(PLAIN_STYLE.smokeColor, { tones: 3, shading: true }).unlit, 0).join();
     result.lit += Object.entries(colors(free)).reduce(
@@ -81,22 +96,23 @@ export function selfMasked(trials: number): { lit: number; masked: number; trial
 }
 
 /** The colours of a heap of puffs in two tones with shadows; and those that its ramp, the ink and the page allow. */
-export function toneColors(): { found: Record<string, number>; allowed: string[] } {
+export function toneColors(form: PuffForm): { found: Record<string, number>; allowed: string[] } {
   const ramp = rampOf(PLAIN_STYLE.smokeColor, { tones: 2, shading: true });
   const opaque = [...ramp.lit.map(({ color }) => color), PLAIN_STYLE.inkColor].map((color) => `${color.join()},255`);
   return {
-    found: colors(takePicture({ width: WIDTH, height: HEIGHT, puffs: heap(60, 5) })),
+    found: colors(takePicture({ width: WIDTH, height: HEIGHT, puffs: heap(60, 5), style: { form } })),
     allowed: [...opaque, '0,0,0,0'],
   };
 }
 
 /** The colours of a lone puff by its tint, most frequent first without ink and page, and those that the tint's ramp has. */
-export function tintColors(): { tint: number; found: string[]; expected: string[] }[] {
+export function tintColors(form: PuffForm): { tint: number; found: string[]; expected: string[] }[] {
   const { smokeColor, tints, inkColor } = PLAIN_STYLE;
   const other = [`${inkColor.join()},255`, '0,0,0,0'];
   return [smokeColor, ...tints, tints[0], tints[1]].map((color, tint) => {
     const puffs = [{ place: [0, 0, 0] as Triple, radius: 1, tint }];
-    const found = colors(takePicture({ width: WIDTH, height: HEIGHT, puffs, towardsLight: [0.6, 0.6, 0.53] }));
+    const scene = { width: WIDTH, height: HEIGHT, puffs, towardsLight: [0.6, 0.6, 0.53] as Triple, style: { form } };
+    const found = colors(takePicture(scene));
     const ramp = rampOf(color, { tones: 2, shading: true });
     return {
       tint,
@@ -109,11 +125,18 @@ export function tintColors(): { tint: number; found: string[]; expected: string[
 }
 
 /** The ink of a puff that is lit, of one seen from its dark side, and of one in another's shadow. */
-export function inkColors(): Record<string, { ink: number; nearInk: number }> {
+export function inkColors(form: PuffForm): Record<string, { ink: number; nearInk: number }> {
   const puff: LabPuff = { place: [0, 0, 0], radius: 0.8 };
   const blocker: LabPuff = { place: [0, 0, 6], radius: 3 };
   const of = (towardsLight: Triple, casters: LabPuff[]) => {
-    const picture = takePicture({ width: WIDTH, height: HEIGHT, puffs: [puff], casters, towardsLight });
+    const picture = takePicture({
+      width: WIDTH,
+      height: HEIGHT,
+      puffs: [puff],
+      casters,
+      towardsLight,
+      style: { form },
+    });
     const ink = `${PLAIN_STYLE.inkColor.join()},255`;
     const found = colors(picture);
     const near = Object.keys(found).filter((key) => key !== ink && isDark(key));
@@ -127,38 +150,46 @@ function isDark(color: string): boolean {
   return alpha > 0 && Math.max(red, green, blue) < 100;
 }
 
-/** Heights of a puff's surface, in radii, just inside its silhouette: where its ring of ink hangs from. */
-function edgeHeights(variation: number): { lowest: number; highest: number } {
-  const { layers } = bakedPuffs();
-  const heights: number[] = [];
-  for (let x = -1; x <= 1; x += 1 / 128) {
-    for (let y = -1; y <= 1; y += 1 / 128) {
-      const { distance, height } = samplePuff(layers, variation, x, y);
-      if (Math.abs(distance) < 0.06) heights.push(height);
-    }
-  }
+interface Heights {
+  lowest: number;
+  highest: number;
+}
+
+function spanOf(heights: readonly number[]): Heights {
   return { lowest: Math.min(...heights), highest: Math.max(...heights) };
 }
 
+/** Heights, in radii, from which a puff's ring of ink hangs: those about its silhouette. */
+function edgeHeights(seen: (x: number, y: number) => PuffSample): Heights {
+  const heights: number[] = [];
+  for (let x = -1; x <= 1; x += 1 / 128) {
+    for (let y = -1; y <= 1; y += 1 / 128) {
+      const { distance, height } = seen(x, y);
+      if (Math.abs(distance) < 0.06) heights.push(height);
+    }
+  }
+  return spanOf(heights);
+}
+
 /** Heights of a puff's surface, in radii, within a small reach of its middle. */
-function faceHeights(variation: number, reach: number): { lowest: number; highest: number } {
-  const { layers } = bakedPuffs();
+function faceHeights(seen: (x: number, y: number) => PuffSample, reach: number): Heights {
   const heights: number[] = [];
   for (let x = -1.3; x <= 1.3; x += 0.1) {
-    for (let y = -1.3; y <= 1.3; y += 0.1) heights.push(samplePuff(layers, variation, x * reach, y * reach).height);
+    for (let y = -1.3; y <= 1.3; y += 0.1) heights.push(seen(x * reach, y * reach).height);
   }
-  return { lowest: Math.min(...heights), highest: Math.max(...heights) };
+  return spanOf(heights);
 }
 
 /**
  * Pixels of ink around a small puff that hangs before the broad face of a very large one.
  * @param side the whole edge of the small puff stands nearer to the face than the threshold, or farther
  */
-export function innerInk(side: 'under' | 'over'): number {
+export function innerInk(form: PuffForm, side: 'under' | 'over'): number {
   const [near, far, innerLine, variation] = [0.35, 14, 0.9, 2];
   const threshold = innerLine * near;
-  const face = faceHeights(variation, near / far);
-  const edge = edgeHeights(variation);
+  const seen = seenOf(form, variation);
+  const face = faceHeights(seen, near / far);
+  const edge = edgeHeights(seen);
   const slack = 0.04 * threshold;
   const centre =
     side === 'under'
@@ -172,13 +203,13 @@ export function innerInk(side: 'under' | 'over'): number {
       { place: [0, 0, 0], radius: far, variation },
     ],
     camera: frontCamera(WIDTH, HEIGHT, far + 25, 4),
-    style: { innerLine, shadows: false },
+    style: { form, innerLine, shadows: false },
   });
   return colors(picture)[`${PLAIN_STYLE.inkColor.join()},255`] ?? 0;
 }
 
 /** Pixels that change when the same puffs and casters come in another order. */
-export function orderSensitivity(): { differing: number; pixels: number; painted: number } {
+export function orderSensitivity(form: PuffForm): { differing: number; pixels: number; painted: number } {
   const puffs = heap(200, 9);
   const next = random(4);
   const shuffled = puffs
@@ -186,17 +217,19 @@ export function orderSensitivity(): { differing: number; pixels: number; painted
     .sort((a, b) => a.key - b.key)
     .map(({ puff }) => puff);
   const surfaces = [ground(-1, 3)];
-  const [a, b] = [puffs, shuffled].map((rows) => takePicture({ width: WIDTH, height: HEIGHT, puffs: rows, surfaces }));
+  const [a, b] = [puffs, shuffled].map((rows) =>
+    takePicture({ width: WIDTH, height: HEIGHT, puffs: rows, surfaces, style: { form } }),
+  );
   const painted = a.pixels.filter((value, index) => index % 4 === 3 && value > 0).length;
   return { differing: differing(a, b), pixels: WIDTH * HEIGHT, painted };
 }
 
 /**
  * Of the pixels that a puff covers but should not, or should but does not: how far the farthest one's centre lies from
- * the projected silhouette, grown by a line of ink, in pixels. The silhouette is that of the baked distance, projected
- * by hand.
+ * the projected silhouette, grown by a line of ink, in pixels. The silhouette is that of the CPU, projected by hand.
  */
 export function outlineError(
+  form: PuffForm,
   radius: number,
   distance: number,
   variation: number,
@@ -204,16 +237,17 @@ export function outlineError(
 ): { worst: number; covered: number } {
   const size = 320;
   const camera = frontCamera(size, size, distance);
-  const puff: LabPuff = { place: [0, 0, 0], radius, variation };
-  const style = { outlines: inkPixels > 0, outlineWidth: inkPixels / 2 };
+  const [seed, roll] = form === 'lobes' ? [61 * variation, 1 + variation] : [0, 0];
+  const puff: LabPuff = { place: [0, 0, 0], radius, variation, seed, roll };
+  const style = { form, outlines: inkPixels > 0, outlineWidth: inkPixels / 2 };
   const { pixels } = takePicture({ width: size, height: size, puffs: [puff], camera, style, pixelRatio: 2 });
   const pixelsPerRadius = (size / 2) * camera.projectionMatrix.elements[5] * (radius / distance);
-  const { layers } = bakedPuffs();
+  const seen = seenOf(form, variation, seed, roundedRoll(roll));
   const result = { worst: 0, covered: 0 };
   for (let pixel = 0; pixel < size * size; ++pixel) {
     const x = ((pixel % size) + 0.5 - size / 2) / pixelsPerRadius;
     const y = (Math.floor(pixel / size) + 0.5 - size / 2) / pixelsPerRadius;
-    const expected = Math.max(Math.abs(x), Math.abs(y)) < 1.2 ? samplePuff(layers, variation, x, y).distance : 1;
+    const expected = Math.max(Math.abs(x), Math.abs(y)) < 1.2 ? seen(x, y).distance : 1;
     const isCovered = pixels[4 * pixel + 3] > 0;
     const outside = expected * pixelsPerRadius - inkPixels;
     if (isCovered) result.covered += 1;
@@ -222,8 +256,13 @@ export function outlineError(
   return result;
 }
 
+/** A roll as a row holds it. */
+function roundedRoll(roll: number): number {
+  return (Math.round((roll / (2 * Math.PI)) * 65536) / 65536) * 2 * Math.PI;
+}
+
 /** How far the seam between a puff and a horizontal plane through its middle strays from a straight line, in pixels. */
-export function seamBend(): number {
+export function seamBend(form: PuffForm): number {
   const camera = new PerspectiveCamera(40, WIDTH / HEIGHT, 0.1, 50);
   camera.position.set(0, 1.6, 3);
   camera.lookAt(0, 0, 0);
@@ -234,7 +273,7 @@ export function seamBend(): number {
     puffs: [{ place: [0, 0, 0], radius: 0.8 }],
     surfaces: [ground(0, 4)],
     camera,
-    style: { outlines: false, shadows: false, shading: false },
+    style: { form, outlines: false, shadows: false, shading: false },
   });
   const smoke = PLAIN_STYLE.smokeColor;
   const rows: number[] = [];

@@ -4,8 +4,9 @@
  */
 import { type Camera, Matrix4, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
-import { SHADOW_SHARE } from '../../../src/device/puffTextures.ts';
+import { SHADOW_SHARE, type PuffForm } from '../../../src/device/puffTextures.ts';
 import type { StartCaps } from '../../../src/puffs/startCaps.ts';
+import { spherePoint } from '../../../src/puffs/vector.ts';
 import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
 import { takePicture, type LabPuff } from '../lab.ts';
 import { box, ground } from '../solids.ts';
@@ -74,7 +75,7 @@ const VIEWS: Record<string, () => View> = {
 };
 
 /** Counts for a view of a seeded cluster of casters, optionally with a box-shaped mesh among them. */
-export function compare(viewName: string, withMesh: boolean): StencilReport {
+export function compare(form: PuffForm, viewName: string, withMesh: boolean): StencilReport {
   const view = VIEWS[viewName]();
   view.towardsLight.normalize();
   const casters = cluster(viewName === 'eyeInside' ? 60 : 45);
@@ -89,9 +90,10 @@ export function compare(viewName: string, withMesh: boolean): StencilReport {
     surfaces,
     camera: view.camera,
     towardsLight: view.towardsLight.toArray(),
+    style: { form },
     readCounts: true,
   });
-  return report(view, casters, withMesh, counts);
+  return report(form, view, casters, withMesh, counts);
 }
 
 /** `count` casters on one place: how many pixels of their common shadow came out lit. */
@@ -123,11 +125,18 @@ function cluster(count: number): LabPuff[] {
     radius: 0.12 + 0.25 * next(),
     roll: next() * 2 * Math.PI,
     variation: Math.floor(next() * 4),
+    seed: Math.floor(next() * 256),
   }));
 }
 
-function report(view: View, casters: readonly LabPuff[], withMesh: boolean, counts: Uint8Array): StencilReport {
-  const volumes = casters.map((caster) => volumeOf(caster, view));
+function report(
+  form: PuffForm,
+  view: View,
+  casters: readonly LabPuff[],
+  withMesh: boolean,
+  counts: Uint8Array,
+): StencilReport {
+  const volumes = casters.map((caster) => volumeOf(form, caster, view));
   const result: StencilReport = { receiver: 0, differing: 0, wronglyLit: 0, deepest: 0 };
   for (let pixel = 0; pixel < WIDTH * HEIGHT; ++pixel) {
     const point = groundPoint(pixel, view.camera, withMesh);
@@ -147,16 +156,48 @@ interface Volume {
   radius: number;
 }
 
-function volumeOf({ place, radius, roll = 0, variation = 0 }: LabPuff, { camera, towardsLight }: View): Volume {
-  const { layers, startCaps } = bakedPuffs();
-  const centre = new Vector3(...place);
-  const inView = centre.clone().applyMatrix4(camera.matrixWorldInverse);
+function volumeOf(form: PuffForm, caster: LabPuff, view: View): Volume {
+  const { cap, mean } = form === 'lobes' ? lobesVolume(caster, view) : billboardVolume(caster, view);
+  const { place, radius } = caster;
+  const start = new Vector3(...place).addScaledVector(view.towardsLight, -(cap + CAP_SLACK) * radius);
+  return { start, radius: SHADOW_SHARE * mean * radius };
+}
+
+/** Where a volume starts behind the centre before the slack, and the puffs' mean radius; both in radii. */
+interface Extent {
+  cap: number;
+  mean: number;
+}
+
+function billboardVolume({ place, roll = 0, variation = 0 }: LabPuff, { camera, towardsLight }: View): Extent {
+  const { layers, startCaps } = bakedPuffs().billboards;
   const light = towardsLight.clone().transformDirection(camera.matrixWorldInverse);
   const rolled = light.clone().applyMatrix4(new Matrix4().makeRotationZ(-roll));
-  const slant = camera instanceof PerspectiveCamera ? -(light.x * inView.x + light.y * inView.y) / inView.z : 0;
-  const cap = Math.max(0, tabled(startCaps, variation, rolled)) + Math.max(0, slant) + CAP_SLACK;
   const mean = layers.figures.reduce((sum, { silhouetteRadius }) => sum + silhouetteRadius, 0) / layers.figures.length;
-  return { start: centre.addScaledVector(towardsLight, -cap * radius), radius: SHADOW_SHARE * mean * radius };
+  const slant = slantOf(place, camera, light);
+  return { cap: Math.max(0, tabled(startCaps, variation, rolled)) + Math.max(0, slant), mean };
+}
+
+function lobesVolume(
+  { place, radius, roll = 0, seed = 0, variation = 0 }: LabPuff,
+  { camera, towardsLight }: View,
+): Extent {
+  const { startCaps, silhouetteRadius } = bakedPuffs().lobes;
+  const light = towardsLight.clone().transformDirection(camera.matrixWorldInverse);
+  const axis = new Vector3(...spherePoint(seed, 256));
+  const inPuff = towardsLight.clone().applyAxisAngle(axis, -roll);
+  const slant = slantOf(place, camera, light);
+  const depth = -new Vector3(...place).applyMatrix4(camera.matrixWorldInverse).z;
+  const aside = camera instanceof PerspectiveCamera ? (0.5 * Math.hypot(light.x, light.y) * radius) / depth : 0;
+  const shear = Math.max(slant, -0.6 * slant) + aside;
+  return { cap: Math.max(0, tabled(startCaps, variation, inPuff)) + shear, mean: silhouetteRadius };
+}
+
+/** How far each radius of relief moves a fragment away from the light along the view ray; 0 without perspective. */
+function slantOf(place: LabPuff['place'], camera: Camera, light: Vector3): number {
+  if (!(camera instanceof PerspectiveCamera)) return 0;
+  const inView = new Vector3(...place).applyMatrix4(camera.matrixWorldInverse);
+  return -(light.x * inView.x + light.y * inView.y) / inView.z;
 }
 
 function tabled({ width, height, values }: StartCaps, layer: number, towards: Vector3): number {

@@ -1,0 +1,91 @@
+precision highp float;
+precision highp int;
+
+// Meets the lobes of a puff along the view axis, shades what is nearest and writes its depth. The ring around the
+// silhouette is ink and lies deeper (McGuire and Fein 2006, section 4.1), so that the depth test alone decides which
+// lines show. three.js unrolls the marked loops: an index that is no constant would cost three times as much.
+uniform sampler2D ramps;
+uniform float litRow;
+uniform float unlitRow;
+uniform float fillet;
+uniform float blend;
+uniform mat4 clipFromView;
+uniform vec3 towardsLightInView;
+uniform vec3 inkColor;
+uniform vec3 gradientFactor;
+
+in vec3 pointAndGradient;
+flat in vec4 middleAndInkReach;
+flat in vec4 depthsAndRamp;
+flat in vec4 lobes[LOBES];
+
+layout(location = 0) out vec4 unlit;
+layout(location = 1) out vec4 lit;
+
+#include ../lib/depth.glsl
+
+// A body must stay off both ends of the depth range: a volume that encloses the eye is clamped to exactly 0 and has to win.
+const float DEPTH_MARGIN = 4e-7;
+const float NOWHERE = -1e9;
+
+// Height of a lobe's front over a point of the image plane.
+float frontOf(vec4 lobe, vec2 point) {
+  vec2 beside = point - lobe.xy;
+  float squared = lobe.w * lobe.w - dot(beside, beside);
+  return squared > 0.0 ? lobe.z + sqrt(squared) : NOWHERE;
+}
+
+// The nearer of two silhouettes. x: how far the point lies outside of it, y: its height.
+vec2 nearerRim(vec2 rim, vec4 lobe, vec2 point) {
+  float outside = length(point - lobe.xy) - lobe.w;
+  return outside < rim.x ? vec2(outside, lobe.z) : rim;
+}
+
+// The lobe's own direction at a place, as much of it as the fillet along creases mixes in.
+vec3 shareOf(vec4 lobe, vec3 place) {
+  vec3 outward = place - lobe.xyz;
+  float inverse = inversesqrt(max(dot(outward, outward), 1e-12));
+  float nearness = max(0.0, 1.0 - abs(1.0 / inverse - lobe.w) / fillet);
+  return outward * (nearness * nearness * inverse);
+}
+
+void main() {
+  vec2 point = pointAndGradient.xy;
+  float height = NOWHERE;
+  #pragma unroll_loop_start
+  for (int i = 0; i < LOBES; i++) {
+    height = max(height, frontOf(lobes[ i ], point));
+  }
+  #pragma unroll_loop_end
+
+  bool isInk = height == NOWHERE;
+  if (isInk) {
+    vec2 rim = vec2(1e9, 0.0);
+    #pragma unroll_loop_start
+    for (int i = 0; i < LOBES; i++) {
+      rim = nearerRim(rim, lobes[ i ], point);
+    }
+    #pragma unroll_loop_end
+    if (rim.x > middleAndInkReach.w) discard;
+    height = rim.y;
+  }
+
+  vec3 place = vec3(point, height);
+  vec3 normal = vec3(0.0);
+  #pragma unroll_loop_start
+  for (int i = 0; i < LOBES; i++) {
+    normal += shareOf(lobes[ i ], place);
+  }
+  #pragma unroll_loop_end
+  normal = mix(normalize(normal), normalize(place - middleAndInkReach.xyz), blend);
+
+  float facing = dot(normalize(normal), towardsLightInView);
+  vec3 fill = mix(gradientFactor, vec3(1.0), clamp(pointAndGradient.z, 0.0, 1.0));
+  vec3 litColor = textureLod(ramps, vec2(facing, litRow + depthsAndRamp.w), 0.0).rgb * fill;
+  vec3 unlitColor = textureLod(ramps, vec2(facing, unlitRow + depthsAndRamp.w), 0.0).rgb * fill;
+  unlit = vec4(isInk ? inkColor : unlitColor, 1.0);
+  lit = vec4(isInk ? inkColor : litColor, 0.0);
+
+  float viewZ = depthsAndRamp.x + height * depthsAndRamp.y - (isInk ? depthsAndRamp.z : 0.0);
+  gl_FragDepth = clamp(windowDepth(clipFromView, viewZ), DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
+}

@@ -1,0 +1,66 @@
+precision highp float;
+precision highp int;
+
+// The body of a particle whose puff is met per pixel: turns the lobes into the view, and lays a nailboard parallel to the
+// image plane round their silhouette and its ring of ink. Lobes are in view space, in puff radii about the centre.
+uniform mat4 viewFromWorld;
+uniform mat4 clipFromView;
+uniform vec2 viewport;
+uniform float near;
+uniform float inkPixels;
+uniform float innerLine;
+uniform vec2 plumeHeight;
+uniform vec4 gradientWeights;
+uniform float rampPitch;
+// A row for each variation: its LOBES lobes (xyz, radius), then their middle.
+uniform sampler2D lobeTable;
+
+in vec2 corner;
+in vec4 place;
+in uvec2 look;
+
+// Three vectors besides the lobes cross to the fragments; every device takes fifteen.
+out vec3 pointAndGradient;
+flat out vec4 middleAndInkReach;
+// View depth of the centre, radius, how far the ring lies deeper; then which of the smoke's ramps.
+flat out vec4 depthsAndRamp;
+flat out vec4 lobes[LOBES];
+
+#include ../lib/pixel.glsl
+#include ../lib/look.glsl
+#include ../lib/orientation.glsl
+
+// As wide as ink gets beside a puff, in its radii: one of a few pixels does not turn into a blot.
+const float WIDEST_RING = 0.3;
+
+void main() {
+  vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
+  // A puff that the eye runs into shrinks away instead of being cut by the near plane.
+  float radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
+  float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
+  float inkReach = radius > 0.0 ? min(inkPixels * pixel / radius, WIDEST_RING) : 0.0;
+
+  mat3 viewFromPuff = mat3(viewFromWorld) * worldFromPuff(look);
+  int variation = variationOf(look) % textureSize(lobeTable, 0).y;
+  vec2 lowest = vec2(0.0);
+  vec2 highest = vec2(0.0);
+  #pragma unroll_loop_start
+  for (int i = 0; i < LOBES; i++) {
+    lobes[ i ] = texelFetch(lobeTable, ivec2(UNROLLED_LOOP_INDEX, variation), 0);
+    lobes[ i ].xyz = viewFromPuff * lobes[ i ].xyz;
+    lowest = min(lowest, lobes[ i ].xy - lobes[ i ].w);
+    highest = max(highest, lobes[ i ].xy + lobes[ i ].w);
+  }
+  #pragma unroll_loop_end
+  vec3 middle = viewFromPuff * texelFetch(lobeTable, ivec2(LOBES, variation), 0).xyz;
+
+  vec2 point = mix(lowest, highest, 0.5 + 0.5 * corner) + corner * inkReach;
+  float height = (place.y + point.y * radius - plumeHeight.x) / max(plumeHeight.y - plumeHeight.x, 1e-6);
+  vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
+  vec4 gradients = vec4(0.5 + 0.5 * point.y, height, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look));
+  pointAndGradient = vec3(point, dot(gradientWeights, gradients));
+  middleAndInkReach = vec4(middle, inkReach);
+  depthsAndRamp = vec4(centre.z, radius, innerLine * radius, rampPitch * float(toneOf(look)));
+  // Depth is written by the fragments; a constant here keeps the near plane from cutting the quad.
+  gl_Position = radius > 0.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
+}

@@ -1,0 +1,16 @@
+// How a puff of lobes stands in the world: turned by its roll about an axis that its seed chooses, one of 256 that lie
+// evenly on the sphere. src/puffs/orientation.ts holds the same. Needs look.glsl.
+mat3 worldFromPuff(uvec2 look) {
+  const float GOLDEN_ANGLE = 2.39996322973;
+  float seed = float(seedOf(look));
+  float z = 1.0 - (2.0 * seed + 1.0) / 256.0;
+  vec3 axis = vec3(sqrt(1.0 - z * z) * vec2(cos(seed * GOLDEN_ANGLE), sin(seed * GOLDEN_ANGLE)), z);
+  float c = cos(rollOf(look));
+  vec3 s = sin(rollOf(look)) * axis;
+  vec3 t = (1.0 - c) * axis;
+  return mat3(
+    t.x * axis + vec3(c, s.z, -s.y),
+    t.y * axis + vec3(-s.z, c, s.x),
+    t.z * axis + vec3(s.y, -s.x, c)
+  );
+}

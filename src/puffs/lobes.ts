@@ -1,0 +1,49 @@
+/** A puff of lobes met by rays along -z: what shaders/bodies/lobes.frag computes for each pixel, for tools and tests. */
+import { middleOf, softNormal } from './normals.ts';
+import type { PuffSample } from './layers.ts';
+import type { Lobe } from './shapes.ts';
+
+/** Most lobes of a puff: with three vectors more they are all that is sure to cross to the fragments of WebGL 2. */
+export const MOST_LOBES = 12;
+
+/** What a ray meets of a puff, in particle radii. */
+export interface LobeHit {
+  /** Height above the centre plane: of the surface, or outside the silhouette of the nearest lobe's own silhouette. */
+  readonly height: number;
+  /** To the silhouette; negative inside, where it is at least as far from 0 as given. */
+  readonly distance: number;
+}
+
+/** Meets the lobes at the place (x, y) of the image plane, in particle radii. */
+export function meetLobes(lobes: readonly Lobe[], x: number, y: number): LobeHit {
+  let [distance, top, rim] = [Infinity, -Infinity, 0];
+  for (const { center, radius } of lobes) {
+    const beside = Math.hypot(x - center[0], y - center[1]);
+    if (beside - radius < distance) [distance, rim] = [beside - radius, center[2]];
+    if (beside < radius) top = Math.max(top, center[2] + Math.sqrt(radius * radius - beside * beside));
+  }
+  return { height: distance < 0 ? top : rim, distance };
+}
+
+/** As {@link meetLobes}, with the normal there. */
+export function sampleLobes(lobes: readonly Lobe[], x: number, y: number): PuffSample {
+  const hit = meetLobes(lobes, x, y);
+  return { ...hit, normal: softNormal(lobes, middleOf(lobes), [x, y, hit.height]) };
+}
+
+/** Radius of the sphere about the particle's centre that holds all lobes. */
+export function reachOf(lobes: readonly Lobe[]): number {
+  return Math.max(...lobes.map(({ center, radius }) => Math.hypot(...center) + radius));
+}
+
+/** Radius of the disc that has the area of the silhouette seen from +z. */
+export function silhouetteRadius(lobes: readonly Lobe[], cells = 64): number {
+  const reach = reachOf(lobes);
+  let covered = 0;
+  for (let cell = 0; cell < cells * cells; cell++) {
+    const x = reach * (((cell % cells) + 0.5) * (2 / cells) - 1);
+    const y = reach * ((Math.floor(cell / cells) + 0.5) * (2 / cells) - 1);
+    if (lobes.some(({ center, radius }) => (x - center[0]) ** 2 + (y - center[1]) ** 2 < radius * radius)) covered++;
+  }
+  return (2 * reach * Math.sqrt(covered / Math.PI)) / cells;
+}

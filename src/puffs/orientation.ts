@@ -1,0 +1,34 @@
+/**
+ * How a puff of lobes stands in the world: turned by its roll about an axis that its seed chooses. The same as
+ * shaders/lib/orientation.glsl, for the puffs' tables and for tests.
+ */
+import { spherePoint, type Vector } from './vector.ts';
+import type { Lobe } from './shapes.ts';
+
+/** A rotation of the world from the puff's frame: its three columns. */
+export type Rotation = readonly [Vector, Vector, Vector];
+
+const SEEDS = 256;
+
+/**
+ * @param seed the particle's own number, 0..255
+ * @param roll in radians
+ */
+export function orientationOf(seed: number, roll: number): Rotation {
+  const [x, y, z] = spherePoint(seed, SEEDS);
+  const [c, s] = [Math.cos(roll), Math.sin(roll)];
+  const t = 1 - c;
+  return [
+    [t * x * x + c, t * x * y + s * z, t * x * z - s * y],
+    [t * x * y - s * z, t * y * y + c, t * y * z + s * x],
+    [t * x * z + s * y, t * y * z - s * x, t * z * z + c],
+  ];
+}
+
+export function turned([a, b, c]: Rotation, [x, y, z]: Vector): Vector {
+  return [a[0] * x + b[0] * y + c[0] * z, a[1] * x + b[1] * y + c[1] * z, a[2] * x + b[2] * y + c[2] * z];
+}
+
+export function turnedLobes(rotation: Rotation, lobes: readonly Lobe[]): Lobe[] {
+  return lobes.map(({ center, radius }) => ({ center: turned(rotation, center), radius }));
+}

@@ -1,0 +1,37 @@
+/** Three-dimensional vectors, as plain triples. */
+export type Vector = readonly [x: number, y: number, z: number];
+
+export function dot(a: Vector, b: Vector): number {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+export function minus(a: Vector, b: Vector): Vector {
+  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+}
+
+export function lengthOf(a: Vector): number {
+  return Math.sqrt(dot(a, a));
+}
+
+/** `a + (b - a) * share`. */
+export function mixed(a: Vector, b: Vector, share: number): Vector {
+  return [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share];
+}
+
+/** The unit vector along `a`; zero stays zero. */
+export function normalized(a: Vector): Vector {
+  const length = lengthOf(a) || 1;
+  return [a[0] / length, a[1] / length, a[2] / length];
+}
+
+const GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
+
+/**
+ * Point `index` of `count` that lie evenly on the unit sphere, along a spiral about z that turns by the golden angle:
+ * Gonzalez, 'Measurement of Areas on a Sphere Using Fibonacci and Latitude-Longitude Lattices' (2010).
+ */
+export function spherePoint(index: number, count: number): Vector {
+  const z = 1 - (2 * index + 1) / count;
+  const reach = Math.sqrt(1 - z * z);
+  return [reach * Math.cos(index * GOLDEN_ANGLE), reach * Math.sin(index * GOLDEN_ANGLE), z];
+}

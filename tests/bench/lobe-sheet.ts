@@ -1,0 +1,58 @@
+/**
+ * A contact sheet of puffs of lobes: a row for each shape, turned this way and that, in light from the upper left and
+ * with ink, as the bodies' shader computes them.
+ */
+import { writeFileSync } from 'node:fs';
+import { PNG } from 'pngjs';
+import { meetLobes, sampleLobes } from '../../src/puffs/lobes.ts';
+import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
+import { orientationOf, turnedLobes } from '../../src/puffs/orientation.ts';
+import type { Lobe, PuffShape } from '../../src/puffs/shapes.ts';
+import { dot, normalized } from '../../src/puffs/vector.ts';
+
+type Color = readonly [red: number, green: number, blue: number];
+
+const TILE = 140;
+const COLUMNS = 9;
+/** Half the width of a tile, and the width of the ink, in particle radii. */
+const PAD = 1.1;
+const RING = 0.045;
+const TOWARDS_LIGHT = normalized([-0.5, 0.7, 0.55]);
+const [PAPER, INK]: Color[] = [[255, 255, 255], [29, 23, 32]]; // prettier-ignore
+/** The tones from shade to light, and where on N . L they begin. */
+const TONES: readonly (readonly [number, Color])[] = [[-1, [144, 131, 173]], [0.3, [206, 189, 205]], [0.66, [246, 239, 226]]]; // prettier-ignore
+
+/** Writes the sheet as a PNG. */
+export function writeSheet(file: string, shapes: readonly PuffShape[] = LOBE_SHAPES): void {
+  const png = new PNG({ width: COLUMNS * TILE, height: shapes.length * TILE });
+  shapes.forEach(({ lobes }, row) => {
+    for (let column = 0; column < COLUMNS; column++) {
+      const view = turnedLobes(orientationOf((53 * column) % 256, column * 0.9), lobes);
+      for (let pixel = 0; pixel < TILE * TILE; pixel++) {
+        const [i, j] = [pixel % TILE, Math.floor(pixel / TILE)];
+        const at = (row * TILE + j) * png.width + column * TILE + i;
+        png.data.set([...pixelColor(view, i, j), 255], 4 * at);
+      }
+    }
+  });
+  writeFileSync(file, PNG.sync.write(png));
+}
+
+/** The mean of four samples a pixel. */
+function pixelColor(view: readonly Lobe[], i: number, j: number): Color {
+  const colors = [0, 1, 2, 3].map((corner) => {
+    const x = i + 0.25 + 0.5 * (corner & 1);
+    const y = j + 0.25 + 0.5 * (corner >> 1);
+    return colorAt(view, PAD * ((2 * x) / TILE - 1), PAD * (1 - (2 * y) / TILE));
+  });
+  const mean = (channel: 0 | 1 | 2): number => Math.round(colors.reduce((sum, color) => sum + color[channel], 0) / 4);
+  return [mean(0), mean(1), mean(2)];
+}
+
+function colorAt(view: readonly Lobe[], x: number, y: number): Color {
+  const { distance } = meetLobes(view, x, y);
+  if (distance > RING) return PAPER;
+  if (distance > 0) return INK;
+  const facing = dot(sampleLobes(view, x, y).normal, TOWARDS_LIGHT);
+  return TONES.findLast(([from]) => facing >= from)?.[1] ?? TONES[0][1];
+}

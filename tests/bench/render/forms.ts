@@ -1,0 +1,55 @@
+/** render.lobes: what bodies cost as lobes and as baked billboards, of the same rows, in turns. */
+import type { PuffForm } from '../../../src/device/puffTextures.ts';
+import { demand, figure, say, type Figure } from '../support/figures.ts';
+import { HEIGHT, RenderBench, WIDTH } from './bench.ts';
+import { countFragments, type Fragments } from './fragments.ts';
+
+/** What one form was seen to do. */
+interface Side {
+  form: PuffForm;
+  times: number[];
+  bodiesDrawn: number;
+  fragments: Fragments;
+}
+
+export async function measureForms(quick: boolean): Promise<Figure[]> {
+  const bench = await RenderBench.create();
+  const [lobes, billboards] = [look(bench, 'lobes'), look(bench, 'billboards')];
+  // What of a body cannot show depends a little on how far it reaches: as good as the same work.
+  const [fewer, more] = [lobes.bodiesDrawn, billboards.bodiesDrawn].sort((a, b) => a - b);
+  demand(fewer > 0.98 * more, `${lobes.bodiesDrawn} bodies of lobes and ${billboards.bodiesDrawn} billboards`);
+  const rounds = quick ? 5 : 11;
+  for (let round = 0; round < rounds; round++) {
+    await say(`render.lobes, round ${round + 1} of ${rounds}`);
+    for (const side of round % 2 === 0 ? [lobes, billboards] : [billboards, lobes]) {
+      bench.form = side.form;
+      side.times.push(bench.timeFrame(true).bodies);
+    }
+  }
+  bench.dispose();
+  return [
+    ...[lobes, billboards].map(({ form, times, bodiesDrawn, fragments: { kept, rasterised } }) =>
+      figure(
+        `render.bodies.${form}`,
+        'ms',
+        times,
+        `${bodiesDrawn} bodies, ${kept} fragments covered, the shader runs for ${rasterised}; SwiftShader, information`,
+      ),
+    ),
+    figure(
+      'render.lobes',
+      'x',
+      billboards.times.map((time, round) => time / lobes.times[round]),
+      'bodies as baked billboards / as lobes met per pixel, the same particles',
+    ),
+  ];
+}
+
+/** Draws once, which also compiles the programs. */
+function look(bench: RenderBench, form: PuffForm): Side {
+  bench.form = form;
+  const { bodiesDrawn } = bench.draw(true);
+  const { bodies, body } = bench.smoke.passes;
+  const fragments = countFragments(bench.device.renderer, bodies.geometry, body['mesh'].material, WIDTH, HEIGHT);
+  return { form, times: [], bodiesDrawn, fragments };
+}

@@ -1,0 +1,86 @@
+/** Pictures of smoke that stands still while the camera goes round it: nothing may jump. */
+import { PerspectiveCamera } from 'three';
+import { Lab, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
+import { random } from '../random.ts';
+
+const SIZE = 160;
+const DISTANCE = 4;
+const RADIUS = 0.8;
+
+/** What changed between two pictures, one degree apart, that motion alone does not explain. */
+export interface OrbitReport {
+  /** Most such pixels in one step, and the degree at which. */
+  largest: number;
+  at: number;
+  /** Fewest pixels that smoke covers in a picture. */
+  painted: number;
+  /** Farthest that a point of the smoke moves in a step, pixels. */
+  motion: number;
+}
+
+export function orbit(what: 'puff' | 'cluster', steps = 360): OrbitReport {
+  const puffs = what === 'puff' ? [PUFF] : cluster();
+  const scene: LabScene = { width: SIZE, height: SIZE, puffs, towardsLight: [0.5, 0.8, 0.6] };
+  const lab = new Lab(scene);
+  const report = { largest: 0, at: 0, painted: Infinity, motion: motionOf(puffs) };
+  let before = lab.draw({ ...scene, camera: cameraAt(0) });
+  for (let degree = 1; degree <= steps; degree++) {
+    const now = lab.draw({ ...scene, camera: cameraAt(degree) });
+    const reach = Math.ceil(report.motion) + 1;
+    const sudden = Math.max(unexplained(before, now, reach), unexplained(now, before, reach));
+    if (sudden > report.largest) Object.assign(report, { largest: sudden, at: degree });
+    report.painted = Math.min(report.painted, now.pixels.filter((value, i) => i % 4 === 3 && value > 0).length);
+    before = now;
+  }
+  lab.dispose();
+  return report;
+}
+
+const PUFF: LabPuff = { place: [0, 0, 0], radius: RADIUS, variation: 1, seed: 90, roll: 2 };
+
+function cluster(): LabPuff[] {
+  const next = random(31);
+  return Array.from({ length: 9 }, (_, index) => ({
+    place: [next() - 0.5, 0.9 * (next() - 0.5), next() - 0.5],
+    radius: 0.25 + 0.25 * next(),
+    variation: index % 4,
+    seed: Math.floor(256 * next()),
+    roll: 6.28 * next(),
+  }));
+}
+
+function cameraAt(degree: number): PerspectiveCamera {
+  const camera = new PerspectiveCamera(32, 1, 0.1, 50);
+  const azimuth = (degree * Math.PI) / 180;
+  camera.position.set(DISTANCE * Math.sin(azimuth), 1, DISTANCE * Math.cos(azimuth));
+  camera.lookAt(0, 0, 0);
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+/** Pixels that a point at the far side of the smoke moves when the camera goes on by a degree. */
+function motionOf(puffs: readonly LabPuff[]): number {
+  const reach = Math.max(...puffs.map(({ place, radius }) => Math.hypot(...place) + radius));
+  const pixelsPerMetre = SIZE / 2 / Math.tan((16 * Math.PI) / 180) / (DISTANCE - reach);
+  return ((reach * Math.PI) / 180) * pixelsPerMetre;
+}
+
+/** Pixels of one picture whose colour the other has nowhere within `reach` pixels. */
+function unexplained(a: LabPicture, b: LabPicture, reach: number): number {
+  const [from, to] = [a, b].map(({ pixels }) => new Uint32Array(pixels.buffer));
+  let count = 0;
+  for (let pixel = 0; pixel < from.length; pixel++) {
+    if (from[pixel] !== to[pixel] && !occursNear(from[pixel], to, pixel, reach)) count++;
+  }
+  return count;
+}
+
+function occursNear(color: number, pixels: Uint32Array, pixel: number, reach: number): boolean {
+  const [x, y] = [pixel % SIZE, Math.floor(pixel / SIZE)];
+  for (let j = Math.max(0, y - reach); j <= Math.min(SIZE - 1, y + reach); j++) {
+    for (let i = Math.max(0, x - reach); i <= Math.min(SIZE - 1, x + reach); i++) {
+      if (pixels[j * SIZE + i] === color) return true;
+    }
+  }
+  return false;
+}
