@@ -13,7 +13,7 @@ const STEPS = 1_000_000;
 const SAMPLES = 200;
 /** Samples until all that is made once has been made. */
 const WARM_UP = 40;
-/** Between collections the heap differs by some tens of thousands of bytes; half a byte a step would be more. */
+/** Between collections the heap differs by some tens of thousands of bytes; a leak of a byte a step would be more. */
 const HEAP_SLACK = 400_000;
 
 const forces: Record<string, number> = Object.assign(
