@@ -6,7 +6,7 @@ test.use({ viewport: { width: 760, height: 540 } });
 
 test('an edit changes the stage and the link, and the link restores it', async ({ page, context }) => {
   await open(page, `?paused=1${LIGHT}`);
-  await page.getByLabel('Rate, exact value').fill('55.5');
+  await page.getByLabel('Rate, exact value', { exact: true }).fill('55.5');
   await expectValue(page, 'emission.rate', 55.5);
   await row(page, 'style.tones').getByRole('combobox').selectOption('3');
   await row(page, 'style.shadows').getByRole('switch').click();
@@ -18,7 +18,7 @@ test('an edit changes the stage and the link, and the link restores it', async (
   const other = await context.newPage();
   await open(other, `?paused=1${hash}`);
   expect(await ask(other, (stage) => stage.get())).toEqual(values);
-  await expect(other.getByLabel('Rate, exact value')).toHaveValue('55.5');
+  await expect(other.getByLabel('Rate, exact value', { exact: true })).toHaveValue('55.5');
   await expect(other.locator('.notice')).toHaveCount(0);
 });
 
@@ -35,7 +35,7 @@ test('a slider moves its parameter by keys and by mouse', async ({ page }) => {
 
 test('what is typed beyond the range goes to its end', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  const field = page.getByLabel('Rate, exact value');
+  const field = page.getByLabel('Rate, exact value', { exact: true });
   await field.fill('99999');
   await expect(field).toHaveAttribute('aria-invalid', 'true');
   await field.press('Enter');

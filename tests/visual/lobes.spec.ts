@@ -7,7 +7,7 @@ test('puffs of lobes are drawn as a reference on the CPU draws them', async ({ l
   expect(report.covered).toBeGreaterThan(50_000);
   expect(report.inked).toBeGreaterThan(5_000);
   // Along borders, where single and double precision round to different sides.
-  expect(report.differing / report.covered).toBeLessThan(0.002);
+  expect(report.differing / report.covered).toBeLessThan(0.003);
 });
 
 test('the form of puffs changes live, there and back', async ({ load }) => {
