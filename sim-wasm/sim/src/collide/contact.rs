@@ -164,6 +164,7 @@ impl<C: Collider> Obstacle<C> {
         self.local_at(traveller, (way + quarter).min(1.0)) - point
     }
 
+    #[inline]
     fn local_at(&self, traveller: &Traveller, way: f32) -> Vector {
         let frame = self.motion.frame(traveller.began + (1.0 - traveller.began) * way);
         frame.local_from_world(traveller.from.towards(traveller.to, way))
@@ -223,6 +224,7 @@ impl<C: Collider> Obstacle<C> {
     }
 
     /// What the surface makes of a velocity, or of a way, relative to it; unchanged when it leads away.
+    #[inline]
     fn turned_back(&self, velocity: Vector, normal: Vector, pass: Pass) -> Vector {
         let inward = velocity.dot(normal);
         if inward >= 0.0 {

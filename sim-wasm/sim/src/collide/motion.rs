@@ -115,6 +115,7 @@ impl Motion {
     }
 
     /// Velocity (m/s) at a fraction of the step of what is at the world point `point` and moves with the obstacle.
+    #[inline]
     pub fn velocity_at(&self, point: Vector, fraction: f32) -> Vector {
         let origin = self.start.position.towards(self.end.position, fraction);
         self.velocity + self.spin.cross(point - origin)

@@ -206,6 +206,7 @@ pub struct Frame {
 
 impl Frame {
     /// The frame of a pose.
+    #[inline]
     pub fn new(pose: &Pose) -> Self {
         let [x, y, z, w] = pose.rotation;
         Self {
@@ -231,6 +232,7 @@ impl Frame {
     }
 
     /// A point of the world as this frame sees it.
+    #[inline]
     pub fn local_from_world(&self, point: Vector) -> Vector {
         let offset = point - self.origin;
         Vector::new(
@@ -241,6 +243,7 @@ impl Frame {
     }
 
     /// A point of this frame in the world.
+    #[inline]
     pub fn world_from_local(&self, point: Vector) -> Vector {
         self.origin + self.turned(point)
     }
