@@ -9,7 +9,7 @@
 use super::core::Core;
 use super::motion::Motion;
 use super::shapes::{Collider, Nearest};
-use super::space::{Bounds, Vector};
+use super::space::{Bounds, Vector, greater, lesser};
 
 const TRACE_STEPS: u32 = 32;
 /// Pieces of a way (see [`Motion`]) that make a quarter of a turn.
@@ -128,8 +128,8 @@ impl<C: Collider> Obstacle<C> {
             return None;
         }
         let probe = match pass {
-            Pass::First => traveller.radius.min(0.9 * first.distance),
-            Pass::Again => 0.25 * traveller.radius.min(first.distance),
+            Pass::First => lesser(traveller.radius, 0.9 * first.distance),
+            Pass::Again => 0.25 * lesser(traveller.radius, first.distance),
         };
         if first.distance + last.distance.abs() >= way + 2.0 * probe && last.distance > 0.0 {
             return None;
@@ -188,7 +188,7 @@ impl<C: Collider> Obstacle<C> {
                     return Some((gone / length, point, nearest.normal));
                 }
                 // Along or away from the surface nothing is hit, however near it is.
-                gone += close.max(length / TRACE_STEPS as f32);
+                gone += greater(close, length / TRACE_STEPS as f32);
             } else {
                 gone += free;
             }
@@ -214,7 +214,7 @@ impl<C: Collider> Obstacle<C> {
         let rest = self.turned_back(hit.rest, hit.normal, pass);
         let wanted = hit.point + rest;
         let nearest = self.shape.nearest(wanted, traveller.radius);
-        let lack = (traveller.radius - nearest.distance).max(0.0);
+        let lack = greater(traveller.radius - nearest.distance, 0.0);
         traveller.to = self.motion.frame(1.0).world_from_local(wanted + nearest.normal * lack);
     }
 

@@ -1,18 +1,20 @@
 //! A quick look at one particle and one obstacle: most of those whose boxes touch do not touch themselves.
 
+use wide::f32x4;
+
 use super::motion::Motion;
 use super::space::{Bounds, Vector};
 
 /// What lies within `radius` of a box, or of an upright cylinder: a simple solid that holds a shape.
 #[derive(Clone, Copy, Debug)]
 pub struct Core {
-    pub centre: Vector,
+    centre: Vector,
     /// Half sides (m); of the cylinder x is the radius and z is 0.
-    pub half: Vector,
+    half: f32x4,
     /// Metres.
-    pub radius: f32,
+    radius: f32,
     /// A cylinder along y, not a box.
-    pub about_y: bool,
+    about_y: bool,
     /// Distance (m) below which rounding may tell two looks at the shape apart.
     slack: f32,
 }
@@ -30,7 +32,7 @@ impl Core {
     pub fn around(half: Vector, radius: f32) -> Self {
         Self {
             centre: Vector::ZERO,
-            half,
+            half: f32x4::new([half.x, half.y, half.z, 0.0]),
             radius,
             about_y: false,
             slack: 1e-5 * (half.length() + radius),
@@ -61,12 +63,14 @@ impl Core {
     /// At most the distance to the shape; inside of the box or cylinder no deeper than its radius.
     #[inline]
     fn distance(&self, point: Vector) -> f32 {
-        let offset = (point - self.centre).abs();
+        let Vector { x, y, z } = point - self.centre;
         let offset = if self.about_y {
-            Vector::new((offset.x * offset.x + offset.z * offset.z).sqrt(), offset.y, 0.0)
+            [(x * x + z * z).sqrt(), y, 0.0, 0.0]
         } else {
-            offset
+            [x, y, z, 0.0]
         };
-        (offset - self.half).greatest(Vector::ZERO).length() - self.radius
+        let outside = (f32x4::new(offset).abs() - self.half).fast_max(f32x4::ZERO);
+        let [x, y, z, _] = (outside * outside).to_array();
+        (x + y + z).sqrt() - self.radius
     }
 }

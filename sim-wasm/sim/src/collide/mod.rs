@@ -21,7 +21,7 @@ use crate::rigids::Rigids;
 use analytic::AnalyticShape;
 use contact::{Action, Obstacle, Pass, Traveller};
 use passer::Passer;
-use space::WideBounds;
+use space::{WideBounds, greater};
 use survey::{Sight, Ways};
 
 /// Rounds in which a particle is moved out of one obstacle and perhaps into the next. A right corner needs two; in an
@@ -129,10 +129,11 @@ fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Tra
     let (from, to) = passer::way(particles, i);
     let (size, age, lifetime) = (particles.size[i], particles.age[i], particles.lifetime[i]);
     let began = (-age / dt).clamp(0.0, 1.0);
-    let span = dt * (1.0 - began).max(SHORTEST_WAY);
-    let radius = radii
-        .radius(size, age, lifetime)
-        .max(radii.radius(size, age + dt, lifetime));
+    let span = dt * greater(1.0 - began, SHORTEST_WAY);
+    let radius = greater(
+        radii.radius(size, age, lifetime),
+        radii.radius(size, age + dt, lifetime),
+    );
     Traveller {
         from,
         to,

@@ -1,6 +1,6 @@
 //! How an obstacle moves over one step: from a pose to a pose, the way between them cut into pieces that hardly turn.
 
-use super::space::{Bounds, Frame, Pose, Vector};
+use super::space::{Bounds, Frame, Pose, Vector, greater};
 
 /// The most that an obstacle may turn (rad) within one piece of its way. In the obstacle's own frame a straight way
 /// becomes an arc; over a piece the arc is taken for its chord, which at this angle errs by 0.5 % of the radius.
@@ -132,7 +132,7 @@ impl Motion {
         if self.pieces == 1 {
             0.0
         } else {
-            PIECE_ANGLE * self.pieces as f32 * from.length().max(to.length())
+            PIECE_ANGLE * self.pieces as f32 * greater(from.length(), to.length())
         }
     }
 

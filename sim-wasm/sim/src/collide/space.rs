@@ -4,6 +4,18 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use wide::f32x4;
 
+/// The lesser of two numbers. `f32::min` is a function call in WASM, because it sees to what is no number.
+#[inline(always)]
+pub fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// The greater of two numbers.
+#[inline(always)]
+pub fn greater(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
 /// A vector of three (m, or m/s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vector {
@@ -54,12 +66,20 @@ impl Vector {
 
     /// The lesser of each part.
     pub fn least(self, other: Self) -> Self {
-        Self::new(self.x.min(other.x), self.y.min(other.y), self.z.min(other.z))
+        Self::new(
+            lesser(self.x, other.x),
+            lesser(self.y, other.y),
+            lesser(self.z, other.z),
+        )
     }
 
     /// The greater of each part.
     pub fn greatest(self, other: Self) -> Self {
-        Self::new(self.x.max(other.x), self.y.max(other.y), self.z.max(other.z))
+        Self::new(
+            greater(self.x, other.x),
+            greater(self.y, other.y),
+            greater(self.z, other.z),
+        )
     }
 
     /// Each part without its sign.

@@ -3,6 +3,7 @@
 use wide::f32x4;
 
 use super::density::Curve;
+use crate::collide::space::greater;
 use crate::motion::Integrator;
 use crate::parameters::Parameters;
 use crate::simd::{positive_part, smaller};
@@ -50,10 +51,10 @@ impl RadiusLaw {
     /// Radius (m) of a particle of `size` (m) at `age` of `lifetime` (s). 0 from the moment of death on; an age
     /// below 0 counts as 0. Never more than `size` times [`RadiusLaw::puff_size`].
     pub fn radius(&self, size: f32, age: f32, lifetime: f32) -> f32 {
-        let age = age.max(0.0);
+        let age = greater(age, 0.0);
         let worn = age / lifetime;
         let density = match &self.curve {
-            None => (1.0 - worn).max(0.0),
+            None => greater(1.0 - worn, 0.0),
             Some(curve) => curve.density(worn),
         };
         size * self.puff_size * self.growth(age) * density
