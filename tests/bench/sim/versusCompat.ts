@@ -133,7 +133,8 @@ export async function measureAgainstCompat(quick: boolean): Promise<Figure[]> {
       'collide.vsCompat',
       'x',
       compat.map((theirs, round) => theirs / ours[round]),
-      `${COUNT} particles among ${RIGIDS} moving rigids, ${touched} of them pushed in the step compared; each side goes on for several steps in a row; goal >= 20`,
+      `${COUNT} particles among ${RIGIDS} moving rigids, ${touched} of them pushed in the step compared; ` +
+        'each side goes on for several steps in a row; goal >= 20',
     ),
     figure('collide.ours', 'ms', ours, 'a step with rigids less one without: world step, grid, search, swept contacts'),
     figure('collide.compat', 'ms', compat, 'the queries alone, without world step and answer'),
