@@ -16,8 +16,11 @@ export function connectStage(editor: Editor, stage: Stage, tell: (message: strin
     waiting = {};
     isFlushing = true;
     try {
-      stage.unset(changes.flatMap(([key, value]) => (value === undefined ? [key] : [])));
-      stage.set(Object.fromEntries(changes.filter((change): change is [string, Value] => change[1] !== undefined)));
+      // Each call draws a picture in a pause: none for nothing.
+      const taken = changes.flatMap(([key, value]) => (value === undefined ? [key] : []));
+      const given = changes.filter((change): change is [string, Value] => change[1] !== undefined);
+      if (taken.length > 0) stage.unset(taken);
+      if (given.length > 0) stage.set(Object.fromEntries(given));
     } catch (error) {
       tell((error as Error).message);
       editor.adopt(stage.get());

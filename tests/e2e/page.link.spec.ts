@@ -14,6 +14,8 @@ test('an edit changes the stage and the link, and the link restores it', async (
   const hash =
     '#v=1&preset=lamp&emission.rate=55.5&style.shadows=0&style.tones=3&style.inkColor=aa0011&simulation.maxParticles=500';
   await expectHash(page, hash);
+  // The stage takes edits up with its next frame, which on a busy machine may come after the address bar.
+  await expectValue(page, 'style.inkColor', '#aa0011');
   const values = await ask(page, (stage) => stage.get());
   const other = await context.newPage();
   await open(other, `?paused=1${hash}`);
