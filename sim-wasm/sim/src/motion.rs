@@ -177,9 +177,9 @@ impl Motion {
     #[inline(always)]
     fn air_and_slip(&self, tile: &mut Tile) {
         if tile.is_dragged {
-            self.push_and_drag(tile);
+            self.push(tile, |resistance| Factors::of_rates(self.rate + resistance, self.dt));
         } else if tile.is_pushed {
-            self.push(tile);
+            self.push(tile, |_| self.drag);
         } else {
             self.glide(tile);
         }
@@ -214,27 +214,9 @@ impl Motion {
         }
     }
 
-    /// Slip where each particle has an acceleration of its own.
-    fn push(&self, tile: &mut Tile) {
-        let Factors { kept, first, second } = self.drag;
-        let Columns {
-            slip,
-            slipped,
-            push,
-            heat,
-            ..
-        } = tile.columns();
-        for (block, slip) in slip.iter_mut().enumerate() {
-            let mut push = push[block];
-            push.y += self.lift.acceleration(heat[block]);
-            slipped[block] = *slip * first + push * second;
-            *slip = *slip * kept + push * first;
-        }
-    }
-
-    /// Slip where each particle has an acceleration and a rate of drag of its own.
-    fn push_and_drag(&self, tile: &mut Tile) {
-        let dt = self.dt;
+    /// Slip where each particle has an acceleration of its own; `factors` tells what its own drag makes of the step.
+    #[inline(always)]
+    fn push(&self, tile: &mut Tile, factors: impl Fn(f32x4) -> Factors) {
         let Columns {
             slip,
             slipped,
@@ -244,11 +226,11 @@ impl Motion {
             ..
         } = tile.columns();
         for (block, slip) in slip.iter_mut().enumerate() {
-            let factors = Factors::of_rates(self.rate + resistance[block], dt);
+            let Factors { kept, first, second } = factors(resistance[block]);
             let mut push = push[block];
             push.y += self.lift.acceleration(heat[block]);
-            slipped[block] = *slip * factors.first + push * factors.second;
-            *slip = *slip * factors.kept + push * factors.first;
+            slipped[block] = *slip * first + push * second;
+            *slip = *slip * kept + push * first;
         }
     }
 

@@ -74,21 +74,16 @@ pub struct Now<'r> {
 impl Now<'_> {
     /// Where the rigid that `scope` rides on is at `fraction` of the step; none where it rides on none that exists.
     pub fn ride(&self, scope: &Scope, fraction: f32) -> Option<Pose> {
-        let at = (scope.rigid >= 0.0).then(|| 14 * scope.rigid as usize)?;
-        let [before, after] = [0, 7].map(|from| self.poses.get(at + from..at + from + 7).map(pose));
-        Some(before?.towards(&after?, fraction))
+        let at = (scope.rigid >= 0.0).then(|| 2 * scope.rigid as usize)?;
+        let [before, after] = *self.poses.as_chunks::<7>().0.get(at..at + 2)? else {
+            return None;
+        };
+        Some(Pose::of_numbers(before).towards(&Pose::of_numbers(after), fraction))
     }
 
     /// The frame in which the positions and directions of what has this `scope` are meant, in the middle of the step.
     pub fn frame(&self, scope: &Scope) -> Frame {
         Frame::new(&self.ride(scope, 0.5).unwrap_or(Pose::at(Vector::ZERO)))
-    }
-}
-
-fn pose(numbers: &[f32]) -> Pose {
-    Pose {
-        position: Vector::new(numbers[0], numbers[1], numbers[2]),
-        rotation: [numbers[3], numbers[4], numbers[5], numbers[6]],
     }
 }
 
@@ -107,6 +102,14 @@ impl Reach {
             level: f32x4::splat(level as f32),
             shape: Shape::new(scope, &now.frame(scope)),
         })
+    }
+
+    /// Acts fully, at all places and all the time.
+    pub fn everywhere() -> Self {
+        Self {
+            level: f32x4::ONE,
+            shape: Shape::All,
+        }
     }
 
     /// How strongly it acts at each place, 0..=1.

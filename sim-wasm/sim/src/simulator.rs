@@ -387,7 +387,9 @@ impl Simulator {
         };
         let first = self.particles.alive();
         self.births.step(&around, &mut self.random, &mut self.particles);
-        motion.launch(&mut self.particles, first, self.vortex_particles.as_deref());
+        if self.particles.alive() > first {
+            motion.launch(&mut self.particles, first, self.vortex_particles.as_deref());
+        }
     }
 
     fn shed(&mut self, motion: &Motion) {

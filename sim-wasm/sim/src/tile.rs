@@ -127,12 +127,11 @@ impl Tile {
     /// Takes up blocks of places that have no slip: where they are at the start of the step and where they are expected
     /// in its middle (m), with air that does not move.
     pub fn load_places(&mut self, place: [&[[f32; LANES]]; 3], ahead: [&[[f32; LANES]]; 3]) {
-        self.len = place[0].len();
+        self.clear(place[0].len());
         for block in 0..self.len {
             self.place[block] = Vector4::load(place[0], place[1], place[2], block);
             self.ahead[block] = Vector4::load(ahead[0], ahead[1], ahead[2], block);
         }
-        self.flow[..self.len].fill(Vector4::zero());
     }
 
     /// The columns.

@@ -143,6 +143,14 @@ pub struct Pose {
 }
 
 impl Pose {
+    /// Of x, y, z (m) and the unit quaternion x, y, z, w.
+    pub fn of_numbers([x, y, z, i, j, k, w]: [f32; 7]) -> Self {
+        Self {
+            position: Vector::new(x, y, z),
+            rotation: [i, j, k, w],
+        }
+    }
+
     /// At `position`, not turned.
     pub fn at(position: Vector) -> Self {
         Self {

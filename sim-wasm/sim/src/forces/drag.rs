@@ -63,7 +63,7 @@ impl Item for Drag {
 pub struct Kernel {
     rate: f32x4,
     quadratic: f32x4,
-    reach: Option<Reach>,
+    reach: Reach,
 }
 
 impl Force for Drag {
@@ -72,12 +72,17 @@ impl Force for Drag {
 
     fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
         let reach = Reach::new(&self.scope, &setting.now)?;
-        Kernel::new(self.rate, self.quadratic, Some(reach), setting.parameters)
+        Kernel::new(self.rate, self.quadratic, reach, setting.parameters)
     }
 
     /// Only the quadratic part: the other is the same for all particles, see [`Factors::new`].
     fn everywhere(setting: &Setting) -> Option<Kernel> {
-        Kernel::new(0.0, setting.parameters.drag.quadratic, None, setting.parameters)
+        Kernel::new(
+            0.0,
+            setting.parameters.drag.quadratic,
+            Reach::everywhere(),
+            setting.parameters,
+        )
     }
 
     fn act(kernels: &[Kernel], tile: &mut Tile) {
@@ -90,10 +95,7 @@ impl Force for Drag {
             ..
         } = tile.columns();
         for kernel in kernels {
-            match &kernel.reach {
-                Some(reach) => reach.weigh(ahead, weight),
-                None => weight.fill(f32x4::ONE),
-            }
+            kernel.reach.weigh(ahead, weight);
             for ((resistance, slip), weight) in resistance.iter_mut().zip(&*slip).zip(&*weight) {
                 *resistance += (kernel.rate + kernel.quadratic * slip.dot(*slip).sqrt()) * *weight;
             }
@@ -102,7 +104,7 @@ impl Force for Drag {
 }
 
 impl Kernel {
-    fn new(rate: f64, quadratic: f64, reach: Option<Reach>, parameters: &Parameters) -> Option<Self> {
+    fn new(rate: f64, quadratic: f64, reach: Reach, parameters: &Parameters) -> Option<Self> {
         let [rate, quadratic] = [rate, quadratic].map(|value| (value * parameters.forces.drag) as f32);
         (rate > 0.0 || quadratic > 0.0).then(|| Self {
             rate: f32x4::splat(rate),

@@ -3,8 +3,7 @@
 //! a = -g m up. Parameters: `gravity.acceleration` g (m/s2, downward: the weight that the air does not carry, not
 //! 9.81 for smoke), `forces.gravity` m (multiplier). `gravities.#.*` pull in any direction, each in its region.
 
-use super::{Force, Setting, Stage};
-use crate::collide::space::Vector;
+use super::{Force, Setting, Stage, vector_in};
 use crate::parameters::Parameters;
 use crate::parameters::field::{Field, vector};
 use crate::parameters::section::Item;
@@ -54,7 +53,7 @@ impl Force for Gravity {
         }
         let frame = setting.now.frame(&self.scope);
         Some(Kernel {
-            acceleration: Vector4::splat(frame.turned(Vector::from(acceleration)).into()),
+            acceleration: vector_in(&frame, acceleration),
             reach: Reach::new(&self.scope, &setting.now)?,
         })
     }

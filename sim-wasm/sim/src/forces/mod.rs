@@ -178,9 +178,14 @@ fn place_in(frame: &Frame, place: [f64; 3]) -> Vector4 {
     Vector4::splat(frame.world_from_local(local).into())
 }
 
+/// A vector of `frame` in the world, in every lane.
+fn vector_in(frame: &Frame, vector: [f32; 3]) -> Vector4 {
+    Vector4::splat(frame.turned(Vector::from(vector)).into())
+}
+
 /// A direction of `frame` in the world with length 1, in every lane.
 fn direction_in(frame: &Frame, direction: [f64; 3]) -> Vector4 {
-    Vector4::splat(frame.turned(Vector::from(unit(direction))).into())
+    vector_in(frame, unit(direction))
 }
 
 /// (1 - r^2 / R^2)^2 for the squared distance r^2 and the inverse of R^2; 0 where r >= R.

@@ -109,13 +109,16 @@ impl Force for Turbulence {
 
     fn kernel(&self, index: usize, setting: &Setting) -> Option<Kernel> {
         let swirls = Swirls::of_setting(&self.pattern, setting, index)?;
-        let reach = Some(Reach::new(&self.scope, &setting.now)?);
+        let reach = Reach::new(&self.scope, &setting.now)?;
         Some(Kernel { swirls, reach })
     }
 
     fn everywhere(setting: &Setting) -> Option<Kernel> {
         let swirls = Swirls::of_setting(&setting.parameters.turbulence, setting, LIST_LIMIT)?;
-        Some(Kernel { swirls, reach: None })
+        Some(Kernel {
+            swirls,
+            reach: Reach::everywhere(),
+        })
     }
 
     fn act(kernels: &[Kernel], tile: &mut Tile) {
@@ -123,10 +126,7 @@ impl Force for Turbulence {
             ahead, flow, weight, ..
         } = tile.columns();
         for kernel in kernels {
-            match &kernel.reach {
-                Some(reach) => reach.weigh(ahead, weight),
-                None => weight.fill(f32x4::ONE),
-            }
+            kernel.reach.weigh(ahead, weight);
             for octave in &kernel.swirls.octaves[..kernel.swirls.len] {
                 octave.add(ahead, weight, flow);
             }
@@ -138,7 +138,7 @@ impl Force for Turbulence {
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     swirls: Swirls,
-    reach: Option<Reach>,
+    reach: Reach,
 }
 
 /// The field of one step.

@@ -12,8 +12,8 @@
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, unit};
-use crate::collide::space::{Frame, Vector};
+use super::{Force, Setting, Stage, unit, vector_in};
+use crate::collide::space::Frame;
 use crate::parameters::field::{Field, PLACE, number, vector};
 use crate::parameters::section::Item;
 use crate::random::Random;
@@ -142,7 +142,6 @@ impl Wind {
     }
 
     fn blow(&self, frame: &Frame, reach: Reach, number: u32, setting: &Setting) -> Kernel {
-        let turned = |v: [f32; 3]| Vector4::splat(frame.turned(Vector::from(v)).into());
         let along = if self.velocity == [0.0; 3] {
             [1.0, 0.0, 0.0]
         } else {
@@ -150,8 +149,8 @@ impl Wind {
         };
         let speed = gust(&self.weather, setting.now.time, setting.seed ^ number) as f32;
         Kernel {
-            mean: turned(self.velocity.map(|component| component as f32)),
-            gust: turned(along.map(|component| component * speed)),
+            mean: vector_in(frame, self.velocity.map(|component| component as f32)),
+            gust: vector_in(frame, along.map(|component| component * speed)),
             shear: f32x4::splat(self.weather.shear as f32),
             height: f32x4::splat(self.weather.height as f32),
             reach,

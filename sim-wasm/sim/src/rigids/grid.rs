@@ -8,7 +8,7 @@
 use wide::{f32x4, i32x4};
 
 use crate::collide::space::{Bounds, Vector, WideBounds};
-use crate::collide::survey::{Sight, Spot, Ways};
+use crate::collide::survey::{Extent, Sight, Spot, Ways};
 use crate::particles::LANES;
 
 const CELLS_PER_RIGID: usize = 64;
@@ -72,9 +72,11 @@ impl Grid {
         self.boxes.iter().fold(Bounds::NOTHING, |all, one| all.with(one))
     }
 
-    /// Lays the grid over that part of `middles`, where most particles are, that can be near a rigid; `margin` (m) as
-    /// told above.
-    pub fn lay(&mut self, middles: &Bounds, margin: f32) {
+    /// Lays the grid over that part of where most particles are that can be near a rigid.
+    pub fn lay(&mut self, extent: &Extent) {
+        // A few particles that are far larger or faster than the rest shall not make the cells of all others too full.
+        let margin = extent.greatest_reach.min(3.0 * extent.mean_reach);
+        let middles = &extent.middles;
         self.margin = margin;
         let rigids = self.bounds().wider(margin);
         let area = Bounds {
@@ -86,9 +88,23 @@ impl Grid {
         self.write_entries(&area);
     }
 
-    /// The spots of four particles, and for which of them a look there is worth while.
+    /// The spots of four particles, and for which of them a look there is worth while; `all` is the box of all rigids.
     #[inline]
-    pub fn look(&self, ways: &Ways) -> Sight {
+    pub fn look(&self, ways: &Ways, all: &Bounds) -> Sight {
+        match ways.touching(all) {
+            0 => Sight::default(),
+            lanes => {
+                let sight = self.sight(ways);
+                Sight {
+                    lanes: lanes & sight.lanes,
+                    ..sight
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn sight(&self, ways: &Ways) -> Sight {
         let middles = ways.middles();
         let cells = self.cells_of(&middles);
         let large = ways.reaches().simd_gt(f32x4::splat(self.margin)).to_bitmask() | self.outside(&middles);

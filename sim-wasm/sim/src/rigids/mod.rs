@@ -246,30 +246,19 @@ impl Rigids {
         let pair = self.poses[index * POSE_PAIR_FLOATS..][..POSE_PAIR_FLOATS]
             .as_chunks::<7>()
             .0;
-        let [start, end] = [0, 1].map(|moment| pose_of_numbers(&pair[moment]));
+        let [start, end] = [0, 1].map(|moment| Pose::of_numbers(pair[moment]));
         Some(Motion::turning(start, end, STEP as f32, false, turn))
     }
 
     /// Makes ready for [`Rigids::find_near`], given where the particles are.
     pub(crate) fn prepare(&mut self, extent: &Extent) {
-        // A few particles that are far larger or faster than the rest shall not make the cells of all others too full.
-        let margin = extent.greatest_reach.min(3.0 * extent.mean_reach);
-        self.grid.lay(&extent.middles, margin);
+        self.grid.lay(extent);
     }
 
     /// What four particles see of the rigids.
     #[inline]
     pub(crate) fn look(&self, ways: &Ways) -> Sight {
-        match ways.touching(&self.bounds) {
-            0 => Sight::default(),
-            lanes => {
-                let sight = self.grid.look(ways);
-                Sight {
-                    lanes: lanes & sight.lanes,
-                    ..sight
-                }
-            }
-        }
+        self.grid.look(ways, &self.bounds)
     }
 
     /// Appends the numbers, raised by `first`, of the rigids whose box the passer's touches. True when it surely
@@ -352,14 +341,6 @@ fn pose_numbers(pose: &Pose) -> [f32; 7] {
     let [x, y, z]: [f32; 3] = pose.position.into();
     let [i, j, k, w] = pose.rotation;
     [x, y, z, i, j, k, w]
-}
-
-fn pose_of_numbers(numbers: &[f32; 7]) -> Pose {
-    let [x, y, z, i, j, k, w] = *numbers;
-    Pose {
-        position: Vector::new(x, y, z),
-        rotation: [i, j, k, w],
-    }
 }
 
 fn pair(start: &Pose, end: &Pose) -> [f32; POSE_PAIR_FLOATS] {

@@ -3,7 +3,7 @@
 
 use super::grid::Grid;
 use crate::collide::space::{Bounds, Vector, WideBounds};
-use crate::collide::survey::{Sight, Ways, extent, for_each_near};
+use crate::collide::survey::{Ways, extent, for_each_near};
 use crate::life::RadiusLaw;
 use crate::particles::Particles;
 
@@ -40,19 +40,9 @@ impl Shells {
             return;
         }
         let extent = extent(particles, radii);
-        let margin = extent.greatest_reach.min(3.0 * extent.mean_reach);
-        self.grid.lay(&extent.middles, margin);
+        self.grid.lay(&extent);
         let Self { rigids, grid, near } = self;
-        let look = |ways: &Ways| match ways.touching(&all) {
-            0 => Sight::default(),
-            lanes => {
-                let sight = grid.look(ways);
-                Sight {
-                    lanes: lanes & sight.lanes,
-                    ..sight
-                }
-            }
-        };
+        let look = |ways: &Ways| grid.look(ways, &all);
         for_each_near(particles, radii, look, |particles, i, spot| {
             near.clear();
             let way = way_of(particles, i, radii);

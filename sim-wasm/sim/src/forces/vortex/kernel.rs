@@ -6,8 +6,8 @@ use wide::f32x4;
 
 use super::Vortex;
 use super::draft::Draft;
-use crate::collide::space::{Frame, Vector};
-use crate::forces::unit;
+use crate::collide::space::Frame;
+use crate::forces::{direction_in, fade, place_in};
 use crate::scope::Reach;
 use crate::simd::{Vector4, larger, positive_part};
 
@@ -60,11 +60,10 @@ impl Kernel {
     pub(super) fn new(vortex: &Vortex, strength: f64, frame: &Frame, scope: Reach, dt: f32) -> Self {
         let core_squared = vortex.core_radius * vortex.core_radius;
         let turn = vortex.circulation * strength / (2.0 * PI * core_squared);
-        let position = frame.world_from_local(vortex.position.map(|component| component as f32).into());
         let splat = |value: f64| f32x4::splat(value as f32);
         Self {
-            position: Vector4::splat(position.into()),
-            axis: Vector4::splat(frame.turned(Vector::from(unit(vortex.axis))).into()),
+            position: place_in(frame, vortex.position),
+            axis: direction_in(frame, vortex.axis),
             turn: splat(turn),
             inverse_core_squared: splat(1.0 / core_squared),
             inverse_reach_squared: splat(1.0 / (vortex.reach * vortex.reach)),
@@ -92,7 +91,6 @@ impl Kernel {
     /// follows from it.
     #[inline(always)]
     pub(super) fn profile(&self, squared: f32x4) -> Profile {
-        let fade = positive_part(f32x4::ONE - squared * self.inverse_reach_squared);
         let q = squared * self.inverse_core_squared;
         let divisor = if self.is_rankine {
             larger(q, f32x4::ONE)
@@ -101,7 +99,7 @@ impl Kernel {
         };
         Profile {
             q,
-            fade: fade * fade,
+            fade: fade(squared, self.inverse_reach_squared),
             divisor,
         }
     }
