@@ -5,7 +5,7 @@
 import { samplePuff, type PuffLayers, type PuffSample } from './layers.ts';
 import { middleOf, softNormal } from './normals.ts';
 import type { Lobe } from './shapes.ts';
-import { dot, lengthOf, minus, spherePoint, type Vector } from './vector.ts';
+import { dot, lengthOf, minus, normalized, spherePoint, type Vector } from './vector.ts';
 
 /** Numbers a point in a patch: normal (unit), position (particle radii), length of the position. */
 export const POINT_STRIDE = 7;
@@ -105,10 +105,8 @@ function isSmooth(corners: readonly PuffSample[]): boolean {
 }
 
 function bounded(points: Float32Array): Patch {
-  const normal = mean(points, 0);
+  const axis = normalized(mean(points, 0));
   const center = mean(points, 3);
-  const length = Math.sqrt(dot(normal, normal)) || 1;
-  const axis: Vector = [normal[0] / length, normal[1] / length, normal[2] / length];
   let cosine = 1;
   let radius = 0;
   for (let i = 0; i < points.length; i += POINT_STRIDE) {

@@ -7,7 +7,7 @@
  * a point counts if it can be lit from anywhere in the cell, with the largest distance it can have from there.
  */
 import { POINT_STRIDE, type Patch } from './patches.ts';
-import { dot, type Vector } from './vector.ts';
+import { dot, lengthOf, type Vector } from './vector.ts';
 
 /** Columns of a table: azimuth of the light about the view axis. */
 export const CAP_COLUMNS = 64;
@@ -94,7 +94,7 @@ function cellSpread(polar: number): number {
 
 /** Bound on -(p . L) over a patch and a cell. */
 function reachBehind({ center, radius }: Patch, cell: Cell): number {
-  return mostBehind(-dot(center, cell.middle), Math.sqrt(dot(center, center)), cell) + radius;
+  return mostBehind(-dot(center, cell.middle), lengthOf(center), cell) + radius;
 }
 
 /** Largest -(p . L) over the points that are lit from somewhere in the cell, but not less than `atLeast`. */

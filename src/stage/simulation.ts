@@ -20,6 +20,8 @@ export class Simulation {
   /** Milliseconds of the latest step. */
   stepMs = 0;
   drag: Drag | undefined;
+  /** What the scene sets of the optional parameters. */
+  readonly rig: Values;
   private readonly factory: SimulatorFactory;
   private readonly scene: Scene;
   private readonly matrices: Matrix4[];
@@ -34,6 +36,7 @@ export class Simulation {
   constructor(factory: SimulatorFactory, scene: Scene, values: Values, historyBytes: number) {
     this.factory = factory;
     this.scene = scene;
+    this.rig = rigValues(scene);
     this.matrices = scene.rigids.map(() => new Matrix4());
     this.states = new KeptStates(historyBytes);
     this.current = this.create(values);
@@ -99,14 +102,6 @@ export class Simulation {
   /** Lets optional parameters go back to what the scene has, or to their defaults. */
   unset(keys: readonly string[]): void {
     this.set(Object.fromEntries(keys.map((key) => [key, this.rig[key] ?? findParameter(key)!.default])));
-  }
-
-  /** What the scene sets of the optional parameters. */
-  get rig(): Values {
-    const entries = Object.entries(this.scene.rig).map(([key, number]) => [key, findParameter(key), number] as const);
-    return Object.fromEntries(
-      entries.flatMap(([key, parameter, number]) => (parameter?.isOptional ? [[key, valueOf(parameter, number)]] : [])),
-    );
   }
 
   /** Draws the rigid that people move to where they want it, by a spring. */
@@ -222,4 +217,12 @@ export class Simulation {
     if (steps % STEPS_BETWEEN_STATES !== 0 || this.states.has(steps)) return;
     this.states.add({ step: steps, bytes: this.current.save() });
   }
+}
+
+/** The scene's rig as the table has it: optional parameters only, choices by their names. */
+function rigValues(scene: Scene): Values {
+  const entries = Object.entries(scene.rig).map(([key, number]) => [key, findParameter(key), number] as const);
+  return Object.fromEntries(
+    entries.flatMap(([key, parameter, number]) => (parameter?.isOptional ? [[key, valueOf(parameter, number)]] : [])),
+  );
 }

@@ -194,8 +194,7 @@ export class Stage {
     this.#requireAlive();
     keys.forEach(requireOptional);
     this.#simulation.unset(keys);
-    this.#values = Object.fromEntries(Object.entries(this.#values).filter(([key]) => !keys.includes(key)));
-    this.#listeners.tell('statechange', { playing: this.#playing });
+    this.#showValues(Object.fromEntries(Object.entries(this.#values).filter(([key]) => !keys.includes(key))));
     if (!this.#playing) this.#draw();
   }
 
