@@ -1,7 +1,10 @@
 import {
+  DepthStencilFormat,
+  DepthTexture,
   NearestFilter,
   NoColorSpace,
   UnsignedByteType,
+  UnsignedInt248Type,
   WebGLRenderTarget,
   type Texture,
   type WebGLRenderer,
@@ -21,6 +24,8 @@ export class Targets {
     generateMipmaps: false,
     depthBuffer: true,
     stencilBuffer: true,
+    // As a texture, so that what draws elsewhere can read it or share it.
+    depthTexture: depthStencil(),
   });
 
   /** What is drawn into, for whoever wants to read more of it than the colours. */
@@ -34,6 +39,11 @@ export class Targets {
 
   get lit(): Texture {
     return this.target.textures[1];
+  }
+
+  /** Depth and stencil; a pass that draws into the target must not read it. */
+  get depth(): DepthTexture {
+    return this.target.depthTexture!;
   }
 
   get width(): number {
@@ -59,4 +69,10 @@ export class Targets {
   dispose(): void {
     this.target.dispose();
   }
+}
+
+function depthStencil(): DepthTexture {
+  const texture = new DepthTexture(1, 1, UnsignedInt248Type);
+  texture.format = DepthStencilFormat;
+  return texture;
 }
