@@ -3,7 +3,7 @@ precision highp int;
 
 // Meets the lobes of a puff along the view axis, shades what is nearest and writes its depth. The ring around the
 // silhouette is ink and lies deeper (McGuire and Fein 2006, section 4.1), so that the depth test alone decides which
-// lines show. three.js unrolls the marked loops: an index that is no constant would cost three times as much.
+// lines show. three.js unrolls the marked loops: an index that is no constant would cost far more.
 uniform sampler2D ramps;
 uniform float litRow;
 uniform float unlitRow;
