@@ -20,7 +20,7 @@ export const HEIGHT = 360;
 export const PARTICLES = 3000;
 
 /** A table under the plume and a ball beside it: surfaces and casters that no scene of the demo changes. */
-const SURROUNDINGS: Omit<SmokeOptions, 'capacity'> = {
+export const SURROUNDINGS: Omit<SmokeOptions, 'capacity'> = {
   surfaces: [
     { name: 'table', mesh: tableMesh(1.75, 0.12), color: [178, 92, 96], casts: false, inked: true },
     { name: 'ball', mesh: ballMesh(0.26), color: [64, 190, 178], casts: true, inked: true, rigid: 0 },
@@ -49,26 +49,26 @@ export class RenderBench {
   private readonly width: number;
   private readonly height: number;
   private readonly pixel = new Uint8Array(4);
-  private readonly camera = frontCamera();
+  readonly camera = frontCamera();
   private readonly light = towardsLight(-40, 45);
   private readonly rigids = [new Matrix4().makeTranslation(-0.9, 1.4, 0.3)];
 
-  private constructor(simulator: Simulator, width: number, height: number) {
+  private constructor(simulator: Simulator, particles: number, width: number, height: number) {
     this.simulator = simulator;
     this.width = width;
     this.height = height;
     this.device.renderer.setSize(width, height, false);
-    this.smoke = new CartoonSmoke(this.device, { capacity: PARTICLES, ...SURROUNDINGS });
+    this.smoke = new CartoonSmoke(this.device, { capacity: particles, ...SURROUNDINGS });
   }
 
   /** A picture of the suite's shape, smaller where only its rows matter. */
-  static async create(scale = 1): Promise<RenderBench> {
+  static async create(scale = 1, particles = PARTICLES): Promise<RenderBench> {
     const factory = await loadSimulators({ physics: false });
-    const simulator = factory.create({ capacity: PARTICLES, seed: 1 });
+    const simulator = factory.create({ capacity: particles, seed: 1 });
     // The paper's law, by which particles are born full.
     simulator.set({ 'emission.rate': 0, 'emission.growthTime': 0, 'simulation.integrator': 1 });
-    simulator.restore(withParticles(simulator, seededPlume(PARTICLES, 9)));
-    return new RenderBench(simulator, WIDTH * scale, HEIGHT * scale);
+    simulator.restore(withParticles(simulator, seededPlume(particles, 9)));
+    return new RenderBench(simulator, particles, WIDTH * scale, HEIGHT * scale);
   }
 
   get context(): WebGL2RenderingContext {
@@ -97,6 +97,13 @@ export class RenderBench {
     return times;
   }
 
+  /** x, y, z and radius of every puff, culled or not. */
+  places(): Float32Array {
+    this.draw(false);
+    const { geometry, count } = this.smoke.passes.bodies;
+    return (geometry.getAttribute('place').array as Float32Array).slice(0, 4 * count);
+  }
+
   /** The picture of the last frame: RGBA bytes. */
   picture(): Uint8Array {
     const pixels = new Uint8Array(4 * this.width * this.height);
@@ -110,7 +117,7 @@ export class RenderBench {
   }
 
   /** Milliseconds until what `draw` asked for has been drawn, with nothing else under way. */
-  private timeDrawing(draw: () => void): number {
+  timeDrawing(draw: () => void): number {
     this.sync();
     const start = performance.now();
     draw();

@@ -4,12 +4,14 @@ import { measureMemory } from './memory.ts';
 import { measureForms } from './forms.ts';
 import { measurePasses } from './passes.ts';
 import { measureUploads } from './uploads.ts';
+import { measureAgainstQuarks } from './versusQuarks.ts';
 
 export async function measure(quick: boolean): Promise<Figure[]> {
   if (!globalThis.crossOriginIsolated) throw new Error('The page is not isolated, so its clock is too coarse.');
   return [
     ...(await measurePasses(quick)),
     ...(await measureForms(quick)),
+    ...(await measureAgainstQuarks(quick)),
     ...(await measureUploads()),
     ...(await measureMemory()),
   ];
