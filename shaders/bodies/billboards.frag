@@ -13,6 +13,7 @@ uniform float unlitRow;
 uniform float pad;
 uniform float distanceRange;
 uniform mat4 clipFromView;
+uniform vec2 viewport;
 uniform vec3 towardsLightInView;
 uniform vec3 inkColor;
 uniform vec3 gradientFactor;
@@ -31,6 +32,8 @@ layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
 
 #include ../lib/depth.glsl
+#include ../lib/pixel.glsl
+#include ../lib/ink.glsl
 
 // A body must stay off both ends of the depth range: a volume that encloses the eye is clamped to exactly 0 and has to win.
 const float DEPTH_MARGIN = 4e-7;
@@ -42,6 +45,7 @@ void main() {
   float distanceOutside = (paint.a - 0.5) * distanceRange;
   if (distanceOutside > inkReach) discard;
   bool isInk = distanceOutside > 0.0;
+  float ink = isInk ? inkShare(inkReach * radius / viewUnitsPerPixel(clipFromView, viewport, centreZ)) : 0.0;
 
   vec3 normal = shape.rgb * 2.0 - 1.0;
   normal.xy = vec2(rollTurn.x * normal.x - rollTurn.y * normal.y, rollTurn.x * normal.y + rollTurn.y * normal.x);
@@ -49,8 +53,8 @@ void main() {
   vec3 fill = paint.rgb * mix(gradientFactor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
   vec3 litColor = textureLod(ramps, vec2(facing, litRow + rampShift), 0.0).rgb * fill;
   vec3 unlitColor = textureLod(ramps, vec2(facing, unlitRow + rampShift), 0.0).rgb * fill;
-  unlit = vec4(isInk ? inkColor : unlitColor, 1.0);
-  lit = vec4(isInk ? inkColor : litColor, 0.0);
+  unlit = vec4(mix(unlitColor, inkColor, ink), 1.0);
+  lit = vec4(mix(litColor, inkColor, ink), 0.0);
 
   float quadWidth = 2.0 * pad * radius;
   float viewZ = centreZ + (shape.a - 0.5) * quadWidth - (isInk ? ringDrop : 0.0);

@@ -28,17 +28,15 @@ flat out float ringDrop;
 flat out float rampShift;
 
 #include ../lib/pixel.glsl
+#include ../lib/ink.glsl
 #include ../lib/look.glsl
-
-// The texture layers end this many radii beyond the silhouette; ink cannot reach farther.
-const float WIDEST_RING = 0.3;
 
 void main() {
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   // A puff that the eye runs into shrinks away instead of being cut by the near plane.
   radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
-  inkReach = radius > 0.0 ? min(inkPixels * pixel / radius, WIDEST_RING) : 0.0;
+  inkReach = radius > 0.0 ? lineWidth(inkPixels, radius / pixel) * pixel / radius : 0.0;
   vec2 point = corner * (1.0 + inkReach);
   rollTurn = vec2(cos(rollOf(look)), sin(rollOf(look)));
   puffPoint = vec2(rollTurn.x * point.x + rollTurn.y * point.y, rollTurn.x * point.y - rollTurn.y * point.x);

@@ -10,6 +10,7 @@ uniform float unlitRow;
 uniform float fillet;
 uniform float blend;
 uniform mat4 clipFromView;
+uniform vec2 viewport;
 uniform vec3 towardsLightInView;
 uniform vec3 inkColor;
 uniform vec3 gradientFactor;
@@ -23,6 +24,8 @@ layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
 
 #include ../lib/depth.glsl
+#include ../lib/pixel.glsl
+#include ../lib/ink.glsl
 
 // A body must stay off both ends of the depth range: a volume that encloses the eye is clamped to exactly 0 and has to win.
 const float DEPTH_MARGIN = 4e-7;
@@ -59,6 +62,7 @@ void main() {
   #pragma unroll_loop_end
 
   bool isInk = height == NOWHERE;
+  float ink = 0.0;
   if (isInk) {
     vec2 rim = vec2(1e9, 0.0);
     #pragma unroll_loop_start
@@ -66,7 +70,9 @@ void main() {
       rim = nearerRim(rim, lobes[ i ], point);
     }
     #pragma unroll_loop_end
-    if (rim.x > middleAndInkReach.w) discard;
+    float reach = middleAndInkReach.w;
+    if (rim.x > reach) discard;
+    ink = inkShare(reach * depthsAndRamp.y / viewUnitsPerPixel(clipFromView, viewport, depthsAndRamp.x));
     height = rim.y;
   }
 
@@ -83,8 +89,8 @@ void main() {
   vec3 fill = mix(gradientFactor, vec3(1.0), clamp(pointAndGradient.z, 0.0, 1.0));
   vec3 litColor = textureLod(ramps, vec2(facing, litRow + depthsAndRamp.w), 0.0).rgb * fill;
   vec3 unlitColor = textureLod(ramps, vec2(facing, unlitRow + depthsAndRamp.w), 0.0).rgb * fill;
-  unlit = vec4(isInk ? inkColor : unlitColor, 1.0);
-  lit = vec4(isInk ? inkColor : litColor, 0.0);
+  unlit = vec4(mix(unlitColor, inkColor, ink), 1.0);
+  lit = vec4(mix(litColor, inkColor, ink), 0.0);
 
   float viewZ = depthsAndRamp.x + height * depthsAndRamp.y - (isInk ? depthsAndRamp.z : 0.0);
   gl_FragDepth = clamp(windowDepth(clipFromView, viewZ), DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);

@@ -27,18 +27,16 @@ flat out vec4 depthsAndRamp;
 flat out vec4 lobes[LOBES];
 
 #include ../lib/pixel.glsl
+#include ../lib/ink.glsl
 #include ../lib/look.glsl
 #include ../lib/orientation.glsl
-
-// As wide as ink gets beside a puff, in its radii: one of a few pixels does not turn into a blot.
-const float WIDEST_RING = 0.3;
 
 void main() {
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   // A puff that the eye runs into shrinks away instead of being cut by the near plane.
   float radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
-  float inkReach = radius > 0.0 ? min(inkPixels * pixel / radius, WIDEST_RING) : 0.0;
+  float inkReach = radius > 0.0 ? lineWidth(inkPixels, radius / pixel) * pixel / radius : 0.0;
 
   mat3 viewFromPuff = mat3(viewFromWorld) * worldFromPuff(look);
   int variation = variationOf(look) % textureSize(lobeTable, 0).y;

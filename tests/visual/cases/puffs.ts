@@ -16,7 +16,7 @@ const [WIDTH, HEIGHT] = [240, 180];
 
 type Triple = [number, number, number];
 
-function differing(a: LabPicture, b: LabPicture): number {
+export function differing(a: LabPicture, b: LabPicture): number {
   let count = 0;
   for (let at = 0; at < a.pixels.length; at += 4) {
     if ([0, 1, 2, 3].some((channel) => a.pixels[at + channel] !== b.pixels[at + channel])) count += 1;
@@ -25,7 +25,7 @@ function differing(a: LabPicture, b: LabPicture): number {
 }
 
 /** How often each colour occurs, `r,g,b,a` to pixels. */
-function colors(picture: LabPicture): Record<string, number> {
+export function colors(picture: LabPicture): Record<string, number> {
   const counts: Record<string, number> = {};
   for (let at = 0; at < picture.pixels.length; at += 4) {
     const key = picture.pixels.slice(at, at + 4).join();
@@ -46,7 +46,7 @@ function heap(count: number, seed: number): LabPuff[] {
 }
 
 /** A puff without roll as a camera that looks along -z sees it, by (x, y) in radii: computed without a GPU. */
-function seenOf(form: PuffForm, variation: number, seed = 0, roll = 0): (x: number, y: number) => PuffSample {
+export function seenOf(form: PuffForm, variation: number, seed = 0, roll = 0): (x: number, y: number) => PuffSample {
   if (form === 'billboards') return (x, y) => samplePuff(bakedPuffs().billboards.layers, variation, x, y);
   const lobes = turnedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes);
   return (x, y) => sampleLobes(lobes, x, y);
@@ -257,7 +257,7 @@ export function outlineError(
 }
 
 /** A roll as a row holds it. */
-function roundedRoll(roll: number): number {
+export function roundedRoll(roll: number): number {
   return (Math.round((roll / (2 * Math.PI)) * 65536) / 65536) * 2 * Math.PI;
 }
 

@@ -1,0 +1,13 @@
+// The law of a puff's line: how wide it is and how much of it is ink. Widths and radii are in pixels of the target.
+
+// A line keeps its width beside puffs with a radius of 3.5 widths and more. Beside smaller ones it narrows, and a puff
+// no larger than the line is wide has none: far smoke stays smoke and does not turn into dots. The billboards' layers
+// end 0.3 radii beyond the silhouette, and this is no more.
+float lineWidth(float fullWidth, float radius) {
+  return fullWidth * smoothstep(1.0, 3.5, radius / max(fullWidth, 1e-6));
+}
+
+// Under a pixel a line would break into dots; there it goes over into the colour of its smoke.
+float inkShare(float width) {
+  return smoothstep(0.5, 1.0, width);
+}

@@ -1,0 +1,107 @@
+/** Lines of ink around puffs: their width in pixels, near and far, and what becomes of them beside the smallest puffs. */
+import { OrthographicCamera, type PerspectiveCamera } from 'three';
+import type { PuffForm } from '../../../src/device/puffTextures.ts';
+import { frontCamera, Lab, PLAIN_STYLE, takePicture, type LabPuff } from '../lab.ts';
+import { random } from '../random.ts';
+import { roundedRoll, seenOf } from './puffs.ts';
+
+const SIZE = 200;
+const RADIUS = 0.5;
+/** Of the perspective camera, degrees. */
+const FIELD_OF_VIEW = 40;
+
+export type Projection = 'perspective' | 'orthographic';
+
+/** A lone puff and the line that it must have. */
+export interface LineCase {
+  form: PuffForm;
+  projection: Projection;
+  /** Of the camera, metres. */
+  distance: number;
+  /** Pixels of the picture for each pixel of the page. */
+  pixelRatio: number;
+  /** Pixels of the page. */
+  outlineWidth: number;
+}
+
+/** How far the worst pixel lies from the border that it is on the wrong side of, and the pixels of ink; all in pixels. */
+export interface LineReport {
+  worst: number;
+  ink: number;
+  expectedWidth: number;
+  radius: number;
+}
+
+/** The width that a line has beside a puff of a radius; all in pixels. The law of shaders/lib/ink.glsl. */
+function lineWidth(fullWidth: number, radius: number): number {
+  const share = Math.min(1, Math.max(0, (radius / fullWidth - 1) / 2.5));
+  return fullWidth * share * share * (3 - 2 * share);
+}
+
+/** Compares the lines of lone puffs, pixel by pixel, with distances to their silhouettes that the CPU computes. */
+export function measureLines(cases: readonly LineCase[]): LineReport[] {
+  const lab = new Lab({ width: SIZE, height: SIZE, puffs: [] });
+  const reports = cases.map((line, index) => measureLine(lab, line, index % 4));
+  lab.dispose();
+  return reports;
+}
+
+function measureLine(lab: Lab, line: LineCase, variation: number): LineReport {
+  const { form, distance, pixelRatio, outlineWidth } = line;
+  const [seed, roll] = form === 'lobes' ? [61 * variation, 1 + variation] : [0, 0];
+  const puff: LabPuff = { place: [0, 0, 0], radius: RADIUS, variation, seed, roll };
+  const style = { form, outlineWidth, shadows: false, tones: 1 } as const;
+  const { pixels } = lab.draw({ width: SIZE, height: SIZE, puffs: [puff], camera: cameraOf(line), style, pixelRatio });
+  const radius = (SIZE / 2 / Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180))) * (RADIUS / distance);
+  const expectedWidth = lineWidth(outlineWidth * pixelRatio, radius);
+  const seen = seenOf(form, variation, seed, roundedRoll(roll));
+  const report = { worst: 0, ink: 0, expectedWidth, radius };
+  for (let pixel = 0; pixel < SIZE * SIZE; pixel++) {
+    const [x, y] = [pixel % SIZE, Math.floor(pixel / SIZE)].map((at) => (at + 0.5 - SIZE / 2) / radius);
+    const outside = Math.max(Math.abs(x), Math.abs(y)) < 2 ? seen(x, y).distance * radius : 2 * radius;
+    const isInk = pixels[4 * pixel + 3] > 0 && isDark(pixels, pixel);
+    if (isInk) report.ink++;
+    if (isInk === (outside > 0 && outside <= expectedWidth)) continue;
+    report.worst = Math.max(report.worst, Math.min(Math.abs(outside), Math.abs(outside - expectedWidth)));
+  }
+  return report;
+}
+
+function cameraOf({ projection, distance }: LineCase): PerspectiveCamera | OrthographicCamera {
+  if (projection === 'perspective') return frontCamera(SIZE, SIZE, distance, FIELD_OF_VIEW);
+  const half = distance * Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180));
+  const camera = new OrthographicCamera(-half, half, half, -half, 0.1, 100);
+  camera.position.set(0, 0, distance);
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+/** Nearer to ink than to smoke. */
+function isDark(pixels: Uint8Array, pixel: number): boolean {
+  const [red] = PLAIN_STYLE.inkColor;
+  const [smokeRed] = PLAIN_STYLE.smokeColor;
+  return pixels[4 * pixel] < (red + smokeRed) / 2;
+}
+
+/** A plume far away, its puffs a pixel or two large: pixels that it covers, and how many of them are darker than smoke. */
+export function farPlume(form: PuffForm): { covered: number; dark: number } {
+  const next = random(8);
+  const puffs = Array.from({ length: 600 }, (_, index): LabPuff => {
+    const height = index / 600;
+    const spread = 0.3 + height;
+    return {
+      place: [spread * (next() - 0.5), 3 * height - 1.5, spread * (next() - 0.5)],
+      radius: 0.03 + 0.05 * next(),
+      roll: next() * 2 * Math.PI,
+      variation: index % 4,
+      seed: Math.floor(256 * next()),
+    };
+  });
+  const style = { form, shadows: false, tones: 1 } as const;
+  const picture = takePicture({ width: SIZE, height: SIZE, puffs, camera: frontCamera(SIZE, SIZE, 9), style });
+  const isCovered = (pixel: number): boolean => picture.pixels[4 * pixel + 3] > 0;
+  const covered = Array.from({ length: SIZE * SIZE }, (_, pixel) => pixel).filter(isCovered);
+  const smoke = PLAIN_STYLE.smokeColor;
+  const dark = covered.filter((pixel) => picture.pixels[4 * pixel] < smoke[0]);
+  return { covered: covered.length, dark: dark.length };
+}

@@ -1,0 +1,50 @@
+import { expect, test } from '../support/fixtures.ts';
+
+type Cases = typeof import('./cases/ink.ts');
+const CASES = '/tests/visual/cases/ink.ts';
+
+/** Pixels: billboards read their distance from a texture, lobes compute it. */
+const SLACK = { lobes: 0.1, billboards: 1 };
+
+for (const form of ['lobes', 'billboards'] as const) {
+  for (const projection of ['perspective', 'orthographic'] as const) {
+    test(`${form}: a line is as wide in the page's pixels near and far: ${projection}`, async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      const lines = [1, 2, 3].flatMap((pixelRatio) =>
+        [2, 3.5, 5].map((distance) => ({ form, projection, distance, pixelRatio, outlineWidth: 1.5 })),
+      );
+      const reports = await cases.evaluate((module, input) => module.measureLines(input), lines);
+      reports.forEach(({ worst, ink, expectedWidth }, index) => {
+        expect(expectedWidth).toBe(1.5 * lines[index].pixelRatio);
+        expect(ink).toBeGreaterThan(150);
+        expect(worst, JSON.stringify(lines[index])).toBeLessThan(SLACK[form]);
+      });
+    });
+  }
+
+  test(`${form}: a line narrows beside small puffs and goes`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const lines = [1, 2].flatMap((pixelRatio) =>
+      [9, 12, 15, 40, 70].map((distance) => ({
+        form,
+        projection: 'perspective' as const,
+        distance,
+        pixelRatio,
+        outlineWidth: 4 / pixelRatio,
+      })),
+    );
+    const reports = await cases.evaluate((module, input) => module.measureLines(input), lines);
+    expect(reports.filter(({ expectedWidth }) => expectedWidth > 1 && expectedWidth < 4)).toHaveLength(4);
+    for (const { worst, ink, expectedWidth, radius } of reports) {
+      if (expectedWidth > 0.8) expect(worst, `radius ${radius}`).toBeLessThan(SLACK[form]);
+      if (expectedWidth < 0.4) expect(ink, `radius ${radius}`).toBe(0);
+    }
+  });
+
+  test(`${form}: a far plume keeps the colour of smoke`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const { covered, dark } = await cases.evaluate((module, shape) => module.farPlume(shape), form);
+    expect(covered).toBeGreaterThan(1_500);
+    expect(dark / covered).toBeLessThan(0.02);
+  });
+}
