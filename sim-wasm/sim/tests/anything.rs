@@ -1,8 +1,6 @@
 //! Whatever is taken: every state after every step is sound.
 
-mod common;
-
-use common::steps;
+use crate::common::steps;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use sim::Simulator;
@@ -72,7 +70,7 @@ fn stays_sound(simulator: &mut Simulator) -> Result<(), TestCaseError> {
             prop_assert!(sound, "step {step}: column {number} is not finite");
         }
         for i in 0..alive {
-            let place = common::place(simulator, i);
+            let place = crate::common::place(simulator, i);
             let square: f64 = place.iter().map(|part| f64::from(*part).powi(2)).sum();
             // The simulator squares in single precision.
             let inside = square.sqrt() <= f64::from(WORLD_RADIUS) * (1.0 + 1e-6);

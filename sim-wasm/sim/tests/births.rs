@@ -1,8 +1,6 @@
 //! Emitters: how many, when, where, and in which direction.
 
-mod common;
-
-use common::{LIVELY, STILL, newborn, place, simulator, steps};
+use crate::common::{LIVELY, STILL, newborn, place, simulator, steps};
 use sim::particles::Newborn;
 
 /// Nothing varies, nothing dies.

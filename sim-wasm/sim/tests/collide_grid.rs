@@ -1,9 +1,6 @@
 //! The grid is laid by a glance at some particles; all of them find their rigids.
-#![cfg(feature = "rigids")]
 
-mod collide_cloud;
-
-use collide_cloud::{Cloud, kinematic, rigid};
+use crate::collide_cloud::{Cloud, kinematic, rigid};
 use sim::collide::space::{Pose, Vector};
 use sim::rigids::{RigidKind, RigidShape};
 

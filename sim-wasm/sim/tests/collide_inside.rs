@@ -1,9 +1,6 @@
 //! Particles among moving rigids of every shape: none is ever inside one.
-#![cfg(feature = "rigids")]
 
-mod collide_cloud;
-
-use collide_cloud::{Cloud, DT, excess, kinematic, random, rigid, shapes::shapes, turned};
+use crate::collide_cloud::{Cloud, DT, excess, kinematic, random, rigid, shapes::shapes, turned};
 use sim::collide::space::{Frame, Pose, Vector};
 use sim::rigids::{RigidKind, RigidShape};
 

@@ -1,9 +1,6 @@
 //! Rigids on the move: they push, drag along and let nothing through.
-#![cfg(feature = "rigids")]
 
-mod collide_cloud;
-
-use collide_cloud::{Cloud, DT, excess, kinematic, random, rigid, turned};
+use crate::collide_cloud::{Cloud, DT, excess, kinematic, random, rigid, turned};
 use sim::collide::space::{Pose, Vector};
 use sim::rigids::{POSE_PAIR_FLOATS, RigidDescription, RigidKind, RigidShape, Rigids, Spin, TOP_SPEED};
 

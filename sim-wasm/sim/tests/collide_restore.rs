@@ -1,9 +1,6 @@
 //! Rigids as numbers: saved and taken up again, damaged, or nonsense from the start.
-#![cfg(feature = "rigids")]
 
-mod collide_cloud;
-
-use collide_cloud::{Cloud, DT, kinematic, random, rigid, shapes::shapes, turned};
+use crate::collide_cloud::{Cloud, DT, kinematic, random, rigid, shapes::shapes, turned};
 use sim::collide::Scratch;
 use sim::collide::space::{Pose, Vector};
 use sim::rigids::{RigidDescription, RigidKind, RigidNumbers, RigidPart, RigidShape, Rigids};

@@ -1,8 +1,6 @@
 //! When particles are born: bursts, envelopes, what each emitter sets for its own, and a full simulator.
 
-mod common;
-
-use common::{STILL, simulator, steps};
+use crate::common::{STILL, simulator, steps};
 use sim::Simulator;
 
 const EVEN: &[(&str, f64)] = &[
@@ -89,7 +87,7 @@ fn a_burst_that_finds_no_room_waits_and_none_is_lost() {
     simulator.step();
     assert_eq!((simulator.alive(), simulator.waiting()), (100, 900));
     let restored = {
-        let mut other = common::simulator(100, 5, &[]);
+        let mut other = crate::common::simulator(100, 5, &[]);
         other.restore(&simulator.save()).unwrap();
         other
     };

@@ -1,11 +1,8 @@
 //! Emitters that ride on rigids: no beads, and their share of the rigid's velocity.
-#![cfg(feature = "rigids")]
-
-mod common;
 
 use std::f64::consts::TAU;
 
-use common::{STILL, place, simulator, steps};
+use crate::common::{STILL, place, simulator, steps};
 use sim::Simulator;
 use sim::rigids::{RigidDescription, RigidKind, RigidShape, pose_of};
 

@@ -1,8 +1,6 @@
 //! Where particles are born on each shape, by the moments and the counts of what is uniform over it.
 
-mod common;
-
-use common::{STILL, place, simulator, steps};
+use crate::common::{STILL, place, simulator, steps};
 use sim::Simulator;
 
 const COUNT: usize = 8000;

@@ -1,8 +1,6 @@
 //! Surfaces of meshes as emitters.
 
-mod common;
-
-use common::{STILL, place, simulator, steps};
+use crate::common::{STILL, place, simulator, steps};
 use sim::Simulator;
 
 /// Two triangles in the plane z = 0, of 0.5 and 4.5 m2, both facing +z, and one without area between them.

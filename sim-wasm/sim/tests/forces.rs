@@ -1,10 +1,8 @@
 //! Each force against its closed form.
 
-mod common;
-
 use std::f64::consts::{PI, TAU};
 
-use common::{STILL, newborn, place, simulator, steps};
+use crate::common::{STILL, newborn, place, simulator, steps};
 use sim::particles::Newborn;
 
 const STEP: f64 = 1.0 / 60.0;

@@ -1,8 +1,6 @@
 //! Every force where formulas are apt to fail, and in a mirror.
 
-mod common;
-
-use common::{STILL, newborn, place, simulator, slip, steps};
+use crate::common::{STILL, newborn, place, simulator, slip, steps};
 use sim::Simulator;
 use sim::particles::Newborn;
 
@@ -81,7 +79,7 @@ fn every_force_is_finite_at_its_centre_beside_it_and_far_away() {
 #[test]
 fn a_force_of_no_strength_leaves_the_motion_as_it_is_to_the_bit() {
     let hash = |settings: &[(&str, f64)]| {
-        let mut simulator = simulator(50, 3, &[common::LIVELY, settings]);
+        let mut simulator = simulator(50, 3, &[crate::common::LIVELY, settings]);
         steps(&mut simulator, 60);
         simulator.hash()
     };

@@ -1,8 +1,6 @@
 //! Explosions and speed limits against their closed forms.
 
-mod common;
-
-use common::{STEP, STILL, alone, assert_close, newborn, place, simulator, slip, steps};
+use crate::common::{STEP, STILL, alone, assert_close, newborn, place, simulator, slip, steps};
 
 const BLAST: [(&str, f64); 4] = [
     ("explosions.0.impulse", 4.0),

@@ -1,8 +1,6 @@
 //! Jets against their profile, and their momentum.
 
-mod common;
-
-use common::{STILL, alone, assert_close, place, simulator, steps};
+use crate::common::{STILL, alone, assert_close, place, simulator, steps};
 use sim::Simulator;
 
 const SPEED: f64 = 10.0;

@@ -1,10 +1,8 @@
 //! Attractors and orbits against their closed forms.
 
-mod common;
-
 use std::f64::consts::{PI, TAU};
 
-use common::{STEP, alone, assert_close, place, slip, steps};
+use crate::common::{STEP, alone, assert_close, place, slip, steps};
 
 #[test]
 fn within_its_core_an_attractor_is_a_spring() {

@@ -1,9 +1,6 @@
 //! Forces that ride on a rigid which moves and turns.
-#![cfg(feature = "rigids")]
 
-mod common;
-
-use common::{STEP, STILL, newborn, place, simulator, slip, steps};
+use crate::common::{STEP, STILL, newborn, place, simulator, slip, steps};
 use sim::Simulator;
 use sim::collide::space::{Frame, Pose, Vector};
 use sim::rigids::{RigidDescription, RigidKind, RigidShape};

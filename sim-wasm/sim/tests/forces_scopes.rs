@@ -1,8 +1,6 @@
 //! Regions, envelopes and lists at work in a simulator.
 
-mod common;
-
-use common::{STEP, STILL, alone, assert_close, newborn, place, simulator, slip, steps};
+use crate::common::{STEP, STILL, alone, assert_close, newborn, place, simulator, slip, steps};
 
 /// Slip of a particle at rest at `position` after one second.
 fn pushed(settings: &[(&str, f64)], position: [f32; 3]) -> [f64; 3] {

@@ -1,8 +1,6 @@
 //! Spirals and jets against their closed forms.
 
-mod common;
-
-use common::{STEP, alone, assert_close, place, simulator, steps};
+use crate::common::{STEP, alone, assert_close, place, simulator, steps};
 
 const WIDE: (&str, f64) = ("spirals.0.reach", 1000.0);
 
@@ -120,7 +118,7 @@ fn a_spiral_fades_and_slows_within_its_core() {
         ("spirals.0.axis.y", 0.0),
         ("spirals.0.axis.z", 1.0),
     ];
-    let simulator = simulator(1, 1, &[common::STILL, &settings]);
+    let simulator = simulator(1, 1, &[crate::common::STILL, &settings]);
     for r in [0.0_f64, 0.1, 0.5, 1.0, 1.9, 2.0, 3.0] {
         let fade = (1.0 - r * r / 4.0).max(0.0).powi(2);
         let expected = [-0.6 * fade * (r / 0.5).min(1.0), 2.0 * r * fade, 0.3 * fade];

@@ -1,10 +1,8 @@
 //! Wind that changes with height and time, and drag that grows with speed.
 
-mod common;
-
 use std::f64::consts::TAU;
 
-use common::{STEP, STILL, alone, assert_close, place, simulator, slip, steps};
+use crate::common::{STEP, STILL, alone, assert_close, place, simulator, slip, steps};
 use sim::forces::wind::{Weather, gust};
 
 #[test]

@@ -1,8 +1,6 @@
 //! Radius, growth and death.
 
-mod common;
-
-use common::{STILL, newborn, simulator, steps};
+use crate::common::{STILL, newborn, simulator, steps};
 use sim::life::{RadiusLaw, WORLD_RADIUS};
 use sim::particles::Newborn;
 

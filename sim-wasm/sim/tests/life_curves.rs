@@ -1,8 +1,6 @@
 //! Density drawn by hand, growth by entrainment, and that nothing ever pops.
 
-mod common;
-
-use common::{STILL, newborn, simulator, steps};
+use crate::common::{STILL, newborn, simulator, steps};
 use proptest::prelude::*;
 use sim::Simulator;
 use sim::life::entrainment::GREATEST_SIZE;

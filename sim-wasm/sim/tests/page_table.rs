@@ -1,5 +1,5 @@
 //! The page's table of lists, `src/preset/lists.json`, is written from the simulator's own:
-//! `UPDATE_LISTS=1 cargo test --test page_table` writes it anew.
+//! `UPDATE_LISTS=1 cargo test -p sim --test all page_table` writes it anew.
 
 use std::fs;
 use std::path::Path;

@@ -1,8 +1,6 @@
 //! What is refused, by which name, and that nothing has changed then.
 
-mod common;
-
-use common::{LIVELY, simulator};
+use crate::common::{LIVELY, simulator};
 use sim::Simulator;
 use sim::parameters::{Parameters, describe, rows};
 

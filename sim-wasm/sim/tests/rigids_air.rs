@@ -1,11 +1,7 @@
 //! Rigids and the air: boundary layers that drag smoke along, and smoke that pushes rigids.
-#![cfg(feature = "rigids")]
 
-mod collide_cloud;
-mod common;
-
-use collide_cloud::{DT, kinematic, rigid, turned};
-use common::{STILL, newborn, place, simulator, steps};
+use crate::collide_cloud::{DT, kinematic, rigid, turned};
+use crate::common::{STILL, newborn, place, simulator, steps};
 use sim::Simulator;
 use sim::collide::space::{Pose, Vector};
 use sim::particles::Newborn;

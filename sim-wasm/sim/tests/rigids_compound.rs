@@ -1,9 +1,6 @@
 //! Compounds: several shapes, one rigid, one motion.
-#![cfg(feature = "rigids")]
 
-mod collide_cloud;
-
-use collide_cloud::{Cloud, DT, kinematic, random, rigid, shapes::shapes, turned};
+use crate::collide_cloud::{Cloud, DT, kinematic, random, rigid, shapes::shapes, turned};
 use sim::collide::space::{Frame, Pose, Vector};
 use sim::rigids::{POSE_PAIR_FLOATS, RigidKind, RigidPart, RigidShape, Rigids};
 

@@ -1,9 +1,6 @@
 //! Dragging by a spring: the closed form of its discrete step response, for every mass.
-#![cfg(feature = "rigids")]
 
-mod collide_cloud;
-
-use collide_cloud::{Cloud, DT, kinematic, rigid};
+use crate::collide_cloud::{Cloud, DT, kinematic, rigid};
 use sim::collide::space::{Pose, Vector};
 use sim::rigids::{Grab, RigidDescription, RigidKind, RigidShape, Rigids};
 

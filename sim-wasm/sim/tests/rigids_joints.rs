@@ -1,11 +1,8 @@
 //! Joints against closed forms.
-#![cfg(feature = "rigids")]
-
-mod collide_cloud;
 
 use std::f32::consts::TAU;
 
-use collide_cloud::{DT, rigid, turned};
+use crate::collide_cloud::{DT, rigid, turned};
 use sim::collide::space::{Frame, Pose, Vector};
 use sim::rigids::{
     JointDescription, JointKind, Motor, POSE_PAIR_FLOATS, RigidDescription, RigidKind, RigidPart, RigidShape, Rigids,

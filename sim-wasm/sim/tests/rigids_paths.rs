@@ -1,9 +1,6 @@
 //! Kinematic paths and spin against their closed forms.
-#![cfg(feature = "rigids")]
 
-mod collide_cloud;
-
-use collide_cloud::{DT, kinematic, rigid, turned};
+use crate::collide_cloud::{DT, kinematic, rigid, turned};
 use sim::Simulator;
 use sim::collide::space::{Frame, Pose, Vector, product};
 use sim::rigids::{Keyframe, POSE_PAIR_FLOATS, Pace, Path, RigidDescription, RigidKind, RigidShape, Rigids, Spin};

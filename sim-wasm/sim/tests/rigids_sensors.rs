@@ -1,11 +1,7 @@
 //! Obstacles that kill or tint what touches them, rigids and analytic ones alike.
-#![cfg(feature = "rigids")]
 
-mod collide_cloud;
-mod common;
-
-use collide_cloud::{kinematic, rigid};
-use common::{STILL, newborn, place, simulator, steps};
+use crate::collide_cloud::{kinematic, rigid};
+use crate::common::{STILL, newborn, place, simulator, steps};
 use sim::Simulator;
 use sim::collide::contact::Action;
 use sim::collide::space::{Pose, Vector};

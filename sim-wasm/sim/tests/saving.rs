@@ -1,8 +1,6 @@
 //! Save, restore, and other capacities.
 
-mod common;
-
-use common::{LIVELY, STILL, newborn, simulator, steps};
+use crate::common::{LIVELY, STILL, newborn, simulator, steps};
 use sim::Simulator;
 use sim::particles::Newborn;
 use sim::random::Random;

@@ -1,8 +1,6 @@
 //! Blows: where and when the air of a gust moves.
 
-mod common;
-
-use common::{STILL, newborn, place, simulator, steps};
+use crate::common::{STILL, newborn, place, simulator, steps};
 use sim::Simulator;
 use sim::take::BlowNumbers;
 

@@ -1,11 +1,7 @@
 //! Takes and saved simulations as bytes: what is damaged is refused, whoever damaged it, and nothing is changed.
 
-mod common;
-#[path = "common/inputs.rs"]
-mod inputs;
-
-use common::{LIVELY, simulator, steps};
-use inputs::{perform, script};
+use crate::common::inputs::{Act, perform, script};
+use crate::common::{LIVELY, simulator, steps};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -21,10 +17,7 @@ fn rich() -> Vec<u8> {
     live.record();
     for (wait, act) in script.iter().chain(&script) {
         steps(&mut live, *wait);
-        if !matches!(
-            act,
-            inputs::Act::Move(_) | inputs::Act::Drag(..) | inputs::Act::Release(_)
-        ) {
+        if !matches!(act, Act::Move(_) | Act::Drag(..) | Act::Release(_)) {
             perform(&mut live, act);
         }
     }

@@ -1,11 +1,7 @@
 //! What was live and what is replayed are the same, to the last bit.
 
-mod common;
-#[path = "common/inputs.rs"]
-mod inputs;
-
-use common::{LIVELY, simulator, steps};
-use inputs::{Act, perform, script};
+use crate::common::inputs::{Act, perform, script};
+use crate::common::{LIVELY, simulator, steps};
 use proptest::prelude::*;
 use sim::Simulator;
 use sim::take::{BlowNumbers, Take};

@@ -1,10 +1,8 @@
 //! Vortices that draw in and lift, Rankine's core, and what a mirror makes of a scene.
 
-mod common;
-
 use std::f64::consts::TAU;
 
-use common::{STILL, newborn, place, simulator, steps};
+use crate::common::{STILL, newborn, place, simulator, steps};
 use sim::Simulator;
 use sim::random::Random;
 

@@ -1,8 +1,6 @@
 //! Vortex particles: how they move the air and each other, spread, die and are kept.
 
-mod common;
-
-use common::{LIVELY, STILL, newborn, place, simulator, steps};
+use crate::common::{LIVELY, STILL, newborn, place, simulator, steps};
 use sim::Simulator;
 use sim::random::Random;
 use sim::simulator::STEP;

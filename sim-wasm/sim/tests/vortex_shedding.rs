@@ -1,9 +1,6 @@
 //! Vortex particles behind what sheds them.
-#![cfg(feature = "rigids")]
 
-mod common;
-
-use common::{STILL, simulator, steps};
+use crate::common::{STILL, simulator, steps};
 use sim::Simulator;
 use sim::collide::space::{Pose, Vector};
 use sim::rigids::{RigidDescription, RigidKind, RigidShape};

@@ -1,5 +1,4 @@
 //! A cloud of particles among rigids, and shapes whose distance is known by a second way.
-#![cfg(feature = "rigids")]
 #![allow(dead_code, reason = "each test program uses its own share")]
 
 pub mod shapes;

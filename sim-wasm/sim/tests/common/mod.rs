@@ -1,6 +1,8 @@
 //! What several tests share.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub mod inputs;
+
 use sim::Simulator;
 use sim::particles::Newborn;
 
