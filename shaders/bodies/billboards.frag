@@ -16,6 +16,7 @@ uniform mat4 clipFromView;
 uniform vec2 viewport;
 uniform vec3 towardsLightInView;
 uniform vec3 inkColor;
+uniform float inkSwell;
 uniform vec3 gradientFactor;
 
 in vec2 puffPoint;
@@ -38,17 +39,24 @@ layout(location = 1) out vec4 lit;
 // A body must stay off both ends of the depth range: a volume that encloses the eye is clamped to exactly 0 and has to win.
 const float DEPTH_MARGIN = 4e-7;
 
+// From the frame of the texture to that of the view.
+vec2 turned(vec2 vector) {
+  return vec2(rollTurn.x * vector.x - rollTurn.y * vector.y, rollTurn.x * vector.y + rollTurn.y * vector.x);
+}
+
 void main() {
   vec3 layerPoint = vec3(0.5 + 0.5 * puffPoint / pad, float(variation));
   vec4 shape = texture(normalDepth, layerPoint);
   vec4 paint = texture(colorCoverage, layerPoint);
   float distanceOutside = (paint.a - 0.5) * distanceRange;
-  if (distanceOutside > inkReach) discard;
+  vec2 outward = turned(puffPoint) / max(length(puffPoint), 1e-6);
+  float reach = inkReach * exp2(-inkSwell) * swelling(outward, towardsLightInView, inkSwell);
+  if (distanceOutside > reach) discard;
   bool isInk = distanceOutside > 0.0;
-  float ink = isInk ? inkShare(inkReach * radius / viewUnitsPerPixel(clipFromView, viewport, centreZ)) : 0.0;
+  float ink = isInk ? inkShare(reach * radius / viewUnitsPerPixel(clipFromView, viewport, centreZ)) : 0.0;
 
   vec3 normal = shape.rgb * 2.0 - 1.0;
-  normal.xy = vec2(rollTurn.x * normal.x - rollTurn.y * normal.y, rollTurn.x * normal.y + rollTurn.y * normal.x);
+  normal.xy = turned(normal.xy);
   float facing = dot(normalize(normal), towardsLightInView);
   vec3 fill = paint.rgb * mix(gradientFactor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
   vec3 litColor = textureLod(ramps, vec2(facing, litRow + rampShift), 0.0).rgb * fill;

@@ -8,6 +8,7 @@ uniform mat4 clipFromView;
 uniform vec2 viewport;
 uniform float near;
 uniform float inkPixels;
+uniform float inkSwell;
 uniform float innerLine;
 uniform vec2 plumeHeight;
 uniform vec4 gradientWeights;
@@ -36,7 +37,7 @@ void main() {
   // A puff that the eye runs into shrinks away instead of being cut by the near plane.
   radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
-  inkReach = radius > 0.0 ? lineWidth(inkPixels, radius / pixel) * pixel / radius : 0.0;
+  inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
   vec2 point = corner * (1.0 + inkReach);
   rollTurn = vec2(cos(rollOf(look)), sin(rollOf(look)));
   puffPoint = vec2(rollTurn.x * point.x + rollTurn.y * point.y, rollTurn.x * point.y - rollTurn.y * point.x);

@@ -13,6 +13,7 @@ uniform mat4 clipFromView;
 uniform vec2 viewport;
 uniform vec3 towardsLightInView;
 uniform vec3 inkColor;
+uniform float inkSwell;
 uniform vec3 gradientFactor;
 
 in vec3 pointAndGradient;
@@ -70,7 +71,8 @@ void main() {
       rim = nearerRim(rim, lobes[ i ], point);
     }
     #pragma unroll_loop_end
-    float reach = middleAndInkReach.w;
+    vec2 outward = normalize(point - middleAndInkReach.xy);
+    float reach = middleAndInkReach.w * exp2(-inkSwell) * swelling(outward, towardsLightInView, inkSwell);
     if (rim.x > reach) discard;
     ink = inkShare(reach * depthsAndRamp.y / viewUnitsPerPixel(clipFromView, viewport, depthsAndRamp.x));
     height = rim.y;

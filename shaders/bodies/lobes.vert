@@ -8,6 +8,7 @@ uniform mat4 clipFromView;
 uniform vec2 viewport;
 uniform float near;
 uniform float inkPixels;
+uniform float inkSwell;
 uniform float innerLine;
 uniform vec2 plumeHeight;
 uniform vec4 gradientWeights;
@@ -36,7 +37,7 @@ void main() {
   // A puff that the eye runs into shrinks away instead of being cut by the near plane.
   float radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
-  float inkReach = radius > 0.0 ? lineWidth(inkPixels, radius / pixel) * pixel / radius : 0.0;
+  float inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
 
   mat3 viewFromPuff = mat3(viewFromWorld) * worldFromPuff(look);
   int variation = variationOf(look) % textureSize(lobeTable, 0).y;

@@ -7,6 +7,12 @@ float lineWidth(float fullWidth, float radius) {
   return fullWidth * smoothstep(1.0, 3.5, radius / max(fullWidth, 1e-6));
 }
 
+// How far from its even width a line is where it runs along the side that looks in `outward`, a unit vector of the image
+// plane: with a swell of 1 twice as wide away from the light, half as wide towards it, and even under a light from the eye.
+float swelling(vec2 outward, vec3 towardsLightInView, float swell) {
+  return exp2(-swell * dot(outward, towardsLightInView.xy));
+}
+
 // Under a pixel a line would break into dots; there it goes over into the colour of its smoke.
 float inkShare(float width) {
   return smoothstep(0.5, 1.0, width);

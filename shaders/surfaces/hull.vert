@@ -7,12 +7,15 @@ uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
 uniform float inkPixels;
+uniform float inkSwell;
+uniform vec3 towardsLightInView;
 uniform float raisedWidths;
 
 in vec3 position;
 in vec3 hullNormal;
 
 #include ../lib/pixel.glsl
+#include ../lib/ink.glsl
 
 // A line that is wide in the world must not jump before parts of its surface that stand out, metres.
 const float HIGHEST = 0.05;
@@ -29,9 +32,10 @@ void main() {
   vec4 clip = clipFromView * inView;
   vec2 outward = vec2(clipFromView[0][0], clipFromView[1][1]) * (mat3(viewFromModel) * hullNormal).xy * viewport;
   float length2 = dot(outward, outward);
-  vec2 pixels = length2 > 1e-12 ? outward * (inkPixels * inversesqrt(length2)) : vec2(0.0);
-  clip.xy += pixels * 2.0 / viewport * clip.w;
-  float lineWidth = inkPixels * viewUnitsPerPixel(clipFromView, viewport, inView.z);
-  clip.z = raisedClipZ(inView.z, clip.w, min(raisedWidths * lineWidth, HIGHEST));
+  outward *= length2 > 1e-12 ? inversesqrt(length2) : 0.0;
+  float pixels = inkPixels * swelling(outward, towardsLightInView, inkSwell);
+  clip.xy += outward * pixels * 2.0 / viewport * clip.w;
+  float widthInView = max(pixels, inkPixels) * viewUnitsPerPixel(clipFromView, viewport, inView.z);
+  clip.z = raisedClipZ(inView.z, clip.w, min(raisedWidths * widthInView, HIGHEST));
   gl_Position = clip;
 }

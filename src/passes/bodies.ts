@@ -1,6 +1,5 @@
 import {
   Camera,
-  Color as ThreeColor,
   GLSL3,
   Mesh,
   RawShaderMaterial,
@@ -18,7 +17,8 @@ import lobesFragmentShader from '../../shaders/bodies/lobes.frag';
 import lobesVertexShader from '../../shaders/bodies/lobes.vert';
 import type { Eye } from '../device/eye.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
-import { writeColor, type Color, type RampTexture } from '../device/ramps.ts';
+import type { Color, RampTexture } from '../device/ramps.ts';
+import { InkUniforms, type InkLine } from './ink.ts';
 
 /** What runs along a gradient fill. */
 export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
@@ -33,9 +33,8 @@ export class BodiesPass {
   private readonly materials: Partial<Record<PuffForm, RawShaderMaterial>> = {};
   private readonly puffs: PuffTextures;
   private readonly common: Record<string, IUniform>;
+  private readonly ink = new InkUniforms();
   private readonly uniforms = {
-    inkColor: { value: new ThreeColor() },
-    inkPixels: { value: 2 },
     innerLine: { value: 0.5 },
     plumeHeight: { value: new Vector2(0, 1) },
     gradientWeights: { value: new Vector4() },
@@ -48,6 +47,7 @@ export class BodiesPass {
     this.puffs = puffs;
     this.common = {
       ...eye.uniforms,
+      ...this.ink.uniforms,
       ...this.uniforms,
       ramps: { value: ramps.texture },
       litRow: { value: litRow },
@@ -64,13 +64,9 @@ export class BodiesPass {
     this.mesh.material = this.materialOf(form);
   }
 
-  /**
-   * @param pixels width of the line in pixels of the target; 0 draws none
-   * @param innerLine depth gap, in puff radii, beyond which a puff is outlined against what lies behind it
-   */
-  setInk(color: Color, pixels: number, innerLine: number): void {
-    writeColor(color, this.uniforms.inkColor);
-    this.uniforms.inkPixels.value = pixels;
+  /** @param innerLine depth gap, in puff radii, beyond which a puff is outlined against what lies behind it */
+  setInk(line: InkLine, innerLine: number): void {
+    this.ink.set(line);
     this.uniforms.innerLine.value = innerLine;
   }
 

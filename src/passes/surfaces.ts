@@ -4,7 +4,6 @@ import {
   BufferAttribute,
   BufferGeometry,
   Camera,
-  Color as ThreeColor,
   GLSL3,
   Mesh,
   NotEqualStencilFunc,
@@ -19,8 +18,9 @@ import hullVertexShader from '../../shaders/surfaces/hull.vert';
 import fragmentShader from '../../shaders/surfaces/surfaces.frag';
 import vertexShader from '../../shaders/surfaces/surfaces.vert';
 import type { Eye } from '../device/eye.ts';
-import { writeColor, type Color, type RampTexture } from '../device/ramps.ts';
+import type { Color, RampTexture } from '../device/ramps.ts';
 import { hullNormals, type TriangleMesh } from './extrusion.ts';
+import { InkUniforms, type InkLine } from './ink.ts';
 
 /** An ordinary mesh of the scene. */
 export interface SurfaceDescription {
@@ -55,20 +55,18 @@ export class SurfacesPass {
   private readonly placed: Mesh[][] = [];
   private readonly groups = new Map<string, number>();
   private readonly boxes: Box3[];
-  private readonly inkColor = { value: new ThreeColor() };
-  private readonly inkPixels = { value: 2 };
+  private readonly ink = new InkUniforms();
   private readonly hullUniforms;
 
   /** @param firstMaterial the ramp of the first surface; the others follow */
   constructor(eye: Eye, ramps: RampTexture, firstMaterial: number, surfaces: readonly SurfaceDescription[]) {
-    this.hullUniforms = { ...eye.uniforms, inkColor: this.inkColor, inkPixels: this.inkPixels };
+    this.hullUniforms = { ...eye.uniforms, ...this.ink.uniforms };
     surfaces.forEach((surface, index) => this.add(surface, eye, ramps, firstMaterial + index));
     this.boxes = surfaces.map((surface) => boxOf(surface.mesh));
   }
 
-  setInk(color: Color, pixels: number): void {
-    writeColor(color, this.inkColor);
-    this.inkPixels.value = pixels;
+  setInk(line: InkLine): void {
+    this.ink.set(line);
   }
 
   /** Puts a surface where its rigid is. */
@@ -88,7 +86,7 @@ export class SurfacesPass {
 
   draw(renderer: WebGLRenderer): void {
     renderer.render(this.fills, this.camera);
-    if (this.inkPixels.value > 0) renderer.render(this.hulls, this.camera);
+    if (this.ink.uniforms.inkPixels.value > 0) renderer.render(this.hulls, this.camera);
     renderer.clearStencil();
   }
 

@@ -201,6 +201,14 @@ export const table: readonly Parameter[] = [
     label: 'Line width',
     text: 'Width of the outlines in pixels of the page, the same near and far.',
   }),
+  quantity('style.inkSwell', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.05,
+    default: 0.35,
+    label: 'Line swell',
+    text: 'How much lines swell away from the light and thin towards it; 0 keeps them even.',
+  }),
   quantity('style.innerLine', 'style', 'style', {
     min: 0,
     max: 1,

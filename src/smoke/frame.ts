@@ -2,8 +2,9 @@ import { Box3, Vector3, type Camera, type Matrix4, type WebGLRenderTarget } from
 import type { Rows } from '../sim/rows.ts';
 import type { Bounds } from '../sim/simulator.ts';
 import type { View } from '../sim/view.ts';
+import { widestLine } from '../passes/ink.ts';
 import type { SmokePasses } from './smoke.ts';
-import type { Style } from './style.ts';
+import { inkLineOf, type Style } from './style.ts';
 
 /** The part of a simulator that a frame needs: rows for a view, and the box of what lives. */
 export interface Arranger {
@@ -74,12 +75,12 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
 
 function eyeView(passes: SmokePasses, input: FrameInput): View {
   const { eye } = passes;
-  const inkPixels = input.style.outlines ? input.style.outlineWidth * input.pixelRatio : 0;
+  const { pixels, swell } = inkLineOf(input.style, input.pixelRatio);
   return {
     purpose: 'eye',
     blend: input.blend,
     cull: input.cull,
-    pad: inkPixels * eye.unitsPerPixel,
+    pad: widestLine(pixels, swell) * eye.unitsPerPixel,
     clipFromWorld: eye.clipFromWorld.elements,
     direction: eye.forward.toArray(),
     reach: passes.reachOf(input.style.form),

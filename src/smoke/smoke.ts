@@ -14,7 +14,7 @@ import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
 import { drawFrame, type FrameInput, type FrameReport } from './frame.ts';
 import { isFlat, rampOf, surfaceToning } from './palette.ts';
-import type { Style } from './style.ts';
+import { inkLineOf, type Style } from './style.ts';
 
 /** Everything that a frame draws with; made once for a smoke. */
 export interface SmokePasses {
@@ -125,17 +125,17 @@ export class CartoonSmoke {
 
   private apply(style: Style, pixelRatio: number): void {
     const { body, surfaces, volumes } = this.passes;
-    const inkPixels = style.outlines ? style.outlineWidth * pixelRatio : 0;
+    const line = inkLineOf(style, pixelRatio);
     [style.smokeColor, ...style.tints].forEach((color, tint) =>
       this.ramps.write(SMOKE_RAMP + tint, rampOf(color, style)),
     );
     this.surfaces.forEach(({ color }, index) =>
       this.ramps.write(FIRST_SURFACE_RAMP + index, rampOf(color, surfaceToning(style))),
     );
-    body.setInk(style.inkColor, inkPixels, style.innerLine);
+    body.setInk(line, style.innerLine);
     body.setGradient(style.gradient, style.gradientColor, style.smokeColor);
     body.setForm(style.form);
-    surfaces.setInk(style.inkColor, inkPixels);
+    surfaces.setInk(line);
     volumes.setForm(style.form);
     volumes.setSelfShadow(!isFlat(style));
     this.style = style;

@@ -1,6 +1,7 @@
 import type { PuffForm } from '../device/puffTextures.ts';
 import type { Color } from '../device/ramps.ts';
 import type { Gradient } from '../passes/bodies.ts';
+import type { InkLine } from '../passes/ink.ts';
 import type { Values } from '../preset/parameter.ts';
 import { parseColor, type Toning } from './palette.ts';
 
@@ -13,6 +14,8 @@ export interface Style extends Toning {
   gradientColor: Color;
   /** Width of the ink in CSS pixels. */
   outlineWidth: number;
+  /** How much wider lines are away from the light, 0..1. */
+  inkSwell: number;
   /** Depth gap, in puff radii, beyond which a puff is outlined against what lies behind it. */
   innerLine: number;
   smokeColor: Color;
@@ -31,12 +34,18 @@ export function styleOf(values: Values): Style {
     gradient: values['style.gradient'] as Gradient,
     gradientColor: parseColor(values['style.gradientColor'] as string),
     outlineWidth: values['style.outlineWidth'] as number,
+    inkSwell: values['style.inkSwell'] as number,
     innerLine: values['style.innerLine'] as number,
     tones: values['style.tones'] as 1 | 2 | 3,
     smokeColor: parseColor(values['style.smokeColor'] as string),
     tints: [tint(values, 1), tint(values, 2), tint(values, 3)],
     inkColor: parseColor(values['style.inkColor'] as string),
   };
+}
+
+/** @param pixelRatio pixels of the target for each CSS pixel */
+export function inkLineOf({ outlines, outlineWidth, inkSwell, inkColor }: Style, pixelRatio: number): InkLine {
+  return { color: inkColor, pixels: outlines ? outlineWidth * pixelRatio : 0, swell: inkSwell };
 }
 
 function tint(values: Values, number: number): Color {

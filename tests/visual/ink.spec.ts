@@ -41,6 +41,17 @@ for (const form of ['lobes', 'billboards'] as const) {
     }
   });
 
+  test(`${form}: a line swells away from the light`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const line = { form, projection: 'perspective', distance: 2, pixelRatio: 1, outlineWidth: 4 } as const;
+    const [even, swollen] = await cases.evaluate(
+      (module, input) => module.measureLines([input, { ...input, inkSwell: 1 }]),
+      line,
+    );
+    expect(Math.max(even.worst, swollen.worst)).toBeLessThan(SLACK[form]);
+    expect(swollen.expectedWidth).toBeCloseTo(4);
+  });
+
   test(`${form}: a far plume keeps the colour of smoke`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const { covered, dark } = await cases.evaluate((module, shape) => module.farPlume(shape), form);

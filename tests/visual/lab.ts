@@ -63,6 +63,7 @@ export const PLAIN_STYLE: Style = {
   gradient: 'none',
   gradientColor: [128, 128, 128],
   outlineWidth: 2,
+  inkSwell: 0,
   innerLine: 0.5,
   tones: 2,
   smokeColor: [240, 236, 224],

@@ -1,6 +1,9 @@
 /** Lines of ink around puffs: their width in pixels, near and far, and what becomes of them beside the smallest puffs. */
 import { OrthographicCamera, type PerspectiveCamera } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
+import { middleOf } from '../../../src/puffs/normals.ts';
+import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
+import { orientationOf, turnedLobes } from '../../../src/puffs/orientation.ts';
 import { frontCamera, Lab, PLAIN_STYLE, takePicture, type LabPuff } from '../lab.ts';
 import { random } from '../random.ts';
 import { roundedRoll, seenOf } from './puffs.ts';
@@ -22,6 +25,7 @@ export interface LineCase {
   pixelRatio: number;
   /** Pixels of the page. */
   outlineWidth: number;
+  inkSwell?: number;
 }
 
 /** How far the worst pixel lies from the border that it is on the wrong side of, and the pixels of ink; all in pixels. */
@@ -32,10 +36,17 @@ export interface LineReport {
   radius: number;
 }
 
+const TOWARDS_LIGHT = [0.48, 0.64, 0.6] as const;
+
 /** The width that a line has beside a puff of a radius; all in pixels. The law of shaders/lib/ink.glsl. */
 function lineWidth(fullWidth: number, radius: number): number {
   const share = Math.min(1, Math.max(0, (radius / fullWidth - 1) / 2.5));
   return fullWidth * share * share * (3 - 2 * share);
+}
+
+/** How much wider than even a line is at a place of the image plane about what it surrounds. */
+function swelling(swell: number, x: number, y: number): number {
+  return 2 ** ((-swell * (x * TOWARDS_LIGHT[0] + y * TOWARDS_LIGHT[1])) / Math.hypot(x, y));
 }
 
 /** Compares the lines of lone puffs, pixel by pixel, with distances to their silhouettes that the CPU computes. */
@@ -47,22 +58,26 @@ export function measureLines(cases: readonly LineCase[]): LineReport[] {
 }
 
 function measureLine(lab: Lab, line: LineCase, variation: number): LineReport {
-  const { form, distance, pixelRatio, outlineWidth } = line;
+  const { form, distance, pixelRatio, outlineWidth, inkSwell = 0 } = line;
   const [seed, roll] = form === 'lobes' ? [61 * variation, 1 + variation] : [0, 0];
   const puff: LabPuff = { place: [0, 0, 0], radius: RADIUS, variation, seed, roll };
-  const style = { form, outlineWidth, shadows: false, tones: 1 } as const;
-  const { pixels } = lab.draw({ width: SIZE, height: SIZE, puffs: [puff], camera: cameraOf(line), style, pixelRatio });
+  const style = { form, outlineWidth, inkSwell, shadows: false, tones: 1 } as const;
+  const scene = { width: SIZE, height: SIZE, puffs: [puff], camera: cameraOf(line), towardsLight: TOWARDS_LIGHT };
+  const { pixels } = lab.draw({ ...scene, style, pixelRatio });
   const radius = (SIZE / 2 / Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180))) * (RADIUS / distance);
-  const expectedWidth = lineWidth(outlineWidth * pixelRatio, radius);
+  const expectedWidth = lineWidth(outlineWidth * pixelRatio * 2 ** inkSwell, radius) / 2 ** inkSwell;
   const seen = seenOf(form, variation, seed, roundedRoll(roll));
+  const middle =
+    form === 'lobes' ? middleOf(turnedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes)) : [0, 0];
   const report = { worst: 0, ink: 0, expectedWidth, radius };
   for (let pixel = 0; pixel < SIZE * SIZE; pixel++) {
     const [x, y] = [pixel % SIZE, Math.floor(pixel / SIZE)].map((at) => (at + 0.5 - SIZE / 2) / radius);
     const outside = Math.max(Math.abs(x), Math.abs(y)) < 2 ? seen(x, y).distance * radius : 2 * radius;
     const isInk = pixels[4 * pixel + 3] > 0 && isDark(pixels, pixel);
     if (isInk) report.ink++;
-    if (isInk === (outside > 0 && outside <= expectedWidth)) continue;
-    report.worst = Math.max(report.worst, Math.min(Math.abs(outside), Math.abs(outside - expectedWidth)));
+    const width = expectedWidth * swelling(inkSwell, x - middle[0], y - middle[1]);
+    if (isInk === (outside > 0 && outside <= width)) continue;
+    report.worst = Math.max(report.worst, Math.min(Math.abs(outside), Math.abs(outside - width)));
   }
   return report;
 }
