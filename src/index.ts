@@ -11,7 +11,6 @@ export {
 export type { Value, Values } from './preset/parameter.ts';
 export { presets, presetValues, type Preset } from './preset/presets.ts';
 export { bakedPuffs } from './smoke/bakedPuffs.ts';
-export { CartoonSmoke, type SmokeOptions } from './smoke/smoke.ts';
 export type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './stage/contract.ts';
 export type { BlowInput } from './stage/blow.ts';
 export { createStage, type Stage } from './stage/stage.ts';

@@ -5,6 +5,7 @@ precision highp float;
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
+uniform vec2 viewportOrigin;
 uniform float near;
 uniform vec3 travelInWorld;
 
@@ -16,7 +17,7 @@ flat in float radius;
 #include ../lib/cylinder.glsl
 
 void main() {
-  vec2 ndc = gl_FragCoord.xy / viewport * 2.0 - 1.0;
+  vec2 ndc = (gl_FragCoord.xy - viewportOrigin) / viewport * 2.0 - 1.0;
   vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
   bool perspective = clipFromView[2][3] != 0.0;
   // Both rays have unit length along -z, so that the ray parameter is the view depth.

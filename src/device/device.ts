@@ -9,22 +9,24 @@ export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
  * A lost context is recovered here, once: three uploads everything anew after the browser gives the context back.
  */
 export class Device {
-  readonly canvas: DeviceCanvas;
   readonly renderer: WebGLRenderer;
   readonly puffs: PuffTextures;
+  private readonly ownsRenderer: boolean;
   private readonly listeners = new Set<(event: 'lost' | 'restored') => void>();
   private isDisposed = false;
   private isLost = false;
 
-  constructor(canvas: DeviceCanvas, context: WebGL2RenderingContext, puffs: BakedPuffs) {
-    this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, context, antialias: false, depth: false, stencil: false });
-    this.renderer.autoClear = false;
-    this.renderer.sortObjects = false;
-    this.renderer.info.autoReset = false;
-    this.puffs = new PuffTextures(context, puffs);
-    canvas.addEventListener('webglcontextlost', this.handleLoss);
-    canvas.addEventListener('webglcontextrestored', this.handleRestoration);
+  /** @param ownsRenderer whether renderer and context end with this device; those of a stranger stay as they are */
+  constructor(renderer: WebGLRenderer, puffs: BakedPuffs, ownsRenderer: boolean) {
+    this.renderer = renderer;
+    this.ownsRenderer = ownsRenderer;
+    this.puffs = new PuffTextures(renderer.getContext() as WebGL2RenderingContext, puffs);
+    this.canvas.addEventListener('webglcontextlost', this.handleLoss);
+    this.canvas.addEventListener('webglcontextrestored', this.handleRestoration);
+  }
+
+  get canvas(): DeviceCanvas {
+    return this.renderer.domElement;
   }
 
   /** False while the context is lost and after disposal: nothing can be drawn then. */
@@ -45,7 +47,7 @@ export class Device {
       throw new ContextError('The graphics context is lost; drawing goes on when the browser restores it.');
   }
 
-  /** Gives the context back to the browser. May be called again. */
+  /** Gives back what it holds, the context too if that is its own. May be called again. */
   dispose(): void {
     if (this.isDisposed) return;
     this.isDisposed = true;
@@ -53,6 +55,7 @@ export class Device {
     this.canvas.removeEventListener('webglcontextrestored', this.handleRestoration);
     this.listeners.clear();
     this.puffs.dispose();
+    if (!this.ownsRenderer) return;
     this.renderer.dispose();
     this.renderer.forceContextLoss();
   }
@@ -89,5 +92,9 @@ export function createDevice(canvas: DeviceCanvas, puffs: BakedPuffs): Device {
       'This browser gives no WebGL2 context. Turn on hardware acceleration in its settings, or try a current Firefox, Chrome, Edge or Safari.',
     );
   }
-  return new Device(canvas, context, puffs);
+  const renderer = new WebGLRenderer({ canvas, context, antialias: false, depth: false, stencil: false });
+  renderer.autoClear = false;
+  renderer.sortObjects = false;
+  renderer.info.autoReset = false;
+  return new Device(renderer, puffs, true);
 }

@@ -6,6 +6,8 @@ export interface EyeUniforms extends Record<string, IUniform> {
   clipFromView: IUniform<Matrix4>;
   /** Size of the target in its own pixels. */
   viewport: IUniform<Vector2>;
+  /** Where the picture begins in the target that volumes are counted in, in its pixels. */
+  viewportOrigin: IUniform<Vector2>;
   /** View depth of the near plane. */
   near: IUniform<number>;
   towardsLight: IUniform<Vector3>;
@@ -22,6 +24,7 @@ export class Eye {
     viewFromWorld: { value: new Matrix4() },
     clipFromView: { value: new Matrix4() },
     viewport: { value: new Vector2(1, 1) },
+    viewportOrigin: { value: new Vector2() },
     near: { value: 0.1 },
     towardsLight: { value: new Vector3(0, 1, 0) },
     towardsLightInView: { value: new Vector3(0, 1, 0) },

@@ -27,6 +27,8 @@ export interface FrameInput {
   pixelRatio: number;
   /** World transforms of the rigids, by their number. */
   rigids: readonly Matrix4[];
+  /** What else can receive a shadow besides surfaces and smoke, world space. */
+  receivers?: Box3;
   /** Leaves out bodies and casters that cannot show; the picture is the same either way. */
   cull: boolean;
   /** Where the picture goes; null is the canvas. */
@@ -47,7 +49,25 @@ export interface FrameReport {
  * -> volumes into the stencil -> mask into the alpha of lit -> resolve to the picture.
  */
 export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
-  const { renderer, eye, targets, bodies, casters } = passes;
+  const { renderer, targets } = passes;
+  const report = arrangeFrame(passes, input);
+
+  targets.begin(renderer);
+  if (passes.hasBackdrop) passes.backdrop.draw(renderer);
+  passes.surfaces.draw(renderer);
+  passes.body.draw(renderer);
+  if (input.style.shadows) {
+    passes.meshVolumes.draw(renderer);
+    passes.volumes.draw(renderer);
+    passes.mask.draw(renderer);
+  }
+  passes.resolve.draw(renderer, targets, input.output);
+  return report;
+}
+
+/** The first half of a frame, which draws nothing: arrange(eye) and arrange(light) -> instance buffers. */
+export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameReport {
+  const { eye, targets, bodies, casters } = passes;
   const { style } = input;
   targets.resize(input.width, input.height);
   eye.look(input.camera, input.towardsLight, input.width, input.height);
@@ -55,21 +75,10 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
 
   const started = performance.now();
   bodies.fill(input.simulator.arrange(eyeView(passes, input)));
-  const receivers = receiversOf(passes, input.simulator);
+  const receivers = receiversOf(passes, input);
   eye.receive(receivers);
   if (style.shadows) casters.fill(input.simulator.arrange(lightView(passes, input, receivers)));
   const arrangeMs = performance.now() - started;
-
-  targets.begin(renderer);
-  if (passes.hasBackdrop) passes.backdrop.draw(renderer);
-  passes.surfaces.draw(renderer);
-  passes.body.draw(renderer);
-  if (style.shadows) {
-    passes.meshVolumes.draw(renderer);
-    passes.volumes.draw(renderer);
-    passes.mask.draw(renderer);
-  }
-  passes.resolve.draw(renderer, targets, input.output);
   return { bodiesDrawn: bodies.count, castersDrawn: style.shadows ? casters.count : 0, arrangeMs };
 }
 
@@ -103,8 +112,9 @@ function lightView(passes: SmokePasses, input: FrameInput, receivers: Box3): Vie
 }
 
 /** Everything that can receive a shadow: the surfaces, and the smoke as arrange(eye) has just measured it. */
-function receiversOf(passes: SmokePasses, simulator: Arranger): Box3 {
+function receiversOf(passes: SmokePasses, { simulator, receivers }: FrameInput): Box3 {
   const box = passes.surfaces.bounds(new Box3());
+  if (receivers) box.union(receivers);
   const { min, max } = simulator.bounds;
   box.union(new Box3(new Vector3(...min), new Vector3(...max)));
   passes.body.setPlumeHeight(min[1], max[1]);

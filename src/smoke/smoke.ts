@@ -12,7 +12,7 @@ import { ResolvePass } from '../passes/resolve.ts';
 import { SurfacesPass, type SurfaceDescription } from '../passes/surfaces.ts';
 import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
-import { drawFrame, type FrameInput, type FrameReport } from './frame.ts';
+import { arrangeFrame, drawFrame, type FrameInput, type FrameReport } from './frame.ts';
 import { isFlat, rampOf, surfaceToning } from './palette.ts';
 import { inkLineOf, type Style } from './style.ts';
 
@@ -52,7 +52,7 @@ const FIRST_SURFACE_RAMP = SMOKE_RAMP + 1 + TINTS;
  * Cartoon smoke on a device: turns a simulator's particles into a picture, for any camera and directional light.
  * After McGuire and Fein, 'Real-Time Rendering of Cartoon Smoke and Clouds' (NPAR 2006). frame.ts holds the order.
  */
-export class CartoonSmoke {
+export class SmokeRenderer {
   readonly passes: SmokePasses;
   private readonly device: Device;
   private readonly ramps: RampTexture;
@@ -102,10 +102,18 @@ export class CartoonSmoke {
    * @throws ContextError when the device has lost its context
    */
   draw(input: FrameInput): FrameReport {
-    this.device.requireUsable();
-    if (input.style !== this.style || input.pixelRatio !== this.pixelRatio) this.apply(input.style, input.pixelRatio);
+    this.prepare(input);
     this.device.renderer.info.reset();
     return drawFrame(this.passes, input);
+  }
+
+  /**
+   * Makes all passes ready for a frame that somebody else draws with them.
+   * @throws ContextError when the device has lost its context
+   */
+  arrange(input: FrameInput): FrameReport {
+    this.prepare(input);
+    return arrangeFrame(this.passes, input);
   }
 
   /** Gives back what it holds on the device; the device stays. */
@@ -121,6 +129,11 @@ export class CartoonSmoke {
       part.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
     this.ramps.dispose();
+  }
+
+  private prepare({ style, pixelRatio }: FrameInput): void {
+    this.device.requireUsable();
+    if (style !== this.style || pixelRatio !== this.pixelRatio) this.apply(style, pixelRatio);
   }
 
   private apply(style: Style, pixelRatio: number): void {

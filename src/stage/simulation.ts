@@ -6,7 +6,7 @@ import type { SimulatorFactory } from '../sim/load.ts';
 import { POSE_FLOATS } from '../sim/rows.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { Drag } from './drag.ts';
-import { simulatorValues, valueOf, valuesIn } from './simulatorValues.ts';
+import { simulatorValues, valueOf, valuesIn } from '../sim/simulatorValues.ts';
 import { KeptStates } from './states.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);

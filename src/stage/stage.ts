@@ -8,10 +8,10 @@ import { sceneNamed } from '../scenes/scenes.ts';
 import { loadSimulators, type SimulatorFactory } from '../sim/load.ts';
 import type { FrameReport } from '../smoke/frame.ts';
 import { towardsLight } from '../smoke/light.ts';
-import { CartoonSmoke } from '../smoke/smoke.ts';
+import { SmokeRenderer } from '../smoke/smoke.ts';
 import { styleOf, type Style } from '../smoke/style.ts';
 import { blowOf, type BlowInput } from './blow.ts';
-import { Clock, STEP_SECONDS } from './clock.ts';
+import { Clock, STEP_SECONDS } from '../sim/clock.ts';
 import type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { Listeners } from './listeners.ts';
 import { OrbitCamera } from './orbit.ts';
@@ -44,7 +44,7 @@ export class Stage {
   readonly #light = new Vector3();
   readonly #listeners = new Listeners<StageEvents>();
   readonly #stopListening: () => void;
-  #smoke: CartoonSmoke;
+  #smoke: SmokeRenderer;
   #values: Values;
   #style: Style;
   #width = 0;
@@ -419,9 +419,9 @@ export class Stage {
     if (this.#listeners.has('frame')) this.#listeners.tell('frame', this.stats);
   }
 
-  #prepareSmoke(): CartoonSmoke {
+  #prepareSmoke(): SmokeRenderer {
     this.#capacity = this.#values['simulation.maxParticles'] as number;
-    return new CartoonSmoke(this.#presenter.device, { ...this.#scene, capacity: this.#capacity });
+    return new SmokeRenderer(this.#presenter.device, { ...this.#scene, capacity: this.#capacity });
   }
 
   #aimLight(): void {

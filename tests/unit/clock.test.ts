@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Clock, STEP_SECONDS } from '../../src/stage/clock.ts';
+import { Clock, STEP_SECONDS } from '../../src/sim/clock.ts';
 
 const FRAME = 1000 / 60;
 

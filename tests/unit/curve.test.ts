@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { moved } from '../../src/app/curveControl.ts';
 import { readCurve, writeCurve } from '../../src/preset/curve.ts';
-import { simulatorValues } from '../../src/stage/simulatorValues.ts';
+import { simulatorValues } from '../../src/sim/simulatorValues.ts';
 
 describe('curves', () => {
   it('are read as they are written', () => {

@@ -7,7 +7,7 @@ import { table } from '../../src/preset/table.ts';
 import { loadSimulators, type SimulatorFactory } from '../../src/sim/load.ts';
 import type { Simulator } from '../../src/sim/simulator.ts';
 import { EVERYTHING } from '../support/everything.ts';
-import { simulatorValues } from '../../src/stage/simulatorValues.ts';
+import { simulatorValues } from '../../src/sim/simulatorValues.ts';
 
 const WASM = new URL('../../src/sim/wasm/core/bindings_bg.wasm', import.meta.url);
 /** One item stands for all of its list. */

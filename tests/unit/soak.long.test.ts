@@ -5,7 +5,7 @@ import { expect, it } from 'vitest';
 import { listNames, startValues } from '../../src/preset/lists.ts';
 import { defaultPreset, presetValues } from '../../src/preset/presets.ts';
 import { lamp } from '../../src/scenes/lamp.ts';
-import { simulatorValues } from '../../src/stage/simulatorValues.ts';
+import { simulatorValues } from '../../src/sim/simulatorValues.ts';
 import { EVERYTHING } from '../support/everything.ts';
 import { loadVariant } from './simWasm.ts';
 

@@ -22,7 +22,7 @@ import type { Color } from '../../src/device/ramps.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { Rows } from '../../src/sim/rows.ts';
 import type { Arranger, FrameInput } from '../../src/smoke/frame.ts';
-import { CartoonSmoke } from '../../src/smoke/smoke.ts';
+import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import type { Style } from '../../src/smoke/style.ts';
 
 /** A particle as a test sees it; lengths in metres, roll in radians, age as a fraction of the lifetime. */
@@ -118,12 +118,12 @@ export function takePicture(scene: LabScene): LabPicture {
 /** Keeps a context and its programs for many pictures of one size, one set of surfaces and one backdrop. */
 export class Lab {
   private readonly device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
-  private readonly smoke: CartoonSmoke;
+  private readonly smoke: SmokeRenderer;
 
   constructor({ width, height, puffs, casters = [], surfaces = [], backdrop }: LabScene) {
     this.device.renderer.setSize(width, height, false);
     const capacity = Math.max(1, puffs.length, casters.length);
-    this.smoke = new CartoonSmoke(this.device, { capacity, surfaces, backdrop });
+    this.smoke = new SmokeRenderer(this.device, { capacity, surfaces, backdrop });
   }
 
   draw(scene: LabScene): LabPicture {

@@ -9,7 +9,7 @@ import { loadSimulators } from '../../../src/sim/load.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
 import type { FrameInput, FrameReport } from '../../../src/smoke/frame.ts';
 import { towardsLight } from '../../../src/smoke/light.ts';
-import { CartoonSmoke, type SmokeOptions } from '../../../src/smoke/smoke.ts';
+import { SmokeRenderer, type SmokeOptions } from '../../../src/smoke/smoke.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
 import { withParticles } from '../support/snapshot.ts';
@@ -43,7 +43,7 @@ export interface FrameTimes {
 
 export class RenderBench {
   readonly device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
-  readonly smoke: CartoonSmoke;
+  readonly smoke: SmokeRenderer;
   readonly simulator: Simulator;
   form: PuffForm = 'lobes';
   private readonly width: number;
@@ -58,7 +58,7 @@ export class RenderBench {
     this.width = width;
     this.height = height;
     this.device.renderer.setSize(width, height, false);
-    this.smoke = new CartoonSmoke(this.device, { capacity: particles, ...SURROUNDINGS });
+    this.smoke = new SmokeRenderer(this.device, { capacity: particles, ...SURROUNDINGS });
   }
 
   /** A picture of the suite's shape, smaller where only its rows matter. */

@@ -128,7 +128,7 @@ export async function loseContext(): Promise<{ changed: number; sameHash: boolea
 
 /** The centre of the smoke's rows on successive frames of a 60 Hz clock at a speed: mean movement in steps' movements. */
 export async function movementAtSpeed(speed: number): Promise<number> {
-  const { Clock } = await import('../../../src/stage/clock.ts');
+  const { Clock } = await import('../../../src/sim/clock.ts');
   const { loadSimulators } = await import('../../../src/sim/load.ts');
   const simulator = (await loadSimulators({ physics: false })).create({ capacity: 64, seed: 3 });
   simulator.set({ 'emission.rate': 600, 'emission.lifetime': 50, 'emitters.0.share': 1, 'emitters.0.size': 0.1 });

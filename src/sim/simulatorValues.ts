@@ -1,7 +1,7 @@
 import { MOST_STOPS, readCurve } from '../preset/curve.ts';
 import type { Parameter, Value, Values } from '../preset/parameter.ts';
 import { findParameter, table } from '../preset/table.ts';
-import type { Simulator } from '../sim/simulator.ts';
+import type { Simulator } from './simulator.ts';
 
 /** Of `values`, those that the simulator reads, as its numbers. */
 export function simulatorValues(values: Values): Record<string, number> {
