@@ -43,7 +43,7 @@ async function start(): Promise<void> {
   host.append(notices.element);
   tellAll(notices, decoded);
   tellAll(notices, environment);
-  const stage = await load(editor);
+  const stage = await load(editor, environment);
   window.cartoonSmoke = stage;
   stage.on('error', refuse);
   connectStage(editor, stage, (message) => notices.tell(message));
@@ -55,7 +55,7 @@ async function start(): Promise<void> {
   await begin(stage, environment, notices);
 }
 
-async function load(editor: Editor): Promise<Stage> {
+async function load(editor: Editor, { quality }: Environment): Promise<Stage> {
   const progress = new Progress(strings.progress.loading);
   host.append(progress.element);
   try {
@@ -64,6 +64,7 @@ async function load(editor: Editor): Promise<Stage> {
       width: canvas.clientWidth,
       height: canvas.clientHeight,
       pixelRatio: pixelRatio(),
+      quality,
       onProgress: ({ loaded, total }) => progress.show(total === undefined ? undefined : loaded / total),
     });
   } finally {

@@ -24,7 +24,7 @@ export function createStatistics(stage: Stage): HTMLElement {
 function describe(stats: StageStats, framesPerSecond: number): string {
   const milliseconds = (value: number) => `${value.toFixed(1)} ms`;
   return [
-    `${framesPerSecond.toFixed(0)} frames/s   ${stats.drawCalls} draw calls`,
+    `${framesPerSecond.toFixed(0)} frames/s   ${stats.drawCalls} draw calls   scale ${stats.scale}`,
     `${stats.time.toFixed(2)} s, step ${stats.steps}`,
     `${stats.alive} alive, ${stats.waiting} waiting`,
     `bodies  ${stats.bodiesDrawn} of ${stats.bodiesTotal}`,

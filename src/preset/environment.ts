@@ -1,5 +1,10 @@
-/** What the query of an address asks of the page, not of the smoke: `?paused=1&t=2.5&ui=0&stats=1`. */
+/** What the query of an address asks of the page, not of the smoke: `?paused=1&t=2.5&ui=0&stats=1&quality=0.75`. */
 import { notice, type Notice } from './notice.ts';
+
+/** How many of the screen's pixels are drawn: a share of the pixel ratio, or what the machine can do in time. */
+export type Quality = 'auto' | number;
+
+export const LOWEST_QUALITY = 0.25;
 
 export interface Environment {
   /** Start without playing. */
@@ -9,6 +14,7 @@ export interface Environment {
   /** Whether panel, transport and messages are shown. */
   readonly hasInterface: boolean;
   readonly hasStatistics: boolean;
+  readonly quality: Quality;
   readonly notices: readonly Notice[];
 }
 
@@ -24,6 +30,7 @@ export function readEnvironment(search: string): Environment {
     time: readTime(query.get('t'), notices),
     hasInterface: isOn(query.get('ui'), true),
     hasStatistics: isOn(query.get('stats'), false),
+    quality: readQuality(query.get('quality'), notices),
     notices,
   };
 }
@@ -33,9 +40,28 @@ function isOn(text: string | null, fallback: boolean): boolean {
   return text === null ? fallback : text !== '0' && text !== 'false';
 }
 
+function readQuality(text: string | null, notices: Notice[]): Quality {
+  if (text === null || text === 'auto') return 'auto';
+  const given = readNumber(text);
+  if (Number.isNaN(given)) {
+    const tell = (quoted: string) => `quality cannot be ${quoted}: it takes auto or a share such as 0.75.`;
+    notices.push(notice('malformed', 'quality', text, tell));
+    return 'auto';
+  }
+  const quality = Math.min(Math.max(given, LOWEST_QUALITY), 1);
+  const tell = (quoted: string) => `quality cannot be ${quoted}; ${quality} is used (${LOWEST_QUALITY} to 1).`;
+  if (quality !== given) notices.push(notice('outOfRange', 'quality', text, tell));
+  return quality;
+}
+
+/** Plain decimal notation, else NaN. */
+function readNumber(text: string): number {
+  return /^[+-]?\d*\.?\d+$/.test(text) ? Number(text) : Number.NaN;
+}
+
 function readTime(text: string | null, notices: Notice[]): number | undefined {
   if (text === null) return undefined;
-  const given = /^[+-]?\d*\.?\d+$/.test(text) ? Number(text) : Number.NaN;
+  const given = readNumber(text);
   if (Number.isNaN(given)) {
     notices.push(notice('malformed', 't', text, (quoted) => `t cannot be ${quoted}: it takes seconds, such as 2.5.`));
     return undefined;

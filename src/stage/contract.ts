@@ -1,4 +1,5 @@
 import type { Device } from '../device/device.ts';
+import type { Quality } from '../preset/environment.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { LoadProgress } from '../sim/load.ts';
 
@@ -11,6 +12,11 @@ export interface StageOptions {
   width?: number;
   height?: number;
   pixelRatio?: number;
+  /**
+   * Share of the pixel ratio that is drawn, 0.25 to 1, or 'auto': fewer pixels while playing where frames come late.
+   * Always 1 when left out. A picture() is drawn with all pixels.
+   */
+  quality?: Quality;
   /** Most bytes of states that are kept so that seeking backwards is quick, one a second; 64 MiB when left out. */
   historyBytes?: number;
   /** Told how much of what must be fetched has come. */
@@ -38,6 +44,8 @@ export interface StageStats {
   arrangeMs: number;
   renderMs: number;
   drawCalls: number;
+  /** Share of the pixel ratio that the latest frame was drawn with. */
+  scale: number;
 }
 
 export interface SeekOptions {

@@ -1,6 +1,7 @@
 import { MathUtils, Vector2, Vector3 } from 'three';
 import type { DeviceCanvas } from '../device/device.ts';
-import { SimulatorError } from '../preset/errors.ts';
+import { LOWEST_QUALITY, type Quality } from '../preset/environment.ts';
+import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { defaults, requireOptional, validate } from '../preset/values.ts';
 import type { Scene } from '../scenes/scene.ts';
@@ -13,6 +14,7 @@ import { styleOf, type Style } from '../smoke/style.ts';
 import { blowOf, type BlowInput } from './blow.ts';
 import { Clock, STEP_SECONDS } from '../sim/clock.ts';
 import type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
+import { Governor } from './governor.ts';
 import { Listeners } from './listeners.ts';
 import { OrbitCamera } from './orbit.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
@@ -41,6 +43,7 @@ export class Stage {
   readonly #factory: SimulatorFactory;
   readonly #eye: OrbitCamera;
   readonly #clock = new Clock();
+  readonly #governor = new Governor();
   readonly #light = new Vector3();
   readonly #listeners = new Listeners<StageEvents>();
   readonly #stopListening: () => void;
@@ -50,6 +53,9 @@ export class Stage {
   #width = 0;
   #height = 0;
   #pixelRatio = 1;
+  #quality: Quality = 1;
+  /** That of the latest frame. */
+  #scale = 1;
   #playing = false;
   #disposed = false;
   #seeking = false;
@@ -72,6 +78,7 @@ export class Stage {
     this.#factory = factory;
     this.#simulation = new Simulation(factory, this.#scene, this.#values, options.historyBytes ?? HISTORY_BYTES);
     this.#aimLight();
+    this.quality = options.quality ?? 1;
     this.#stopListening = presenter.device.onContext((event) => (event === 'restored' ? this.#draw() : undefined));
     this.resize(options.width ?? canvas.width, options.height ?? canvas.height, options.pixelRatio ?? 1);
     this.ready = Promise.resolve();
@@ -88,6 +95,20 @@ export class Stage {
 
   set speed(speed: number) {
     this.#clock.speed = MathUtils.clamp(speed, 0, 2);
+  }
+
+  /** Share of the pixel ratio that is drawn, or 'auto': less than 1 while playing where frames come late. */
+  get quality(): Quality {
+    return this.#quality;
+  }
+
+  /** @throws ParameterError for what is neither 'auto' nor 0.25 to 1 */
+  set quality(quality: Quality) {
+    if (quality !== 'auto' && !(quality >= LOWEST_QUALITY && quality <= 1)) {
+      throw new ParameterError('quality', quality, `auto or ${LOWEST_QUALITY} to 1`);
+    }
+    this.#quality = quality;
+    if (!this.#playing) this.#draw();
   }
 
   get stats(): StageStats {
@@ -108,6 +129,7 @@ export class Stage {
       arrangeMs: this.#report.arrangeMs,
       renderMs: this.#renderMs,
       drawCalls: this.#presenter.device.renderer.info.render.calls,
+      scale: this.#scale,
     };
   }
 
@@ -120,16 +142,16 @@ export class Stage {
     if (this.#playing || this.#disposed) return;
     this.#playing = true;
     this.#clock.rest();
+    this.#governor.rest();
     this.#request = requestAnimationFrame(this.#tick);
     this.#listeners.tell('statechange', { playing: true });
   }
 
   pause(): void {
     if (!this.#playing) return;
-    this.#playing = false;
-    cancelAnimationFrame(this.#request);
-    this.#clock.rest();
-    this.#listeners.tell('statechange', { playing: false });
+    this.#stop();
+    // What stands still shows all its pixels.
+    if (this.#scale !== this.#scaleNow) this.#draw();
   }
 
   /** Takes n whole steps and shows the last one. */
@@ -220,7 +242,7 @@ export class Stage {
   async picture(): Promise<Blob> {
     this.#requireAlive();
     this.#presenter.device.requireUsable();
-    this.#draw();
+    this.#draw(1);
     return this.#presenter.encode();
   }
 
@@ -297,6 +319,7 @@ export class Stage {
     this.#pixelRatio = MathUtils.clamp(pixelRatio, 0.1, LARGEST_PIXEL_RATIO);
     this.#width = Math.round(width * this.#pixelRatio);
     this.#height = Math.round(height * this.#pixelRatio);
+    this.#governor.rest();
     if (this.#isVisible) this.#eye.setAspect(this.#width / this.#height);
     this.#draw();
   }
@@ -333,13 +356,21 @@ export class Stage {
   /** Stops everything and gives the context and the memory back. May be called again. */
   dispose(): void {
     if (this.#disposed) return;
-    this.pause();
+    this.#stop();
     this.#disposed = true;
     this.#stopListening();
     this.#smoke.dispose();
     this.#simulation.dispose();
     this.#presenter.dispose();
     this.#listeners.clear();
+  }
+
+  #stop(): void {
+    if (!this.#playing) return;
+    this.#playing = false;
+    cancelAnimationFrame(this.#request);
+    this.#clock.rest();
+    this.#listeners.tell('statechange', { playing: false });
   }
 
   get #isVisible(): boolean {
@@ -349,12 +380,13 @@ export class Stage {
   readonly #tick = (now: number): void => {
     if (!this.#playing) return;
     this.#request = requestAnimationFrame(this.#tick);
-    if (this.#seeking) return;
+    if (this.#seeking) return this.#governor.rest();
+    this.#governor.tick(now);
     try {
       this.#advance(this.#clock.tick(now));
       this.#draw();
     } catch (error) {
-      this.pause();
+      this.#stop();
       this.#listeners.tell('error', error as Error);
     }
   };
@@ -395,26 +427,34 @@ export class Stage {
     this.#draw();
   }
 
-  #draw(): void {
+  /** Share of the pixel ratio to draw with. Where pictures must come again the same, the machine has no say in it. */
+  get #scaleNow(): number {
+    if (this.#quality !== 'auto') return this.#quality;
+    return this.#playing && !this.#seeking ? this.#governor.scale : 1;
+  }
+
+  #draw(scale = this.#scaleNow): void {
     if (this.#disposed || !this.#isVisible || !this.#presenter.device.isUsable) return;
     const started = performance.now();
     const rigids = this.#simulation.rigids(this.#clock.blend);
     if (this.#movedWhilePaused) rigids[this.#scene.handle!.rigid].setPosition(this.#simulation.drag!.target);
-    this.#presenter.prepare(this.#width, this.#height);
+    const canvas = { width: this.#width, height: this.#height };
+    const drawn = { width: Math.ceil(canvas.width * scale), height: Math.ceil(canvas.height * scale) };
+    const output = this.#presenter.prepare(canvas, drawn);
     this.#report = this.#smoke.draw({
       simulator: this.#simulation.simulator,
       camera: this.#eye.camera,
       towardsLight: this.#light,
       style: this.#style,
       blend: this.#clock.blend,
-      width: this.#width,
-      height: this.#height,
-      pixelRatio: this.#pixelRatio,
+      ...drawn,
+      pixelRatio: this.#pixelRatio * scale,
       rigids,
       cull: true,
-      output: null,
+      output,
     });
     this.#presenter.present();
+    this.#scale = scale;
     this.#renderMs = performance.now() - started;
     if (this.#listeners.has('frame')) this.#listeners.tell('frame', this.stats);
   }

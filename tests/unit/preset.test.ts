@@ -135,6 +135,7 @@ describe('readEnvironment', () => {
       time: undefined,
       hasInterface: true,
       hasStatistics: false,
+      quality: 'auto',
       notices: [],
     });
   });
@@ -153,6 +154,20 @@ describe('readEnvironment', () => {
       const read = readEnvironment(`?t=${text}`);
       expect(read.time).toBe(time);
       expect(read.notices.map(({ code }) => code)).toEqual(['outOfRange']);
+    }
+  });
+
+  it('reads, clamps or ignores the quality', () => {
+    for (const [text, quality, codes] of [
+      ['auto', 'auto', []],
+      ['.75', 0.75, []],
+      ['0', 0.25, ['outOfRange']],
+      ['7', 1, ['outOfRange']],
+      ['best', 'auto', ['malformed']],
+    ] as const) {
+      const read = readEnvironment(`?quality=${text}`);
+      expect(read.quality).toBe(quality);
+      expect(read.notices.map(({ code }) => code)).toEqual(codes);
     }
   });
 

@@ -24,6 +24,24 @@ test('two stages share a device and keep their own pictures', async ({ load }) =
   expect(await cases.evaluate((module) => module.sharedCanvases())).toBeGreaterThan(1000);
 });
 
+for (const which of ['halfQuality', 'halfQualityShared'] as const) {
+  test(`fewer pixels change neither canvas, nor flat tones, nor the width of ink: ${which}`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const report = await cases.evaluate((module, name) => module[name](), which);
+    expect(report.flat).toBeGreaterThan(2_000);
+    expect(report.ink).toBeGreaterThan(50);
+    expect(report.differing).toBe(0);
+    expect(report.pictureChanged).toBe(0);
+    expect(report.canvas).toEqual([320, 240]);
+  });
+}
+
+test('a stage that may choose draws fewer pixels while it is late, and all of them in a pause', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  expect(await cases.evaluate((module) => module.governedScales('auto'))).toEqual({ played: [1, 0.59], paused: 1 });
+  expect(await cases.evaluate((module) => module.governedScales(undefined))).toEqual({ played: [1], paused: 1 });
+});
+
 test('memory that grows in mid-run keeps drawing', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const report = await cases.evaluate((module) => module.growMemory());

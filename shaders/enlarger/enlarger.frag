@@ -1,0 +1,11 @@
+precision highp float;
+
+// Brings a picture to the size of the canvas. Its colours are premultiplied, so that they may be blended as they are.
+uniform sampler2D picture;
+uniform vec2 canvas;
+
+out vec4 pixel;
+
+void main() {
+  pixel = textureLod(picture, gl_FragCoord.xy / canvas, 0.0);
+}

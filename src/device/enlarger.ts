@@ -1,0 +1,59 @@
+import {
+  GLSL3,
+  LinearFilter,
+  NoBlending,
+  NoColorSpace,
+  RawShaderMaterial,
+  UnsignedByteType,
+  Vector2,
+  WebGLRenderTarget,
+  type WebGLRenderer,
+} from 'three';
+import fragmentShader from '../../shaders/enlarger/enlarger.frag';
+import vertexShader from '../../shaders/lib/fullScreen.vert';
+import { FullScreen } from './fullScreen.ts';
+
+/** A picture smaller than the canvas, and the way onto it: the canvas keeps its size, so that no page moves. */
+export class Enlarger {
+  private readonly picture = new WebGLRenderTarget(1, 1, {
+    type: UnsignedByteType,
+    colorSpace: NoColorSpace,
+    minFilter: LinearFilter,
+    magFilter: LinearFilter,
+    generateMipmaps: false,
+    depthBuffer: false,
+  });
+  private readonly canvas = { value: new Vector2(1, 1) };
+  private readonly triangle: FullScreen;
+
+  constructor() {
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms: { picture: { value: this.picture.texture }, canvas: this.canvas },
+      depthTest: false,
+      depthWrite: false,
+      blending: NoBlending,
+    });
+    this.triangle = new FullScreen(material);
+  }
+
+  /** Where to draw the picture. @param width, height in pixels, at least 1 */
+  prepare(width: number, height: number): WebGLRenderTarget {
+    this.picture.setSize(width, height);
+    return this.picture;
+  }
+
+  /** Draws the picture over the whole canvas. */
+  draw(renderer: WebGLRenderer): void {
+    renderer.setRenderTarget(null);
+    renderer.getDrawingBufferSize(this.canvas.value);
+    this.triangle.draw(renderer);
+  }
+
+  dispose(): void {
+    this.picture.dispose();
+    this.triangle.dispose();
+  }
+}
