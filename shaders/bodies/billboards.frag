@@ -33,6 +33,7 @@ layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
 
 #include ../lib/depth.glsl
+#include ../lib/shade.glsl
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
 
@@ -57,12 +58,11 @@ void main() {
 
   vec3 normal = shape.rgb * 2.0 - 1.0;
   normal.xy = turned(normal.xy);
-  float facing = dot(normalize(normal), towardsLightInView);
   vec3 fill = paint.rgb * mix(gradientFactor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
-  vec3 litColor = textureLod(ramps, vec2(facing, litRow + rampShift), 0.0).rgb * fill;
-  vec3 unlitColor = textureLod(ramps, vec2(facing, unlitRow + rampShift), 0.0).rgb * fill;
-  unlit = vec4(mix(unlitColor, inkColor, ink), 1.0);
-  lit = vec4(mix(litColor, inkColor, ink), 0.0);
+  vec2 rows = vec2(unlitRow, litRow) + rampShift;
+  Shades shades = shade(normalize(normal), towardsLightInView, ramps, rows, fill);
+  unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
+  lit = vec4(mix(shades.lit, inkColor, ink), 0.0);
 
   float quadWidth = 2.0 * pad * radius;
   float viewZ = centreZ + (shape.a - 0.5) * quadWidth - (isInk ? ringDrop : 0.0);

@@ -25,6 +25,7 @@ layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
 
 #include ../lib/depth.glsl
+#include ../lib/shade.glsl
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
 
@@ -87,12 +88,11 @@ void main() {
   #pragma unroll_loop_end
   normal = mix(normalize(normal), normalize(place - middleAndInkReach.xyz), blend);
 
-  float facing = dot(normalize(normal), towardsLightInView);
   vec3 fill = mix(gradientFactor, vec3(1.0), clamp(pointAndGradient.z, 0.0, 1.0));
-  vec3 litColor = textureLod(ramps, vec2(facing, litRow + depthsAndRamp.w), 0.0).rgb * fill;
-  vec3 unlitColor = textureLod(ramps, vec2(facing, unlitRow + depthsAndRamp.w), 0.0).rgb * fill;
-  unlit = vec4(mix(unlitColor, inkColor, ink), 1.0);
-  lit = vec4(mix(litColor, inkColor, ink), 0.0);
+  vec2 rows = vec2(unlitRow, litRow) + depthsAndRamp.w;
+  Shades shades = shade(normalize(normal), towardsLightInView, ramps, rows, fill);
+  unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
+  lit = vec4(mix(shades.lit, inkColor, ink), 0.0);
 
   float viewZ = depthsAndRamp.x + height * depthsAndRamp.y - (isInk ? depthsAndRamp.z : 0.0);
   gl_FragDepth = clamp(windowDepth(clipFromView, viewZ), DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);

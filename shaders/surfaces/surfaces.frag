@@ -1,6 +1,6 @@
 precision highp float;
 
-// An ordinary mesh, shaded by its own two rows of the ramps: (Eq. 2 of McGuire and Fein 2006, folded into final tones).
+// An ordinary mesh, shaded by its own two rows of the ramps.
 uniform sampler2D ramps;
 uniform float litRow;
 uniform float unlitRow;
@@ -11,8 +11,10 @@ in vec3 worldNormal;
 layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
 
+#include ../lib/shade.glsl
+
 void main() {
-  float facing = dot(normalize(worldNormal), towardsLight);
-  unlit = vec4(textureLod(ramps, vec2(facing, unlitRow), 0.0).rgb, 1.0);
-  lit = vec4(textureLod(ramps, vec2(facing, litRow), 0.0).rgb, 0.0);
+  Shades shades = shade(normalize(worldNormal), towardsLight, ramps, vec2(unlitRow, litRow), vec3(1.0));
+  unlit = vec4(shades.unlit, 1.0);
+  lit = vec4(shades.lit, 0.0);
 }
