@@ -42,6 +42,13 @@ export class Instances {
     return this.geometry.instanceCount;
   }
 
+  /** Metres; 0 where there are no rows. */
+  get meanRadius(): number {
+    let sum = 0;
+    for (let row = 0; row < this.count; row++) sum += this.place.array[4 * row + 3];
+    return sum / Math.max(1, this.count);
+  }
+
   /** Copies the rows and marks only them for upload. */
   fill(rows: Rows): void {
     copyPrefix(this.place, rows.place, 4 * rows.count);

@@ -236,8 +236,13 @@ export const table: readonly Parameter[] = [
     'style.renderer',
     'style',
     'style',
-    { label: 'Renderer', text: 'How puffs become pixels.', default: 'nailboards' },
-    [['nailboards', 'Nailboards']],
+    { label: 'Renderer', text: 'How smoke is drawn: as here, or as others draw it, to compare.', default: 'nailboards' },
+    [
+      ['nailboards', 'Nailboards'],
+      ['selle', 'Depth lines (Selle 2004)'],
+      ['sprites', 'Soft sprites'],
+      ['shadowMap', 'Shadow map'],
+    ],
   ),
   quantity('light.azimuth', 'light', 'light', {
     min: -180,

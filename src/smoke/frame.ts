@@ -3,6 +3,7 @@ import type { Rows } from '../sim/rows.ts';
 import type { Bounds } from '../sim/simulator.ts';
 import type { View } from '../sim/view.ts';
 import { widestLine } from '../passes/ink.ts';
+import { drawRival, THROWS_SHADOW } from './rivals.ts';
 import type { SmokePasses } from './smoke.ts';
 import { inkLineOf, type Style } from './style.ts';
 
@@ -55,14 +56,21 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   targets.begin(renderer);
   if (passes.hasBackdrop) passes.backdrop.draw(renderer);
   passes.surfaces.draw(renderer);
+  if (input.style.renderer === 'nailboards') drawNailboards(passes, input);
+  else drawRival[input.style.renderer](passes, input);
+  return report;
+}
+
+/** Bodies, volumes, mask, resolve. */
+function drawNailboards(passes: SmokePasses, { style, output }: FrameInput): void {
+  const { renderer, targets } = passes;
   passes.body.draw(renderer);
-  if (input.style.shadows) {
+  if (style.shadows) {
     passes.meshVolumes.draw(renderer);
     passes.volumes.draw(renderer);
     passes.mask.draw(renderer);
   }
-  passes.resolve.draw(renderer, targets, input.output);
-  return report;
+  passes.resolve.draw(renderer, targets, output);
 }
 
 /** The first half of a frame, which draws nothing: arrange(eye) and arrange(light) -> instance buffers. */
@@ -77,13 +85,16 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
   bodies.fill(input.simulator.arrange(eyeView(passes, input)));
   const receivers = receiversOf(passes, input);
   eye.receive(receivers);
-  if (style.shadows) casters.fill(input.simulator.arrange(lightView(passes, input, receivers)));
+  const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];
+  if (throwsShadow) casters.fill(input.simulator.arrange(lightView(passes, input, receivers)));
   const arrangeMs = performance.now() - started;
-  return { bodiesDrawn: bodies.count, castersDrawn: style.shadows ? casters.count : 0, arrangeMs };
+  return { bodiesDrawn: bodies.count, castersDrawn: throwsShadow ? casters.count : 0, arrangeMs };
 }
 
 function eyeView(passes: SmokePasses, input: FrameInput): View {
   const { eye } = passes;
+  // What is blended has to come far to near.
+  const blends = input.style.renderer === 'sprites';
   const { pixels, swell } = inkLineOf(input.style, input.pixelRatio);
   return {
     purpose: 'eye',
@@ -91,7 +102,7 @@ function eyeView(passes: SmokePasses, input: FrameInput): View {
     cull: input.cull,
     pad: widestLine(pixels, swell) * eye.unitsPerPixel,
     clipFromWorld: eye.clipFromWorld.elements,
-    direction: eye.forward.toArray(),
+    direction: (blends ? eye.forward.clone().negate() : eye.forward).toArray(),
     reach: passes.reachOf(input.style.form),
     receivers: { min: [0, 0, 0], max: [0, 0, 0] },
   };

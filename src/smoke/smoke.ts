@@ -14,6 +14,7 @@ import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
 import { arrangeFrame, drawFrame, type FrameInput, type FrameReport } from './frame.ts';
 import { isFlat, rampOf, surfaceToning } from './palette.ts';
+import { Rivals } from './rivals.ts';
 import { inkLineOf, type Style } from './style.ts';
 
 /** Everything that a frame draws with; made once for a smoke. */
@@ -30,6 +31,7 @@ export interface SmokePasses {
   readonly volumes: VolumesPass;
   readonly mask: MaskPass;
   readonly resolve: ResolvePass;
+  readonly rivals: Rivals;
   readonly hasBackdrop: boolean;
   /** Factor on a particle's radius that makes the sphere which holds all of its puff in a form. */
   reachOf(form: PuffForm): number;
@@ -83,6 +85,15 @@ export class SmokeRenderer {
       volumes: new VolumesPass(eye, device.puffs, casters.geometry),
       mask: new MaskPass(),
       resolve: new ResolvePass(),
+      rivals: new Rivals({
+        eye,
+        puffs: device.puffs,
+        ramps: this.ramps,
+        materials: { smoke: SMOKE_RAMP, firstSurface: FIRST_SURFACE_RAMP },
+        surfaces,
+        bodies: bodies.geometry,
+        casters: casters.geometry,
+      }),
       hasBackdrop: backdrop !== undefined,
       reachOf: (form) => device.puffs.of(form).reach,
       placeSurfaces: (rigids) =>
@@ -128,6 +139,7 @@ export class SmokeRenderer {
     for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop, passes.surfaces])
       part.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
+    passes.rivals.dispose();
     this.ramps.dispose();
   }
 

@@ -5,8 +5,12 @@ import type { InkLine } from '../passes/ink.ts';
 import type { Values } from '../preset/parameter.ts';
 import { parseColor, type Toning } from './palette.ts';
 
+/** How puffs become pixels: the product's own way, and three others to compare it with. */
+export type Renderer = 'nailboards' | 'selle' | 'sprites' | 'shadowMap';
+
 /** How smoke is drawn: the paper's four effects, each on or off by itself, and their colours. */
 export interface Style extends Toning {
+  renderer: Renderer;
   form: PuffForm;
   outlines: boolean;
   shadows: boolean;
@@ -27,6 +31,7 @@ export interface Style extends Toning {
 /** Reads the style out of flat values that hold every key of the table. */
 export function styleOf(values: Values): Style {
   return {
+    renderer: values['style.renderer'] as Renderer,
     form: values['puff.form'] as PuffForm,
     shading: values['style.shading'] === 1,
     outlines: values['style.outlines'] === 1,

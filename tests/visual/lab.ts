@@ -56,6 +56,7 @@ export interface LabScene {
 }
 
 export const PLAIN_STYLE: Style = {
+  renderer: 'nailboards',
   form: 'lobes',
   shading: true,
   outlines: true,

@@ -1,7 +1,6 @@
 /** The product's own frame over the seeded plume, and its passes one at a time. */
 import { Matrix4, PerspectiveCamera } from 'three';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
-import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { createDevice } from '../../../src/device/device.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { tableMesh } from '../../../src/scenes/models/table.ts';
@@ -28,11 +27,6 @@ export const SURROUNDINGS: Omit<SmokeOptions, 'capacity'> = {
   backdrop: { top: [43, 45, 92], bottom: [214, 110, 122] },
 };
 
-const STYLES: Readonly<Record<PuffForm, Style>> = {
-  lobes: { ...PLAIN_STYLE, form: 'lobes' },
-  billboards: { ...PLAIN_STYLE, form: 'billboards' },
-};
-
 /** Milliseconds. */
 export interface FrameTimes {
   bodies: number;
@@ -45,7 +39,8 @@ export class RenderBench {
   readonly device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
   readonly smoke: SmokeRenderer;
   readonly simulator: Simulator;
-  form: PuffForm = 'lobes';
+  /** A change needs a new object. */
+  style: Style = PLAIN_STYLE;
   private readonly width: number;
   private readonly height: number;
   private readonly pixel = new Uint8Array(4);
@@ -136,7 +131,7 @@ export class RenderBench {
       simulator: this.simulator,
       camera: this.camera,
       towardsLight: this.light,
-      style: STYLES[this.form],
+      style: this.style,
       blend: 1,
       width: this.width,
       height: this.height,

@@ -1,5 +1,7 @@
 /** render.lobes: what bodies cost as lobes and as baked billboards, of the same rows, in turns. */
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
+import type { Style } from '../../../src/smoke/style.ts';
+import { PLAIN_STYLE } from '../../visual/lab.ts';
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { HEIGHT, RenderBench, WIDTH } from './bench.ts';
 import { countFragments, type Fragments } from './fragments.ts';
@@ -7,6 +9,7 @@ import { countFragments, type Fragments } from './fragments.ts';
 /** What one form was seen to do. */
 interface Side {
   form: PuffForm;
+  style: Style;
   times: number[];
   bodiesDrawn: number;
   fragments: Fragments;
@@ -22,7 +25,7 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
   for (let round = 0; round < rounds; round++) {
     await say(`render.lobes, round ${round + 1} of ${rounds}`);
     for (const side of round % 2 === 0 ? [lobes, billboards] : [billboards, lobes]) {
-      bench.form = side.form;
+      bench.style = side.style;
       side.times.push(bench.timeFrame(true).bodies);
     }
   }
@@ -47,9 +50,10 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
 
 /** Draws once, which also compiles the programs. */
 function look(bench: RenderBench, form: PuffForm): Side {
-  bench.form = form;
+  const style: Style = { ...PLAIN_STYLE, form };
+  bench.style = style;
   const { bodiesDrawn } = bench.draw(true);
   const { bodies, body } = bench.smoke.passes;
   const fragments = countFragments(bench.device.renderer, bodies.geometry, body['mesh'].material, WIDTH, HEIGHT);
-  return { form, times: [], bodiesDrawn, fragments };
+  return { form, style, times: [], bodiesDrawn, fragments };
 }

@@ -5,6 +5,7 @@ import { measureForms } from './forms.ts';
 import { measurePasses } from './passes.ts';
 import { measureUploads } from './uploads.ts';
 import { measureAgainstQuarks } from './versusQuarks.ts';
+import { measureAgainstRivals } from './versusRivals.ts';
 
 export async function measure(quick: boolean): Promise<Figure[]> {
   if (!globalThis.crossOriginIsolated) throw new Error('The page is not isolated, so its clock is too coarse.');
@@ -12,6 +13,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measurePasses(quick)),
     ...(await measureForms(quick)),
     ...(await measureAgainstQuarks(quick)),
+    ...(await measureAgainstRivals(quick)),
     ...(await measureUploads()),
     ...(await measureMemory()),
   ];

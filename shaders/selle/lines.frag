@@ -1,0 +1,32 @@
+precision highp float;
+
+// Lines one pixel wide where smoke stands before something deeper, from differences in the depth that is read back as a
+// texture (Deussen and Strothotte's tree ink, as Selle, Mohr and Chenney used it for smoke).
+uniform sampler2D unlit;
+uniform sampler2D lit;
+uniform sampler2D depth;
+uniform mat4 clipFromView;
+uniform vec3 inkColor;
+uniform float threshold;
+
+out vec4 pixel;
+
+#include ../lib/depth.glsl
+
+float viewDepthAt(ivec2 at) {
+  ivec2 inside = clamp(at, ivec2(0), textureSize(depth, 0) - 1);
+  return -viewZOf(clipFromView, texelFetch(depth, inside, 0).r);
+}
+
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  vec4 shown = texelFetch(lit, at, 0);
+  vec4 tone = vec4(shown.rgb, texelFetch(unlit, at, 0).a);
+  if (shown.a > 0.5) {
+    float own = viewDepthAt(at);
+    float across = max(viewDepthAt(at + ivec2(1, 0)), viewDepthAt(at - ivec2(1, 0)));
+    float along = max(viewDepthAt(at + ivec2(0, 1)), viewDepthAt(at - ivec2(0, 1)));
+    if (max(across, along) - own > threshold) tone.rgb = inkColor;
+  }
+  pixel = vec4(tone.rgb * tone.a, tone.a);
+}

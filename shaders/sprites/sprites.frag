@@ -1,0 +1,28 @@
+precision highp float;
+
+// Blended over the finished picture, premultiplied. Fades where it comes close to a surface behind it, by the depth that
+// is read as a texture (Lorach, 'Soft Particles', 2007).
+uniform sampler2D ramps;
+uniform sampler2D depth;
+uniform float litRow;
+uniform mat4 clipFromView;
+
+in vec2 puffPoint;
+flat in vec3 depthRadiusFade;
+flat in float rampShift;
+
+out vec4 pixel;
+
+#include ../lib/depth.glsl
+
+// Alpha in the middle of a sprite at birth.
+const float DENSEST = 0.5;
+
+void main() {
+  float away = dot(puffPoint, puffPoint);
+  if (away >= 1.0) discard;
+  float behind = -viewZOf(clipFromView, texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r);
+  float gap = clamp((behind - depthRadiusFade.x) / depthRadiusFade.y, 0.0, 1.0);
+  float alpha = DENSEST * (1.0 - away) * (1.0 - away) * depthRadiusFade.z * gap;
+  pixel = vec4(textureLod(ramps, vec2(1.0, litRow + rampShift), 0.0).rgb * alpha, alpha);
+}

@@ -1,0 +1,111 @@
+import {
+  Camera,
+  Color as ThreeColor,
+  GLSL3,
+  Mesh,
+  NoBlending,
+  RawShaderMaterial,
+  Scene,
+  type BufferGeometry,
+  type Texture,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
+import fullScreenVertexShader from '../../shaders/lib/fullScreen.vert';
+import linesFragmentShader from '../../shaders/selle/lines.frag';
+import fragmentShader from '../../shaders/selle/selle.frag';
+import vertexShader from '../../shaders/selle/selle.vert';
+import type { Eye } from '../device/eye.ts';
+import { FullScreen } from '../device/fullScreen.ts';
+import type { PuffTextures } from '../device/puffTextures.ts';
+import { writeColor, type Color, type RampTexture } from '../device/ramps.ts';
+import type { Targets } from './targets.ts';
+
+/**
+ * Smoke as Selle, Mohr and Chenney drew it ('Cartoon Rendering of Smoke Animations', NPAR 2004), for comparison: unshaded
+ * puffs of one depth each, and lines one pixel wide where the depth, read back as a texture, jumps. No shadows.
+ */
+export class SellePass {
+  private readonly scene = new Scene();
+  private readonly camera = new Camera();
+  private readonly puffs: PuffTextures;
+  private readonly rows: BufferGeometry;
+  private readonly common;
+  private readonly lineUniforms;
+  private readonly lines: FullScreen;
+  private material: RawShaderMaterial | undefined;
+
+  /** @param material which ramp of `ramps` is the smoke's; those of its tints follow it */
+  constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, material: number, rows: BufferGeometry) {
+    this.puffs = puffs;
+    this.rows = rows;
+    this.common = {
+      ...eye.uniforms,
+      ramps: { value: ramps.texture },
+      litRow: { value: ramps.rows(material).litRow },
+      rampPitch: { value: ramps.pitch },
+    };
+    this.lineUniforms = {
+      clipFromView: eye.uniforms.clipFromView,
+      unlit: { value: null as Texture | null },
+      lit: { value: null as Texture | null },
+      depth: { value: null as Texture | null },
+      inkColor: { value: new ThreeColor() },
+      threshold: { value: 0 },
+    };
+    this.lines = new FullScreen(
+      new RawShaderMaterial({
+        glslVersion: GLSL3,
+        vertexShader: fullScreenVertexShader,
+        fragmentShader: linesFragmentShader,
+        uniforms: this.lineUniforms,
+        depthTest: false,
+        depthWrite: false,
+        blending: NoBlending,
+      }),
+    );
+  }
+
+  /** @param threshold depth gap in metres beyond which there is a line */
+  setLines(color: Color, threshold: number): void {
+    writeColor(color, this.lineUniforms.inkColor);
+    this.lineUniforms.threshold.value = threshold;
+  }
+
+  /** Draws the puffs into the targets. */
+  draw(renderer: WebGLRenderer): void {
+    this.material ??= this.show();
+    renderer.render(this.scene, this.camera);
+  }
+
+  /** Draws the picture with its lines: what the resolve pass does elsewhere. */
+  drawLines(renderer: WebGLRenderer, targets: Targets, output: WebGLRenderTarget | null): void {
+    this.lineUniforms.unlit.value = targets.unlit;
+    this.lineUniforms.lit.value = targets.lit;
+    this.lineUniforms.depth.value = targets.depth;
+    renderer.setRenderTarget(output);
+    this.lines.draw(renderer);
+  }
+
+  dispose(): void {
+    this.lines.dispose();
+    this.material?.dispose();
+    this.material = undefined;
+    this.scene.clear();
+  }
+
+  /** Late, because the flat puffs are baked when they are first asked for. */
+  private show(): RawShaderMaterial {
+    const { layers, colorCoverage } = this.puffs.billboards;
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms: { ...this.common, colorCoverage: { value: colorCoverage }, pad: { value: layers.pad } },
+    });
+    const mesh = new Mesh(this.rows, material);
+    mesh.frustumCulled = false;
+    this.scene.add(mesh);
+    return material;
+  }
+}

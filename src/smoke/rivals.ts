@@ -1,0 +1,82 @@
+import type { BufferGeometry } from 'three';
+import { SellePass } from '../passes/selle.ts';
+import { ShadowMapPass, type ShadowMapSources } from '../passes/shadowMap.ts';
+import { SpritesPass } from '../passes/sprites.ts';
+import type { FrameInput } from './frame.ts';
+import type { SmokePasses } from './smoke.ts';
+import type { Renderer } from './style.ts';
+
+/** What the passes of the rivals draw from. */
+interface RivalSources extends ShadowMapSources {
+  readonly bodies: BufferGeometry;
+}
+
+/** Passes that only other renderers use, each made when it is first asked for. */
+export class Rivals {
+  private readonly sources: RivalSources;
+  private sellePass: SellePass | undefined;
+  private spritesPass: SpritesPass | undefined;
+  private shadowMapPass: ShadowMapPass | undefined;
+
+  constructor(sources: RivalSources) {
+    this.sources = sources;
+  }
+
+  get selle(): SellePass {
+    const { eye, puffs, ramps, materials, bodies } = this.sources;
+    this.sellePass ??= new SellePass(eye, puffs, ramps, materials.smoke, bodies);
+    return this.sellePass;
+  }
+
+  get sprites(): SpritesPass {
+    const { eye, ramps, materials, bodies } = this.sources;
+    this.spritesPass ??= new SpritesPass(eye, ramps, materials.smoke, bodies);
+    return this.spritesPass;
+  }
+
+  get shadowMap(): ShadowMapPass {
+    this.shadowMapPass ??= new ShadowMapPass(this.sources);
+    return this.shadowMapPass;
+  }
+
+  /** Lets go of everything; a pass that is asked for again is made anew. */
+  dispose(): void {
+    for (const pass of [this.sellePass, this.spritesPass, this.shadowMapPass]) pass?.dispose();
+    this.sellePass = this.spritesPass = this.shadowMapPass = undefined;
+  }
+}
+
+/** Which renderers ask for casters. */
+export const THROWS_SHADOW: Readonly<Record<Renderer, boolean>> = {
+  nailboards: true,
+  selle: false,
+  sprites: false,
+  shadowMap: true,
+};
+
+type DrawSmoke = (passes: SmokePasses, input: FrameInput) => void;
+
+/** The other ways of drawing smoke, for comparison by eye and clock: each from where the surfaces stand in the targets. */
+export const drawRival: Readonly<Record<Exclude<Renderer, 'nailboards'>, DrawSmoke>> = {
+  selle({ renderer, targets, bodies, rivals }, { style, output }) {
+    const { outlines, innerLine, inkColor } = style;
+    rivals.selle.setLines(inkColor, outlines ? innerLine * bodies.meanRadius : Infinity);
+    rivals.selle.draw(renderer);
+    rivals.selle.drawLines(renderer, targets, output);
+  },
+
+  sprites({ renderer, targets, resolve, rivals }, { output }) {
+    resolve.draw(renderer, targets, output);
+    rivals.sprites.draw(renderer, targets, output);
+  },
+
+  shadowMap({ renderer, targets, body, resolve, rivals }, { style, rigids, towardsLight, output }) {
+    body.draw(renderer);
+    if (style.shadows) {
+      rivals.shadowMap.setForm(style.form);
+      rivals.shadowMap.place(rigids);
+      rivals.shadowMap.draw(renderer, targets, towardsLight);
+    }
+    resolve.draw(renderer, targets, output);
+  },
+};
