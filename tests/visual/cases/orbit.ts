@@ -1,6 +1,7 @@
 /** Pictures of smoke that stands still while the camera goes round it: nothing may jump. */
 import { PerspectiveCamera } from 'three';
-import { Lab, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
+import { Lab, type LabPuff, type LabScene } from '../lab.ts';
+import { suddenChange } from '../motion.ts';
 import { random } from '../random.ts';
 
 const SIZE = 160;
@@ -27,7 +28,7 @@ export function orbit(what: 'puff' | 'cluster', steps = 360): OrbitReport {
   for (let degree = 1; degree <= steps; degree++) {
     const now = lab.draw({ ...scene, camera: cameraAt(degree) });
     const reach = Math.ceil(report.motion) + 1;
-    const sudden = Math.max(unexplained(before, now, reach), unexplained(now, before, reach));
+    const sudden = suddenChange(before, now, reach).all;
     if (sudden > report.largest) Object.assign(report, { largest: sudden, at: degree });
     report.painted = Math.min(report.painted, now.pixels.filter((value, i) => i % 4 === 3 && value > 0).length);
     before = now;
@@ -63,24 +64,4 @@ function motionOf(puffs: readonly LabPuff[]): number {
   const reach = Math.max(...puffs.map(({ place, radius }) => Math.hypot(...place) + radius));
   const pixelsPerMetre = SIZE / 2 / Math.tan((16 * Math.PI) / 180) / (DISTANCE - reach);
   return ((reach * Math.PI) / 180) * pixelsPerMetre;
-}
-
-/** Pixels of one picture whose colour the other has nowhere within `reach` pixels. */
-function unexplained(a: LabPicture, b: LabPicture, reach: number): number {
-  const [from, to] = [a, b].map(({ pixels }) => new Uint32Array(pixels.buffer));
-  let count = 0;
-  for (let pixel = 0; pixel < from.length; pixel++) {
-    if (from[pixel] !== to[pixel] && !occursNear(from[pixel], to, pixel, reach)) count++;
-  }
-  return count;
-}
-
-function occursNear(color: number, pixels: Uint32Array, pixel: number, reach: number): boolean {
-  const [x, y] = [pixel % SIZE, Math.floor(pixel / SIZE)];
-  for (let j = Math.max(0, y - reach); j <= Math.min(SIZE - 1, y + reach); j++) {
-    for (let i = Math.max(0, x - reach); i <= Math.min(SIZE - 1, x + reach); i++) {
-      if (pixels[j * SIZE + i] === color) return true;
-    }
-  }
-  return false;
 }

@@ -1,0 +1,107 @@
+/** A scene of the demo with its simulator, drawn without the edge filter, for any camera: flat colours to reason about. */
+import { PerspectiveCamera, Vector3 } from 'three';
+import { createDevice } from '../../src/device/device.ts';
+import type { Values } from '../../src/preset/parameter.ts';
+import { defaultPreset, presetValues } from '../../src/preset/presets.ts';
+import type { CameraPose, Scene } from '../../src/scenes/scene.ts';
+import { sceneNamed } from '../../src/scenes/scenes.ts';
+import { loadSimulators } from '../../src/sim/load.ts';
+import type { Simulator } from '../../src/sim/simulator.ts';
+import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
+import type { FrameReport } from '../../src/smoke/frame.ts';
+import { towardsLight } from '../../src/smoke/light.ts';
+import { SmokeRenderer } from '../../src/smoke/smoke.ts';
+import { styleOf, type Style } from '../../src/smoke/style.ts';
+import { Simulation } from '../../src/stage/simulation.ts';
+import type { LabPicture } from './lab.ts';
+
+/** Few enough particles for a software renderer. */
+const SMALL: Values = { 'simulation.maxParticles': 800 };
+
+export interface SceneChoice {
+  width: number;
+  height: number;
+  /** On top of the scene's own. */
+  values?: Values;
+}
+
+export class SceneLab {
+  readonly scene: Scene;
+  readonly width: number;
+  readonly height: number;
+  report: FrameReport | undefined;
+  private readonly values: Values;
+  private readonly simulation: Simulation;
+  private readonly device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
+  private readonly smoke: SmokeRenderer;
+  private readonly style: Style;
+
+  private constructor(scene: Scene, simulation: Simulation, values: Values, { width, height }: SceneChoice) {
+    this.scene = scene;
+    this.simulation = simulation;
+    this.values = values;
+    this.style = styleOf(values);
+    [this.width, this.height] = [width, height];
+    this.device.renderer.setSize(width, height, false);
+    this.smoke = new SmokeRenderer(this.device, { ...scene, capacity: values['simulation.maxParticles'] as number });
+    this.smoke.passes.resolve.smoothEdges = false;
+  }
+
+  static async create(name: string, choice: SceneChoice): Promise<SceneLab> {
+    const scene = sceneNamed(name);
+    const values = { ...presetValues(defaultPreset), ...SMALL, scene: name, ...choice.values };
+    const factory = await loadSimulators({ physics: scene.rigids.length > 0 });
+    return new SceneLab(scene, new Simulation(factory, scene, values, 0), values, choice);
+  }
+
+  get simulator(): Simulator {
+    return this.simulation.simulator;
+  }
+
+  step(steps: number): void {
+    this.simulation.advance(steps);
+  }
+
+  draw({ camera = this.camera(), cull = true, blend = 1 } = {}): LabPicture {
+    const { width, height, values } = this;
+    const light = towardsLight(values['light.azimuth'] as number, values['light.elevation'] as number, new Vector3());
+    this.report = this.smoke.draw({
+      simulator: this.simulator,
+      camera,
+      towardsLight: light,
+      style: this.style,
+      blend,
+      width,
+      height,
+      pixelRatio: 1,
+      rigids: this.simulation.rigids(blend),
+      cull,
+      output: null,
+    });
+    const pixels = new Uint8Array(4 * width * height);
+    const gl = this.device.renderer.getContext();
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return { width, height, pixels, counts: new Uint8Array(0) };
+  }
+
+  /** The scene's camera, or one that differs from it: angles in radians, lengths in metres. */
+  camera(changed: Partial<CameraPose> = {}): PerspectiveCamera {
+    const { target, azimuth, elevation, distance, fieldOfView } = { ...this.scene.camera, ...changed };
+    const camera = new PerspectiveCamera((fieldOfView * 180) / Math.PI, this.width / this.height, 0.1, 100);
+    camera.position.setFromSphericalCoords(distance, Math.PI / 2 - elevation, azimuth).add(new Vector3(...target));
+    camera.lookAt(...target);
+    camera.updateMatrixWorld();
+    return camera;
+  }
+
+  /** Pixels that a metre spans where it comes nearest to the eye. */
+  pixelsPerMetre(nearest: number): number {
+    return this.height / (2 * Math.tan(this.scene.camera.fieldOfView / 2) * nearest);
+  }
+
+  dispose(): void {
+    this.smoke.dispose();
+    this.device.dispose();
+    this.simulation.dispose();
+  }
+}
