@@ -14,7 +14,6 @@ uniform float pad;
 uniform float distanceRange;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
-uniform vec3 towardsLightInView;
 uniform vec3 inkColor;
 uniform float inkSwell;
 uniform vec3 gradientFactor;
@@ -28,6 +27,7 @@ flat in float centreZ;
 flat in float radius;
 flat in float ringDrop;
 flat in float rampShift;
+flat in vec3 towardsLight;
 
 layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
@@ -51,7 +51,7 @@ void main() {
   vec4 paint = texture(colorCoverage, layerPoint);
   float distanceOutside = (paint.a - 0.5) * distanceRange;
   vec2 outward = turned(puffPoint) / max(length(puffPoint), 1e-6);
-  float reach = inkReach * exp2(-inkSwell) * swelling(outward, towardsLightInView, inkSwell);
+  float reach = inkReach * exp2(-inkSwell) * swelling(outward, towardsLight, inkSwell);
   if (distanceOutside > reach) discard;
   bool isInk = distanceOutside > 0.0;
   float ink = isInk ? inkShare(reach * radius / viewUnitsPerPixel(clipFromView, viewport, centreZ)) : 0.0;
@@ -60,7 +60,7 @@ void main() {
   normal.xy = turned(normal.xy);
   vec3 fill = paint.rgb * mix(gradientFactor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
   vec2 rows = vec2(unlitRow, litRow) + rampShift;
-  Shades shades = shade(normalize(normal), towardsLightInView, ramps, rows, fill);
+  Shades shades = shade(normalize(normal), towardsLight, ramps, rows, fill);
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), 0.0);
 

@@ -6,6 +6,7 @@ precision highp int;
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
+uniform vec4 lightInView;
 uniform float near;
 uniform float inkPixels;
 uniform float inkSwell;
@@ -27,7 +28,9 @@ flat out float centreZ;
 flat out float radius;
 flat out float ringDrop;
 flat out float rampShift;
+flat out vec3 towardsLight;
 
+#include ../lib/light.glsl
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
 #include ../lib/look.glsl
@@ -44,6 +47,7 @@ void main() {
   variation = variationOf(look);
   centreZ = centre.z;
   ringDrop = innerLine * radius;
+  towardsLight = towardsLightFrom(lightInView, centre);
   rampShift = rampPitch * float(toneOf(look));
   float height = (place.y + point.y * radius - plumeHeight.x) / max(plumeHeight.y - plumeHeight.x, 1e-6);
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);

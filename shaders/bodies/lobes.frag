@@ -11,7 +11,7 @@ uniform float fillet;
 uniform float blend;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
-uniform vec3 towardsLightInView;
+uniform vec4 lightInView;
 uniform vec3 inkColor;
 uniform float inkSwell;
 uniform vec3 gradientFactor;
@@ -25,6 +25,7 @@ layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
 
 #include ../lib/depth.glsl
+#include ../lib/light.glsl
 #include ../lib/shade.glsl
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
@@ -54,8 +55,15 @@ vec3 shareOf(vec4 lobe, vec3 place) {
   return outward * (nearness * nearness * inverse);
 }
 
+// The centre in view space, from which the whole puff is lit: a row of the table says where its shadow may begin then.
+vec3 centreOf(vec2 point) {
+  vec2 beside = viewPointOf(gl_FragCoord.xy, clipFromView, viewport, depthsAndRamp.x);
+  return vec3(beside - depthsAndRamp.y * point, depthsAndRamp.x);
+}
+
 void main() {
   vec2 point = pointAndGradient.xy;
+  vec3 towardsLight = towardsLightFrom(lightInView, centreOf(point));
   float height = NOWHERE;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
@@ -73,7 +81,7 @@ void main() {
     }
     #pragma unroll_loop_end
     vec2 outward = normalize(point - middleAndInkReach.xy);
-    float reach = middleAndInkReach.w * exp2(-inkSwell) * swelling(outward, towardsLightInView, inkSwell);
+    float reach = middleAndInkReach.w * exp2(-inkSwell) * swelling(outward, towardsLight, inkSwell);
     if (rim.x > reach) discard;
     ink = inkShare(reach * depthsAndRamp.y / viewUnitsPerPixel(clipFromView, viewport, depthsAndRamp.x));
     height = rim.y;
@@ -90,7 +98,7 @@ void main() {
 
   vec3 fill = mix(gradientFactor, vec3(1.0), clamp(pointAndGradient.z, 0.0, 1.0));
   vec2 rows = vec2(unlitRow, litRow) + depthsAndRamp.w;
-  Shades shades = shade(normalize(normal), towardsLightInView, ramps, rows, fill);
+  Shades shades = shade(normalize(normal), towardsLight, ramps, rows, fill);
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), 0.0);
 

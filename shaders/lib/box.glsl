@@ -1,7 +1,13 @@
-// How far a point travels along a unit direction before it has left a box grown by a margin; 0 if it never is inside.
-float exitFromBox(vec3 point, vec3 direction, vec3 boxMin, vec3 boxMax, float margin) {
+// How far a point travels along a unit direction before it, and a disc about it, has left a box; 0 if it never is inside.
+// The disc's radius is `margin` at the point and grows by `growth` with each unit of the way.
+float exitFromBox(vec3 point, vec3 direction, vec3 boxMin, vec3 boxMax, float margin, float growth) {
   const float PARALLEL = 1e-6;
-  vec3 safe = mix(direction, vec3(PARALLEL), lessThan(abs(direction), vec3(PARALLEL)));
-  vec3 exits = max((boxMin - margin - point) / safe, (boxMax + margin - point) / safe);
+  vec3 way = mix(point - boxMin, boxMax - point, greaterThan(direction, vec3(0.0))) + margin;
+  vec3 exits = way / max(abs(direction) - growth, PARALLEL);
   return max(0.0, min(exits.x, min(exits.y, exits.z)));
+}
+
+// From a place to the farthest corner of a box.
+float farthestCorner(vec3 place, vec3 boxMin, vec3 boxMax) {
+  return length(max(abs(place - boxMin), abs(place - boxMax)));
 }

@@ -8,7 +8,7 @@ uniform mat4 clipFromView;
 uniform vec2 viewport;
 uniform float inkPixels;
 uniform float inkSwell;
-uniform vec3 towardsLightInView;
+uniform vec4 lightInView;
 uniform float raisedWidths;
 
 in vec3 position;
@@ -16,6 +16,7 @@ in vec3 hullNormal;
 
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
+#include ../lib/light.glsl
 
 // A line that is wide in the world must not jump before parts of its surface that stand out, metres.
 const float HIGHEST = 0.05;
@@ -33,7 +34,7 @@ void main() {
   vec2 outward = vec2(clipFromView[0][0], clipFromView[1][1]) * (mat3(viewFromModel) * hullNormal).xy * viewport;
   float length2 = dot(outward, outward);
   outward *= length2 > 1e-12 ? inversesqrt(length2) : 0.0;
-  float pixels = inkPixels * swelling(outward, towardsLightInView, inkSwell);
+  float pixels = inkPixels * swelling(outward, towardsLightFrom(lightInView, inView.xyz), inkSwell);
   clip.xy += outward * pixels * 2.0 / viewport * clip.w;
   float widthInView = max(pixels, inkPixels) * viewUnitsPerPixel(clipFromView, viewport, inView.z);
   clip.z = raisedClipZ(inView.z, clip.w, min(raisedWidths * widthInView, HIGHEST));

@@ -4,16 +4,19 @@ precision highp float;
 uniform sampler2D ramps;
 uniform float litRow;
 uniform float unlitRow;
-uniform vec3 towardsLight;
+uniform vec4 lightInWorld;
 
 in vec3 worldNormal;
+in vec3 worldPlace;
 
 layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
 
+#include ../lib/light.glsl
 #include ../lib/shade.glsl
 
 void main() {
+  vec3 towardsLight = towardsLightFrom(lightInWorld, worldPlace);
   Shades shades = shade(normalize(worldNormal), towardsLight, ramps, vec2(unlitRow, litRow), vec3(1.0));
   unlit = vec4(shades.unlit, 1.0);
   lit = vec4(shades.lit, 0.0);

@@ -8,8 +8,10 @@ in vec3 position;
 in vec3 normal;
 
 out vec3 worldNormal;
+out vec3 worldPlace;
 
 void main() {
   worldNormal = mat3(modelMatrix) * normal;
+  worldPlace = (modelMatrix * vec4(position, 1.0)).xyz;
   gl_Position = clipFromView * viewFromWorld * modelMatrix * vec4(position, 1.0);
 }

@@ -7,7 +7,7 @@ precision highp sampler2DArray;
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform float near;
-uniform vec3 travelInWorld;
+uniform vec4 lightInWorld;
 uniform vec3 receiversMin;
 uniform vec3 receiversMax;
 uniform float shadowRadius;
@@ -20,20 +20,25 @@ in vec4 place;
 in uvec2 look;
 
 flat out vec3 start;
+flat out vec3 axis;
 flat out float extent;
 flat out float radius;
+flat out float growth;
 
 #include ../lib/look.glsl
 #include ../lib/orientation.glsl
 #include ../lib/box.glsl
+#include ../lib/light.glsl
 
+// A lamp so near that the shadow would open more than this throws none that is wider.
+const float WIDEST = 2.0;
 const float PI = 3.14159265359;
 // Radii between the farthest lit point and the cap, against rounding in depth.
 const float CAP_SLACK = 0.02;
 
 // The light's travel in the frame of the puff: a billboard rolls about the view axis, lobes stand in the world.
 vec3 travelInPuff(vec3 travel) {
-  if (!facesEye) return travelInWorld * worldFromPuff(look);
+  if (!facesEye) return travel * (mat3(viewFromWorld) * worldFromPuff(look));
   vec2 turn = vec2(cos(rollOf(look)), sin(rollOf(look)));
   return vec3(turn.x * travel.x + turn.y * travel.y, turn.x * travel.y - turn.y * travel.x, travel.z);
 }
@@ -71,16 +76,16 @@ float projectedRadius(vec3 centre, float ball) {
 
 // The directions, as slopes against the view axis in one plane through it, in which two balls and all between them lie.
 // Points are (sideways, forward). Balls beside or behind the eye leave a side open; empty where nothing lies in front.
-vec2 slopesOf(vec2 from, vec2 to, float ball) {
+vec2 slopesOf(vec2 from, vec2 to, vec2 balls) {
   const float OPEN = 1e4;
   const float HALF_TURN = 3.14159265359;
   const float ASIDE = 1.57;
   vec2 reach = vec2(length(from), length(to));
-  if (min(reach.x, reach.y) <= ball) return vec2(-OPEN, OPEN);
+  if (any(lessThanEqual(reach, balls))) return vec2(-OPEN, OPEN);
   float start = atan(from.x, from.y);
   float turn = atan(to.x, to.y) - start;
   float end = start + turn - 2.0 * HALF_TURN * round(turn / (2.0 * HALF_TURN));
-  vec2 widening = asin(ball / reach);
+  vec2 widening = asin(balls / reach);
   vec2 span = vec2(min(start - widening.x, end - widening.y), max(start + widening.x, end + widening.y));
   if (span.y - span.x >= HALF_TURN) return vec2(-OPEN, OPEN);
   // Seen from the other side of the half turn behind the eye, the same stretch may lie in front.
@@ -100,31 +105,53 @@ vec2 boxCorner(vec2 from, vec2 to, float span) {
 
 // Normalised device coordinates of this corner of the footprint.
 vec2 footprint(vec3 end, bool perspective) {
-  if (!perspective) return (clipFromView * vec4(boxCorner(start.xy, end.xy, radius), 0.0, 1.0)).xy;
-  vec2 spans = vec2(projectedRadius(start, radius), projectedRadius(end, radius));
+  float endRadius = radius + growth * extent;
+  if (!perspective) return (clipFromView * vec4(boxCorner(start.xy, end.xy, endRadius), 0.0, 1.0)).xy;
+  vec2 spans = vec2(projectedRadius(start, radius), projectedRadius(end, endRadius));
   if (min(spans.x, spans.y) >= 0.0) {
     vec2 point = boxCorner(start.xy / -start.z, end.xy / -end.z, max(spans.x, spans.y));
     return (clipFromView * vec4(point, -1.0, 0.0)).xy;
   }
-  vec2 x = slopesOf(vec2(start.x, -start.z), vec2(end.x, -end.z), radius);
-  vec2 y = slopesOf(vec2(start.y, -start.z), vec2(end.y, -end.z), radius);
+  vec2 balls = vec2(radius, endRadius);
+  vec2 x = slopesOf(vec2(start.x, -start.z), vec2(end.x, -end.z), balls);
+  vec2 y = slopesOf(vec2(start.y, -start.z), vec2(end.y, -end.z), balls);
   vec2 point = mix(vec2(x.x, y.x), vec2(x.y, y.y), 0.5 + 0.5 * corner);
   // Corners of open sides stay near the screen, where they are precise; an upright box may be cut so.
   return clamp((clipFromView * vec4(point, -1.0, 0.0)).xy, -4.0, 4.0);
 }
 
+// How much wider the shadow of a ball gets with each unit of the way; 0 under a sun.
+float growthOf(float ball) {
+  if (lightInWorld.w == 0.0) return 0.0;
+  vec3 offset = place.xyz - lightInWorld.xyz;
+  return min(ball * inversesqrt(max(dot(offset, offset) - ball * ball, 1e-12)), WIDEST);
+}
+
+// How far beyond the centre the volume has left everything that could receive it.
+float exitOf(float ball) {
+  vec3 travel = -towardsLightFrom(lightInWorld, place.xyz);
+  float exit = exitFromBox(place.xyz, travel, receiversMin, receiversMax, ball, growth);
+  if (lightInWorld.w == 0.0) return exit;
+  float way = length(place.xyz - lightInWorld.xyz);
+  // From within a puff a lamp lights all of it.
+  return way > ball ? min(exit, farthestCorner(lightInWorld.xyz, receiversMin, receiversMax) - way) : 0.0;
+}
+
 void main() {
   bool perspective = clipFromView[2][3] != 0.0;
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
-  vec3 travel = mat3(viewFromWorld) * travelInWorld;
-  radius = place.w * shadowRadius;
-  float cap = startCap(travel, centre, perspective) * place.w;
-  extent = exitFromBox(place.xyz, travelInWorld, receiversMin, receiversMax, radius) - cap;
-  start = centre + cap * travel;
+  axis = -towardsLightFrom(viewFromWorld * lightInWorld, centre);
+  float ball = place.w * shadowRadius;
+  growth = growthOf(ball);
+  float cap = startCap(axis, centre, perspective) * place.w;
+  extent = exitOf(ball) - cap;
+  start = centre + cap * axis;
+  // The cone that touches the ball all round.
+  radius = ball * sqrt(1.0 + growth * growth) + growth * cap;
   if (extent <= 0.0) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     return;
   }
   // Depth is written by the fragments; a constant here keeps the near and far planes from cutting the quad.
-  gl_Position = vec4(footprint(start + extent * travel, perspective), 0.0, 1.0);
+  gl_Position = vec4(footprint(start + extent * axis, perspective), 0.0, 1.0);
 }

@@ -1,4 +1,4 @@
-import { Matrix4, Vector2, Vector3, type Box3, type Camera, type IUniform } from 'three';
+import { Matrix4, Vector2, Vector3, Vector4, type Box3, type Camera, type IUniform } from 'three';
 
 /** What the shaders know of the camera, the light and the target; one object that all passes of a smoke share. */
 export interface EyeUniforms extends Record<string, IUniform> {
@@ -10,9 +10,9 @@ export interface EyeUniforms extends Record<string, IUniform> {
   viewportOrigin: IUniform<Vector2>;
   /** View depth of the near plane. */
   near: IUniform<number>;
-  towardsLight: IUniform<Vector3>;
-  towardsLightInView: IUniform<Vector3>;
-  travelInWorld: IUniform<Vector3>;
+  /** (unit vector towards the light, 0) or (its place, 1), see shaders/lib/light.glsl. */
+  lightInWorld: IUniform<Vector4>;
+  lightInView: IUniform<Vector4>;
   /** The box beyond which nothing receives shadow: volumes end where they have left it. */
   receiversMin: IUniform<Vector3>;
   receiversMax: IUniform<Vector3>;
@@ -26,9 +26,8 @@ export class Eye {
     viewport: { value: new Vector2(1, 1) },
     viewportOrigin: { value: new Vector2() },
     near: { value: 0.1 },
-    towardsLight: { value: new Vector3(0, 1, 0) },
-    towardsLightInView: { value: new Vector3(0, 1, 0) },
-    travelInWorld: { value: new Vector3(0, -1, 0) },
+    lightInWorld: { value: new Vector4(0, 1, 0, 0) },
+    lightInView: { value: new Vector4(0, 1, 0, 0) },
     receiversMin: { value: new Vector3() },
     receiversMax: { value: new Vector3() },
   };
@@ -37,21 +36,31 @@ export class Eye {
   readonly forward = new Vector3();
 
   /**
-   * @param towardsLight unit vector in world space
+   * @param light (unit vector towards it, 0) or (its place, 1), world space
    * @param width, height of the target in pixels
    */
-  look(camera: Camera, towardsLight: Vector3, width: number, height: number): void {
+  look(camera: Camera, light: Vector4, width: number, height: number): void {
     const { uniforms } = this;
     camera.updateMatrixWorld();
     uniforms.viewFromWorld.value.copy(camera.matrixWorldInverse);
     uniforms.clipFromView.value.copy(camera.projectionMatrix);
     uniforms.viewport.value.set(width, height);
     uniforms.near.value = nearOf(camera.projectionMatrix);
-    uniforms.towardsLight.value.copy(towardsLight);
-    uniforms.travelInWorld.value.copy(towardsLight).negate();
-    uniforms.towardsLightInView.value.copy(towardsLight).transformDirection(camera.matrixWorldInverse);
+    uniforms.lightInWorld.value.copy(light);
+    uniforms.lightInView.value.copy(light).applyMatrix4(camera.matrixWorldInverse);
     this.clipFromWorld.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     this.forward.set(0, 0, -1).transformDirection(camera.matrixWorld);
+  }
+
+  /** Unit vector along which the light travels at a place, world space. */
+  travelAt(place: Vector3): Vector3 {
+    const { x, y, z, w } = this.uniforms.lightInWorld.value;
+    return new Vector3(x, y, z).addScaledVector(place, -w).normalize().negate();
+  }
+
+  /** Whether the light's rays are parallel. */
+  get isLitBySun(): boolean {
+    return this.uniforms.lightInWorld.value.w === 0;
   }
 
   /** @param box of everything that can receive a shadow, world space */

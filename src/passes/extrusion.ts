@@ -10,6 +10,7 @@ export interface Extrusion {
   positions: Float32Array;
   faceNormals: Float32Array;
   indices: Uint32Array;
+  longestEdge: number;
 }
 
 /** For each vertex the number of the first vertex at the same place: creases split vertices, shapes do not end there. */
@@ -65,7 +66,8 @@ export function extrude(mesh: TriangleMesh): Extrusion {
       edges.set(key, [3 * face + corner, 3 * face + ((corner + 1) % 3)]);
     }
   }
-  return { positions, faceNormals, indices: Uint32Array.from([...Array(3 * faces).keys(), ...strips(edges)]) };
+  const indices = Uint32Array.from([...Array(3 * faces).keys(), ...strips(edges)]);
+  return { positions, faceNormals, indices, longestEdge: longestEdge(positions) };
 }
 
 /** Two triangles for each pair of opposite half-edges. */
@@ -80,6 +82,17 @@ function strips(edges: Map<string, [number, number]>): number[] {
     if (Number(start) < Number(end)) indices.push(to, from, atStart, to, atStart, atEnd);
   }
   return indices;
+}
+
+/** @param corners of triangles, nine numbers each */
+function longestEdge(corners: Float32Array): number {
+  let longest = 0;
+  for (let corner = 0; corner < corners.length; corner += 3) {
+    const next = corner % 9 < 6 ? corner + 3 : corner - 6;
+    const edge = [0, 1, 2].map((axis) => corners[next + axis] - corners[corner + axis]);
+    longest = Math.max(longest, Math.hypot(...edge));
+  }
+  return longest;
 }
 
 function faceNormal(a: Float32Array, b: Float32Array, c: Float32Array): [number, number, number] {

@@ -51,7 +51,7 @@ export class MeshVolumesPass {
   }
 
   private add(eye: Eye, surface: SurfaceDescription, index: number): void {
-    const { positions, faceNormals, indices } = extrude(surface.mesh);
+    const { positions, faceNormals, indices, longestEdge } = extrude(surface.mesh);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
     geometry.setAttribute('faceNormal', new BufferAttribute(faceNormals, 3));
@@ -59,7 +59,7 @@ export class MeshVolumesPass {
     const material = countingMaterial({
       vertexShader,
       fragmentShader,
-      uniforms: { ...eye.uniforms, inset: { value: INSET } },
+      uniforms: { ...eye.uniforms, inset: { value: INSET }, longestEdge: { value: longestEdge } },
     });
     const mesh = new Mesh(geometry, material);
     mesh.frustumCulled = false;

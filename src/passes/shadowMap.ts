@@ -14,7 +14,6 @@ import {
   type BufferGeometry,
   type Camera,
   type Texture,
-  type Vector3,
   type WebGLRenderer,
 } from 'three';
 import fullScreenVertexShader from '../../shaders/lib/fullScreen.vert';
@@ -102,12 +101,9 @@ export class ShadowMapPass {
     });
   }
 
-  /**
-   * Draws the map, then the mask into the targets, which stay what is drawn into.
-   * @param towardsLight unit vector in world space
-   */
-  draw(renderer: WebGLRenderer, targets: Targets, towardsLight: Vector3): void {
-    this.look(towardsLight);
+  /** Draws the map, then the mask into the targets, which stay what is drawn into. Takes a lamp for a sun. */
+  draw(renderer: WebGLRenderer, targets: Targets): void {
+    this.look();
     this.map.resize(SIZE, SIZE);
     this.map.begin(renderer);
     this.surfaces.draw(renderer);
@@ -125,16 +121,16 @@ export class ShadowMapPass {
   }
 
   /** Fits the light's camera round the receivers. */
-  private look(towardsLight: Vector3): void {
-    const { receiversMin, receiversMax, viewFromWorld } = this.eye.uniforms;
+  private look(): void {
+    const { receiversMin, receiversMax, viewFromWorld, lightInWorld } = this.eye.uniforms;
     const receivers = new Box3(receiversMin.value, receiversMax.value);
     const { center, radius } = receivers.getBoundingSphere(new Sphere());
     const camera: Camera & OrthographicCamera = this.camera;
     Object.assign(camera, { left: -radius, right: radius, bottom: -radius, top: radius, near: 0, far: 4 * radius });
     camera.updateProjectionMatrix();
-    camera.position.copy(center).addScaledVector(towardsLight, 2 * radius);
+    camera.position.copy(center).addScaledVector(this.eye.travelAt(center), -2 * radius);
     camera.lookAt(center);
-    this.lightEye.look(camera, towardsLight, SIZE, SIZE);
+    this.lightEye.look(camera, lightInWorld.value, SIZE, SIZE);
     this.uniforms.bias.value = (BIAS_TEXELS * 2 * radius) / SIZE;
     this.uniforms.lightViewFromView.value.copy(viewFromWorld.value).invert().premultiply(camera.matrixWorldInverse);
   }

@@ -244,6 +244,20 @@ export const table: readonly Parameter[] = [
       ['shadowMap', 'Shadow map'],
     ],
   ),
+  choice(
+    'light.kind',
+    'light',
+    'light',
+    {
+      label: 'Light',
+      text: 'The sun lights all from one side; a lamp stands in the scene, and shadows spread away from it.',
+      default: 'sun',
+    },
+    [
+      ['sun', 'Sun'],
+      ['lamp', 'Lamp'],
+    ],
+  ),
   quantity('light.azimuth', 'light', 'light', {
     min: -180,
     max: 180,
@@ -261,6 +275,16 @@ export const table: readonly Parameter[] = [
     unit: '\u00b0',
     label: 'Height',
     text: 'How high the light stands: 90 is straight above.',
+  }),
+  quantity('light.distance', 'light', 'light', {
+    min: 0.5,
+    max: 50,
+    step: 0.1,
+    default: 4,
+    unit: 'm',
+    slider: 'fine',
+    label: 'Distance',
+    text: 'How far a lamp stands from the middle of the scene; the sun is as far as ever.',
   }),
   multiplier('gravity', 'Gravity', 'Pull down on all smoke.'),
   multiplier('buoyancy', 'Buoyancy', 'Lift of warm smoke; it fades as the smoke cools.'),

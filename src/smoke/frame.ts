@@ -3,6 +3,7 @@ import type { Rows } from '../sim/rows.ts';
 import type { Bounds } from '../sim/simulator.ts';
 import type { View } from '../sim/view.ts';
 import { widestLine } from '../passes/ink.ts';
+import { homogeneous, type Light } from './light.ts';
 import { drawRival, THROWS_SHADOW } from './rivals.ts';
 import type { SmokePasses } from './smoke.ts';
 import { inkLineOf, type Style } from './style.ts';
@@ -17,8 +18,7 @@ export interface Arranger {
 export interface FrameInput {
   simulator: Arranger;
   camera: Camera;
-  /** Unit vector towards the light, world space. */
-  towardsLight: Vector3;
+  light: Light;
   style: Style;
   /** Where between the previous step (0) and now (1) the picture stands. */
   blend: number;
@@ -78,7 +78,7 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
   const { eye, targets, bodies, casters } = passes;
   const { style } = input;
   targets.resize(input.width, input.height);
-  eye.look(input.camera, input.towardsLight, input.width, input.height);
+  eye.look(input.camera, homogeneous(input.light), input.width, input.height);
   passes.placeSurfaces(input.rigids);
 
   const started = performance.now();
@@ -113,10 +113,11 @@ function lightView(passes: SmokePasses, input: FrameInput, receivers: Box3): Vie
   return {
     purpose: 'light',
     blend: input.blend,
-    cull: input.cull,
+    // Casters are culled by where one common direction carries their shadow; a lamp has none.
+    cull: input.cull && eye.isLitBySun,
     pad: 0,
     clipFromWorld: eye.clipFromWorld.elements,
-    direction: eye.uniforms.travelInWorld.value.toArray(),
+    direction: eye.travelAt(receivers.getCenter(new Vector3())).toArray(),
     reach: passes.reachOf(input.style.form),
     receivers: { min: receivers.min.toArray(), max: receivers.max.toArray() },
   };

@@ -70,12 +70,12 @@ export const drawRival: Readonly<Record<Exclude<Renderer, 'nailboards'>, DrawSmo
     rivals.sprites.draw(renderer, targets, output);
   },
 
-  shadowMap({ renderer, targets, body, resolve, rivals }, { style, rigids, towardsLight, output }) {
+  shadowMap({ renderer, targets, body, resolve, rivals }, { style, rigids, output }) {
     body.draw(renderer);
     if (style.shadows) {
       rivals.shadowMap.setForm(style.form);
       rivals.shadowMap.place(rigids);
-      rivals.shadowMap.draw(renderer, targets, towardsLight);
+      rivals.shadowMap.draw(renderer, targets);
     }
     resolve.draw(renderer, targets, output);
   },

@@ -51,7 +51,7 @@ const TINTS = 3;
 const FIRST_SURFACE_RAMP = SMOKE_RAMP + 1 + TINTS;
 
 /**
- * Cartoon smoke on a device: turns a simulator's particles into a picture, for any camera and directional light.
+ * Cartoon smoke on a device: turns a simulator's particles into a picture, for any camera and light.
  * After McGuire and Fein, 'Real-Time Rendering of Cartoon Smoke and Clouds' (NPAR 2006). frame.ts holds the order.
  */
 export class SmokeRenderer {

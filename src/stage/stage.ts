@@ -8,7 +8,7 @@ import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
 import { loadSimulators, type SimulatorFactory } from '../sim/load.ts';
 import type { FrameReport } from '../smoke/frame.ts';
-import { towardsLight } from '../smoke/light.ts';
+import { lightOf, type Light, type LightSetting } from '../smoke/light.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import { styleOf, type Style } from '../smoke/style.ts';
 import { blowOf, type BlowInput } from './blow.ts';
@@ -44,12 +44,12 @@ export class Stage {
   readonly #eye: OrbitCamera;
   readonly #clock = new Clock();
   readonly #governor = new Governor();
-  readonly #light = new Vector3();
   readonly #listeners = new Listeners<StageEvents>();
   readonly #stopListening: () => void;
   #smoke: SmokeRenderer;
   #values: Values;
   #style: Style;
+  #light: Light;
   #width = 0;
   #height = 0;
   #pixelRatio = 1;
@@ -73,11 +73,11 @@ export class Stage {
     this.#values = { ...defaults(), ...options.values };
     this.#style = styleOf(this.#values);
     this.#scene = sceneNamed(this.#values.scene as string);
+    this.#light = lightAround(this.#scene, this.#values);
     this.#eye = new OrbitCamera(this.#scene.camera);
     this.#smoke = this.#prepareSmoke();
     this.#factory = factory;
     this.#simulation = new Simulation(factory, this.#scene, this.#values, options.historyBytes ?? HISTORY_BYTES);
-    this.#aimLight();
     this.quality = options.quality ?? 1;
     this.#stopListening = presenter.device.onContext((event) => (event === 'restored' ? this.#draw() : undefined));
     this.resize(options.width ?? canvas.width, options.height ?? canvas.height, options.pixelRatio ?? 1);
@@ -406,7 +406,7 @@ export class Stage {
   #showValues(values: Values): void {
     this.#values = values;
     this.#style = styleOf(values);
-    this.#aimLight();
+    this.#light = lightAround(this.#scene, values);
     if (this.#capacity !== values['simulation.maxParticles']) {
       this.#smoke.dispose();
       this.#smoke = this.#prepareSmoke();
@@ -444,7 +444,7 @@ export class Stage {
     this.#report = this.#smoke.draw({
       simulator: this.#simulation.simulator,
       camera: this.#eye.camera,
-      towardsLight: this.#light,
+      light: this.#light,
       style: this.#style,
       blend: this.#clock.blend,
       ...drawn,
@@ -464,10 +464,6 @@ export class Stage {
     return new SmokeRenderer(this.#presenter.device, { ...this.#scene, capacity: this.#capacity });
   }
 
-  #aimLight(): void {
-    towardsLight(this.#values['light.azimuth'] as number, this.#values['light.elevation'] as number, this.#light);
-  }
-
   #moveEye(move: () => void): void {
     move();
     if (!this.#playing) this.#draw();
@@ -476,6 +472,17 @@ export class Stage {
   #requireAlive(): void {
     if (this.#disposed) throw new SimulatorError('This stage was disposed; create a new one.');
   }
+}
+
+/** The light as the values set it, about the middle of what the scene shows. */
+function lightAround(scene: Scene, values: Values): Light {
+  const setting: LightSetting = {
+    kind: values['light.kind'] as Light['kind'],
+    azimuth: values['light.azimuth'] as number,
+    elevation: values['light.elevation'] as number,
+    distance: values['light.distance'] as number,
+  };
+  return lightOf(setting, new Vector3(...scene.camera.target));
 }
 
 /** Of `values`, those that `before` has otherwise. */

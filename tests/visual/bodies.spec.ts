@@ -5,12 +5,17 @@ const CASES = '/tests/visual/cases/puffs.ts';
 
 for (const form of ['lobes', 'billboards'] as const) {
   test.describe(form, () => {
-    test('a lone puff masks none of its own lit pixels', async ({ load }) => {
-      const cases = await load<Cases>(CASES);
-      const report = await cases.evaluate((module, shape) => module.selfMasked(shape, 200), form);
-      expect(report.lit).toBeGreaterThan(50_000);
-      expect(report.masked).toBe(0);
-    });
+    for (const light of ['sun', 'lamp'] as const) {
+      test(`a lone puff under a ${light} masks none of its own lit pixels`, async ({ load }) => {
+        const cases = await load<Cases>(CASES);
+        const report = await cases.evaluate((module, input) => module.selfMasked(...input, 200), [
+          form,
+          light,
+        ] as const);
+        expect(report.lit).toBeGreaterThan(50_000);
+        expect(report.masked).toBe(0);
+      });
+    }
 
     test('two tones show exactly the ramp, the ink and the page', async ({ load }) => {
       const cases = await load<Cases>(CASES);

@@ -22,6 +22,7 @@ import type { Color } from '../../src/device/ramps.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { Rows } from '../../src/sim/rows.ts';
 import type { Arranger, FrameInput } from '../../src/smoke/frame.ts';
+import type { Light } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import type { Style } from '../../src/smoke/style.ts';
 
@@ -48,6 +49,8 @@ export interface LabScene {
   backdrop?: { top: Color; bottom: Color };
   camera?: Camera;
   towardsLight?: readonly [number, number, number];
+  /** Place of a lamp, instead of a sun. */
+  lamp?: readonly [number, number, number];
   style?: Partial<Style>;
   pixelRatio?: number;
   smoothEdges?: boolean;
@@ -149,7 +152,7 @@ function inputOf(scene: LabScene): FrameInput {
   return {
     simulator: fixedRows(scene.puffs, scene.casters ?? scene.puffs),
     camera: scene.camera ?? frontCamera(scene.width, scene.height),
-    towardsLight: new Vector3(...(scene.towardsLight ?? [0.5, 0.7, 0.5])).normalize(),
+    light: lightOf(scene),
     style: { ...PLAIN_STYLE, ...scene.style },
     blend: 1,
     width: scene.width,
@@ -159,6 +162,11 @@ function inputOf(scene: LabScene): FrameInput {
     cull: false,
     output: null,
   };
+}
+
+function lightOf({ lamp, towardsLight = [0.5, 0.7, 0.5] }: LabScene): Light {
+  if (lamp) return { kind: 'lamp', place: new Vector3(...lamp) };
+  return { kind: 'sun', towards: new Vector3(...towardsLight).normalize() };
 }
 
 function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arranger {

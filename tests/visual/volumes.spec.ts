@@ -9,8 +9,12 @@ const VIEWS = [
   ['eyeInside', false],
   ['backlit', false],
   ['orthographic', false],
+  ['lamp', false],
+  ['lampAmongPuffs', false],
+  ['lampOrthographic', false],
   ['ordinary', true],
   ['eyeInside', true],
+  ['lamp', true],
 ] as const;
 
 for (const form of ['lobes', 'billboards'] as const) {

@@ -8,7 +8,7 @@ import { sampleLobes } from '../../../src/puffs/lobes.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
 import { orientationOf, turnedLobes } from '../../../src/puffs/orientation.ts';
 import { rampOf } from '../../../src/smoke/palette.ts';
-import { frontCamera, Lab, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
+import { frontCamera, Lab, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
 import { ground } from '../solids.ts';
 
@@ -56,7 +56,11 @@ export function seenOf(form: PuffForm, variation: number, seed = 0, roll = 0): (
  * A lone puff under random lights, however it and the camera are turned, up to 35 degrees off the axis: how many of the
  * pixels that its own light reaches its own shadow takes away again.
  */
-export function selfMasked(form: PuffForm, trials: number): { lit: number; masked: number; trialsWithMask: number } {
+export function selfMasked(
+  form: PuffForm,
+  light: 'sun' | 'lamp',
+  trials: number,
+): { lit: number; masked: number; trialsWithMask: number } {
   const next = random(2006);
   const lab = new Lab({ width: WIDTH, height: HEIGHT, puffs: [] });
   const result = { lit: 0, masked: 0, trialsWithMask: 0 };
@@ -76,7 +80,7 @@ export function selfMasked(form: PuffForm, trials: number): { lit: number; maske
       seed: Math.floor(next() * 256),
     };
     const towardsLight = new Vector3().setFromSphericalCoords(1, Math.acos(2 * next() - 1), next() * 2 * Math.PI);
-    const scene = { width: WIDTH, height: HEIGHT, puffs: [puff], camera, towardsLight: towardsLight.toArray() };
+    const scene = { width: WIDTH, height: HEIGHT, puffs: [puff], camera, ...shining(light, towardsLight, puff) };
     const masked = lab.draw({ ...scene, style: { form, tones: 3 as const } });
     const free = lab.draw({ ...scene, style: { form, tones: 3 as const, shadows: false } });
     const difference = differing(masked, free);
@@ -93,6 +97,17 @@ export function selfMasked(form: PuffForm, trials: number): { lit: number; maske
   }
   lab.dispose();
   return result;
+}
+
+/** Light from one side of a puff: a lamp hangs two radii from its centre. */
+function shining(light: 'sun' | 'lamp', towards: Vector3, { place, radius }: LabPuff): Partial<LabScene> {
+  if (light === 'sun') return { towardsLight: towards.toArray() };
+  return {
+    lamp: towards
+      .multiplyScalar(2 * radius)
+      .add(new Vector3(...place))
+      .toArray(),
+  };
 }
 
 /** The colours of a heap of puffs in two tones with shadows; and those that its ramp, the ink and the page allow. */

@@ -8,7 +8,7 @@ import { SHADOW_SHARE, type PuffForm } from '../../../src/device/puffTextures.ts
 import type { StartCaps } from '../../../src/puffs/startCaps.ts';
 import { spherePoint } from '../../../src/puffs/vector.ts';
 import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
-import { takePicture, type LabPuff } from '../lab.ts';
+import { takePicture, type LabPuff, type LabScene } from '../lab.ts';
 import { box, ground } from '../solids.ts';
 import { random } from '../random.ts';
 
@@ -27,7 +27,18 @@ const CAP_SLACK = 0.02;
 
 interface View {
   camera: Camera;
-  towardsLight: Vector3;
+  /** Unit vector; absent where a lamp stands in the scene. */
+  towardsLight?: Vector3;
+  lamp?: Vector3;
+}
+
+/** Unit vector from a place towards the light of a view. */
+function towardsLightOf({ towardsLight, lamp }: View, place: Vector3): Vector3 {
+  return (lamp ? lamp.clone().sub(place) : towardsLight!.clone()).normalize();
+}
+
+function lightOf({ towardsLight, lamp }: View): Pick<LabScene, 'towardsLight' | 'lamp'> {
+  return { towardsLight: towardsLight?.toArray(), lamp: lamp?.toArray() };
 }
 
 function looking(camera: Camera, from: [number, number, number], at: [number, number, number]): Camera {
@@ -72,12 +83,23 @@ const VIEWS: Record<string, () => View> = {
     camera: looking(orthographic(), [2, 2.5, 5], [0, -0.4, 0]),
     towardsLight: new Vector3(-0.5, 0.8, 0.4),
   }),
+  lamp: () => ({
+    camera: looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0]),
+    lamp: new Vector3(-0.6, 1.5, 0.5),
+  }),
+  lampAmongPuffs: () => ({
+    camera: looking(perspective(), [0.1, -0.55, 1.2], [0, -0.9, -0.5]),
+    lamp: new Vector3(0.3, 0.55, -0.2),
+  }),
+  lampOrthographic: () => ({
+    camera: looking(orthographic(), [2, 2.5, 5], [0, -0.4, 0]),
+    lamp: new Vector3(0.8, 0.9, 0.9),
+  }),
 };
 
 /** Counts for a view of a seeded cluster of casters, optionally with a box-shaped mesh among them. */
 export function compare(form: PuffForm, viewName: string, withMesh: boolean): StencilReport {
   const view = VIEWS[viewName]();
-  view.towardsLight.normalize();
   const casters = cluster(viewName === 'eyeInside' ? 60 : 45);
   const mesh = box([0.7, -0.2, 0.2], [0.25, 0.3, 0.2]);
   const surfaces: SurfaceDescription[] = [ground(GROUND_Y, GROUND_HALF)];
@@ -89,7 +111,7 @@ export function compare(form: PuffForm, viewName: string, withMesh: boolean): St
     casters,
     surfaces,
     camera: view.camera,
-    towardsLight: view.towardsLight.toArray(),
+    ...lightOf(view),
     style: { form },
     readCounts: true,
   });
@@ -99,7 +121,6 @@ export function compare(form: PuffForm, viewName: string, withMesh: boolean): St
 /** `count` casters on one place: how many pixels of their common shadow came out lit. */
 export function coincident(count: number): { shadowed: number; lit: number } {
   const view = VIEWS.ordinary();
-  view.towardsLight.normalize();
   const one: LabPuff = { place: [0, 0, 0], radius: 0.5 };
   const draw = (casters: LabPuff[]) =>
     takePicture({
@@ -109,7 +130,7 @@ export function coincident(count: number): { shadowed: number; lit: number } {
       casters,
       surfaces: [ground(GROUND_Y, GROUND_HALF)],
       camera: view.camera,
-      towardsLight: view.towardsLight.toArray(),
+      ...lightOf(view),
       readCounts: true,
     }).counts;
   const single = draw([one]);
@@ -141,8 +162,8 @@ function report(
   for (let pixel = 0; pixel < WIDTH * HEIGHT; ++pixel) {
     const point = groundPoint(pixel, view.camera, withMesh);
     if (!point) continue;
-    const inMesh = withMesh && boxHides(point, view.towardsLight);
-    const expected = volumes.filter((volume) => holds(volume, point, view.towardsLight)).length + (inMesh ? 1 : 0);
+    const inMesh = withMesh && liesInBoxShadow(point, view);
+    const expected = volumes.filter((volume) => holds(volume, point)).length + (inMesh ? 1 : 0);
     result.receiver += 1;
     result.deepest = Math.max(result.deepest, expected);
     if (counts[pixel] !== expected) result.differing += 1;
@@ -151,16 +172,27 @@ function report(
   return result;
 }
 
+/** A cone, cut flat where it starts; a cylinder where it does not grow. */
 interface Volume {
   start: Vector3;
+  /** Unit vector. */
+  axis: Vector3;
   radius: number;
+  growth: number;
 }
 
 function volumeOf(form: PuffForm, caster: LabPuff, view: View): Volume {
   const { cap, mean } = form === 'lobes' ? lobesVolume(caster, view) : billboardVolume(caster, view);
   const { place, radius } = caster;
-  const start = new Vector3(...place).addScaledVector(view.towardsLight, -(cap + CAP_SLACK) * radius);
-  return { start, radius: SHADOW_SHARE * mean * radius };
+  const centre = new Vector3(...place);
+  const axis = towardsLightOf(view, centre).negate();
+  const start = centre.clone().addScaledVector(axis, (cap + CAP_SLACK) * radius);
+  const ball = SHADOW_SHARE * mean * radius;
+  if (!view.lamp) return { start, axis, radius: ball, growth: 0 };
+  // The cone from the lamp that touches the ball.
+  const way = view.lamp.distanceTo(centre);
+  const growth = way > ball ? Math.min(2, Math.tan(Math.asin(ball / way))) : -1;
+  return { start, axis, radius: ball * Math.hypot(1, growth) + growth * (cap + CAP_SLACK) * radius, growth };
 }
 
 /** Where a volume starts behind the centre before the slack, and the puffs' mean radius; both in radii. */
@@ -169,20 +201,20 @@ interface Extent {
   mean: number;
 }
 
-function billboardVolume({ place, roll = 0, variation = 0 }: LabPuff, { camera, towardsLight }: View): Extent {
+function billboardVolume({ place, roll = 0, variation = 0 }: LabPuff, view: View): Extent {
   const { layers, startCaps } = bakedPuffs().billboards;
-  const light = towardsLight.clone().transformDirection(camera.matrixWorldInverse);
+  const { camera } = view;
+  const light = towardsLightOf(view, new Vector3(...place)).transformDirection(camera.matrixWorldInverse);
   const rolled = light.clone().applyMatrix4(new Matrix4().makeRotationZ(-roll));
   const mean = layers.figures.reduce((sum, { silhouetteRadius }) => sum + silhouetteRadius, 0) / layers.figures.length;
   const slant = slantOf(place, camera, light);
   return { cap: Math.max(0, tabled(startCaps, variation, rolled)) + Math.max(0, slant), mean };
 }
 
-function lobesVolume(
-  { place, radius, roll = 0, seed = 0, variation = 0 }: LabPuff,
-  { camera, towardsLight }: View,
-): Extent {
+function lobesVolume({ place, radius, roll = 0, seed = 0, variation = 0 }: LabPuff, view: View): Extent {
   const { startCaps, silhouetteRadius } = bakedPuffs().lobes;
+  const { camera } = view;
+  const towardsLight = towardsLightOf(view, new Vector3(...place));
   const light = towardsLight.clone().transformDirection(camera.matrixWorldInverse);
   const axis = new Vector3(...spherePoint(seed, 256));
   const inPuff = towardsLight.clone().applyAxisAngle(axis, -roll);
@@ -206,11 +238,17 @@ function tabled({ width, height, values }: StartCaps, layer: number, towards: Ve
   return values[(layer * height + row) * width + column];
 }
 
-/** Whether a point lies in the cylinder that starts at the volume's cap and runs away from the light. */
-function holds({ start, radius }: Volume, point: Vector3, towardsLight: Vector3): boolean {
+/** Whether a point lies in the volume: behind its cap, and no farther from its axis than its radius there. */
+function holds({ start, axis, radius, growth }: Volume, point: Vector3): boolean {
+  if (growth < 0) return false;
   const offset = point.clone().sub(start);
-  const along = -offset.dot(towardsLight);
-  return along >= 0 && offset.lengthSq() - along * along <= radius * radius;
+  const along = offset.dot(axis);
+  return along >= 0 && offset.lengthSq() - along * along <= (radius + growth * along) ** 2;
+}
+
+/** Whether the box of `compare` stands between a point and the light. */
+function liesInBoxShadow(point: Vector3, view: View): boolean {
+  return boxHides(point, towardsLightOf(view, point), view.lamp?.distanceTo(point));
 }
 
 function groundPoint(pixel: number, camera: Camera, withMesh: boolean): Vector3 | undefined {
@@ -228,13 +266,13 @@ function groundPoint(pixel: number, camera: Camera, withMesh: boolean): Vector3 
   return withMesh && boxHides(point, direction.clone().negate()) ? undefined : point;
 }
 
-/** Whether the ray from a point in a direction meets the box of `compare`. */
-function boxHides(point: Vector3, direction: Vector3): boolean {
+/** Whether the ray from a point in a direction meets the box of `compare` within a distance. */
+function boxHides(point: Vector3, direction: Vector3, distance = Infinity): boolean {
   const [centre, half] = [
     [0.7, -0.2, 0.2],
     [0.25, 0.3, 0.2],
   ];
-  let [enter, leave] = [0, Infinity];
+  let [enter, leave] = [0, distance];
   (['x', 'y', 'z'] as const).forEach((axis, index) => {
     const ends = [-1, 1].map((side) => (centre[index] + side * half[index] - point[axis]) / direction[axis]);
     enter = Math.max(enter, Math.min(...ends));
