@@ -1,28 +1,23 @@
 import { MathUtils, Vector3, Vector4 } from 'three';
+import type { Values } from '../preset/parameter.ts';
 
 /** What lights the smoke: a sun, whose rays are parallel, or a lamp at a place. World space, metres. */
 export type Light =
   | { readonly kind: 'sun'; /** Unit vector. */ readonly towards: Vector3 }
   | { readonly kind: 'lamp'; readonly place: Vector3 };
 
-/** How a person sets a light, seen from the centre of a scene. */
-export interface LightSetting {
-  kind: Light['kind'];
-  /** Degrees about the vertical; 0 is from the front (+z), positive turns to the right (+x). */
-  azimuth: number;
-  /** Degrees above the horizon. */
-  elevation: number;
-  /** From the centre to a lamp, metres; a sun has none. */
-  distance: number;
+/** Reads the light out of flat values that hold every key of the table; `centre` is what its angles are seen from. */
+export function lightOf(values: Values, centre: Vector3): Light {
+  const towards = towardsLight(values['light.azimuth'] as number, values['light.elevation'] as number);
+  if (values['light.kind'] !== 'lamp') return { kind: 'sun', towards };
+  return { kind: 'lamp', place: towards.multiplyScalar(values['light.distance'] as number).add(centre) };
 }
 
-/** The light that stands so, seen from the centre. */
-export function lightOf({ kind, azimuth, elevation, distance }: LightSetting, centre: Vector3): Light {
-  const towards = towardsLight(azimuth, elevation);
-  return kind === 'sun' ? { kind, towards } : { kind, place: towards.multiplyScalar(distance).add(centre) };
-}
-
-/** Unit vector in world space; the angles are those of {@link LightSetting}. */
+/**
+ * Unit vector in world space.
+ * @param azimuth degrees about the vertical; 0 is from the front (+z), positive turns to the right (+x)
+ * @param elevation degrees above the horizon
+ */
 export function towardsLight(azimuth: number, elevation: number): Vector3 {
   return new Vector3().setFromSphericalCoords(1, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
 }

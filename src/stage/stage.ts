@@ -8,7 +8,7 @@ import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
 import { loadSimulators, type SimulatorFactory } from '../sim/load.ts';
 import type { FrameReport } from '../smoke/frame.ts';
-import { lightOf, type Light, type LightSetting } from '../smoke/light.ts';
+import { lightOf, type Light } from '../smoke/light.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import { styleOf, type Style } from '../smoke/style.ts';
 import { blowOf, type BlowInput } from './blow.ts';
@@ -73,7 +73,7 @@ export class Stage {
     this.#values = { ...defaults(), ...options.values };
     this.#style = styleOf(this.#values);
     this.#scene = sceneNamed(this.#values.scene as string);
-    this.#light = lightAround(this.#scene, this.#values);
+    this.#light = lightOf(this.#values, new Vector3(...this.#scene.camera.target));
     this.#eye = new OrbitCamera(this.#scene.camera);
     this.#smoke = this.#prepareSmoke();
     this.#factory = factory;
@@ -406,7 +406,7 @@ export class Stage {
   #showValues(values: Values): void {
     this.#values = values;
     this.#style = styleOf(values);
-    this.#light = lightAround(this.#scene, values);
+    this.#light = lightOf(values, new Vector3(...this.#scene.camera.target));
     if (this.#capacity !== values['simulation.maxParticles']) {
       this.#smoke.dispose();
       this.#smoke = this.#prepareSmoke();
@@ -472,17 +472,6 @@ export class Stage {
   #requireAlive(): void {
     if (this.#disposed) throw new SimulatorError('This stage was disposed; create a new one.');
   }
-}
-
-/** The light as the values set it, about the middle of what the scene shows. */
-function lightAround(scene: Scene, values: Values): Light {
-  const setting: LightSetting = {
-    kind: values['light.kind'] as Light['kind'],
-    azimuth: values['light.azimuth'] as number,
-    elevation: values['light.elevation'] as number,
-    distance: values['light.distance'] as number,
-  };
-  return lightOf(setting, new Vector3(...scene.camera.target));
 }
 
 /** Of `values`, those that `before` has otherwise. */

@@ -9,7 +9,7 @@ import { loadSimulators } from '../../src/sim/load.ts';
 import type { Simulator } from '../../src/sim/simulator.ts';
 import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import type { FrameReport } from '../../src/smoke/frame.ts';
-import { towardsLight } from '../../src/smoke/light.ts';
+import { lightOf } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import { styleOf, type Style } from '../../src/smoke/style.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
@@ -64,11 +64,10 @@ export class SceneLab {
 
   draw({ camera = this.camera(), cull = true, blend = 1 } = {}): LabPicture {
     const { width, height, values } = this;
-    const light = towardsLight(values['light.azimuth'] as number, values['light.elevation'] as number, new Vector3());
     this.report = this.smoke.draw({
       simulator: this.simulator,
       camera,
-      towardsLight: light,
+      light: lightOf(values, new Vector3()),
       style: this.style,
       blend,
       width,

@@ -1,5 +1,5 @@
 /** The product's own frame over the seeded plume, and its passes one at a time. */
-import { Matrix4, PerspectiveCamera, Vector3 } from 'three';
+import { Matrix4, PerspectiveCamera } from 'three';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import { createDevice } from '../../../src/device/device.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
@@ -7,7 +7,7 @@ import { tableMesh } from '../../../src/scenes/models/table.ts';
 import { loadSimulators } from '../../../src/sim/load.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
 import type { FrameInput, FrameReport } from '../../../src/smoke/frame.ts';
-import { lightOf } from '../../../src/smoke/light.ts';
+import { towardsLight } from '../../../src/smoke/light.ts';
 import { SmokeRenderer, type SmokeOptions } from '../../../src/smoke/smoke.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
@@ -45,7 +45,7 @@ export class RenderBench {
   private readonly height: number;
   private readonly pixel = new Uint8Array(4);
   readonly camera = frontCamera();
-  private readonly light = lightOf({ kind: 'sun', azimuth: -40, elevation: 45, distance: 1 }, new Vector3());
+  private readonly light = { kind: 'sun', towards: towardsLight(-40, 45) } as const;
   private readonly rigids = [new Matrix4().makeTranslation(-0.9, 1.4, 0.3)];
 
   private constructor(simulator: Simulator, particles: number, width: number, height: number) {
