@@ -1,10 +1,10 @@
 /** Puffs of lobes as plain data: what bodies and volumes need of them. */
-import { MOST_LOBES, reachOf, silhouetteRadius } from './lobes.ts';
-import { orientationOf, turnedLobes } from './orientation.ts';
-import { surfaceOf } from './patches.ts';
+import { MOST_LOBES } from './lobes.ts';
+import { bakingVariation, type LobeVariation } from './lobeVariation.ts';
 import { CREASE_FILLET, middleOf, NORMAL_BLEND } from './normals.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
-import { bakeStartCaps, type StartCaps } from './startCaps.ts';
+import { joined, type StartCaps } from './startCaps.ts';
+import { finished, type Work } from './work.ts';
 
 /** All lengths in particle radii. */
 export interface LobePuffs {
@@ -15,18 +15,23 @@ export interface LobePuffs {
   /** For each variation `lobeCount` lobes of four numbers, centre and radius, and at the end their middle and a zero. */
   readonly table: Float32Array;
   readonly startCaps: StartCaps;
-  /** Radius of the disc that has the silhouette's area, from all sides and over all variations. */
+  /** Radius of the disc that has the silhouette's area, from all sides and over the first few variations. */
   readonly silhouetteRadius: number;
   /** Radius of the sphere about the particle's centre that holds any of the puffs. */
   readonly reach: number;
+  /** How deep behind the centre plane something of a puff can be seen, from whatever side. */
+  readonly depth: number;
   /** Share of the overall normal, see {@link NORMAL_BLEND}. */
   readonly blend: number;
   /** See {@link CREASE_FILLET}. */
   readonly fillet: number;
 }
 
-/** Sides from which silhouettes are measured. */
-const SIDES = 16;
+/** How many variations stand for all: more of them, which others may have asked for, must not change a picture. */
+const MEASURED = 4;
+/** What may be seen between the places where depths are measured, in radii; and to what the bound is rounded up. */
+const DEPTH_SLACK = 0.05;
+const DEPTH_STEP = 0.1;
 
 /**
  * @param shapes at least one, each of at most {@link MOST_LOBES} lobes
@@ -34,18 +39,27 @@ const SIDES = 16;
  * @throws RangeError when a shape has too many lobes
  */
 export function bakeLobes(shapes: readonly PuffShape[], litThreshold: number): LobePuffs {
-  const lobeCount = Math.max(...shapes.map(({ lobes }) => lobes.length));
-  if (lobeCount > MOST_LOBES) throw new RangeError(`A puff has ${lobeCount} lobes; it takes at most ${MOST_LOBES}.`);
+  return finished(bakingLobes(shapes, litThreshold));
+}
+
+/** As {@link bakeLobes}, in pieces of about a millisecond. */
+export function* bakingLobes(shapes: readonly PuffShape[], litThreshold: number): Work<LobePuffs> {
+  const most = Math.max(...shapes.map(({ lobes }) => lobes.length));
+  if (most > MOST_LOBES) throw new RangeError(`A puff has ${most} lobes; it takes at most ${MOST_LOBES}.`);
+  const variations: LobeVariation[] = [];
+  for (const { lobes } of shapes) variations.push(yield* bakingVariation(lobes, litThreshold));
+  return together(variations, most);
+}
+
+function together(variations: readonly LobeVariation[], lobeCount: number): LobePuffs {
   return {
     lobeCount,
-    count: shapes.length,
-    table: Float32Array.from(shapes.flatMap(({ lobes }) => rowOf(lobes, lobeCount))),
-    startCaps: bakeStartCaps(
-      shapes.map(({ lobes }) => surfaceOf(lobes)),
-      litThreshold,
-    ),
-    silhouetteRadius: meanSilhouette(shapes),
-    reach: Math.max(...shapes.map(({ lobes }) => reachOf(lobes))),
+    count: variations.length,
+    table: Float32Array.from(variations.flatMap(({ lobes }) => rowOf(lobes, lobeCount))),
+    startCaps: joined(variations.map(({ startCaps }) => startCaps)),
+    silhouetteRadius: Math.sqrt(mean(variations.slice(0, MEASURED).flatMap(({ silhouettes }) => silhouettes))),
+    reach: Math.max(...variations.map(({ reach }) => reach)),
+    depth: Math.ceil((Math.max(...variations.map(({ depth }) => depth)) + DEPTH_SLACK) / DEPTH_STEP) * DEPTH_STEP,
     blend: NORMAL_BLEND,
     fillet: CREASE_FILLET,
   };
@@ -57,12 +71,6 @@ function rowOf(lobes: readonly Lobe[], lobeCount: number): number[] {
   return [...[...lobes, ...absent].flatMap(({ center, radius }) => [...center, radius]), ...middleOf(lobes), 0];
 }
 
-function meanSilhouette(shapes: readonly PuffShape[]): number {
-  const squares = shapes.flatMap(({ lobes }) =>
-    Array.from({ length: SIDES }, (_, side) => {
-      const seen = turnedLobes(orientationOf((side * 256) / SIDES, 2.4 * side), lobes);
-      return silhouetteRadius(seen) ** 2;
-    }),
-  );
-  return Math.sqrt(squares.reduce((sum, square) => sum + square, 0) / squares.length);
+function mean(numbers: readonly number[]): number {
+  return numbers.reduce((sum, number) => sum + number, 0) / numbers.length;
 }

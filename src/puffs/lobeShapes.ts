@@ -1,13 +1,58 @@
 /**
- * The default puffs of lobes, in the order of variations. Their seeds were chosen by eye from contact sheets
- * (`npm run puffs:sheet`) for a silhouette that reads from every side and light that draws a few crescents inside.
+ * The puffs of lobes: any number of variations from one seed and a few knobs. The seeds of the default ones were chosen
+ * by eye from contact sheets (`npm run puffs:sheet`) for a silhouette that reads from every side and light that draws a
+ * few crescents inside; every other seed takes what comes.
  */
-import { proceduralPuff } from './procedural.ts';
+import { proceduralPuff, type PuffKnobs } from './procedural.ts';
 import type { PuffShape } from './shapes.ts';
 
-export const LOBE_SHAPES: readonly PuffShape[] = [
-  proceduralPuff('cauliflower', 7, { lumpiness: 0.8, flatness: 0.1, roughness: 0.6 }),
-  proceduralPuff('drifter', 3, { lumpiness: 0.8, flatness: 0.35, roughness: 0.55 }),
-  proceduralPuff('crown', 13, { lumpiness: 0.85, flatness: 0.15, roughness: 0.6 }),
-  proceduralPuff('tumble', 14, { lumpiness: 0.85, flatness: 0.15, roughness: 0.6 }),
+/** What all variations have in common. */
+export interface PuffDesign extends PuffKnobs {
+  /** Lobes of each puff, 5..12. */
+  readonly lobes: number;
+  /** A whole number; 0 has the variations that were chosen by eye. */
+  readonly seed: number;
+}
+
+export const DEFAULT_DESIGN: PuffDesign = { lumpiness: 0.8, flatness: 0.2, roughness: 0.6, lobes: 10, seed: 0 };
+/** How many variations smoke has unless told otherwise. */
+export const DEFAULT_VARIATIONS = 4;
+
+/** A variation that was chosen by eye, and by how much its knobs differ from those of all. */
+interface Chosen extends Partial<PuffKnobs> {
+  readonly name: string;
+  readonly seed: number;
+}
+
+const CHOSEN: readonly Chosen[] = [
+  { name: 'cauliflower', seed: 7, flatness: -0.1 },
+  { name: 'drifter', seed: 3, flatness: 0.15, roughness: -0.05 },
+  { name: 'crown', seed: 13, lumpiness: 0.05, flatness: -0.05 },
+  { name: 'tumble', seed: 14, lumpiness: 0.05, flatness: -0.05 },
 ];
+/** Seeds of one design's variations lie together, those of another elsewhere. */
+const SEED_STRIDE = 1000;
+
+/** The first `count` variations of a design. A variation does not depend on how many there are. */
+export function designedShapes(design: PuffDesign, count: number): PuffShape[] {
+  return Array.from({ length: count }, (_, variation) => designedShape(design, variation));
+}
+
+function designedShape(design: PuffDesign, variation: number): PuffShape {
+  const lean = CHOSEN[variation % CHOSEN.length];
+  const isChosen = design.seed === 0 && variation < CHOSEN.length;
+  const seed = isChosen ? lean.seed : design.seed * SEED_STRIDE + 100 + variation;
+  const knobs: PuffKnobs = {
+    lumpiness: leant(design.lumpiness, lean.lumpiness),
+    flatness: leant(design.flatness, lean.flatness),
+    roughness: leant(design.roughness, lean.roughness),
+  };
+  return proceduralPuff(isChosen ? lean.name : `${lean.name} ${seed}`, seed, knobs, design.lobes);
+}
+
+function leant(knob: number, lean = 0): number {
+  return Math.min(1, Math.max(0, knob + lean));
+}
+
+/** The default puffs, in the order of variations. */
+export const LOBE_SHAPES: readonly PuffShape[] = designedShapes(DEFAULT_DESIGN, DEFAULT_VARIATIONS);

@@ -43,7 +43,27 @@ export function silhouetteRadius(lobes: readonly Lobe[], cells = 64): number {
   for (let cell = 0; cell < cells * cells; cell++) {
     const x = reach * (((cell % cells) + 0.5) * (2 / cells) - 1);
     const y = reach * ((Math.floor(cell / cells) + 0.5) * (2 / cells) - 1);
-    if (lobes.some(({ center, radius }) => (x - center[0]) ** 2 + (y - center[1]) ** 2 < radius * radius)) covered++;
+    if (isCovered(lobes, x, y)) covered++;
   }
   return (2 * reach * Math.sqrt(covered / Math.PI)) / cells;
+}
+
+function isCovered(lobes: readonly Lobe[], x: number, y: number): boolean {
+  for (const { center, radius } of lobes) {
+    if ((x - center[0]) ** 2 + (y - center[1]) ** 2 < radius * radius) return true;
+  }
+  return false;
+}
+
+/** How far behind the centre plane the surface comes that is seen from +z; 0 where none does. */
+export function deepestSeen(lobes: readonly Lobe[], cells = 24): number {
+  const reach = reachOf(lobes);
+  let deepest = 0;
+  for (let cell = 0; cell < cells * cells; cell++) {
+    const x = reach * (((cell % cells) + 0.5) * (2 / cells) - 1);
+    const y = reach * ((Math.floor(cell / cells) + 0.5) * (2 / cells) - 1);
+    const { distance, height } = meetLobes(lobes, x, y);
+    if (distance < 0) deepest = Math.max(deepest, -height);
+  }
+  return deepest;
 }

@@ -3,7 +3,7 @@
  * lies farthest behind?") needs to look into few patches: of baked layers the visible front, of lobes all of it.
  */
 import { samplePuff, type PuffLayers, type PuffSample } from './layers.ts';
-import { middleOf, softNormal } from './normals.ts';
+import { CREASE_FILLET, middleOf, softNormal } from './normals.ts';
 import type { Lobe } from './shapes.ts';
 import { dot, lengthOf, minus, normalized, spherePoint, type Vector } from './vector.ts';
 
@@ -53,25 +53,39 @@ function frontOf(layers: PuffLayers, layer: number): Patch[] {
 export function surfaceOf(lobes: readonly Lobe[]): Patch[] {
   const middle = middleOf(lobes);
   return lobes.flatMap((lobe) => {
-    const boxes = new Map<number, number[]>();
+    const boxes: number[][] = [];
+    const near = lobes.filter((other) => other === lobe || gapBetween(lobe, other) < CREASE_FILLET);
     const count = Math.ceil((4 * Math.PI * lobe.radius ** 2) / LOBE_SPACING ** 2);
     for (let index = 0; index < count; index++) {
       const out = spherePoint(index, count);
-      const p = lobe.center.map((at, axis) => at + lobe.radius * out[axis]) as unknown as Vector;
-      if (lobes.some((other) => other !== lobe && lengthOf(minus(p, other.center)) < other.radius)) continue;
-      const box = boxOf(out);
-      if (!boxes.has(box)) boxes.set(box, []);
-      boxes.get(box)?.push(...softNormal(lobes, middle, p), ...p, lengthOf(p));
+      const p = along(lobe, out);
+      if (isCovered(p, lobe, near)) continue;
+      const [nx, ny, nz] = softNormal(near, middle, p);
+      (boxes[boxOf(out)] ??= []).push(nx, ny, nz, p[0], p[1], p[2], lengthOf(p));
     }
-    return [...boxes.values()].map((points) => bounded(Float32Array.from(points)));
+    return Object.values(boxes).map((points) => bounded(Float32Array.from(points)));
   });
 }
 
-function boxOf(out: Vector): number {
-  return out.reduce(
-    (box, at) => box * LOBE_BOXES + Math.min(LOBE_BOXES - 1, Math.floor((at + 1) * 0.5 * LOBE_BOXES)),
-    0,
-  );
+/** Between two spheres; negative where they overlap. */
+function gapBetween(a: Lobe, b: Lobe): number {
+  return lengthOf(minus(a.center, b.center)) - a.radius - b.radius;
+}
+
+function along({ center, radius }: Lobe, out: Vector): Vector {
+  return [center[0] + radius * out[0], center[1] + radius * out[1], center[2] + radius * out[2]];
+}
+
+function isCovered(p: Vector, lobe: Lobe, others: readonly Lobe[]): boolean {
+  for (const other of others) {
+    if (other !== lobe && lengthOf(minus(p, other.center)) < other.radius) return true;
+  }
+  return false;
+}
+
+function boxOf([x, y, z]: Vector): number {
+  const place = (at: number): number => Math.min(LOBE_BOXES - 1, Math.floor((at + 1) * 0.5 * LOBE_BOXES));
+  return (place(x) * LOBE_BOXES + place(y)) * LOBE_BOXES + place(z);
 }
 
 function pointsIn(layers: PuffLayers, layer: number, firstI: number, firstJ: number): number[] {

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { bakeLobes } from '../../src/puffs/bakeLobes.ts';
 import { meetLobes, MOST_LOBES, reachOf, sampleLobes, silhouetteRadius } from '../../src/puffs/lobes.ts';
-import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
+import { DEFAULT_DESIGN, designedShapes, LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
 import { orientationOf, turnedLobes } from '../../src/puffs/orientation.ts';
 import { CARTOON_KNOBS, proceduralPuff } from '../../src/puffs/procedural.ts';
 import type { Lobe, PuffShape } from '../../src/puffs/shapes.ts';
@@ -94,6 +94,28 @@ test('each knob does what it says', () => {
   };
   expect(mean(unlike, { roughness: 0 })).toBeLessThan(1.01);
   expect(mean(unlike, { roughness: 1 })).toBeGreaterThan(1.4);
+});
+
+test('the default design is the four puffs that were chosen by eye, and more of them change none', () => {
+  const [first, second, third, fourth] = designedShapes(DEFAULT_DESIGN, 9);
+  expect([first, second, third, fourth]).toEqual([
+    proceduralPuff('cauliflower', 7, { lumpiness: 0.8, flatness: 0.1, roughness: 0.6 }),
+    proceduralPuff('drifter', 3, { lumpiness: 0.8, flatness: 0.35, roughness: 0.55 }),
+    proceduralPuff('crown', 13, { lumpiness: 0.85, flatness: 0.15, roughness: 0.6 }),
+    proceduralPuff('tumble', 14, { lumpiness: 0.85, flatness: 0.15, roughness: 0.6 }),
+  ]);
+});
+
+test('every variation of every seed is a shape of its own, at any knobs', () => {
+  const shapes = [0, 1, 2, 9999].flatMap((seed) => designedShapes({ ...DEFAULT_DESIGN, seed }, 32));
+  expect(new Set(shapes.map(({ lobes }) => JSON.stringify(lobes))).size).toBe(128);
+  for (const knob of [0, 1]) {
+    const design = { lumpiness: knob, flatness: knob, roughness: knob, lobes: 5 + 7 * knob, seed: 3 };
+    for (const { lobes } of designedShapes(design, 32)) {
+      expect(lobes.length).toBe(design.lobes);
+      expect(reachOf(lobes)).toBeLessThanOrEqual(1);
+    }
+  }
 });
 
 test('knobs and numbers out of range are refused by name', () => {

@@ -4,7 +4,8 @@ import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
 import { middleOf, softNormal } from '../../src/puffs/normals.ts';
 import { frontsOf, surfaceOf } from '../../src/puffs/patches.ts';
 import { PUFF_SHAPES, type Lobe } from '../../src/puffs/shapes.ts';
-import { bakeStartCaps, NOTHING_LIT, startCapAt, type StartCaps } from '../../src/puffs/startCaps.ts';
+import { NOTHING_LIT } from '../../src/puffs/patchBounds.ts';
+import { bakeStartCaps, startCapAt, type StartCaps } from '../../src/puffs/startCaps.ts';
 import { minus } from '../../src/puffs/vector.ts';
 
 type Vector = [number, number, number];

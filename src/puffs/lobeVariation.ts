@@ -1,0 +1,52 @@
+/** One variation of the puffs of lobes, baked: kept for as long as others have not taken its room. */
+import { Kept } from './kept.ts';
+import { deepestSeen, reachOf, silhouetteRadius } from './lobes.ts';
+import { orientationOf, turnedLobes } from './orientation.ts';
+import { surfaceOf } from './patches.ts';
+import type { Lobe } from './shapes.ts';
+import { bakingTable } from './startCaps.ts';
+import type { Work } from './work.ts';
+
+/** All lengths in particle radii. */
+export interface LobeVariation {
+  readonly lobes: readonly Lobe[];
+  /** A table as src/puffs/startCaps.ts describes it. */
+  readonly startCaps: Float32Array;
+  /** Squares of the radii of the discs that have the silhouettes' areas, from {@link SIDES} sides. */
+  readonly silhouettes: readonly number[];
+  /** Radius of the sphere about the particle's centre that holds all lobes. */
+  readonly reach: number;
+  /** How deep behind the centre plane something of it can be seen, from whatever side. */
+  readonly depth: number;
+}
+
+/** Sides from which a puff is measured. */
+const SIDES = 16;
+/** One takes about 8 kB. */
+const kept = new Kept<LobeVariation>(96);
+
+/**
+ * Bakes a variation in pieces, or takes it from those that are kept: turning a knob back, or adding a variation, bakes
+ * nothing twice.
+ */
+export function* bakingVariation(lobes: readonly Lobe[], litThreshold: number): Work<LobeVariation> {
+  const key = JSON.stringify([litThreshold, lobes]);
+  const variation = kept.get(key) ?? (yield* baking(lobes, litThreshold));
+  kept.add(key, variation);
+  return variation;
+}
+
+function* baking(lobes: readonly Lobe[], litThreshold: number): Work<LobeVariation> {
+  const silhouettes: number[] = [];
+  let depth = 0;
+  for (let side = 0; side < SIDES; side++) {
+    const seen = turnedLobes(orientationOf((side * 256) / SIDES, 2.4 * side), lobes);
+    silhouettes.push(silhouetteRadius(seen) ** 2);
+    depth = Math.max(depth, deepestSeen(seen));
+    yield;
+  }
+  const surface = surfaceOf(lobes);
+  yield;
+  const startCaps = yield* bakingTable(surface, litThreshold);
+  return { lobes, startCaps, silhouettes, reach: reachOf(lobes), depth };
+}

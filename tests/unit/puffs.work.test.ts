@@ -1,0 +1,54 @@
+import { expect, test } from 'vitest';
+import { bakeLobes, bakingLobes } from '../../src/puffs/bakeLobes.ts';
+import { Kept } from '../../src/puffs/kept.ts';
+import { DEFAULT_DESIGN, designedShapes } from '../../src/puffs/lobeShapes.ts';
+import { finished, workedFor, type Work } from '../../src/puffs/work.ts';
+
+function* counted(pieces: number, done: number[]): Work<string> {
+  for (let piece = 0; piece < pieces; piece++) {
+    done.push(piece);
+    yield;
+  }
+  return 'ready';
+}
+
+test('work goes on where it was left, and one piece is always done', () => {
+  const done: number[] = [];
+  const work = counted(2, done);
+  expect(workedFor(work, 0)).toBeUndefined();
+  expect(done).toEqual([0]);
+  expect(finished(work)).toBe('ready');
+  expect(done).toEqual([0, 1]);
+});
+
+test('puffs baked in pieces are those that are baked at once', () => {
+  const shapes = designedShapes({ ...DEFAULT_DESIGN, seed: 5 }, 2);
+  const work = bakingLobes(shapes, 0.3);
+  let baked;
+  let pieces = 0;
+  while (!(baked = workedFor(work, 0))) pieces++;
+  expect(pieces).toBeGreaterThan(60);
+  expect(baked).toEqual(bakeLobes(shapes, 0.3));
+});
+
+test('one variation more bakes only that one', () => {
+  const pieces = (count: number): number => {
+    const work = bakingLobes(designedShapes({ ...DEFAULT_DESIGN, seed: 6 }, count), 0.3);
+    let number = 0;
+    while (!workedFor(work, 0)) number++;
+    return number;
+  };
+  const one = pieces(1);
+  expect(one).toBeGreaterThan(30);
+  expect(pieces(2)).toBe(one);
+  expect(pieces(2)).toBe(0);
+});
+
+test('what was longest not asked for goes first', () => {
+  const kept = new Kept<number>(2);
+  kept.add('a', 1);
+  kept.add('b', 2);
+  expect(kept.get('a')).toBe(1);
+  kept.add('c', 3);
+  expect([kept.get('a'), kept.get('b'), kept.get('c')]).toEqual([1, undefined, 3]);
+});
