@@ -1,5 +1,6 @@
 precision highp float;
 precision highp int;
+precision highp sampler2DArray;
 
 // The body of a particle: a nailboard parallel to the image plane, large enough for the puff and its ring of ink.
 // Rows hold world positions; everything that leaves this stage is in view space or in puff radii.
@@ -14,6 +15,7 @@ uniform float innerLine;
 uniform vec2 plumeHeight;
 uniform vec4 gradientWeights;
 uniform float rampPitch;
+uniform sampler2DArray normalDepth;
 
 in vec2 corner;
 in vec4 place;
@@ -44,7 +46,7 @@ void main() {
   vec2 point = corner * (1.0 + inkReach);
   rollTurn = vec2(cos(rollOf(look)), sin(rollOf(look)));
   puffPoint = vec2(rollTurn.x * point.x + rollTurn.y * point.y, rollTurn.x * point.y - rollTurn.y * point.x);
-  variation = variationOf(look);
+  variation = variationOf(look) % textureSize(normalDepth, 0).z;
   centreZ = centre.z;
   ringDrop = innerLine * radius;
   towardsLight = towardsLightFrom(lightInView, centre);

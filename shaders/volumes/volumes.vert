@@ -12,6 +12,7 @@ uniform vec3 receiversMin;
 uniform vec3 receiversMax;
 uniform float shadowRadius;
 uniform float leastCap;
+uniform float depth;
 uniform bool facesEye;
 uniform sampler2DArray startCaps;
 
@@ -46,19 +47,19 @@ vec3 travelInPuff(vec3 travel) {
 // A nailboard is sheared along its view rays: its relief moves a fragment sideways, in radii. How much farther behind
 // that can take a lit point.
 float shearOf(vec3 travel, vec3 centre) {
-  // What of a puff is seen lies no deeper than this behind its centre plane, and of the unit ball height times distance
-  // from the view axis is at most a half. The billboards' relief begins at the centre plane.
-  const float LOWEST = -0.6;
+  // What of a puff is seen lies no deeper than a bound behind its centre plane, and of the unit ball height times
+  // distance from the view axis is at most a half.
   float slope = dot(travel.xy, centre.xy / centre.z);
   if (facesEye) return max(0.0, slope);
-  return max(slope, LOWEST * slope) - 0.5 * length(travel.xy) * place.w / centre.z;
+  return max(slope, -depth * slope) - 0.5 * length(travel.xy) * place.w / centre.z;
 }
 
 // How far behind the centre (in radii, along the light's travel) the puff's farthest lit point lies, from the baked table.
 float startCap(vec3 travel, vec3 centre, bool perspective) {
   vec3 towards = -travelInPuff(travel);
   vec2 angles = vec2(atan(towards.y, towards.x) / (2.0 * PI) + 0.5, acos(clamp(towards.z, -1.0, 1.0)) / PI);
-  float cap = textureLod(startCaps, vec3(angles, float(variationOf(look))), 0.0).r;
+  int variation = variationOf(look) % textureSize(startCaps, 0).z;
+  float cap = textureLod(startCaps, vec3(angles, float(variation)), 0.0).r;
   float shear = perspective ? shearOf(travel, centre) : 0.0;
   return max(max(cap, 0.0) + shear + CAP_SLACK, leastCap);
 }

@@ -1,6 +1,6 @@
 import { WebGLRenderer } from 'three';
 import { ContextError, UnsupportedError } from '../preset/errors.ts';
-import { PuffTextures, type BakedPuffs } from './puffTextures.ts';
+import { PuffLibrary } from './puffTextures.ts';
 
 export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
 
@@ -10,17 +10,17 @@ export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
  */
 export class Device {
   readonly renderer: WebGLRenderer;
-  readonly puffs: PuffTextures;
+  readonly puffs: PuffLibrary;
   private readonly ownsRenderer: boolean;
   private readonly listeners = new Set<(event: 'lost' | 'restored') => void>();
   private isDisposed = false;
   private isLost = false;
 
   /** @param ownsRenderer whether renderer and context end with this device; those of a stranger stay as they are */
-  constructor(renderer: WebGLRenderer, puffs: BakedPuffs, ownsRenderer: boolean) {
+  constructor(renderer: WebGLRenderer, ownsRenderer: boolean) {
     this.renderer = renderer;
     this.ownsRenderer = ownsRenderer;
-    this.puffs = new PuffTextures(renderer.getContext() as WebGL2RenderingContext, puffs);
+    this.puffs = new PuffLibrary(renderer.getContext() as WebGL2RenderingContext);
     this.canvas.addEventListener('webglcontextlost', this.handleLoss);
     this.canvas.addEventListener('webglcontextrestored', this.handleRestoration);
   }
@@ -76,10 +76,9 @@ export class Device {
 
 /**
  * Takes the WebGL2 context of a canvas that has none yet.
- * @param puffs what all smokes on it are made of, such as `bakedPuffs()` of src/smoke
  * @throws UnsupportedError when the browser refuses WebGL2.
  */
-export function createDevice(canvas: DeviceCanvas, puffs: BakedPuffs): Device {
+export function createDevice(canvas: DeviceCanvas): Device {
   const context = canvas.getContext('webgl2', {
     alpha: true,
     antialias: false,
@@ -96,5 +95,5 @@ export function createDevice(canvas: DeviceCanvas, puffs: BakedPuffs): Device {
   renderer.autoClear = false;
   renderer.sortObjects = false;
   renderer.info.autoReset = false;
-  return new Device(renderer, puffs, true);
+  return new Device(renderer, true);
 }

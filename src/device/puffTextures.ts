@@ -13,6 +13,7 @@ import {
 import type { LobePuffs } from '../puffs/bakeLobes.ts';
 import type { PuffLayers } from '../puffs/layers.ts';
 import type { StartCaps } from '../puffs/startCaps.ts';
+import { Shared } from './shared.ts';
 
 /** A volume reaches to the ends of the puff's lobes, beyond its mean radius: no light leaks between neighbouring puffs. */
 export const SHADOW_SHARE = 1.15;
@@ -40,28 +41,46 @@ interface FormTextures {
   readonly shadowRadius: number;
   /** Factor on a particle's radius that makes the sphere which holds all of its puff. */
   readonly reach: number;
+  /** How deep behind the centre plane something of a puff can be seen, in radii of the particle. */
+  readonly depth: number;
 }
 
-/** The puffs as the body and volume shaders read them. A form that no smoke draws takes no memory. */
+/** The textures of all puffs on one device: smokes that show the same puffs share them. */
+export class PuffLibrary {
+  readonly lobes = new Shared((puffs: LobePuffs) => new LobeTextures(puffs));
+  readonly billboards: Shared<BillboardPuffs, BillboardTextures>;
+
+  /** @param context decides which filters there are */
+  constructor(context: WebGL2RenderingContext) {
+    this.billboards = new Shared((puffs) => new BillboardTextures(context, puffs));
+  }
+
+  /** Lets go of what is on the graphics card; what is drawn again is uploaded anew. */
+  dispose(): void {
+    this.lobes.dispose();
+    this.billboards.dispose();
+  }
+}
+
+/** The puffs of one smoke as the body and volume shaders read them. A form that is not drawn takes no memory. */
 export class PuffTextures {
-  private readonly context: WebGL2RenderingContext;
-  private readonly puffs: BakedPuffs;
+  private readonly library: PuffLibrary;
+  private puffs: BakedPuffs;
   private lobeTextures: LobeTextures | undefined;
   private billboardTextures: BillboardTextures | undefined;
 
-  /** @param context decides which filters there are */
-  constructor(context: WebGL2RenderingContext, puffs: BakedPuffs) {
-    this.context = context;
+  constructor(library: PuffLibrary, puffs: BakedPuffs) {
+    this.library = library;
     this.puffs = puffs;
   }
 
   get lobes(): LobeTextures {
-    this.lobeTextures ??= new LobeTextures(this.puffs.lobes);
+    this.lobeTextures ??= this.library.lobes.hold(this.puffs.lobes);
     return this.lobeTextures;
   }
 
   get billboards(): BillboardTextures {
-    this.billboardTextures ??= new BillboardTextures(this.context, this.puffs.billboards);
+    this.billboardTextures ??= this.library.billboards.hold(this.puffs.billboards);
     return this.billboardTextures;
   }
 
@@ -69,9 +88,17 @@ export class PuffTextures {
     return form === 'lobes' ? this.lobes : this.billboards;
   }
 
+  /** Goes over to other puffs; who draws them asks again with `of`. */
+  show(puffs: BakedPuffs): void {
+    this.dispose();
+    this.puffs = puffs;
+  }
+
+  /** Gives back what it holds; what is asked for again is held anew. */
   dispose(): void {
-    this.lobeTextures?.dispose();
-    this.billboardTextures?.dispose();
+    if (this.lobeTextures) this.library.lobes.release(this.puffs.lobes);
+    if (this.billboardTextures) this.library.billboards.release(this.puffs.billboards);
+    this.lobeTextures = this.billboardTextures = undefined;
   }
 }
 
@@ -94,6 +121,10 @@ class LobeTextures implements FormTextures {
 
   get reach(): number {
     return this.puffs.reach;
+  }
+
+  get depth(): number {
+    return this.puffs.depth;
   }
 
   dispose(): void {
@@ -127,6 +158,9 @@ class BillboardTextures implements FormTextures {
     const { figures } = this.layers;
     return (SHADOW_SHARE * figures.reduce((sum, { silhouetteRadius }) => sum + silhouetteRadius, 0)) / figures.length;
   }
+
+  /** The relief begins at the centre plane. */
+  readonly depth = 0;
 
   get reach(): number {
     return Math.max(...this.layers.figures.map(({ outerRadius, relief }) => Math.max(outerRadius, relief)));

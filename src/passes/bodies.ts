@@ -9,6 +9,7 @@ import {
   Vector4,
   type BufferGeometry,
   type IUniform,
+  type Texture,
   type WebGLRenderer,
 } from 'three';
 import billboardsFragmentShader from '../../shaders/bodies/billboards.frag';
@@ -30,7 +31,8 @@ export class BodiesPass {
   private readonly scene = new Scene();
   private readonly camera = new Camera();
   private readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
-  private readonly materials: Partial<Record<PuffForm, RawShaderMaterial>> = {};
+  /** By the number of lobes that are unrolled in them; the billboards' by 0. */
+  private readonly materials = new Map<number, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
   private readonly common: Record<string, IUniform>;
   private readonly ink = new InkUniforms();
@@ -39,6 +41,16 @@ export class BodiesPass {
     plumeHeight: { value: new Vector2(0, 1) },
     gradientWeights: { value: new Vector4() },
     gradientFactor: { value: new Vector3(1, 1, 1) },
+  };
+
+  private readonly puffUniforms = {
+    lobeTable: { value: null as Texture | null },
+    fillet: { value: 1 },
+    blend: { value: 0 },
+    normalDepth: { value: null as Texture | null },
+    colorCoverage: { value: null as Texture | null },
+    pad: { value: 1 },
+    distanceRange: { value: 1 },
   };
 
   /** @param material which ramp of `ramps` is the smoke's; those of its tints follow it */
@@ -53,15 +65,16 @@ export class BodiesPass {
       litRow: { value: litRow },
       unlitRow: { value: unlitRow },
       rampPitch: { value: ramps.pitch },
+      ...this.puffUniforms,
     };
-    this.mesh = new Mesh(rows, this.materialOf('lobes'));
+    this.mesh = new Mesh(rows, this.lobesMaterial());
     this.mesh.frustumCulled = false;
     this.scene.add(this.mesh);
   }
 
-  /** Chooses how puffs become pixels; a form that is not drawn costs nothing. */
+  /** Chooses how puffs become pixels, and follows other puffs; a form that is not drawn costs nothing. */
   setForm(form: PuffForm): void {
-    this.mesh.material = this.materialOf(form);
+    this.mesh.material = form === 'lobes' ? this.lobesMaterial() : this.billboardsMaterial();
   }
 
   /** @param innerLine depth gap, in puff radii, beyond which a puff is outlined against what lies behind it */
@@ -88,43 +101,37 @@ export class BodiesPass {
   }
 
   dispose(): void {
-    for (const material of Object.values(this.materials)) material.dispose();
-  }
-
-  private materialOf(form: PuffForm): RawShaderMaterial {
-    this.materials[form] ??= form === 'lobes' ? this.lobesMaterial() : this.billboardsMaterial();
-    return this.materials[form];
+    for (const material of this.materials.values()) material.dispose();
   }
 
   private lobesMaterial(): RawShaderMaterial {
     const { lobeTable, puffs } = this.puffs.lobes;
-    return new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: withLobes(lobesVertexShader, puffs.lobeCount),
-      fragmentShader: withLobes(lobesFragmentShader, puffs.lobeCount),
-      uniforms: {
-        ...this.common,
-        lobeTable: { value: lobeTable },
-        fillet: { value: puffs.fillet },
-        blend: { value: puffs.blend },
-      },
-    });
+    const { lobeCount } = puffs;
+    this.puffUniforms.lobeTable.value = lobeTable;
+    this.puffUniforms.fillet.value = puffs.fillet;
+    this.puffUniforms.blend.value = puffs.blend;
+    return this.materialOf(
+      lobeCount,
+      withLobes(lobesVertexShader, lobeCount),
+      withLobes(lobesFragmentShader, lobeCount),
+    );
   }
 
   private billboardsMaterial(): RawShaderMaterial {
     const { layers, normalDepth, colorCoverage } = this.puffs.billboards;
-    return new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: billboardsVertexShader,
-      fragmentShader: billboardsFragmentShader,
-      uniforms: {
-        ...this.common,
-        normalDepth: { value: normalDepth },
-        colorCoverage: { value: colorCoverage },
-        pad: { value: layers.pad },
-        distanceRange: { value: layers.distanceRange },
-      },
-    });
+    this.puffUniforms.normalDepth.value = normalDepth;
+    this.puffUniforms.colorCoverage.value = colorCoverage;
+    this.puffUniforms.pad.value = layers.pad;
+    this.puffUniforms.distanceRange.value = layers.distanceRange;
+    return this.materialOf(0, billboardsVertexShader, billboardsFragmentShader);
+  }
+
+  private materialOf(lobes: number, vertexShader: string, fragmentShader: string): RawShaderMaterial {
+    const uniforms = this.common;
+    const made = () => new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms });
+    const material = this.materials.get(lobes) ?? made();
+    this.materials.set(lobes, material);
+    return material;
   }
 }
 

@@ -30,6 +30,7 @@ export class VolumesPass {
     facesEye: { value: false },
     startCaps: { value: null as DataArrayTexture | null },
     shadowRadius: { value: 1 },
+    depth: { value: 0 },
   };
 
   constructor(eye: Eye, puffs: PuffTextures, rows: BufferGeometry) {
@@ -50,12 +51,13 @@ export class VolumesPass {
     this.scene.add(mesh);
   }
 
-  /** Follows how puffs become pixels. */
+  /** Follows how puffs become pixels, and which they are. */
   setForm(form: PuffForm): void {
-    const { startCaps, shadowRadius } = this.puffs.of(form);
+    const { startCaps, shadowRadius, depth } = this.puffs.of(form);
     this.uniforms.facesEye.value = form === 'billboards';
     this.uniforms.startCaps.value = startCaps;
     this.uniforms.shadowRadius.value = shadowRadius;
+    this.uniforms.depth.value = depth;
   }
 
   /** Whether a puff's shadow may begin on its own dark side; without shading that side is not dark, so it begins behind. */

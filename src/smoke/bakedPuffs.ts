@@ -1,32 +1,47 @@
-import { bakeLobes } from '../puffs/bakeLobes.ts';
+import type { BakedPuffs } from '../device/puffTextures.ts';
+import { FIRST_BORDER } from '../device/ramps.ts';
+import { bakingLobes } from '../puffs/bakeLobes.ts';
+import { Kept } from '../puffs/kept.ts';
 import { bakePuffs } from '../puffs/layers.ts';
 import { LOBE_SHAPES } from '../puffs/lobeShapes.ts';
 import { frontsOf } from '../puffs/patches.ts';
-import { PUFF_SHAPES } from '../puffs/shapes.ts';
+import { PUFF_SHAPES, type PuffShape } from '../puffs/shapes.ts';
 import { bakeStartCaps } from '../puffs/startCaps.ts';
-import type { BakedPuffs } from '../device/puffTextures.ts';
-import { FIRST_BORDER } from '../device/ramps.ts';
+import { finished, type Work } from '../puffs/work.ts';
 
-let lobes: BakedPuffs['lobes'] | undefined;
+/** Smokes whose puffs are the same object share their textures on a device. */
+const kept = new Kept<BakedPuffs>(8);
 let billboards: BakedPuffs['billboards'] | undefined;
 
-const baked: BakedPuffs = {
-  get lobes() {
-    lobes ??= bakeLobes(LOBE_SHAPES, FIRST_BORDER);
-    return lobes;
-  },
-  get billboards() {
-    billboards ??= bakeBillboards();
-    return billboards;
-  },
-};
-
-/** The default puffs, each form baked once for all devices of the page: they are the same bytes everywhere. */
-export function bakedPuffs(): BakedPuffs {
-  return baked;
+/** Puffs as {@link bakingPuffs} makes them, at once; the default ones where no shapes are given. */
+export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuffs {
+  return finished(bakingPuffs(shapes));
 }
 
-function bakeBillboards(): BakedPuffs['billboards'] {
-  const layers = bakePuffs(PUFF_SHAPES);
+/**
+ * Bakes puffs of lobes, in pieces of about a millisecond. As billboards they are those that were drawn by hand.
+ * @param shapes a variation each
+ * @throws RangeError when a shape has too many lobes
+ */
+export function* bakingPuffs(shapes: readonly PuffShape[]): Work<BakedPuffs> {
+  const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
+  const puffs = kept.get(key) ?? withBillboards(yield* bakingLobes(shapes, FIRST_BORDER));
+  kept.add(key, puffs);
+  return puffs;
+}
+
+/** Billboards are baked when they are first asked for. */
+function withBillboards(lobes: BakedPuffs['lobes']): BakedPuffs {
+  return {
+    lobes,
+    get billboards() {
+      billboards ??= billboardsOf(PUFF_SHAPES);
+      return billboards;
+    },
+  };
+}
+
+function billboardsOf(shapes: readonly PuffShape[]): BakedPuffs['billboards'] {
+  const layers = bakePuffs(shapes);
   return { layers, startCaps: bakeStartCaps(frontsOf(layers), FIRST_BORDER) };
 }

@@ -1,7 +1,7 @@
 import type { Matrix4, WebGLRenderer } from 'three';
 import type { Device } from '../device/device.ts';
 import { Eye } from '../device/eye.ts';
-import type { PuffForm } from '../device/puffTextures.ts';
+import { PuffTextures, type BakedPuffs, type PuffForm } from '../device/puffTextures.ts';
 import { RampTexture, type Color } from '../device/ramps.ts';
 import { FRONT_AND_BACK, Instances, ONE_QUAD } from '../instances/instances.ts';
 import { BackdropPass } from '../passes/backdrop.ts';
@@ -12,6 +12,7 @@ import { ResolvePass } from '../passes/resolve.ts';
 import { SurfacesPass, type SurfaceDescription } from '../passes/surfaces.ts';
 import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
+import { bakedPuffs } from './bakedPuffs.ts';
 import { arrangeFrame, drawFrame, type FrameInput, type FrameReport } from './frame.ts';
 import { isFlat, rampOf, surfaceToning } from './palette.ts';
 import { Rivals } from './rivals.ts';
@@ -44,6 +45,8 @@ export interface SmokeOptions {
   surfaces: readonly SurfaceDescription[];
   /** Colours at the top and the bottom of what lies behind everything; transparent where absent. */
   backdrop?: { top: Color; bottom: Color };
+  /** What particles look like, such as `bakedPuffs(shapes)`; the default puffs where absent. */
+  puffs?: BakedPuffs;
 }
 
 const SMOKE_RAMP = 0;
@@ -58,14 +61,16 @@ export class SmokeRenderer {
   readonly passes: SmokePasses;
   private readonly device: Device;
   private readonly ramps: RampTexture;
+  private readonly puffs: PuffTextures;
   private readonly stopListening: () => void;
   private readonly surfaces: readonly SurfaceDescription[];
   private style: Style | undefined;
   private pixelRatio = 0;
 
-  constructor(device: Device, { capacity, surfaces, backdrop }: SmokeOptions) {
+  constructor(device: Device, { capacity, surfaces, backdrop, puffs = bakedPuffs() }: SmokeOptions) {
     this.device = device;
     this.surfaces = surfaces;
+    this.puffs = new PuffTextures(device.puffs, puffs);
     this.ramps = new RampTexture(FIRST_SURFACE_RAMP + surfaces.length);
     const eye = new Eye();
     const bodies = new Instances(capacity, ONE_QUAD);
@@ -80,9 +85,9 @@ export class SmokeRenderer {
       casters,
       backdrop: new BackdropPass(eye),
       surfaces: surfacesPass,
-      body: new BodiesPass(eye, device.puffs, this.ramps, SMOKE_RAMP, bodies.geometry),
+      body: new BodiesPass(eye, this.puffs, this.ramps, SMOKE_RAMP, bodies.geometry),
       meshVolumes,
-      volumes: new VolumesPass(eye, device.puffs, casters.geometry),
+      volumes: new VolumesPass(eye, this.puffs, casters.geometry),
       mask: new MaskPass(),
       resolve: new ResolvePass(),
       rivals: new Rivals({
@@ -95,7 +100,7 @@ export class SmokeRenderer {
         casters: casters.geometry,
       }),
       hasBackdrop: backdrop !== undefined,
-      reachOf: (form) => device.puffs.of(form).reach,
+      reachOf: (form) => this.puffs.of(form).reach,
       placeSurfaces: (rigids) =>
         surfaces.forEach(({ rigid }, surface) => {
           if (rigid === undefined) return;
@@ -127,10 +132,17 @@ export class SmokeRenderer {
     return arrangeFrame(this.passes, input);
   }
 
+  /** Shows other puffs from the next frame on; particles keep their variation. */
+  setPuffs(puffs: BakedPuffs): void {
+    this.puffs.show(puffs);
+    this.style = undefined;
+  }
+
   /** Gives back what it holds on the device; the device stays. */
   dispose(): void {
     this.stopListening();
     this.release();
+    this.puffs.dispose();
   }
 
   /** Lets go of all buffers, textures and programs; what is drawn again gets them anew. */

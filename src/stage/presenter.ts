@@ -2,7 +2,6 @@ import type { WebGLRenderTarget } from 'three';
 import { createDevice, type Device, type DeviceCanvas } from '../device/device.ts';
 import { Enlarger } from '../device/enlarger.ts';
 import { ContextError } from '../preset/errors.ts';
-import { bakedPuffs } from '../smoke/bakedPuffs.ts';
 
 /** Brings pictures to a stage's canvas: it owns the device there, or copies from a device that stages share. */
 export interface Presenter {
@@ -27,7 +26,7 @@ export interface PictureSize {
 
 /** @param shared a device whose own canvas is an OffscreenCanvas; without it the stage gets a device of its own */
 export function createPresenter(canvas: DeviceCanvas, shared?: Device): Presenter {
-  return shared ? copyFrom(shared, canvas) : drawOn(createDevice(canvas, bakedPuffs()));
+  return shared ? copyFrom(shared, canvas) : drawOn(createDevice(canvas));
 }
 
 function drawOn(device: Device): Presenter {

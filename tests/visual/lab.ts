@@ -15,7 +15,6 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 import fullScreenVertexShader from '../../shaders/lib/fullScreen.vert';
-import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { createDevice, type Device } from '../../src/device/device.ts';
 import { fullScreenMesh } from '../../src/device/fullScreen.ts';
 import type { Color } from '../../src/device/ramps.ts';
@@ -121,7 +120,7 @@ export function takePicture(scene: LabScene): LabPicture {
 
 /** Keeps a context and its programs for many pictures of one size, one set of surfaces and one backdrop. */
 export class Lab {
-  private readonly device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
+  private readonly device = createDevice(new OffscreenCanvas(1, 1));
   private readonly smoke: SmokeRenderer;
 
   constructor({ width, height, puffs, casters = [], surfaces = [], backdrop }: LabScene) {

@@ -1,6 +1,5 @@
 /** The product's own frame over the seeded plume, and its passes one at a time. */
 import { Matrix4, PerspectiveCamera } from 'three';
-import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import { createDevice } from '../../../src/device/device.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { tableMesh } from '../../../src/scenes/models/table.ts';
@@ -36,7 +35,7 @@ export interface FrameTimes {
 }
 
 export class RenderBench {
-  readonly device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
+  readonly device = createDevice(new OffscreenCanvas(1, 1));
   readonly smoke: SmokeRenderer;
   readonly simulator: Simulator;
   /** A change needs a new object. */

@@ -14,7 +14,6 @@ import {
 } from 'three';
 import depthChunk from '../../../shaders/lib/depth.glsl';
 import fullScreenVertexShader from '../../../shaders/lib/fullScreen.vert';
-import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import { createDevice } from '../../../src/device/device.ts';
 import { fullScreenMesh } from '../../../src/device/fullScreen.ts';
 
@@ -50,7 +49,7 @@ function depthOf(sample: number): number {
 }
 
 function onTheGpu(clipFromView: Matrix4): Float32Array {
-  const device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
+  const device = createDevice(new OffscreenCanvas(1, 1));
   device.renderer.getContext().getExtension('EXT_color_buffer_float');
   const material = new RawShaderMaterial({
     glslVersion: GLSL3,

@@ -1,6 +1,5 @@
 /** The counters of the render suite against numbers that can be known. */
 import { OrthographicCamera } from 'three';
-import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { createDevice } from '../../../src/device/device.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
@@ -44,7 +43,7 @@ export function quadPixels(form: PuffForm): number {
 
 /** Bytes seen of uploads whose sizes are 100, 40, 32 and 12. */
 export function uploads(): number[] {
-  const device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
+  const device = createDevice(new OffscreenCanvas(1, 1));
   const gl = device.renderer.getContext() as WebGL2RenderingContext;
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
   const watch = watchUploads(gl);

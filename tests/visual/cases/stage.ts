@@ -1,5 +1,4 @@
 /** Stages as a page makes them: their pictures, their clocks and their ends. */
-import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import { createDevice, type Device } from '../../../src/device/device.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
@@ -35,7 +34,7 @@ export async function census(picture: Blob): Promise<{ colors: number; commonest
 
 /** Two stages on one device, one with its own light: are they different from each other, and as they are alone? */
 export async function shareDevice(): Promise<{ between: number; firstAlone: number; secondAlone: number }> {
-  const device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
+  const device = createDevice(new OffscreenCanvas(1, 1));
   const [first, second] = [await lampStage(visibleCanvas(), device), await lampStage(visibleCanvas(), device)];
   second.set({ 'light.azimuth': -60 });
   const alone = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT));
@@ -51,7 +50,7 @@ export async function shareDevice(): Promise<{ between: number; firstAlone: numb
 
 /** The pictures on the two canvases of stages that share a device, as the page shows them. */
 export async function sharedCanvases(): Promise<number> {
-  const device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
+  const device = createDevice(new OffscreenCanvas(1, 1));
   const canvases = [visibleCanvas(), visibleCanvas()];
   const stages = await Promise.all(canvases.map((canvas) => lampStage(canvas, device)));
   stages[0].step(60);

@@ -212,16 +212,16 @@ function billboardVolume({ place, roll = 0, variation = 0 }: LabPuff, view: View
 }
 
 function lobesVolume({ place, radius, roll = 0, seed = 0, variation = 0 }: LabPuff, view: View): Extent {
-  const { startCaps, silhouetteRadius } = bakedPuffs().lobes;
+  const { startCaps, silhouetteRadius, depth } = bakedPuffs().lobes;
   const { camera } = view;
   const towardsLight = towardsLightOf(view, new Vector3(...place));
   const light = towardsLight.clone().transformDirection(camera.matrixWorldInverse);
   const axis = new Vector3(...spherePoint(seed, 256));
   const inPuff = towardsLight.clone().applyAxisAngle(axis, -roll);
   const slant = slantOf(place, camera, light);
-  const depth = -new Vector3(...place).applyMatrix4(camera.matrixWorldInverse).z;
-  const aside = camera instanceof PerspectiveCamera ? (0.5 * Math.hypot(light.x, light.y) * radius) / depth : 0;
-  const shear = Math.max(slant, -0.6 * slant) + aside;
+  const distance = -new Vector3(...place).applyMatrix4(camera.matrixWorldInverse).z;
+  const aside = camera instanceof PerspectiveCamera ? (0.5 * Math.hypot(light.x, light.y) * radius) / distance : 0;
+  const shear = Math.max(slant, -depth * slant) + aside;
   return { cap: Math.max(0, tabled(startCaps, variation, inPuff)) + shear, mean: silhouetteRadius };
 }
 
