@@ -44,6 +44,8 @@ export class SellePass {
       ramps: { value: ramps.texture },
       litRow: { value: ramps.rows(material).litRow },
       rampPitch: { value: ramps.pitch },
+      colorCoverage: { value: null as Texture | null },
+      pad: { value: 1 },
     };
     this.lineUniforms = {
       clipFromView: eye.uniforms.clipFromView,
@@ -75,6 +77,10 @@ export class SellePass {
   /** Draws the puffs into the targets. */
   draw(renderer: WebGLRenderer): void {
     this.material ??= this.show();
+    // Late, because the flat puffs are baked when they are first asked for; each time, because they may be others.
+    const { layers, colorCoverage } = this.puffs.billboards;
+    this.common.colorCoverage.value = colorCoverage;
+    this.common.pad.value = layers.pad;
     renderer.render(this.scene, this.camera);
   }
 
@@ -94,14 +100,12 @@ export class SellePass {
     this.scene.clear();
   }
 
-  /** Late, because the flat puffs are baked when they are first asked for. */
   private show(): RawShaderMaterial {
-    const { layers, colorCoverage } = this.puffs.billboards;
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,
       fragmentShader,
-      uniforms: { ...this.common, colorCoverage: { value: colorCoverage }, pad: { value: layers.pad } },
+      uniforms: this.common,
     });
     const mesh = new Mesh(this.rows, material);
     mesh.frustumCulled = false;

@@ -19,6 +19,7 @@ export const groups: readonly { readonly key: string; readonly label: string; re
   { key: 'emission', label: 'Smoke', advanced: false },
   { key: 'style', label: 'Ink and colour', advanced: false },
   { key: 'light', label: 'Light', advanced: false },
+  { key: 'puff', label: 'Shape of the puffs', advanced: true },
   { key: 'forces', label: 'Forces', advanced: false },
   { key: 'turbulence', label: 'Turbulence', advanced: true },
   { key: 'air', label: 'Air and weight', advanced: true },
@@ -50,6 +51,12 @@ function multiplier(name: string, label: string, text: string): NumberParameter 
 function wind(axis: 'x' | 'y' | 'z', label: string, text: string): NumberParameter {
   const range = { min: -50, max: 50, step: 0.05, default: 0, unit: 'm/s' } as const;
   return quantity(`forces.wind.${axis}`, 'forces', 'simulator', { label, text, ...range, slider: 'fine' });
+}
+
+/** What shapes the lobes of puffs. */
+function knob(name: string, initial: number, label: string, text: string): NumberParameter {
+  const range = { min: 0, max: 1, step: 0.01, default: initial } as const;
+  return quantity(`puff.${name}`, 'puff', 'style', { label, text, ...range });
 }
 
 /** What a scene sets and anybody may change. */
@@ -150,18 +157,19 @@ export const table: readonly Parameter[] = [
     label: 'Puff size',
     text: 'Makes every puff larger or smaller.',
   }),
-  quantity('puff.variations', 'emission', 'simulator', {
+  quantity('puff.variations', 'puff', 'simulator', {
     kind: 'integer',
     min: 1,
-    max: 4,
+    max: 32,
     step: 1,
     default: 4,
+    slider: 'fine',
     label: 'Puff shapes',
     text: 'How many different shapes are mixed; a puff keeps the one it was born with.',
   }),
   choice(
     'puff.form',
-    'style',
+    'puff',
     'style',
     {
       label: 'Puffs',
@@ -173,6 +181,27 @@ export const table: readonly Parameter[] = [
       ['billboards', 'Billboards'],
     ],
   ),
+  knob('lumpiness', 0.8, 'Lumpiness', 'How far lobes stand out of a puff: 0 is nearly a ball, 1 a bunch.'),
+  knob('flatness', 0.2, 'Flatness', 'How much puffs are pressed flat.'),
+  knob('roughness', 0.6, 'Roughness', 'How unequal and how unevenly spread the lobes of a puff are.'),
+  quantity('puff.lobes', 'puff', 'style', {
+    kind: 'integer',
+    min: 5,
+    max: 12,
+    step: 1,
+    default: 10,
+    label: 'Lobes',
+    text: 'How many lobes a puff has; more of them cost time.',
+  }),
+  quantity('puff.seed', 'puff', 'style', {
+    kind: 'integer',
+    min: 0,
+    max: 9999,
+    step: 1,
+    default: 0,
+    label: 'Shapes from',
+    text: 'Each number has shapes of its own; 0 has those that were chosen by hand.',
+  }),
   toggle('shading', 'Shading', 'Light and shade on the puffs; off leaves them flat.'),
   toggle('outlines', 'Outlines', 'Ink around the smoke and between its puffs.'),
   toggle('shadows', 'Shadows', 'Smoke shades itself and what stands below it.'),

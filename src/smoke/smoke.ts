@@ -92,7 +92,7 @@ export class SmokeRenderer {
       resolve: new ResolvePass(),
       rivals: new Rivals({
         eye,
-        puffs: device.puffs,
+        puffs: this.puffs,
         ramps: this.ramps,
         materials: { smoke: SMOKE_RAMP, firstSurface: FIRST_SURFACE_RAMP },
         surfaces,

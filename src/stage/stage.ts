@@ -1,5 +1,6 @@
 import { MathUtils, Vector2, Vector3 } from 'three';
 import type { DeviceCanvas } from '../device/device.ts';
+import type { BakedPuffs } from '../device/puffTextures.ts';
 import { LOWEST_QUALITY, type Quality } from '../preset/environment.ts';
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
@@ -18,12 +19,15 @@ import { Governor } from './governor.ts';
 import { Listeners } from './listeners.ts';
 import { OrbitCamera } from './orbit.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
+import { StagePuffs } from './puffs.ts';
 import { advanceTo } from './seek.ts';
 import { Simulation } from './simulation.ts';
 import { noteOf, takeOf, type Take } from './take.ts';
 
 const LARGEST_PIXEL_RATIO = 4;
 const HISTORY_BYTES = 64 * 1024 * 1024;
+/** Spent with each picture on puffs that are being baked. */
+const BAKING_MS = 5;
 
 /** A running scene on a canvas. Reads no page: sizes, pointers and keys come in as numbers, so that it runs in a worker. */
 export class Stage {
@@ -42,11 +46,13 @@ export class Stage {
   readonly #simulation: Simulation;
   readonly #factory: SimulatorFactory;
   readonly #eye: OrbitCamera;
+  readonly #puffs: StagePuffs;
   readonly #clock = new Clock();
   readonly #governor = new Governor();
   readonly #listeners = new Listeners<StageEvents>();
   readonly #stopListening: () => void;
   #smoke: SmokeRenderer;
+  #baked: BakedPuffs | undefined;
   #values: Values;
   #style: Style;
   #light: Light;
@@ -75,6 +81,8 @@ export class Stage {
     this.#scene = sceneNamed(this.#values.scene as string);
     this.#light = lightOf(this.#values, new Vector3(...this.#scene.camera.target));
     this.#eye = new OrbitCamera(this.#scene.camera);
+    this.#puffs = new StagePuffs(this.#values);
+    this.#baked = this.#puffs.finish();
     this.#smoke = this.#prepareSmoke();
     this.#factory = factory;
     this.#simulation = new Simulation(factory, this.#scene, this.#values, options.historyBytes ?? HISTORY_BYTES);
@@ -176,6 +184,7 @@ export class Stage {
       this.#seeking = false;
       if (!this.#disposed) {
         this.#followLog();
+        this.#keepVariations();
         this.#showLatest();
       }
     }
@@ -242,6 +251,7 @@ export class Stage {
   async picture(): Promise<Blob> {
     this.#requireAlive();
     this.#presenter.device.requireUsable();
+    this.#showPuffs(this.#puffs.finish());
     this.#draw(1);
     return this.#presenter.encode();
   }
@@ -255,6 +265,7 @@ export class Stage {
   restore(bytes: Uint8Array): void {
     this.#requireAlive();
     this.#showValues(this.#simulation.restore(bytes, this.#values));
+    this.#keepVariations();
     this.#showLatest();
   }
 
@@ -406,6 +417,7 @@ export class Stage {
   #showValues(values: Values): void {
     this.#values = values;
     this.#style = styleOf(values);
+    this.#puffs.follow(values);
     this.#light = lightOf(values, new Vector3(...this.#scene.camera.target));
     if (this.#capacity !== values['simulation.maxParticles']) {
       this.#smoke.dispose();
@@ -433,8 +445,14 @@ export class Stage {
     return this.#playing && !this.#seeking ? this.#governor.scale : 1;
   }
 
+  /** Where a state comes from elsewhere, its particles may have variations that no value has told of. */
+  #keepVariations(): void {
+    this.#puffs.follow(this.#values, this.#simulation.variationsAlive());
+  }
+
   #draw(scale = this.#scaleNow): void {
     if (this.#disposed || !this.#isVisible || !this.#presenter.device.isUsable) return;
+    this.#showPuffs(this.#playing ? this.#puffs.workFor(BAKING_MS) : this.#puffs.finish());
     const started = performance.now();
     const rigids = this.#simulation.rigids(this.#clock.blend);
     if (this.#movedWhilePaused) rigids[this.#scene.handle!.rigid].setPosition(this.#simulation.drag!.target);
@@ -459,9 +477,15 @@ export class Stage {
     if (this.#listeners.has('frame')) this.#listeners.tell('frame', this.stats);
   }
 
+  #showPuffs(puffs: BakedPuffs | undefined): void {
+    if (!puffs) return;
+    this.#baked = puffs;
+    this.#smoke.setPuffs(puffs);
+  }
+
   #prepareSmoke(): SmokeRenderer {
     this.#capacity = this.#values['simulation.maxParticles'] as number;
-    return new SmokeRenderer(this.#presenter.device, { ...this.#scene, capacity: this.#capacity });
+    return new SmokeRenderer(this.#presenter.device, { ...this.#scene, capacity: this.#capacity, puffs: this.#baked });
   }
 
   #moveEye(move: () => void): void {

@@ -7,7 +7,6 @@ import type { CameraPose, Scene } from '../../src/scenes/scene.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { loadSimulators } from '../../src/sim/load.ts';
 import type { Simulator } from '../../src/sim/simulator.ts';
-import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import type { FrameReport } from '../../src/smoke/frame.ts';
 import { lightOf } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
@@ -32,7 +31,7 @@ export class SceneLab {
   report: FrameReport | undefined;
   private readonly values: Values;
   private readonly simulation: Simulation;
-  private readonly device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
+  private readonly device = createDevice(new OffscreenCanvas(1, 1));
   private readonly smoke: SmokeRenderer;
   private readonly style: Style;
 

@@ -194,7 +194,7 @@ export async function halfQuality(device?: Device): Promise<{
 
 /** The same on a device that stages share. */
 export async function halfQualityShared(): ReturnType<typeof halfQuality> {
-  const device = createDevice(new OffscreenCanvas(1, 1), bakedPuffs());
+  const device = createDevice(new OffscreenCanvas(1, 1));
   const report = await halfQuality(device);
   device.dispose();
   return report;

@@ -1,0 +1,79 @@
+import type { BakedPuffs } from '../device/puffTextures.ts';
+import type { Values } from '../preset/parameter.ts';
+import { designedShapes, type PuffDesign } from '../puffs/lobeShapes.ts';
+import type { PuffShape } from '../puffs/shapes.ts';
+import { finished, workedFor, type Work } from '../puffs/work.ts';
+import { bakingPuffs } from '../smoke/bakedPuffs.ts';
+
+/** Shapes, and a text that is the same for the same ones. */
+interface Order {
+  readonly key: string;
+  shapes(): readonly PuffShape[];
+}
+
+/**
+ * The puffs of a stage. When their knobs turn, others are baked a little with each picture, while the old ones stand;
+ * who keeps turning sees those that were asked for when the bakery was last free.
+ */
+export class StagePuffs {
+  private variations = 1;
+  private wanted: Order;
+  private standing = '';
+  private baking: { readonly key: string; readonly work: Work<BakedPuffs> } | undefined;
+
+  constructor(values: Values) {
+    this.wanted = this.orderOf(values);
+  }
+
+  /**
+   * Asks for the puffs that values describe. Variations never become fewer: a particle keeps the one it was born with.
+   * @param alive variations that living particles may have
+   */
+  follow(values: Values, alive = 0): void {
+    this.variations = Math.max(this.variations, alive);
+    this.wanted = this.orderOf(values);
+  }
+
+  /** Goes on baking for some milliseconds. Returns new puffs when they are ready. */
+  workFor(milliseconds: number): BakedPuffs | undefined {
+    if (!this.begin()) return undefined;
+    return this.taken(workedFor(this.baking!.work, milliseconds));
+  }
+
+  /** Bakes what was last asked for. Returns new puffs unless they stand already. */
+  finish(): BakedPuffs | undefined {
+    if (this.baking?.key !== this.wanted.key) this.baking = undefined;
+    return this.begin() ? this.taken(finished(this.baking!.work)) : undefined;
+  }
+
+  /** Whether there is something to bake. */
+  private begin(): boolean {
+    const { key } = this.wanted;
+    if (!this.baking && key !== this.standing) this.baking = { key, work: bakingPuffs(this.wanted.shapes()) };
+    return this.baking !== undefined;
+  }
+
+  private taken(puffs: BakedPuffs | undefined): BakedPuffs | undefined {
+    if (!puffs) return undefined;
+    this.standing = this.baking!.key;
+    this.baking = undefined;
+    return puffs;
+  }
+
+  private orderOf(values: Values): Order {
+    this.variations = Math.max(this.variations, values['puff.variations'] as number);
+    const design = designOf(values);
+    const count = this.variations;
+    return { key: JSON.stringify([design, count]), shapes: () => designedShapes(design, count) };
+  }
+}
+
+function designOf(values: Values): PuffDesign {
+  return {
+    lumpiness: values['puff.lumpiness'] as number,
+    flatness: values['puff.flatness'] as number,
+    roughness: values['puff.roughness'] as number,
+    lobes: values['puff.lobes'] as number,
+    seed: values['puff.seed'] as number,
+  };
+}
