@@ -5,9 +5,11 @@
 import {
   AlwaysDepth,
   Camera,
+  CustomBlending,
   EqualStencilFunc,
   GLSL3,
   Matrix4,
+  OneFactor,
   PerspectiveCamera,
   RawShaderMaterial,
   Scene,
@@ -53,7 +55,7 @@ export interface LabScene {
   style?: Partial<Style>;
   pixelRatio?: number;
   smoothEdges?: boolean;
-  /** Also read the stencil, which takes 256 draws. */
+  /** Also read the stencil, which takes eight draws. */
   readCounts?: boolean;
 }
 
@@ -118,26 +120,37 @@ export function takePicture(scene: LabScene): LabPicture {
   }
 }
 
+/** The scenes of a lab are like the one that it is made with. */
+export interface LabOptions extends LabScene {
+  /** The most puffs of any of them, if more than of this one. */
+  capacity?: number;
+}
+
 /** Keeps a context and its programs for many pictures of one size, one set of surfaces and one backdrop. */
 export class Lab {
   private readonly device = createDevice(new OffscreenCanvas(1, 1));
   private readonly smoke: SmokeRenderer;
 
-  constructor({ width, height, puffs, casters = [], surfaces = [], backdrop }: LabScene) {
+  constructor({ width, height, puffs, casters = [], surfaces = [], backdrop, capacity = 1 }: LabOptions) {
     this.device.renderer.setSize(width, height, false);
-    const capacity = Math.max(1, puffs.length, casters.length);
-    this.smoke = new SmokeRenderer(this.device, { capacity, surfaces, backdrop });
+    const most = Math.max(capacity, puffs.length, casters.length);
+    this.smoke = new SmokeRenderer(this.device, { capacity: most, surfaces, backdrop });
   }
 
   draw(scene: LabScene): LabPicture {
-    const { width, height } = scene;
-    this.smoke.passes.resolve.smoothEdges = scene.smoothEdges ?? false;
-    this.smoke.draw(inputOf(scene));
+    return this.drawFrame(inputOf(scene), scene);
+  }
+
+  /** Draws a frame of which all is given, such as one with the rows of a real simulator. */
+  drawFrame(input: FrameInput, options: Pick<LabScene, 'smoothEdges' | 'readCounts'> = {}): LabPicture {
+    const { width, height } = input;
+    this.smoke.passes.resolve.smoothEdges = options.smoothEdges ?? false;
+    this.smoke.draw(input);
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.device.renderer.getContext();
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     const { renderTarget } = this.smoke.passes.targets;
-    const counts = scene.readCounts ? readStencil(this.device, renderTarget) : new Uint8Array(0);
+    const counts = options.readCounts ? readStencil(this.device, renderTarget) : new Uint8Array(0);
     return { width, height, pixels, counts };
   }
 
@@ -147,7 +160,7 @@ export class Lab {
   }
 }
 
-function inputOf(scene: LabScene): FrameInput {
+export function inputOf(scene: LabScene): FrameInput {
   return {
     simulator: fixedRows(scene.puffs, scene.casters ?? scene.puffs),
     camera: scene.camera ?? frontCamera(scene.width, scene.height),
@@ -181,28 +194,34 @@ function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arra
   };
 }
 
-/** Reads the stencil, which WebGL cannot do itself: each value draws itself where it stands. */
+/** Reads the stencil, which WebGL cannot do itself: each of its bits draws itself where it stands. */
 function readStencil({ renderer }: Device, target: WebGLRenderTarget): Uint8Array {
-  const count = { value: 0 };
+  const value = { value: 0 };
   const material = new RawShaderMaterial({
     glslVersion: GLSL3,
     vertexShader: fullScreenVertexShader,
     fragmentShader: `precision highp float;
-      uniform float count;
+      uniform float value;
       layout(location = 0) out vec4 first;
       layout(location = 1) out vec4 second;
-      void main() { first = vec4(count / 255.0); second = first; }`,
-    uniforms: { count },
+      void main() { first = vec4(value / 255.0); second = first; }`,
+    uniforms: { value },
     depthFunc: AlwaysDepth,
     depthWrite: false,
+    blending: CustomBlending,
+    blendSrc: OneFactor,
+    blendDst: OneFactor,
     stencilWrite: true,
     stencilFunc: EqualStencilFunc,
+    stencilRef: 255,
   });
   const mesh = fullScreenMesh(material);
   const scene = new Scene().add(mesh);
   renderer.setRenderTarget(target);
-  for (count.value = 0; count.value < 256; ++count.value) {
-    material.stencilRef = count.value;
+  renderer.clear(true, false, false);
+  for (let bit = 1; bit < 256; bit *= 2) {
+    value.value = bit;
+    material.stencilFuncMask = bit;
     renderer.render(scene, new Camera());
   }
   const { width, height } = target;

@@ -1,0 +1,105 @@
+//! The body of a particle: a board through its centre and parallel to the image plane, on which every ray meets the
+//! lobes along the view axis. Round the silhouette runs a line of ink that lies deeper than the puff.
+
+use glam::{DMat3, DVec2, DVec3};
+
+use crate::ink::{self, Line};
+use crate::lobes::Lobes;
+use crate::look::Look;
+use crate::ray::{Camera, Ray};
+use crate::scene::{Row, Scene, Style};
+use crate::shade::{Along, Shade, gradient_factor};
+
+pub struct Body<'a> {
+    scene: &'a Scene,
+    row: Row,
+    look: Look,
+    lobes: Lobes,
+    /// In view space.
+    center: DVec3,
+    radius: f64,
+    /// Metres that a pixel spans at the centre.
+    pixel: f64,
+    line: Line,
+    /// Unit vector towards the light, in view space.
+    light: DVec3,
+}
+
+/// What a ray meets of a body.
+pub struct BodyHit {
+    pub depth: f64,
+    pub is_ink: bool,
+    pub shade: Shade,
+}
+
+impl<'a> Body<'a> {
+    /// None where the particle is not in front of the near plane.
+    pub fn new(scene: &'a Scene, camera: &Camera, row: Row) -> Option<Self> {
+        let look = Look(row.look);
+        let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
+        // A puff that the eye runs into shrinks away.
+        let radius = row.radius * ink::smooth_step(camera.near, camera.near + 2.0 * row.radius, -center.z);
+        if radius <= 0.0 {
+            return None;
+        }
+        let turn = DMat3::from_mat4(camera.view_from_world);
+        let light = (turn * DVec3::from(scene.towards_light)).normalize();
+        let pixel = camera.metres_per_pixel(-center.z);
+        let Style {
+            ink_pixels, ink_swell, ..
+        } = scene.style;
+        Some(Self {
+            scene,
+            row,
+            look,
+            lobes: Lobes::new(&scene.puffs, look.variation(), turn * look.world_from_puff()),
+            center,
+            radius,
+            pixel,
+            line: Line::new(ink_pixels, radius / pixel, ink_swell, light.truncate()),
+            light,
+        })
+    }
+
+    /// Corners of a box in the picture that holds all of it.
+    pub fn extent(&self, camera: &Camera) -> [DVec2; 2] {
+        let reach = self.lobes.reach() * self.radius + self.line.widest() * self.pixel;
+        let corners =
+            [-1.0, 1.0].map(|side| camera.pixel_of(self.center + DVec3::new(side * reach, side * reach, 0.0)));
+        [corners[0].min(corners[1]), corners[0].max(corners[1])]
+    }
+
+    /// `screen`: from 0 at the bottom of the picture to 1 at its top.
+    pub fn meet(&self, ray: Ray, screen: f64) -> Option<BodyHit> {
+        let point = (ray.at(-self.center.z) - self.center).truncate() / self.radius;
+        let meeting = self.lobes.meet(point);
+        let is_ink = meeting.outside >= 0.0;
+        let width = self.line.width(point - self.lobes.middle.truncate());
+        if is_ink && meeting.outside * self.radius > width * self.pixel {
+            return None;
+        }
+        let normal = self.lobes.normal(point.extend(meeting.height));
+        let style = &self.scene.style;
+        let shade = Shade::of(&style.smoke_ramps[self.look.ramp()], normal.dot(self.light))
+            .filled(gradient_factor(style, &self.along(point, screen)));
+        let behind = if is_ink { style.inner_line } else { 0.0 };
+        Some(BodyHit {
+            depth: -self.center.z - (meeting.height - behind) * self.radius,
+            is_ink,
+            shade: if is_ink {
+                shade.inked(DVec3::from(style.ink_color), ink::share(width))
+            } else {
+                shade
+            },
+        })
+    }
+
+    fn along(&self, point: DVec2, screen: f64) -> Along {
+        Along {
+            puff: point.y,
+            height: self.row.place[1] + point.y * self.radius,
+            screen,
+            age: self.look.age(),
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! How wide the line beside a puff is, and how much of it is ink. Widths and radii in pixels.
+
+use glam::DVec2;
+
+/// A line and how it swells: at 1 it is twice as wide away from the light, and half as wide towards it.
+pub struct Line {
+    /// Where it runs across the light.
+    even: f64,
+    swell: f64,
+    /// Of the unit vector towards the light, what lies in the image plane.
+    light: DVec2,
+}
+
+impl Line {
+    /// `full`: its even width beside a puff that is large enough, by what is widest of it.
+    pub fn new(full: f64, radius: f64, swell: f64, light: DVec2) -> Self {
+        Self {
+            even: line_width(full * swell.exp2(), radius) / swell.exp2(),
+            swell,
+            light,
+        }
+    }
+
+    /// Width where the silhouette looks in the direction of `outward`.
+    pub fn width(&self, outward: DVec2) -> f64 {
+        self.even * (-self.swell * outward.normalize_or_zero().dot(self.light)).exp2()
+    }
+
+    pub fn widest(&self) -> f64 {
+        self.even * self.swell.exp2()
+    }
+}
+
+/// Full beside puffs with a radius of 3.5 widths and more, nothing beside those no larger than the line is wide.
+fn line_width(full: f64, radius: f64) -> f64 {
+    if full <= 0.0 {
+        0.0
+    } else {
+        full * smooth_step(1.0, 3.5, radius / full)
+    }
+}
+
+/// Under a pixel a line goes over into the colour of its smoke; under half a pixel it is gone.
+pub fn share(width: f64) -> f64 {
+    smooth_step(0.5, 1.0, width)
+}
+
+/// From 0 at `from` to 1 at `to`, flat at both ends.
+pub fn smooth_step(from: f64, to: f64, value: f64) -> f64 {
+    let t = ((value - from) / (to - from)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}

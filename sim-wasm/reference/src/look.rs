@@ -1,0 +1,42 @@
+//! The two words of a row's look, as ARCHITECTURE.md lays them out.
+
+use std::f64::consts::TAU;
+
+use glam::{DMat3, DVec3};
+
+#[derive(Clone, Copy)]
+pub struct Look(pub [u32; 2]);
+
+impl Look {
+    /// Radians.
+    pub fn roll(self) -> f64 {
+        f64::from(self.0[0] & 0xffff) / 65536.0 * TAU
+    }
+
+    /// As a fraction of the lifetime.
+    pub fn age(self) -> f64 {
+        f64::from(self.0[0] >> 16) / 65535.0
+    }
+
+    pub fn variation(self) -> usize {
+        (self.0[1] & 0xff) as usize
+    }
+
+    /// Which of the smoke's ramps: 0 without a tint, else one of the three tints by turns.
+    pub fn ramp(self) -> usize {
+        match self.0[1] >> 24 {
+            0 => 0,
+            tint => 1 + (tint as usize - 1) % 3,
+        }
+    }
+
+    /// Turned by the roll about an axis of the particle's own: one of 256 on a golden spiral from pole to pole.
+    pub fn world_from_puff(self) -> DMat3 {
+        let seed = f64::from(self.0[1] >> 8 & 0xff);
+        let golden_angle = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
+        let z = 1.0 - (2.0 * seed + 1.0) / 256.0;
+        let (sin, cos) = (golden_angle * seed).sin_cos();
+        let axis = DVec3::new(cos * (1.0 - z * z).sqrt(), sin * (1.0 - z * z).sqrt(), z);
+        DMat3::from_axis_angle(axis.normalize(), self.roll())
+    }
+}

@@ -1,0 +1,24 @@
+//! Reads a scene from standard input and writes its picture to standard output: see [`scene::Scene`] and
+//! [`picture::Picture::to_bytes`]. Everything follows from the definitions of the renderer, with one ray through the
+//! middle of each pixel and nothing shared with the shaders, so that the two can be compared.
+
+mod bodies;
+mod ink;
+mod lobes;
+mod look;
+mod picture;
+mod ray;
+mod scene;
+mod shade;
+mod surfaces;
+mod triangles;
+mod volumes;
+
+use std::error::Error;
+use std::io::{Write, stdin, stdout};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let scene: scene::Scene = serde_json::from_reader(stdin().lock())?;
+    stdout().write_all(&picture::draw(&scene).to_bytes())?;
+    Ok(())
+}

@@ -1,0 +1,209 @@
+//! The whole picture: what is nearest in each pixel, how many shadows lie over it, and its colour.
+
+use glam::{DVec2, DVec3};
+
+use crate::bodies::{Body, BodyHit};
+use crate::ray::Camera;
+use crate::scene::Scene;
+use crate::shade::Shade;
+use crate::surfaces::Solids;
+use crate::volumes::Volume;
+
+/// What is not smoke is numbered from here on.
+const SURFACES: u32 = 1 << 20;
+const BACKDROP: u32 = SURFACES - 1;
+/// Bodies keep off both ends of the depth range.
+const DEPTH_MARGIN: f64 = 4e-7;
+/// The most that a stencil of 8 bits counts.
+const MOST: u32 = 255;
+
+/// What is nearest in a pixel.
+#[derive(Clone, Copy)]
+struct Nearest {
+    shade: Shade,
+    /// As in the depth buffer, and as view depth.
+    window_depth: f64,
+    depth: f64,
+    what: u32,
+    is_ink: bool,
+    alpha: u8,
+}
+
+/// Pixels row by row from the bottom.
+pub struct Picture {
+    colors: Vec<[u8; 4]>,
+    counts: Vec<u8>,
+    regions: Vec<u32>,
+}
+
+impl Picture {
+    /// Colours with alpha, a byte a channel; then counts of shadow volumes, a byte each; then numbers of regions, four
+    /// bytes each with the lowest first: pixels of one region show the same tone of the same thing.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let regions = self.regions.iter().flat_map(|region| region.to_le_bytes());
+        self.colors
+            .iter()
+            .flatten()
+            .chain(&self.counts)
+            .copied()
+            .chain(regions)
+            .collect()
+    }
+}
+
+pub fn draw(scene: &Scene) -> Picture {
+    let painter = Painter::new(scene);
+    let mut seen: Vec<Nearest> = (0..scene.width * scene.height)
+        .map(|pixel| painter.behind_smoke(pixel))
+        .collect();
+    for (index, &row) in scene.bodies.iter().enumerate() {
+        if let Some(body) = Body::new(scene, &painter.camera, row) {
+            painter.draw_body(&body, index as u32, &mut seen);
+        }
+    }
+    let counts = seen
+        .iter()
+        .enumerate()
+        .map(|(pixel, seen)| painter.shadows_over(pixel, seen))
+        .collect();
+    finished(&seen, counts)
+}
+
+struct Painter<'a> {
+    scene: &'a Scene,
+    camera: Camera,
+    solids: Solids<'a>,
+    volumes: Vec<Volume>,
+    towards_light: DVec3,
+}
+
+impl<'a> Painter<'a> {
+    fn new(scene: &'a Scene) -> Self {
+        let camera = Camera::new(scene);
+        Self {
+            solids: Solids::new(&scene.surfaces),
+            volumes: scene
+                .casters
+                .iter()
+                .map(|row| Volume::new(scene, &camera, row))
+                .collect(),
+            towards_light: scene.towards_light.into(),
+            scene,
+            camera,
+        }
+    }
+
+    fn middle_of(&self, pixel: usize) -> DVec2 {
+        DVec2::new(
+            (pixel % self.scene.width) as f64 + 0.5,
+            (pixel / self.scene.width) as f64 + 0.5,
+        )
+    }
+
+    /// From 0 at the bottom of the picture to 1 at its top.
+    fn height_of(&self, pixel: usize) -> f64 {
+        self.middle_of(pixel).y / self.scene.height as f64
+    }
+
+    fn behind_smoke(&self, pixel: usize) -> Nearest {
+        let ray = self.camera.ray_in_world(self.middle_of(pixel));
+        let Some((index, depth, shade)) =
+            self.solids
+                .meet(ray, [self.camera.near, self.camera.far], self.towards_light)
+        else {
+            return backdrop(self.scene, self.height_of(pixel));
+        };
+        Nearest {
+            shade,
+            window_depth: self.camera.window_depth(depth),
+            depth,
+            what: SURFACES + index as u32,
+            is_ink: false,
+            alpha: 255,
+        }
+    }
+
+    fn draw_body(&self, body: &Body, what: u32, seen: &mut [Nearest]) {
+        let [lowest, highest] = body.extent(&self.camera);
+        let span = |low: f64, high: f64, size: usize| low.max(0.0) as usize..(high.max(0.0) as usize + 1).min(size);
+        for y in span(lowest.y, highest.y, self.scene.height) {
+            for x in span(lowest.x, highest.x, self.scene.width) {
+                let pixel = y * self.scene.width + x;
+                let ray = self.camera.ray(self.middle_of(pixel));
+                if let Some(hit) = body.meet(ray, self.height_of(pixel)) {
+                    self.put(hit, what, &mut seen[pixel]);
+                }
+            }
+        }
+    }
+
+    /// What comes later wins where two lie equally deep.
+    fn put(&self, BodyHit { depth, is_ink, shade }: BodyHit, what: u32, seen: &mut Nearest) {
+        let window_depth = self.camera.window_depth(depth).clamp(DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
+        if window_depth <= seen.window_depth {
+            *seen = Nearest {
+                shade,
+                window_depth,
+                depth,
+                what,
+                is_ink,
+                alpha: 255,
+            };
+        }
+    }
+
+    /// How many volumes hold what is seen. What reaches through the near plane lies just behind it.
+    fn shadows_over(&self, pixel: usize, seen: &Nearest) -> u32 {
+        if !self.scene.shadows || seen.what == BACKDROP {
+            return 0;
+        }
+        let point = self
+            .camera
+            .ray_in_world(self.middle_of(pixel))
+            .at(seen.depth.max(self.camera.near));
+        let of_puffs = self.volumes.iter().filter(|volume| volume.holds(point)).count() as u32;
+        of_puffs + self.solids.shadows_over(point, self.towards_light)
+    }
+}
+
+fn backdrop(scene: &Scene, height: f64) -> Nearest {
+    let color = match &scene.backdrop {
+        Some(backdrop) => DVec3::from(backdrop.bottom).lerp(DVec3::from(backdrop.top), height),
+        None => DVec3::ZERO,
+    };
+    Nearest {
+        shade: Shade::same(color),
+        window_depth: 1.0,
+        depth: f64::INFINITY,
+        what: BACKDROP,
+        is_ink: false,
+        alpha: if scene.backdrop.is_some() { 255 } else { 0 },
+    }
+}
+
+fn finished(nearest: &[Nearest], counts: Vec<u32>) -> Picture {
+    Picture {
+        colors: nearest
+            .iter()
+            .zip(&counts)
+            .map(|(seen, &count)| color_of(seen, count))
+            .collect(),
+        counts: counts.iter().map(|&count| count.min(MOST) as u8).collect(),
+        regions: nearest
+            .iter()
+            .zip(&counts)
+            .map(|(seen, &count)| region_of(seen, count))
+            .collect(),
+    }
+}
+
+fn color_of(seen: &Nearest, count: u32) -> [u8; 4] {
+    let color = if count > 0 { seen.shade.unlit } else { seen.shade.lit };
+    let [red, green, blue] = color.to_array().map(|channel| channel.round().clamp(0.0, 255.0) as u8);
+    [red, green, blue, seen.alpha]
+}
+
+fn region_of(seen: &Nearest, count: u32) -> u32 {
+    let tone = if seen.is_ink { 63 } else { seen.shade.tone as u32 };
+    (seen.what * 64 + tone) * 2 + u32::from(count > 0)
+}

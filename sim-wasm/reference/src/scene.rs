@@ -1,0 +1,129 @@
+//! What is drawn, as it comes in: plain data in JSON. Lengths in metres, colours display-encoded from 0 to 255, matrices
+//! column by column.
+
+use serde::Deserialize;
+
+pub type Triple = [f64; 3];
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Scene {
+    pub width: usize,
+    pub height: usize,
+    pub view_from_world: [f64; 16],
+    pub clip_from_view: [f64; 16],
+    /// Unit vector.
+    pub towards_light: Triple,
+    pub backdrop: Option<Backdrop>,
+    pub style: Style,
+    pub puffs: Puffs,
+    pub bodies: Vec<Row>,
+    /// What throws shadow.
+    pub casters: Vec<Row>,
+    pub surfaces: Vec<Surface>,
+    /// Whether anything throws shadow.
+    pub shadows: bool,
+}
+
+#[derive(Deserialize)]
+pub struct Backdrop {
+    pub top: Triple,
+    pub bottom: Triple,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Style {
+    /// Full width of the line in pixels; 0 draws none.
+    pub ink_pixels: f64,
+    pub ink_color: Triple,
+    /// How much wider lines are away from the light, 0 to 1.
+    pub ink_swell: f64,
+    /// How far the line of a puff lies behind it, in its radii.
+    pub inner_line: f64,
+    pub gradient: Gradient,
+    pub gradient_color: Triple,
+    pub smoke_color: Triple,
+    /// World heights between which the gradient `height` runs.
+    pub plume_height: [f64; 2],
+    /// Of smoke without a tint, then of its three tints.
+    pub smoke_ramps: [Ramp; 4],
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Gradient {
+    None,
+    Puff,
+    Height,
+    Screen,
+    Age,
+}
+
+/// What a material shows in the light and in shadow, by the cosine between its normal and the light.
+#[derive(Deserialize)]
+pub struct Ramp {
+    pub lit: Vec<Tone>,
+    pub unlit: Vec<Tone>,
+}
+
+#[derive(Deserialize)]
+pub struct Tone {
+    pub from: f64,
+    pub color: Triple,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Puffs {
+    /// For each variation its lobes: centre and radius, in radii of the particle.
+    pub lobes: Vec<Vec<[f64; 4]>>,
+    /// Reach of the fillet along creases, in radii, and share of the overall normal in every normal.
+    pub fillet: f64,
+    pub blend: f64,
+    /// Radius of a shadow volume in radii of the particle.
+    pub shadow_radius: f64,
+    pub start_caps: StartCaps,
+}
+
+/// For each variation and direction towards the light, in the frame of the puff, how many radii behind the centre its
+/// farthest lit point lies. Columns go by azimuth about z from -pi, rows by the angle to z.
+#[derive(Deserialize)]
+pub struct StartCaps {
+    pub width: usize,
+    pub height: usize,
+    pub values: Vec<f64>,
+}
+
+/// A particle as the simulator writes it: place and radius, then the two words of its look.
+#[derive(Clone, Copy, Deserialize)]
+pub struct Row {
+    pub place: Triple,
+    pub radius: f64,
+    pub look: [u32; 2],
+}
+
+#[derive(Deserialize)]
+pub struct Surface {
+    pub shape: Shape,
+    pub ramp: Ramp,
+    pub casts: bool,
+}
+
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "camelCase")]
+pub enum Shape {
+    Ball {
+        center: Triple,
+        radius: f64,
+    },
+    Box {
+        center: Triple,
+        half: Triple,
+    },
+    Triangles {
+        positions: Vec<f64>,
+        normals: Vec<f64>,
+        indices: Vec<usize>,
+    },
+}

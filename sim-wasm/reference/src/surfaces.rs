@@ -1,0 +1,209 @@
+//! Ordinary solids of the scene: what a ray sees of them, and how often a point lies in their shadow.
+
+use glam::DVec3;
+
+use crate::ray::Ray;
+use crate::scene::{Ramp, Shape, Surface};
+use crate::shade::Shade;
+use crate::triangles::Triangles;
+
+/// A surface's shadow begins this deep under its lit side, metres.
+const INSET: f64 = 0.012;
+
+/// Where a line crosses a surface.
+#[derive(Clone, Copy)]
+pub struct Crossing {
+    /// In lengths of the line's direction.
+    pub at: f64,
+    /// Outward normal of what is crossed, and the one that it is shaded by.
+    pub face: DVec3,
+    pub normal: DVec3,
+}
+
+enum Solid {
+    Ball { center: DVec3, radius: f64 },
+    Box { center: DVec3, half: DVec3 },
+    Mesh(Triangles),
+}
+
+pub struct Solids<'a> {
+    solids: Vec<(Solid, &'a Surface)>,
+}
+
+impl<'a> Solids<'a> {
+    pub fn new(surfaces: &'a [Surface]) -> Self {
+        Self {
+            solids: surfaces
+                .iter()
+                .map(|surface| (Solid::new(&surface.shape), surface))
+                .collect(),
+        }
+    }
+
+    /// Which surface a ray sees between two depths, at which depth, and its colours.
+    pub fn meet(&self, ray: Ray, depths: [f64; 2], towards_light: DVec3) -> Option<(usize, f64, Shade)> {
+        let mut nearest: Option<(usize, Crossing)> = None;
+        for (index, (solid, _)) in self.solids.iter().enumerate() {
+            solid.cross(ray.origin, ray.direction, &mut |crossing| {
+                let is_front = crossing.face.dot(ray.direction) < 0.0;
+                let is_between = depths[0] <= crossing.at && crossing.at <= depths[1];
+                let is_nearer = nearest.is_none_or(|(_, other)| crossing.at < other.at);
+                if is_front && is_between && is_nearer {
+                    nearest = Some((index, crossing));
+                }
+            });
+        }
+        nearest.map(|(index, crossing)| {
+            let ramp: &Ramp = &self.solids[index].1.ramp;
+            (index, crossing.at, Shade::of(ramp, crossing.normal.dot(towards_light)))
+        })
+    }
+
+    /// How many times over a point lies under lit faces, seen along the light.
+    pub fn shadows_over(&self, point: DVec3, towards_light: DVec3) -> u32 {
+        let mut count = 0;
+        for (solid, surface) in &self.solids {
+            if !surface.casts {
+                continue;
+            }
+            solid.cross(point, towards_light, &mut |crossing| {
+                count += u32::from(crossing.at > INSET && crossing.face.dot(towards_light) > 0.0);
+            });
+        }
+        count
+    }
+}
+
+impl Solid {
+    fn new(shape: &Shape) -> Self {
+        match shape {
+            &Shape::Ball { center, radius } => Self::Ball {
+                center: center.into(),
+                radius,
+            },
+            &Shape::Box { center, half } => Self::Box {
+                center: center.into(),
+                half: half.into(),
+            },
+            Shape::Triangles {
+                positions,
+                normals,
+                indices,
+            } => Self::Mesh(Triangles::new(positions, normals, indices)),
+        }
+    }
+
+    fn cross(&self, origin: DVec3, direction: DVec3, found: &mut impl FnMut(Crossing)) {
+        match self {
+            Self::Ball { center, radius } => cross_ball(*center, *radius, origin, direction, found),
+            Self::Box { center, half } => cross_box(*center, *half, origin, direction, found),
+            Self::Mesh(triangles) => triangles.cross(origin, direction, found),
+        }
+    }
+}
+
+fn cross_ball(center: DVec3, radius: f64, origin: DVec3, direction: DVec3, found: &mut impl FnMut(Crossing)) {
+    let middle = (center - origin).dot(direction) / direction.length_squared();
+    let beside = (origin + middle * direction).distance_squared(center);
+    if beside > radius * radius {
+        return;
+    }
+    let half_chord = ((radius * radius - beside) / direction.length_squared()).sqrt();
+    for at in [middle - half_chord, middle + half_chord] {
+        let normal = (origin + at * direction - center) / radius;
+        found(Crossing {
+            at,
+            face: normal,
+            normal,
+        });
+    }
+}
+
+fn cross_box(center: DVec3, half: DVec3, origin: DVec3, direction: DVec3, found: &mut impl FnMut(Crossing)) {
+    for axis in 0..3 {
+        for side in [-1.0, 1.0] {
+            let at = (center[axis] + side * half[axis] - origin[axis]) / direction[axis];
+            let offset = (origin + at * direction - center).abs();
+            let is_inside = (0..3).all(|other| other == axis || offset[other] <= half[other]);
+            if at.is_finite() && is_inside {
+                let mut normal = DVec3::ZERO;
+                normal[axis] = side;
+                found(Crossing {
+                    at,
+                    face: normal,
+                    normal,
+                });
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Distances at which a line crosses a shape, from the nearest.
+    fn crossings(shape: &Shape, origin: DVec3, direction: DVec3) -> Vec<f64> {
+        let mut found = Vec::new();
+        Solid::new(shape).cross(origin, direction, &mut |crossing| found.push(crossing.at));
+        found.sort_by(f64::total_cmp);
+        found
+    }
+
+    #[test]
+    fn a_box_of_triangles_is_crossed_as_the_box() {
+        let corner = |index: usize| [0, 1, 2].map(|axis| if index >> axis & 1 == 1 { 1.0 } else { -1.0 });
+        let positions: Vec<f64> = (0..8).flat_map(corner).collect();
+        let faces = [
+            [0, 2, 3, 1],
+            [4, 5, 7, 6],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
+        ];
+        let indices = faces.iter().flat_map(|&[a, b, c, d]| [a, b, c, a, c, d]).collect();
+        let triangles = Shape::Triangles {
+            normals: positions.clone(),
+            positions,
+            indices,
+        };
+        let cube = Shape::Box {
+            center: [0.0; 3],
+            half: [1.0; 3],
+        };
+        let mut met = 0;
+        for turn in 0..200 {
+            let (sin, cos) = (0.7 * f64::from(turn)).sin_cos();
+            let origin = DVec3::new(4.0 * cos, 3.0 - 0.03 * f64::from(turn), 4.0 * sin);
+            let direction = DVec3::new(0.3 * sin, 0.1, 0.4 * cos) - origin;
+            let (found, expected) = (
+                crossings(&triangles, origin, direction),
+                crossings(&cube, origin, direction),
+            );
+            met += expected.len();
+            assert!(found.len() == expected.len() && found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-9));
+        }
+        assert!(met > 100);
+    }
+
+    #[test]
+    fn a_ball_shades_what_lies_behind_it_and_its_own_far_side() {
+        let ramp = || Ramp {
+            lit: Vec::new(),
+            unlit: Vec::new(),
+        };
+        let ball = Shape::Ball {
+            center: [0.0, 2.0, 0.0],
+            radius: 1.0,
+        };
+        let surfaces = [Surface {
+            shape: ball,
+            ramp: ramp(),
+            casts: true,
+        }];
+        let count = |x: f64, y: f64| Solids::new(&surfaces).shadows_over(DVec3::new(x, y, 0.0), DVec3::Y);
+        assert_eq!([count(0.9, 0.0), count(1.1, 0.0), count(0.0, 3.5)], [1, 0, 0]);
+        assert_eq!([count(0.0, 3.0), count(0.0, 1.0)], [0, 1]);
+    }
+}

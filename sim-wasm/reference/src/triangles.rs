@@ -1,0 +1,100 @@
+//! Triangles, and where a line crosses them.
+
+use glam::DVec3;
+
+use crate::surfaces::Crossing;
+
+/// Most triangles that are tried one by one.
+const FEW: usize = 4;
+
+struct Triangle {
+    corners: [DVec3; 3],
+    normals: [DVec3; 3],
+}
+
+/// Triangles in a box, in two halves where they are many.
+pub struct Triangles {
+    lowest: DVec3,
+    highest: DVec3,
+    own: Vec<Triangle>,
+    halves: Vec<Triangles>,
+}
+
+impl Triangles {
+    /// Triples of coordinates, and three indices a triangle, wound anticlockwise seen from outside.
+    pub fn new(positions: &[f64], normals: &[f64], indices: &[usize]) -> Self {
+        let triangles = indices
+            .chunks_exact(3)
+            .map(|corners| Triangle {
+                corners: [0, 1, 2].map(|i| DVec3::from_slice(&positions[3 * corners[i]..])),
+                normals: [0, 1, 2].map(|i| DVec3::from_slice(&normals[3 * corners[i]..])),
+            })
+            .collect();
+        Self::halved(triangles)
+    }
+
+    fn halved(mut own: Vec<Triangle>) -> Self {
+        let corners = || own.iter().flat_map(|triangle| triangle.corners);
+        let lowest = corners().fold(DVec3::INFINITY, DVec3::min);
+        let highest = corners().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let mut halves = Vec::new();
+        if own.len() > FEW {
+            let axis = (highest - lowest).max_position();
+            own.sort_by(|a, b| a.middle(axis).total_cmp(&b.middle(axis)));
+            let second = own.split_off(own.len() / 2);
+            halves = vec![Self::halved(std::mem::take(&mut own)), Self::halved(second)];
+        }
+        Self {
+            lowest,
+            highest,
+            own,
+            halves,
+        }
+    }
+
+    /// Calls back for each crossing of the line `origin + t direction` with any of them, for all t.
+    pub fn cross(&self, origin: DVec3, direction: DVec3, found: &mut impl FnMut(Crossing)) {
+        if !self.is_near(origin, direction) {
+            return;
+        }
+        self.own
+            .iter()
+            .filter_map(|triangle| triangle.cross(origin, direction))
+            .for_each(&mut *found);
+        self.halves.iter().for_each(|half| half.cross(origin, direction, found));
+    }
+
+    /// Whether the line goes through the box.
+    fn is_near(&self, origin: DVec3, direction: DVec3) -> bool {
+        let (a, b) = ((self.lowest - origin) / direction, (self.highest - origin) / direction);
+        a.min(b).max_element() <= a.max(b).min_element() + 1e-9
+    }
+}
+
+impl Triangle {
+    fn middle(&self, axis: usize) -> f64 {
+        self.corners.iter().map(|corner| corner[axis]).sum()
+    }
+
+    fn cross(&self, origin: DVec3, direction: DVec3) -> Option<Crossing> {
+        let [a, b, c] = self.corners;
+        let face = (b - a).cross(c - a);
+        let slant = face.dot(direction);
+        if slant == 0.0 {
+            return None;
+        }
+        let at = face.dot(a - origin) / slant;
+        let point = origin + at * direction;
+        let share = |from: DVec3, to: DVec3| (to - from).cross(point - from).dot(face) / face.length_squared();
+        let weights = [share(b, c), share(c, a), share(a, b)];
+        if weights.iter().any(|&weight| weight < 0.0) {
+            return None;
+        }
+        let normal: DVec3 = (0..3).map(|i| weights[i] * self.normals[i]).sum();
+        Some(Crossing {
+            at,
+            face: face.normalize(),
+            normal: normal.normalize(),
+        })
+    }
+}

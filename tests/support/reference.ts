@@ -1,0 +1,149 @@
+/** Pictures by sim-wasm/reference, and how much others differ from them. */
+import { spawn } from 'node:child_process';
+import { expect, type TestInfo } from '@playwright/test';
+import { PNG } from 'pngjs';
+
+type Outcome = { status: number; output: string };
+type Cargo = (parameters: string[]) => Promise<Outcome>;
+
+// The scripts are plain JavaScript, checked apart from the tests.
+const path = '../../scripts/setup/toolchain.mjs';
+
+/** Row by row from the bottom. */
+interface ReferencePicture {
+  width: number;
+  height: number;
+  /** Four bytes a pixel. */
+  colors: Uint8Array;
+  /** Shadow volumes over each pixel, at most 255. */
+  counts: Uint8Array;
+  /** Pixels of one region show the same tone of the same thing. */
+  regions: Uint32Array;
+}
+
+/** How much a picture differs from the reference. An edge is where the reference itself changes from pixel to pixel. */
+interface Difference {
+  pixels: number;
+  edges: number;
+  /** Colours that differ by more than rounding, and counts that differ, within regions and at edges. */
+  colors: number;
+  counts: number;
+  colorsAtEdges: number;
+}
+
+let program: Promise<string> | undefined;
+
+/** A picture and what it is a picture of; bytes as base64, row by row from the bottom. */
+export interface Drawn {
+  /** JSON as `Scene` in sim-wasm/reference/src/scene.rs has it. */
+  description: string;
+  pixels: string;
+  /** Shadow volumes over each pixel. */
+  counts: string;
+}
+
+/**
+ * Demands that a picture is the reference's: in all 99.5 % of its pixels, and within regions, where nothing can round to
+ * the other side of a border, in 99.95 %. Prints the figures, and attaches both pictures where it is not so.
+ */
+export async function expectReference(name: string, drawn: Drawn, testInfo: TestInfo): Promise<void> {
+  const reference = await referencePicture(drawn.description);
+  const [colors, counts] = [drawn.pixels, drawn.counts].map((text) => Uint8Array.from(Buffer.from(text, 'base64')));
+  const difference = differenceFrom(reference, colors, counts);
+  const share = (count: number) => count / difference.pixels;
+  const percent = (count: number) => `${(100 * share(count)).toFixed(3)} %`;
+  console.log(
+    `${name}: ${percent(difference.colors)} of the pixels differ, ${percent(difference.colorsAtEdges)} more at edges,`,
+    `${percent(difference.counts)} of the counts; ${percent(difference.edges)} are edges`,
+  );
+  const isSame = share(difference.colors + difference.colorsAtEdges) <= 0.005 && share(difference.colors) <= 0.0005;
+  if (!isSame) {
+    await testInfo.attach(`${name}.png`, { body: sheetOf(reference, colors), contentType: 'image/png' });
+  }
+  expect.soft(isSame, `${name} is the reference's picture`).toBe(true);
+  expect.soft(share(difference.counts), `${name}: shadow counts`).toBeLessThanOrEqual(0.001);
+}
+
+async function referencePicture(description: string): Promise<ReferencePicture> {
+  const { width, height } = JSON.parse(description) as { width: number; height: number };
+  program ??= build();
+  const bytes = await answer(await program, description);
+  const pixels = width * height;
+  return {
+    width,
+    height,
+    colors: bytes.subarray(0, 4 * pixels),
+    counts: bytes.subarray(4 * pixels, 5 * pixels),
+    regions: new Uint32Array(bytes.slice(5 * pixels).buffer),
+  };
+}
+
+/** @param colors, counts of the other picture, row by row from the bottom */
+function differenceFrom(reference: ReferencePicture, colors: Uint8Array, counts: Uint8Array): Difference {
+  const difference: Difference = { pixels: reference.regions.length, edges: 0, colors: 0, counts: 0, colorsAtEdges: 0 };
+  for (let pixel = 0; pixel < difference.pixels; pixel++) {
+    const isOther = isOtherColor(reference.colors, colors, pixel);
+    if (isEdge(reference, pixel)) {
+      difference.edges++;
+      if (isOther) difference.colorsAtEdges++;
+      continue;
+    }
+    if (isOther) difference.colors++;
+    if (reference.counts[pixel] !== counts[pixel]) difference.counts++;
+  }
+  return difference;
+}
+
+/** The reference above the other picture, and where they differ: red within regions, yellow at edges. */
+function sheetOf(reference: ReferencePicture, colors: Uint8Array): Buffer {
+  const { width, height } = reference;
+  const sheet = new PNG({ width, height: 3 * height });
+  for (let pixel = 0; pixel < width * height; pixel++) {
+    const row = height - 1 - Math.floor(pixel / width);
+    const isOther = isOtherColor(reference.colors, colors, pixel);
+    const grey = reference.colors[4 * pixel + 1] >> 1;
+    const mark = isOther ? [255, isEdge(reference, pixel) ? 220 : 0, 0, 255] : [grey, grey, grey, 255];
+    [reference.colors.subarray(4 * pixel, 4 * pixel + 4), colors.subarray(4 * pixel, 4 * pixel + 4), mark].forEach(
+      (color, part) => sheet.data.set(color, 4 * ((part * height + row) * width + (pixel % width))),
+    );
+  }
+  return PNG.sync.write(sheet);
+}
+
+/** One step of a channel is rounding. */
+function isOtherColor(a: Uint8Array, b: Uint8Array, pixel: number): boolean {
+  return [0, 1, 2, 3].some((channel) => Math.abs(a[4 * pixel + channel] - b[4 * pixel + channel]) > 1);
+}
+
+function isEdge({ width, height, regions }: ReferencePicture, pixel: number): boolean {
+  const [x, y] = [pixel % width, Math.floor(pixel / width)];
+  for (let j = Math.max(0, y - 1); j <= Math.min(height - 1, y + 1); j++) {
+    for (let i = Math.max(0, x - 1); i <= Math.min(width - 1, x + 1); i++) {
+      if (regions[j * width + i] !== regions[pixel]) return true;
+    }
+  }
+  return false;
+}
+
+/** Builds the program, if it is not, and gives its path. */
+async function build(): Promise<string> {
+  const { cargo } = (await import(path)) as { cargo: Cargo };
+  const { status, output } = await cargo(['build', '--locked', '--package', 'reference', '--message-format', 'json']);
+  if (status !== 0) throw new Error(output);
+  return /"executable":"([^"]+)"/.exec(output)![1];
+}
+
+function answer(executable: string, question: string): Promise<Uint8Array> {
+  return new Promise((resolve, reject) => {
+    const child = spawn(executable, { stdio: ['pipe', 'pipe', 'inherit'] });
+    const parts: Buffer[] = [];
+    child.stdout.on('data', (part: Buffer) => parts.push(part));
+    child.on('error', reject);
+    child.on('close', (status) =>
+      status === 0
+        ? resolve(Uint8Array.from(Buffer.concat(parts)))
+        : reject(new Error(`the reference ended with ${status}`)),
+    );
+    child.stdin.end(question);
+  });
+}

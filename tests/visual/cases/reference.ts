@@ -1,0 +1,129 @@
+/** Frames that the GPU draws, and their descriptions for the reference, which draws the same. */
+import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
+import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
+import { ballMesh } from '../../../src/scenes/models/ball.ts';
+import { lamp } from '../../../src/scenes/lamp.ts';
+import { loadSimulators } from '../../../src/sim/load.ts';
+import { towardsLight } from '../../../src/smoke/light.ts';
+import { styleOf, type Style } from '../../../src/smoke/style.ts';
+import { OrbitCamera } from '../../../src/stage/orbit.ts';
+import { Simulation } from '../../../src/stage/simulation.ts';
+import type { Drawn } from '../../support/reference.ts';
+import { describe, type Shaped, type Shown } from '../description.ts';
+import { inputOf, Lab } from '../lab.ts';
+import { random } from '../random.ts';
+import { box, ground } from '../solids.ts';
+
+const [WIDTH, HEIGHT] = [320, 240];
+const BACKDROP = { top: [43, 45, 92], bottom: [214, 110, 122] } as const;
+
+export type SceneName = keyof typeof SCENES;
+export type Mode = Partial<Style>;
+
+/** One scene in several modes. */
+export async function drawn(scene: SceneName, modes: readonly Mode[]): Promise<Drawn[]> {
+  const { input, surfaces, backdrop } = await SCENES[scene]();
+  const lab = new Lab({ width: WIDTH, height: HEIGHT, puffs: [], capacity: CAPACITY, surfaces, backdrop });
+  const pictures = modes.map((mode) => {
+    const style = { ...input.style, ...mode };
+    const { pixels, counts } = lab.drawFrame({ ...input, style }, { readCounts: true });
+    const description = describe({ input: { ...input, style }, surfaces, backdrop });
+    return { description, pixels: base64(pixels), counts: base64(counts) };
+  });
+  lab.dispose();
+  return pictures;
+}
+
+const CAPACITY = 1000;
+
+const SCENES = {
+  perspective: () => cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0])),
+  offAxis: () => cluster(looking(offAxis(), [0.5, 1.6, 3.4], [0, -0.2, 0])),
+  orthographic: () => cluster(looking(orthographic(), [2, 2.5, 5], [0, -0.2, 0])),
+  eyeInside: () => cluster(looking(perspective(), [0.1, -0.1, 0.5], [0, -0.4, -0.8]), [0.1, 1, 0.1]),
+  backlit: () => cluster(looking(perspective(), [0, 0.6, 4.5], [0, -0.2, 0]), [0.1, 0.35, -1]),
+  lampRising: () => lampAfter(90),
+  lampFull: () => lampAfter(240),
+} satisfies Record<string, () => Shown | Promise<Shown>>;
+
+function perspective(): PerspectiveCamera {
+  return new PerspectiveCamera(45, WIDTH / HEIGHT, 0.1, 100);
+}
+
+function offAxis(): PerspectiveCamera {
+  const camera = perspective();
+  camera.setViewOffset(2 * WIDTH, 2 * HEIGHT, 0.6 * WIDTH, 0.7 * HEIGHT, WIDTH, HEIGHT);
+  return camera;
+}
+
+function orthographic(): OrthographicCamera {
+  return new OrthographicCamera(-2, 2, 1.5, -1.5, 0.1, 100);
+}
+
+function looking(camera: Camera, from: [number, number, number], at: [number, number, number]): Camera {
+  camera.position.set(...from);
+  camera.lookAt(...at);
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+/** Puffs of all tints, ages and variations over a ground, with a ball and a box among them. */
+function cluster(camera: Camera, light: [number, number, number] = [-0.5, 0.8, 0.4]): Shown {
+  const next = random(77);
+  const puffs = Array.from({ length: 40 }, (_, index) => ({
+    place: [next() * 2 - 1, next() * 1.3 - 0.7, next() * 2 - 1] as const,
+    radius: 0.12 + 0.22 * next(),
+    roll: next() * 2 * Math.PI,
+    variation: index % 4,
+    seed: Math.floor(next() * 256),
+    tint: index % 5,
+    age: next(),
+  }));
+  const surfaces = [ground(-1, 3), ball([-1.1, -0.5, 0.5], 0.35), cube([0.9, -0.6, 0.6], [0.25, 0.4, 0.2])];
+  const input = inputOf({ width: WIDTH, height: HEIGHT, puffs, surfaces, camera, towardsLight: light });
+  return { input, surfaces, backdrop: BACKDROP };
+}
+
+function ball(center: [number, number, number], radius: number): Shaped {
+  const mesh = ballMesh(radius, 60);
+  mesh.positions.forEach((value, index) => (mesh.positions[index] = value + center[index % 3]));
+  const solid = { type: 'ball', center, radius } as const;
+  return { name: 'ball', mesh, color: [64, 190, 178], casts: true, inked: false, solid };
+}
+
+function cube(center: [number, number, number], half: [number, number, number]): Shaped {
+  const solid = { type: 'box', center, half } as const;
+  return { name: 'box', mesh: box(center, half), color: [219, 64, 92], casts: true, inked: false, solid };
+}
+
+/** The lamp with its own camera and light, and its surfaces as triangles, after some steps of the real simulator. */
+async function lampAfter(steps: number): Promise<Shown> {
+  const values: Values = { ...presetValues(defaultPreset), 'simulation.maxParticles': CAPACITY };
+  const scene = lamp();
+  const simulation = new Simulation(await loadSimulators({ physics: true }), scene, values, 0);
+  simulation.advance(steps);
+  const orbit = new OrbitCamera(scene.camera);
+  orbit.setAspect(WIDTH / HEIGHT);
+  const surfaces = scene.surfaces.map((surface) => ({ ...surface, inked: false }));
+  const input = {
+    simulator: simulation.simulator,
+    camera: orbit.camera,
+    towardsLight: towardsLight(values['light.azimuth'] as number, values['light.elevation'] as number, new Vector3()),
+    style: styleOf(values),
+    blend: 1,
+    width: WIDTH,
+    height: HEIGHT,
+    pixelRatio: 1,
+    rigids: simulation.rigids(1),
+    cull: true,
+    output: null,
+  };
+  return { input, surfaces, backdrop: scene.backdrop };
+}
+
+function base64(bytes: Uint8Array): string {
+  let text = '';
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return btoa(text);
+}

@@ -1,0 +1,115 @@
+/** A frame as the renderer of sim-wasm/reference takes it. Runs inside a page; the names are those of its scene.rs. */
+import { Matrix3, Vector3, type Matrix4 } from 'three';
+import type { Color, Ramp } from '../../src/device/ramps.ts';
+import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
+import type { TriangleMesh } from '../../src/passes/extrusion.ts';
+import type { Rows } from '../../src/sim/rows.ts';
+import type { View } from '../../src/sim/view.ts';
+import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
+import type { FrameInput } from '../../src/smoke/frame.ts';
+import { rampOf, surfaceToning } from '../../src/smoke/palette.ts';
+import { inkLineOf, type Style } from '../../src/smoke/style.ts';
+import { SHADOW_SHARE } from '../../src/device/puffTextures.ts';
+
+type Triple = readonly [number, number, number];
+
+/** What a surface is in truth, where its mesh only comes near it. */
+export type Solid = { type: 'ball'; center: Triple; radius: number } | { type: 'box'; center: Triple; half: Triple };
+
+/** A surface that is drawn, and what the reference has in its place; its own triangles where absent. */
+export type Shaped = SurfaceDescription & { solid?: Solid };
+
+/** All that a frame shows: what `SmokeRenderer` is made with, and what it draws. */
+export interface Shown {
+  input: FrameInput;
+  surfaces: readonly Shaped[];
+  backdrop?: { top: Color; bottom: Color };
+}
+
+/** JSON for the reference. */
+export function describe({ input, surfaces, backdrop }: Shown): string {
+  const { simulator, camera, style, width, height, towardsLight } = input;
+  const rows = (purpose: View['purpose']) => rowsAsObjects(simulator.arrange(viewOf(input, purpose)));
+  return JSON.stringify({
+    width,
+    height,
+    viewFromWorld: camera.matrixWorldInverse.toArray(),
+    clipFromView: camera.projectionMatrix.toArray(),
+    towardsLight: towardsLight.toArray(),
+    backdrop,
+    bodies: rows('eye'),
+    casters: rows('light'),
+    style: styleAsObject(style, input),
+    puffs: puffsAsObject(),
+    surfaces: surfaces.map((surface) => surfaceAsObject(surface, style, input.rigids)),
+    shadows: style.shadows,
+  });
+}
+
+/** A view that leaves nothing out. */
+function viewOf({ blend, towardsLight }: FrameInput, purpose: View['purpose']): View {
+  const everywhere = { min: [-1e3, -1e3, -1e3], max: [1e3, 1e3, 1e3] };
+  const direction = towardsLight.clone().negate().toArray();
+  const clipFromWorld = new Float32Array(16);
+  return { purpose, blend, cull: false, pad: 0, clipFromWorld, direction, reach: 1, receivers: everywhere };
+}
+
+function rowsAsObjects({ count, place, look }: Rows): object[] {
+  return Array.from({ length: count }, (_, row) => ({
+    place: [...place.subarray(4 * row, 4 * row + 3)],
+    radius: place[4 * row + 3],
+    look: [...look.subarray(2 * row, 2 * row + 2)],
+  }));
+}
+
+function styleAsObject(style: Style, { pixelRatio, simulator }: FrameInput): object {
+  const { pixels, color, swell } = inkLineOf(style, pixelRatio);
+  const { min, max } = simulator.bounds;
+  return {
+    inkPixels: pixels,
+    inkColor: color,
+    inkSwell: swell,
+    innerLine: style.innerLine,
+    gradient: style.gradient,
+    gradientColor: style.gradientColor,
+    smokeColor: style.smokeColor,
+    plumeHeight: [min[1], max[1]],
+    smokeRamps: [style.smokeColor, ...style.tints].map((own): Ramp => rampOf(own, style)),
+  };
+}
+
+function puffsAsObject(): object {
+  const { lobeCount, count, table, fillet, blend, silhouetteRadius, startCaps } = bakedPuffs().lobes;
+  const lobe = (variation: number, index: number) => {
+    const first = 4 * (variation * (lobeCount + 1) + index);
+    return [...table.subarray(first, first + 4)];
+  };
+  const numbers = (length: number) => [...Array(length).keys()];
+  return {
+    lobes: numbers(count).map((variation) => numbers(lobeCount).map((index) => lobe(variation, index))),
+    fillet,
+    blend,
+    shadowRadius: SHADOW_SHARE * silhouetteRadius,
+    startCaps: { width: startCaps.width, height: startCaps.height, values: [...startCaps.values] },
+  };
+}
+
+function surfaceAsObject(
+  { mesh, solid, color, casts, rigid }: Shaped,
+  style: Style,
+  rigids: readonly Matrix4[],
+): object {
+  const shape = solid ?? trianglesOf(mesh, rigid === undefined ? undefined : rigids[rigid]);
+  return { shape, ramp: rampOf(color, surfaceToning(style)), casts };
+}
+
+function trianglesOf({ positions, normals, indices }: TriangleMesh, worldFromModel?: Matrix4): object {
+  const turn = worldFromModel && new Matrix3().setFromMatrix4(worldFromModel);
+  const points = [...eachTriple(positions, (point) => (worldFromModel ? point.applyMatrix4(worldFromModel) : point))];
+  const turned = [...eachTriple(normals, (normal) => (turn ? normal.applyMatrix3(turn) : normal))];
+  return { type: 'triangles', positions: points.flat(), normals: turned.flat(), indices: [...indices] };
+}
+
+function* eachTriple(values: Float32Array, change: (triple: Vector3) => Vector3): Generator<number[]> {
+  for (let at = 0; at < values.length; at += 3) yield change(new Vector3().fromArray(values, at)).toArray();
+}

@@ -1,0 +1,38 @@
+import { test } from '../support/fixtures.ts';
+import { expectReference } from '../support/reference.ts';
+
+type Cases = typeof import('./cases/reference.ts');
+type SceneName = Parameters<Cases['drawn']>[0];
+type Mode = Parameters<Cases['drawn']>[1][number];
+const CASES = '/tests/visual/cases/reference.ts';
+
+const SCENES: readonly SceneName[] = [
+  'perspective',
+  'offAxis',
+  'orthographic',
+  'eyeInside',
+  'backlit',
+  'lampRising',
+  'lampFull',
+];
+
+/** Each of the paper's four effects on and off, with each number of tones and each kind of gradient. */
+function everyMode(): Mode[] {
+  const modes: Mode[] = [];
+  for (const tones of [1, 2, 3] as const)
+    for (const gradient of ['none', 'puff', 'height', 'screen', 'age'] as const)
+      for (const shading of [true, false])
+        for (const shadows of [true, false])
+          for (const outlines of [true, false]) modes.push({ tones, gradient, shading, shadows, outlines });
+  return modes;
+}
+
+for (const scene of SCENES) {
+  test(`${scene} is drawn as the reference draws it, in every mode`, async ({ load }, testInfo) => {
+    const cases = await load<Cases>(CASES);
+    for (const mode of everyMode()) {
+      const [picture] = await cases.evaluate((module, input) => module.drawn(...input), [scene, [mode]] as const);
+      await expectReference(`${scene} ${JSON.stringify(mode)}`, picture, testInfo);
+    }
+  });
+}

@@ -1,0 +1,35 @@
+import { test } from '../support/fixtures.ts';
+import { expectReference } from '../support/reference.ts';
+
+type Cases = typeof import('./cases/reference.ts');
+type SceneName = Parameters<Cases['drawn']>[0];
+type Mode = Parameters<Cases['drawn']>[1][number];
+const CASES = '/tests/visual/cases/reference.ts';
+
+/** A few modes of each scene; the long test has every mode of every scene. */
+const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['perspective', [{}, { tones: 1 }, { tones: 3, inkSwell: 0.7 }]],
+  ['offAxis', [{}, { outlines: false }]],
+  ['orthographic', [{}, { shading: false }, { shading: false, tones: 1, outlines: false, shadows: false }]],
+  ['eyeInside', [{}, { shadows: false }]],
+  ['backlit', [{ tones: 3 }, { gradient: 'height' }, { gradient: 'screen' }]],
+];
+const LAMPS: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['lampRising', [{}, { gradient: 'age', tones: 3 }]],
+  ['lampFull', [{}, { gradient: 'puff' }]],
+];
+
+for (const [what, scenes] of [
+  ['puffs among solids', CLUSTERS],
+  ['the lamp', LAMPS],
+] as const) {
+  test(`${what}: drawn as the reference draws it`, async ({ load }, testInfo) => {
+    const cases = await load<Cases>(CASES);
+    for (const [scene, modes] of scenes) {
+      const pictures = await cases.evaluate((module, input) => module.drawn(...input), [scene, modes] as const);
+      for (const [index, picture] of pictures.entries()) {
+        await expectReference(`${scene} ${JSON.stringify(modes[index])}`, picture, testInfo);
+      }
+    }
+  });
+}
