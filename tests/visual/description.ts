@@ -7,6 +7,7 @@ import type { Rows } from '../../src/sim/rows.ts';
 import type { View } from '../../src/sim/view.ts';
 import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import type { FrameInput } from '../../src/smoke/frame.ts';
+import type { Light } from '../../src/smoke/light.ts';
 import { rampOf, surfaceToning } from '../../src/smoke/palette.ts';
 import { inkLineOf, type Style } from '../../src/smoke/style.ts';
 import { SHADOW_SHARE } from '../../src/device/puffTextures.ts';
@@ -28,14 +29,14 @@ export interface Shown {
 
 /** JSON for the reference. */
 export function describe({ input, surfaces, backdrop }: Shown): string {
-  const { simulator, camera, style, width, height, towardsLight } = input;
+  const { simulator, camera, style, width, height } = input;
   const rows = (purpose: View['purpose']) => rowsAsObjects(simulator.arrange(viewOf(input, purpose)));
   return JSON.stringify({
     width,
     height,
     viewFromWorld: camera.matrixWorldInverse.toArray(),
     clipFromView: camera.projectionMatrix.toArray(),
-    towardsLight: towardsLight.toArray(),
+    light: lightAsObject(input.light),
     backdrop,
     bodies: rows('eye'),
     casters: rows('light'),
@@ -47,11 +48,10 @@ export function describe({ input, surfaces, backdrop }: Shown): string {
 }
 
 /** A view that leaves nothing out. */
-function viewOf({ blend, towardsLight }: FrameInput, purpose: View['purpose']): View {
+function viewOf({ blend }: FrameInput, purpose: View['purpose']): View {
   const everywhere = { min: [-1e3, -1e3, -1e3], max: [1e3, 1e3, 1e3] };
-  const direction = towardsLight.clone().negate().toArray();
   const clipFromWorld = new Float32Array(16);
-  return { purpose, blend, cull: false, pad: 0, clipFromWorld, direction, reach: 1, receivers: everywhere };
+  return { purpose, blend, cull: false, pad: 0, clipFromWorld, direction: [0, -1, 0], reach: 1, receivers: everywhere };
 }
 
 function rowsAsObjects({ count, place, look }: Rows): object[] {
@@ -60,6 +60,12 @@ function rowsAsObjects({ count, place, look }: Rows): object[] {
     radius: place[4 * row + 3],
     look: [...look.subarray(2 * row, 2 * row + 2)],
   }));
+}
+
+function lightAsObject(light: Light): object {
+  return light.kind === 'sun'
+    ? { type: 'sun', towards: light.towards.toArray() }
+    : { type: 'lamp', place: light.place.toArray() };
 }
 
 function styleAsObject(style: Style, { pixelRatio, simulator }: FrameInput): object {

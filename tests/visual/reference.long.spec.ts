@@ -12,6 +12,8 @@ const SCENES: readonly SceneName[] = [
   'orthographic',
   'eyeInside',
   'backlit',
+  'byLamp',
+  'byLampAmongPuffs',
   'lampRising',
   'lampFull',
 ];

@@ -12,6 +12,8 @@ const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['offAxis', [{}, { outlines: false }]],
   ['orthographic', [{}, { shading: false }, { shading: false, tones: 1, outlines: false, shadows: false }]],
   ['eyeInside', [{}, { shadows: false }]],
+  ['byLamp', [{}, { tones: 1 }]],
+  ['byLampAmongPuffs', [{ tones: 3 }]],
   ['backlit', [{ tones: 3 }, { gradient: 'height' }, { gradient: 'screen' }]],
 ];
 const LAMPS: readonly (readonly [SceneName, readonly Mode[]])[] = [

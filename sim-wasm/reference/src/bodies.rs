@@ -4,6 +4,7 @@
 use glam::{DMat3, DVec2, DVec3};
 
 use crate::ink::{self, Line};
+use crate::light::Light;
 use crate::lobes::Lobes;
 use crate::look::Look;
 use crate::ray::{Camera, Ray};
@@ -21,7 +22,7 @@ pub struct Body<'a> {
     /// Metres that a pixel spans at the centre.
     pixel: f64,
     line: Line,
-    /// Unit vector towards the light, in view space.
+    /// Unit vector from the centre towards the light, in view space: the whole puff is lit from there.
     light: DVec3,
 }
 
@@ -34,7 +35,7 @@ pub struct BodyHit {
 
 impl<'a> Body<'a> {
     /// None where the particle is not in front of the near plane.
-    pub fn new(scene: &'a Scene, camera: &Camera, row: Row) -> Option<Self> {
+    pub fn new(scene: &'a Scene, camera: &Camera, light: &Light, row: Row) -> Option<Self> {
         let look = Look(row.look);
         let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
         // A puff that the eye runs into shrinks away.
@@ -43,7 +44,7 @@ impl<'a> Body<'a> {
             return None;
         }
         let turn = DMat3::from_mat4(camera.view_from_world);
-        let light = (turn * DVec3::from(scene.towards_light)).normalize();
+        let light = turn * light.towards(DVec3::from(row.place));
         let pixel = camera.metres_per_pixel(-center.z);
         let Style {
             ink_pixels, ink_swell, ..

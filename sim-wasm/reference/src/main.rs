@@ -4,6 +4,7 @@
 
 mod bodies;
 mod ink;
+mod light;
 mod lobes;
 mod look;
 mod picture;

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::bodies::{Body, BodyHit};
+use crate::light::Light;
 use crate::ray::Camera;
 use crate::scene::Scene;
 use crate::shade::Shade;
@@ -57,7 +58,7 @@ pub fn draw(scene: &Scene) -> Picture {
         .map(|pixel| painter.behind_smoke(pixel))
         .collect();
     for (index, &row) in scene.bodies.iter().enumerate() {
-        if let Some(body) = Body::new(scene, &painter.camera, row) {
+        if let Some(body) = Body::new(scene, &painter.camera, &painter.light, row) {
             painter.draw_body(&body, index as u32, &mut seen);
         }
     }
@@ -74,20 +75,20 @@ struct Painter<'a> {
     camera: Camera,
     solids: Solids<'a>,
     volumes: Vec<Volume>,
-    towards_light: DVec3,
+    light: Light,
 }
 
 impl<'a> Painter<'a> {
     fn new(scene: &'a Scene) -> Self {
-        let camera = Camera::new(scene);
+        let (camera, light) = (Camera::new(scene), Light::new(&scene.light));
         Self {
             solids: Solids::new(&scene.surfaces),
             volumes: scene
                 .casters
                 .iter()
-                .map(|row| Volume::new(scene, &camera, row))
+                .filter_map(|row| Volume::new(scene, &camera, &light, row))
                 .collect(),
-            towards_light: scene.towards_light.into(),
+            light,
             scene,
             camera,
         }
@@ -107,9 +108,7 @@ impl<'a> Painter<'a> {
 
     fn behind_smoke(&self, pixel: usize) -> Nearest {
         let ray = self.camera.ray_in_world(self.middle_of(pixel));
-        let Some((index, depth, shade)) =
-            self.solids
-                .meet(ray, [self.camera.near, self.camera.far], self.towards_light)
+        let Some((index, depth, shade)) = self.solids.meet(ray, [self.camera.near, self.camera.far], &self.light)
         else {
             return backdrop(self.scene, self.height_of(pixel));
         };
@@ -162,7 +161,7 @@ impl<'a> Painter<'a> {
             .ray_in_world(self.middle_of(pixel))
             .at(seen.depth.max(self.camera.near));
         let of_puffs = self.volumes.iter().filter(|volume| volume.holds(point)).count() as u32;
-        of_puffs + self.solids.shadows_over(point, self.towards_light)
+        of_puffs + self.solids.shadows_over(point, &self.light)
     }
 }
 

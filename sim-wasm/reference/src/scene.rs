@@ -12,8 +12,7 @@ pub struct Scene {
     pub height: usize,
     pub view_from_world: [f64; 16],
     pub clip_from_view: [f64; 16],
-    /// Unit vector.
-    pub towards_light: Triple,
+    pub light: Light,
     pub backdrop: Option<Backdrop>,
     pub style: Style,
     pub puffs: Puffs,
@@ -23,6 +22,18 @@ pub struct Scene {
     pub surfaces: Vec<Surface>,
     /// Whether anything throws shadow.
     pub shadows: bool,
+}
+
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "camelCase")]
+pub enum Light {
+    /// Unit vector.
+    Sun {
+        towards: Triple,
+    },
+    Lamp {
+        place: Triple,
+    },
 }
 
 #[derive(Deserialize)]

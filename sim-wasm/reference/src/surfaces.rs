@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::light::Light;
 use crate::ray::Ray;
 use crate::scene::{Ramp, Shape, Surface};
 use crate::shade::Shade;
@@ -41,7 +42,7 @@ impl<'a> Solids<'a> {
     }
 
     /// Which surface a ray sees between two depths, at which depth, and its colours.
-    pub fn meet(&self, ray: Ray, depths: [f64; 2], towards_light: DVec3) -> Option<(usize, f64, Shade)> {
+    pub fn meet(&self, ray: Ray, depths: [f64; 2], light: &Light) -> Option<(usize, f64, Shade)> {
         let mut nearest: Option<(usize, Crossing)> = None;
         for (index, (solid, _)) in self.solids.iter().enumerate() {
             solid.cross(ray.origin, ray.direction, &mut |crossing| {
@@ -55,19 +56,22 @@ impl<'a> Solids<'a> {
         }
         nearest.map(|(index, crossing)| {
             let ramp: &Ramp = &self.solids[index].1.ramp;
+            let towards_light = light.towards(ray.at(crossing.at));
             (index, crossing.at, Shade::of(ramp, crossing.normal.dot(towards_light)))
         })
     }
 
-    /// How many times over a point lies under lit faces, seen along the light.
-    pub fn shadows_over(&self, point: DVec3, towards_light: DVec3) -> u32 {
+    /// How many lit faces stand between a point and the light.
+    pub fn shadows_over(&self, point: DVec3, light: &Light) -> u32 {
+        let (towards_light, distance) = (light.towards(point), light.distance(point));
         let mut count = 0;
         for (solid, surface) in &self.solids {
             if !surface.casts {
                 continue;
             }
             solid.cross(point, towards_light, &mut |crossing| {
-                count += u32::from(crossing.at > INSET && crossing.face.dot(towards_light) > 0.0);
+                let is_between = INSET < crossing.at && crossing.at < distance;
+                count += u32::from(is_between && crossing.face.dot(towards_light) > 0.0);
             });
         }
         count
@@ -202,7 +206,7 @@ mod tests {
             ramp: ramp(),
             casts: true,
         }];
-        let count = |x: f64, y: f64| Solids::new(&surfaces).shadows_over(DVec3::new(x, y, 0.0), DVec3::Y);
+        let count = |x: f64, y: f64| Solids::new(&surfaces).shadows_over(DVec3::new(x, y, 0.0), &Light::Sun(DVec3::Y));
         assert_eq!([count(0.9, 0.0), count(1.1, 0.0), count(0.0, 3.5)], [1, 0, 0]);
         assert_eq!([count(0.0, 3.0), count(0.0, 1.0)], [0, 1]);
     }

@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec3};
 
+use crate::light::Light;
 use crate::look::Look;
 use crate::ray::Camera;
 use crate::scene::{Row, Scene, StartCaps};
@@ -16,40 +17,57 @@ const BEHIND_THE_PUFF: f64 = 1.2;
 /// What of a puff is seen lies no deeper behind its centre plane, in radii.
 const DEEPEST: f64 = 0.6;
 
-/// A cylinder without an end.
+/// A lamp so near that its shadow would open more than this with each metre throws none that is wider.
+const WIDEST: f64 = 2.0;
+
+/// A cone without an end that is cut flat where it begins; a cylinder under a sun.
 pub struct Volume {
-    start: DVec3,
-    travel: DVec3,
+    center: DVec3,
+    /// Unit vector away from the light.
+    axis: DVec3,
+    /// Where it begins behind the centre, and its radius there beside the centre: metres.
+    begin: f64,
     radius: f64,
+    /// Of the radius, with each metre along the axis.
+    growth: f64,
 }
 
 impl Volume {
-    pub fn new(scene: &Scene, camera: &Camera, row: &Row) -> Self {
-        let towards_light = DVec3::from(scene.towards_light);
-        let begin = if is_flat(&scene.style.smoke_ramps[0]) {
+    /// None where the light stands within the puff: it lights all of it then.
+    pub fn new(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> Option<Self> {
+        let center = DVec3::from(row.place);
+        let ball = scene.puffs.shadow_radius * row.radius;
+        // The cone from the lamp that touches the ball: a sun is endlessly far.
+        let sine = ball / light.distance(center);
+        if sine >= 1.0 {
+            return None;
+        }
+        let growth = sine.asin().tan().min(WIDEST);
+        let least = if is_flat(&scene.style.smoke_ramps[0]) {
             BEHIND_THE_PUFF
         } else {
             0.0
         };
-        let cap = begin_behind(scene, camera, row).max(begin);
-        Self {
-            start: DVec3::from(row.place) - cap * row.radius * towards_light,
-            travel: -towards_light,
-            radius: scene.puffs.shadow_radius * row.radius,
-        }
+        Some(Self {
+            center,
+            axis: -light.towards(center),
+            begin: begin_behind(scene, camera, light, row).max(least) * row.radius,
+            radius: ball / growth.atan().cos(),
+            growth,
+        })
     }
 
     pub fn holds(&self, point: DVec3) -> bool {
-        let offset = point - self.start;
-        let along = offset.dot(self.travel);
-        along >= 0.0 && offset.length_squared() - along * along <= self.radius * self.radius
+        let offset = point - self.center;
+        let along = offset.dot(self.axis);
+        along >= self.begin && (offset - along * self.axis).length() <= self.radius + self.growth * along
     }
 }
 
 /// Radii from the centre, away from the light, to behind the farthest point of the puff that is lit.
-fn begin_behind(scene: &Scene, camera: &Camera, row: &Row) -> f64 {
+fn begin_behind(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> f64 {
     let look = Look(row.look);
-    let towards_light = DVec3::from(scene.towards_light);
+    let towards_light = light.towards(DVec3::from(row.place));
     let in_puff = look.world_from_puff().transpose() * towards_light;
     let variation = look.variation() % scene.puffs.lobes.len();
     tabled(&scene.puffs.start_caps, variation, in_puff).max(0.0) + shear(camera, row, towards_light) + SLACK

@@ -5,13 +5,13 @@ import type { Values } from '../../../src/preset/parameter.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { lamp } from '../../../src/scenes/lamp.ts';
 import { loadSimulators } from '../../../src/sim/load.ts';
-import { towardsLight } from '../../../src/smoke/light.ts';
+import { lightOf } from '../../../src/smoke/light.ts';
 import { styleOf, type Style } from '../../../src/smoke/style.ts';
 import { OrbitCamera } from '../../../src/stage/orbit.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import type { Drawn } from '../../support/reference.ts';
 import { describe, type Shaped, type Shown } from '../description.ts';
-import { inputOf, Lab } from '../lab.ts';
+import { inputOf, Lab, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
 import { box, ground } from '../solids.ts';
 
@@ -36,13 +36,16 @@ export async function drawn(scene: SceneName, modes: readonly Mode[]): Promise<D
 }
 
 const CAPACITY = 1000;
+const SUN = { towardsLight: [-0.5, 0.8, 0.4] } as const;
 
 const SCENES = {
-  perspective: () => cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0])),
-  offAxis: () => cluster(looking(offAxis(), [0.5, 1.6, 3.4], [0, -0.2, 0])),
-  orthographic: () => cluster(looking(orthographic(), [2, 2.5, 5], [0, -0.2, 0])),
-  eyeInside: () => cluster(looking(perspective(), [0.1, -0.1, 0.5], [0, -0.4, -0.8]), [0.1, 1, 0.1]),
-  backlit: () => cluster(looking(perspective(), [0, 0.6, 4.5], [0, -0.2, 0]), [0.1, 0.35, -1]),
+  perspective: () => cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN),
+  offAxis: () => cluster(looking(offAxis(), [0.5, 1.6, 3.4], [0, -0.2, 0]), SUN),
+  orthographic: () => cluster(looking(orthographic(), [2, 2.5, 5], [0, -0.2, 0]), SUN),
+  eyeInside: () => cluster(looking(perspective(), [0.1, -0.1, 0.5], [0, -0.4, -0.8]), { towardsLight: [0.1, 1, 0.1] }),
+  backlit: () => cluster(looking(perspective(), [0, 0.6, 4.5], [0, -0.2, 0]), { towardsLight: [0.1, 0.35, -1] }),
+  byLamp: () => cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, 0.5] }),
+  byLampAmongPuffs: () => cluster(looking(orthographic(), [2, 2.5, 5], [0, -0.2, 0]), { lamp: [0.3, 0.1, -0.2] }),
   lampRising: () => lampAfter(90),
   lampFull: () => lampAfter(240),
 } satisfies Record<string, () => Shown | Promise<Shown>>;
@@ -69,7 +72,7 @@ function looking(camera: Camera, from: [number, number, number], at: [number, nu
 }
 
 /** Puffs of all tints, ages and variations over a ground, with a ball and a box among them. */
-function cluster(camera: Camera, light: [number, number, number] = [-0.5, 0.8, 0.4]): Shown {
+function cluster(camera: Camera, light: Pick<LabScene, 'towardsLight' | 'lamp'>): Shown {
   const next = random(77);
   const puffs = Array.from({ length: 40 }, (_, index) => ({
     place: [next() * 2 - 1, next() * 1.3 - 0.7, next() * 2 - 1] as const,
@@ -81,7 +84,7 @@ function cluster(camera: Camera, light: [number, number, number] = [-0.5, 0.8, 0
     age: next(),
   }));
   const surfaces = [ground(-1, 3), ball([-1.1, -0.5, 0.5], 0.35), cube([0.9, -0.6, 0.6], [0.25, 0.4, 0.2])];
-  const input = inputOf({ width: WIDTH, height: HEIGHT, puffs, surfaces, camera, towardsLight: light });
+  const input = inputOf({ width: WIDTH, height: HEIGHT, puffs, surfaces, camera, ...light });
   return { input, surfaces, backdrop: BACKDROP };
 }
 
@@ -109,7 +112,7 @@ async function lampAfter(steps: number): Promise<Shown> {
   const input = {
     simulator: simulation.simulator,
     camera: orbit.camera,
-    towardsLight: towardsLight(values['light.azimuth'] as number, values['light.elevation'] as number, new Vector3()),
+    light: lightOf(values, new Vector3(...scene.camera.target)),
     style: styleOf(values),
     blend: 1,
     width: WIDTH,

@@ -1,0 +1,37 @@
+//! What lights the scene.
+
+use glam::DVec3;
+
+use crate::scene;
+
+pub enum Light {
+    /// So far that its rays are parallel: the unit vector towards it.
+    Sun(DVec3),
+    /// Its place.
+    Lamp(DVec3),
+}
+
+impl Light {
+    pub fn new(light: &scene::Light) -> Self {
+        match *light {
+            scene::Light::Sun { towards } => Self::Sun(DVec3::from(towards).normalize()),
+            scene::Light::Lamp { place } => Self::Lamp(place.into()),
+        }
+    }
+
+    /// Unit vector from a place.
+    pub fn towards(&self, place: DVec3) -> DVec3 {
+        match *self {
+            Self::Sun(towards) => towards,
+            Self::Lamp(lamp) => (lamp - place).normalize(),
+        }
+    }
+
+    /// From a place, metres.
+    pub fn distance(&self, place: DVec3) -> f64 {
+        match *self {
+            Self::Sun(_) => f64::INFINITY,
+            Self::Lamp(lamp) => lamp.distance(place),
+        }
+    }
+}
