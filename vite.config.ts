@@ -9,5 +9,10 @@ export default defineConfig({
   optimizeDeps: { include: ['three'] },
   // The simulator's module loads its bindings on demand, which the older worker format cannot.
   worker: { format: 'es' },
-  build: { target: 'es2023', sourcemap: true, chunkSizeWarningLimit: 800 },
+  build: {
+    target: 'es2023',
+    sourcemap: true,
+    chunkSizeWarningLimit: 800,
+    rolldownOptions: { input: ['index.html', 'paper.html'] },
+  },
 });

@@ -3,11 +3,12 @@ import { strings } from './strings.ts';
 
 /** The sheet of everything that pointer and keys can do. */
 export function createHelp(): HTMLDialogElement {
-  const { title, pointer, keys, close } = strings.help;
+  const { title, pointer, keys, paper, close } = strings.help;
   const list = create('dl', {}, ...[...pointer, ...keys].flatMap(([what, does]) => describe(what, does)));
   const button = textButton('loud', close, () => sheet.close());
+  const link = create('p', {}, create('a', { href: './paper.html' }, paper));
   const heading = create('h2', { id: 'help-title' }, title);
-  const sheet = create('dialog', { class: 'sheet card', 'aria-labelledby': 'help-title' }, heading, list, button);
+  const sheet = create('dialog', { class: 'sheet card', 'aria-labelledby': 'help-title' }, heading, list, link, button);
   return sheet;
 }
 

@@ -49,6 +49,7 @@ export const strings = {
   help: {
     button: 'Help',
     title: 'Play with smoke',
+    paper: 'How it follows the paper of 2006',
     close: 'Close',
     pointer: [
       ['Drag the ball', 'push it through the smoke'],
