@@ -2,7 +2,8 @@ precision highp float;
 
 // Chooses between lit and unlit by the mask and smooths the edges: where two flat tones meet along a nearly straight
 // line, each pixel beside the line takes as much of the other tone as the line, seen between its two ends, would cover.
-// Flat pixels pass through untouched, bit for bit. After the idea of Reshetnikov, 'Morphological Antialiasing' (2009).
+// Flat pixels pass through untouched, bit for bit, and corners stay sharp. After the idea of Reshetnikov,
+// 'Morphological Antialiasing' (2009).
 uniform sampler2D unlit;
 uniform sampler2D lit;
 uniform bool smoothEdges;
@@ -27,15 +28,39 @@ float difference(vec4 a, vec4 b) {
   return max(max(gap.r, gap.g), max(gap.b, gap.a));
 }
 
-// Walks along an edge until either side of it changes. x: steps taken, y: 1 if the edge turned into our own row.
+bool alike(vec4 a, vec4 b) {
+  return difference(a, b) <= EDGE;
+}
+
+// Walks along an edge until either side of it changes. x: steps taken, y: 1 if the edge turned into our own row there
+// to go on, as a slanted line does; not where it ended in a corner or met another tone.
 vec2 walk(ivec2 at, ivec2 along, ivec2 across, vec4 own, vec4 other) {
   for (int i = 1; i <= LONGEST; ++i) {
     vec4 ownHere = toneAt(at + i * along);
     vec4 otherHere = toneAt(at + i * along + across);
-    if (difference(ownHere, own) > EDGE) return vec2(i, 1.0);
-    if (difference(otherHere, other) > EDGE) return vec2(i, 0.0);
+    if (!alike(ownHere, own)) {
+      bool goesOn = alike(otherHere, own) || alike(toneAt(at + i * along - across), own);
+      return vec2(i, alike(ownHere, other) && goesOn ? 1.0 : 0.0);
+    }
+    if (!alike(otherHere, other)) return vec2(i, 0.0);
   }
   return vec2(LONGEST + 1, 0.0);
+}
+
+// Area of a pixel under the line that falls from a half, at a turn `steps` pixels ahead, to nothing in the middle.
+float areaAt(vec2 turn, float span) {
+  float from = turn.x - 1.0;
+  float reach = clamp(0.5 * span - from, 0.0, 1.0);
+  return turn.y * reach * (0.5 - (from + 0.5 * reach) / span);
+}
+
+// How much of this pixel lies on the other side of its edge towards `across`.
+float shareOf(ivec2 at, ivec2 across, vec4 own, vec4 other) {
+  ivec2 along = across.yx;
+  vec2 ahead = walk(at, along, across, own, other);
+  vec2 behind = walk(at, -along, across, own, other);
+  float span = ahead.x + behind.x - 1.0;
+  return areaAt(ahead, span) + areaAt(behind, span);
 }
 
 vec4 blend(vec4 own, vec4 other, float share) {
@@ -49,23 +74,28 @@ vec4 smoothed(ivec2 at, vec4 own) {
   vec4 south = toneAt(at - ivec2(0, 1));
   vec4 east = toneAt(at + ivec2(1, 0));
   vec4 west = toneAt(at - ivec2(1, 0));
-  float northGap = difference(own, north);
-  float southGap = difference(own, south);
-  float eastGap = difference(own, east);
-  float westGap = difference(own, west);
-  float vertical = max(northGap, southGap);
-  float horizontal = max(eastGap, westGap);
-  if (max(vertical, horizontal) <= EDGE) return own;
-  bool level = vertical >= horizontal;
-  bool forward = level ? northGap >= southGap : eastGap >= westGap;
-  ivec2 across = (level ? ivec2(0, 1) : ivec2(1, 0)) * (forward ? 1 : -1);
-  ivec2 along = level ? ivec2(1, 0) : ivec2(0, 1);
-  vec4 other = level ? (forward ? north : south) : (forward ? east : west);
-  vec2 ahead = walk(at, along, across, own, other);
-  vec2 behind = walk(at, -along, across, own, other);
-  vec2 nearer = ahead.x < behind.x ? ahead : behind;
-  float share = nearer.y * (0.5 - (nearer.x - 0.5) / (ahead.x + behind.x - 1.0));
-  return share > 0.0 ? blend(own, other, share) : own;
+  vec4 gaps = vec4(difference(own, north), difference(own, south), difference(own, east), difference(own, west));
+  vec2 widest = vec2(max(gaps.x, gaps.y), max(gaps.z, gaps.w));
+  if (max(widest.x, widest.y) <= EDGE) return own;
+  ivec2 towards = ivec2(gaps.z >= gaps.w ? 1 : -1, gaps.x >= gaps.y ? 1 : -1);
+  vec4 above = towards.y > 0 ? north : south;
+  vec4 beside = towards.x > 0 ? east : west;
+  // A step of a stair is seen from both of its edges: the longer one tells the slope.
+  bool level = widest.y <= EDGE;
+  if (min(widest.x, widest.y) > EDGE) {
+    level = min(gaps.z, gaps.w) <= EDGE && alike(toneAt(at + ivec2(-towards.x, towards.y)), above);
+  }
+  ivec2 across = level ? ivec2(0, towards.y) : ivec2(towards.x, 0);
+  vec4 taken = level ? above : beside;
+  float share = shareOf(at, across, own, taken);
+  // A line as thin as a pixel has an edge on either side, and leaves the pixel through one of them.
+  if (min(level ? gaps.x : gaps.z, level ? gaps.y : gaps.w) > EDGE) {
+    vec4 opposite = toneAt(at - across);
+    float oppositeShare = shareOf(at, -across, own, opposite);
+    if (oppositeShare > share) taken = opposite;
+    share = max(share, oppositeShare);
+  }
+  return share > 0.0 ? blend(own, taken, share) : own;
 }
 
 void main() {

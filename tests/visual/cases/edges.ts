@@ -1,0 +1,418 @@
+/**
+ * The edge filter on pictures made by hand - two tones on both sides of a straight line, thin lines, a disc on the page -,
+ * where the oracle is the area of each pixel beyond the line; and on a picture of puffs.
+ */
+import {
+  DataTexture,
+  NearestFilter,
+  PerspectiveCamera,
+  RGBAFormat,
+  UnsignedByteType,
+  WebGLRenderTarget,
+  type Texture,
+} from 'three';
+import type { PuffForm } from '../../../src/device/puffTextures.ts';
+import { createDevice, type Device } from '../../../src/device/device.ts';
+import { ResolvePass } from '../../../src/passes/resolve.ts';
+import type { Targets } from '../../../src/passes/targets.ts';
+import { PLAIN_STYLE, takePicture, type LabScene } from '../lab.ts';
+import { random } from '../random.ts';
+import { ground } from '../solids.ts';
+
+const SIZE = 64;
+/** Pixels at the border of a picture know only one side of it. */
+const MARGIN = 14;
+
+type Tone = readonly [red: number, green: number, blue: number, alpha: number];
+
+/** A pixel in both colours, as the passes leave it: unlit with the alpha of the page, lit with the mask. */
+interface Pixel {
+  unlit: Tone;
+  lit: Tone;
+}
+
+const opaque = (red: number, green: number, blue: number): Pixel => ({
+  unlit: [red, green, blue, 255],
+  lit: [red, green, blue, 0],
+});
+
+const SMOKE: Pixel = { unlit: [145, 129, 174, 255], lit: [246, 239, 226, 0] };
+
+/** The two sides of each kind of edge. */
+const KINDS: Readonly<Record<string, readonly [Pixel, Pixel]>> = {
+  ink: [opaque(29, 23, 32), SMOKE],
+  shade: [opaque(145, 129, 174), SMOKE],
+  shadow: [SMOKE, { unlit: SMOKE.unlit, lit: [246, 239, 226, 255] }],
+  seam: [opaque(240, 138, 93), opaque(127, 178, 229)],
+  silhouette: [SMOKE, { unlit: [0, 0, 0, 0], lit: [0, 0, 0, 0] }],
+  hue: [opaque(44, 20, 20), opaque(20, 20, 44)],
+};
+
+/** How far, in pixels and with its sign, the middle of a pixel lies from a line. */
+type Distance = (x: number, y: number) => number;
+
+/** @param angle in degrees against the horizontal */
+function lineAt(angle: number, shift: number): Distance {
+  const [normalX, normalY] = [-Math.sin((angle * Math.PI) / 180), Math.cos((angle * Math.PI) / 180)];
+  return (x, y) => (x + 0.5 - SIZE / 2) * normalX + (y + 0.5 - SIZE / 2) * normalY - shift;
+}
+
+/** Draws given colours through the filter. */
+class Filter {
+  private readonly device: Device = createDevice(new OffscreenCanvas(1, 1));
+  private readonly pass = new ResolvePass();
+  private readonly output = new WebGLRenderTarget(SIZE, SIZE, { depthBuffer: false });
+
+  /** @returns RGBA bytes, premultiplied, the row y = 0 first; none where the picture goes to the canvas */
+  draw(
+    pixelAt: (x: number, y: number) => Pixel,
+    smoothEdges: boolean,
+    output: WebGLRenderTarget | null = this.output,
+  ): Uint8Array {
+    const [unlit, lit] = (['unlit', 'lit'] as const).map((color) => textureOf((x, y) => pixelAt(x, y)[color]));
+    this.pass.smoothEdges = smoothEdges;
+    this.pass.draw(this.device.renderer, { unlit, lit } as unknown as Targets, output);
+    const pixels = new Uint8Array(4 * SIZE * SIZE);
+    if (output) this.device.renderer.readRenderTargetPixels(output, 0, 0, SIZE, SIZE, pixels);
+    for (const texture of [unlit, lit]) texture.dispose();
+    return pixels;
+  }
+
+  /** Puts the picture of the latest colours on a canvas of the page. */
+  show(pixelAt: (x: number, y: number) => Pixel, canvas: HTMLCanvasElement): void {
+    this.device.renderer.setSize(SIZE, SIZE, false);
+    this.draw(pixelAt, true, null);
+    const picture = (this.device.canvas as OffscreenCanvas).transferToImageBitmap();
+    canvas.getContext('bitmaprenderer')!.transferFromImageBitmap(picture);
+  }
+
+  dispose(): void {
+    this.pass.dispose();
+    this.output.dispose();
+    this.device.dispose();
+  }
+}
+
+function textureOf(toneAt: (x: number, y: number) => Tone): Texture {
+  const data = new Uint8Array(4 * SIZE * SIZE);
+  eachPixel(0, (x, y) => data.set(toneAt(x, y), 4 * (y * SIZE + x)));
+  const texture = new DataTexture(data, SIZE, SIZE, RGBAFormat, UnsignedByteType);
+  texture.minFilter = NearestFilter;
+  texture.magFilter = NearestFilter;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+function eachPixel(margin: number, visit: (x: number, y: number) => void): void {
+  for (let y = margin; y < SIZE - margin; ++y) for (let x = margin; x < SIZE - margin; ++x) visit(x, y);
+}
+
+export interface SlantReport {
+  /** Different colours between those of the two sides. */
+  levels: number;
+  /** Mean over the pixels that the line crosses: how far their share of the far side is from their area beyond it. */
+  error: number;
+  /** The same without the filter. */
+  rawError: number;
+  /** Pixels whose surroundings are flat and that changed nonetheless. */
+  flatChanged: number;
+  /** Pixels that are no mixture of the two sides. */
+  strange: number;
+}
+
+/** A slanted line of each kind under several angles and shifts. */
+export function slants(angles: readonly number[]): { kind: string; angle: number; report: SlantReport }[] {
+  const filter = new Filter();
+  const reports = Object.entries(KINDS).flatMap(([kind, sides]) =>
+    angles.map((angle) => ({ kind, angle, report: slantAt(filter, sides, angle) })),
+  );
+  filter.dispose();
+  return reports;
+}
+
+function slantAt(filter: Filter, [near, far]: readonly [Pixel, Pixel], angle: number): SlantReport {
+  const colors = new Set<string>();
+  const report = { levels: 0, error: 0, rawError: 0, flatChanged: 0, strange: 0 };
+  let crossed = 0;
+  for (const shift of [0.1, 0.35, 0.6, 0.85]) {
+    const distance = lineAt(angle, shift);
+    const pixelAt = (x: number, y: number) => (distance(x, y) > 0 ? far : near);
+    const [raw, smooth] = [false, true].map((smoothEdges) => filter.draw(pixelAt, smoothEdges));
+    const [from, to] = [colorOf(raw, far, pixelAt), colorOf(raw, near, pixelAt)];
+    eachPixel(MARGIN, (x, y) => {
+      const at = 4 * (y * SIZE + x);
+      const color = smooth.subarray(at, at + 4);
+      const share = shareBetween(to, from, color);
+      if (Math.abs(distance(x, y)) > 2.2 && color.some((value, channel) => value !== raw[at + channel])) {
+        report.flatChanged += 1;
+      }
+      if (!isMixture(to, from, color)) report.strange += 1;
+      if (share > 0.02 && share < 0.98) colors.add(color.join());
+      const area = areaBeyond(distance, x, y);
+      if (area <= 0 || area >= 1) return;
+      crossed += 1;
+      report.error += Math.abs(share - area);
+      report.rawError += Math.abs((distance(x, y) > 0 ? 1 : 0) - area);
+    });
+  }
+  return { ...report, levels: colors.size, error: report.error / crossed, rawError: report.rawError / crossed };
+}
+
+function colorOf(pixels: Uint8Array, side: Pixel, pixelAt: (x: number, y: number) => Pixel): Uint8Array {
+  for (let y = 0; y < SIZE; ++y) {
+    for (let x = 0; x < SIZE; ++x) {
+      if (pixelAt(x, y) === side) return pixels.slice(4 * (y * SIZE + x), 4 * (y * SIZE + x) + 4);
+    }
+  }
+  throw new RangeError('The line leaves no pixel on one of its sides.');
+}
+
+/** Light that an 8-bit display value stands for, 0 to 1. */
+function light(value: number): number {
+  const display = value / 255;
+  return display <= 0.04045 ? display / 12.92 : ((display + 0.055) / 1.055) ** 2.4;
+}
+
+/** The amounts that the filter mixes: light, times alpha, and alpha. */
+function amounts(color: Uint8Array): number[] {
+  const alpha = color[3] / 255;
+  const own = (value: number) => (alpha > 0 ? light(Math.min(255, value / alpha)) * alpha : 0);
+  return [own(color[0]), own(color[1]), own(color[2]), alpha];
+}
+
+/** The share of `to` in a mixture, by the channel in which the two differ most. */
+function shareBetween(from: Uint8Array, to: Uint8Array, color: Uint8Array): number {
+  const [a, b, c] = [amounts(from), amounts(to), amounts(color)];
+  const gaps = a.map((value, channel) => Math.abs(b[channel] - value));
+  const channel = gaps.indexOf(Math.max(...gaps));
+  return (c[channel] - a[channel]) / (b[channel] - a[channel]);
+}
+
+function isMixture(from: Uint8Array, to: Uint8Array, color: Uint8Array): boolean {
+  const share = shareBetween(from, to, color);
+  const [a, b, c] = [amounts(from), amounts(to), amounts(color)];
+  return c.every((value, channel) => Math.abs(a[channel] + share * (b[channel] - a[channel]) - value) < 0.012);
+}
+
+/** The part of a pixel that lies beyond a line, from 16 x 16 points. */
+function areaBeyond(distance: Distance, x: number, y: number): number {
+  if (Math.abs(distance(x, y)) > 0.75) return distance(x, y) > 0 ? 1 : 0;
+  let beyond = 0;
+  for (let point = 0; point < 256; ++point) {
+    const [dx, dy] = [((point % 16) + 0.5) / 16 - 0.5, (Math.floor(point / 16) + 0.5) / 16 - 0.5];
+    if (distance(x + dx, y + dy) > 0) beyond += 1;
+  }
+  return beyond / 256;
+}
+
+interface LineReport {
+  /** Darkness after the filter over that before. */
+  kept: number;
+  /** The same of the stretch of four pixels that has lost most. */
+  palest: number;
+}
+
+/** Dark lines of several widths, in pixels, on light ground, straight under several angles and round a ring. */
+export function thinLines(
+  widths: readonly number[],
+  angles: readonly (number | 'ring')[],
+): { width: number; angle: number | 'ring'; report: LineReport }[] {
+  const filter = new Filter();
+  const reports = widths.flatMap((width) =>
+    angles.map((angle) => ({ width, angle, report: lineReport(filter, width, angle) })),
+  );
+  filter.dispose();
+  return reports;
+}
+
+function lineReport(filter: Filter, width: number, angle: number | 'ring'): LineReport {
+  const straight = lineAt(angle === 'ring' ? 0 : angle, 0.2);
+  const distance: Distance =
+    angle === 'ring' ? (x, y) => Math.hypot(x + 0.5 - SIZE / 2 - 0.2, y + 0.5 - SIZE / 2 - 0.1) - 17.3 : straight;
+  const pixelAt = (x: number, y: number) => (Math.abs(distance(x, y)) <= width / 2 ? KINDS.ink[0] : KINDS.ink[1]);
+  const [raw, smooth] = [false, true].map((smoothEdges) => darkness(filter.draw(pixelAt, smoothEdges)));
+  const around =
+    angle === 'ring'
+      ? sumsOfSectors
+      : Math.abs(Math.cos((angle * Math.PI) / 180)) >= Math.SQRT1_2
+        ? sumsOfColumns
+        : sumsOfRows;
+  const [before, after] = [around(raw), around(smooth)];
+  const sum = (values: readonly number[]) => values.reduce((total, value) => total + value, 0);
+  const stretch = (values: readonly number[], from: number) => sum(values.slice(from, from + 4));
+  const palest = before.slice(3).map((_, from) => stretch(after, from) / stretch(before, from));
+  return { kept: sum(after) / sum(before), palest: Math.min(...palest) };
+}
+
+/** How much of the ground's light each pixel lacks. */
+function darkness(pixels: Uint8Array): Float64Array {
+  const background = light(KINDS.ink[1].lit[0]);
+  return Float64Array.from({ length: SIZE * SIZE }, (_, pixel) => 1 - light(pixels[4 * pixel]) / background);
+}
+
+function sumsOfColumns(values: Float64Array): number[] {
+  return between((column) => over((row) => values[row * SIZE + column]));
+}
+
+function sumsOfRows(values: Float64Array): number[] {
+  return between((row) => over((column) => values[row * SIZE + column]));
+}
+
+/** Sums over 48 sectors about the middle. */
+function sumsOfSectors(values: Float64Array): number[] {
+  const sums = Array<number>(48).fill(0);
+  eachPixel(0, (x, y) => {
+    const turn = Math.atan2(y + 0.5 - SIZE / 2, x + 0.5 - SIZE / 2) / (2 * Math.PI) + 0.5;
+    sums[Math.min(47, Math.floor(48 * turn))] += values[y * SIZE + x];
+  });
+  return sums;
+}
+
+function between(sumAt: (index: number) => number): number[] {
+  return Array.from({ length: SIZE - 2 * MARGIN }, (_, index) => sumAt(MARGIN + index));
+}
+
+function over(valueAt: (index: number) => number): number {
+  return Array.from({ length: SIZE }, (_, index) => valueAt(index)).reduce((sum, value) => sum + value, 0);
+}
+
+/** The corner of a square that stands straight: how many of its pixels change. */
+export function corner(): number {
+  const filter = new Filter();
+  const pixelAt = (x: number, y: number) => (x < SIZE / 2 && y < SIZE / 2 ? KINDS.ink[0] : KINDS.ink[1]);
+  const [raw, smooth] = [false, true].map((smoothEdges) => filter.draw(pixelAt, smoothEdges));
+  filter.dispose();
+  return raw.filter((value, index) => value !== smooth[index]).length;
+}
+
+const PAGE = KINDS.silhouette[1];
+
+/** An inked disc on a page, which is transparent unless another is given. */
+function disc(page: Pixel = PAGE): (x: number, y: number) => Pixel {
+  return (x, y) => {
+    const radius = Math.hypot(x + 0.5 - SIZE / 2 - 0.3, y + 0.5 - SIZE / 2 + 0.2);
+    return radius > 21.5 ? page : radius > 19 ? KINDS.ink[0] : SMOKE;
+  };
+}
+
+/**
+ * The outline of a disc smoothed on a transparent page and on an opaque one of a grey: the farthest that a pixel's share
+ * of the page lies from the other's, and how many pixels are neither page nor disc.
+ */
+export function pageShares(grey: number): { farthest: number; mixed: number } {
+  const filter = new Filter();
+  const [clear, filled] = [disc(), disc(opaque(grey, grey, grey))].map((pixelAt) => filter.draw(pixelAt, true));
+  filter.dispose();
+  const ink = Uint8Array.from(KINDS.ink[0].unlit);
+  const report = { farthest: 0, mixed: 0 };
+  for (let at = 0; at < clear.length; at += 4) {
+    const alpha = clear[at + 3] / 255;
+    if (alpha === 0 || alpha === 1) continue;
+    report.mixed += 1;
+    const share = shareBetween(ink, Uint8Array.of(grey, grey, grey, 255), filled.subarray(at, at + 4));
+    report.farthest = Math.max(report.farthest, Math.abs(1 - alpha - share));
+  }
+  return report;
+}
+
+/** Puts the smoothed disc on the page, before a photograph-like background. @returns both as RGBA bytes, top row first */
+export function showDisc(background: string): { disc: number[]; behind: number[] } {
+  const filter = new Filter();
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = [SIZE, SIZE];
+  const behind = background === 'noise' ? noise() : undefined;
+  document.body.replaceChildren(canvas);
+  document.body.style.cssText = `margin:0;background:${behind ? `url(${behind.url})` : background}`;
+  canvas.style.display = 'block';
+  filter.show(disc(), canvas);
+  // The filter lives as long as the page: with its context the picture on the canvas would go, too.
+  const pixels = filter.draw(disc(), true);
+  const stride = 4 * SIZE;
+  const flipped = Array.from({ length: 4 * SIZE * SIZE }, (_, at) => {
+    const row = SIZE - 1 - Math.floor(at / stride);
+    return pixels[row * stride + (at % stride)];
+  });
+  const grey = background === 'white' ? 255 : 0;
+  const plain = Array.from({ length: 4 * SIZE * SIZE }, (_, index) => (index % 4 === 3 ? 255 : grey));
+  return { disc: flipped, behind: behind?.pixels ?? plain };
+}
+
+function noise(): { url: string; pixels: number[] } {
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = [SIZE, SIZE];
+  const context = canvas.getContext('2d')!;
+  const image = context.createImageData(SIZE, SIZE);
+  const next = random(11);
+  image.data.forEach((_, index) => (image.data[index] = index % 4 === 3 ? 255 : Math.floor(256 * next())));
+  context.putImageData(image, 0, 0);
+  return { url: canvas.toDataURL(), pixels: [...image.data] };
+}
+
+export interface SceneReport {
+  /** Colours between two flat ones along all their edges, by the two. */
+  levels: Record<string, number>;
+  /** Pixels among nine of one colour, and how many of them changed. */
+  flat: number;
+  flatChanged: number;
+  /** Changed pixels that are no mixture of their own colour and that of a neighbour. */
+  strange: number;
+}
+
+/** Two puffs, one before the other, on a ground and a transparent page: all edges that the passes make. */
+export function sceneEdges(form: PuffForm, outlines: boolean): SceneReport {
+  const [width, height] = [320, 240];
+  const scene: LabScene = {
+    width,
+    height,
+    puffs: [
+      { place: [-0.35, 0.35, 0.2], radius: 0.6, seed: 3 },
+      { place: [0.45, 0.15, -0.3], radius: 0.7, seed: 9, variation: 1 },
+    ],
+    surfaces: [ground(-0.9, 1.6)],
+    camera: tiltedCamera(width / height),
+    towardsLight: [-0.5, 0.8, 0.4],
+    style: { form, outlines },
+  };
+  const [raw, smooth] = [false, true].map((smoothEdges) => takePicture({ ...scene, smoothEdges }).pixels);
+  const levels = new Map<string, Set<string>>();
+  const report = { levels: {}, flat: 0, flatChanged: 0, strange: 0 };
+  const colorAt = (pixels: Uint8Array, pixel: number) => pixels.subarray(4 * pixel, 4 * pixel + 4);
+  for (let pixel = width + 1; pixel < width * (height - 1) - 1; ++pixel) {
+    const [own, now] = [colorAt(raw, pixel), colorAt(smooth, pixel)];
+    const hasChanged = own.join() !== now.join();
+    const around = [-width - 1, -width, 1 - width, -1, 1, width - 1, width, width + 1].map((by) =>
+      colorAt(raw, pixel + by),
+    );
+    if (around.every((color) => color.join() === own.join())) {
+      report.flat += 1;
+      report.flatChanged += hasChanged ? 1 : 0;
+    }
+    if (!hasChanged) continue;
+    const other = around.find((color) => color.join() !== own.join() && isMixture(own, color, now));
+    if (!other) report.strange += 1;
+    const names = [own, other ?? own]
+      .map((color) => nameOf(color))
+      .sort()
+      .join(' on ');
+    levels.set(names, (levels.get(names) ?? new Set()).add(now.join()));
+  }
+  return { ...report, levels: Object.fromEntries([...levels].map(([names, colors]) => [names, colors.size])) };
+}
+
+function tiltedCamera(aspect: number): PerspectiveCamera {
+  const camera = new PerspectiveCamera(40, aspect, 0.1, 50);
+  camera.position.set(0, 1.1, 4);
+  camera.lookAt(0, -0.1, 0);
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+/** What a flat colour of `sceneEdges` is; tones of the ground and the smoke by their brightness. */
+function nameOf(color: Uint8Array): string {
+  if (color[3] === 0) return 'page';
+  const { inkColor, smokeColor } = PLAIN_STYLE;
+  if (inkColor.every((value, channel) => value === color[channel])) return 'ink';
+  if (smokeColor.every((value, channel) => value === color[channel])) return 'light';
+  if (color[0] > color[2]) return color[0] > 200 ? 'ground' : 'shadow';
+  return 'shade';
+}
