@@ -3,6 +3,7 @@ import type { Figure } from '../support/figures.ts';
 import { measureMemory } from './memory.ts';
 import { measureForms } from './forms.ts';
 import { measurePasses } from './passes.ts';
+import { measureInside } from './inside.ts';
 import { measureUploads } from './uploads.ts';
 import { measureAgainstQuarks } from './versusQuarks.ts';
 import { measureAgainstRivals } from './versusRivals.ts';
@@ -14,6 +15,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureForms(quick)),
     ...(await measureAgainstQuarks(quick)),
     ...(await measureAgainstRivals(quick)),
+    ...(await measureInside(quick)),
     ...(await measureUploads()),
     ...(await measureMemory()),
   ];
