@@ -135,8 +135,15 @@ function isEdge({ width, height, regions }: ReferencePicture, pixel: number): bo
 /** Builds the program, if it is not, and gives its path. */
 async function build(): Promise<string> {
   const { cargo } = (await import(path)) as { cargo: Cargo };
-  const { status, output } = await cargo(['build', '--locked', '--package', 'reference', '--message-format', 'json']);
-  if (status !== 0) throw new Error(output);
+  const { status, output } = await cargo([
+    'build',
+    '--locked',
+    '--package',
+    'reference',
+    '--message-format',
+    'json-render-diagnostics',
+  ]);
+  if (status !== 0) throw new Error(output.replaceAll(/^{.*$\n?/gm, ''));
   return /"executable":"([^"]+)"/.exec(output)![1];
 }
 

@@ -28,7 +28,8 @@ export interface Shown {
 }
 
 /** JSON for the reference. */
-export function describe({ input, surfaces, backdrop }: Shown): string {
+export function describe(shown: Shown): string {
+  const { input, surfaces, backdrop } = shown;
   const { simulator, camera, style, width, height } = input;
   const rows = (purpose: View['purpose']) => rowsAsObjects(simulator.arrange(viewOf(input, purpose)));
   return JSON.stringify({
@@ -42,7 +43,7 @@ export function describe({ input, surfaces, backdrop }: Shown): string {
     casters: rows('light'),
     style: styleAsObject(style, input),
     puffs: puffsAsObject(),
-    surfaces: surfaces.map((surface) => surfaceAsObject(surface, style, input.rigids)),
+    surfaces: surfaces.map((surface, index) => surfaceAsObject(surface, index, shown)),
     shadows: style.shadows,
   });
 }
@@ -100,13 +101,12 @@ function puffsAsObject(): object {
   };
 }
 
-function surfaceAsObject(
-  { mesh, solid, color, casts, rigid }: Shaped,
-  style: Style,
-  rigids: readonly Matrix4[],
-): object {
+function surfaceAsObject(surface: Shaped, index: number, { input, surfaces }: Shown): object {
+  const { mesh, solid, color, casts, inked, rigid, group } = surface;
+  const { style, rigids } = input;
   const shape = solid ?? trianglesOf(mesh, rigid === undefined ? undefined : rigids[rigid]);
-  return { shape, ramp: rampOf(color, surfaceToning(style)), casts };
+  const first = surfaces.findIndex((other) => group !== undefined && other.group === group);
+  return { shape, ramp: rampOf(color, surfaceToning(style)), casts, inked, group: first < 0 ? index : first };
 }
 
 function trianglesOf({ positions, normals, indices }: TriangleMesh, worldFromModel?: Matrix4): object {

@@ -1,4 +1,4 @@
-//! How wide the line beside a puff is, and how much of it is ink. Widths and radii in pixels.
+//! How wide a line is, beside a puff and else, and how much of it is ink. Widths and radii in pixels.
 
 use glam::DVec2;
 
@@ -23,12 +23,17 @@ impl Line {
 
     /// Width where the silhouette looks in the direction of `outward`.
     pub fn width(&self, outward: DVec2) -> f64 {
-        self.even * (-self.swell * outward.normalize_or_zero().dot(self.light)).exp2()
+        self.even * swelling(outward.normalize_or_zero(), self.light, self.swell)
     }
 
     pub fn widest(&self) -> f64 {
         self.even * self.swell.exp2()
     }
+}
+
+/// Factor on the width of a line that looks in the direction of `outward`, a unit vector of the image plane.
+pub fn swelling(outward: DVec2, light: DVec2, swell: f64) -> f64 {
+    (-swell * outward.dot(light)).exp2()
 }
 
 /// Full beside puffs with a radius of 3.5 widths and more, nothing beside those no larger than the line is wide.

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::bodies::{Body, BodyHit};
+use crate::hull::{Covered, Hull};
 use crate::light::Light;
 use crate::ray::Camera;
 use crate::scene::Scene;
@@ -28,6 +29,8 @@ struct Nearest {
     what: u32,
     is_ink: bool,
     alpha: u8,
+    /// Of the surface that is seen here, or over which the line of another runs.
+    group: Option<usize>,
 }
 
 /// Pixels row by row from the bottom.
@@ -57,6 +60,9 @@ pub fn draw(scene: &Scene) -> Picture {
     let mut seen: Vec<Nearest> = (0..scene.width * scene.height)
         .map(|pixel| painter.behind_smoke(pixel))
         .collect();
+    for index in 0..scene.surfaces.len() {
+        painter.draw_line(index, &mut seen);
+    }
     for (index, &row) in scene.bodies.iter().enumerate() {
         if let Some(body) = Body::new(scene, &painter.camera, &painter.light, row) {
             painter.draw_body(&body, index as u32, &mut seen);
@@ -119,6 +125,40 @@ impl<'a> Painter<'a> {
             what: SURFACES + index as u32,
             is_ink: false,
             alpha: 255,
+            group: Some(self.scene.surfaces[index].group),
+        }
+    }
+
+    /// The line around a surface.
+    fn draw_line(&self, index: usize, seen: &mut [Nearest]) {
+        let surface = &self.scene.surfaces[index];
+        let hull = Hull::new(surface, &self.scene.style, &self.camera, &self.light);
+        for Covered {
+            x,
+            y,
+            depth,
+            raised_depth,
+        } in hull.covered(self.scene.width, self.scene.height)
+        {
+            let seen = &mut seen[y * self.scene.width + x];
+            let window_depth = if seen.group == Some(surface.group) {
+                depth
+            } else {
+                raised_depth
+            };
+            if window_depth <= seen.window_depth {
+                let (what, depth) = (SURFACES + index as u32, self.camera.depth_of(window_depth));
+                let shade = Shade::same(self.scene.style.ink_color.into());
+                *seen = Nearest {
+                    shade,
+                    window_depth,
+                    depth,
+                    what,
+                    is_ink: true,
+                    alpha: 255,
+                    ..*seen
+                };
+            }
         }
     }
 
@@ -147,6 +187,7 @@ impl<'a> Painter<'a> {
                 what,
                 is_ink,
                 alpha: 255,
+                ..*seen
             };
         }
     }
@@ -177,6 +218,7 @@ fn backdrop(scene: &Scene, height: f64) -> Nearest {
         what: BACKDROP,
         is_ink: false,
         alpha: if scene.backdrop.is_some() { 255 } else { 0 },
+        group: None,
     }
 }
 

@@ -80,6 +80,14 @@ impl Camera {
         0.5 + 0.5 * self.clip_from_view.project_point3(DVec3::new(0.0, 0.0, -depth)).z
     }
 
+    /// The view depth for which the depth buffer holds a value.
+    pub fn depth_of(&self, window_depth: f64) -> f64 {
+        -self
+            .view_from_clip
+            .project_point3(DVec3::new(0.0, 0.0, 2.0 * window_depth - 1.0))
+            .z
+    }
+
     /// Metres that a pixel spans at a view depth.
     pub fn metres_per_pixel(&self, depth: f64) -> f64 {
         self.ray(DVec2::Y).at(depth).y - self.ray(DVec2::ZERO).at(depth).y

@@ -119,6 +119,10 @@ pub struct Surface {
     pub shape: Shape,
     pub ramp: Ramp,
     pub casts: bool,
+    /// Whether it has a line around it.
+    pub inked: bool,
+    /// Surfaces of one group grow into each other without a line between them.
+    pub group: usize,
 }
 
 #[derive(Deserialize)]

@@ -205,6 +205,8 @@ mod tests {
             shape: ball,
             ramp: ramp(),
             casts: true,
+            inked: false,
+            group: 0,
         }];
         let count = |x: f64, y: f64| Solids::new(&surfaces).shadows_over(DVec3::new(x, y, 0.0), &Light::Sun(DVec3::Y));
         assert_eq!([count(0.9, 0.0), count(1.1, 0.0), count(0.0, 3.5)], [1, 0, 0]);

@@ -108,7 +108,6 @@ async function lampAfter(steps: number): Promise<Shown> {
   simulation.advance(steps);
   const orbit = new OrbitCamera(scene.camera);
   orbit.setAspect(WIDTH / HEIGHT);
-  const surfaces = scene.surfaces.map((surface) => ({ ...surface, inked: false }));
   const input = {
     simulator: simulation.simulator,
     camera: orbit.camera,
@@ -122,7 +121,7 @@ async function lampAfter(steps: number): Promise<Shown> {
     cull: true,
     output: null,
   };
-  return { input, surfaces, backdrop: scene.backdrop };
+  return { input, surfaces: scene.surfaces, backdrop: scene.backdrop };
 }
 
 function base64(bytes: Uint8Array): string {

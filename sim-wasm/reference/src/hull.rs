@@ -1,0 +1,132 @@
+//! The line around a surface: its back faces, pushed outwards in the picture by the width of the line. A second copy,
+//! raised towards the eye, closes the line where the surface stands on another; it keeps off the surface's own pixels.
+
+use std::collections::HashMap;
+
+use glam::{DVec2, DVec3};
+
+use crate::ink::swelling;
+use crate::light::Light;
+use crate::ray::Camera;
+use crate::scene::{Shape, Style, Surface};
+
+/// Widths of the line by which the raised copy comes nearer, but not by more metres than this.
+const RAISED_WIDTHS: f64 = 6.0;
+const HIGHEST: f64 = 0.05;
+
+/// A corner of a hull, in pixels, and its depth in the depth buffer: where it is, and raised.
+#[derive(Clone, Copy)]
+struct Corner {
+    pixel: DVec2,
+    depths: DVec2,
+}
+
+/// The back faces of one surface as they lie in the picture.
+pub struct Hull {
+    faces: Vec<[Corner; 3]>,
+}
+
+/// A pixel that a hull covers, with its two depths.
+pub struct Covered {
+    pub x: usize,
+    pub y: usize,
+    pub depth: f64,
+    pub raised_depth: f64,
+}
+
+impl Hull {
+    /// Empty where the surface has no line. Only triangles have one, and only those wholly before the near plane.
+    pub fn new(surface: &Surface, style: &Style, camera: &Camera, light: &Light) -> Self {
+        let Shape::Triangles {
+            positions,
+            normals,
+            indices,
+        } = &surface.shape
+        else {
+            return Self { faces: Vec::new() };
+        };
+        if !surface.inked || style.ink_pixels <= 0.0 {
+            return Self { faces: Vec::new() };
+        }
+        let points: Vec<DVec3> = positions.chunks_exact(3).map(DVec3::from_slice).collect();
+        let corners: Vec<Option<Corner>> = points
+            .iter()
+            .zip(outward_of(&points, normals))
+            .map(|(&point, outward)| corner(point, outward, style, camera, light))
+            .collect();
+        let faces = indices
+            .chunks_exact(3)
+            .filter_map(|face| Some([corners[face[0]]?, corners[face[1]]?, corners[face[2]]?]));
+        Self {
+            faces: faces
+                .filter(|&[a, b, c]| turn(a.pixel, b.pixel, c.pixel) < 0.0)
+                .collect(),
+        }
+    }
+
+    /// All pixels of a picture whose middles it covers, some of them more than once.
+    pub fn covered(&self, width: usize, height: usize) -> impl Iterator<Item = Covered> {
+        self.faces.iter().flat_map(move |face| covered_by(face, width, height))
+    }
+}
+
+/// For each point the sum of the normals of all points at the same place: creases split points, lines do not end there.
+fn outward_of(points: &[DVec3], normals: &[f64]) -> Vec<DVec3> {
+    let key = |point: &DVec3| (1e5 * *point).to_array().map(|value| value.round() as i64);
+    let mut sums = HashMap::new();
+    for (point, normal) in points.iter().zip(normals.chunks_exact(3)) {
+        *sums.entry(key(point)).or_insert(DVec3::ZERO) += DVec3::from_slice(normal);
+    }
+    points.iter().map(|point| sums[&key(point)]).collect()
+}
+
+fn corner(point: DVec3, outward: DVec3, style: &Style, camera: &Camera, light: &Light) -> Option<Corner> {
+    let center = camera.view_from_world.transform_point3(point);
+    let depth = -center.z;
+    if depth < camera.near {
+        return None;
+    }
+    let aside = camera
+        .view_from_world
+        .transform_vector3(outward)
+        .truncate()
+        .normalize_or_zero();
+    let towards_light = camera
+        .view_from_world
+        .transform_vector3(light.towards(point))
+        .truncate();
+    let width = style.ink_pixels * swelling(aside, towards_light, style.ink_swell);
+    let widest = width.max(style.ink_pixels) * camera.metres_per_pixel(depth);
+    let raised = depth - (RAISED_WIDTHS * widest).min(HIGHEST);
+    Some(Corner {
+        pixel: camera.pixel_of(center) + width * aside,
+        depths: DVec2::new(camera.window_depth(depth), camera.window_depth(raised)),
+    })
+}
+
+/// Twice the area of a triangle, negative where it goes round clockwise.
+fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    (b - a).perp_dot(c - a)
+}
+
+fn covered_by(&[a, b, c]: &[Corner; 3], width: usize, height: usize) -> impl Iterator<Item = Covered> + use<> {
+    let lowest = a.pixel.min(b.pixel).min(c.pixel).max(DVec2::ZERO);
+    let highest = a.pixel.max(b.pixel).max(c.pixel).max(DVec2::ZERO);
+    let rows = lowest.y as usize..(highest.y as usize + 1).min(height);
+    let columns = lowest.x as usize..(highest.x as usize + 1).min(width);
+    let area = turn(a.pixel, b.pixel, c.pixel);
+    rows.flat_map(move |y| columns.clone().map(move |x| (x, y)))
+        .filter_map(move |(x, y)| {
+            let middle = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
+            let share = |from: Corner, to: Corner| turn(from.pixel, to.pixel, middle) / area;
+            let weights = [share(b, c), share(c, a), share(a, b)];
+            let depths = weights[0] * a.depths + weights[1] * b.depths + weights[2] * c.depths;
+            let is_inside = weights.iter().all(|&weight| weight >= 0.0);
+            is_inside.then_some(Covered {
+                x,
+                y,
+                depth: depths.x,
+                raised_depth: depths.y,
+            })
+        })
+}
