@@ -4,12 +4,17 @@ export {
   ContextError,
   LoadError,
   ParameterError,
+  ShapeError,
   SimulatorError,
   SmokeError,
   UnsupportedError,
 } from './preset/errors.ts';
 export type { Value, Values } from './preset/parameter.ts';
 export { presets, presetValues, type Preset } from './preset/presets.ts';
+export type { PlainMesh } from './puffs/closedMesh.ts';
+export { fitPuff, type FitOptions, type FittedPuff } from './puffs/fitPuff.ts';
+export { designedShapes, type PuffDesign } from './puffs/lobeShapes.ts';
+export type { Lobe, PuffShape } from './puffs/shapes.ts';
 export { bakedPuffs } from './smoke/bakedPuffs.ts';
 export type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './stage/contract.ts';
 export type { BlowInput } from './stage/blow.ts';

@@ -24,6 +24,11 @@ export class ParameterError extends SmokeError {
   }
 }
 
+/** A mesh cannot become a puff; the message says what is wrong with it and what would be accepted. */
+export class ShapeError extends SmokeError {
+  override name = 'ShapeError';
+}
+
 /** Something that smoke needs could not be fetched or compiled; `cause` holds the reason. */
 export class LoadError extends SmokeError {
   override name = 'LoadError';

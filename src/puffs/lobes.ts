@@ -2,6 +2,7 @@
 import { middleOf, softNormal } from './normals.ts';
 import type { PuffSample } from './layers.ts';
 import type { Lobe } from './shapes.ts';
+import { minus, type Vector } from './vector.ts';
 
 /** Most lobes of a puff: with three vectors more they are all that is sure to cross to the fragments of WebGL 2. */
 export const MOST_LOBES = 12;
@@ -34,6 +35,19 @@ export function sampleLobes(lobes: readonly Lobe[], x: number, y: number): PuffS
 /** Radius of the sphere about the particle's centre that holds all lobes. */
 export function reachOf(lobes: readonly Lobe[]): number {
   return Math.max(...lobes.map(({ center, radius }) => Math.hypot(...center) + radius));
+}
+
+/** Moves the lobes' middle to the centre and makes the farthest of them touch the unit sphere. */
+export function inUnitBall(lobes: readonly Lobe[]): Lobe[] {
+  const middle = middleOf(lobes);
+  const centred = lobes.map(({ center, radius }): Lobe => ({ center: minus(center, middle), radius }));
+  const scale = 1 / reachOf(centred);
+  // Thousandths, rounded inwards: what engines differ by in a sine must not show in a shape.
+  const short = (value: number): number => Math.trunc(value * scale * 999) / 1000;
+  return centred.map(({ center, radius }) => ({
+    center: center.map(short) as unknown as Vector,
+    radius: short(radius),
+  }));
 }
 
 /** Radius of the disc that has the area of the silhouette seen from +z. */

@@ -1,8 +1,7 @@
 /** Puff shapes made from a seed and three knobs. The same seed and knobs make the same shape everywhere. */
-import { MOST_LOBES, reachOf } from './lobes.ts';
-import { middleOf } from './normals.ts';
+import { inUnitBall, MOST_LOBES } from './lobes.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
-import { minus, normalized, spherePoint, type Vector } from './vector.ts';
+import { normalized, spherePoint } from './vector.ts';
 
 /** All from 0 to 1. */
 export interface PuffKnobs {
@@ -30,7 +29,7 @@ export function proceduralPuff(name: string, seed: number, knobs = CARTOON_KNOBS
   const next = randomNumbers(seed);
   const around = Array.from({ length: lobes - 1 }, (_, index) => outerLobe(index, lobes - 1, knobs, next));
   const main: Lobe = { center: [0, 0, 0], radius: 0.72 - 0.2 * knobs.lumpiness };
-  return { name, lobes: fitted([main, ...around]) };
+  return { name, lobes: inUnitBall([main, ...around]) };
 }
 
 function demandRanges(knobs: PuffKnobs, lobes: number): void {
@@ -52,19 +51,6 @@ function outerLobe(index: number, count: number, knobs: PuffKnobs, next: () => n
   const radius = 0.37 + roughness * (0.07 * size + 0.05 * (2 * next() - 1));
   const out = 0.86 - radius + 0.16 * lumpiness;
   return { center: [x * out, y * out * (1 - 0.55 * flatness), z * out], radius };
-}
-
-/** Moves the lobes' middle to the centre and makes the farthest of them touch the unit sphere. */
-function fitted(lobes: readonly Lobe[]): Lobe[] {
-  const middle = middleOf(lobes);
-  const centred = lobes.map(({ center, radius }): Lobe => ({ center: minus(center, middle), radius }));
-  const scale = 1 / reachOf(centred);
-  // Thousandths, rounded inwards: what engines differ by in a sine must not show in a shape.
-  const short = (value: number): number => Math.trunc(value * scale * 999) / 1000;
-  return centred.map(({ center, radius }) => ({
-    center: center.map(short) as unknown as Vector,
-    radius: short(radius),
-  }));
 }
 
 /** Numbers from 0 to 1, after Steele, Lea and Flood, 'Fast Splittable Pseudorandom Number Generators' (2014), 32 bits. */

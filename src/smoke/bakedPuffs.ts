@@ -11,37 +11,47 @@ import { finished, type Work } from '../puffs/work.ts';
 
 /** Smokes whose puffs are the same object share their textures on a device. */
 const kept = new Kept<BakedPuffs>(8);
-let billboards: BakedPuffs['billboards'] | undefined;
+const keptBillboards = new Kept<BakedPuffs['billboards']>(4);
 
 /** Puffs as {@link bakingPuffs} makes them, at once; the default ones where no shapes are given. */
-export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuffs {
-  return finished(bakingPuffs(shapes));
+export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES, fronts?: readonly PuffShape[]): BakedPuffs {
+  return finished(bakingPuffs(shapes, fronts));
 }
 
 /**
- * Bakes puffs of lobes, in pieces of about a millisecond. As billboards they are those that were drawn by hand.
+ * Bakes puffs of lobes, in pieces of about a millisecond.
  * @param shapes a variation each
+ * @param fronts what they are as billboards, from +z; those that were drawn by hand where absent
  * @throws RangeError when a shape has too many lobes
  */
-export function* bakingPuffs(shapes: readonly PuffShape[]): Work<BakedPuffs> {
-  const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
-  const puffs = kept.get(key) ?? withBillboards(yield* bakingLobes(shapes, FIRST_BORDER));
+export function* bakingPuffs(shapes: readonly PuffShape[], fronts = PUFF_SHAPES): Work<BakedPuffs> {
+  const key = keyOf(shapes) + keyOf(fronts);
+  const puffs = kept.get(key) ?? withFronts(yield* bakingLobes(shapes, FIRST_BORDER), fronts);
   kept.add(key, puffs);
   return puffs;
 }
 
 /** Billboards are baked when they are first asked for. */
-function withBillboards(lobes: BakedPuffs['lobes']): BakedPuffs {
+function withFronts(lobes: BakedPuffs['lobes'], fronts: readonly PuffShape[]): BakedPuffs {
+  let billboards: BakedPuffs['billboards'] | undefined;
   return {
     lobes,
     get billboards() {
-      billboards ??= billboardsOf(PUFF_SHAPES);
+      billboards ??= billboardsOf(fronts);
       return billboards;
     },
   };
 }
 
-function billboardsOf(shapes: readonly PuffShape[]): BakedPuffs['billboards'] {
-  const layers = bakePuffs(shapes);
-  return { layers, startCaps: bakeStartCaps(frontsOf(layers), FIRST_BORDER) };
+function billboardsOf(fronts: readonly PuffShape[]): BakedPuffs['billboards'] {
+  const found = keptBillboards.get(keyOf(fronts));
+  if (found) return found;
+  const layers = bakePuffs(fronts);
+  const billboards = { layers, startCaps: bakeStartCaps(frontsOf(layers), FIRST_BORDER) };
+  keptBillboards.add(keyOf(fronts), billboards);
+  return billboards;
+}
+
+function keyOf(shapes: readonly PuffShape[]): string {
+  return JSON.stringify(shapes.map(({ lobes }) => lobes));
 }

@@ -5,10 +5,10 @@ import type { PuffShape } from '../puffs/shapes.ts';
 import { finished, workedFor, type Work } from '../puffs/work.ts';
 import { bakingPuffs } from '../smoke/bakedPuffs.ts';
 
-/** Shapes, and a text that is the same for the same ones. */
+/** What to bake, and a text that is the same for the same puffs. */
 interface Order {
   readonly key: string;
-  shapes(): readonly PuffShape[];
+  begin(): Work<BakedPuffs>;
 }
 
 /**
@@ -16,6 +16,7 @@ interface Order {
  * who keeps turning sees those that were asked for when the bakery was last free.
  */
 export class StagePuffs {
+  private own: readonly PuffShape[] | undefined;
   private variations = 1;
   private wanted: Order;
   private standing = '';
@@ -34,6 +35,12 @@ export class StagePuffs {
     this.wanted = this.orderOf(values);
   }
 
+  /** Asks for shapes that somebody brought, or again for those that values describe. */
+  use(own: readonly PuffShape[] | undefined, values: Values): void {
+    this.own = own;
+    this.follow(values);
+  }
+
   /** Goes on baking for some milliseconds. Returns new puffs when they are ready. */
   workFor(milliseconds: number): BakedPuffs | undefined {
     if (!this.begin()) return undefined;
@@ -49,7 +56,7 @@ export class StagePuffs {
   /** Whether there is something to bake. */
   private begin(): boolean {
     const { key } = this.wanted;
-    if (!this.baking && key !== this.standing) this.baking = { key, work: bakingPuffs(this.wanted.shapes()) };
+    if (!this.baking && key !== this.standing) this.baking = { key, work: this.wanted.begin() };
     return this.baking !== undefined;
   }
 
@@ -62,9 +69,10 @@ export class StagePuffs {
 
   private orderOf(values: Values): Order {
     this.variations = Math.max(this.variations, values['puff.variations'] as number);
+    const { own, variations } = this;
+    if (own) return { key: JSON.stringify(own), begin: () => bakingPuffs(own, own) };
     const design = designOf(values);
-    const count = this.variations;
-    return { key: JSON.stringify([design, count]), shapes: () => designedShapes(design, count) };
+    return { key: JSON.stringify([design, variations]), begin: () => bakingPuffs(designedShapes(design, variations)) };
   }
 }
 

@@ -5,6 +5,8 @@ import { LOWEST_QUALITY, type Quality } from '../preset/environment.ts';
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { defaults, requireOptional, validate } from '../preset/values.ts';
+import { demandShapes } from '../puffs/demandShapes.ts';
+import type { PuffShape } from '../puffs/shapes.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
 import { loadSimulators, type SimulatorFactory } from '../sim/load.ts';
@@ -226,6 +228,18 @@ export class Stage {
     keys.forEach(requireOptional);
     this.#simulation.unset(keys);
     this.#showValues(Object.fromEntries(Object.entries(this.#values).filter(([key]) => !keys.includes(key))));
+    if (!this.#playing) this.#draw();
+  }
+
+  /**
+   * Shows puffs of shapes of one's own, such as `fitPuff` makes them of a mesh, a variation each; without any, those that
+   * the parameters describe. Looks only: takes, links and saved states hold nothing of it.
+   * @throws ShapeError when a shape is none that a puff can have; nothing has changed then
+   */
+  setPuffs(shapes?: readonly PuffShape[]): void {
+    this.#requireAlive();
+    if (shapes) demandShapes(shapes);
+    this.#puffs.use(shapes, this.#values);
     if (!this.#playing) this.#draw();
   }
 
