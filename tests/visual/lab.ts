@@ -17,10 +17,12 @@ import {
   type WebGLRenderTarget,
 } from 'three';
 import fullScreenVertexShader from '../../shaders/lib/fullScreen.vert';
+import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { createDevice, type Device } from '../../src/device/device.ts';
 import { fullScreenMesh } from '../../src/device/fullScreen.ts';
 import type { Color } from '../../src/device/ramps.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
+import type { PuffShape } from '../../src/puffs/shapes.ts';
 import type { Rows } from '../../src/sim/rows.ts';
 import type { Arranger, FrameInput } from '../../src/smoke/frame.ts';
 import type { Light } from '../../src/smoke/light.ts';
@@ -44,6 +46,8 @@ export interface LabScene {
   width: number;
   height: number;
   puffs: readonly LabPuff[];
+  /** What they look like, a variation each; the default ones where absent. */
+  shapes?: readonly PuffShape[];
   /** What throws shadow; the puffs themselves where absent. */
   casters?: readonly LabPuff[];
   surfaces?: readonly SurfaceDescription[];
@@ -131,10 +135,10 @@ export class Lab {
   private readonly device = createDevice(new OffscreenCanvas(1, 1));
   private readonly smoke: SmokeRenderer;
 
-  constructor({ width, height, puffs, casters = [], surfaces = [], backdrop, capacity = 1 }: LabOptions) {
+  constructor({ width, height, puffs, casters = [], surfaces = [], backdrop, shapes, capacity = 1 }: LabOptions) {
     this.device.renderer.setSize(width, height, false);
     const most = Math.max(capacity, puffs.length, casters.length);
-    this.smoke = new SmokeRenderer(this.device, { capacity: most, surfaces, backdrop });
+    this.smoke = new SmokeRenderer(this.device, { capacity: most, surfaces, backdrop, puffs: bakedPuffs(shapes) });
   }
 
   draw(scene: LabScene): LabPicture {

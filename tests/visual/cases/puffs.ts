@@ -6,6 +6,7 @@ import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { samplePuff, type PuffSample } from '../../../src/puffs/layers.ts';
 import { sampleLobes } from '../../../src/puffs/lobes.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
+import type { PuffShape } from '../../../src/puffs/shapes.ts';
 import { orientationOf, turnedLobes } from '../../../src/puffs/orientation.ts';
 import { rampOf } from '../../../src/smoke/palette.ts';
 import { frontCamera, Lab, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
@@ -60,9 +61,10 @@ export function selfMasked(
   form: PuffForm,
   light: 'sun' | 'lamp',
   trials: number,
+  shapes: readonly PuffShape[] = LOBE_SHAPES,
 ): { lit: number; masked: number; trialsWithMask: number } {
   const next = random(2006);
-  const lab = new Lab({ width: WIDTH, height: HEIGHT, puffs: [] });
+  const lab = new Lab({ width: WIDTH, height: HEIGHT, puffs: [], shapes });
   const result = { lit: 0, masked: 0, trialsWithMask: 0 };
   for (let trial = 0; trial < trials; ++trial) {
     const slope = Math.tan((35 * Math.PI) / 180) * Math.sqrt(next());
@@ -76,7 +78,7 @@ export function selfMasked(
       place: place.applyMatrix4(camera.matrixWorld).toArray(),
       radius: 0.35 + 0.25 * next(),
       roll: next() * 2 * Math.PI,
-      variation: trial % 4,
+      variation: trial % shapes.length,
       seed: Math.floor(next() * 256),
     };
     const towardsLight = new Vector3().setFromSphericalCoords(1, Math.acos(2 * next() - 1), next() * 2 * Math.PI);

@@ -1,0 +1,177 @@
+/** Puffs of other shapes than the default ones: knobs that turn, meshes that people bring, several smokes on a device. */
+import { createDevice } from '../../../src/device/device.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
+import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
+import { designedShapes } from '../../../src/puffs/lobeShapes.ts';
+import type { PuffShape } from '../../../src/puffs/shapes.ts';
+import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
+import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
+import { createStage, type Stage } from '../../../src/stage/stage.ts';
+import { inputOf, type LabScene } from '../lab.ts';
+import { random } from '../random.ts';
+
+const [WIDTH, HEIGHT] = [160, 120];
+const VALUES: Values = { ...presetValues(defaultPreset), 'simulation.maxParticles': 400 };
+
+/** A ring of balls: nothing like a puff, with a hole and with places to see deep behind its middle. */
+export const RING: PuffShape = {
+  name: 'ring',
+  lobes: Array.from({ length: 12 }, (_, index) => {
+    const angle = (index / 12) * 2 * Math.PI;
+    return { center: [0.72 * Math.cos(angle), 0.72 * Math.sin(angle), 0.1 * (index % 2)], radius: 0.25 };
+  }),
+};
+
+/** Shapes at the ends and in the middle of all knobs, of a few seeds, and two that no knob makes. */
+export function oddShapes(): PuffShape[] {
+  const next = random(5);
+  const shapes = Array.from({ length: 14 }, (_, seed) => {
+    const knob = () => (seed < 8 ? Number(next() < 0.5) : next());
+    const design = { lumpiness: knob(), flatness: knob(), roughness: knob(), lobes: 5 + (seed % 8), seed };
+    return designedShapes(design, 4)[seed % 4];
+  });
+  return [...shapes, RING, { name: 'ball', lobes: [{ center: [0, 0, 0], radius: 1 }] }];
+}
+
+/** Smokes with different puffs on one device: pixels by which each differs from itself when the other has drawn. */
+export async function shareDevice(): Promise<{ between: number; disturbed: number; same: number; held: number[] }> {
+  const device = createDevice(new OffscreenCanvas(1, 1));
+  device.renderer.setSize(WIDTH, HEIGHT, false);
+  const scene: LabScene = {
+    width: WIDTH,
+    height: HEIGHT,
+    puffs: [0, 1].map((side) => ({ place: [side - 0.5, 0, 0], radius: 0.6, variation: side, seed: 7 })),
+  };
+  const smoke = (shapes?: readonly PuffShape[]) =>
+    new SmokeRenderer(device, { capacity: 2, surfaces: [], puffs: bakedPuffs(shapes) });
+  const draw = (drawn: SmokeRenderer): Uint32Array => {
+    drawn.draw(inputOf(scene));
+    const pixels = new Uint32Array(WIDTH * HEIGHT);
+    const gl = device.renderer.getContext();
+    gl.readPixels(0, 0, WIDTH, HEIGHT, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(pixels.buffer));
+    return pixels;
+  };
+  const [first, second, third] = [smoke(), smoke([RING]), smoke()];
+  const [before, other, after] = [draw(first), draw(second), draw(first)];
+  third.setPuffs(bakedPuffs([RING]));
+  const same = differing(draw(third), other);
+  const held = [device.puffs.lobes.size];
+  for (const one of [second, third, first]) {
+    one.dispose();
+    held.push(device.puffs.lobes.size);
+  }
+  device.dispose();
+  return { between: differing(before, other), disturbed: differing(before, after), same, held };
+}
+
+async function stageOf(values: Values = {}, canvas = new OffscreenCanvas(WIDTH, HEIGHT)): Promise<Stage> {
+  return createStage(canvas, { values: { ...VALUES, ...values }, width: WIDTH, height: HEIGHT });
+}
+
+/**
+ * A stage in a pause whose knobs turn: pixels that differ from before, from a stage that was made so, and, after turning
+ * back, from the first picture.
+ */
+export async function turnKnobs(values: Values): Promise<{ changed: number; asMade: number; back: number }> {
+  const [stage, made] = [await stageOf(), await stageOf(values)];
+  for (const each of [stage, made]) each.step(150);
+  const before = await pixelsOf(stage);
+  const base = stage.get();
+  stage.set(values);
+  const after = await pixelsOf(stage);
+  stage.set(Object.fromEntries(Object.keys(values).map((key) => [key, base[key]])));
+  const report = {
+    changed: differing(before, after),
+    asMade: differing(after, await pixelsOf(made)),
+    back: differing(before, await pixelsOf(stage)),
+  };
+  for (const each of [stage, made]) each.dispose();
+  return report;
+}
+
+/** How many pixels change when there are fewer variations than living particles have, at once and in a restored state. */
+export async function fewerVariations(): Promise<{ atOnce: number; restored: number; later: boolean }> {
+  const stage = await stageOf({ 'puff.variations': 9 });
+  stage.step(150);
+  const before = await pixelsOf(stage);
+  stage.set({ 'puff.variations': 2 });
+  const atOnce = differing(before, await pixelsOf(stage));
+  const other = await stageOf();
+  other.restore(stage.save());
+  const restored = differing(before, await pixelsOf(other));
+  stage.step(60);
+  const later = differing(before, await pixelsOf(stage)) > 0;
+  for (const each of [stage, other]) each.dispose();
+  return { atOnce, restored, later };
+}
+
+/** The same stage with a shape that somebody brought, in both forms, and without it again. */
+export async function bringShape(): Promise<{ lobes: number; billboards: number; back: number; hash: boolean }> {
+  const stage = await stageOf();
+  stage.step(150);
+  const hash = stage.hash();
+  const first = await pixelsOf(stage);
+  stage.setPuffs([RING]);
+  const ring = await pixelsOf(stage);
+  stage.set({ 'puff.form': 'billboards' });
+  const flatRing = await pixelsOf(stage);
+  stage.setPuffs();
+  const flat = await pixelsOf(stage);
+  stage.set({ 'puff.form': 'lobes' });
+  const report = {
+    lobes: differing(first, ring),
+    billboards: differing(flat, flatRing),
+    back: differing(first, await pixelsOf(stage)),
+    hash: stage.hash() === hash,
+  };
+  stage.dispose();
+  return report;
+}
+
+/**
+ * A stage that plays with its clock at rest while a knob turns: after how many frames the picture changes, whether it is
+ * then the one that a pause shows, and the longest that a frame spent on anything.
+ */
+export async function turnWhilePlaying(): Promise<{ frames: number; leftOver: number; longestMs: number }> {
+  let frame: FrameRequestCallback = () => {};
+  const { requestAnimationFrame } = globalThis;
+  globalThis.requestAnimationFrame = (callback) => {
+    frame = callback;
+    return 1;
+  };
+  const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
+  const stage = await stageOf({}, canvas);
+  stage.step(150);
+  stage.speed = 0;
+  stage.play();
+  frame(0);
+  const before = shown(canvas);
+  stage.set({ 'puff.lumpiness': 0.21, 'puff.seed': 77 });
+  const report = { frames: 0, leftOver: 0, longestMs: 0 };
+  while (report.frames < 500 && differing(before, shown(canvas)) === 0) {
+    report.frames += 1;
+    const started = performance.now();
+    frame(report.frames * 16);
+    report.longestMs = Math.max(report.longestMs, performance.now() - started);
+  }
+  const now = shown(canvas);
+  stage.pause();
+  report.leftOver = differing(now, await pixelsOf(stage));
+  stage.dispose();
+  globalThis.requestAnimationFrame = requestAnimationFrame;
+  return report;
+}
+
+async function pixelsOf(stage: Stage): Promise<Uint32Array> {
+  return shown(await createImageBitmap(await stage.picture()));
+}
+
+function shown(picture: OffscreenCanvas | ImageBitmap): Uint32Array {
+  const copy = new OffscreenCanvas(WIDTH, HEIGHT).getContext('2d')!;
+  copy.drawImage(picture, 0, 0);
+  return new Uint32Array(copy.getImageData(0, 0, WIDTH, HEIGHT).data.buffer);
+}
+
+function differing(a: Uint32Array, b: Uint32Array): number {
+  return a.reduce((count, pixel, index) => count + (pixel === b[index] ? 0 : 1), 0);
+}
