@@ -8,8 +8,6 @@ precision highp sampler2DArray;
 uniform sampler2DArray normalDepth;
 uniform sampler2DArray colorCoverage;
 uniform sampler2D ramps;
-uniform float litRow;
-uniform float unlitRow;
 uniform float pad;
 uniform float distanceRange;
 uniform mat4 clipFromView;
@@ -17,6 +15,7 @@ uniform vec2 viewport;
 uniform vec3 inkColor;
 uniform float inkSwell;
 uniform vec3 gradientFactor;
+uniform vec4 rim;
 
 in vec2 puffPoint;
 in float gradientPosition;
@@ -26,7 +25,7 @@ flat in float inkReach;
 flat in float centreZ;
 flat in float radius;
 flat in float ringDrop;
-flat in float rampShift;
+flat in float material;
 flat in vec3 towardsLight;
 
 layout(location = 0) out vec4 unlit;
@@ -58,9 +57,8 @@ void main() {
 
   vec3 normal = shape.rgb * 2.0 - 1.0;
   normal.xy = turned(normal.xy);
-  vec3 fill = paint.rgb * mix(gradientFactor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
-  vec2 rows = vec2(unlitRow, litRow) + rampShift;
-  Shades shades = shade(normalize(normal), towardsLight, ramps, rows, fill);
+  vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
+  Shades shades = shade(normalize(normal), towardsLight, ramps, material, gradient, rim);
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), 0.0);
 

@@ -14,7 +14,7 @@ uniform float inkSwell;
 uniform float innerLine;
 uniform vec2 plumeHeight;
 uniform vec4 gradientWeights;
-uniform float rampPitch;
+uniform sampler2D ramps;
 uniform sampler2DArray normalDepth;
 
 in vec2 corner;
@@ -29,13 +29,14 @@ flat out float inkReach;
 flat out float centreZ;
 flat out float radius;
 flat out float ringDrop;
-flat out float rampShift;
+flat out float material;
 flat out vec3 towardsLight;
 
 #include ../lib/light.glsl
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
 #include ../lib/look.glsl
+#include ../lib/material.glsl
 
 void main() {
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
@@ -50,10 +51,11 @@ void main() {
   centreZ = centre.z;
   ringDrop = innerLine * radius;
   towardsLight = towardsLightFrom(lightInView, centre);
-  rampShift = rampPitch * float(toneOf(look));
-  float height = (place.y + point.y * radius - plumeHeight.x) / max(plumeHeight.y - plumeHeight.x, 1e-6);
+  material = materialOf(look, ramps);
+  float worldHeight = place.y + dot(viewFromWorld[1].xy, point) * radius;
+  float height = (worldHeight - plumeHeight.x) / max(plumeHeight.y - plumeHeight.x, 1e-6);
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
-  gradientPosition = dot(gradientWeights, vec4(0.5 + 0.5 * corner.y, height, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look)));
+  gradientPosition = dot(gradientWeights, vec4(0.5 + 0.5 * point.y, height, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look)));
   // Depth is written by the fragments; a constant here keeps the near plane from cutting the quad.
   gl_Position = radius > 0.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
 }

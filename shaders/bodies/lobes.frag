@@ -5,8 +5,6 @@ precision highp int;
 // silhouette is ink and lies deeper (McGuire and Fein 2006, section 4.1), so that the depth test alone decides which
 // lines show. three.js unrolls the marked loops: an index that is no constant would cost far more.
 uniform sampler2D ramps;
-uniform float litRow;
-uniform float unlitRow;
 uniform float fillet;
 uniform float blend;
 uniform mat4 clipFromView;
@@ -15,6 +13,7 @@ uniform vec4 lightInView;
 uniform vec3 inkColor;
 uniform float inkSwell;
 uniform vec3 gradientFactor;
+uniform vec4 rim;
 
 in vec3 pointAndGradient;
 flat in vec4 middleAndInkReach;
@@ -96,9 +95,8 @@ void main() {
   #pragma unroll_loop_end
   normal = mix(normalize(normal), normalize(place - middleAndInkReach.xyz), blend);
 
-  vec3 fill = mix(gradientFactor, vec3(1.0), clamp(pointAndGradient.z, 0.0, 1.0));
-  vec2 rows = vec2(unlitRow, litRow) + depthsAndRamp.w;
-  Shades shades = shade(normalize(normal), towardsLight, ramps, rows, fill);
+  vec3 gradient = mix(gradientFactor, vec3(1.0), clamp(pointAndGradient.z, 0.0, 1.0));
+  Shades shades = shade(normalize(normal), towardsLight, ramps, depthsAndRamp.w, gradient, rim);
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), 0.0);
 

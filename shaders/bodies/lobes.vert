@@ -12,7 +12,7 @@ uniform float inkSwell;
 uniform float innerLine;
 uniform vec2 plumeHeight;
 uniform vec4 gradientWeights;
-uniform float rampPitch;
+uniform sampler2D ramps;
 // A row for each variation: its LOBES lobes (xyz, radius), then their middle.
 uniform sampler2D lobeTable;
 
@@ -23,13 +23,14 @@ in uvec2 look;
 // Three vectors besides the lobes cross to the fragments; every device takes fifteen.
 out vec3 pointAndGradient;
 flat out vec4 middleAndInkReach;
-// View depth of the centre, radius, how far the ring lies deeper; then which of the smoke's ramps.
+// View depth of the centre, radius, how far the ring lies deeper; then which ramp.
 flat out vec4 depthsAndRamp;
 flat out vec4 lobes[LOBES];
 
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
 #include ../lib/look.glsl
+#include ../lib/material.glsl
 #include ../lib/orientation.glsl
 
 void main() {
@@ -54,12 +55,13 @@ void main() {
   vec3 middle = viewFromPuff * texelFetch(lobeTable, ivec2(LOBES, variation), 0).xyz;
 
   vec2 point = mix(lowest, highest, 0.5 + 0.5 * corner) + corner * inkReach;
-  float height = (place.y + point.y * radius - plumeHeight.x) / max(plumeHeight.y - plumeHeight.x, 1e-6);
+  float worldHeight = place.y + dot(viewFromWorld[1].xy, point) * radius;
+  float height = (worldHeight - plumeHeight.x) / max(plumeHeight.y - plumeHeight.x, 1e-6);
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
   vec4 gradients = vec4(0.5 + 0.5 * point.y, height, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look));
   pointAndGradient = vec3(point, dot(gradientWeights, gradients));
   middleAndInkReach = vec4(middle, inkReach);
-  depthsAndRamp = vec4(centre.z, radius, innerLine * radius, rampPitch * float(toneOf(look)));
+  depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(look, ramps));
   // Depth is written by the fragments; a constant here keeps the near plane from cutting the quad.
   gl_Position = radius > 0.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -5,20 +5,22 @@ precision highp sampler2DArray;
 // One flat colour inside the silhouette. The alpha of the second colour marks smoke for the lines.
 uniform sampler2DArray colorCoverage;
 uniform sampler2D ramps;
-uniform float litRow;
 uniform float pad;
 
 in vec2 puffPoint;
 flat in int variation;
-flat in float rampShift;
+flat in float material;
 
 layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
 
+#include ../lib/look.glsl
+#include ../lib/material.glsl
+
 void main() {
   vec3 layerPoint = vec3(0.5 + 0.5 * puffPoint / pad, float(variation % textureSize(colorCoverage, 0).z));
   if (texture(colorCoverage, layerPoint).a > 0.5) discard;
-  vec3 color = textureLod(ramps, vec2(1.0, litRow + rampShift), 0.0).rgb;
+  vec3 color = brightestOf(material, ramps);
   unlit = vec4(color, 1.0);
   lit = vec4(color, 1.0);
 }

@@ -1,19 +1,21 @@
 precision highp float;
+precision highp int;
 
 // Blended over the finished picture, premultiplied. Fades where it comes close to a surface behind it, by the depth that
 // is read as a texture (Lorach, 'Soft Particles', 2007).
 uniform sampler2D ramps;
 uniform sampler2D depth;
-uniform float litRow;
 uniform mat4 clipFromView;
 
 in vec2 puffPoint;
 flat in vec3 depthRadiusFade;
-flat in float rampShift;
+flat in float material;
 
 out vec4 pixel;
 
 #include ../lib/depth.glsl
+#include ../lib/look.glsl
+#include ../lib/material.glsl
 
 // Alpha in the middle of a sprite at birth.
 const float DENSEST = 0.5;
@@ -24,5 +26,5 @@ void main() {
   float behind = -viewZOf(clipFromView, texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r);
   float gap = clamp((behind - depthRadiusFade.x) / depthRadiusFade.y, 0.0, 1.0);
   float alpha = DENSEST * (1.0 - away) * (1.0 - away) * depthRadiusFade.z * gap;
-  pixel = vec4(textureLod(ramps, vec2(1.0, litRow + rampShift), 0.0).rgb * alpha, alpha);
+  pixel = vec4(brightestOf(material, ramps) * alpha, alpha);
 }

@@ -4,7 +4,7 @@ precision highp int;
 // A soft quad that faces the eye, as particle libraries draw smoke.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
-uniform float rampPitch;
+uniform sampler2D ramps;
 
 in vec2 corner;
 in vec4 place;
@@ -12,13 +12,14 @@ in uvec2 look;
 
 out vec2 puffPoint;
 flat out vec3 depthRadiusFade;
-flat out float rampShift;
+flat out float material;
 
 #include ../lib/look.glsl
+#include ../lib/material.glsl
 
 void main() {
   puffPoint = corner;
-  rampShift = rampPitch * float(toneOf(look));
+  material = materialOf(look, ramps);
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   depthRadiusFade = vec3(-centre.z, place.w, 1.0 - ageOf(look));
   vec4 clip = clipFromView * vec4(centre + vec3(corner * place.w, 0.0), 1.0);

@@ -1,9 +1,8 @@
 precision highp float;
 
-// An ordinary mesh, shaded by its own two rows of the ramps.
+// An ordinary mesh, shaded by its own rows of the ramps.
 uniform sampler2D ramps;
-uniform float litRow;
-uniform float unlitRow;
+uniform float material;
 uniform vec4 lightInWorld;
 
 in vec3 worldNormal;
@@ -17,7 +16,7 @@ layout(location = 1) out vec4 lit;
 
 void main() {
   vec3 towardsLight = towardsLightFrom(lightInWorld, worldPlace);
-  Shades shades = shade(normalize(worldNormal), towardsLight, ramps, vec2(unlitRow, litRow), vec3(1.0));
+  Shades shades = shade(normalize(worldNormal), towardsLight, ramps, material, vec3(1.0), vec4(0.0));
   unlit = vec4(shades.unlit, 1.0);
   lit = vec4(shades.lit, 0.0);
 }

@@ -61,7 +61,7 @@ float startCap(vec3 travel, vec3 centre, bool perspective) {
   int variation = variationOf(look) % textureSize(startCaps, 0).z;
   float cap = textureLod(startCaps, vec3(angles, float(variation)), 0.0).r;
   float shear = perspective ? shearOf(travel, centre) : 0.0;
-  return max(max(cap, 0.0) + shear + CAP_SLACK, leastCap);
+  return max(cap, leastCap) + shear + CAP_SLACK;
 }
 
 // Radius, on the plane at unit depth, of a circle around the projected centre that covers the projected ball; negative

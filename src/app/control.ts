@@ -2,6 +2,7 @@ import type { ChoiceParameter, NumberParameter, Parameter, Value } from '../pres
 import { isAccepted } from '../preset/values.ts';
 import { createCurve } from './curveControl.ts';
 import { create, uniqueId } from './dom.ts';
+import { createRamp } from './rampControl.ts';
 import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from './slider.ts';
 import { strings } from './strings.ts';
 
@@ -31,6 +32,8 @@ export function createControl(parameter: Parameter, describedBy: string, listene
       return createColor(describedBy, listener);
     case 'curve':
       return createCurve(describedBy, parameter.label, listener);
+    case 'ramp':
+      return createRamp(describedBy, parameter.label, listener);
     default:
       return createNumber(parameter, describedBy, listener);
   }

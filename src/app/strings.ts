@@ -17,6 +17,11 @@ export const strings = {
     stop: (number: number, at: number, value: number) =>
       `Stop ${number}: ${Math.round(100 * value)} % at ${Math.round(100 * at)} %`,
   },
+  ramp: {
+    stop: (number: number, color: string, at: number) => `Stop ${number}: ${color} from ${Math.round(100 * at)} % on`,
+    color: 'Colour of the chosen stop',
+    remove: 'Remove this stop',
+  },
   items: {
     kind: 'What to add',
     add: 'Add',

@@ -25,6 +25,7 @@ export type PuffForm = 'lobes' | 'billboards';
 export interface BillboardPuffs {
   readonly layers: PuffLayers;
   readonly startCaps: StartCaps;
+  readonly latestCap: number;
 }
 
 /** Puffs as plain data in each form. Each may be made when it is first asked for. */
@@ -37,6 +38,8 @@ export interface BakedPuffs {
 interface FormTextures {
   /** A layer for each variation. */
   readonly startCaps: DataArrayTexture;
+  /** See `latestCap` in src/puffs/startCaps.ts. */
+  readonly latestCap: number;
   /** Radius of a particle's shadow volume in radii of the particle. */
   readonly shadowRadius: number;
   /** Factor on a particle's radius that makes the sphere which holds all of its puff. */
@@ -115,6 +118,10 @@ class LobeTextures implements FormTextures {
     this.startCaps = capTexture(puffs.startCaps);
   }
 
+  get latestCap(): number {
+    return this.puffs.latestCap;
+  }
+
   get shadowRadius(): number {
     return SHADOW_SHARE * this.puffs.silhouetteRadius;
   }
@@ -139,8 +146,9 @@ class BillboardTextures implements FormTextures {
   readonly normalDepth: DataArrayTexture;
   readonly colorCoverage: DataArrayTexture;
   readonly startCaps: DataArrayTexture;
+  readonly latestCap: number;
 
-  constructor(context: WebGL2RenderingContext, { layers, startCaps }: BillboardPuffs) {
+  constructor(context: WebGL2RenderingContext, { layers, startCaps, latestCap }: BillboardPuffs) {
     this.layers = layers;
     this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);
     this.normalDepth.format = RGBAFormat;
@@ -152,6 +160,7 @@ class BillboardTextures implements FormTextures {
     this.colorCoverage.type = UnsignedByteType;
     smooth(this.colorCoverage, true);
     this.startCaps = capTexture(startCaps);
+    this.latestCap = latestCap;
   }
 
   get shadowRadius(): number {

@@ -16,7 +16,7 @@ export function writeColor(color: Color, uniform: IUniform<ThreeColor>): void {
   uniform.value.fromArray(color.map((channel) => channel / 255));
 }
 
-/** One flat tone of a ramp: it begins where N.L reaches `from` (0 to 1; the first tone begins at 0). */
+/** One flat tone of a ramp: it begins where N.L reaches `from` (0 to 1; the first tone also holds before it). */
 export interface Tone {
   from: number;
   color: Color;
@@ -26,72 +26,117 @@ export interface Tone {
 export interface Ramp {
   lit: readonly Tone[];
   unlit: readonly Tone[];
+  /** What stands for the first tone where the fill light reaches; the first tone itself where absent. */
+  filled?: Color;
+  /** Whether tones run into each other instead of being flat. */
+  isBlended?: boolean;
 }
 
-/** N.L below which no ramp may turn lighter: shadow volumes start behind everything that can be lit from there on. */
+/** Which ramp a body has: `ages` and `temperatures` are numbers by byte whose sum is the number of the material. */
+export interface Bands {
+  readonly ages: readonly number[];
+  readonly temperatures: readonly number[];
+}
+
+/** N.L below which ramps of tones turn no lighter: from there on shadow volumes start close behind what can be lit. */
 export const FIRST_BORDER = 0.3;
 
 // An even count puts a border at 1/2 exactly between two texels.
 const TEXELS = 256;
+const ROWS = 4;
 
 /**
- * The quantisation q of Eq. 2 (McGuire and Fein 2006) as a texture: for each material a row of final colours in the
- * light and a row in shadow, over max(0, N.L); the clamped address is the max. Colours arrive on the screen exactly.
+ * The quantisation q of Eq. 2 (McGuire and Fein 2006) as a texture: for each material rows of final colours in shadow
+ * and in the light, then the same two where the fill light reaches, over max(0, N.L); the clamped address is the max.
+ * Colours arrive on the screen exactly. The last row tells which material a body has: see {@link Bands}.
  */
 export class RampTexture {
   readonly texture: DataTexture;
-  private readonly materials: number;
+  private materials: number;
 
   /** @param materials how many ramps it holds */
   constructor(materials: number) {
     this.materials = materials;
-    this.texture = new DataTexture(
-      new Uint8Array(TEXELS * materials * 2 * 4),
-      TEXELS,
-      materials * 2,
-      RGBAFormat,
-      UnsignedByteType,
-    );
+    this.texture = new DataTexture(bytesFor(materials), TEXELS, rowsFor(materials), RGBAFormat, UnsignedByteType);
     this.texture.wrapS = ClampToEdgeWrapping;
     this.texture.wrapT = ClampToEdgeWrapping;
     this.texture.minFilter = NearestFilter;
     this.texture.magFilter = NearestFilter;
   }
 
-  write(material: number, ramp: Ramp): void {
-    this.writeRow(2 * material, ramp.lit);
-    this.writeRow(2 * material + 1, ramp.unlit);
+  /** Makes room for another number of ramps; all of them are to be written then. */
+  resize(materials: number): void {
+    if (materials === this.materials) return;
+    this.materials = materials;
+    this.texture.dispose();
+    this.texture.image = { data: bytesFor(materials), width: TEXELS, height: rowsFor(materials) };
+  }
+
+  write(material: number, { lit, unlit, filled, isBlended = false }: Ramp): void {
+    const rows = [unlit, lit];
+    if (filled) rows.push(...rows.map(([first, ...rest]) => [{ ...first, color: filled }, ...rest]));
+    else rows.push(...rows);
+    rows.forEach((tones, row) => this.writeRow(ROWS * material + row, tones, isBlended));
     this.texture.needsUpdate = true;
   }
 
-  /** Texture coordinates of the two rows of a material. */
-  rows(material: number): { litRow: number; unlitRow: number } {
-    const row = (index: number) => (index + 0.5) / (this.materials * 2);
-    return { litRow: row(2 * material), unlitRow: row(2 * material + 1) };
-  }
-
-  /** From one material to the next, as texture coordinate. */
-  get pitch(): number {
-    return 1 / this.materials;
+  writeBands({ ages, temperatures }: Bands): void {
+    const first = TEXELS * ROWS * this.materials;
+    for (let byte = 0; byte < TEXELS; ++byte) {
+      const [age, heat] = [ages[byte], temperatures[byte]];
+      this.data.set([age & 255, age >> 8, heat & 255, heat >> 8], 4 * (first + byte));
+    }
+    this.texture.needsUpdate = true;
   }
 
   dispose(): void {
     this.texture.dispose();
   }
 
-  private writeRow(row: number, tones: readonly Tone[]): void {
-    const data = this.texture.image.data as Uint8Array;
+  private get data(): Uint8Array {
+    return this.texture.image.data as Uint8Array;
+  }
+
+  private writeRow(row: number, tones: readonly Tone[], isBlended: boolean): void {
     for (let texel = 0; texel < TEXELS; ++texel) {
-      data.set([...colorAt(tones, texel / TEXELS), 255], (row * TEXELS + texel) * 4);
+      const facing = texel / TEXELS;
+      const color = isBlended ? blendedAt(tones, facing) : colorAt(tones, facing);
+      this.data.set([...color, 255], (row * TEXELS + texel) * 4);
     }
   }
 }
 
+function rowsFor(materials: number): number {
+  return ROWS * materials + 1;
+}
+
+function bytesFor(materials: number): Uint8Array<ArrayBuffer> {
+  return new Uint8Array(4 * TEXELS * rowsFor(materials));
+}
+
 /** The tone of a ramp at a value of max(0, N.L). */
 export function colorAt(tones: readonly Tone[], facing: number): Color {
-  let color = tones[0].color;
-  for (const tone of tones) {
-    if (facing >= tone.from) color = tone.color;
-  }
-  return color;
+  return tones[toneAt(tones, facing)].color;
+}
+
+/** Which tone of a ramp holds at a value. */
+export function toneAt(tones: readonly Tone[], facing: number): number {
+  return Math.max(
+    0,
+    tones.findLastIndex(({ from }) => facing >= from),
+  );
+}
+
+/** The colour of a ramp whose tones run into each other, at a value of max(0, N.L). */
+export function blendedAt(tones: readonly Tone[], facing: number): Color {
+  const tone = toneAt(tones, facing);
+  const [low, high] = [tones[tone], tones[Math.min(tone + 1, tones.length - 1)]];
+  const share = high.from > low.from ? (facing - low.from) / (high.from - low.from) : 0;
+  return mixed(low.color, high.color, Math.max(0, share));
+}
+
+/** From one colour (share 0) to another (share 1), as displayed. */
+export function mixed(from: Color, to: Color, share: number): Color {
+  const channel = (index: 0 | 1 | 2) => Math.round(from[index] + share * (to[index] - from[index]));
+  return [channel(0), channel(1), channel(2)];
 }

@@ -41,6 +41,7 @@ export class BodiesPass {
     plumeHeight: { value: new Vector2(0, 1) },
     gradientWeights: { value: new Vector4() },
     gradientFactor: { value: new Vector3(1, 1, 1) },
+    rim: { value: new Vector4() },
   };
 
   private readonly puffUniforms = {
@@ -53,18 +54,14 @@ export class BodiesPass {
     distanceRange: { value: 1 },
   };
 
-  /** @param material which ramp of `ramps` is the smoke's; those of its tints follow it */
-  constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, material: number, rows: BufferGeometry) {
-    const { litRow, unlitRow } = ramps.rows(material);
+  /** @param ramps holds those of the tints from 1 on, and says by its bands which one a body without a tint has */
+  constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, rows: BufferGeometry) {
     this.puffs = puffs;
     this.common = {
       ...eye.uniforms,
       ...this.ink.uniforms,
       ...this.uniforms,
       ramps: { value: ramps.texture },
-      litRow: { value: litRow },
-      unlitRow: { value: unlitRow },
-      rampPitch: { value: ramps.pitch },
       ...this.puffUniforms,
     };
     this.mesh = new Mesh(rows, this.lobesMaterial());
@@ -83,17 +80,21 @@ export class BodiesPass {
     this.uniforms.innerLine.value = innerLine;
   }
 
-  /** Fills from `color` at the low end of the gradient to the smoke's own colour at the high end. */
-  setGradient(gradient: Gradient, color: Color, smokeColor: Color): void {
+  /** @param width of the band along silhouettes that look away from the light, 0 (none) to 1 */
+  setRim(color: Color, width: number): void {
+    this.uniforms.rim.value.set(color[0] / 255, color[1] / 255, color[2] / 255, width);
+  }
+
+  /**
+   * Fills from `color` at the low end of the gradient to the smoke's own colour at the high end.
+   * @param heights in the world, metres, between which the gradient 'height' runs
+   */
+  setGradient(gradient: Gradient, color: Color, smokeColor: Color, heights: readonly [number, number]): void {
+    this.uniforms.plumeHeight.value.fromArray(heights);
     const { gradientFactor, gradientWeights } = this.uniforms;
     gradientWeights.value.fromArray(GRADIENTS.map((name) => (name === gradient ? 1 : 0)));
     const factor = color.map((channel, index) => channel / Math.max(1, smokeColor[index]));
     gradientFactor.value.fromArray(gradient === 'none' ? [1, 1, 1] : factor);
-  }
-
-  /** World heights between which the gradient 'height' runs. */
-  setPlumeHeight(bottom: number, top: number): void {
-    this.uniforms.plumeHeight.value.set(bottom, top);
   }
 
   draw(renderer: WebGLRenderer): void {

@@ -35,15 +35,12 @@ export class SellePass {
   private readonly lines: FullScreen;
   private material: RawShaderMaterial | undefined;
 
-  /** @param material which ramp of `ramps` is the smoke's; those of its tints follow it */
-  constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, material: number, rows: BufferGeometry) {
+  constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, rows: BufferGeometry) {
     this.puffs = puffs;
     this.rows = rows;
     this.common = {
       ...eye.uniforms,
       ramps: { value: ramps.texture },
-      litRow: { value: ramps.rows(material).litRow },
-      rampPitch: { value: ramps.pitch },
       colorCoverage: { value: null as Texture | null },
       pad: { value: 1 },
     };

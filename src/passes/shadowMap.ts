@@ -40,8 +40,8 @@ export interface ShadowMapSources {
   readonly eye: Eye;
   readonly puffs: PuffTextures;
   readonly ramps: RampTexture;
-  /** The smoke's ramp, and that of the first surface. */
-  readonly materials: { readonly smoke: number; readonly firstSurface: number };
+  /** Which ramp is that of the first surface; the others follow. */
+  readonly firstSurface: number;
   readonly surfaces: readonly SurfaceDescription[];
   readonly casters: BufferGeometry;
 }
@@ -63,12 +63,12 @@ export class ShadowMapPass {
   private readonly measure: FullScreen;
   private readonly apply: FullScreen;
 
-  constructor({ eye, puffs, ramps, materials, surfaces, casters }: ShadowMapSources) {
+  constructor({ eye, puffs, ramps, firstSurface, surfaces, casters }: ShadowMapSources) {
     this.eye = eye;
     const casting = surfaces.filter((surface) => surface.casts);
     this.castingRigids = casting.map(({ rigid }) => rigid);
-    this.body = new BodiesPass(this.lightEye, puffs, ramps, materials.smoke, casters);
-    this.surfaces = new SurfacesPass(this.lightEye, ramps, materials.firstSurface, casting);
+    this.body = new BodiesPass(this.lightEye, puffs, ramps, casters);
+    this.surfaces = new SurfacesPass(this.lightEye, ramps, firstSurface, casting);
     this.body.setInk(NO_INK, 0);
     this.surfaces.setInk(NO_INK);
     this.shadowed = new WebGLRenderTarget(1, 1, {

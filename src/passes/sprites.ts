@@ -28,8 +28,7 @@ export class SpritesPass {
   private readonly material: RawShaderMaterial;
   private readonly depth = { value: null as Texture | null };
 
-  /** @param material which ramp of `ramps` is the smoke's; those of its tints follow it */
-  constructor(eye: Eye, ramps: RampTexture, material: number, rows: BufferGeometry) {
+  constructor(eye: Eye, ramps: RampTexture, rows: BufferGeometry) {
     this.material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,
@@ -38,8 +37,6 @@ export class SpritesPass {
         ...eye.uniforms,
         depth: this.depth,
         ramps: { value: ramps.texture },
-        litRow: { value: ramps.rows(material).litRow },
-        rampPitch: { value: ramps.pitch },
       },
       transparent: true,
       depthTest: false,

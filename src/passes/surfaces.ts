@@ -102,7 +102,6 @@ export class SurfacesPass {
     geometry.setAttribute('normal', new BufferAttribute(surface.mesh.normals, 3));
     geometry.setAttribute('hullNormal', new BufferAttribute(hullNormals(surface.mesh), 3));
     geometry.setIndex(new BufferAttribute(surface.mesh.indices, 1));
-    const { litRow, unlitRow } = ramps.rows(ramp);
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,
@@ -110,8 +109,7 @@ export class SurfacesPass {
       uniforms: {
         ...eye.uniforms,
         ramps: { value: ramps.texture },
-        litRow: { value: litRow },
-        unlitRow: { value: unlitRow },
+        material: { value: ramp },
       },
       stencilWrite: true,
       stencilRef: ownPixels,

@@ -11,6 +11,7 @@ import fragmentShader from '../../shaders/volumes/volumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
 import type { Eye } from '../device/eye.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
+import { FIRST_BORDER } from '../device/ramps.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 
 /** Radii from a puff's centre to where nothing of it is left, relief included. */
@@ -40,7 +41,7 @@ export class VolumesPass {
       fragmentShader,
       uniforms: { ...eye.uniforms, ...this.uniforms },
     });
-    this.setForm('lobes');
+    this.follow('lobes', FIRST_BORDER);
     const mesh = new Mesh(rows, this.material);
     mesh.frustumCulled = false;
     countFaces(
@@ -51,18 +52,17 @@ export class VolumesPass {
     this.scene.add(mesh);
   }
 
-  /** Follows how puffs become pixels, and which they are. */
-  setForm(form: PuffForm): void {
-    const { startCaps, shadowRadius, depth } = this.puffs.of(form);
+  /**
+   * Follows how puffs become pixels, and which they are, so that no volume takes away what its own puff shows of the light.
+   * @param turn N . L from which a lit pixel differs from one in shadow; below 0 where it does even on the dark side
+   */
+  follow(form: PuffForm, turn: number): void {
+    const { startCaps, latestCap, shadowRadius, depth } = this.puffs.of(form);
+    this.uniforms.leastCap.value = turn < 0 ? BEHIND_THE_PUFF : turn < FIRST_BORDER ? latestCap : 0;
     this.uniforms.facesEye.value = form === 'billboards';
     this.uniforms.startCaps.value = startCaps;
     this.uniforms.shadowRadius.value = shadowRadius;
     this.uniforms.depth.value = depth;
-  }
-
-  /** Whether a puff's shadow may begin on its own dark side; without shading that side is not dark, so it begins behind. */
-  setSelfShadow(allowed: boolean): void {
-    this.uniforms.leastCap.value = allowed ? 0 : BEHIND_THE_PUFF;
   }
 
   draw(renderer: WebGLRenderer): void {

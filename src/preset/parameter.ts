@@ -4,6 +4,7 @@
  */
 
 import { LEAST_STOPS, MOST_STOPS } from './curve.ts';
+import { LEAST_COLORS, MOST_COLORS } from './ramp.ts';
 
 /** A value as callers, links and the simulator see it: a number, the name of a choice, or `#rrggbb`. */
 export type Value = number | string;
@@ -69,7 +70,14 @@ export interface CurveParameter extends Described {
   readonly default: string;
 }
 
-export type Parameter = CurveParameter | NumberParameter | ToggleParameter | ChoiceParameter | ColorParameter;
+/** Colours over 0..1, as stops `0:333344,.5:aab0c0,1:ffffff` in the order of their places; empty for none. */
+export interface RampParameter extends Described {
+  readonly kind: 'ramp';
+  readonly default: string;
+}
+
+export type Parameter =
+  CurveParameter | RampParameter | NumberParameter | ToggleParameter | ChoiceParameter | ColorParameter;
 
 /** What a parameter accepts, in words that end the sentence 'it takes ...'. */
 export function accepted(parameter: Parameter): string {
@@ -80,6 +88,8 @@ export function accepted(parameter: Parameter): string {
       return 'a colour such as #f4efe6';
     case 'curve':
       return `${LEAST_STOPS} to ${MOST_STOPS} stops such as 0:1,.5:.8,1:0, places rising from 0 to 1, values from 0 to 1`;
+    case 'ramp':
+      return `nothing, or ${LEAST_COLORS} to ${MOST_COLORS} stops such as 0:333344,.5:aab0c0,1:ffffff, places rising from 0 to 1`;
     case 'choice':
       return parameter.options.map((option) => String(option.value)).join(', ');
     default: {

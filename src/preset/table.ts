@@ -9,6 +9,7 @@ import type {
   ColorParameter,
   NumberParameter,
   Parameter,
+  RampParameter,
   Reader,
   ToggleParameter,
 } from './parameter.ts';
@@ -69,8 +70,17 @@ function ofScene(
   return { ...quantity(key, group, 'simulator', { ...range, ...rest }), isOptional: true };
 }
 
-function toggle(name: string, label: string, text: string): ToggleParameter {
-  return { kind: 'toggle', key: `style.${name}`, group: 'style', reader: 'style', label, text, default: 1 };
+function toggle(name: string, label: string, text: string, initial: 0 | 1 = 1): ToggleParameter {
+  return { kind: 'toggle', key: `style.${name}`, group: 'style', reader: 'style', label, text, default: initial };
+}
+
+function ramp(name: string, label: string, text: string): RampParameter {
+  return { kind: 'ramp', key: `style.${name}`, group: 'style', reader: 'style', label, text, default: '' };
+}
+
+function height(name: string, label: string, text: string, initial: number): NumberParameter {
+  const range = { min: -100, max: 100, step: 0.05, unit: 'm', slider: 'fine' } as const;
+  return quantity(`style.${name}`, 'style', 'style', { ...range, label, text, default: initial });
 }
 
 function color(name: string, label: string, text: string, initial: string): ColorParameter {
@@ -216,10 +226,36 @@ export const table: readonly Parameter[] = [
       [3, 'Three'],
     ],
   ),
+  ramp('ramp', 'Own tones', 'Colours from shadow to full light in the place of the number of tones.'),
+  toggle('rampBlend', 'Blend own tones', 'Lets your own tones run into each other; off keeps them flat.', 0),
+  quantity('style.fill', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.05,
+    default: 0,
+    label: 'Fill light',
+    text: 'A second tone inside the shadow, where a weaker light from the other side would reach.',
+  }),
+  quantity('style.rim', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.02,
+    default: 0,
+    label: 'Rim light',
+    text: 'How broad a bright band runs along edges that look away from the light.',
+  }),
+  color('rimColor', 'Rim', 'Colour of the rim light.', '#fff6d8'),
   color('smokeColor', 'Smoke', 'Colour of the smoke in full light.', '#f6efe2'),
   color('tint1', 'Tint 1', 'Colour of smoke that an emitter or an obstacle has given tint 1.', '#f08a5d'),
   color('tint2', 'Tint 2', 'Colour of smoke that an emitter or an obstacle has given tint 2.', '#7fb2e5'),
   color('tint3', 'Tint 3', 'Colour of smoke that an emitter or an obstacle has given tint 3.', '#8fcf7a'),
+  ramp('ageRamp', 'Colour by age', 'Colours of the smoke over its life, in the place of its one colour.'),
+  ramp(
+    'heatRamp',
+    'Colour by heat',
+    'Colours of the smoke from cold (0) to temperature 1, such as from smoke to fire.',
+  ),
+  toggle('softColors', 'Soft colours', 'Lets colours by age and heat run into each other; off keeps them apart.', 0),
   color('inkColor', 'Ink', 'Colour of the outlines.', '#1d1720'),
   quantity('style.outlineWidth', 'style', 'style', {
     min: 0,
@@ -261,6 +297,8 @@ export const table: readonly Parameter[] = [
     ],
   ),
   color('gradientColor', 'Second colour', 'Where the gradient ends.', '#b9a6d8'),
+  height('gradientBottom', 'Gradient from', 'Height at which a gradient by height has the second colour.', 0.9),
+  height('gradientTop', 'Gradient to', 'Height at which a gradient by height has the colour of the smoke.', 3),
   choice(
     'style.renderer',
     'style',

@@ -3,6 +3,7 @@ import { readCurve } from './curve.ts';
 import { ParameterError } from './errors.ts';
 import { notice, type Notice } from './notice.ts';
 import { accepted, type NumberParameter, type Parameter, type Value, type Values } from './parameter.ts';
+import { readRamp } from './ramp.ts';
 import { findParameter, table } from './table.ts';
 
 const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
@@ -44,6 +45,8 @@ export function isAccepted(parameter: Parameter, value: unknown): boolean {
       return typeof value === 'string' && COLOR.test(value);
     case 'curve':
       return typeof value === 'string' && readCurve(value) !== undefined;
+    case 'ramp':
+      return typeof value === 'string' && readRamp(value) !== undefined;
     case 'integer':
       return Number.isInteger(value) && isInRange(parameter, value as number);
     case 'number':
@@ -74,6 +77,7 @@ function parse(parameter: Parameter, text: string): Value | undefined {
   if (parameter.kind === 'choice') return parameter.options.find(({ value }) => String(value) === text)?.value;
   if (parameter.kind === 'toggle') return text === '0' ? 0 : text === '1' ? 1 : undefined;
   if (parameter.kind === 'curve') return readCurve(text) && text;
+  if (parameter.kind === 'ramp') return readRamp(text) && text;
   const color = `#${text.replace(/^#/, '').toLowerCase()}`;
   return COLOR.test(color) ? color : undefined;
 }
@@ -91,7 +95,7 @@ function readNumber(parameter: NumberParameter, text: string, fallback: Value): 
 
 function malformed(parameter: Parameter, text: string, fallback: Value): { value: Value; notice: Notice } {
   const tell = (quoted: string) =>
-    `${parameter.key} cannot be ${quoted}: it takes ${accepted(parameter)}. ${fallback} is used.`;
+    `${parameter.key} cannot be ${quoted}: it takes ${accepted(parameter)}. ${fallback === '' ? 'None' : fallback} is used.`;
   return { value: fallback, notice: notice('malformed', parameter.key, text, tell) };
 }
 

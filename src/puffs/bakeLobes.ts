@@ -15,6 +15,8 @@ export interface LobePuffs {
   /** For each variation `lobeCount` lobes of four numbers, centre and radius, and at the end their middle and a zero. */
   readonly table: Float32Array;
   readonly startCaps: StartCaps;
+  /** See {@link latestCap}. */
+  readonly latestCap: number;
   /** Radius of the disc that has the silhouette's area, from all sides and over the first few variations. */
   readonly silhouetteRadius: number;
   /** Radius of the sphere about the particle's centre that holds any of the puffs. */
@@ -57,6 +59,7 @@ function together(variations: readonly LobeVariation[], lobeCount: number): Lobe
     count: variations.length,
     table: Float32Array.from(variations.flatMap(({ lobes }) => rowOf(lobes, lobeCount))),
     startCaps: joined(variations.map(({ startCaps }) => startCaps)),
+    latestCap: Math.max(...variations.map((variation) => variation.latestCap)),
     silhouetteRadius: Math.sqrt(mean(variations.slice(0, MEASURED).flatMap(({ silhouettes }) => silhouettes))),
     reach: Math.max(...variations.map(({ reach }) => reach)),
     depth: Math.ceil((Math.max(...variations.map(({ depth }) => depth)) + DEPTH_SLACK) / DEPTH_STEP) * DEPTH_STEP,

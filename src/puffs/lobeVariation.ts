@@ -4,7 +4,7 @@ import { deepestSeen, reachOf, silhouetteRadius } from './lobes.ts';
 import { orientationOf, turnedLobes } from './orientation.ts';
 import { surfaceOf } from './patches.ts';
 import type { Lobe } from './shapes.ts';
-import { bakingTable } from './startCaps.ts';
+import { bakingTable, latestCap } from './startCaps.ts';
 import type { Work } from './work.ts';
 
 /** All lengths in particle radii. */
@@ -12,6 +12,8 @@ export interface LobeVariation {
   readonly lobes: readonly Lobe[];
   /** A table as src/puffs/startCaps.ts describes it. */
   readonly startCaps: Float32Array;
+  /** See {@link latestCap}. */
+  readonly latestCap: number;
   /** Squares of the radii of the discs that have the silhouettes' areas, from {@link SIDES} sides. */
   readonly silhouettes: readonly number[];
   /** Radius of the sphere about the particle's centre that holds all lobes. */
@@ -48,5 +50,5 @@ function* baking(lobes: readonly Lobe[], litThreshold: number): Work<LobeVariati
   const surface = surfaceOf(lobes);
   yield;
   const startCaps = yield* bakingTable(surface, litThreshold);
-  return { lobes, startCaps, silhouettes, reach: reachOf(lobes), depth };
+  return { lobes, startCaps, latestCap: latestCap(surface), silhouettes, reach: reachOf(lobes), depth };
 }

@@ -7,7 +7,7 @@
  * a point counts if it can be lit from anywhere in the cell, with the largest distance it can have from there.
  */
 import { PatchBounds, type Cell } from './patchBounds.ts';
-import type { Patch } from './patches.ts';
+import { POINT_STRIDE, type Patch } from './patches.ts';
 import type { Vector } from './vector.ts';
 import { finished, type Work } from './work.ts';
 
@@ -71,6 +71,22 @@ export function startCapAt({ width, height, values }: StartCaps, layer: number, 
   const column = Math.floor((Math.atan2(y, x) / (2 * Math.PI) + 0.5) * width);
   const row = Math.floor((Math.acos(Math.min(1, Math.max(-1, z))) / Math.PI) * height);
   return values[(layer * height + Math.min(row, height - 1)) * width + Math.min(column, width - 1)];
+}
+
+/**
+ * A cap that serves every ramp from all sides: no point with N . L > 0 lies farther behind. A point is farthest behind the
+ * centre when the light grazes it, or when the light comes from the centre's far side.
+ */
+export function latestCap(patches: readonly Patch[]): number {
+  let latest = 0;
+  for (const { points } of patches) {
+    for (let i = 0; i < points.length; i += POINT_STRIDE) {
+      const outward = points[i] * points[i + 3] + points[i + 1] * points[i + 4] + points[i + 2] * points[i + 5];
+      const length = points[i + 6];
+      latest = Math.max(latest, outward < 0 ? length : Math.sqrt(Math.max(0, length * length - outward * outward)));
+    }
+  }
+  return latest;
 }
 
 /** The directions of `count` entries along both sides of the table, from this one on. */

@@ -6,7 +6,7 @@ import { bakePuffs } from '../puffs/layers.ts';
 import { LOBE_SHAPES } from '../puffs/lobeShapes.ts';
 import { frontsOf } from '../puffs/patches.ts';
 import { PUFF_SHAPES, type PuffShape } from '../puffs/shapes.ts';
-import { bakeStartCaps } from '../puffs/startCaps.ts';
+import { bakeStartCaps, latestCap } from '../puffs/startCaps.ts';
 import { finished, type Work } from '../puffs/work.ts';
 
 /** Smokes whose puffs are the same object share their textures on a device. */
@@ -47,7 +47,9 @@ function billboardsOf(fronts: readonly PuffShape[]): BakedPuffs['billboards'] {
   const found = keptBillboards.get(keyOf(fronts));
   if (found) return found;
   const layers = bakePuffs(fronts);
-  const billboards = { layers, startCaps: bakeStartCaps(frontsOf(layers), FIRST_BORDER) };
+  const surfaces = frontsOf(layers);
+  const startCaps = bakeStartCaps(surfaces, FIRST_BORDER);
+  const billboards = { layers, startCaps, latestCap: latestCap(surfaces.flat()) };
   keptBillboards.add(keyOf(fronts), billboards);
   return billboards;
 }

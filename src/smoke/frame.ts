@@ -129,6 +129,5 @@ function receiversOf(passes: SmokePasses, { simulator, receivers }: FrameInput):
   if (receivers) box.union(receivers);
   const { min, max } = simulator.bounds;
   box.union(new Box3(new Vector3(...min), new Vector3(...max)));
-  passes.body.setPlumeHeight(min[1], max[1]);
   return box;
 }

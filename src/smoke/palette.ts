@@ -1,22 +1,53 @@
-import { FIRST_BORDER, type Color, type Ramp } from '../device/ramps.ts';
+import { FIRST_BORDER, mixed, type Color, type Ramp, type Tone } from '../device/ramps.ts';
+import { readRamp } from '../preset/ramp.ts';
 
-/** How many flat tones a material shows, and whether it turns its tones with the light at all. */
+/** How a material turns its tones with the light, if it does at all. */
 export interface Toning {
+  /** How many flat tones it shows, unless `stops` say so. */
   tones: 1 | 2 | 3;
   shading: boolean;
+  /** Tones over N.L as they are chosen, the first of them that of shadow; none where absent or empty. */
+  stops?: readonly Tone[];
+  /** Whether the stops run into each other. */
+  isBlended?: boolean;
+  /** How far the tone of shadow comes back towards the colour where the fill light reaches, 0..1. */
+  fill?: number;
 }
 
 // What is multiplied into a colour to shade it: shadows lean to violet, so that they read as cool beside any light.
 const SHADOW: Color = [150, 140, 196];
 const MIDDLE: Color = [214, 202, 232];
+const WHITE: Color = [255, 255, 255];
 
-/** Eq. 2 of McGuire and Fein (2006) with Ka + KL q() folded into final colours, so that flat tones are exact. */
-export function rampOf(color: Color, { tones, shading }: Toning): Ramp {
+/**
+ * Eq. 2 of McGuire and Fein (2006) with Ka + KL q() folded into final colours, so that flat tones are exact.
+ * @param color of the material in full light; stops are multiplied by it
+ */
+export function rampOf(color: Color, toning: Toning): Ramp {
+  const ramp = toning.stops?.length ? rampOfStops(color, toning.stops, toning) : rampOfTones(color, toning);
+  const first = ramp.unlit[0].color;
+  const isFilled = !isFlat(toning) && toning.fill;
+  return isFilled ? { ...ramp, filled: mixed(first, ramp.lit[ramp.lit.length - 1].color, isFilled) } : ramp;
+}
+
+function rampOfTones(color: Color, { tones, shading }: Toning): Ramp {
   const shadow = { from: 0, color: multiply(color, SHADOW) };
   const unlit = [shadow];
   if (!shading || tones === 1) return { lit: [{ from: 0, color }], unlit };
   if (tones === 2) return { lit: [shadow, { from: 0.5, color }], unlit };
   return { lit: [shadow, { from: FIRST_BORDER, color: multiply(color, MIDDLE) }, { from: 0.66, color }], unlit };
+}
+
+function rampOfStops(color: Color, stops: readonly Tone[], { shading, isBlended }: Toning): Ramp {
+  const lit = stops.map((stop) => ({ ...stop, color: multiply(stop.color, color) }));
+  return { lit: shading ? lit : lit.slice(-1), unlit: lit.slice(0, 1), isBlended };
+}
+
+/** N.L from which a lit pixel differs from one in shadow; -1 where it does whatever N.L is. */
+export function turnOf(toning: Toning): number {
+  if (isFlat(toning)) return -1;
+  const { lit, isBlended } = rampOf(WHITE, toning);
+  return lit[isBlended ? 0 : 1].from;
 }
 
 /** Surfaces stay shaded where smoke is flat: the edge of a mesh's own shadow follows its triangles and has to lie in shade. */
@@ -25,8 +56,19 @@ export function surfaceToning({ tones }: Toning): Toning {
 }
 
 /** Whether light and shadow differ even where a puff looks away from the light: its own shadow must not begin on it then. */
-export function isFlat({ tones, shading }: Toning): boolean {
-  return !shading || tones === 1;
+export function isFlat({ tones, shading, stops }: Toning): boolean {
+  return !shading || (tones === 1 && !stops?.length);
+}
+
+/** The colour that the smoke's ramp is made from: chosen stops stand as they are. */
+export function plainColorOf({ stops, smokeColor }: Toning & { smokeColor: Color }): Color {
+  return stops?.length ? WHITE : smokeColor;
+}
+
+/** The colour of smoke in full light. */
+export function smokeColorOf(style: Toning & { smokeColor: Color }): Color {
+  const { lit } = rampOf(plainColorOf(style), style);
+  return lit[lit.length - 1].color;
 }
 
 /** Reads `#rrggbb`. */
@@ -35,7 +77,12 @@ export function parseColor(text: string): Color {
   return [value >> 16, (value >> 8) & 255, value & 255];
 }
 
-function multiply(color: Color, factor: Color): Color {
+/** Colours over a range, as a ramp of the table has them. @param text that `readRamp` takes */
+export function parseStops(text: string): Tone[] {
+  return (readRamp(text) ?? []).map(({ at, color }) => ({ from: at, color: parseColor(color) }));
+}
+
+export function multiply(color: Color, factor: Color): Color {
   const channel = (index: 0 | 1 | 2) => Math.round((color[index] * factor[index]) / 255);
   return [channel(0), channel(1), channel(2)];
 }

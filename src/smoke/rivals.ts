@@ -23,14 +23,14 @@ export class Rivals {
   }
 
   get selle(): SellePass {
-    const { eye, puffs, ramps, materials, bodies } = this.sources;
-    this.sellePass ??= new SellePass(eye, puffs, ramps, materials.smoke, bodies);
+    const { eye, puffs, ramps, bodies } = this.sources;
+    this.sellePass ??= new SellePass(eye, puffs, ramps, bodies);
     return this.sellePass;
   }
 
   get sprites(): SpritesPass {
-    const { eye, ramps, materials, bodies } = this.sources;
-    this.spritesPass ??= new SpritesPass(eye, ramps, materials.smoke, bodies);
+    const { eye, ramps, bodies } = this.sources;
+    this.spritesPass ??= new SpritesPass(eye, ramps, bodies);
     return this.spritesPass;
   }
 

@@ -14,7 +14,8 @@ import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
 import { bakedPuffs } from './bakedPuffs.ts';
 import { arrangeFrame, drawFrame, type FrameInput, type FrameReport } from './frame.ts';
-import { isFlat, rampOf, surfaceToning } from './palette.ts';
+import { bandsOf } from './bands.ts';
+import { plainColorOf, rampOf, smokeColorOf, surfaceToning, turnOf } from './palette.ts';
 import { Rivals } from './rivals.ts';
 import { inkLineOf, type Style } from './style.ts';
 
@@ -49,9 +50,9 @@ export interface SmokeOptions {
   puffs?: BakedPuffs;
 }
 
-const SMOKE_RAMP = 0;
 const TINTS = 3;
-const FIRST_SURFACE_RAMP = SMOKE_RAMP + 1 + TINTS;
+// The shaders count the tints from 1 on.
+const FIRST_SURFACE_RAMP = 1 + TINTS;
 
 /**
  * Cartoon smoke on a device: turns a simulator's particles into a picture, for any camera and light.
@@ -85,7 +86,7 @@ export class SmokeRenderer {
       casters,
       backdrop: new BackdropPass(eye),
       surfaces: surfacesPass,
-      body: new BodiesPass(eye, this.puffs, this.ramps, SMOKE_RAMP, bodies.geometry),
+      body: new BodiesPass(eye, this.puffs, this.ramps, bodies.geometry),
       meshVolumes,
       volumes: new VolumesPass(eye, this.puffs, casters.geometry),
       mask: new MaskPass(),
@@ -94,7 +95,7 @@ export class SmokeRenderer {
         eye,
         puffs: this.puffs,
         ramps: this.ramps,
-        materials: { smoke: SMOKE_RAMP, firstSurface: FIRST_SURFACE_RAMP },
+        firstSurface: FIRST_SURFACE_RAMP,
         surfaces,
         bodies: bodies.geometry,
         casters: casters.geometry,
@@ -163,19 +164,30 @@ export class SmokeRenderer {
   private apply(style: Style, pixelRatio: number): void {
     const { body, surfaces, volumes } = this.passes;
     const line = inkLineOf(style, pixelRatio);
-    [style.smokeColor, ...style.tints].forEach((color, tint) =>
-      this.ramps.write(SMOKE_RAMP + tint, rampOf(color, style)),
-    );
-    this.surfaces.forEach(({ color }, index) =>
-      this.ramps.write(FIRST_SURFACE_RAMP + index, rampOf(color, surfaceToning(style))),
-    );
+    this.writeRamps(style);
     body.setInk(line, style.innerLine);
-    body.setGradient(style.gradient, style.gradientColor, style.smokeColor);
+    body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
+    body.setRim(style.rimColor, style.shading ? style.rim : 0);
     body.setForm(style.form);
     surfaces.setInk(line);
-    volumes.setForm(style.form);
-    volumes.setSelfShadow(!isFlat(style));
+    volumes.follow(style.form, turnOf(style));
     this.style = style;
     this.pixelRatio = pixelRatio;
+  }
+
+  /** Smoke, its tints, the surfaces, then the smoke again for each band of age and temperature. */
+  private writeRamps(style: Style): void {
+    const surfaces = surfaceToning(style);
+    const first = FIRST_SURFACE_RAMP + this.surfaces.length;
+    const { colors, bands } = bandsOf(style, first);
+    const ramps = [
+      rampOf(plainColorOf(style), style),
+      ...style.tints.map((tint) => rampOf(tint, style)),
+      ...this.surfaces.map(({ color }) => rampOf(color, surfaces)),
+      ...colors.map((color) => rampOf(color, style)),
+    ];
+    this.ramps.resize(ramps.length);
+    ramps.forEach((ramp, material) => this.ramps.write(material, ramp));
+    this.ramps.writeBands(bands);
   }
 }

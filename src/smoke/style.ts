@@ -1,9 +1,9 @@
 import type { PuffForm } from '../device/puffTextures.ts';
-import type { Color } from '../device/ramps.ts';
+import type { Color, Tone } from '../device/ramps.ts';
 import type { Gradient } from '../passes/bodies.ts';
 import type { InkLine } from '../passes/ink.ts';
 import type { Values } from '../preset/parameter.ts';
-import { parseColor, type Toning } from './palette.ts';
+import { parseColor, parseStops, type Toning } from './palette.ts';
 
 /** How puffs become pixels: the product's own way, and three others to compare it with. */
 export type Renderer = 'nailboards' | 'selle' | 'sprites' | 'shadowMap';
@@ -16,6 +16,16 @@ export interface Style extends Toning {
   shadows: boolean;
   gradient: Gradient;
   gradientColor: Color;
+  /** World heights between which the gradient 'height' runs, metres. */
+  gradientHeights: readonly [bottom: number, top: number];
+  /** Width of the band along silhouettes that look away from the light, 0..1. */
+  rim: number;
+  rimColor: Color;
+  /** Colours of smoke without a tint over its age and over its temperature, 0..1 each; its own colour where empty. */
+  ageColors: readonly Tone[];
+  heatColors: readonly Tone[];
+  /** Whether those colours run into each other instead of changing at their stops. */
+  softColors: boolean;
   /** Width of the ink in CSS pixels. */
   outlineWidth: number;
   /** How much wider lines are away from the light, 0..1. */
@@ -38,6 +48,15 @@ export function styleOf(values: Values): Style {
     shadows: values['style.shadows'] === 1,
     gradient: values['style.gradient'] as Gradient,
     gradientColor: parseColor(values['style.gradientColor'] as string),
+    gradientHeights: [values['style.gradientBottom'] as number, values['style.gradientTop'] as number],
+    stops: parseStops(values['style.ramp'] as string),
+    isBlended: values['style.rampBlend'] === 1,
+    fill: values['style.fill'] as number,
+    rim: values['style.rim'] as number,
+    rimColor: parseColor(values['style.rimColor'] as string),
+    ageColors: parseStops(values['style.ageRamp'] as string),
+    heatColors: parseStops(values['style.heatRamp'] as string),
+    softColors: values['style.softColors'] === 1,
     outlineWidth: values['style.outlineWidth'] as number,
     inkSwell: values['style.inkSwell'] as number,
     innerLine: values['style.innerLine'] as number,

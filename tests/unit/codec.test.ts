@@ -5,6 +5,7 @@ import { writeCurve } from '../../src/preset/curve.ts';
 import { DECODED_LIMIT, pack } from '../../src/preset/packing.ts';
 import type { Parameter, Value, Values } from '../../src/preset/parameter.ts';
 import { defaultPreset, presets, presetValues } from '../../src/preset/presets.ts';
+import { writeRamp } from '../../src/preset/ramp.ts';
 import { findParameter, table } from '../../src/preset/table.ts';
 import { isAccepted } from '../../src/preset/values.ts';
 
@@ -23,6 +24,16 @@ const anyCurve = fc
   )
   .map(([places, values]) => writeCurve(places.map((at, index) => ({ at: at / 1000, value: values[index] / 1000 }))));
 
+const anyRamp = fc
+  .uniqueArray(fc.integer({ min: 0, max: 1000 }), { minLength: 2, maxLength: 16 })
+  .map((places) =>
+    writeRamp(
+      places
+        .toSorted((a, b) => a - b)
+        .map((at, index) => ({ at: at / 1000, color: `#${(at * 16000 + index).toString(16).padStart(6, '0')}` })),
+    ),
+  );
+
 /** Any value that a link may carry for this row. */
 function anyValue(parameter: Parameter): fc.Arbitrary<Value> {
   switch (parameter.kind) {
@@ -34,6 +45,8 @@ function anyValue(parameter: Parameter): fc.Arbitrary<Value> {
       return fc.integer({ min: 0, max: 0xffffff }).map((color) => `#${color.toString(16).padStart(6, '0')}`);
     case 'curve':
       return anyCurve;
+    case 'ramp':
+      return fc.oneof(fc.constant(''), anyRamp);
     case 'integer':
       return fc.integer({ min: parameter.min, max: parameter.linkMax ?? parameter.max });
     case 'number':

@@ -14,6 +14,8 @@ function range(parameter: Parameter): string {
       return 'colour';
     case 'curve':
       return 'curve';
+    case 'ramp':
+      return 'ramp';
     case 'choice':
       return parameter.options.map(({ value }) => value).join(', ');
     default:

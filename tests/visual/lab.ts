@@ -40,6 +40,8 @@ export interface LabPuff {
   /** 0..255. */
   seed?: number;
   age?: number;
+  /** 0 to 4. */
+  temperature?: number;
 }
 
 export interface LabScene {
@@ -71,6 +73,15 @@ export const PLAIN_STYLE: Style = {
   shadows: true,
   gradient: 'none',
   gradientColor: [128, 128, 128],
+  gradientHeights: [-1, 1],
+  stops: [],
+  isBlended: false,
+  fill: 0,
+  rim: 0,
+  rimColor: [255, 246, 216],
+  ageColors: [],
+  heatColors: [],
+  softColors: false,
   outlineWidth: 2,
   inkSwell: 0,
   innerLine: 0.5,
@@ -101,7 +112,8 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
     place.set([...puff.place, puff.radius], 4 * index);
     look[2 * index] =
       (Math.round((turn - Math.floor(turn)) * 65536) & 0xffff) | (Math.round((puff.age ?? 0) * 65535) << 16);
-    look[2 * index + 1] = (puff.variation ?? 0) | ((puff.seed ?? 0) << 8) | ((puff.tint ?? 0) << 24);
+    const heat = Math.round(((puff.temperature ?? 0) / 4) * 255);
+    look[2 * index + 1] = (puff.variation ?? 0) | ((puff.seed ?? 0) << 8) | (heat << 16) | ((puff.tint ?? 0) << 24);
   });
   return { count: puffs.length, place, look };
 }

@@ -1,0 +1,14 @@
+// Which ramp a body has, see src/device/ramps.ts: by its tint, else by its age and its temperature. Needs look.glsl.
+float materialOf(uvec2 look, sampler2D ramps) {
+  int tone = toneOf(look);
+  if (tone > 0) return float(tone);
+  int bands = textureSize(ramps, 0).y - 1;
+  vec2 age = texelFetch(ramps, ivec2(int(look.x >> 24u), bands), 0).rg;
+  vec2 heat = texelFetch(ramps, ivec2(int((look.y >> 16u) & 0xffu), bands), 0).ba;
+  return floor(dot(age + heat, vec2(255.0, 65280.0)) + 0.5);
+}
+
+// The colour of a material in full light.
+vec3 brightestOf(float material, sampler2D ramps) {
+  return texelFetch(ramps, ivec2(255, 4 * int(material) + 1), 0).rgb;
+}
