@@ -58,7 +58,7 @@ export class VolumesPass {
    */
   follow(form: PuffForm, turn: number): void {
     const { startCaps, latestCap, shadowRadius, depth } = this.puffs.of(form);
-    this.uniforms.leastCap.value = turn < 0 ? BEHIND_THE_PUFF : turn < FIRST_BORDER ? latestCap : 0;
+    this.uniforms.leastCap.value = leastCapOf(turn, latestCap);
     this.uniforms.facesEye.value = form === 'billboards';
     this.uniforms.startCaps.value = startCaps;
     this.uniforms.shadowRadius.value = shadowRadius;
@@ -72,4 +72,14 @@ export class VolumesPass {
   dispose(): void {
     this.material.dispose();
   }
+}
+
+/**
+ * How many radii behind its centre a puff's volume begins at the nearest.
+ * @param turn as `follow` takes it
+ * @param latestCap of the puffs, see src/puffs/startCaps.ts
+ */
+export function leastCapOf(turn: number, latestCap: number): number {
+  if (turn < 0) return BEHIND_THE_PUFF;
+  return turn < FIRST_BORDER ? latestCap : 0;
 }

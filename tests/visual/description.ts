@@ -6,10 +6,12 @@ import type { TriangleMesh } from '../../src/passes/extrusion.ts';
 import type { Rows } from '../../src/sim/rows.ts';
 import type { View } from '../../src/sim/view.ts';
 import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
+import { bandsOf } from '../../src/smoke/bands.ts';
 import type { FrameInput } from '../../src/smoke/frame.ts';
 import type { Light } from '../../src/smoke/light.ts';
-import { rampOf, surfaceToning } from '../../src/smoke/palette.ts';
+import { plainColorOf, rampOf, smokeColorOf, surfaceToning, turnOf } from '../../src/smoke/palette.ts';
 import { inkLineOf, type Style } from '../../src/smoke/style.ts';
+import { leastCapOf } from '../../src/passes/volumes.ts';
 import { SHADOW_SHARE } from '../../src/device/puffTextures.ts';
 
 type Triple = readonly [number, number, number];
@@ -69,9 +71,10 @@ function lightAsObject(light: Light): object {
     : { type: 'lamp', place: light.place.toArray() };
 }
 
-function styleAsObject(style: Style, { pixelRatio, simulator }: FrameInput): object {
+function styleAsObject(style: Style, { pixelRatio }: FrameInput): object {
   const { pixels, color, swell } = inkLineOf(style, pixelRatio);
-  const { min, max } = simulator.bounds;
+  const { colors, bands } = bandsOf(style, 1 + style.tints.length);
+  const ramps = [plainColorOf(style), ...style.tints, ...colors].map((own): Ramp => rampOf(own, style));
   return {
     inkPixels: pixels,
     inkColor: color,
@@ -79,9 +82,13 @@ function styleAsObject(style: Style, { pixelRatio, simulator }: FrameInput): obj
     innerLine: style.innerLine,
     gradient: style.gradient,
     gradientColor: style.gradientColor,
-    smokeColor: style.smokeColor,
-    plumeHeight: [min[1], max[1]],
-    smokeRamps: [style.smokeColor, ...style.tints].map((own): Ramp => rampOf(own, style)),
+    smokeColor: smokeColorOf(style),
+    plumeHeight: style.gradientHeights,
+    smokeRamps: ramps,
+    bands,
+    rim: style.shading ? style.rim : 0,
+    rimColor: style.rimColor,
+    leastCap: leastCapOf(turnOf(style), bakedPuffs().lobes.latestCap),
   };
 }
 

@@ -6,6 +6,17 @@ type SceneName = Parameters<Cases['drawn']>[0];
 type Mode = Parameters<Cases['drawn']>[1][number];
 const CASES = '/tests/visual/cases/reference.ts';
 
+const STOPS = [
+  { from: 0, color: [52, 56, 104] },
+  { from: 0.12, color: [140, 96, 150] },
+  { from: 0.55, color: [250, 214, 170] },
+] as const;
+const FIRE = [
+  { from: 0, color: [70, 66, 80] },
+  { from: 0.4, color: [226, 88, 44] },
+  { from: 0.8, color: [255, 226, 150] },
+] as const;
+
 /** A few modes of each scene; the long test has every mode of every scene. */
 const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [{}, { tones: 1 }, { tones: 3, inkSwell: 0.7 }]],
@@ -16,6 +27,10 @@ const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['byLampAmongPuffs', [{ tones: 3 }]],
   ['backlit', [{ tones: 3 }, { gradient: 'height' }, { gradient: 'screen' }]],
 ];
+const TONES: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['perspective', [{ fill: 0.4, rim: 0.5 }, { stops: STOPS }, { ageColors: FIRE, heatColors: STOPS }]],
+  ['backlit', [{ stops: STOPS, fill: 0.4, rim: 0.3 }]],
+];
 const LAMPS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['lampRising', [{}, { gradient: 'age', tones: 3 }]],
   ['lampFull', [{}, { gradient: 'puff' }]],
@@ -23,6 +38,7 @@ const LAMPS: readonly (readonly [SceneName, readonly Mode[]])[] = [
 
 for (const [what, scenes] of [
   ['puffs among solids', CLUSTERS],
+  ['puffs in tones of all kinds', TONES],
   ['the lamp', LAMPS],
 ] as const) {
   test(`${what}: drawn as the reference draws it`, async ({ load }, testInfo) => {

@@ -22,6 +22,8 @@ pub struct Body<'a> {
     /// Metres that a pixel spans at the centre.
     pixel: f64,
     line: Line,
+    /// What of the way up shows on the image plane.
+    up: DVec2,
     /// Unit vector from the centre towards the light, in view space: the whole puff is lit from there.
     light: DVec3,
 }
@@ -58,6 +60,7 @@ impl<'a> Body<'a> {
             radius,
             pixel,
             line: Line::new(ink_pixels, radius / pixel, ink_swell, light.truncate()),
+            up: turn.y_axis.truncate(),
             light,
         })
     }
@@ -81,8 +84,9 @@ impl<'a> Body<'a> {
         }
         let normal = self.lobes.normal(point.extend(meeting.height));
         let style = &self.scene.style;
-        let shade = Shade::of(&style.smoke_ramps[self.look.ramp()], normal.dot(self.light))
-            .filled(gradient_factor(style, &self.along(point, screen)));
+        let ramp = &style.smoke_ramps[self.look.ramp(&style.bands)];
+        let gradient = gradient_factor(style, &self.along(point, screen));
+        let shade = Shade::of_puff(style, ramp, normal, self.light, gradient);
         let behind = if is_ink { style.inner_line } else { 0.0 };
         Some(BodyHit {
             depth: -self.center.z - (meeting.height - behind) * self.radius,
@@ -98,7 +102,7 @@ impl<'a> Body<'a> {
     fn along(&self, point: DVec2, screen: f64) -> Along {
         Along {
             puff: point.y,
-            height: self.row.place[1] + point.y * self.radius,
+            height: self.row.place[1] + self.up.dot(point) * self.radius,
             screen,
             age: self.look.age(),
         }

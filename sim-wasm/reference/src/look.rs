@@ -4,6 +4,8 @@ use std::f64::consts::TAU;
 
 use glam::{DMat3, DVec3};
 
+use crate::scene::Bands;
+
 #[derive(Clone, Copy)]
 pub struct Look(pub [u32; 2]);
 
@@ -22,10 +24,10 @@ impl Look {
         (self.0[1] & 0xff) as usize
     }
 
-    /// Which of the smoke's ramps: 0 without a tint, else one of the three tints by turns.
-    pub fn ramp(self) -> usize {
+    /// Which of the smoke's ramps: one of the three tints by turns, without a tint by age and temperature.
+    pub fn ramp(self, bands: &Bands) -> usize {
         match self.0[1] >> 24 {
-            0 => 0,
+            0 => bands.ages[(self.0[0] >> 24) as usize] + bands.temperatures[(self.0[1] >> 16 & 0xff) as usize],
             tint => 1 + (tint as usize - 1) % 3,
         }
     }

@@ -57,8 +57,21 @@ pub struct Style {
     pub smoke_color: Triple,
     /// World heights between which the gradient `height` runs.
     pub plume_height: [f64; 2],
-    /// Of smoke without a tint, then of its three tints.
-    pub smoke_ramps: [Ramp; 4],
+    /// Of smoke without a tint, of its three tints, then of each band of age and temperature.
+    pub smoke_ramps: Vec<Ramp>,
+    pub bands: Bands,
+    /// Width of the band along silhouettes that look away from the light, 0 to 1.
+    pub rim: f64,
+    pub rim_color: Triple,
+    /// How many radii behind its centre a puff's volume begins at the nearest.
+    pub least_cap: f64,
+}
+
+/// Numbers by byte whose sum is the ramp of smoke without a tint.
+#[derive(Deserialize)]
+pub struct Bands {
+    pub ages: Vec<usize>,
+    pub temperatures: Vec<usize>,
 }
 
 #[derive(Clone, Copy, Deserialize)]
@@ -76,6 +89,8 @@ pub enum Gradient {
 pub struct Ramp {
     pub lit: Vec<Tone>,
     pub unlit: Vec<Tone>,
+    /// In the place of the first tone where the fill light reaches.
+    pub filled: Option<Triple>,
 }
 
 #[derive(Deserialize)]

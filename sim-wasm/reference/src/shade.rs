@@ -4,6 +4,12 @@ use glam::DVec3;
 
 use crate::scene::{Gradient, Ramp, Style, Tone};
 
+/// Cosine to the fill light from which it shows.
+const FILL_BORDER: f64 = 0.65;
+/// Numbers of tones that no ramp has.
+const FILLED: usize = 1000;
+const RIM: usize = 2000;
+
 /// What a pixel shows in the light and in shadow, and which tone of the ramp each is.
 #[derive(Clone, Copy)]
 pub struct Shade {
@@ -31,11 +37,29 @@ impl Shade {
         }
     }
 
-    pub fn filled(self, factor: DVec3) -> Self {
+    /// Of smoke: a rim along the silhouette lies over everything, a fill light within the first tone. In view space.
+    pub fn of_puff(style: &Style, ramp: &Ramp, normal: DVec3, light: DVec3, gradient: DVec3) -> Self {
+        let facing = normal.dot(light);
+        if normal.z < style.rim * (0.5 - facing).clamp(0.0, 1.0) {
+            return Self {
+                tone: RIM,
+                ..Self::same(DVec3::from(style.rim_color))
+            };
+        }
+        let mut shade = Self::of(ramp, facing);
+        if let Some(filled) = ramp.filled.filter(|_| normal.dot(towards_fill(light)) > FILL_BORDER) {
+            let first = DVec3::from(ramp.lit[0].color);
+            let fill = |color: DVec3| if color == first { DVec3::from(filled) } else { color };
+            shade = Self {
+                lit: fill(shade.lit),
+                unlit: fill(shade.unlit),
+                tone: shade.tone + FILLED,
+            };
+        }
         Self {
-            lit: self.lit * factor,
-            unlit: self.unlit * factor,
-            ..self
+            lit: shade.lit * gradient,
+            unlit: shade.unlit * gradient,
+            ..shade
         }
     }
 
@@ -53,9 +77,9 @@ fn tone_at(tones: &[Tone], facing: f64) -> usize {
     tones.iter().rposition(|tone| facing.max(0.0) >= tone.from).unwrap_or(0)
 }
 
-/// Whether light and shadow differ even on what looks away from the light.
-pub fn is_flat(ramp: &Ramp) -> bool {
-    ramp.lit[0].color != ramp.unlit[0].color
+/// A weaker light from across the eye and a little from below.
+fn towards_fill(light: DVec3) -> DVec3 {
+    DVec3::new(-light.x, -0.4 * light.y, light.z.abs().max(0.3)).normalize()
 }
 
 /// Where a point stands along each kind of gradient, from 0 (the gradient's colour) to 1 (the smoke's own).

@@ -196,6 +196,7 @@ mod tests {
         let ramp = || Ramp {
             lit: Vec::new(),
             unlit: Vec::new(),
+            filled: None,
         };
         let ball = Shape::Ball {
             center: [0.0, 2.0, 0.0],

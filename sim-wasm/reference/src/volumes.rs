@@ -8,12 +8,9 @@ use crate::light::Light;
 use crate::look::Look;
 use crate::ray::Camera;
 use crate::scene::{Row, Scene, StartCaps};
-use crate::shade::is_flat;
 
 /// Radii between the farthest lit point and the beginning of the volume.
 const SLACK: f64 = 0.02;
-/// Where light and shadow differ even on the dark side, no volume begins within its own puff: radii behind the centre.
-const BEHIND_THE_PUFF: f64 = 1.2;
 /// What of a puff is seen lies no deeper behind its centre plane, in radii.
 const DEEPEST: f64 = 0.6;
 
@@ -43,15 +40,10 @@ impl Volume {
             return None;
         }
         let growth = sine.asin().tan().min(WIDEST);
-        let least = if is_flat(&scene.style.smoke_ramps[0]) {
-            BEHIND_THE_PUFF
-        } else {
-            0.0
-        };
         Some(Self {
             center,
             axis: -light.towards(center),
-            begin: begin_behind(scene, camera, light, row).max(least) * row.radius,
+            begin: begin_behind(scene, camera, light, row) * row.radius,
             radius: ball / growth.atan().cos(),
             growth,
         })
@@ -70,7 +62,9 @@ fn begin_behind(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> f64
     let towards_light = light.towards(DVec3::from(row.place));
     let in_puff = look.world_from_puff().transpose() * towards_light;
     let variation = look.variation() % scene.puffs.lobes.len();
-    tabled(&scene.puffs.start_caps, variation, in_puff).max(0.0) + shear(camera, row, towards_light) + SLACK
+    tabled(&scene.puffs.start_caps, variation, in_puff).max(scene.style.least_cap)
+        + shear(camera, row, towards_light)
+        + SLACK
 }
 
 /// A board shows its relief along the view rays and not along the view axis: a point at a height over the board is
