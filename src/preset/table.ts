@@ -303,7 +303,11 @@ export const table: readonly Parameter[] = [
     'style.renderer',
     'style',
     'style',
-    { label: 'Renderer', text: 'How smoke is drawn: as here, or as others draw it, to compare.', default: 'nailboards' },
+    {
+      label: 'Renderer',
+      text: 'How smoke is drawn: as here, or as others draw it, to compare.',
+      default: 'nailboards',
+    },
     [
       ['nailboards', 'Nailboards'],
       ['selle', 'Depth lines (Selle 2004)'],
