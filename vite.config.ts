@@ -5,8 +5,10 @@ import glsl from 'vite-plugin-glsl';
 export default defineConfig({
   base: './',
   plugins: [glsl()],
-  // Found too late otherwise, by a module that only a test imports, and the page would reload under it.
-  optimizeDeps: { include: ['three'] },
+  // Found too late otherwise, by a module that only a test imports or that comes on demand, and the page would reload.
+  optimizeDeps: {
+    include: ['three', 'three/examples/jsm/loaders/GLTFLoader.js', 'three/examples/jsm/loaders/OBJLoader.js'],
+  },
   // The simulator's module loads its bindings on demand, which the older worker format cannot.
   worker: { format: 'es' },
   build: {

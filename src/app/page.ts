@@ -4,6 +4,7 @@ import type { Editor } from './editor.ts';
 import { createHelp, toggleHelp } from './help.ts';
 import { icon } from './icons.ts';
 import type { Notices } from './notices.ts';
+import { OwnShape } from './ownShape.ts';
 import { createPanel, PANEL_ID } from './panel.ts';
 import { share } from './share.ts';
 import { createStatistics } from './statistics.ts';
@@ -31,7 +32,9 @@ export function buildPage(
   const help = createHelp();
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
   toggle.setAttribute('aria-controls', PANEL_ID);
-  const panel = createPanel(editor, stage, () => {
+  const ownShape = new OwnShape(stage, notices, host);
+  ownShape.acceptDrops(document.body);
+  const panel = createPanel(editor, stage, { puff: ownShape.element }, () => {
     page.togglePanel();
     toggle.focus();
   });
@@ -41,7 +44,7 @@ export function buildPage(
     document.body.classList.toggle('has-panel', isOpen);
   };
   const page: Page = {
-    share: () => void share(editor, notices),
+    share: () => void share(editor, notices, ownShape.name),
     help: () => toggleHelp(help),
     togglePanel: () => showPanel(panel.hidden !== false),
   };

@@ -11,15 +11,18 @@ import { strings } from './strings.ts';
 
 export const PANEL_ID = 'parameters';
 
+/** What stands below the rows of a group, by the group's key. */
+type Feet = Readonly<Record<string, HTMLElement>>;
+
 /** The panel of live parameters, made from the table. */
-export function createPanel(editor: Editor, scene: SceneLists, close: () => void): HTMLElement {
+export function createPanel(editor: Editor, scene: SceneLists, feet: Feet, close: () => void): HTMLElement {
   const shown = table.filter((parameter) => hasChoice(parameter) && isOfPanel(parameter));
   const rows = new Map(shown.map((parameter) => [parameter, createRow(parameter, editor)]));
   const chooser = createChooser(editor);
   const head = createHead(editor, close);
   const caption = create('p', { class: 'caption', 'aria-hidden': 'true' }, strings.panel.caption);
   const items = createItems(editor, scene);
-  const scroll = create('div', { class: 'scroll' }, chooser.element, ...createGroups(rows), items.element);
+  const scroll = create('div', { class: 'scroll' }, chooser.element, ...createGroups(rows, feet), items.element);
   const panel = create('section', { id: PANEL_ID, class: 'panel card', 'aria-label': strings.panel.title });
   panel.append(head.element, scroll, caption);
   explainIn(caption, panel);
@@ -48,11 +51,12 @@ function isOfPanel({ group }: Parameter): boolean {
   return groups.some(({ key }) => key === group);
 }
 
-function createGroups(rows: ReadonlyMap<Parameter, Row>): HTMLElement[] {
+function createGroups(rows: ReadonlyMap<Parameter, Row>, feet: Feet): HTMLElement[] {
   return groups.map(({ key, label, advanced }) => {
     const elements = [...rows].flatMap(([{ group }, row]) => (group === key ? [row.element] : []));
     const summary = create('summary', {}, label);
-    return create('details', { class: 'group', open: !advanced }, summary, ...elements);
+    const foot = feet[key] ? [feet[key]] : [];
+    return create('details', { class: 'group', open: !advanced }, summary, ...elements, ...foot);
   });
 }
 

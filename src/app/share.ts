@@ -4,8 +4,12 @@ import type { Editor } from './editor.ts';
 import type { Notices } from './notices.ts';
 import { strings } from './strings.ts';
 
-/** Copies the link of what is shown and says so; where copying is refused, offers the link to copy by hand. */
-export async function share(editor: Editor, notices: Notices): Promise<void> {
+/**
+ * Copies the link of what is shown and says so; where copying is refused, offers the link to copy by hand.
+ * @param mesh name of a mesh that is shown, which no link can hold
+ */
+export async function share(editor: Editor, notices: Notices, mesh?: string): Promise<void> {
+  if (mesh !== undefined) notices.tell(strings.ownShape.unshared(mesh));
   const link = await linkTo(editor);
   try {
     await navigator.clipboard.writeText(link);

@@ -50,6 +50,14 @@ export const strings = {
     byHand: 'The browser did not let the page copy. Copy the link from here:',
     link: 'Link to this smoke',
   },
+  ownShape: {
+    choose: 'Use a shape of your own\u2026',
+    back: 'Back to drawn puffs',
+    text: 'Makes puffs of any closed mesh: drop a .glb, .gltf or .obj on the page. The knobs above wait meanwhile.',
+    fitting: (name: string) => `Making a puff of ${name}\u2026`,
+    shown: (name: string, overlap: number) => `${name}, ${Math.round(100 * overlap)} % alike`,
+    unshared: (name: string) => `A link cannot hold a mesh: who opens it sees drawn puffs instead of ${name}.`,
+  },
   notices: { title: 'Messages', dismiss: 'Dismiss this message' },
   help: {
     button: 'Help',
