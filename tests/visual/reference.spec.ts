@@ -23,7 +23,7 @@ const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['offAxis', [{}, { outlines: false }]],
   ['orthographic', [{}, { shading: false }, { shading: false, tones: 1, outlines: false, shadows: false }]],
   ['eyeInside', [{}, { shadows: false }]],
-  ['byLamp', [{}, { tones: 1 }]],
+  ['byLamp', [{}, { tones: 1, outlineWidth: 5, innerLine: 0.15 }]],
   ['byLampAmongPuffs', [{ tones: 3 }]],
   ['backlit', [{ tones: 3 }, { gradient: 'height' }, { gradient: 'screen' }]],
 ];
