@@ -16,6 +16,7 @@ const SCENES: readonly SceneName[] = [
   'byLampAmongPuffs',
   'lampRising',
   'lampFull',
+  'eyeInPlume',
 ];
 
 /** Each of the paper's four effects on and off, with each number of tones and each kind of gradient. */

@@ -34,6 +34,7 @@ const TONES: readonly (readonly [SceneName, readonly Mode[]])[] = [
 const LAMPS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['lampRising', [{}, { gradient: 'age', tones: 3 }]],
   ['lampFull', [{}, { gradient: 'puff' }]],
+  ['eyeInPlume', [{}]],
 ];
 
 for (const [what, scenes] of [

@@ -1,5 +1,5 @@
 /** A scene of the demo with its simulator, drawn without the edge filter, for any camera: flat colours to reason about. */
-import { PerspectiveCamera, Vector3 } from 'three';
+import { PerspectiveCamera, Vector3, type Camera } from 'three';
 import { createDevice } from '../../src/device/device.ts';
 import type { Values } from '../../src/preset/parameter.ts';
 import { defaultPreset, presetValues } from '../../src/preset/presets.ts';
@@ -7,7 +7,7 @@ import type { CameraPose, Scene } from '../../src/scenes/scene.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { loadSimulators } from '../../src/sim/load.ts';
 import type { Simulator } from '../../src/sim/simulator.ts';
-import type { FrameReport } from '../../src/smoke/frame.ts';
+import type { FrameInput, FrameReport } from '../../src/smoke/frame.ts';
 import { lightOf } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import { styleOf, type Style } from '../../src/smoke/style.ts';
@@ -22,6 +22,14 @@ export interface SceneChoice {
   height: number;
   /** On top of the scene's own. */
   values?: Values;
+}
+
+export interface FrameOptions {
+  camera?: Camera;
+  /** Leaves out what cannot show. */
+  cull?: boolean;
+  /** Between the step before (0) and now (1). */
+  blend?: number;
 }
 
 export class SceneLab {
@@ -61,13 +69,23 @@ export class SceneLab {
     this.simulation.advance(steps);
   }
 
-  draw({ camera = this.camera(), cull = true, blend = 1 } = {}): LabPicture {
-    const { width, height, values } = this;
-    this.report = this.smoke.draw({
-      simulator: this.simulator,
+  draw(options: FrameOptions = {}): LabPicture {
+    const { width, height } = this;
+    this.report = this.smoke.draw(this.frame(options));
+    const pixels = new Uint8Array(4 * width * height);
+    const gl = this.device.renderer.getContext();
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return { width, height, pixels, counts: new Uint8Array(0) };
+  }
+
+  /** What a picture is drawn from. */
+  frame({ camera = this.camera(), cull = true, blend = 1 }: FrameOptions = {}): FrameInput {
+    const { width, height, values, style, simulator } = this;
+    return {
+      simulator,
       camera,
       light: lightOf(values, new Vector3()),
-      style: this.style,
+      style,
       blend,
       width,
       height,
@@ -75,11 +93,7 @@ export class SceneLab {
       rigids: this.simulation.rigids(blend),
       cull,
       output: null,
-    });
-    const pixels = new Uint8Array(4 * width * height);
-    const gl = this.device.renderer.getContext();
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    return { width, height, pixels, counts: new Uint8Array(0) };
+    };
   }
 
   /** The scene's camera, or one that differs from it: angles in radians, lengths in metres. */

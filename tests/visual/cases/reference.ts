@@ -1,18 +1,12 @@
 /** Frames that the GPU draws, and their descriptions for the reference, which draws the same. */
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
-import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
-import { lamp } from '../../../src/scenes/lamp.ts';
-import { loadSimulators } from '../../../src/sim/load.ts';
-import { lightOf } from '../../../src/smoke/light.ts';
-import { styleOf, type Style } from '../../../src/smoke/style.ts';
-import { OrbitCamera } from '../../../src/stage/orbit.ts';
-import { Simulation } from '../../../src/stage/simulation.ts';
+import type { Style } from '../../../src/smoke/style.ts';
 import type { Drawn } from '../../support/reference.ts';
 import { describe, type Shaped, type Shown } from '../description.ts';
 import { inputOf, Lab, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
+import { SceneLab } from '../sceneLab.ts';
 import { box, ground } from '../solids.ts';
 
 const [WIDTH, HEIGHT] = [320, 240];
@@ -48,6 +42,7 @@ const SCENES = {
   byLampAmongPuffs: () => cluster(looking(orthographic(), [2, 2.5, 5], [0, -0.2, 0]), { lamp: [0.3, 0.1, -0.2] }),
   lampRising: () => lampAfter(90),
   lampFull: () => lampAfter(240),
+  eyeInPlume: () => lampAfter(240, true),
 } satisfies Record<string, () => Shown | Promise<Shown>>;
 
 function perspective(): PerspectiveCamera {
@@ -102,27 +97,15 @@ function cube(center: [number, number, number], half: [number, number, number]):
 }
 
 /** The lamp with its own camera and light, and its surfaces as triangles, after some steps of the real simulator. */
-async function lampAfter(steps: number): Promise<Shown> {
-  const values: Values = { ...presetValues(defaultPreset), 'simulation.maxParticles': CAPACITY };
-  const scene = lamp();
-  const simulation = new Simulation(await loadSimulators({ physics: true }), scene, values, 0);
-  simulation.advance(steps);
-  const orbit = new OrbitCamera(scene.camera);
-  orbit.setAspect(WIDTH / HEIGHT);
-  const input = {
-    simulator: simulation.simulator,
-    camera: orbit.camera,
-    light: lightOf(values, new Vector3(...scene.camera.target)),
-    style: styleOf(values),
-    blend: 1,
-    width: WIDTH,
-    height: HEIGHT,
-    pixelRatio: 1,
-    rigids: simulation.rigids(1),
-    cull: true,
-    output: null,
-  };
-  return { input, surfaces: scene.surfaces, backdrop: scene.backdrop };
+async function lampAfter(steps: number, isInPlume = false): Promise<Shown> {
+  const lab = await SceneLab.create('lamp', { width: WIDTH, height: HEIGHT });
+  lab.step(steps);
+  // Bounds are of what was drawn last.
+  lab.draw();
+  const { min, max } = lab.simulator.bounds;
+  const target = new Vector3(...min).lerp(new Vector3(...max), 0.5).toArray();
+  const camera = isInPlume ? lab.camera({ target, distance: 0.3 }) : lab.camera();
+  return { ...lab.scene, input: lab.frame({ camera }) };
 }
 
 function base64(bytes: Uint8Array): string {
