@@ -45,7 +45,7 @@ export interface Drawn {
 /** Within regions nothing can round to the other side of a border. */
 const MOST_WITHIN = 0.0001;
 /** Of the pixels at edges: single precision, and corners of boards that lie on a raster of sixteenths of a pixel. */
-const MOST_OF_EDGES = 0.015;
+const MOST_OF_EDGES = 0.01;
 const MOST_COUNTS = 0.001;
 
 /**

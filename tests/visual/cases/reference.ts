@@ -79,7 +79,7 @@ function cluster(camera: Camera, light: Pick<LabScene, 'towardsLight' | 'lamp'>)
     age: next(),
     temperature: (index % 7) / 6,
   }));
-  const surfaces = [ground(-1, 3), ball([-1.1, -0.5, 0.5], 0.35), cube([0.9, -0.6, 0.6], [0.25, 0.4, 0.2])];
+  const surfaces = [ground(-1, 3), ball([-1.1, -0.5, 0.5], 0.35), cube([0.92, -0.6, 0.6], [0.25, 0.4, 0.2])];
   const input = inputOf({ width: WIDTH, height: HEIGHT, puffs, surfaces, camera, ...light });
   return { input, surfaces, backdrop: BACKDROP };
 }
