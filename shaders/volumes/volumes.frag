@@ -1,30 +1,55 @@
 precision highp float;
 
-// Writes the depth where the view ray through this pixel enters (front face) or leaves (back face) the volume.
+// Writes the depth where the view ray through this pixel enters (front face) or leaves (back face) the volume: of all
+// discs that the ray passes on its way across the light it takes the first entry and the last exit.
 // Counted by depth pass: entries in front of the receiver minus exits in front of it = volumes that hold the receiver.
 uniform mat4 clipFromView;
-uniform vec2 viewport;
-uniform vec2 viewportOrigin;
 uniform float near;
 
-flat in vec3 start;
-flat in vec3 axis;
-flat in float extent;
-flat in float radius;
-flat in float growth;
+in vec3 origin;
+in vec3 ray;
+flat in vec3 lengthAndScale;
+flat in vec3 discs[LOBES];
 
 #include ../lib/depth.glsl
-#include ../lib/cone.glsl
+
+const float FAR = 1e20;
+
+// Widens the stretch (from, to) along a line by what of the line lies in a disc. The line runs in a unit direction and
+// has an offset to its left.
+void pass(inout vec2 stretch, vec3 disc, vec2 direction, float offset) {
+  float beside = direction.x * disc.y - direction.y * disc.x - offset;
+  float squared = disc.z - beside * beside;
+  float middle = dot(disc.xy, direction);
+  float halfChord = sqrt(squared);
+  if (squared > 0.0) stretch = vec2(min(stretch.x, middle - halfChord), max(stretch.y, middle + halfChord));
+}
 
 void main() {
-  vec2 ndc = (gl_FragCoord.xy - viewportOrigin) / viewport * 2.0 - 1.0;
-  vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
-  bool perspective = clipFromView[2][3] != 0.0;
-  // Both rays have unit length along -z, so that the ray parameter is the view depth.
-  vec3 origin = perspective ? vec3(0.0) : vec3((ndc - clipFromView[3].xy) / scale, 0.0);
-  vec3 ray = perspective ? vec3((ndc + clipFromView[2].xy) / scale, -1.0) : vec3(0.0, 0.0, -1.0);
-  vec2 inside = rayInCone(origin, ray, start, axis, extent, radius, growth);
-  if (inside.x >= inside.y || inside.y <= near) discard;
-  float depth = gl_FrontFacing ? max(inside.x, near) : inside.y;
+  // The line that the ray draws on the plane of the discs, seen from the light.
+  float scale = lengthAndScale.y + lengthAndScale.z * origin.z;
+  float growth = lengthAndScale.z * ray.z;
+  vec2 line = ray.xy * scale - origin.xy * growth;
+  float inverse = inversesqrt(max(dot(line, line), 1e-24));
+  vec2 direction = line * inverse;
+  float offset = (ray.x * origin.y - ray.y * origin.x) * inverse;
+
+  vec2 stretch = vec2(FAR, -FAR);
+  #pragma unroll_loop_start
+  for (int i = 0; i < LOBES; i++) {
+    pass(stretch, discs[ i ], direction, offset);
+  }
+  #pragma unroll_loop_end
+
+  // Back to depths along the ray. Under a lamp the line has an end, where the ray goes straight away from it.
+  vec2 sinking = dot(ray.xy, direction) - stretch * growth;
+  vec2 depths = (stretch * scale - dot(origin.xy, direction)) / sinking;
+  if (sinking.x <= 0.0) depths.x = growth > 0.0 ? FAR : -FAR;
+  if (sinking.y <= 0.0) depths.y = growth > 0.0 ? FAR : -FAR;
+  vec2 ends = vec2(-origin.z, lengthAndScale.x - origin.z) / (abs(ray.z) > 1e-9 ? ray.z : 1e-9);
+  float enter = max(depths.x, min(ends.x, ends.y));
+  float leave = min(depths.y, max(ends.x, ends.y));
+  if (enter >= leave || leave <= near) discard;
+  float depth = gl_FrontFacing ? max(enter, near) : leave;
   gl_FragDepth = clamp(windowDepth(clipFromView, -depth), 0.0, 1.0);
 }

@@ -10,13 +10,11 @@ import {
   RGBAFormat,
   UnsignedByteType,
 } from 'three';
+import type { Casters } from '../puffs/casters.ts';
 import type { LobePuffs } from '../puffs/bakeLobes.ts';
 import type { PuffLayers } from '../puffs/layers.ts';
 import type { StartCaps } from '../puffs/startCaps.ts';
 import { Shared } from './shared.ts';
-
-/** A volume reaches to the ends of the puff's lobes, beyond its mean radius: no light leaks between neighbouring puffs. */
-export const SHADOW_SHARE = 1.15;
 
 /** What a puff is on the screen: lobes met per pixel, or the paper's billboards, baked from one side. */
 export type PuffForm = 'lobes' | 'billboards';
@@ -26,6 +24,7 @@ export interface BillboardPuffs {
   readonly layers: PuffLayers;
   readonly startCaps: StartCaps;
   readonly latestCap: number;
+  readonly casters: Casters;
 }
 
 /** Puffs as plain data in each form. Each may be made when it is first asked for. */
@@ -40,8 +39,9 @@ interface FormTextures {
   readonly startCaps: DataArrayTexture;
   /** See `latestCap` in src/puffs/startCaps.ts. */
   readonly latestCap: number;
-  /** Radius of a particle's shadow volume in radii of the particle. */
-  readonly shadowRadius: number;
+  /** A row for each variation: the lobes that the light meets, centre and radius, and how many of them count. */
+  readonly casterTable: DataTexture;
+  readonly casterLobes: number;
   /** Factor on a particle's radius that makes the sphere which holds all of its puff. */
   readonly reach: number;
   /** How deep behind the centre plane something of a puff can be seen, in radii of the particle. */
@@ -122,8 +122,12 @@ class LobeTextures implements FormTextures {
     return this.puffs.latestCap;
   }
 
-  get shadowRadius(): number {
-    return SHADOW_SHARE * this.puffs.silhouetteRadius;
+  get casterTable(): DataTexture {
+    return this.lobeTable;
+  }
+
+  get casterLobes(): number {
+    return this.puffs.lobeCount;
   }
 
   get reach(): number {
@@ -147,8 +151,10 @@ class BillboardTextures implements FormTextures {
   readonly colorCoverage: DataArrayTexture;
   readonly startCaps: DataArrayTexture;
   readonly latestCap: number;
+  readonly casterTable: DataTexture;
+  readonly casterLobes: number;
 
-  constructor(context: WebGL2RenderingContext, { layers, startCaps, latestCap }: BillboardPuffs) {
+  constructor(context: WebGL2RenderingContext, { layers, startCaps, latestCap, casters }: BillboardPuffs) {
     this.layers = layers;
     this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);
     this.normalDepth.format = RGBAFormat;
@@ -161,11 +167,9 @@ class BillboardTextures implements FormTextures {
     smooth(this.colorCoverage, true);
     this.startCaps = capTexture(startCaps);
     this.latestCap = latestCap;
-  }
-
-  get shadowRadius(): number {
-    const { figures } = this.layers;
-    return (SHADOW_SHARE * figures.reduce((sum, { silhouetteRadius }) => sum + silhouetteRadius, 0)) / figures.length;
+    this.casterLobes = casters.lobeCount;
+    this.casterTable = new DataTexture(casters.table, casters.lobeCount, casters.count, RGBAFormat, FloatType);
+    this.casterTable.needsUpdate = true;
   }
 
   /** The relief begins at the centre plane. */
@@ -179,6 +183,7 @@ class BillboardTextures implements FormTextures {
     this.normalDepth.dispose();
     this.colorCoverage.dispose();
     this.startCaps.dispose();
+    this.casterTable.dispose();
   }
 }
 

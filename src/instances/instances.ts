@@ -12,8 +12,8 @@ export const ONE_QUAD: Footprint = { corners: [-1, -1, 1, -1, 1, 1, -1, 1], inde
 
 /** Two quads on the same place, the second one wound the other way: what gl_FrontFacing tells apart. */
 export const FRONT_AND_BACK: Footprint = {
-  corners: [...ONE_QUAD.corners, ...ONE_QUAD.corners],
-  index: [...ONE_QUAD.index, 4, 6, 5, 4, 7, 6],
+  corners: ONE_QUAD.corners,
+  index: [...ONE_QUAD.index, 0, 2, 1, 0, 3, 2],
 };
 
 /**

@@ -19,6 +19,7 @@ import lobesVertexShader from '../../shaders/bodies/lobes.vert';
 import type { Eye } from '../device/eye.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
+import { withLobes } from '../device/unroll.ts';
 import { InkUniforms, type InkLine } from './ink.ts';
 
 /** What runs along a gradient fill. */
@@ -134,9 +135,4 @@ export class BodiesPass {
     this.materials.set(lobes, material);
     return material;
   }
-}
-
-/** Puts the number in as digits, which three.js needs to unroll the loops, and then the shader has no dynamic index. */
-function withLobes(shader: string, lobes: number): string {
-  return shader.replaceAll(/\bLOBES\b/g, String(lobes));
 }

@@ -3,8 +3,9 @@ import {
   Mesh,
   Scene,
   type BufferGeometry,
-  type DataArrayTexture,
+  type IUniform,
   type RawShaderMaterial,
+  type Texture,
   type WebGLRenderer,
 } from 'three';
 import fragmentShader from '../../shaders/volumes/volumes.frag';
@@ -13,6 +14,7 @@ import type { Eye } from '../device/eye.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
+import { withLobes } from '../device/unroll.ts';
 
 /** Radii from a puff's centre to where nothing of it is left, relief included. */
 const BEHIND_THE_PUFF = 1.2;
@@ -24,32 +26,31 @@ const BEHIND_THE_PUFF = 1.2;
 export class VolumesPass {
   private readonly scene = new Scene();
   private readonly camera = new Camera();
-  private readonly material: RawShaderMaterial;
+  private readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
+  /** By the number of lobes that are unrolled in them. */
+  private readonly materials = new Map<number, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
+  private readonly common: Record<string, IUniform>;
   private readonly uniforms = {
     leastCap: { value: 0 },
     facesEye: { value: false },
-    startCaps: { value: null as DataArrayTexture | null },
-    shadowRadius: { value: 1 },
+    startCaps: { value: null as Texture | null },
+    casterTable: { value: null as Texture | null },
+    reach: { value: 1 },
     depth: { value: 0 },
   };
 
   constructor(eye: Eye, puffs: PuffTextures, rows: BufferGeometry) {
     this.puffs = puffs;
-    this.material = countingMaterial({
-      vertexShader,
-      fragmentShader,
-      uniforms: { ...eye.uniforms, ...this.uniforms },
-    });
-    this.follow('lobes', FIRST_BORDER);
-    const mesh = new Mesh(rows, this.material);
-    mesh.frustumCulled = false;
+    this.common = { ...eye.uniforms, ...this.uniforms };
+    this.mesh = new Mesh(rows, this.materialFor('lobes', FIRST_BORDER));
+    this.mesh.frustumCulled = false;
     countFaces(
-      mesh,
+      this.mesh,
       { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.INCR },
       { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.DECR },
     );
-    this.scene.add(mesh);
+    this.scene.add(this.mesh);
   }
 
   /**
@@ -57,12 +58,7 @@ export class VolumesPass {
    * @param turn N . L from which a lit pixel differs from one in shadow; below 0 where it does even on the dark side
    */
   follow(form: PuffForm, turn: number): void {
-    const { startCaps, latestCap, shadowRadius, depth } = this.puffs.of(form);
-    this.uniforms.leastCap.value = leastCapOf(turn, latestCap);
-    this.uniforms.facesEye.value = form === 'billboards';
-    this.uniforms.startCaps.value = startCaps;
-    this.uniforms.shadowRadius.value = shadowRadius;
-    this.uniforms.depth.value = depth;
+    this.mesh.material = this.materialFor(form, turn);
   }
 
   draw(renderer: WebGLRenderer): void {
@@ -70,7 +66,29 @@ export class VolumesPass {
   }
 
   dispose(): void {
-    this.material.dispose();
+    for (const material of this.materials.values()) material.dispose();
+  }
+
+  /** Puts the puffs of a form into the uniforms. */
+  private materialFor(form: PuffForm, turn: number): RawShaderMaterial {
+    const { startCaps, latestCap, casterTable, casterLobes, reach, depth } = this.puffs.of(form);
+    this.uniforms.leastCap.value = leastCapOf(turn, latestCap);
+    this.uniforms.facesEye.value = form === 'billboards';
+    this.uniforms.startCaps.value = startCaps;
+    this.uniforms.casterTable.value = casterTable;
+    this.uniforms.reach.value = reach;
+    this.uniforms.depth.value = depth;
+    const material = this.materials.get(casterLobes) ?? this.materialWith(casterLobes);
+    this.materials.set(casterLobes, material);
+    return material;
+  }
+
+  private materialWith(lobes: number): RawShaderMaterial {
+    return countingMaterial({
+      vertexShader: withLobes(vertexShader, lobes),
+      fragmentShader: withLobes(fragmentShader, lobes),
+      uniforms: this.common,
+    });
   }
 }
 

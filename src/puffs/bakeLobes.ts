@@ -17,8 +17,6 @@ export interface LobePuffs {
   readonly startCaps: StartCaps;
   /** See {@link latestCap}. */
   readonly latestCap: number;
-  /** Radius of the disc that has the silhouette's area, from all sides and over the first few variations. */
-  readonly silhouetteRadius: number;
   /** Radius of the sphere about the particle's centre that holds any of the puffs. */
   readonly reach: number;
   /** How deep behind the centre plane something of a puff can be seen, from whatever side. */
@@ -29,8 +27,6 @@ export interface LobePuffs {
   readonly fillet: number;
 }
 
-/** How many variations stand for all: more of them, which others may have asked for, must not change a picture. */
-const MEASURED = 4;
 /** What may be seen between the places where depths are measured, in radii; and to what the bound is rounded up. */
 const DEPTH_SLACK = 0.05;
 const DEPTH_STEP = 0.1;
@@ -60,7 +56,6 @@ function together(variations: readonly LobeVariation[], lobeCount: number): Lobe
     table: Float32Array.from(variations.flatMap(({ lobes }) => rowOf(lobes, lobeCount))),
     startCaps: joined(variations.map(({ startCaps }) => startCaps)),
     latestCap: Math.max(...variations.map((variation) => variation.latestCap)),
-    silhouetteRadius: Math.sqrt(mean(variations.slice(0, MEASURED).flatMap(({ silhouettes }) => silhouettes))),
     reach: Math.max(...variations.map(({ reach }) => reach)),
     depth: Math.ceil((Math.max(...variations.map(({ depth }) => depth)) + DEPTH_SLACK) / DEPTH_STEP) * DEPTH_STEP,
     blend: NORMAL_BLEND,
@@ -72,8 +67,4 @@ function together(variations: readonly LobeVariation[], lobeCount: number): Lobe
 function rowOf(lobes: readonly Lobe[], lobeCount: number): number[] {
   const absent = Array.from({ length: lobeCount - lobes.length }, () => ({ center: lobes[0].center, radius: 0 }));
   return [...[...lobes, ...absent].flatMap(({ center, radius }) => [...center, radius]), ...middleOf(lobes), 0];
-}
-
-function mean(numbers: readonly number[]): number {
-  return numbers.reduce((sum, number) => sum + number, 0) / numbers.length;
 }

@@ -1,6 +1,6 @@
 /** One variation of the puffs of lobes, baked: kept for as long as others have not taken its room. */
 import { Kept } from './kept.ts';
-import { deepestSeen, reachOf, silhouetteRadius } from './lobes.ts';
+import { deepestSeen, reachOf } from './lobes.ts';
 import { orientationOf, turnedLobes } from './orientation.ts';
 import { surfaceOf } from './patches.ts';
 import type { Lobe } from './shapes.ts';
@@ -14,8 +14,6 @@ export interface LobeVariation {
   readonly startCaps: Float32Array;
   /** See {@link latestCap}. */
   readonly latestCap: number;
-  /** Squares of the radii of the discs that have the silhouettes' areas, from {@link SIDES} sides. */
-  readonly silhouettes: readonly number[];
   /** Radius of the sphere about the particle's centre that holds all lobes. */
   readonly reach: number;
   /** How deep behind the centre plane something of it can be seen, from whatever side. */
@@ -39,16 +37,14 @@ export function* bakingVariation(lobes: readonly Lobe[], litThreshold: number): 
 }
 
 function* baking(lobes: readonly Lobe[], litThreshold: number): Work<LobeVariation> {
-  const silhouettes: number[] = [];
   let depth = 0;
   for (let side = 0; side < SIDES; side++) {
     const seen = turnedLobes(orientationOf((side * 256) / SIDES, 2.4 * side), lobes);
-    silhouettes.push(silhouetteRadius(seen) ** 2);
     depth = Math.max(depth, deepestSeen(seen));
     yield;
   }
   const surface = surfaceOf(lobes);
   yield;
   const startCaps = yield* bakingTable(surface, litThreshold);
-  return { lobes, startCaps, latestCap: latestCap(surface), silhouettes, reach: reachOf(lobes), depth };
+  return { lobes, startCaps, latestCap: latestCap(surface), reach: reachOf(lobes), depth };
 }

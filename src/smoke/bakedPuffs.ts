@@ -2,6 +2,7 @@ import type { BakedPuffs } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
 import { bakingLobes } from '../puffs/bakeLobes.ts';
 import { Kept } from '../puffs/kept.ts';
+import { castersOf } from '../puffs/casters.ts';
 import { bakePuffs } from '../puffs/layers.ts';
 import { LOBE_SHAPES } from '../puffs/lobeShapes.ts';
 import { frontsOf } from '../puffs/patches.ts';
@@ -49,7 +50,7 @@ function billboardsOf(fronts: readonly PuffShape[]): BakedPuffs['billboards'] {
   const layers = bakePuffs(fronts);
   const surfaces = frontsOf(layers);
   const startCaps = bakeStartCaps(surfaces, FIRST_BORDER);
-  const billboards = { layers, startCaps, latestCap: latestCap(surfaces.flat()) };
+  const billboards = { layers, startCaps, latestCap: latestCap(surfaces.flat()), casters: castersOf(fronts) };
   keptBillboards.add(keyOf(fronts), billboards);
   return billboards;
 }

@@ -12,7 +12,6 @@ import type { Light } from '../../src/smoke/light.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, turnOf } from '../../src/smoke/palette.ts';
 import { inkLineOf, type Style } from '../../src/smoke/style.ts';
 import { leastCapOf } from '../../src/passes/volumes.ts';
-import { SHADOW_SHARE } from '../../src/device/puffTextures.ts';
 
 type Triple = readonly [number, number, number];
 
@@ -93,7 +92,7 @@ function styleAsObject(style: Style, { pixelRatio }: FrameInput): object {
 }
 
 function puffsAsObject(): object {
-  const { lobeCount, count, table, fillet, blend, silhouetteRadius, startCaps } = bakedPuffs().lobes;
+  const { lobeCount, count, table, fillet, blend, startCaps } = bakedPuffs().lobes;
   const lobe = (variation: number, index: number) => {
     const first = 4 * (variation * (lobeCount + 1) + index);
     return [...table.subarray(first, first + 4)];
@@ -103,7 +102,6 @@ function puffsAsObject(): object {
     lobes: numbers(count).map((variation) => numbers(lobeCount).map((index) => lobe(variation, index))),
     fillet,
     blend,
-    shadowRadius: SHADOW_SHARE * silhouetteRadius,
     startCaps: { width: startCaps.width, height: startCaps.height, values: [...startCaps.values] },
   };
 }

@@ -197,12 +197,10 @@ impl<'a> Painter<'a> {
         if !self.scene.shadows || seen.what == BACKDROP {
             return 0;
         }
-        let point = self
-            .camera
-            .ray_in_world(self.middle_of(pixel))
-            .at(seen.depth.max(self.camera.near));
-        let of_puffs = self.volumes.iter().filter(|volume| volume.holds(point)).count() as u32;
-        of_puffs + self.solids.shadows_over(point, &self.light)
+        let ray = self.camera.ray_in_world(self.middle_of(pixel));
+        let depth = seen.depth.max(self.camera.near);
+        let of_puffs = self.volumes.iter().filter(|volume| volume.holds(ray, depth)).count() as u32;
+        of_puffs + self.solids.shadows_over(ray.at(depth), &self.light)
     }
 }
 

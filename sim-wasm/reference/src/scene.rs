@@ -107,8 +107,6 @@ pub struct Puffs {
     /// Reach of the fillet along creases, in radii, and share of the overall normal in every normal.
     pub fillet: f64,
     pub blend: f64,
-    /// Radius of a shadow volume in radii of the particle.
-    pub shadow_radius: f64,
     pub start_caps: StartCaps,
 }
 

@@ -6,7 +6,7 @@ use glam::{DMat3, DVec3};
 
 use crate::light::Light;
 use crate::look::Look;
-use crate::ray::Camera;
+use crate::ray::{Camera, Ray};
 use crate::scene::{Row, Scene, StartCaps};
 
 /// Radii between the farthest lit point and the beginning of the volume.
@@ -14,46 +14,97 @@ const SLACK: f64 = 0.02;
 /// What of a puff is seen lies no deeper behind its centre plane, in radii.
 const DEEPEST: f64 = 0.6;
 
-/// A lamp so near that its shadow would open more than this with each metre throws none that is wider.
-const WIDEST: f64 = 2.0;
-
-/// A cone without an end that is cut flat where it begins; a cylinder under a sun.
+/// All that the puff's lobes hide from the light, from behind the puff on without an end.
 pub struct Volume {
     center: DVec3,
     /// Unit vector away from the light.
     axis: DVec3,
-    /// Where it begins behind the centre, and its radius there beside the centre: metres.
+    /// Where it begins behind the centre, metres.
     begin: f64,
-    radius: f64,
-    /// Of the radius, with each metre along the axis.
+    /// One over the distance of the light; 0 under a sun.
     growth: f64,
+    /// On the plane through the centre across the axis, metres from the centre: what the lobes show the light.
+    discs: Vec<Disc>,
+}
+
+struct Disc {
+    center: DVec3,
+    radius: f64,
 }
 
 impl Volume {
     /// None where the light stands within the puff: it lights all of it then.
     pub fn new(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> Option<Self> {
         let center = DVec3::from(row.place);
-        let ball = scene.puffs.shadow_radius * row.radius;
-        // The cone from the lamp that touches the ball: a sun is endlessly far.
-        let sine = ball / light.distance(center);
-        if sine >= 1.0 {
+        let growth = 1.0 / light.distance(center);
+        let axis = -light.towards(center);
+        let discs = discs(scene, row, axis, growth);
+        let widest = discs.iter().map(|disc| disc.center.length() + disc.radius);
+        if widest.fold(0.0, f64::max) * growth >= 1.0 {
             return None;
         }
-        let growth = sine.asin().tan().min(WIDEST);
         Some(Self {
             center,
-            axis: -light.towards(center),
+            axis,
             begin: begin_behind(scene, camera, light, row) * row.radius,
-            radius: ball / growth.atan().cos(),
             growth,
+            discs,
         })
     }
 
-    pub fn holds(&self, point: DVec3) -> bool {
-        let offset = point - self.center;
-        let along = offset.dot(self.axis);
-        along >= self.begin && (offset - along * self.axis).length() <= self.radius + self.growth * along
+    /// Whether it holds the point of a view ray at a depth: along each ray it goes from the first entry to the last exit.
+    pub fn holds(&self, ray: Ray, depth: f64) -> bool {
+        if (ray.at(depth) - self.center).dot(self.axis) < self.begin {
+            return false;
+        }
+        let stretches = self.discs.iter().filter_map(|disc| self.stretch_in(disc, ray));
+        let (enter, leave) = stretches.fold((f64::INFINITY, f64::NEG_INFINITY), |all, one| {
+            (all.0.min(one.0), all.1.max(one.1))
+        });
+        enter <= depth && depth <= leave
     }
+
+    /// The depths between which a view ray is among the light's rays that pass through a disc.
+    fn stretch_in(&self, disc: &Disc, Ray { origin, direction }: Ray) -> Option<(f64, f64)> {
+        let origin = origin - self.center;
+        // How wide the light's rays have spread along the view ray: `scale + depth * gain`.
+        let scale = 1.0 + self.growth * origin.dot(self.axis);
+        let gain = self.growth * direction.dot(self.axis);
+        let offset = origin.reject_from_normalized(self.axis) - scale * disc.center;
+        let step = direction.reject_from_normalized(self.axis) - gain * disc.center;
+        let square = disc.radius * disc.radius;
+        let a = step.length_squared() - square * gain * gain;
+        let b = offset.dot(step) - square * scale * gain;
+        let c = offset.length_squared() - square * scale * scale;
+        let root = (b * b - a * c).sqrt();
+        if root.is_nan() {
+            return None;
+        }
+        let (one, other) = ((-b - root) / a, (-b + root) / a);
+        let (low, high) = (one.min(other), one.max(other));
+        match (a > 0.0, gain > 0.0) {
+            (true, _) => (scale + low * gain > 0.0).then_some((low, high)),
+            (false, true) => Some((high, f64::INFINITY)),
+            (false, false) => Some((f64::NEG_INFINITY, low)),
+        }
+    }
+}
+
+fn discs(scene: &Scene, row: &Row, axis: DVec3, growth: f64) -> Vec<Disc> {
+    let look = Look(row.look);
+    let world_from_puff = look.world_from_puff();
+    let lobes = &scene.puffs.lobes[look.variation() % scene.puffs.lobes.len()];
+    let disc = |&[x, y, z, radius]: &[f64; 4]| {
+        let center = row.radius * (world_from_puff * DVec3::new(x, y, z));
+        let nearness = 1.0 / (1.0 + growth * center.dot(axis));
+        // The cone of rays that touch the lobe.
+        let seen = radius * row.radius * nearness;
+        Disc {
+            center: nearness * center.reject_from_normalized(axis),
+            radius: seen / (1.0 - (seen * growth).powi(2)).sqrt(),
+        }
+    };
+    lobes.iter().map(disc).collect()
 }
 
 /// Radii from the centre, away from the light, to behind the farthest point of the puff that is lit.

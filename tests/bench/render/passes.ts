@@ -57,7 +57,7 @@ function look(bench: RenderBench, cull: boolean): Side {
     bodiesDrawn,
     castersDrawn,
     bodies: count(bodies.geometry, body['mesh'].material),
-    volumes: count(casters.geometry, volumes['material']),
+    volumes: count(casters.geometry, volumes['mesh'].material),
     picture,
   };
 }

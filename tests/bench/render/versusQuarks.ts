@@ -41,7 +41,7 @@ function check(bench: RenderBench, quarks: QuarksScene): { ours: string; theirs:
   const { bodies, casters, body, volumes } = bench.smoke.passes;
   const [bodyFragments, volumeFragments] = [
     countFragments(renderer, bodies.geometry, body['mesh'].material, WIDTH, HEIGHT).kept,
-    countFragments(renderer, casters.geometry, volumes['material'], WIDTH, HEIGHT).kept,
+    countFragments(renderer, casters.geometry, volumes['mesh'].material, WIDTH, HEIGHT).kept,
   ];
   const quads = Math.round(quarks.countFragments(renderer, bench.camera, WIDTH, HEIGHT));
   quarks.draw(renderer, bench.camera);

@@ -2,15 +2,13 @@
  * The stencil count against a CPU reference: each pixel of a ground plane asks how many volumes hold its point. The
  * reference shares nothing with the shaders but the definition of a volume.
  */
-import { type Camera, Matrix4, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
-import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
-import { SHADOW_SHARE, type PuffForm } from '../../../src/device/puffTextures.ts';
-import type { StartCaps } from '../../../src/puffs/startCaps.ts';
-import { spherePoint } from '../../../src/puffs/vector.ts';
+import { type Camera, OrthographicCamera, PerspectiveCamera, type Ray, Raycaster, Vector2, Vector3 } from 'three';
+import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
 import { takePicture, type LabPuff, type LabScene } from '../lab.ts';
 import { box, ground } from '../solids.ts';
 import { random } from '../random.ts';
+import { holds, towardsLightOf, volumeOf, type View } from '../shadowVolume.ts';
 
 export interface StencilReport {
   receiver: number;
@@ -22,20 +20,6 @@ export interface StencilReport {
 const [WIDTH, HEIGHT] = [320, 240];
 const GROUND_Y = -1;
 const GROUND_HALF = 3;
-/** The margin of the definition: see volumes.vert. */
-const CAP_SLACK = 0.02;
-
-interface View {
-  camera: Camera;
-  /** Unit vector; absent where a lamp stands in the scene. */
-  towardsLight?: Vector3;
-  lamp?: Vector3;
-}
-
-/** Unit vector from a place towards the light of a view. */
-function towardsLightOf({ towardsLight, lamp }: View, place: Vector3): Vector3 {
-  return (lamp ? lamp.clone().sub(place) : towardsLight!.clone()).normalize();
-}
 
 function lightOf({ towardsLight, lamp }: View): Pick<LabScene, 'towardsLight' | 'lamp'> {
   return { towardsLight: towardsLight?.toArray(), lamp: lamp?.toArray() };
@@ -160,10 +144,11 @@ function report(
   const volumes = casters.map((caster) => volumeOf(form, caster, view));
   const result: StencilReport = { receiver: 0, differing: 0, wronglyLit: 0, deepest: 0 };
   for (let pixel = 0; pixel < WIDTH * HEIGHT; ++pixel) {
-    const point = groundPoint(pixel, view.camera, withMesh);
+    const ray = viewRay(pixel, view.camera);
+    const point = groundPoint(ray, withMesh);
     if (!point) continue;
     const inMesh = withMesh && liesInBoxShadow(point, view);
-    const expected = volumes.filter((volume) => holds(volume, point)).length + (inMesh ? 1 : 0);
+    const expected = volumes.filter((volume) => holds(volume, ray, point)).length + (inMesh ? 1 : 0);
     result.receiver += 1;
     result.deepest = Math.max(result.deepest, expected);
     if (counts[pixel] !== expected) result.differing += 1;
@@ -172,93 +157,22 @@ function report(
   return result;
 }
 
-/** A cone, cut flat where it starts; a cylinder where it does not grow. */
-interface Volume {
-  start: Vector3;
-  /** Unit vector. */
-  axis: Vector3;
-  radius: number;
-  growth: number;
-}
-
-function volumeOf(form: PuffForm, caster: LabPuff, view: View): Volume {
-  const { cap, mean } = form === 'lobes' ? lobesVolume(caster, view) : billboardVolume(caster, view);
-  const { place, radius } = caster;
-  const centre = new Vector3(...place);
-  const axis = towardsLightOf(view, centre).negate();
-  const start = centre.clone().addScaledVector(axis, (cap + CAP_SLACK) * radius);
-  const ball = SHADOW_SHARE * mean * radius;
-  if (!view.lamp) return { start, axis, radius: ball, growth: 0 };
-  // The cone from the lamp that touches the ball.
-  const way = view.lamp.distanceTo(centre);
-  const growth = way > ball ? Math.min(2, Math.tan(Math.asin(ball / way))) : -1;
-  return { start, axis, radius: ball * Math.hypot(1, growth) + growth * (cap + CAP_SLACK) * radius, growth };
-}
-
-/** Where a volume starts behind the centre before the slack, and the puffs' mean radius; both in radii. */
-interface Extent {
-  cap: number;
-  mean: number;
-}
-
-function billboardVolume({ place, roll = 0, variation = 0 }: LabPuff, view: View): Extent {
-  const { layers, startCaps } = bakedPuffs().billboards;
-  const { camera } = view;
-  const light = towardsLightOf(view, new Vector3(...place)).transformDirection(camera.matrixWorldInverse);
-  const rolled = light.clone().applyMatrix4(new Matrix4().makeRotationZ(-roll));
-  const mean = layers.figures.reduce((sum, { silhouetteRadius }) => sum + silhouetteRadius, 0) / layers.figures.length;
-  const slant = slantOf(place, camera, light);
-  return { cap: Math.max(0, tabled(startCaps, variation, rolled)) + Math.max(0, slant), mean };
-}
-
-function lobesVolume({ place, radius, roll = 0, seed = 0, variation = 0 }: LabPuff, view: View): Extent {
-  const { startCaps, silhouetteRadius, depth } = bakedPuffs().lobes;
-  const { camera } = view;
-  const towardsLight = towardsLightOf(view, new Vector3(...place));
-  const light = towardsLight.clone().transformDirection(camera.matrixWorldInverse);
-  const axis = new Vector3(...spherePoint(seed, 256));
-  const inPuff = towardsLight.clone().applyAxisAngle(axis, -roll);
-  const slant = slantOf(place, camera, light);
-  const distance = -new Vector3(...place).applyMatrix4(camera.matrixWorldInverse).z;
-  const aside = camera instanceof PerspectiveCamera ? (0.5 * Math.hypot(light.x, light.y) * radius) / distance : 0;
-  const shear = Math.max(slant, -depth * slant) + aside;
-  return { cap: Math.max(0, tabled(startCaps, variation, inPuff)) + shear, mean: silhouetteRadius };
-}
-
-/** How far each radius of relief moves a fragment away from the light along the view ray; 0 without perspective. */
-function slantOf(place: LabPuff['place'], camera: Camera, light: Vector3): number {
-  if (!(camera instanceof PerspectiveCamera)) return 0;
-  const inView = new Vector3(...place).applyMatrix4(camera.matrixWorldInverse);
-  return -(light.x * inView.x + light.y * inView.y) / inView.z;
-}
-
-function tabled({ width, height, values }: StartCaps, layer: number, towards: Vector3): number {
-  const column = Math.min(width - 1, Math.floor((Math.atan2(towards.y, towards.x) / (2 * Math.PI) + 0.5) * width));
-  const row = Math.min(height - 1, Math.floor((Math.acos(towards.z) / Math.PI) * height));
-  return values[(layer * height + row) * width + column];
-}
-
-/** Whether a point lies in the volume: behind its cap, and no farther from its axis than its radius there. */
-function holds({ start, axis, radius, growth }: Volume, point: Vector3): boolean {
-  if (growth < 0) return false;
-  const offset = point.clone().sub(start);
-  const along = offset.dot(axis);
-  return along >= 0 && offset.lengthSq() - along * along <= (radius + growth * along) ** 2;
-}
-
 /** Whether the box of `compare` stands between a point and the light. */
 function liesInBoxShadow(point: Vector3, view: View): boolean {
   return boxHides(point, towardsLightOf(view, point), view.lamp?.distanceTo(point));
 }
 
-function groundPoint(pixel: number, camera: Camera, withMesh: boolean): Vector3 | undefined {
+function viewRay(pixel: number, camera: Camera): Ray {
   const at = new Vector2(
     (((pixel % WIDTH) + 0.5) / WIDTH) * 2 - 1,
     ((Math.floor(pixel / WIDTH) + 0.5) / HEIGHT) * 2 - 1,
   );
   const caster = new Raycaster();
   caster.setFromCamera(at, camera);
-  const { origin, direction } = caster.ray;
+  return caster.ray;
+}
+
+function groundPoint({ origin, direction }: Ray, withMesh: boolean): Vector3 | undefined {
   const distance = (GROUND_Y - origin.y) / direction.y;
   if (!(distance > 0)) return undefined;
   const point = origin.clone().addScaledVector(direction, distance);
