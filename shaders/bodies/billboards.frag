@@ -35,6 +35,7 @@ layout(location = 1) out vec4 lit;
 #include ../lib/shade.glsl
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
+#include ../lib/contact.glsl
 
 // A body must stay off both ends of the depth range: a volume that encloses the eye is clamped to exactly 0 and has to win.
 const float DEPTH_MARGIN = 4e-7;
@@ -52,17 +53,24 @@ void main() {
   vec2 outward = turned(puffPoint) / max(length(puffPoint), 1e-6);
   float reach = inkReach * exp2(-inkSwell) * swelling(outward, towardsLight, inkSwell);
   if (distanceOutside > reach) discard;
-  bool isInk = distanceOutside > 0.0;
-  float ink = isInk ? inkShare(reach * radius / viewUnitsPerPixel(clipFromView, viewport, centreZ)) : 0.0;
+  bool isRing = distanceOutside > 0.0;
+  float pixel = viewUnitsPerPixel(clipFromView, viewport, centreZ);
+  float linePixels = reach * radius / pixel;
 
   vec3 normal = shape.rgb * 2.0 - 1.0;
   normal.xy = turned(normal.xy);
+  normal = normalize(normal);
+  float viewZ = centreZ + (shape.a - 0.5) * 2.0 * pad * radius;
+  bool isInk = isRing || isSeam(clipFromView, viewZ, normal, pixel, linePixels);
+  float ink = isInk ? inkShare(linePixels) : 0.0;
   vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
-  Shades shades = shade(normalize(normal), towardsLight, ramps, material, gradient, rim);
+  Shades shades = shade(normal, towardsLight, ramps, material, gradient, rim);
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), 0.0);
 
-  float quadWidth = 2.0 * pad * radius;
-  float viewZ = centreZ + (shape.a - 0.5) * quadWidth - (isInk ? ringDrop : 0.0);
-  gl_FragDepth = clamp(windowDepth(clipFromView, viewZ), DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
+  float outside = distanceOutside * radius;
+  float depth = isRing
+    ? ringDepth(clipFromView, viewZ, viewZ - ringDrop, outside, -outward * (outside / pixel + 0.5))
+    : windowDepth(clipFromView, viewZ);
+  gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 }

@@ -28,10 +28,11 @@ layout(location = 1) out vec4 lit;
 #include ../lib/shade.glsl
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
+#include ../lib/contact.glsl
 
 // A body must stay off both ends of the depth range: a volume that encloses the eye is clamped to exactly 0 and has to win.
 const float DEPTH_MARGIN = 4e-7;
-const float NOWHERE = -1e9;
+const float NOWHERE = -1e8;
 
 // Height of a lobe's front over a point of the image plane.
 float frontOf(vec4 lobe, vec2 point) {
@@ -40,10 +41,12 @@ float frontOf(vec4 lobe, vec2 point) {
   return squared > 0.0 ? lobe.z + sqrt(squared) : NOWHERE;
 }
 
-// The nearer of two silhouettes. x: how far the point lies outside of it, y: its height.
-vec2 nearerRim(vec2 rim, vec4 lobe, vec2 point) {
+// The nearer of two silhouettes that the point lies outside of. xy: the middle of its lobe, z: its height, w: how far.
+// Lobes that a surface hides have no line; `surface` is its height.
+vec4 nearerRim(vec4 nearest, vec4 lobe, vec2 point, float surface) {
   float outside = length(point - lobe.xy) - lobe.w;
-  return outside < rim.x ? vec2(outside, lobe.z) : rim;
+  bool isHidden = lobe.z + STEEPEST * outside < surface;
+  return outside > 0.0 && outside < nearest.w && !isHidden ? vec4(lobe.xyz, outside) : nearest;
 }
 
 // The lobe's own direction at a place, as much of it as the fillet along creases mixes in.
@@ -70,20 +73,23 @@ void main() {
   }
   #pragma unroll_loop_end
 
-  bool isInk = height == NOWHERE;
-  float ink = 0.0;
-  if (isInk) {
-    vec2 rim = vec2(1e9, 0.0);
+  float radius = depthsAndRamp.y;
+  float pixel = viewUnitsPerPixel(clipFromView, viewport, depthsAndRamp.x);
+  vec2 outward = normalize(point - middleAndInkReach.xy);
+  float reach = middleAndInkReach.w * exp2(-inkSwell) * swelling(outward, towardsLight, inkSwell);
+  float linePixels = reach * radius / pixel;
+  // Where a surface hides the nearest lobe, the line of its neighbour may still run over that surface.
+  float surface = (surfaceZ(clipFromView) - depthsAndRamp.x) / radius;
+  bool isRing = height <= max(NOWHERE, surface);
+  vec4 line = vec4(0.0, 0.0, 0.0, 1e9);
+  if (isRing) {
     #pragma unroll_loop_start
     for (int i = 0; i < LOBES; i++) {
-      rim = nearerRim(rim, lobes[ i ], point);
+      line = nearerRim(line, lobes[ i ], point, surface - 2.0 * reach);
     }
     #pragma unroll_loop_end
-    vec2 outward = normalize(point - middleAndInkReach.xy);
-    float reach = middleAndInkReach.w * exp2(-inkSwell) * swelling(outward, towardsLight, inkSwell);
-    if (rim.x > reach) discard;
-    ink = inkShare(reach * depthsAndRamp.y / viewUnitsPerPixel(clipFromView, viewport, depthsAndRamp.x));
-    height = rim.y;
+    if (line.w > reach) discard;
+    height = line.z;
   }
 
   vec3 place = vec3(point, height);
@@ -93,13 +99,22 @@ void main() {
     normal += shareOf(lobes[ i ], place);
   }
   #pragma unroll_loop_end
-  normal = mix(normalize(normal), normalize(place - middleAndInkReach.xyz), blend);
+  normal = normalize(normal);
+
+  float viewZ = depthsAndRamp.x + height * radius;
+  bool isInk = isRing || isSeam(clipFromView, viewZ, normal, pixel, linePixels);
+  float ink = isInk ? inkShare(linePixels) : 0.0;
+  normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
 
   vec3 gradient = mix(gradientFactor, vec3(1.0), clamp(pointAndGradient.z, 0.0, 1.0));
   Shades shades = shade(normalize(normal), towardsLight, ramps, depthsAndRamp.w, gradient, rim);
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), 0.0);
 
-  float viewZ = depthsAndRamp.x + height * depthsAndRamp.y - (isInk ? depthsAndRamp.z : 0.0);
-  gl_FragDepth = clamp(windowDepth(clipFromView, viewZ), DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
+  float outside = line.w * radius;
+  vec2 inward = normalize(line.xy - point) * (outside / pixel + 0.5);
+  float depth = isRing
+    ? ringDepth(clipFromView, viewZ, viewZ - depthsAndRamp.z, outside, inward)
+    : windowDepth(clipFromView, viewZ);
+  gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 }

@@ -20,12 +20,15 @@ import type { Eye } from '../device/eye.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
 import { withLobes } from '../device/unroll.ts';
+import type { SurfaceDepthPass } from './surfaceDepth.ts';
 import { InkUniforms, type InkLine } from './ink.ts';
 
 /** What runs along a gradient fill. */
 export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
 
 const GRADIENTS: readonly Gradient[] = ['puff', 'height', 'screen', 'age'];
+
+const NO_SURFACES = { surfaceDepth: { value: null }, hasSurfaces: { value: false } };
 
 /** Draws the bodies: colour in light and in shadow, ink, and depth. Opaque and free of any order. */
 export class BodiesPass {
@@ -55,12 +58,22 @@ export class BodiesPass {
     distanceRange: { value: 1 },
   };
 
-  /** @param ramps holds those of the tints from 1 on, and says by its bands which one a body without a tint has */
-  constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, rows: BufferGeometry) {
+  /**
+   * @param ramps holds those of the tints from 1 on, and says by its bands which one a body without a tint has
+   * @param surfaceDepth of the surfaces that bodies may touch; none where absent
+   */
+  constructor(
+    eye: Eye,
+    puffs: PuffTextures,
+    ramps: RampTexture,
+    rows: BufferGeometry,
+    surfaceDepth?: SurfaceDepthPass,
+  ) {
     this.puffs = puffs;
     this.common = {
       ...eye.uniforms,
       ...this.ink.uniforms,
+      ...(surfaceDepth?.uniforms ?? NO_SURFACES),
       ...this.uniforms,
       ramps: { value: ramps.texture },
       ...this.puffUniforms,

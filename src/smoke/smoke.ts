@@ -10,6 +10,7 @@ import { MaskPass } from '../passes/mask.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import { ResolvePass } from '../passes/resolve.ts';
 import { SurfacesPass, type SurfaceDescription } from '../passes/surfaces.ts';
+import { SurfaceDepthPass } from '../passes/surfaceDepth.ts';
 import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
 import { bakedPuffs } from './bakedPuffs.ts';
@@ -28,6 +29,7 @@ export interface SmokePasses {
   readonly casters: Instances;
   readonly backdrop: BackdropPass;
   readonly surfaces: SurfacesPass;
+  readonly surfaceDepth: SurfaceDepthPass;
   readonly body: BodiesPass;
   readonly meshVolumes: MeshVolumesPass;
   readonly volumes: VolumesPass;
@@ -77,6 +79,7 @@ export class SmokeRenderer {
     const bodies = new Instances(capacity, ONE_QUAD);
     const casters = new Instances(capacity, FRONT_AND_BACK);
     const surfacesPass = new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces);
+    const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0);
     const meshVolumes = new MeshVolumesPass(eye, surfaces);
     this.passes = {
       renderer: device.renderer,
@@ -86,7 +89,8 @@ export class SmokeRenderer {
       casters,
       backdrop: new BackdropPass(eye),
       surfaces: surfacesPass,
-      body: new BodiesPass(eye, this.puffs, this.ramps, bodies.geometry),
+      surfaceDepth,
+      body: new BodiesPass(eye, this.puffs, this.ramps, bodies.geometry, surfaceDepth),
       meshVolumes,
       volumes: new VolumesPass(eye, this.puffs, casters.geometry),
       mask: new MaskPass(),
@@ -151,6 +155,7 @@ export class SmokeRenderer {
     const { passes } = this;
     for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop, passes.surfaces])
       part.dispose();
+    passes.surfaceDepth.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
     passes.rivals.dispose();
     this.ramps.dispose();
