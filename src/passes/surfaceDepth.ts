@@ -17,6 +17,7 @@ import type { Targets } from './targets.ts';
 export class SurfaceDepthPass {
   readonly uniforms: { surfaceDepth: IUniform<DepthTexture>; hasSurfaces: IUniform<boolean> };
   private readonly copy: WebGLRenderTarget;
+  private readonly hasSurfaces: boolean;
 
   /** @param hasSurfaces whether there is anything to touch; without it nothing is copied and no memory is taken */
   constructor(hasSurfaces: boolean) {
@@ -30,11 +31,13 @@ export class SurfaceDepthPass {
       stencilBuffer: true,
       depthTexture,
     });
-    this.uniforms = { surfaceDepth: { value: depthTexture }, hasSurfaces: { value: hasSurfaces } };
+    this.hasSurfaces = hasSurfaces;
+    this.uniforms = { surfaceDepth: { value: depthTexture }, hasSurfaces: { value: false } };
   }
 
-  /** Copies the depth and goes on drawing into the targets. */
-  draw(renderer: WebGLRenderer, targets: Targets): void {
+  /** Copies the depth, if lines are drawn at all, and goes on drawing into the targets. */
+  draw(renderer: WebGLRenderer, targets: Targets, isInked: boolean): void {
+    this.uniforms.hasSurfaces.value = isInked && this.hasSurfaces;
     if (!this.uniforms.hasSurfaces.value) return;
     this.copy.setSize(targets.width, targets.height);
     renderer.initRenderTarget(this.copy);

@@ -56,7 +56,7 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   targets.begin(renderer);
   if (passes.hasBackdrop) passes.backdrop.draw(renderer);
   passes.surfaces.draw(renderer);
-  if (input.style.outlines) passes.surfaceDepth.draw(renderer, targets);
+  passes.surfaceDepth.draw(renderer, targets, input.style.outlines);
   if (input.style.renderer === 'nailboards') drawNailboards(passes, input);
   else drawRival[input.style.renderer](passes, input);
   return report;

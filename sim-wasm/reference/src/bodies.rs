@@ -3,6 +3,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
+use crate::contact::{Ground, Ring};
 use crate::ink::{self, Line};
 use crate::light::Light;
 use crate::lobes::Lobes;
@@ -73,23 +74,40 @@ impl<'a> Body<'a> {
         [corners[0].min(corners[1]), corners[0].max(corners[1])]
     }
 
-    /// `screen`: from 0 at the bottom of the picture to 1 at its top.
-    pub fn meet(&self, ray: Ray, screen: f64) -> Option<BodyHit> {
+    /// `screen`: from 0 at the bottom of the picture to 1 at its top. `at`: the pixel.
+    pub fn meet(&self, ray: Ray, screen: f64, ground: &Ground, at: [i64; 2]) -> Option<BodyHit> {
         let point = (ray.at(-self.center.z) - self.center).truncate() / self.radius;
-        let meeting = self.lobes.meet(point);
-        let is_ink = meeting.outside >= 0.0;
         let width = self.line.width(point - self.lobes.middle.truncate());
-        if is_ink && meeting.outside * self.radius > width * self.pixel {
+        let surface = (ground.z(at) - self.center.z) / self.radius;
+        let meeting = self.lobes.meet(point, surface, 2.0 * width * self.pixel / self.radius);
+        let is_ring = meeting.outside > 0.0;
+        if is_ring && meeting.outside * self.radius > width * self.pixel {
             return None;
         }
-        let normal = self.lobes.normal(point.extend(meeting.height));
+        let place = point.extend(meeting.height);
+        let z = self.center.z + meeting.height * self.radius;
+        let is_ink = is_ring || ground.is_seam(at, z, self.lobes.form_normal(place), self.pixel, width);
+        let normal = self.lobes.normal(place);
         let style = &self.scene.style;
         let ramp = &style.smoke_ramps[self.look.ramp(&style.bands)];
         let gradient = gradient_factor(style, &self.along(point, screen));
         let shade = Shade::of_puff(style, ramp, normal, self.light, gradient);
-        let behind = if is_ink { style.inner_line } else { 0.0 };
+        let depth = if is_ring {
+            let outside = meeting.outside * self.radius;
+            ground.ring_depth(
+                at,
+                &Ring {
+                    rim: z,
+                    sunken: z - style.inner_line * self.radius,
+                    outside,
+                    inward: (meeting.rim - point).normalize_or_zero() * (outside / self.pixel + 0.5),
+                },
+            )
+        } else {
+            -z
+        };
         Some(BodyHit {
-            depth: -self.center.z - (meeting.height - behind) * self.radius,
+            depth,
             is_ink,
             shade: if is_ink {
                 shade.inked(DVec3::from(style.ink_color), ink::share(width))

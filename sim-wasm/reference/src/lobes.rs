@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
+use crate::contact::STEEPEST;
 use crate::scene::Puffs;
 
 #[derive(Clone, Copy)]
@@ -24,6 +25,8 @@ pub struct Meeting {
     pub height: f64,
     /// To the silhouette; not above 0 inside.
     pub outside: f64,
+    /// Middle of the lobe whose silhouette is nearest.
+    pub rim: DVec2,
 }
 
 impl Lobes {
@@ -51,34 +54,49 @@ impl Lobes {
             .fold(0.0, f64::max)
     }
 
-    pub fn meet(&self, point: DVec2) -> Meeting {
-        let mut meeting = Meeting {
+    /// `surface`: height of what hides all that lies deeper; lobes deeper than that by more than `slack` have no rim.
+    pub fn meet(&self, point: DVec2, surface: f64, slack: f64) -> Meeting {
+        let mut top = f64::NEG_INFINITY;
+        let mut rim = Meeting {
             height: 0.0,
             outside: f64::INFINITY,
+            rim: DVec2::ZERO,
         };
-        let mut top = f64::NEG_INFINITY;
         for lobe in &self.lobes {
-            let beside = point.distance(lobe.center.truncate());
-            if beside - lobe.radius < meeting.outside {
-                meeting = Meeting {
+            let middle = lobe.center.truncate();
+            let outside = point.distance(middle) - lobe.radius;
+            if outside <= 0.0 {
+                let beside = point.distance_squared(middle);
+                top = top.max(lobe.center.z + (lobe.radius.powi(2) - beside).sqrt());
+            } else if outside < rim.outside && lobe.center.z + STEEPEST * outside >= surface - slack {
+                rim = Meeting {
                     height: lobe.center.z,
-                    outside: beside - lobe.radius,
+                    outside,
+                    rim: middle,
                 };
             }
-            if beside < lobe.radius {
-                top = top.max(lobe.center.z + (lobe.radius.powi(2) - beside.powi(2)).sqrt());
-            }
         }
-        if meeting.outside < 0.0 {
-            Meeting { height: top, ..meeting }
+        if top > surface {
+            Meeting {
+                height: top,
+                outside: 0.0,
+                rim: point,
+            }
         } else {
-            meeting
+            rim
         }
     }
 
-    /// Unit normal at a place of the surface or its rim: of the lobes there, one going over into the next along a
-    /// crease, mixed with the direction from the middle of all.
+    /// Unit normal at a place of the surface or its rim for its shade: that of the form, mixed with the direction from
+    /// the middle of all.
     pub fn normal(&self, place: DVec3) -> DVec3 {
+        self.form_normal(place)
+            .lerp((place - self.middle).normalize(), self.blend)
+            .normalize()
+    }
+
+    /// Unit normal of the lobes at a place, one going over into the next along a crease.
+    pub fn form_normal(&self, place: DVec3) -> DVec3 {
         let mut own = DVec3::ZERO;
         for lobe in &self.lobes {
             let outward = place - lobe.center;
@@ -86,8 +104,6 @@ impl Lobes {
             own += (1.0 - away / self.fillet).max(0.0).powi(2) * outward.normalize_or_zero();
         }
         own.normalize()
-            .lerp((place - self.middle).normalize(), self.blend)
-            .normalize()
     }
 }
 

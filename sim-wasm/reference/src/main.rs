@@ -3,6 +3,7 @@
 //! middle of each pixel and nothing shared with the shaders, so that the two can be compared.
 
 mod bodies;
+mod contact;
 mod hull;
 mod ink;
 mod light;

@@ -3,6 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::bodies::{Body, BodyHit};
+use crate::contact::Ground;
 use crate::hull::{Covered, Hull};
 use crate::light::Light;
 use crate::ray::Camera;
@@ -63,9 +64,14 @@ pub fn draw(scene: &Scene) -> Picture {
     for index in 0..scene.surfaces.len() {
         painter.draw_line(index, &mut seen);
     }
+    let ground = Ground {
+        camera: &painter.camera,
+        width: scene.width,
+        depths: seen.iter().map(|seen| seen.window_depth).collect(),
+    };
     for (index, &row) in scene.bodies.iter().enumerate() {
         if let Some(body) = Body::new(scene, &painter.camera, &painter.light, row) {
-            painter.draw_body(&body, index as u32, &mut seen);
+            painter.draw_body(&body, index as u32, &ground, &mut seen);
         }
     }
     let counts = seen
@@ -162,14 +168,14 @@ impl<'a> Painter<'a> {
         }
     }
 
-    fn draw_body(&self, body: &Body, what: u32, seen: &mut [Nearest]) {
+    fn draw_body(&self, body: &Body, what: u32, ground: &Ground, seen: &mut [Nearest]) {
         let [lowest, highest] = body.extent(&self.camera);
         let span = |low: f64, high: f64, size: usize| low.max(0.0) as usize..(high.max(0.0) as usize + 1).min(size);
         for y in span(lowest.y, highest.y, self.scene.height) {
             for x in span(lowest.x, highest.x, self.scene.width) {
                 let pixel = y * self.scene.width + x;
                 let ray = self.camera.ray(self.middle_of(pixel));
-                if let Some(hit) = body.meet(ray, self.height_of(pixel)) {
+                if let Some(hit) = body.meet(ray, self.height_of(pixel), ground, [x as i64, y as i64]) {
                     self.put(hit, what, &mut seen[pixel]);
                 }
             }
