@@ -66,7 +66,7 @@ void main() {
   vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
   Shades shades = shade(normal, towardsLight, ramps, material, gradient, rim);
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
-  lit = vec4(mix(shades.lit, inkColor, ink), 0.0);
+  lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
 
   float outside = distanceOutside * radius;
   float depth = isRing

@@ -109,7 +109,7 @@ void main() {
   vec3 gradient = mix(gradientFactor, vec3(1.0), clamp(pointAndGradient.z, 0.0, 1.0));
   Shades shades = shade(normalize(normal), towardsLight, ramps, depthsAndRamp.w, gradient, rim);
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
-  lit = vec4(mix(shades.lit, inkColor, ink), 0.0);
+  lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
 
   float outside = line.w * radius;
   vec2 inward = normalize(line.xy - point) * (outside / pixel + 0.5);

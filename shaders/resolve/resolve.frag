@@ -6,6 +6,7 @@ precision highp float;
 // 'Morphological Antialiasing' (2009).
 uniform sampler2D unlit;
 uniform sampler2D lit;
+uniform vec3 deepShadow;
 uniform bool smoothEdges;
 
 out vec4 pixel;
@@ -15,12 +16,17 @@ out vec4 pixel;
 // Half a step of an 8-bit channel would be noise; anything an eye sees as an edge is far above this.
 const float EDGE = 0.04;
 const int LONGEST = 12;
+// Around 3/4, which the mask says of deep shadow; 1/2 or 1 is plain shadow.
+const vec2 DEEP = vec2(0.625, 0.875);
 
 vec4 toneAt(ivec2 at) {
   ivec2 inside = clamp(at, ivec2(0), textureSize(lit, 0) - 1);
   vec4 shadowed = texelFetch(unlit, inside, 0);
   vec4 direct = texelFetch(lit, inside, 0);
-  return vec4(mix(direct.rgb, shadowed.rgb, direct.a), shadowed.a);
+  // Ink holds 1 from the start, and is the same in every light.
+  bool isDeep = direct.a > DEEP.x && direct.a < DEEP.y;
+  if (isDeep) shadowed.rgb *= deepShadow;
+  return vec4(direct.a > 0.25 ? shadowed.rgb : direct.rgb, shadowed.a);
 }
 
 float difference(vec4 a, vec4 b) {

@@ -7,5 +7,5 @@ layout(location = 1) out vec4 lit;
 
 void main() {
   unlit = vec4(inkColor, 1.0);
-  lit = vec4(inkColor, 0.0);
+  lit = vec4(inkColor, 1.0);
 }

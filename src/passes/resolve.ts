@@ -1,7 +1,16 @@
-import { GLSL3, NoBlending, RawShaderMaterial, type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import {
+  Color as ThreeColor,
+  GLSL3,
+  NoBlending,
+  RawShaderMaterial,
+  type Texture,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
 import fragmentShader from '../../shaders/resolve/resolve.frag';
 import vertexShader from '../../shaders/lib/fullScreen.vert';
 import { FullScreen } from '../device/fullScreen.ts';
+import { writeColor, type Color } from '../device/ramps.ts';
 import type { Targets } from './targets.ts';
 
 /** Chooses lit or unlit by the mask, smooths edges and writes premultiplied colour to the canvas or to a target. */
@@ -9,6 +18,7 @@ export class ResolvePass {
   private readonly uniforms = {
     unlit: { value: null as Texture | null },
     lit: { value: null as Texture | null },
+    deepShadow: { value: new ThreeColor() },
     smoothEdges: { value: true },
   };
   private readonly triangle: FullScreen;
@@ -24,6 +34,11 @@ export class ResolvePass {
       blending: NoBlending,
     });
     this.triangle = new FullScreen(material);
+  }
+
+  /** @param color what the colour of shadow is multiplied by where shadow is deep */
+  setDeepShadow(color: Color): void {
+    writeColor(color, this.uniforms.deepShadow);
   }
 
   set smoothEdges(smooth: boolean) {

@@ -216,6 +216,26 @@ export const table: readonly Parameter[] = [
   toggle('outlines', 'Outlines', 'Ink around the smoke and between its puffs.'),
   toggle('shadows', 'Shadows', 'Smoke shades itself and what stands below it.'),
   choice(
+    'style.shadowSteps',
+    'style',
+    'style',
+    { label: 'Shadow steps', text: 'Two steps let shadow grow darker where much stands in the light.', default: 1 },
+    [
+      [1, 'One'],
+      [2, 'Two'],
+    ],
+  ),
+  quantity('style.shadowDepth', 'style', 'style', {
+    kind: 'integer',
+    min: 2,
+    max: 100,
+    step: 1,
+    default: 6,
+    label: 'Deep from',
+    text: 'How many puffs and things must shade a place for the second step of shadow.',
+  }),
+  color('deepShadow', 'Deep shadow', 'The colours of shadow are multiplied by this in its second step.', '#a79bc9'),
+  choice(
     'style.tones',
     'style',
     'style',

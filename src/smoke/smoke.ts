@@ -167,7 +167,7 @@ export class SmokeRenderer {
   }
 
   private apply(style: Style, pixelRatio: number): void {
-    const { body, surfaces, volumes } = this.passes;
+    const { body, surfaces, volumes, mask, resolve } = this.passes;
     const line = inkLineOf(style, pixelRatio);
     this.writeRamps(style);
     body.setInk(line, style.innerLine);
@@ -176,6 +176,8 @@ export class SmokeRenderer {
     body.setForm(style.form);
     surfaces.setInk(line);
     volumes.follow(style.form, turnOf(style));
+    mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);
+    resolve.setDeepShadow(style.deepShadow);
     this.style = style;
     this.pixelRatio = pixelRatio;
   }

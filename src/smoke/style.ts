@@ -14,6 +14,10 @@ export interface Style extends Toning {
   form: PuffForm;
   outlines: boolean;
   shadows: boolean;
+  /** Steps of shadow: where `shadowDepth` volumes and more hold a place, the second is `deepShadow` times the first. */
+  shadowSteps: 1 | 2;
+  shadowDepth: number;
+  deepShadow: Color;
   gradient: Gradient;
   gradientColor: Color;
   /** World heights between which the gradient 'height' runs, metres. */
@@ -46,6 +50,9 @@ export function styleOf(values: Values): Style {
     shading: values['style.shading'] === 1,
     outlines: values['style.outlines'] === 1,
     shadows: values['style.shadows'] === 1,
+    shadowSteps: values['style.shadowSteps'] as 1 | 2,
+    shadowDepth: values['style.shadowDepth'] as number,
+    deepShadow: parseColor(values['style.deepShadow'] as string),
     gradient: values['style.gradient'] as Gradient,
     gradientColor: parseColor(values['style.gradientColor'] as string),
     gradientHeights: [values['style.gradientBottom'] as number, values['style.gradientTop'] as number],

@@ -39,3 +39,11 @@ for (const count of [256, 512]) {
     expect(report.lit).toBe(0);
   });
 }
+
+test('two steps of shadow show exactly three colours on the ground, by the count', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const report = await cases.evaluate((module) => module.steps(3));
+  expect(report.wrong).toBe(0);
+  expect(report.foreign).toEqual([]);
+  expect(Math.min(report.lit, report.shadow, report.deep)).toBeGreaterThan(500);
+});

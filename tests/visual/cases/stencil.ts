@@ -5,7 +5,9 @@
 import { type Camera, OrthographicCamera, PerspectiveCamera, type Ray, Raycaster, Vector2, Vector3 } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
-import { takePicture, type LabPuff, type LabScene } from '../lab.ts';
+import { multiply, rampOf, surfaceToning } from '../../../src/smoke/palette.ts';
+import type { Color } from '../../../src/device/ramps.ts';
+import { PLAIN_STYLE, takePicture, type LabPuff, type LabScene } from '../lab.ts';
 import { box, ground } from '../solids.ts';
 import { random } from '../random.ts';
 import { holds, towardsLightOf, volumeOf, type View } from '../shadowVolume.ts';
@@ -121,6 +123,44 @@ export function coincident(count: number): { shadowed: number; lit: number } {
   const many = draw(Array.from({ length: count }, () => one));
   const shadowed = single.filter((value) => value > 0).length;
   return { shadowed, lit: single.filter((value, pixel) => value > 0 && many[pixel] === 0).length };
+}
+
+/** Pixels of a ground under puffs by the colour that their count asks for, and those that have another. */
+export function steps(shadowDepth: number): {
+  lit: number;
+  shadow: number;
+  deep: number;
+  wrong: number;
+  foreign: string[];
+} {
+  const view = VIEWS.ordinary();
+  const deepShadow: Color = [120, 96, 200];
+  const style = { shadowSteps: 2, shadowDepth, deepShadow } as const;
+  const scene = { width: WIDTH, height: HEIGHT, camera: view.camera, ...lightOf(view), style };
+  const surfaces = [ground(GROUND_Y, GROUND_HALF)];
+  const { counts, pixels } = takePicture({ ...scene, puffs: [], casters: cluster(45), surfaces, readCounts: true });
+  const ramp = rampOf(surfaces[0].color, surfaceToning(PLAIN_STYLE));
+  const shadow = ramp.unlit[0].color;
+  const tones = { lit: ramp.lit[1].color, shadow, deep: multiply(shadow, deepShadow) };
+  const result = { lit: 0, shadow: 0, deep: 0, wrong: 0, foreign: foreignColors(scene, shadowDepth) };
+  counts.forEach((count, pixel) => {
+    if (pixels[4 * pixel + 3] === 0) return;
+    const step = count === 0 ? 'lit' : count < shadowDepth ? 'shadow' : 'deep';
+    result[step] += 1;
+    if (tones[step].join() !== pixels.slice(4 * pixel, 4 * pixel + 3).join()) result.wrong += 1;
+  });
+  return result;
+}
+
+/** Colours of puffs that shade each other which are neither a tone, nor a step of shadow, nor the ink, nor the page. */
+function foreignColors(scene: Omit<LabScene, 'puffs'>, shadowDepth: number): string[] {
+  const { lit, unlit } = rampOf(PLAIN_STYLE.smokeColor, PLAIN_STYLE);
+  const deep = multiply(unlit[0].color, scene.style!.deepShadow!);
+  const known = [...lit.map(({ color }) => color), deep, PLAIN_STYLE.inkColor].map((color) => `${color.join()},255`);
+  const { pixels } = takePicture({ ...scene, puffs: cluster(45), style: { ...scene.style, shadowDepth } });
+  const found = new Set<string>(['0,0,0,0']);
+  for (let at = 0; at < pixels.length; at += 4) found.add(pixels.slice(at, at + 4).join());
+  return [...found].filter((color) => color !== '0,0,0,0' && !known.includes(color));
 }
 
 function cluster(count: number): LabPuff[] {
