@@ -18,18 +18,15 @@ export const DEFAULT_DESIGN: PuffDesign = { lumpiness: 0.8, flatness: 0.2, rough
 /** How many variations smoke has unless told otherwise. */
 export const DEFAULT_VARIATIONS = 4;
 
-/** A variation that was chosen by eye, and by how much its knobs differ from those of all. */
-interface Chosen extends Partial<PuffKnobs> {
-  readonly name: string;
-  readonly seed: number;
-}
-
-const CHOSEN: readonly Chosen[] = [
-  { name: 'cauliflower', seed: 7, flatness: -0.1 },
-  { name: 'drifter', seed: 3, flatness: 0.15, roughness: -0.05 },
-  { name: 'crown', seed: 13, lumpiness: 0.05, flatness: -0.05 },
-  { name: 'tumble', seed: 14, lumpiness: 0.05, flatness: -0.05 },
+/** By how much the knobs of a variation differ from those of all: some are flatter, some more of a bunch. By turns. */
+const LEANS: readonly (Partial<PuffKnobs> & { readonly name: string })[] = [
+  { name: 'cauliflower', flatness: -0.1 },
+  { name: 'drifter', flatness: 0.15, roughness: -0.05 },
+  { name: 'crown', lumpiness: 0.05, flatness: -0.05 },
+  { name: 'tumble', lumpiness: 0.05, flatness: -0.05 },
 ];
+/** The seeds that were chosen by eye, by variation. */
+const CHOSEN_SEEDS = [7, 3, 13, 14, 4, 23, 11, 16, 21, 8, 25, 31];
 /** Seeds of one design's variations lie together, those of another elsewhere. */
 const SEED_STRIDE = 1000;
 
@@ -39,15 +36,16 @@ export function designedShapes(design: PuffDesign, count: number): PuffShape[] {
 }
 
 function designedShape(design: PuffDesign, variation: number): PuffShape {
-  const lean = CHOSEN[variation % CHOSEN.length];
-  const isChosen = design.seed === 0 && variation < CHOSEN.length;
-  const seed = isChosen ? lean.seed : design.seed * SEED_STRIDE + 100 + variation;
+  const lean = LEANS[variation % LEANS.length];
+  const chosen = design.seed === 0 ? CHOSEN_SEEDS[variation] : undefined;
+  const seed = chosen ?? design.seed * SEED_STRIDE + 100 + variation;
   const knobs: PuffKnobs = {
     lumpiness: leant(design.lumpiness, lean.lumpiness),
     flatness: leant(design.flatness, lean.flatness),
     roughness: leant(design.roughness, lean.roughness),
   };
-  return proceduralPuff(isChosen ? lean.name : `${lean.name} ${seed}`, seed, knobs, design.lobes);
+  const isFirst = design.seed === 0 && variation < LEANS.length;
+  return proceduralPuff(isFirst ? lean.name : `${lean.name} ${seed}`, seed, knobs, design.lobes);
 }
 
 function leant(knob: number, lean = 0): number {

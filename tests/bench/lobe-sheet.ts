@@ -1,17 +1,19 @@
 /**
  * A contact sheet of puffs of lobes: a row for each shape, turned this way and that, in light from the upper left and
- * with ink, as the bodies' shader computes them.
+ * with ink, as the bodies' shader computes them. First the variations that were chosen by eye, then the ends of each knob.
  */
 import { writeFileSync } from 'node:fs';
 import { PNG } from 'pngjs';
 import { meetLobes, sampleLobes } from '../../src/puffs/lobes.ts';
-import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
+import { DEFAULT_DESIGN, designedShapes } from '../../src/puffs/lobeShapes.ts';
 import { orientationOf, turnedLobes } from '../../src/puffs/orientation.ts';
 import type { Lobe, PuffShape } from '../../src/puffs/shapes.ts';
 import { dot, normalized } from '../../src/puffs/vector.ts';
 
 type Color = readonly [red: number, green: number, blue: number];
 
+/** How many variations were chosen by eye. */
+const CHOSEN = 12;
 const TILE = 140;
 const COLUMNS = 9;
 /** Half the width of a tile, and the width of the ink, in particle radii. */
@@ -22,8 +24,23 @@ const [PAPER, INK]: Color[] = [[255, 255, 255], [29, 23, 32]]; // prettier-ignor
 /** The tones from shade to light, and where on N . L they begin. */
 const TONES: readonly (readonly [number, Color])[] = [[-1, [144, 131, 173]], [0.3, [206, 189, 205]], [0.66, [246, 239, 226]]]; // prettier-ignore
 
+function sheetShapes(): PuffShape[] {
+  const ends = [
+    { lumpiness: 0 },
+    { lumpiness: 1 },
+    { flatness: 1 },
+    { roughness: 0 },
+    { roughness: 1 },
+    { lobes: 5 },
+    { lobes: 12 },
+    { seed: 1 },
+  ];
+  const turned = ends.flatMap((end) => designedShapes({ ...DEFAULT_DESIGN, ...end }, 1));
+  return [...designedShapes(DEFAULT_DESIGN, CHOSEN), ...turned];
+}
+
 /** Writes the sheet as a PNG. */
-export function writeSheet(file: string, shapes: readonly PuffShape[] = LOBE_SHAPES): void {
+export function writeSheet(file: string, shapes = sheetShapes()): void {
   const png = new PNG({ width: COLUMNS * TILE, height: shapes.length * TILE });
   shapes.forEach(({ lobes }, row) => {
     for (let column = 0; column < COLUMNS; column++) {
