@@ -28,7 +28,15 @@ const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['backlit', [{ tones: 3 }, { gradient: 'height' }, { gradient: 'screen' }]],
 ];
 const TONES: readonly (readonly [SceneName, readonly Mode[]])[] = [
-  ['perspective', [{ fill: 0.4, rim: 0.5 }, { stops: STOPS }, { ageColors: FIRE, heatColors: STOPS }]],
+  [
+    'perspective',
+    [
+      { fill: 0.4, rim: 0.5 },
+      { stops: STOPS },
+      { stops: STOPS, isBlended: true, fill: 0.5 },
+      { ageColors: FIRE, heatColors: STOPS },
+    ],
+  ],
   ['backlit', [{ stops: STOPS, fill: 0.4, rim: 0.3 }]],
 ];
 const LAMPS: readonly (readonly [SceneName, readonly Mode[]])[] = [

@@ -6,7 +6,7 @@ use glam::{DMat3, DVec2, DVec3};
 use crate::contact::{Ground, Ring};
 use crate::ink::{self, Line};
 use crate::light::Light;
-use crate::lobes::Lobes;
+use crate::lobes::{Lobes, Meeting};
 use crate::look::Look;
 use crate::ray::{Camera, Ray};
 use crate::scene::{Row, Scene, Style};
@@ -32,7 +32,6 @@ pub struct Body<'a> {
 /// What a ray meets of a body.
 pub struct BodyHit {
     pub depth: f64,
-    pub is_ink: bool,
     pub shade: Shade,
 }
 
@@ -87,34 +86,36 @@ impl<'a> Body<'a> {
         let place = point.extend(meeting.height);
         let z = self.center.z + meeting.height * self.radius;
         let is_ink = is_ring || ground.is_seam(at, z, self.lobes.form_normal(place), self.pixel, width);
-        let normal = self.lobes.normal(place);
-        let style = &self.scene.style;
-        let ramp = &style.smoke_ramps[self.look.ramp(&style.bands)];
-        let gradient = gradient_factor(style, &self.along(point, screen));
-        let shade = Shade::of_puff(style, ramp, normal, self.light, gradient);
-        let depth = if is_ring {
-            let outside = meeting.outside * self.radius;
-            ground.ring_depth(
-                at,
-                &Ring {
-                    rim: z,
-                    sunken: z - style.inner_line * self.radius,
-                    outside,
-                    inward: (meeting.rim - point).normalize_or_zero() * (outside / self.pixel + 0.5),
-                },
-            )
-        } else {
-            -z
-        };
+        let shade = self.shade(place, screen);
         Some(BodyHit {
-            depth,
-            is_ink,
+            depth: if is_ring {
+                ground.ring_depth(at, &self.ring(z, &meeting, point))
+            } else {
+                -z
+            },
             shade: if is_ink {
-                shade.inked(DVec3::from(style.ink_color), ink::share(width))
+                shade.inked(DVec3::from(self.scene.style.ink_color), ink::share(width))
             } else {
                 shade
             },
         })
+    }
+
+    fn ring(&self, z: f64, meeting: &Meeting, point: DVec2) -> Ring {
+        let outside = meeting.outside * self.radius;
+        Ring {
+            rim: z,
+            sunken: z - self.scene.style.inner_line * self.radius,
+            outside,
+            inward: (meeting.rim - point).normalize_or_zero() * (outside / self.pixel + 0.5),
+        }
+    }
+
+    fn shade(&self, place: DVec3, screen: f64) -> Shade {
+        let style = &self.scene.style;
+        let ramp = &style.smoke_ramps[self.look.ramp(&style.bands)];
+        let gradient = gradient_factor(style, &self.along(place.truncate(), screen));
+        Shade::of_puff(style, ramp, self.lobes.normal(place), self.light, gradient)
     }
 
     fn along(&self, point: DVec2, screen: f64) -> Along {

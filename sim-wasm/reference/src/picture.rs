@@ -1,5 +1,7 @@
 //! The whole picture: what is nearest in each pixel, how many shadows lie over it, and its colour.
 
+use std::collections::HashMap;
+
 use glam::{DVec2, DVec3};
 
 use crate::bodies::{Body, BodyHit};
@@ -8,7 +10,7 @@ use crate::hull::{Covered, Hull};
 use crate::light::Light;
 use crate::ray::Camera;
 use crate::scene::Scene;
-use crate::shade::Shade;
+use crate::shade::{Part, Shade};
 use crate::surfaces::Solids;
 use crate::volumes::Volume;
 
@@ -28,7 +30,6 @@ struct Nearest {
     window_depth: f64,
     depth: f64,
     what: u32,
-    is_ink: bool,
     alpha: u8,
     /// Of the surface that is seen here, or over which the line of another runs.
     group: Option<usize>,
@@ -129,7 +130,6 @@ impl<'a> Painter<'a> {
             window_depth: self.camera.window_depth(depth),
             depth,
             what: SURFACES + index as u32,
-            is_ink: false,
             alpha: 255,
             group: Some(self.scene.surfaces[index].group),
         }
@@ -154,13 +154,12 @@ impl<'a> Painter<'a> {
             };
             if window_depth <= seen.window_depth {
                 let (what, depth) = (SURFACES + index as u32, self.camera.depth_of(window_depth));
-                let shade = Shade::same(self.scene.style.ink_color.into());
+                let shade = Shade::same(self.scene.style.ink_color.into(), Part::Ink);
                 *seen = Nearest {
                     shade,
                     window_depth,
                     depth,
                     what,
-                    is_ink: true,
                     alpha: 255,
                     ..*seen
                 };
@@ -183,7 +182,7 @@ impl<'a> Painter<'a> {
     }
 
     /// What comes later wins where two lie equally deep.
-    fn put(&self, BodyHit { depth, is_ink, shade }: BodyHit, what: u32, seen: &mut Nearest) {
+    fn put(&self, BodyHit { depth, shade }: BodyHit, what: u32, seen: &mut Nearest) {
         let window_depth = self.camera.window_depth(depth).clamp(DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
         if window_depth <= seen.window_depth {
             *seen = Nearest {
@@ -191,7 +190,6 @@ impl<'a> Painter<'a> {
                 window_depth,
                 depth,
                 what,
-                is_ink,
                 alpha: 255,
                 ..*seen
             };
@@ -216,11 +214,10 @@ fn backdrop(scene: &Scene, height: f64) -> Nearest {
         None => DVec3::ZERO,
     };
     Nearest {
-        shade: Shade::same(color),
+        shade: Shade::same(color, Part::Only),
         window_depth: 1.0,
         depth: f64::INFINITY,
         what: BACKDROP,
-        is_ink: false,
         alpha: if scene.backdrop.is_some() { 255 } else { 0 },
         group: None,
     }
@@ -234,11 +231,7 @@ fn finished(nearest: &[Nearest], counts: Vec<u32>) -> Picture {
             .map(|(seen, &count)| color_of(seen, count))
             .collect(),
         counts: counts.iter().map(|&count| count.min(MOST) as u8).collect(),
-        regions: nearest
-            .iter()
-            .zip(&counts)
-            .map(|(seen, &count)| region_of(seen, count))
-            .collect(),
+        regions: regions_of(nearest, &counts),
     }
 }
 
@@ -248,7 +241,15 @@ fn color_of(seen: &Nearest, count: u32) -> [u8; 4] {
     [red, green, blue, seen.alpha]
 }
 
-fn region_of(seen: &Nearest, count: u32) -> u32 {
-    let tone = if seen.is_ink { 63 } else { seen.shade.tone as u32 };
-    (seen.what * 64 + tone) * 2 + u32::from(count > 0)
+/// Numbers what the pixels show: which part of what, in the light or in shadow.
+fn regions_of(nearest: &[Nearest], counts: &[u32]) -> Vec<u32> {
+    let mut numbers = HashMap::new();
+    nearest
+        .iter()
+        .zip(counts)
+        .map(|(seen, &count)| {
+            let next = numbers.len() as u32;
+            *numbers.entry((seen.what, seen.shade.part, count > 0)).or_insert(next)
+        })
+        .collect()
 }

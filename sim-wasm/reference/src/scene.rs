@@ -86,11 +86,15 @@ pub enum Gradient {
 
 /// What a material shows in the light and in shadow, by the cosine between its normal and the light.
 #[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Ramp {
     pub lit: Vec<Tone>,
     pub unlit: Vec<Tone>,
     /// In the place of the first tone where the fill light reaches.
     pub filled: Option<Triple>,
+    /// Whether tones run into each other.
+    #[serde(default)]
+    pub is_blended: bool,
 }
 
 #[derive(Deserialize)]

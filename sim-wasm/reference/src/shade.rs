@@ -2,60 +2,69 @@
 
 use glam::DVec3;
 
-use crate::scene::{Gradient, Ramp, Style, Tone};
+use crate::scene::{Gradient, Ramp, Style, Tone, Triple};
 
 /// Cosine to the fill light from which it shows.
 const FILL_BORDER: f64 = 0.65;
-/// Numbers of tones that no ramp has.
-const FILLED: usize = 1000;
-const RIM: usize = 2000;
+/// A ramp is a texture of so many texels, read at the nearest.
+const TEXELS: f64 = 256.0;
 
-/// What a pixel shows in the light and in shadow, and which tone of the ramp each is.
+/// What a pixel shows in the light and in shadow.
 #[derive(Clone, Copy)]
 pub struct Shade {
     pub lit: DVec3,
     pub unlit: DVec3,
-    pub tone: usize,
+    pub part: Part,
+}
+
+/// Which part of its colours a thing shows.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The numbers of the tones in the light and in shadow, and whether the fill light reaches them.
+    Tones {
+        lit: usize,
+        unlit: usize,
+        is_filled: bool,
+    },
+    Rim,
+    Ink,
+    Only,
 }
 
 impl Shade {
-    pub fn same(color: DVec3) -> Self {
+    pub fn same(color: DVec3, part: Part) -> Self {
         Self {
             lit: color,
             unlit: color,
-            tone: 0,
+            part,
         }
     }
 
-    /// `facing`: cosine between normal and light.
-    pub fn of(ramp: &Ramp, facing: f64) -> Self {
-        let (lit, unlit) = (tone_at(&ramp.lit, facing), tone_at(&ramp.unlit, facing));
+    /// `facing`: cosine between normal and light. Where the fill light reaches, the ramp begins with another colour.
+    pub fn of(ramp: &Ramp, facing: f64, is_filled: bool) -> Self {
+        let first = ramp.filled.filter(|_| is_filled);
+        let facing = (facing.clamp(0.0, 1.0) * TEXELS).floor() / TEXELS;
+        let part = Part::Tones {
+            lit: tone_at(&ramp.lit, facing),
+            unlit: tone_at(&ramp.unlit, facing),
+            is_filled: first.is_some(),
+        };
+        let color = |tones| color_at(tones, facing, first.unwrap_or(ramp.lit[0].color), ramp.is_blended);
         Self {
-            lit: DVec3::from(ramp.lit[lit].color),
-            unlit: DVec3::from(ramp.unlit[unlit].color),
-            tone: lit * ramp.unlit.len() + unlit,
+            lit: color(&ramp.lit),
+            unlit: color(&ramp.unlit),
+            part,
         }
     }
 
-    /// Of smoke: a rim along the silhouette lies over everything, a fill light within the first tone. In view space.
+    /// Of smoke, in view space. A rim along the silhouette lies over everything where the puff looks away from the light.
     pub fn of_puff(style: &Style, ramp: &Ramp, normal: DVec3, light: DVec3, gradient: DVec3) -> Self {
         let facing = normal.dot(light);
-        if normal.z < style.rim * (0.5 - facing).clamp(0.0, 1.0) {
-            return Self {
-                tone: RIM,
-                ..Self::same(DVec3::from(style.rim_color))
-            };
+        let width = style.rim * (0.5 - facing).clamp(0.0, 1.0);
+        if width > 0.0 && normal.z < width {
+            return Self::same(DVec3::from(style.rim_color), Part::Rim);
         }
-        let mut shade = Self::of(ramp, facing);
-        if let Some(filled) = ramp.filled.filter(|_| normal.dot(towards_fill(light)) > FILL_BORDER) {
-            let first = DVec3::from(ramp.lit[0].color);
-            let fill = |color: DVec3| if color == first { DVec3::from(filled) } else { color };
-            shade = Self {
-                lit: fill(shade.lit),
-                unlit: fill(shade.unlit),
-                tone: shade.tone + FILLED,
-            };
-        }
+        let shade = Self::of(ramp, facing, normal.dot(towards_fill(light)) > FILL_BORDER);
         Self {
             lit: shade.lit * gradient,
             unlit: shade.unlit * gradient,
@@ -67,14 +76,27 @@ impl Shade {
         Self {
             lit: self.lit.lerp(ink, share),
             unlit: self.unlit.lerp(ink, share),
-            ..self
+            part: Part::Ink,
         }
     }
 }
 
-/// The last tone that begins at or below a cosine; the first one reaches down to everything that looks away.
+/// The last tone that begins at or below a cosine; the first one also holds before it.
 fn tone_at(tones: &[Tone], facing: f64) -> usize {
-    tones.iter().rposition(|tone| facing.max(0.0) >= tone.from).unwrap_or(0)
+    tones.iter().rposition(|tone| facing >= tone.from).unwrap_or(0)
+}
+
+/// `first` stands for the colour of the first tone. Tones are flat or run into each other.
+fn color_at(tones: &[Tone], facing: f64, first: Triple, is_blended: bool) -> DVec3 {
+    let color_of = |tone: usize| DVec3::from(if tone == 0 { first } else { tones[tone].color });
+    let tone = tone_at(tones, facing);
+    match tones.get(tone + 1) {
+        Some(next) if is_blended => {
+            let share = (facing - tones[tone].from) / (next.from - tones[tone].from);
+            color_of(tone).lerp(color_of(tone + 1), share.max(0.0))
+        }
+        _ => color_of(tone),
+    }
 }
 
 /// A weaker light from across the eye and a little from below.

@@ -57,7 +57,11 @@ impl<'a> Solids<'a> {
         nearest.map(|(index, crossing)| {
             let ramp: &Ramp = &self.solids[index].1.ramp;
             let towards_light = light.towards(ray.at(crossing.at));
-            (index, crossing.at, Shade::of(ramp, crossing.normal.dot(towards_light)))
+            (
+                index,
+                crossing.at,
+                Shade::of(ramp, crossing.normal.dot(towards_light), false),
+            )
         })
     }
 
@@ -197,6 +201,7 @@ mod tests {
             lit: Vec::new(),
             unlit: Vec::new(),
             filled: None,
+            is_blended: false,
         };
         let ball = Shape::Ball {
             center: [0.0, 2.0, 0.0],
