@@ -19,7 +19,19 @@ interface ReferencePicture {
   counts: Uint8Array;
   /** Pixels of one region show the same tone of the same thing. */
   regions: Uint32Array;
+  /** By so much a channel may differ. */
+  rounding: number;
 }
+
+/** The little of a description that is read here. */
+interface Described {
+  width: number;
+  height: number;
+  style: { smokeRamps: readonly { isBlended?: boolean }[] };
+}
+
+/** The most by which a channel changes from one texel to the next of the tests' ramps whose tones run into each other. */
+const BLENDED_TEXEL = 4;
 
 /** How much a picture differs from the reference. An edge is where the reference itself changes from pixel to pixel. */
 interface Difference {
@@ -77,7 +89,7 @@ export async function expectReference(
 }
 
 async function referencePicture(description: string): Promise<ReferencePicture> {
-  const { width, height } = JSON.parse(description) as { width: number; height: number };
+  const { width, height, style } = JSON.parse(description) as Described;
   program ??= build();
   const bytes = await answer(await program, description);
   const pixels = width * height;
@@ -87,6 +99,7 @@ async function referencePicture(description: string): Promise<ReferencePicture> 
     colors: bytes.subarray(0, 4 * pixels),
     counts: bytes.subarray(4 * pixels, 5 * pixels),
     regions: new Uint32Array(bytes.slice(5 * pixels).buffer),
+    rounding: style.smokeRamps[0].isBlended ? BLENDED_TEXEL : 1,
   };
 }
 
@@ -94,7 +107,7 @@ async function referencePicture(description: string): Promise<ReferencePicture> 
 function differenceFrom(reference: ReferencePicture, colors: Uint8Array, counts: Uint8Array): Difference {
   const difference: Difference = { pixels: reference.regions.length, edges: 0, colors: 0, counts: 0, colorsAtEdges: 0 };
   for (let pixel = 0; pixel < difference.pixels; pixel++) {
-    const isOther = isOtherColor(reference.colors, colors, pixel);
+    const isOther = isOtherColor(reference, colors, pixel);
     if (isEdge(reference, pixel)) {
       difference.edges++;
       if (isOther) difference.colorsAtEdges++;
@@ -112,7 +125,7 @@ function sheetOf(reference: ReferencePicture, colors: Uint8Array): Buffer {
   const sheet = new PNG({ width, height: 3 * height });
   for (let pixel = 0; pixel < width * height; pixel++) {
     const row = height - 1 - Math.floor(pixel / width);
-    const isOther = isOtherColor(reference.colors, colors, pixel);
+    const isOther = isOtherColor(reference, colors, pixel);
     const grey = reference.colors[4 * pixel + 1] >> 1;
     const mark = isOther ? [255, isEdge(reference, pixel) ? 220 : 0, 0, 255] : [grey, grey, grey, 255];
     [reference.colors.subarray(4 * pixel, 4 * pixel + 4), colors.subarray(4 * pixel, 4 * pixel + 4), mark].forEach(
@@ -122,9 +135,8 @@ function sheetOf(reference: ReferencePicture, colors: Uint8Array): Buffer {
   return PNG.sync.write(sheet);
 }
 
-/** One step of a channel is rounding. */
-function isOtherColor(a: Uint8Array, b: Uint8Array, pixel: number): boolean {
-  return [0, 1, 2, 3].some((channel) => Math.abs(a[4 * pixel + channel] - b[4 * pixel + channel]) > 1);
+function isOtherColor({ colors, rounding }: ReferencePicture, others: Uint8Array, pixel: number): boolean {
+  return [0, 1, 2, 3].some((channel) => Math.abs(colors[4 * pixel + channel] - others[4 * pixel + channel]) > rounding);
 }
 
 function isEdge({ width, height, regions }: ReferencePicture, pixel: number): boolean {

@@ -49,7 +49,7 @@ impl Shade {
             unlit: tone_at(&ramp.unlit, facing),
             is_filled: first.is_some(),
         };
-        let color = |tones| color_at(tones, facing, first.unwrap_or(ramp.lit[0].color), ramp.is_blended);
+        let color = |tones| color_at(tones, facing, first, ramp.is_blended);
         Self {
             lit: color(&ramp.lit),
             unlit: color(&ramp.unlit),
@@ -86,9 +86,9 @@ fn tone_at(tones: &[Tone], facing: f64) -> usize {
     tones.iter().rposition(|tone| facing >= tone.from).unwrap_or(0)
 }
 
-/// `first` stands for the colour of the first tone. Tones are flat or run into each other.
-fn color_at(tones: &[Tone], facing: f64, first: Triple, is_blended: bool) -> DVec3 {
-    let color_of = |tone: usize| DVec3::from(if tone == 0 { first } else { tones[tone].color });
+/// `first` stands for the colour of the first tone, where there is one. Tones are flat or run into each other.
+fn color_at(tones: &[Tone], facing: f64, first: Option<Triple>, is_blended: bool) -> DVec3 {
+    let color_of = |tone: usize| DVec3::from(first.filter(|_| tone == 0).unwrap_or(tones[tone].color));
     let tone = tone_at(tones, facing);
     match tones.get(tone + 1) {
         Some(next) if is_blended => {
