@@ -76,6 +76,20 @@ export const presets: readonly Preset[] = [
     },
   },
   {
+    name: 'lamp-ember',
+    label: 'Ember',
+    text: 'Fire that leaves the spout and cools to dark smoke.',
+    values: {
+      ...curl,
+      'emission.rate': 34,
+      'style.ramp': '0:c06a62,.3:e6ae94,.62:ffffff',
+      'style.heatRamp': '0:57525f,.2:8c4a45,.32:e0552b,.5:f9a53a,.68:fff0a8',
+      'style.inkColor': '#1c0f14',
+      'buoyancy.coolingTime': 2.2,
+      'buoyancy.acceleration': 1.7,
+    },
+  },
+  {
     name: 'lamp-storm',
     label: 'Storm',
     text: 'Dark smoke torn by gusts from the right.',

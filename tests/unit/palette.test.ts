@@ -1,6 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { colorAt, FIRST_BORDER, RampTexture } from '../../src/device/ramps.ts';
-import { isFlat, parseColor, rampOf, surfaceToning } from '../../src/smoke/palette.ts';
+import { blendedAt, colorAt, FIRST_BORDER, RampTexture } from '../../src/device/ramps.ts';
+import {
+  isFlat,
+  parseColor,
+  parseStops,
+  plainColorOf,
+  rampOf,
+  smokeColorOf,
+  surfaceToning,
+  turnOf,
+} from '../../src/smoke/palette.ts';
 
 const CREAM = parseColor('#f6efe2');
 
@@ -31,6 +40,69 @@ describe('rampOf', () => {
     expect(rampOf(CREAM, { tones: 3, shading: false }).lit).toHaveLength(1);
     expect(isFlat({ tones: 3, shading: false })).toBe(true);
     expect(isFlat({ tones: 2, shading: true })).toBe(false);
+  });
+});
+
+const STOPS = parseStops('0:333344,.125:aa7090,.5:ffeedd');
+
+describe('ramps of chosen stops', () => {
+  const toning = { tones: 2, shading: true, stops: STOPS } as const;
+  const white = parseColor('#ffffff');
+
+  it('show the colours as typed, the first of them in shadow', () => {
+    const { lit, unlit } = rampOf(white, toning);
+    expect(lit.map(({ color }) => color)).toEqual(STOPS.map(({ color }) => color));
+    expect(
+      [0, 0.124, 0.125, 0.49, 0.5, 1].map((facing) =>
+        STOPS.findIndex(({ color }) => color.join() === colorAt(lit, facing).join()),
+      ),
+    ).toEqual([0, 0, 1, 1, 2, 2]);
+    expect(unlit.map(({ color }) => color)).toEqual([STOPS[0].color]);
+    expect(plainColorOf({ ...toning, smokeColor: CREAM })).toEqual(white);
+    expect(smokeColorOf({ ...toning, smokeColor: CREAM })).toEqual(STOPS[2].color);
+  });
+
+  it('are multiplied by the colour of a tint', () => {
+    expect(rampOf(parseColor('#ff0080'), toning).lit[2].color).toEqual([255, 0, 111]);
+  });
+
+  it('tell where they leave shadow', () => {
+    expect(turnOf(toning)).toBe(0.125);
+    expect(turnOf({ ...toning, isBlended: true })).toBe(0);
+    expect(turnOf({ ...toning, shading: false })).toBe(-1);
+    expect(turnOf({ tones: 3, shading: true })).toBe(FIRST_BORDER);
+    expect(turnOf({ tones: 1, shading: true })).toBe(-1);
+  });
+
+  it('run into each other when blended, and begin with the shadow', () => {
+    const ramp = rampOf(white, { ...toning, isBlended: true });
+    expect(blendedAt(ramp.lit, 0)).toEqual(STOPS[0].color);
+    expect(blendedAt(ramp.lit, 0.0625)).toEqual([111, 82, 106]);
+    expect(blendedAt(ramp.lit, 0.9)).toEqual(STOPS[2].color);
+  });
+});
+
+describe('fill', () => {
+  it('is a tone between shadow and light, in the place of the first tone alone', () => {
+    const ramp = rampOf(CREAM, { tones: 3, shading: true, fill: 0.25 });
+    const [shadow, light] = [ramp.unlit[0].color, CREAM];
+    ramp.filled!.forEach((channel, index) => {
+      expect(channel).toBeGreaterThan(shadow[index]);
+      expect(channel).toBeLessThan(light[index]);
+    });
+    const ramps = new RampTexture(1);
+    ramps.write(0, ramp);
+    const data = ramps.texture.image.data as Uint8Array;
+    const texel = (row: number, column: number) => [
+      ...data.subarray(4 * (256 * row + column), 4 * (256 * row + column) + 3),
+    ];
+    expect([texel(0, 0), texel(1, 0)]).toEqual([shadow, shadow]);
+    expect([texel(2, 0), texel(2, 255), texel(3, 0)]).toEqual([ramp.filled, ramp.filled, ramp.filled]);
+    expect(texel(3, 255)).toEqual([...CREAM]);
+  });
+
+  it('is off without shading', () => {
+    expect(rampOf(CREAM, { tones: 2, shading: false, fill: 0.5 }).filled).toBeUndefined();
   });
 });
 
