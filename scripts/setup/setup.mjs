@@ -19,6 +19,8 @@ import * as wasm from './wasm.mjs';
 export const PAGE = [packages, toolchain, wasm];
 /** What the tests and the benchmarks need. @type {Component[]} */
 export const TESTS = [...PAGE, browser];
+/** For pictures that need no simulator. */
+export const PICTURES = [packages, browser];
 
 /**
  * Brings each component that is not fresh and says so.

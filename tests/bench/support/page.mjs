@@ -28,6 +28,17 @@ const MEASURING_FLAGS = ['--enable-precise-memory-info', '--js-flags=--expose-gc
  * @returns {Promise<Figure[]>}
  */
 export async function measureInPage(path, { quick, say }, plugins = []) {
+  const measure = `import(${JSON.stringify(path)}).then((suite) => suite.measure(${quick}))`;
+  return /** @type {Figure[]} */ (await evaluateInPage(measure, say, plugins));
+}
+
+/**
+ * @param {string} expression evaluated in a page that has nothing of ours on it but the server's modules
+ * @param {(line: string) => void} say the page's `sayProgress`
+ * @param {import('vite').Plugin[]} [plugins] added to the server of the page
+ * @returns {Promise<unknown>}
+ */
+export async function evaluateInPage(expression, say, plugins = []) {
   const configFile = inRoot('tests/bench/vite.config.ts');
   const server = await createServer({ configFile, plugins, logLevel: 'error' });
   const browser = await chromium.launch({
@@ -40,8 +51,7 @@ export async function measureInPage(path, { quick, say }, plugins = []) {
     page.setDefaultTimeout(0);
     await page.exposeFunction('sayProgress', say);
     await page.goto(new URL('/tests/support/blank.html', server.resolvedUrls?.local[0]).href);
-    const measure = `import(${JSON.stringify(path)}).then((suite) => suite.measure(${quick}))`;
-    return /** @type {Figure[]} */ (await page.evaluate(measure));
+    return await page.evaluate(expression);
   } finally {
     await browser.close();
     await server.close();

@@ -1,0 +1,20 @@
+/**
+ * `npm run style:sheet`: draws the sixteen combinations of shading, shadows, outlines and gradient as one contact sheet in
+ * .cache/style-sheet.png, to look at after changing how smoke is drawn. The same picture on every run.
+ */
+
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { evaluateInPage } from '../tests/bench/support/page.mjs';
+import { inRoot } from './lib/paths.mjs';
+import { conclude } from './lib/refusal.mjs';
+import { PICTURES, setUp } from './setup/setup.mjs';
+
+await conclude(async () => {
+  await setUp(PICTURES);
+  const draw = `import('/tests/visual/cases/styles.ts').then((cases) => cases.sheet())`;
+  const picture = await evaluateInPage(draw, (line) => console.log(line));
+  mkdirSync(inRoot('.cache'), { recursive: true });
+  const sheet = inRoot('.cache/style-sheet.png');
+  writeFileSync(sheet, Buffer.from(String(picture), 'base64'));
+  console.log(`Wrote ${sheet}.`);
+});
