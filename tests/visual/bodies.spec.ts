@@ -17,6 +17,22 @@ for (const form of ['lobes', 'billboards'] as const) {
       });
     }
 
+    test('a lone puff masks nothing of a ramp that turns at once, of its fill light and its rim', async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      const report = await cases.evaluate(
+        (module, shape) => module.selfMasked(shape, 'sun', 150, undefined, module.EARLY),
+        form,
+      );
+      expect(report.lit).toBeGreaterThan(50_000);
+      expect(report.masked).toBe(0);
+    });
+
+    test('chosen stops, fill, rim and colours by heat show exactly as typed', async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      const { found, allowed } = await cases.evaluate((module, shape) => module.chosenColors(shape), form);
+      expect(Object.keys(found).sort()).toEqual([...new Set(allowed)].sort());
+    });
+
     test('two tones show exactly the ramp, the ink and the page', async ({ load }) => {
       const cases = await load<Cases>(CASES);
       const { found, allowed } = await cases.evaluate((module, shape) => module.toneColors(shape), form);

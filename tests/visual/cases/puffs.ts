@@ -1,14 +1,15 @@
 /** What single puffs and small heaps of them must look like. */
 import { PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
-import { colorAt } from '../../../src/device/ramps.ts';
+import { colorAt, type Color } from '../../../src/device/ramps.ts';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { samplePuff, type PuffSample } from '../../../src/puffs/layers.ts';
 import { sampleLobes } from '../../../src/puffs/lobes.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
 import type { PuffShape } from '../../../src/puffs/shapes.ts';
 import { orientationOf, turnedLobes } from '../../../src/puffs/orientation.ts';
-import { rampOf } from '../../../src/smoke/palette.ts';
+import { parseStops, plainColorOf, rampOf } from '../../../src/smoke/palette.ts';
+import type { Style } from '../../../src/smoke/style.ts';
 import { frontCamera, Lab, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
 import { ground } from '../solids.ts';
@@ -62,6 +63,7 @@ export function selfMasked(
   light: 'sun' | 'lamp',
   trials: number,
   shapes: readonly PuffShape[] = LOBE_SHAPES,
+  toning: Partial<Style> = { tones: 3 },
 ): { lit: number; masked: number; trialsWithMask: number } {
   const next = random(2006);
   const lab = new Lab({ width: WIDTH, height: HEIGHT, puffs: [], shapes });
@@ -83,10 +85,10 @@ export function selfMasked(
     };
     const towardsLight = new Vector3().setFromSphericalCoords(1, Math.acos(2 * next() - 1), next() * 2 * Math.PI);
     const scene = { width: WIDTH, height: HEIGHT, puffs: [puff], camera, ...shining(light, towardsLight, puff) };
-    const masked = lab.draw({ ...scene, style: { form, tones: 3 as const } });
-    const free = lab.draw({ ...scene, style: { form, tones: 3 as const, shadows: false } });
+    const masked = lab.draw({ ...scene, style: { form, ...toning } });
+    const free = lab.draw({ ...scene, style: { form, ...toning, shadows: false } });
     const difference = differing(masked, free);
-    const dark = colorAt(rampOf(PLAIN_STYLE.smokeColor, { tones: 3, shading: true }).unlit, 0).join();
+    const dark = darkestOf({ ...PLAIN_STYLE, ...toning }).join();
     result.lit += Object.entries(colors(free)).reduce(
       (sum, [color, count]) =>
         color.startsWith(dark) || color.startsWith(PLAIN_STYLE.inkColor.join()) || color === '0,0,0,0'
@@ -100,6 +102,18 @@ export function selfMasked(
   lab.dispose();
   return result;
 }
+
+function darkestOf(style: Style): Color {
+  return colorAt(rampOf(plainColorOf(style), style).unlit, 0);
+}
+
+/** A ramp that turns from shadow at once, with a fill light and a rim: nothing of it may begin behind the volume. */
+export const EARLY: Partial<Style> = {
+  stops: parseStops('0:3a3f6b,.3:7a6fa8,.8:fff4d8'),
+  isBlended: true,
+  fill: 0.4,
+  rim: 0.5,
+};
 
 /** Light from one side of a puff: a lamp hangs two radii from its centre. */
 function shining(light: 'sun' | 'lamp', towards: Vector3, { place, radius }: LabPuff): Partial<LabScene> {
@@ -118,6 +132,30 @@ export function toneColors(form: PuffForm): { found: Record<string, number>; all
   const opaque = [...ramp.lit.map(({ color }) => color), PLAIN_STYLE.inkColor].map((color) => `${color.join()},255`);
   return {
     found: colors(takePicture({ width: WIDTH, height: HEIGHT, puffs: heap(60, 5), style: { form } })),
+    allowed: [...opaque, '0,0,0,0'],
+  };
+}
+
+/**
+ * The colours of a heap of puffs with chosen stops, a fill light, a rim, and colours by temperature; and those allowed:
+ * of each band of temperature its stops and its filled tone, and the rim.
+ */
+export function chosenColors(form: PuffForm): { found: Record<string, number>; allowed: string[] } {
+  const style: Style = {
+    ...PLAIN_STYLE,
+    form,
+    stops: parseStops('0:6a5a80,.2:b89aa8,.6:ffffff'),
+    fill: 0.3,
+    rim: 0.5,
+    rimColor: [255, 250, 120],
+    heatColors: parseStops('0:707078,.5:e06030,.9:ffe8a0'),
+  };
+  const puffs = heap(60, 5).map((puff, index) => ({ ...puff, temperature: [0.1, 0.6, 1.5][index % 3] }));
+  const ramps = style.heatColors.map(({ color }) => rampOf(color, style));
+  const tones = ramps.flatMap(({ lit, filled }) => [...lit.map(({ color }) => color), filled!]);
+  const opaque = [...tones, style.rimColor, style.inkColor].map((color) => `${color.join()},255`);
+  return {
+    found: colors(takePicture({ width: WIDTH, height: HEIGHT, puffs, style })),
     allowed: [...opaque, '0,0,0,0'],
   };
 }
