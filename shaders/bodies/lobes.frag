@@ -4,6 +4,7 @@ precision highp int;
 // Meets the lobes of a puff along the view axis, shades what is nearest and writes its depth. The ring around the
 // silhouette is ink and lies deeper (McGuire and Fein 2006, section 4.1), so that the depth test alone decides which
 // lines show. three.js unrolls the marked loops: an index that is no constant would cost far more.
+// FLAT: see lobes.vert; the quad that looks away is the ink's.
 uniform sampler2D ramps;
 uniform float fillet;
 uniform float blend;
@@ -79,8 +80,15 @@ void main() {
   float reach = middleAndInkReach.w * exp2(-inkSwell) * swelling(outward, towardsLight, inkSwell);
   float linePixels = reach * radius / pixel;
   // Where a surface hides the nearest lobe, the line of its neighbour may still run over that surface.
+#ifdef FLAT
+  float surface = NOWHERE;
+#else
   float surface = (surfaceZ(clipFromView) - depthsAndRamp.x) / radius;
+#endif
   bool isRing = height <= max(NOWHERE, surface);
+#ifdef FLAT
+  if (isRing == gl_FrontFacing) discard;
+#endif
   vec4 line = vec4(0.0, 0.0, 0.0, 1e9);
   if (isRing) {
     #pragma unroll_loop_start
@@ -102,7 +110,11 @@ void main() {
   normal = normalize(normal);
 
   float viewZ = depthsAndRamp.x + height * radius;
+#ifdef FLAT
+  bool isInk = isRing;
+#else
   bool isInk = isRing || isSeam(clipFromView, viewZ, normal, pixel, linePixels);
+#endif
   float ink = isInk ? inkShare(linePixels) : 0.0;
   normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
 
@@ -111,10 +123,12 @@ void main() {
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
 
+#ifndef FLAT
   float outside = line.w * radius;
   vec2 inward = normalize(line.xy - point) * (outside / pixel + 0.5);
   float depth = isRing
     ? ringDepth(clipFromView, viewZ, viewZ - depthsAndRamp.z, outside, inward)
     : windowDepth(clipFromView, viewZ);
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
+#endif
 }

@@ -3,6 +3,8 @@ precision highp int;
 
 // The body of a particle whose puff is met per pixel: turns the lobes into the view, and lays a nailboard parallel to the
 // image plane round their silhouette and its ring of ink. Lobes are in view space, in puff radii about the centre.
+// FLAT: for GPUs that do not keep a depth that fragments write. Two quads then, each as deep as it is drawn: the puff
+// through its centre, and after it the ink, which lies deeper.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
@@ -28,6 +30,7 @@ flat out vec4 depthsAndRamp;
 flat out vec4 lobes[LOBES];
 
 #include ../lib/pixel.glsl
+#include ../lib/depth.glsl
 #include ../lib/ink.glsl
 #include ../lib/look.glsl
 #include ../lib/material.glsl
@@ -62,6 +65,12 @@ void main() {
   pointAndGradient = vec3(point, dot(gradientWeights, gradients));
   middleAndInkReach = vec4(middle, inkReach);
   depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(look, ramps));
+#ifdef FLAT
+  float drop = gl_VertexID > 3 ? depthsAndRamp.z : 0.0;
+  clip.z = (2.0 * windowDepth(clipFromView, centre.z - drop) - 1.0) * clip.w;
+#else
   // Depth is written by the fragments; a constant here keeps the near plane from cutting the quad.
-  gl_Position = radius > 0.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
+  clip.z = 0.0;
+#endif
+  gl_Position = radius > 0.0 ? clip : vec4(0.0, 0.0, 2.0, 1.0);
 }

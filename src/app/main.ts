@@ -45,6 +45,7 @@ async function start(): Promise<void> {
   tellAll(notices, environment);
   const stage = await load(editor, environment);
   window.cartoonSmoke = stage;
+  if (!stage.stats.writesDepth) notices.tell(strings.notices.flat);
   stage.on('error', refuse);
   connectStage(editor, stage, (message) => notices.tell(message));
   followAddress(editor, (read) => tellAll(notices, read));

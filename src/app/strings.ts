@@ -58,7 +58,11 @@ export const strings = {
     shown: (name: string, overlap: number) => `${name}, ${Math.round(100 * overlap)} % alike`,
     unshared: (name: string) => `A link cannot hold a mesh: who opens it sees drawn puffs instead of ${name}.`,
   },
-  notices: { title: 'Messages', dismiss: 'Dismiss this message' },
+  notices: {
+    title: 'Messages',
+    dismiss: 'Dismiss this message',
+    flat: 'This graphics card does not draw puffs round, so they are flat here and meet in straight lines.',
+  },
   help: {
     button: 'Help',
     title: 'Play with smoke',

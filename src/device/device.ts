@@ -1,8 +1,14 @@
 import { WebGLRenderer } from 'three';
 import { ContextError, UnsupportedError } from '../preset/errors.ts';
 import { PuffLibrary } from './puffTextures.ts';
+import { keepsWrittenDepth } from './selfTest.ts';
 
 export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
+
+export interface DeviceOptions {
+  /** Draws as where the self test fails, for tests and to see what that looks like. */
+  failsSelfTest?: boolean;
+}
 
 /**
  * One WebGL2 context and what every smoke on it shares: the renderer with its programs, and the puffs.
@@ -11,15 +17,18 @@ export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
 export class Device {
   readonly renderer: WebGLRenderer;
   readonly puffs: PuffLibrary;
+  /** Whether a depth that fragments write is kept; where it is not, puffs are flat. Found by a small drawing at start. */
+  readonly writesDepth: boolean;
   private readonly ownsRenderer: boolean;
   private readonly listeners = new Set<(event: 'lost' | 'restored') => void>();
   private isDisposed = false;
   private isLost = false;
 
   /** @param ownsRenderer whether renderer and context end with this device; those of a stranger stay as they are */
-  constructor(renderer: WebGLRenderer, ownsRenderer: boolean) {
+  constructor(renderer: WebGLRenderer, ownsRenderer: boolean, { failsSelfTest = false }: DeviceOptions = {}) {
     this.renderer = renderer;
     this.ownsRenderer = ownsRenderer;
+    this.writesDepth = !failsSelfTest && keepsWrittenDepth(renderer);
     this.puffs = new PuffLibrary(renderer.getContext() as WebGL2RenderingContext);
     this.canvas.addEventListener('webglcontextlost', this.handleLoss);
     this.canvas.addEventListener('webglcontextrestored', this.handleRestoration);
@@ -78,7 +87,7 @@ export class Device {
  * Takes the WebGL2 context of a canvas that has none yet.
  * @throws UnsupportedError when the browser refuses WebGL2.
  */
-export function createDevice(canvas: DeviceCanvas): Device {
+export function createDevice(canvas: DeviceCanvas, options: DeviceOptions = {}): Device {
   const context = canvas.getContext('webgl2', {
     alpha: true,
     antialias: false,
@@ -95,5 +104,5 @@ export function createDevice(canvas: DeviceCanvas): Device {
   renderer.autoClear = false;
   renderer.sortObjects = false;
   renderer.info.autoReset = false;
-  return new Device(renderer, true);
+  return new Device(renderer, true, options);
 }

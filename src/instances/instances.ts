@@ -16,6 +16,12 @@ export const FRONT_AND_BACK: Footprint = {
   index: [...ONE_QUAD.index, 0, 2, 1, 0, 3, 2],
 };
 
+/** The same with corners of their own for each, which gl_VertexID tells apart in the vertex shader. */
+export const TWO_QUADS: Footprint = {
+  corners: [...ONE_QUAD.corners, ...ONE_QUAD.corners],
+  index: [...ONE_QUAD.index, 4, 6, 5, 4, 7, 6],
+};
+
 /**
  * Simulator rows as instance attributes: `place` (world x, y, z, radius) and `look` (two packed words), 24 bytes a row.
  * The arrays belong to JavaScript, so that growing WASM memory can never pull them from under the renderer.

@@ -1,5 +1,6 @@
 import {
   Camera,
+  DoubleSide,
   GLSL3,
   Mesh,
   RawShaderMaterial,
@@ -38,6 +39,7 @@ export class BodiesPass {
   /** By the number of lobes that are unrolled in them; the billboards' by 0. */
   private readonly materials = new Map<number, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
+  private readonly isFlat: boolean;
   private readonly common: Record<string, IUniform>;
   private readonly ink = new InkUniforms();
   private readonly uniforms = {
@@ -60,7 +62,9 @@ export class BodiesPass {
 
   /**
    * @param ramps holds those of the tints from 1 on, and says by its bands which one a body without a tint has
+   * @param rows with one quad for each body; with two, front and back, where bodies are flat
    * @param surfaceDepth of the surfaces that bodies may touch; none where absent
+   * @param isFlat whether bodies are as deep as their quads, for GPUs that do not keep a depth that fragments write
    */
   constructor(
     eye: Eye,
@@ -68,7 +72,9 @@ export class BodiesPass {
     ramps: RampTexture,
     rows: BufferGeometry,
     surfaceDepth?: SurfaceDepthPass,
+    isFlat = false,
   ) {
+    this.isFlat = isFlat;
     this.puffs = puffs;
     this.common = {
       ...eye.uniforms,
@@ -85,7 +91,7 @@ export class BodiesPass {
 
   /** Chooses how puffs become pixels, and follows other puffs; a form that is not drawn costs nothing. */
   setForm(form: PuffForm): void {
-    this.mesh.material = form === 'lobes' ? this.lobesMaterial() : this.billboardsMaterial();
+    this.mesh.material = form === 'lobes' || this.isFlat ? this.lobesMaterial() : this.billboardsMaterial();
   }
 
   /** @param innerLine depth gap, in puff radii, beyond which a puff is outlined against what lies behind it */
@@ -143,7 +149,14 @@ export class BodiesPass {
 
   private materialOf(lobes: number, vertexShader: string, fragmentShader: string): RawShaderMaterial {
     const uniforms = this.common;
-    const made = () => new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms });
+    const made = () =>
+      new RawShaderMaterial({
+        glslVersion: GLSL3,
+        vertexShader,
+        fragmentShader,
+        uniforms,
+        ...(this.isFlat ? { defines: { FLAT: '' }, side: DoubleSide } : {}),
+      });
     const material = this.materials.get(lobes) ?? made();
     this.materials.set(lobes, material);
     return material;

@@ -68,7 +68,7 @@ function drawNailboards(passes: SmokePasses, { style, output }: FrameInput): voi
   passes.body.draw(renderer);
   if (style.shadows) {
     passes.meshVolumes.draw(renderer);
-    passes.volumes.draw(renderer);
+    (passes.prismVolumes ?? passes.volumes).draw(renderer);
     passes.mask.draw(renderer);
   }
   passes.resolve.draw(renderer, targets, output);

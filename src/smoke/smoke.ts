@@ -3,11 +3,12 @@ import type { Device } from '../device/device.ts';
 import { Eye } from '../device/eye.ts';
 import { PuffTextures, type BakedPuffs, type PuffForm } from '../device/puffTextures.ts';
 import { RampTexture, type Color } from '../device/ramps.ts';
-import { FRONT_AND_BACK, Instances, ONE_QUAD } from '../instances/instances.ts';
+import { FRONT_AND_BACK, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
 import { BackdropPass } from '../passes/backdrop.ts';
 import { BodiesPass } from '../passes/bodies.ts';
 import { MaskPass } from '../passes/mask.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
+import { PrismVolumesPass } from '../passes/prismVolumes.ts';
 import { ResolvePass } from '../passes/resolve.ts';
 import { SurfacesPass, type SurfaceDescription } from '../passes/surfaces.ts';
 import { SurfaceDepthPass } from '../passes/surfaceDepth.ts';
@@ -33,6 +34,8 @@ export interface SmokePasses {
   readonly body: BodiesPass;
   readonly meshVolumes: MeshVolumesPass;
   readonly volumes: VolumesPass;
+  /** Instead of the volumes, where the depth that fragments write is not kept. */
+  readonly prismVolumes: PrismVolumesPass | undefined;
   readonly mask: MaskPass;
   readonly resolve: ResolvePass;
   readonly rivals: Rivals;
@@ -76,7 +79,8 @@ export class SmokeRenderer {
     this.puffs = new PuffTextures(device.puffs, puffs);
     this.ramps = new RampTexture(FIRST_SURFACE_RAMP + surfaces.length);
     const eye = new Eye();
-    const bodies = new Instances(capacity, ONE_QUAD);
+    const isFlat = !device.writesDepth;
+    const bodies = new Instances(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
     const casters = new Instances(capacity, FRONT_AND_BACK);
     const surfacesPass = new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces);
     const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0);
@@ -90,9 +94,10 @@ export class SmokeRenderer {
       backdrop: new BackdropPass(eye),
       surfaces: surfacesPass,
       surfaceDepth,
-      body: new BodiesPass(eye, this.puffs, this.ramps, bodies.geometry, surfaceDepth),
+      body: new BodiesPass(eye, this.puffs, this.ramps, bodies.geometry, surfaceDepth, isFlat),
       meshVolumes,
       volumes: new VolumesPass(eye, this.puffs, casters.geometry),
+      prismVolumes: isFlat ? new PrismVolumesPass(eye, this.puffs, casters.geometry) : undefined,
       mask: new MaskPass(),
       resolve: new ResolvePass(),
       rivals: new Rivals({
@@ -157,6 +162,7 @@ export class SmokeRenderer {
       part.dispose();
     passes.surfaceDepth.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
+    passes.prismVolumes?.dispose();
     passes.rivals.dispose();
     this.ramps.dispose();
   }
@@ -167,7 +173,7 @@ export class SmokeRenderer {
   }
 
   private apply(style: Style, pixelRatio: number): void {
-    const { body, surfaces, volumes, mask, resolve } = this.passes;
+    const { body, surfaces, volumes, prismVolumes, mask, resolve } = this.passes;
     const line = inkLineOf(style, pixelRatio);
     this.writeRamps(style);
     body.setInk(line, style.innerLine);
@@ -176,6 +182,7 @@ export class SmokeRenderer {
     body.setForm(style.form);
     surfaces.setInk(line);
     volumes.follow(style.form, turnOf(style));
+    prismVolumes?.follow();
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);
     resolve.setDeepShadow(style.deepShadow);
     this.style = style;

@@ -1,9 +1,9 @@
-import type { Device } from '../device/device.ts';
+import type { Device, DeviceOptions } from '../device/device.ts';
 import type { Quality } from '../preset/environment.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { LoadProgress } from '../sim/load.ts';
 
-export interface StageOptions {
+export interface StageOptions extends DeviceOptions {
   /** Flat values that differ from the defaults of the table. */
   values?: Values;
   /** A device to share; without it the stage takes a WebGL2 context of its own on the canvas. */
@@ -44,6 +44,8 @@ export interface StageStats {
   arrangeMs: number;
   renderMs: number;
   drawCalls: number;
+  /** False where the GPU does not keep the depth that fragments write: puffs are flat there and meet in straight lines. */
+  writesDepth: boolean;
   /** Share of the pixel ratio that the latest frame was drawn with. */
   scale: number;
 }

@@ -1,5 +1,5 @@
 import type { WebGLRenderTarget } from 'three';
-import { createDevice, type Device, type DeviceCanvas } from '../device/device.ts';
+import { createDevice, type Device, type DeviceCanvas, type DeviceOptions } from '../device/device.ts';
 import { Enlarger } from '../device/enlarger.ts';
 import { ContextError } from '../preset/errors.ts';
 
@@ -24,9 +24,12 @@ export interface PictureSize {
   height: number;
 }
 
-/** @param shared a device whose own canvas is an OffscreenCanvas; without it the stage gets a device of its own */
-export function createPresenter(canvas: DeviceCanvas, shared?: Device): Presenter {
-  return shared ? copyFrom(shared, canvas) : drawOn(createDevice(canvas));
+/**
+ * @param shared a device whose own canvas is an OffscreenCanvas; without it the stage gets a device of its own
+ * @param options of that
+ */
+export function createPresenter(canvas: DeviceCanvas, shared?: Device, options: DeviceOptions = {}): Presenter {
+  return shared ? copyFrom(shared, canvas) : drawOn(createDevice(canvas, options));
 }
 
 function drawOn(device: Device): Presenter {

@@ -139,6 +139,7 @@ export class Stage {
       arrangeMs: this.#report.arrangeMs,
       renderMs: this.#renderMs,
       drawCalls: this.#presenter.device.renderer.info.render.calls,
+      writesDepth: this.#presenter.device.writesDepth,
       scale: this.#scale,
     };
   }
@@ -525,7 +526,7 @@ function differing(values: Values, before: Values): Values {
 export async function createStage(canvas: DeviceCanvas, options: StageOptions = {}): Promise<Stage> {
   validate(options.values ?? {});
   const scene = sceneNamed((options.values?.scene ?? defaults().scene) as string);
-  const presenter = createPresenter(canvas, options.device);
+  const presenter = createPresenter(canvas, options.device, options);
   try {
     const factory = await loadSimulators({ physics: scene.rigids.length > 0, onProgress: options.onProgress });
     return new Stage(canvas, presenter, factory, options);

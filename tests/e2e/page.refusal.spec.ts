@@ -1,4 +1,5 @@
 import { expect, test } from '../support/fixtures.ts';
+import { ask, LIGHT, open } from './page.ts';
 
 test('without WebGL2 the page says so and what to do', async ({ page }) => {
   await page.addInitScript(() => {
@@ -28,4 +29,16 @@ test.describe('a download that fails', () => {
     await page.waitForFunction(() => window.cartoonSmoke !== undefined);
     await expect(alert).toHaveCount(0);
   });
+});
+
+test('a graphics card that does not keep written depth draws flat smoke and says so', async ({ page }) => {
+  await page.addInitScript(() => {
+    const { shaderSource } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.shaderSource = function (shader, source) {
+      shaderSource.call(this, shader, source.replaceAll(/gl_FragDepth = .*;/g, ''));
+    };
+  });
+  await open(page, `?paused=1&t=1${LIGHT}`);
+  await expect(page.getByText('they are flat here')).toBeVisible();
+  expect(await ask(page, (stage) => [stage.stats.writesDepth, stage.stats.bodiesDrawn > 0])).toEqual([false, true]);
 });

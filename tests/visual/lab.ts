@@ -130,7 +130,7 @@ export function frontCamera(width: number, height: number, distance = 4, fieldOf
 }
 
 /** Draws one picture on a context of its own and gives everything back. */
-export function takePicture(scene: LabScene): LabPicture {
+export function takePicture(scene: LabOptions): LabPicture {
   const lab = new Lab(scene);
   try {
     return lab.draw(scene);
@@ -143,17 +143,26 @@ export function takePicture(scene: LabScene): LabPicture {
 export interface LabOptions extends LabScene {
   /** The most puffs of any of them, if more than of this one. */
   capacity?: number;
+  /** Draws as where the depth that fragments write is not kept. */
+  failsSelfTest?: boolean;
 }
 
 /** Keeps a context and its programs for many pictures of one size, one set of surfaces and one backdrop. */
 export class Lab {
-  private readonly device = createDevice(new OffscreenCanvas(1, 1));
+  private readonly device: Device;
   private readonly smoke: SmokeRenderer;
 
-  constructor({ width, height, puffs, casters = [], surfaces = [], backdrop, shapes, capacity = 1 }: LabOptions) {
+  constructor(options: LabOptions) {
+    const { width, height, puffs, casters = [], surfaces = [], backdrop, shapes, capacity = 1 } = options;
+    this.device = createDevice(new OffscreenCanvas(1, 1), options);
     this.device.renderer.setSize(width, height, false);
     const most = Math.max(capacity, puffs.length, casters.length);
     this.smoke = new SmokeRenderer(this.device, { capacity: most, surfaces, backdrop, puffs: bakedPuffs(shapes) });
+  }
+
+  /** The error that WebGL has noted since this was last asked; 0 for none. */
+  get error(): number {
+    return this.device.renderer.getContext().getError();
   }
 
   draw(scene: LabScene): LabPicture {

@@ -1,0 +1,72 @@
+precision highp float;
+
+// The shadow volume of a particle where the depth that fragments write is not kept: a round prism with closed ends, from
+// behind the flat body along the light. src/passes/prisms.ts has the order of its faces.
+uniform mat4 viewFromWorld;
+uniform mat4 clipFromView;
+uniform vec4 lightInWorld;
+uniform vec3 receiversMin;
+uniform vec3 receiversMax;
+// In radii of the particle.
+uniform float shadowRadius;
+
+// (number round the prism, end + 2 x what it belongs to)
+in vec2 corner;
+in vec4 place;
+
+#include ../lib/box.glsl
+#include ../lib/light.glsl
+
+const float PI = 3.14159265359;
+const float SIDES = 12.0;
+// As wide as a circle of radius 1, by area.
+const float ROUND = 1.0233;
+// Radii from the centre of a flat body to its farthest point, and a little.
+const float WIDEST_DISC = 1.15;
+// A lamp nearer to the centre than this many radii of the shadow is taken for one at that distance.
+const float NEAREST = 1.2;
+const vec4 NOWHERE = vec4(0.0, 0.0, 2.0, 1.0);
+
+// How far beyond the centre the volume has left everything that could receive it, metres; 0 where it holds the light.
+float exitOf(float ball, float growth) {
+  vec3 travel = -towardsLightFrom(lightInWorld, place.xyz);
+  float exit = exitFromBox(place.xyz, travel, receiversMin, receiversMax, ball, growth);
+  if (lightInWorld.w == 0.0) return exit;
+  float way = length(place.xyz - lightInWorld.xyz);
+  return way > ball ? min(exit, farthestCorner(lightInWorld.xyz, receiversMin, receiversMax) - way) : 0.0;
+}
+
+// Across the axis and away from the eye: side 0 looks there. The same for all corners, to the last bit.
+vec3 awayFromEye(vec3 centre, vec3 axis) {
+  vec3 sight = clipFromView[2][3] != 0.0 ? centre : vec3(0.0, 0.0, -1.0);
+  vec3 across = sight - dot(sight, axis) * axis;
+  vec3 any = cross(axis, abs(axis.x) < 0.7 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0));
+  return normalize(dot(across, across) > 1e-10 * dot(sight, sight) ? across : any);
+}
+
+// Whether a cap is drawn at this turn: one that looks away from the eye at first, one that looks at it at last.
+bool isTurn(int turn, float end, vec3 middle, vec3 axis) {
+  vec3 sight = clipFromView[2][3] != 0.0 ? middle : vec3(0.0, 0.0, -1.0);
+  bool facesEye = dot(sight, axis) * (1.0 - 2.0 * end) > 0.0;
+  return turn == 0 || (turn == 2) == facesEye;
+}
+
+void main() {
+  vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
+  vec3 axis = -towardsLightFrom(viewFromWorld * lightInWorld, centre);
+  float ball = place.w * shadowRadius;
+  float growth = lightInWorld.w * ball / max(length(place.xyz - lightInWorld.xyz), NEAREST * ball);
+  // The body is a disc through the centre that faces the eye: no point of it lies farther along the light.
+  float cap = WIDEST_DISC * place.w * length(axis.xy);
+  float extent = exitOf(ball, growth);
+
+  float end = mod(corner.y, 2.0);
+  vec3 middle = centre + mix(cap, extent, end) * axis;
+  gl_Position = NOWHERE;
+  if (extent <= cap || !isTurn(int(corner.y) / 2, end, middle, axis)) return;
+  vec3 away = awayFromEye(centre, axis);
+  float angle = (mod(corner.x, SIDES) - 0.5) * 2.0 * PI / SIDES;
+  vec3 outward = cos(angle) * away + sin(angle) * cross(axis, away);
+  float radius = ROUND * (ball + growth * mix(cap, extent, end));
+  gl_Position = clipFromView * vec4(middle + radius * outward, 1.0);
+}

@@ -1,0 +1,15 @@
+precision highp float;
+
+// Writes a depth that contradicts the polygon's, and may discard, as the bodies do.
+uniform float leastTone;
+
+flat in float writtenDepth;
+flat in float shown;
+
+out vec4 pixel;
+
+void main() {
+  if (shown < leastTone) discard;
+  pixel = vec4(shown);
+  gl_FragDepth = writtenDepth;
+}

@@ -1,0 +1,95 @@
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Camera,
+  GLSL3,
+  LessEqualDepth,
+  Mesh,
+  NearestFilter,
+  NoBlending,
+  RawShaderMaterial,
+  Scene,
+  WebGLRenderTarget,
+  type WebGLRenderer,
+} from 'three';
+import fragmentShader from '../../shaders/selfTest/selfTest.frag';
+import vertexShader from '../../shaders/selfTest/selfTest.vert';
+
+const [WIDTH, HEIGHT] = [16, 8];
+
+/** A rectangle over one half of the picture: where it lies, what it writes, and what it shows. */
+interface Rectangle {
+  half: 'left' | 'right';
+  polygonDepth: number;
+  writtenDepth: number;
+  tone: number;
+}
+
+/**
+ * On the left the second rectangle lies behind the first but writes that it is in front; on the right it is the other
+ * way about. Where polygons are tested before the shader has run, both halves come out wrong.
+ */
+const RECTANGLES: readonly Rectangle[] = [
+  { half: 'left', polygonDepth: 0.25, writtenDepth: 0.75, tone: 0.5 },
+  { half: 'right', polygonDepth: 0.9, writtenDepth: 0.25, tone: 1 },
+  { half: 'left', polygonDepth: 0.9, writtenDepth: 0.5, tone: 1 },
+  { half: 'right', polygonDepth: 0.1, writtenDepth: 0.5, tone: 0.5 },
+];
+
+/**
+ * Whether the depth that a fragment writes is the one that counts. Some GPUs go on testing polygons early (Intel HD 620
+ * and 630 among them); they are found by what they draw, not by their names. Leaves the renderer as it was.
+ */
+export function keepsWrittenDepth(renderer: WebGLRenderer): boolean {
+  const target = new WebGLRenderTarget(WIDTH, HEIGHT, { minFilter: NearestFilter, magFilter: NearestFilter });
+  const isReversed = renderer.state.buffers.depth.getReversed();
+  const mesh = new Mesh(rectangles(isReversed), testMaterial());
+  mesh.frustumCulled = false;
+  const before = { target: renderer.getRenderTarget(), autoClear: renderer.autoClear };
+  renderer.autoClear = false;
+  renderer.setRenderTarget(target);
+  renderer.clear(true, true, false);
+  renderer.render(new Scene().add(mesh), new Camera());
+  const pixels = new Uint8Array(4 * WIDTH * HEIGHT);
+  renderer.readRenderTargetPixels(target, 0, 0, WIDTH, HEIGHT, pixels);
+  renderer.setRenderTarget(before.target);
+  renderer.autoClear = before.autoClear;
+  for (const part of [target, mesh.geometry, mesh.material]) part.dispose();
+  return pixels.every((value) => value === 255);
+}
+
+/** @param isReversed whether near is 1 and clip space ends at 0 */
+function rectangles(isReversed: boolean): BufferGeometry {
+  const geometry = new BufferGeometry();
+  const corners = RECTANGLES.flatMap((rectangle) => {
+    const [left, right] = rectangle.half === 'left' ? [-1, 0] : [0, 1];
+    return [left, -1, right, -1, right, 1, left, 1];
+  });
+  const ofAll = (valuesOf: (rectangle: Rectangle) => number[]) =>
+    new Float32Array(RECTANGLES.flatMap((rectangle) => Array.from({ length: 4 }, () => valuesOf(rectangle)).flat()));
+  const depths = ofAll(({ polygonDepth, writtenDepth }) =>
+    isReversed ? [1 - polygonDepth, 1 - writtenDepth] : [2 * polygonDepth - 1, writtenDepth],
+  );
+  geometry.setAttribute('place', new BufferAttribute(new Float32Array(corners), 2));
+  geometry.setAttribute('depths', new BufferAttribute(depths, 2));
+  geometry.setAttribute(
+    'tone',
+    new BufferAttribute(
+      ofAll(({ tone }) => [tone]),
+      1,
+    ),
+  );
+  geometry.setIndex(RECTANGLES.flatMap((_, number) => [0, 1, 2, 0, 2, 3].map((corner) => 4 * number + corner)));
+  return geometry;
+}
+
+function testMaterial(): RawShaderMaterial {
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader,
+    fragmentShader,
+    uniforms: { leastTone: { value: 0.25 } },
+    depthFunc: LessEqualDepth,
+    blending: NoBlending,
+  });
+}
