@@ -46,7 +46,7 @@ export class ResolvePass {
   }
 
   /** @param output the target to write, or null for the canvas */
-  draw(renderer: WebGLRenderer, targets: Targets, output: WebGLRenderTarget | null): void {
+  draw(renderer: WebGLRenderer, targets: Pick<Targets, 'unlit' | 'lit'>, output: WebGLRenderTarget | null): void {
     this.uniforms.unlit.value = targets.unlit;
     this.uniforms.lit.value = targets.lit;
     renderer.setRenderTarget(output);

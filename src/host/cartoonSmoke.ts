@@ -1,0 +1,326 @@
+import {
+  Box3,
+  Group,
+  NoBlending,
+  Vector2,
+  Vector3,
+  Vector4,
+  type Camera,
+  type DirectionalLight,
+  type Object3D,
+  type Scene,
+  type WebGLRenderer,
+} from 'three';
+import type { Device } from '../device/device.ts';
+import { InsertPass } from '../passes/insert.ts';
+import { SmokePictures } from '../passes/pictures.ts';
+import { ParameterError, SimulatorError, UnsupportedError } from '../preset/errors.ts';
+import type { Values } from '../preset/parameter.ts';
+import { findPreset, presets } from '../preset/presets.ts';
+import { defaults, validate } from '../preset/values.ts';
+import { Clock } from '../sim/clock.ts';
+import { loadSimulators } from '../sim/load.ts';
+import type { Simulator } from '../sim/simulator.ts';
+import { simulatorValues } from '../sim/simulatorValues.ts';
+import { SmokeRenderer } from '../smoke/smoke.ts';
+import { styleOf, type Style } from '../smoke/style.ts';
+import { Casters, MOST_BALLS } from './casters.ts';
+import { Colliders, type CollideOptions } from './colliders.ts';
+import { borrowDevice, releaseDevice } from './devices.ts';
+import { Nozzle } from './nozzle.ts';
+import { drawIntoHost, type HostPasses } from './hostFrame.ts';
+import type { ProxyBall } from './proxies.ts';
+import { receiversIn } from './receivers.ts';
+import { objectionTo, requireKeyLight, requireRenderer } from './requirements.ts';
+
+/** What smoke in a scene of yours is made of. */
+export interface CartoonSmokeOptions {
+  /** Yours; it must have a stencil buffer: `new WebGLRenderer({ stencil: true })`. */
+  renderer: WebGLRenderer;
+  /** The light that smoke is shaded by and keeps from what it shadows. It stays yours and may move. */
+  keyLight: DirectionalLight;
+  /** The name of a preset, from which `values` differ. Its light and its scene are left to yours. */
+  preset?: string;
+  /** Flat values of the parameter table, such as `{ 'emission.rate': 60, 'emitters.0.position.y': 1 }`. */
+  values?: Values;
+  /** Whether objects can collide, which loads the larger simulator. Default true. */
+  physics?: boolean;
+  /** Told before and after your opaque objects are drawn once more in shadow, for shaders that light themselves. */
+  onRelight?: (isInShadow: boolean) => void;
+}
+
+/** How an object throws its shadow. */
+export interface CastOptions {
+  /** What stands in for the object, instead of its own meshes. */
+  proxies?: readonly ProxyBall[];
+}
+
+/** What smoke counts. */
+export interface CartoonSmokeStats {
+  /** Steps of 1/60 s since creation. */
+  steps: number;
+  alive: number;
+  /** Particles that wait to be born until there is room. */
+  waiting: number;
+  /** Of the latest view that was drawn. */
+  bodiesDrawn: number;
+  castersDrawn: number;
+}
+
+/** Without a value of its own the first emitter is a small disc that blows upwards from the origin. */
+const EMITTER: Values = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
+/** What a scene of one's own decides, or what is decided at creation. */
+const GIVEN = ['scene', 'light.azimuth', 'light.elevation'];
+const FIXED = [...GIVEN, 'seed', 'simulation.maxParticles'];
+/** Before everything else that is blended. */
+const FIRST = -1e9;
+
+/**
+ * Cartoon smoke for a three.js scene of your own: add it to the scene and go on rendering as before. It draws itself
+ * into whatever the renderer draws, canvas or target, for any number of cameras, and leaves materials untouched.
+ *
+ * ```ts
+ * const smoke = await CartoonSmoke.create({ renderer, keyLight, values: { 'style.smokeColor': '#ffffff' } });
+ * scene.add(smoke);
+ * smoke.collide(robot);
+ * renderer.setAnimationLoop(() => { smoke.update(clock.getDelta()); renderer.render(scene, camera); });
+ * ```
+ *
+ * Smoke lives in world space: where this object stands changes nothing.
+ */
+export class CartoonSmoke extends Group {
+  private readonly device: Device;
+  private readonly keyLight: DirectionalLight;
+  private readonly onRelight: (isInShadow: boolean) => void;
+  private readonly simulator: Simulator;
+  private readonly passes: HostPasses;
+  private readonly colliders: Colliders;
+  private readonly nozzles: Nozzle[] = [];
+  private readonly hasPhysics: boolean;
+  private readonly clock = new Clock();
+  private readonly receivers = new Box3();
+  private readonly viewport = new Vector4();
+  private readonly towardsLight = new Vector3();
+  private values: Values;
+  private style: Style;
+  private now = 0;
+  private isDrawing = false;
+  private isDisposed = false;
+  private objection: Error | undefined;
+  private drawn = { bodiesDrawn: 0, castersDrawn: 0 };
+
+  /**
+   * @throws UnsupportedError when the renderer lacks something, or the browser does. ParameterError for an unknown preset,
+   * a value out of range, or a light of another kind. LoadError when the simulator cannot be fetched.
+   */
+  static async create(options: CartoonSmokeOptions): Promise<CartoonSmoke> {
+    requireRenderer(options.renderer);
+    requireKeyLight(options.keyLight);
+    const values = startValues(options);
+    const factory = await loadSimulators({ physics: options.physics ?? true });
+    const simulator = factory.create({
+      capacity: values['simulation.maxParticles'] as number,
+      seed: values.seed as number,
+    });
+    simulator.set(simulatorValues(values));
+    return new CartoonSmoke(options, values, simulator);
+  }
+
+  private constructor(options: CartoonSmokeOptions, values: Values, simulator: Simulator) {
+    super();
+    this.name = 'CartoonSmoke';
+    this.renderOrder = FIRST;
+    this.device = borrowDevice(options.renderer);
+    this.keyLight = options.keyLight;
+    this.onRelight = options.onRelight ?? (() => {});
+    this.hasPhysics = options.physics ?? true;
+    this.simulator = simulator;
+    this.values = values;
+    this.style = styleOf(values);
+    this.colliders = new Colliders(simulator);
+    this.passes = this.makePasses(values['simulation.maxParticles'] as number);
+    this.add(this.makeMarker());
+  }
+
+  /** Lets smoke bump into an object, wherever that goes from now on. See {@link CollideOptions}. */
+  collide(object: Object3D, options: CollideOptions = {}): void {
+    this.requireAlive();
+    if (!this.hasPhysics)
+      throw new UnsupportedError('Nothing can collide with smoke that was created with physics: false.');
+    this.colliders.add(object, options);
+  }
+
+  /**
+   * Lets an object throw its shadow onto smoke and onto all else: closed rigid meshes by their silhouettes, others by
+   * balls, one for each bone or instance.
+   */
+  cast(object: Object3D, { proxies }: CastOptions = {}): void {
+    this.requireAlive();
+    this.passes.casters.add(object, proxies);
+  }
+
+  /** Lets an emitter follow an object: puffs are born at its origin and leave along its y axis. */
+  emitFrom(object: Object3D, emitter = 0): void {
+    this.requireAlive();
+    this.nozzles.push(new Nozzle(object, emitter));
+  }
+
+  /**
+   * Lets time pass: once before each picture.
+   * @param seconds since the last call; pictures between two steps are interpolated
+   * @throws UnsupportedError for a view that smoke could not be drawn into since the last call
+   */
+  update(seconds: number): void {
+    this.requireAlive();
+    this.raiseObjection();
+    this.now += 1000 * seconds;
+    this.advance(this.clock.tick(this.now));
+  }
+
+  /** Makes exactly so many steps of 1/60 s, and shows the last one: the same pictures each time. */
+  step(count = 1): void {
+    this.requireAlive();
+    this.raiseObjection();
+    this.clock.settle();
+    this.advance(count);
+  }
+
+  /** Changes values by their flat keys: all of them, or none when one is refused, with a ParameterError. */
+  set(values: Values): void {
+    this.requireAlive();
+    validate(values);
+    for (const key of Object.keys(values)) {
+      if (FIXED.includes(key))
+        throw new ParameterError(
+          key,
+          values[key],
+          GIVEN.includes(key) ? 'what your scene has' : 'a value at creation only',
+        );
+    }
+    this.simulator.set(simulatorValues(values));
+    this.values = { ...this.values, ...values };
+    this.style = styleOf(this.values);
+  }
+
+  /** All values that smoke has. */
+  get(): Values {
+    return this.values;
+  }
+
+  get stats(): CartoonSmokeStats {
+    const { steps, alive, waiting } = this.simulator;
+    return { steps, alive, waiting, ...this.drawn };
+  }
+
+  /** The simulator's state in 16 digits: equal states, equal hashes. */
+  hash(): string {
+    return this.simulator.hash();
+  }
+
+  /** Takes it out of its scene and gives everything back. Renderer and scene stay yours. May be called again. */
+  override dispose(): void {
+    if (this.isDisposed) return;
+    super.dispose();
+    this.isDisposed = true;
+    this.removeFromParent();
+    this.simulator.dispose();
+    this.passes.smoke.dispose();
+    for (const part of [this.passes.insert, this.passes.pictures, this.passes.casters]) part.dispose();
+    releaseDevice(this.device);
+  }
+
+  private makePasses(capacity: number): HostPasses {
+    const { device, simulator } = this;
+    const smoke = new SmokeRenderer(device, { capacity: capacity + MOST_BALLS, surfaces: [] });
+    const { eye } = smoke.passes;
+    const shadowRadius = () => device.puffs.of(this.style.form).shadowRadius;
+    const casters = new Casters(simulator, eye, capacity, shadowRadius);
+    return { smoke, casters, pictures: new SmokePictures(), insert: new InsertPass(eye) };
+  }
+
+  /** The first of a scene's blended objects: when its turn comes, all that is opaque stands. */
+  private makeMarker(): Object3D {
+    const marker = this.passes.insert.unlitMesh;
+    marker.onBeforeRender = (renderer, scene, camera) => {
+      const isDrawn = this.draw(renderer, scene, camera);
+      marker.geometry.setDrawRange(0, isDrawn ? 3 : 0);
+    };
+    marker.onAfterRender = (renderer) => {
+      renderer.clearStencil();
+      renderer.state.buffers.stencil.setTest(false);
+      renderer.state.setBlending(NoBlending);
+    };
+    // It covers the whole view, and nobody means it when pointing at something.
+    marker.raycast = () => {};
+    return marker;
+  }
+
+  /** Draws all but the marker itself; false where smoke cannot be drawn, which the next update tells. */
+  private draw(renderer: WebGLRenderer, scene: Scene, camera: Camera): boolean {
+    if (this.isDrawing || !this.device.isUsable) return false;
+    const objection = objectionTo(renderer, camera);
+    if (objection) {
+      this.objection = objection;
+      return false;
+    }
+    this.isDrawing = true;
+    try {
+      const { origin, ...input } = this.lookFrom(renderer, camera);
+      const { keyLight, onRelight } = this;
+      const view = { renderer, scene, camera, keyLight, origin, onRelight };
+      receiversIn(scene, this.receivers);
+      this.drawn = drawIntoHost(this.passes, view, { ...input, receivers: this.receivers });
+      return true;
+    } finally {
+      this.isDrawing = false;
+    }
+  }
+
+  private lookFrom(renderer: WebGLRenderer, camera: Camera) {
+    const { x, y, z: width, w: height } = renderer.getCurrentViewport(this.viewport);
+    const target = new Vector3().setFromMatrixPosition(this.keyLight.target.matrixWorld);
+    this.towardsLight.setFromMatrixPosition(this.keyLight.matrixWorld).sub(target).normalize();
+    return {
+      simulator: this.passes.casters,
+      camera,
+      towardsLight: this.towardsLight,
+      style: this.style,
+      blend: this.clock.blend,
+      origin: new Vector2(x, y),
+      width,
+      height,
+      pixelRatio: renderer.getPixelRatio(),
+      rigids: [],
+      cull: true,
+      output: null,
+    };
+  }
+
+  private advance(steps: number): void {
+    if (steps === 0) return;
+    this.colliders.look();
+    for (let taken = 1; taken <= steps; ++taken) {
+      this.colliders.move(taken / steps);
+      for (const nozzle of this.nozzles) this.simulator.set(nozzle.values());
+      this.simulator.step();
+    }
+  }
+
+  private raiseObjection(): void {
+    const { objection } = this;
+    this.objection = undefined;
+    if (objection) throw objection;
+  }
+
+  private requireAlive(): void {
+    if (this.isDisposed) throw new SimulatorError('This smoke was disposed; create a new one.');
+  }
+}
+
+function startValues({ preset: name, values = {} }: CartoonSmokeOptions): Values {
+  const preset = name === undefined ? undefined : findPreset(name);
+  if (name !== undefined && !preset)
+    throw new ParameterError('preset', name, presets.map((each) => each.name).join(', '));
+  validate(values);
+  return { ...defaults(), ...EMITTER, ...preset?.values, ...values };
+}

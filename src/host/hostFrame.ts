@@ -1,0 +1,69 @@
+import { Vector2, type Camera, type DirectionalLight, type Scene, type WebGLRenderer } from 'three';
+import { SmokePictures } from '../passes/pictures.ts';
+import type { InsertPass } from '../passes/insert.ts';
+import type { FrameInput, FrameReport } from '../smoke/frame.ts';
+import type { SmokeRenderer } from '../smoke/smoke.ts';
+import type { Casters } from './casters.ts';
+import { relight } from './relight.ts';
+import { isLinearPicture } from './requirements.ts';
+import { RendererState } from './rendererState.ts';
+
+/** What a frame is drawn with, besides the passes of the smoke. */
+export interface HostPasses {
+  smoke: SmokeRenderer;
+  pictures: SmokePictures;
+  insert: InsertPass;
+  casters: Casters;
+}
+
+/** Into whose picture smoke is drawn. */
+export interface HostView {
+  renderer: WebGLRenderer;
+  scene: Scene;
+  camera: Camera;
+  keyLight: DirectionalLight;
+  /** Where the picture begins in its target, pixels. */
+  origin: Vector2;
+  /** Told before and after the scene is drawn once more in shadow. */
+  onRelight: (isInShadow: boolean) => void;
+}
+
+/**
+ * Smoke in the middle of a stranger's frame, between the opaque objects and the blended ones:
+ * arrange -> bodies alone into unlit, lit and depth -> both pictures, smoothed -> their depth into the stranger's
+ * -> volumes into the stencil -> lit smoke where that is zero -> the scene without its key light elsewhere.
+ * Unlit smoke follows, as the first of the blended objects.
+ */
+export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInput): FrameReport {
+  const { smoke, pictures, insert, casters } = passes;
+  const { renderer } = view;
+  const { body, eye, resolve, targets, volumes } = smoke.passes;
+  const isLinear = isLinearPicture(renderer);
+  const state = new RendererState(renderer);
+  state.hold();
+  try {
+    const report = smoke.arrange(input);
+    eye.uniforms.viewportOrigin.value.copy(view.origin);
+    targets.begin(renderer);
+    body.draw(renderer);
+    pictures.take(renderer, targets, resolve);
+
+    state.returnToTarget();
+    renderer.clearStencil();
+    insert.setSmoke({ lit: pictures.lit, unlit: pictures.unlit, depth: targets.depth }, isLinear);
+    insert.drawDepth(renderer);
+    if (input.style.shadows) {
+      casters.draw(renderer);
+      volumes.draw(renderer);
+    }
+    insert.drawLit(renderer);
+    if (input.style.shadows) {
+      view.onRelight(true);
+      relight(renderer, view.scene, view.camera, view.keyLight);
+      view.onRelight(false);
+    }
+    return report;
+  } finally {
+    state.restore();
+  }
+}

@@ -1,0 +1,67 @@
+import { Matrix4, Quaternion, Vector3, type BoxGeometry, type BufferGeometry, type SphereGeometry } from 'three';
+import type { TriangleMesh } from '../passes/extrusion.ts';
+import type { SingleShape } from '../sim/rigid.ts';
+
+/** Where something stands in the world without its scale, which its shape has taken up. */
+export interface Pose {
+  position: Vector3;
+  rotation: Quaternion;
+}
+
+const scratch = new Vector3();
+
+/** Takes a world matrix apart. Shear has no place in a pose and is left out. */
+export function poseOf(world: Matrix4, into: Pose, scale = scratch): Pose {
+  world.decompose(into.position, into.rotation, scale);
+  return into;
+}
+
+/** The scale in a world matrix. */
+export function scaleOf(world: Matrix4): Vector3 {
+  const scale = new Vector3();
+  world.decompose(new Vector3(), new Quaternion(), scale);
+  return scale;
+}
+
+/** What smoke bumps into for a geometry: whole spheres and boxes exactly, everything else by its triangles. */
+export function shapeOf(geometry: BufferGeometry, scale: Vector3): SingleShape {
+  const [x, y, z] = [Math.abs(scale.x), Math.abs(scale.y), Math.abs(scale.z)];
+  if (geometry.type === 'BoxGeometry') {
+    const { width, height, depth } = (geometry as BoxGeometry).parameters;
+    return { type: 'cuboid', halfExtents: [(width * x) / 2, (height * y) / 2, (depth * z) / 2] };
+  }
+  if (isWholeSphere(geometry) && isEven(x, y) && isEven(x, z)) {
+    return { type: 'ball', radius: geometry.parameters.radius * x };
+  }
+  const { positions, indices } = trianglesOf(geometry, scale);
+  return { type: 'trimesh', vertices: positions, indices };
+}
+
+/** The triangles of a geometry at a scale; those of a mirrored one are turned over, to stay anticlockwise from outside. */
+export function trianglesOf(geometry: BufferGeometry, scale: Vector3): TriangleMesh {
+  const { position } = geometry.attributes;
+  const positions = new Float32Array(3 * position.count);
+  for (let vertex = 0; vertex < position.count; ++vertex) {
+    scratch
+      .fromBufferAttribute(position, vertex)
+      .multiply(scale)
+      .toArray(positions, 3 * vertex);
+  }
+  const indices = Uint32Array.from(
+    geometry.index?.array ?? Array.from({ length: position.count }, (_, index) => index),
+  );
+  if (scale.x * scale.y * scale.z < 0) {
+    for (let corner = 0; corner < indices.length; corner += 3) indices.subarray(corner, corner + 2).reverse();
+  }
+  return { positions, normals: new Float32Array(positions.length), indices };
+}
+
+function isWholeSphere(geometry: BufferGeometry): geometry is SphereGeometry {
+  if (geometry.type !== 'SphereGeometry') return false;
+  const { phiLength, thetaLength } = (geometry as SphereGeometry).parameters;
+  return phiLength >= 2 * Math.PI && thetaLength >= Math.PI;
+}
+
+function isEven(a: number, b: number): boolean {
+  return Math.abs(a - b) <= 1e-4 * a;
+}
