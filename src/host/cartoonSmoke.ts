@@ -3,10 +3,8 @@ import {
   Group,
   NoBlending,
   Vector2,
-  Vector3,
   Vector4,
   type Camera,
-  type DirectionalLight,
   type Object3D,
   type Scene,
   type WebGLRenderer,
@@ -14,64 +12,31 @@ import {
 import type { Device } from '../device/device.ts';
 import { InsertPass } from '../passes/insert.ts';
 import { SmokePictures } from '../passes/pictures.ts';
-import { ParameterError, SimulatorError, UnsupportedError } from '../preset/errors.ts';
+import { SimulatorError, UnsupportedError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
-import { findPreset, presets } from '../preset/presets.ts';
-import { defaults, validate } from '../preset/values.ts';
 import { Clock } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { simulatorValues } from '../sim/simulatorValues.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
-import { styleOf, type Style } from '../smoke/style.ts';
+import type { Style } from '../smoke/style.ts';
 import { Casters, MOST_BALLS } from './casters.ts';
 import { Colliders, type CollideOptions } from './colliders.ts';
 import { borrowDevice, releaseDevice } from './devices.ts';
 import { Nozzle } from './nozzle.ts';
 import { drawIntoHost, type HostPasses } from './hostFrame.ts';
-import type { ProxyBall } from './proxies.ts';
+import { lightFrom, requireKeyLight, type KeyLight } from './keyLight.ts';
+import {
+  hostStyle,
+  requireChangeable,
+  startValues,
+  type CartoonSmokeOptions,
+  type CartoonSmokeStats,
+  type CastOptions,
+} from './options.ts';
 import { receiversIn } from './receivers.ts';
-import { objectionTo, requireKeyLight, requireRenderer } from './requirements.ts';
+import { objectionTo, requireRenderer } from './requirements.ts';
 
-/** What smoke in a scene of yours is made of. */
-export interface CartoonSmokeOptions {
-  /** Yours; it must have a stencil buffer: `new WebGLRenderer({ stencil: true })`. */
-  renderer: WebGLRenderer;
-  /** The light that smoke is shaded by and keeps from what it shadows. It stays yours and may move. */
-  keyLight: DirectionalLight;
-  /** The name of a preset, from which `values` differ. Its light and its scene are left to yours. */
-  preset?: string;
-  /** Flat values of the parameter table, such as `{ 'emission.rate': 60, 'emitters.0.position.y': 1 }`. */
-  values?: Values;
-  /** Whether objects can collide, which loads the larger simulator. Default true. */
-  physics?: boolean;
-  /** Told before and after your opaque objects are drawn once more in shadow, for shaders that light themselves. */
-  onRelight?: (isInShadow: boolean) => void;
-}
-
-/** How an object throws its shadow. */
-export interface CastOptions {
-  /** What stands in for the object, instead of its own meshes. */
-  proxies?: readonly ProxyBall[];
-}
-
-/** What smoke counts. */
-export interface CartoonSmokeStats {
-  /** Steps of 1/60 s since creation. */
-  steps: number;
-  alive: number;
-  /** Particles that wait to be born until there is room. */
-  waiting: number;
-  /** Of the latest view that was drawn. */
-  bodiesDrawn: number;
-  castersDrawn: number;
-}
-
-/** Without a value of its own the first emitter is a small disc that blows upwards from the origin. */
-const EMITTER: Values = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
-/** What a scene of one's own decides, or what is decided at creation. */
-const GIVEN = ['scene', 'light.azimuth', 'light.elevation'];
-const FIXED = [...GIVEN, 'seed', 'simulation.maxParticles'];
 /** Before everything else that is blended. */
 const FIRST = -1e9;
 
@@ -90,7 +55,7 @@ const FIRST = -1e9;
  */
 export class CartoonSmoke extends Group {
   private readonly device: Device;
-  private readonly keyLight: DirectionalLight;
+  private readonly keyLight: KeyLight;
   private readonly onRelight: (isInShadow: boolean) => void;
   private readonly simulator: Simulator;
   private readonly passes: HostPasses;
@@ -100,7 +65,6 @@ export class CartoonSmoke extends Group {
   private readonly clock = new Clock();
   private readonly receivers = new Box3();
   private readonly viewport = new Vector4();
-  private readonly towardsLight = new Vector3();
   private values: Values;
   private style: Style;
   private now = 0;
@@ -136,7 +100,7 @@ export class CartoonSmoke extends Group {
     this.hasPhysics = options.physics ?? true;
     this.simulator = simulator;
     this.values = values;
-    this.style = styleOf(values);
+    this.style = hostStyle(values);
     this.colliders = new Colliders(simulator);
     this.passes = this.makePasses(values['simulation.maxParticles'] as number);
     this.add(this.makeMarker());
@@ -188,18 +152,10 @@ export class CartoonSmoke extends Group {
   /** Changes values by their flat keys: all of them, or none when one is refused, with a ParameterError. */
   set(values: Values): void {
     this.requireAlive();
-    validate(values);
-    for (const key of Object.keys(values)) {
-      if (FIXED.includes(key))
-        throw new ParameterError(
-          key,
-          values[key],
-          GIVEN.includes(key) ? 'what your scene has' : 'a value at creation only',
-        );
-    }
+    requireChangeable(values);
     this.simulator.set(simulatorValues(values));
     this.values = { ...this.values, ...values };
-    this.style = styleOf(this.values);
+    this.style = hostStyle(this.values);
   }
 
   /** All values that smoke has. */
@@ -278,12 +234,10 @@ export class CartoonSmoke extends Group {
 
   private lookFrom(renderer: WebGLRenderer, camera: Camera) {
     const { x, y, z: width, w: height } = renderer.getCurrentViewport(this.viewport);
-    const target = new Vector3().setFromMatrixPosition(this.keyLight.target.matrixWorld);
-    this.towardsLight.setFromMatrixPosition(this.keyLight.matrixWorld).sub(target).normalize();
     return {
       simulator: this.passes.casters,
       camera,
-      towardsLight: this.towardsLight,
+      light: lightFrom(this.keyLight),
       style: this.style,
       blend: this.clock.blend,
       origin: new Vector2(x, y),
@@ -315,12 +269,4 @@ export class CartoonSmoke extends Group {
   private requireAlive(): void {
     if (this.isDisposed) throw new SimulatorError('This smoke was disposed; create a new one.');
   }
-}
-
-function startValues({ preset: name, values = {} }: CartoonSmokeOptions): Values {
-  const preset = name === undefined ? undefined : findPreset(name);
-  if (name !== undefined && !preset)
-    throw new ParameterError('preset', name, presets.map((each) => each.name).join(', '));
-  validate(values);
-  return { ...defaults(), ...EMITTER, ...preset?.values, ...values };
 }

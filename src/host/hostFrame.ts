@@ -1,9 +1,10 @@
-import { Vector2, type Camera, type DirectionalLight, type Scene, type WebGLRenderer } from 'three';
-import { SmokePictures } from '../passes/pictures.ts';
+import type { Camera, Scene, Vector2, WebGLRenderer } from 'three';
+import type { SmokePictures } from '../passes/pictures.ts';
 import type { InsertPass } from '../passes/insert.ts';
 import type { FrameInput, FrameReport } from '../smoke/frame.ts';
 import type { SmokeRenderer } from '../smoke/smoke.ts';
 import type { Casters } from './casters.ts';
+import type { KeyLight } from './keyLight.ts';
 import { relight } from './relight.ts';
 import { isLinearPicture } from './requirements.ts';
 import { RendererState } from './rendererState.ts';
@@ -21,7 +22,7 @@ export interface HostView {
   renderer: WebGLRenderer;
   scene: Scene;
   camera: Camera;
-  keyLight: DirectionalLight;
+  keyLight: KeyLight;
   /** Where the picture begins in its target, pixels. */
   origin: Vector2;
   /** Told before and after the scene is drawn once more in shadow. */

@@ -1,5 +1,5 @@
-import { LinearSRGBColorSpace, SRGBColorSpace, type Camera, type Light, type WebGLRenderer } from 'three';
-import { ParameterError, UnsupportedError } from '../preset/errors.ts';
+import { LinearSRGBColorSpace, SRGBColorSpace, type Camera, type WebGLRenderer } from 'three';
+import { UnsupportedError } from '../preset/errors.ts';
 
 /**
  * What smoke needs of a renderer for as long as that lives.
@@ -22,12 +22,6 @@ export function requireRenderer(renderer: WebGLRenderer): void {
   throw new UnsupportedError(
     'Smoke counts its shadows in the stencil buffer: create the renderer with { stencil: true }, and with depth.',
   );
-}
-
-/** @throws ParameterError for a light whose shadow smoke cannot throw */
-export function requireKeyLight(light: Light): void {
-  if ('isDirectionalLight' in light) return;
-  throw new ParameterError('keyLight', light?.type, 'a DirectionalLight');
 }
 
 /**

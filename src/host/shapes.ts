@@ -1,4 +1,4 @@
-import { Matrix4, Quaternion, Vector3, type BoxGeometry, type BufferGeometry, type SphereGeometry } from 'three';
+import { Quaternion, Vector3, type Matrix4, type BoxGeometry, type BufferGeometry, type SphereGeometry } from 'three';
 import type { TriangleMesh } from '../passes/extrusion.ts';
 import type { SingleShape } from '../sim/rigid.ts';
 

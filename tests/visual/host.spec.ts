@@ -95,7 +95,7 @@ test.describe('refusals', () => {
     expect(said.stencil).toMatch(/^UnsupportedError: .*stencil: true/);
     expect(said.logarithmic).toMatch(/^UnsupportedError: .*without logarithmicDepthBuffer/);
     expect(said.reversed).toMatch(/^UnsupportedError: .*without reversedDepthBuffer/);
-    expect(said.light).toMatch(/^ParameterError: keyLight cannot be PointLight: .*DirectionalLight/);
+    expect(said.light).toMatch(/^ParameterError: keyLight cannot be HemisphereLight: .*DirectionalLight/);
     expect(said.preset).toMatch(/^ParameterError: preset cannot be lampp: it takes lamp, /);
     expect(said.value).toMatch(/^ParameterError: emission.rate cannot be -1: it takes a number from 0 to/);
     expect(said.fixed).toMatch(/^ParameterError: seed cannot be 2: .*creation/);

@@ -25,7 +25,8 @@ import {
   type ToneMapping,
   type WebGLRendererParameters,
 } from 'three';
-import { CartoonSmoke, type CartoonSmokeOptions } from '../../../src/host/cartoonSmoke.ts';
+import { CartoonSmoke } from '../../../src/host/cartoonSmoke.ts';
+import type { CartoonSmokeOptions } from '../../../src/host/options.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 
 export const WIDTH = 200;
