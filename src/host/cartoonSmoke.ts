@@ -10,6 +10,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 import type { Device } from '../device/device.ts';
+import type { BakedPuffs } from '../device/puffTextures.ts';
 import { InsertPass } from '../passes/insert.ts';
 import { SmokePictures } from '../passes/pictures.ts';
 import { SimulatorError, UnsupportedError } from '../preset/errors.ts';
@@ -18,6 +19,7 @@ import { Clock } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { simulatorValues } from '../sim/simulatorValues.ts';
+import { LivePuffs } from '../smoke/livePuffs.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import type { Style } from '../smoke/style.ts';
 import { Casters, MOST_BALLS } from './casters.ts';
@@ -37,6 +39,8 @@ import {
 import { receiversIn } from './receivers.ts';
 import { objectionTo, requireRenderer } from './requirements.ts';
 
+/** Spent with each picture on puffs whose knobs have been turned. */
+const BAKING_MS = 4;
 /** Before everything else that is blended. */
 const FIRST = -1e9;
 
@@ -65,6 +69,8 @@ export class CartoonSmoke extends Group {
   private readonly clock = new Clock();
   private readonly receivers = new Box3();
   private readonly viewport = new Vector4();
+  private readonly puffs: LivePuffs;
+  private readonly stopListening: () => void;
   private values: Values;
   private style: Style;
   private now = 0;
@@ -103,6 +109,9 @@ export class CartoonSmoke extends Group {
     this.style = hostStyle(values);
     this.colliders = new Colliders(simulator);
     this.passes = this.makePasses(values['simulation.maxParticles'] as number);
+    this.puffs = new LivePuffs(values);
+    this.showPuffs(this.puffs.finish());
+    this.stopListening = this.device.onContext((event) => (event === 'lost' ? this.releasePasses() : undefined));
     this.add(this.makeMarker());
   }
 
@@ -139,6 +148,7 @@ export class CartoonSmoke extends Group {
     this.raiseObjection();
     this.now += 1000 * seconds;
     this.advance(this.clock.tick(this.now));
+    this.showPuffs(this.puffs.workFor(BAKING_MS));
   }
 
   /** Makes exactly so many steps of 1/60 s, and shows the last one: the same pictures each time. */
@@ -147,6 +157,7 @@ export class CartoonSmoke extends Group {
     this.raiseObjection();
     this.clock.settle();
     this.advance(count);
+    this.showPuffs(this.puffs.finish());
   }
 
   /** Changes values by their flat keys: all of them, or none when one is refused, with a ParameterError. */
@@ -156,6 +167,7 @@ export class CartoonSmoke extends Group {
     this.simulator.set(simulatorValues(values));
     this.values = { ...this.values, ...values };
     this.style = hostStyle(this.values);
+    this.puffs.follow(this.values);
   }
 
   /** All values that smoke has. */
@@ -180,8 +192,9 @@ export class CartoonSmoke extends Group {
     this.isDisposed = true;
     this.removeFromParent();
     this.simulator.dispose();
+    this.stopListening();
     this.passes.smoke.dispose();
-    for (const part of [this.passes.insert, this.passes.pictures, this.passes.casters]) part.dispose();
+    this.releasePasses();
     releaseDevice(this.device);
   }
 
@@ -189,9 +202,18 @@ export class CartoonSmoke extends Group {
     const { device, simulator } = this;
     const smoke = new SmokeRenderer(device, { capacity: capacity + MOST_BALLS, surfaces: [] });
     const { eye } = smoke.passes;
-    const shadowRadius = () => device.puffs.of(this.style.form).shadowRadius;
+    const shadowRadius = () => smoke.passes.shadowRadiusOf(this.style.form);
     const casters = new Casters(simulator, eye, capacity, shadowRadius);
     return { smoke, casters, pictures: new SmokePictures(), insert: new InsertPass(eye) };
+  }
+
+  /** Lets go of what is on the device; what is drawn again gets it anew. */
+  private releasePasses(): void {
+    for (const part of [this.passes.insert, this.passes.pictures, this.passes.casters]) part.dispose();
+  }
+
+  private showPuffs(puffs: BakedPuffs | undefined): void {
+    if (puffs) this.passes.smoke.setPuffs(puffs);
   }
 
   /** The first of a scene's blended objects: when its turn comes, all that is opaque stands. */

@@ -1,6 +1,5 @@
 import type { WebGLRenderer } from 'three';
 import { Device } from '../device/device.ts';
-import { bakedPuffs } from '../smoke/bakedPuffs.ts';
 
 interface SharedDevice {
   device: Device;
@@ -13,7 +12,7 @@ const devices = new WeakMap<WebGLRenderer, SharedDevice>();
 export function borrowDevice(renderer: WebGLRenderer): Device {
   let shared = devices.get(renderer);
   if (!shared) {
-    shared = { device: new Device(renderer, bakedPuffs(), false), users: 0 };
+    shared = { device: new Device(renderer, false), users: 0 };
     devices.set(renderer, shared);
   }
   ++shared.users;

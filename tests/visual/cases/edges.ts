@@ -14,7 +14,6 @@ import {
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { createDevice, type Device } from '../../../src/device/device.ts';
 import { ResolvePass } from '../../../src/passes/resolve.ts';
-import type { Targets } from '../../../src/passes/targets.ts';
 import { PLAIN_STYLE, takePicture, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
 import { ground } from '../solids.ts';
@@ -71,7 +70,7 @@ class Filter {
   ): Uint8Array {
     const [unlit, lit] = (['unlit', 'lit'] as const).map((color) => textureOf((x, y) => pixelAt(x, y)[color]));
     this.pass.smoothEdges = smoothEdges;
-    this.pass.draw(this.device.renderer, { unlit, lit } as unknown as Targets, output);
+    this.pass.draw(this.device.renderer, { unlit, lit }, output);
     const pixels = new Uint8Array(4 * SIZE * SIZE);
     if (output) this.device.renderer.readRenderTargetPixels(output, 0, 0, SIZE, SIZE, pixels);
     for (const texture of [unlit, lit]) texture.dispose();

@@ -83,14 +83,19 @@ function isBetween(value: Pixels, a: Pixels, b: Pixels, pixel: number): boolean 
   });
 }
 
-/** Where smoke is, alone in front of one colour, and one pixel around it. */
-function maskOf(host: Host, smoke: CartoonSmoke): boolean[] {
+/** Where smoke is, alone in front of one colour. */
+function smokePixels(host: Host, smoke: CartoonSmoke): boolean[] {
   const scene = new Scene();
   scene.background = new Color('#ff00ff');
   scene.add(smoke);
   const pixels = draw({ ...host, scene });
   host.scene.add(smoke);
-  const isSmoke = Array.from({ length: WIDTH * HEIGHT }, (_, pixel) => pixels[4 * pixel + 1] !== 0);
+  return Array.from({ length: WIDTH * HEIGHT }, (_, pixel) => pixels[4 * pixel + 1] !== 0);
+}
+
+/** Where smoke is, and one pixel around it. */
+function maskOf(host: Host, smoke: CartoonSmoke): boolean[] {
+  const isSmoke = smokePixels(host, smoke);
   return isSmoke.map((_, pixel) => [0, 1, -1, WIDTH, -WIDTH].some((step) => isSmoke[pixel + step]));
 }
 
@@ -151,7 +156,7 @@ export async function blended(
   const host = emptyHost();
   const smoke = await smokeIn(host);
   const untouched = draw(host);
-  const mask = maskOf(host, smoke);
+  const mask = smokePixels(host, smoke);
   const thing = kind === 'pane' ? pane() : sprite();
   host.scene.add(thing);
   let wrong = 0;
@@ -160,10 +165,10 @@ export async function blended(
     thing.position.set(0, 1.2, 0).addScaledVector(forward, along);
     thing.lookAt(host.camera.position);
     const pixels = draw(host);
-    const smokePixels = mask.flatMap((isSmoke, pixel) => (isSmoke && !isEdge(mask, pixel) ? [pixel] : []));
-    const isTinted = smokePixels.filter((pixel) => differs(pixels, untouched, pixel));
+    const inner = mask.flatMap((isSmoke, pixel) => (isSmoke && !isEdge(mask, pixel) ? [pixel] : []));
+    const isTinted = inner.filter((pixel) => differs(pixels, untouched, pixel));
     wrong += isTinted.filter((pixel) => !isHalfGreen(pixels, untouched, pixel)).length;
-    return isTinted.length / smokePixels.length;
+    return isTinted.length / inner.length;
   });
   dispose(smoke, host.renderer);
   return { before: tinted[0], within: tinted[1], behind: tinted[2], wrong };

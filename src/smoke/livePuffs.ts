@@ -3,7 +3,7 @@ import type { Values } from '../preset/parameter.ts';
 import { designedShapes, type PuffDesign } from '../puffs/lobeShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { finished, workedFor, type Work } from '../puffs/work.ts';
-import { bakingPuffs } from '../smoke/bakedPuffs.ts';
+import { bakingPuffs } from './bakedPuffs.ts';
 
 /** What to bake, and a text that is the same for the same puffs. */
 interface Order {
@@ -12,10 +12,10 @@ interface Order {
 }
 
 /**
- * The puffs of a stage. When their knobs turn, others are baked a little with each picture, while the old ones stand;
+ * The puffs that values describe. When their knobs turn, others are baked a little with each picture, while the old ones stand;
  * who keeps turning sees those that were asked for when the bakery was last free.
  */
-export class StagePuffs {
+export class LivePuffs {
   private own: readonly PuffShape[] | undefined;
   private variations = 1;
   private wanted: Order;
