@@ -22,7 +22,7 @@ import { simulatorValues } from '../sim/simulatorValues.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import type { Style } from '../smoke/style.ts';
-import { Casters, MOST_BALLS } from './casters.ts';
+import { Casters } from './casters.ts';
 import { Colliders, type CollideOptions } from './colliders.ts';
 import { borrowDevice, releaseDevice } from './devices.ts';
 import { Nozzle } from './nozzle.ts';
@@ -111,7 +111,7 @@ export class CartoonSmoke extends Group {
     this.passes = this.makePasses(values['simulation.maxParticles'] as number);
     this.puffs = new LivePuffs(values);
     this.showPuffs(this.puffs.finish());
-    this.stopListening = this.device.onContext((event) => (event === 'lost' ? this.releasePasses() : undefined));
+    this.stopListening = this.device.onContext((event) => (event === 'lost' ? this.release() : undefined));
     this.add(this.makeMarker());
   }
 
@@ -194,22 +194,24 @@ export class CartoonSmoke extends Group {
     this.simulator.dispose();
     this.stopListening();
     this.passes.smoke.dispose();
-    this.releasePasses();
+    this.release();
+    this.passes.casters.dispose();
     releaseDevice(this.device);
   }
 
   private makePasses(capacity: number): HostPasses {
-    const { device, simulator } = this;
-    const smoke = new SmokeRenderer(device, { capacity: capacity + MOST_BALLS, surfaces: [] });
+    const { device } = this;
+    const smoke = new SmokeRenderer(device, { capacity, surfaces: [] });
     const { eye } = smoke.passes;
-    const shadowRadius = () => smoke.passes.shadowRadiusOf(this.style.form);
-    const casters = new Casters(simulator, eye, capacity, shadowRadius);
+    const casters = new Casters(device, eye);
     return { smoke, casters, pictures: new SmokePictures(), insert: new InsertPass(eye) };
   }
 
   /** Lets go of what is on the device; what is drawn again gets it anew. */
-  private releasePasses(): void {
-    for (const part of [this.passes.insert, this.passes.pictures, this.passes.casters]) part.dispose();
+  private release(): void {
+    this.passes.insert.dispose();
+    this.passes.pictures.dispose();
+    this.passes.casters.release();
   }
 
   private showPuffs(puffs: BakedPuffs | undefined): void {
@@ -257,7 +259,7 @@ export class CartoonSmoke extends Group {
   private lookFrom(renderer: WebGLRenderer, camera: Camera) {
     const { x, y, z: width, w: height } = renderer.getCurrentViewport(this.viewport);
     return {
-      simulator: this.passes.casters,
+      simulator: this.simulator,
       camera,
       light: lightFrom(this.keyLight),
       style: this.style,

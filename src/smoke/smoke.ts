@@ -42,8 +42,6 @@ export interface SmokePasses {
   readonly hasBackdrop: boolean;
   /** Factor on a particle's radius that makes the sphere which holds all of its puff in a form. */
   reachOf(form: PuffForm): number;
-  /** Radius of a particle's shadow volume in radii of the particle. */
-  shadowRadiusOf(form: PuffForm): number;
   placeSurfaces(rigids: readonly Matrix4[]): void;
 }
 
@@ -113,7 +111,6 @@ export class SmokeRenderer {
       }),
       hasBackdrop: backdrop !== undefined,
       reachOf: (form) => this.puffs.of(form).reach,
-      shadowRadiusOf: (form) => this.puffs.of(form).shadowRadius,
       placeSurfaces: (rigids) =>
         surfaces.forEach(({ rigid }, surface) => {
           if (rigid === undefined) return;

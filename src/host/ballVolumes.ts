@@ -1,0 +1,65 @@
+import type { WebGLRenderer } from 'three';
+import type { Device } from '../device/device.ts';
+import type { Eye } from '../device/eye.ts';
+import { PuffTextures } from '../device/puffTextures.ts';
+import { FRONT_AND_BACK, Instances } from '../instances/instances.ts';
+import { VolumesPass } from '../passes/volumes.ts';
+import { ParameterError } from '../preset/errors.ts';
+import type { PuffShape } from '../puffs/shapes.ts';
+import type { Rows } from '../sim/rows.ts';
+import { bakedPuffs } from '../smoke/bakedPuffs.ts';
+import type { BallAt } from './proxies.ts';
+
+/** The most balls that can stand in for what bends or is open. */
+const MOST_BALLS = 512;
+/** A puff of one lobe, which is a ball of the particle's radius. */
+const BALL: readonly PuffShape[] = [{ name: 'ball', lobes: [{ center: [0, 0, 0], radius: 1 }] }];
+/** N . L from which a stranger's materials are taken to be lit: a ball's volume begins behind all of it that is. */
+const TURN = 0;
+
+/** Shadow volumes of balls, by the particles' own shader: each is a puff of one lobe. */
+export class BallVolumes {
+  private readonly balls: BallAt[] = [];
+  private readonly puffs: PuffTextures;
+  private readonly rows = new Instances(MOST_BALLS, FRONT_AND_BACK);
+  private readonly volumes: VolumesPass;
+  private readonly place = new Float32Array(4 * MOST_BALLS);
+  private readonly look = new Uint32Array(2 * MOST_BALLS);
+
+  constructor(device: Device, eye: Eye) {
+    this.puffs = new PuffTextures(device.puffs, bakedPuffs(BALL, BALL));
+    this.volumes = new VolumesPass(eye, this.puffs, this.rows.geometry);
+    this.volumes.follow('lobes', TURN);
+  }
+
+  /** @throws ParameterError when there are too many */
+  add(balls: readonly BallAt[]): void {
+    const count = this.balls.length + balls.length;
+    if (count > MOST_BALLS) throw new ParameterError('cast.proxies', count, `at most ${MOST_BALLS} balls in all`);
+    this.balls.push(...balls);
+  }
+
+  draw(renderer: WebGLRenderer): void {
+    const { balls, place, look } = this;
+    if (balls.length === 0) return;
+    balls.forEach((ballAt, index) => {
+      const { center, radius } = ballAt();
+      center.toArray(place, 4 * index);
+      place[4 * index + 3] = radius;
+    });
+    const rows: Rows = { count: balls.length, place, look };
+    this.rows.fill(rows);
+    this.volumes.draw(renderer);
+  }
+
+  /** Lets go of what is on the device; what is drawn again gets it anew. */
+  release(): void {
+    this.rows.dispose();
+    this.volumes.dispose();
+  }
+
+  dispose(): void {
+    this.release();
+    this.puffs.dispose();
+  }
+}
