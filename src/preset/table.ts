@@ -294,6 +294,19 @@ export const table: readonly Parameter[] = [
     label: 'Line swell',
     text: 'How much lines swell away from the light and thin towards it; 0 keeps them even.',
   }),
+  {
+    ...quantity('style.hold', 'style', 'simulator', {
+      kind: 'integer',
+      min: 1,
+      max: 4,
+      step: 1,
+      default: 1,
+      unit: '/ 24 s',
+      label: 'Hold',
+      text: 'How many frames of film each puff stands still: 1 moves smoothly, 2 to 4 are drawn on twos, threes and fours.',
+    }),
+    isOptional: true,
+  },
   quantity('style.innerLine', 'style', 'style', {
     min: 0,
     max: 1,

@@ -100,6 +100,13 @@ impl Arranger {
 #[inline(always)]
 fn blend<'p>(particles: &'p Particles, moment: &Moment, block: usize) -> (Vector4, f32x4) {
     let column = |column: &'p [f32]| blocks(column, block + 1);
+    if let Some(held) = &particles.held {
+        let place = Vector4::load(column(&held.x), column(&held.y), column(&held.z), block);
+        let lanes = |values: &'p [f32]| f32x4::new(column(values)[block]);
+        let age = lanes(&held.age);
+        let radius = moment.radii.radii(lanes(&held.size), age, lanes(&particles.lifetime));
+        return (place, age.simd_ge(f32x4::ZERO) & radius);
+    }
     let before = Vector4::load(
         column(&particles.px),
         column(&particles.py),

@@ -10,6 +10,7 @@ pub mod emission;
 pub mod error;
 pub mod forces;
 pub mod hash;
+pub mod held;
 pub mod life;
 #[cfg(feature = "bench")]
 pub mod measure;

@@ -4,6 +4,7 @@
 //! `0..alive` live; the tail holds finite leftovers, so that a kernel may run over the last, partly filled block.
 //! A death swaps the last living particle into the gap: order is not kept. 56 bytes a particle.
 
+use crate::held::Held;
 use crate::order::{self, Entry, Histogram};
 
 /// Particles that one SIMD operation handles.
@@ -34,6 +35,8 @@ pub struct Particles {
     pub temperature: Vec<f32>,
     /// Bits 0-7 variation, 8-15 seed byte, 16-27 roll at birth in 4,096ths of a turn, fixed at birth; 28-31 tint, 0: none.
     pub look: Vec<u32>,
+    /// What is shown instead of the present; none while drawing on ones.
+    pub held: Option<Box<Held>>,
     alive: usize,
     capacity: usize,
 }
@@ -71,6 +74,7 @@ impl Particles {
             size: zeros(),
             temperature: zeros(),
             look: vec![0; padded],
+            held: None,
             alive: 0,
             capacity,
         }
@@ -105,6 +109,9 @@ impl Particles {
         self.size[i] = newborn.size;
         self.temperature[i] = newborn.temperature;
         self.look[i] = newborn.look;
+        if let Some(held) = &mut self.held {
+            held.age[i] = -1.0;
+        }
         self.alive += 1;
         true
     }
@@ -117,6 +124,9 @@ impl Particles {
             column.swap(i, last);
         }
         self.look.swap(i, last);
+        if let Some(held) = &mut self.held {
+            held.columns_mut().into_iter().for_each(|column| column.swap(i, last));
+        }
         self.alive = last;
     }
 
@@ -190,7 +200,27 @@ impl Particles {
             .zip(&mut resized.look)
             .for_each(|(i, look)| *look = self.look[*i]);
         resized.set_alive(kept.len());
+        if let Some(held) = &self.held {
+            resized.hold(true);
+            for (to, from) in resized.held_columns_mut().into_iter().zip(held.columns()) {
+                kept.iter().zip(to).for_each(|(i, value)| *value = from[*i]);
+            }
+        }
         resized
+    }
+
+    /// Begins to hold what is shown, as it is now, or ends it; changes nothing where that has been done.
+    pub fn hold(&mut self, holds: bool) {
+        if !holds {
+            self.held = None;
+        } else if self.held.is_none() {
+            self.held = Some(Box::new(Held::of(self)));
+        }
+    }
+
+    /// The held columns, none where nothing is held.
+    pub(crate) fn held_columns_mut(&mut self) -> Vec<&mut [f32]> {
+        self.held.iter_mut().flat_map(|held| held.columns_mut()).collect()
     }
 }
 

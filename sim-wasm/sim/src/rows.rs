@@ -5,6 +5,7 @@
 //! age / lifetime (bits 16-31, times 65,535); word 1 = variation (bits 0-7), seed byte (8-15), temperature (16-23,
 //! 255 stands for 4), tint (24-31, 0: none).
 
+use crate::held::Held;
 use crate::life::RadiusLaw;
 use crate::particles::Particles;
 
@@ -26,11 +27,15 @@ pub struct Moment {
 impl Moment {
     /// Age (s) of particle `i` at the moment; negative when it is not born yet.
     pub fn age(&self, particles: &Particles, i: usize) -> f32 {
-        particles.age[i] - (1.0 - self.blend) * self.dt
+        let age = particles.held.as_ref().map_or(&particles.age, |held| &held.age);
+        age[i] - (1.0 - self.blend) * self.dt
     }
 
     /// Place and radius of particle `i`; the radius is 0 before birth.
     pub fn place(&self, particles: &Particles, i: usize) -> [f32; 4] {
+        if let Some(held) = &particles.held {
+            return self.held_place(held, particles.lifetime[i], i);
+        }
         let mix = |before: f32, now: f32| before * (1.0 - self.blend) + now * self.blend;
         let age = self.age(particles, i);
         let radius = self.radii.radius(particles.size[i], age, particles.lifetime[i]);
@@ -40,6 +45,12 @@ impl Moment {
             mix(particles.pz[i], particles.z[i]),
             if age < 0.0 { 0.0 } else { radius },
         ]
+    }
+
+    fn held_place(&self, held: &Held, lifetime: f32, i: usize) -> [f32; 4] {
+        let radius = self.radii.radius(held.size[i], held.age[i], lifetime);
+        let is_born = held.age[i] >= 0.0;
+        [held.x[i], held.y[i], held.z[i], if is_born { radius } else { 0.0 }]
     }
 
     /// The two words of particle `i`.

@@ -1,7 +1,8 @@
 //! One simulation: parameters, particles, rigids and random numbers, and the order of a step.
 //!
 //! A step is 1/60 s, always. Same seed, same parameters and inputs at the same steps: the same state to the last bit,
-//! natively and in WASM. All memory is taken at creation, that of vortex particles when the first shedder is described;
+//! natively and in WASM. All memory is taken at creation, that of vortex particles when the first shedder is described,
+//! and that of held columns when `style.hold` is first more than 1;
 //! `step` and `arrange` take none.
 
 use crate::arrange::Arranger;
@@ -12,6 +13,7 @@ use crate::error::{ParameterError, RestoreError};
 use crate::forces::Setting;
 use crate::forces::turbulence::{self, TurbulenceState};
 use crate::hash::Hash;
+use crate::held;
 use crate::life::{self, Ageing, RadiusLaw};
 use crate::motion::{Integrator, Motion};
 use crate::obstacles;
@@ -109,6 +111,7 @@ impl Simulator {
         if !self.parameters.shedders.items().is_empty() {
             self.vortex_particles_mut();
         }
+        self.particles.hold(self.parameters.style.hold > 1.0);
         Ok(())
     }
 
@@ -173,6 +176,7 @@ impl Simulator {
         turbulence::advance(&mut self.turbulence, &self.parameters, STEP);
         self.touch.advance();
         self.steps += 1;
+        held::follow(&mut self.particles, self.steps, self.parameters.style.hold as u64);
         self.follow_log();
         ended(Part::Rest);
     }
@@ -184,7 +188,8 @@ impl Simulator {
         let radii = RadiusLaw::new(&self.parameters);
         let moment = Moment {
             radii,
-            blend: view.blend,
+            // What is held does not go on between steps.
+            blend: if self.particles.held.is_some() { 1.0 } else { view.blend },
             dt: STEP as f32,
         };
         Ok(self.arranger.arrange(&self.particles, &view, &moment))

@@ -98,6 +98,7 @@ pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: Room) -> Result<()
     restore_rigids(simulator, rigids, draft.steps)?;
     draft.put_into(simulator);
     simulator.put_particles(particles);
+    simulator.particles.hold(simulator.parameters.style.hold > 1.0);
     Ok(())
 }
 
@@ -204,6 +205,10 @@ fn write_particles(body: &mut Writer, particles: &Particles) {
         column[..alive].iter().for_each(|value| body.word(value.to_bits()));
     }
     particles.look[..alive].iter().for_each(|look| body.word(*look));
+    body.word(u32::from(particles.held.is_some()));
+    for column in particles.held.iter().flat_map(|held| held.columns()) {
+        column[..alive].iter().for_each(|value| body.word(value.to_bits()));
+    }
 }
 
 fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, RestoreError> {
@@ -225,6 +230,12 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
         return Err(RestoreError::new(
             "the saved simulation holds a particle without a lifetime",
         ));
+    }
+    particles.hold(reader.word()? != 0);
+    for column in particles.held_columns_mut() {
+        column[..alive]
+            .iter_mut()
+            .try_for_each(|value| reader.float().map(|saved| *value = saved))?;
     }
     particles.set_alive(alive);
     Ok(particles)

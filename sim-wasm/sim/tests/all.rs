@@ -33,6 +33,7 @@ mod forces_riding;
 mod forces_scopes;
 mod forces_spirals;
 mod forces_weather;
+mod hold;
 mod life;
 mod life_curves;
 mod page_table;

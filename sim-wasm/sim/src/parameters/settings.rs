@@ -91,6 +91,16 @@ impl Item for Buoyancy {
     ];
 }
 
+/// `style.*`: what of the style bears on rows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Style {
+    pub hold: f64,
+}
+
+impl Item for Style {
+    const FIELDS: &'static [Field<Self>] = &[number("hold", "1", [1.0, 4.0], 1.0, |s: &mut Self| &mut s.hold).whole()];
+}
+
 /// `simulation.*`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Settings {

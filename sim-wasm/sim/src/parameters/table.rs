@@ -1,7 +1,7 @@
 //! The sections of the table in their order. The forces' lists stand in `forces`, a row each.
 
 use super::section::{Item, List, Many, Section, Single, item};
-use super::settings::{Buoyancy, Emission, Gravity, Multipliers, Puff, Settings};
+use super::settings::{Buoyancy, Emission, Gravity, Multipliers, Puff, Settings, Style};
 use crate::emission::Emitter;
 use crate::forces::drag::Resistance;
 use crate::forces::turbulence::Pattern;
@@ -23,6 +23,7 @@ pub struct Parameters {
     pub wind: Weather,
     pub turbulence: Pattern,
     pub simulation: Settings,
+    pub style: Style,
     pub emitters: List<Emitter>,
     pub colliders: List<Collider>,
     pub density: List<Stop>,
@@ -44,6 +45,7 @@ impl Default for Parameters {
             wind: item(),
             turbulence: item(),
             simulation: item(),
+            style: item(),
             emitters: List::default(),
             colliders: List::default(),
             density: List::default(),
@@ -67,6 +69,7 @@ const OWN: &[&dyn Section] = &[
     &once("wind", |p| &mut p.wind),
     &once("turbulence", |p| &mut p.turbulence),
     &once("simulation", |p| &mut p.simulation),
+    &once("style", |p| &mut p.style),
     &Many {
         name: "emitters",
         of: |p| &mut p.emitters,

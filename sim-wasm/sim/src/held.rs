@@ -1,0 +1,107 @@
+//! Drawing on twos, threes and fours: what is shown of a particle is what it was at its last *held moment*.
+//!
+//! With a hold of h particles have a held moment every h / 24 s, staggered by their seed bytes so that they do not all
+//! move at once. Held columns are shown and saved, but nothing is computed from them and the hash does not hold them.
+
+use crate::particles::Particles;
+
+/// Frames a second of the film that is held.
+const FRAME_RATE: u64 = 24;
+const STEP_RATE: u64 = 60;
+/// Values of the seed byte.
+const SEEDS: u64 = 256;
+
+/// Columns as in [`Particles`], of the last held moment.
+#[derive(Clone, Debug)]
+pub struct Held {
+    pub x: Vec<f32>,
+    pub y: Vec<f32>,
+    pub z: Vec<f32>,
+    /// Below 0 for a particle that has had no held moment yet.
+    pub age: Vec<f32>,
+    pub size: Vec<f32>,
+}
+
+impl Held {
+    /// All particles as they are now.
+    pub fn of(particles: &Particles) -> Self {
+        Self {
+            x: particles.x.clone(),
+            y: particles.y.clone(),
+            z: particles.z.clone(),
+            age: particles.age.clone(),
+            size: particles.size.clone(),
+        }
+    }
+
+    /// The columns in the order in which they are declared.
+    pub fn columns(&self) -> [&[f32]; 5] {
+        [&self.x, &self.y, &self.z, &self.age, &self.size]
+    }
+
+    /// The columns, writable, in the order in which they are declared.
+    pub fn columns_mut(&mut self) -> [&mut [f32]; 5] {
+        [&mut self.x, &mut self.y, &mut self.z, &mut self.age, &mut self.size]
+    }
+}
+
+/// Holds all particles that have a held moment at the end of step number `step`, counted from 1, and those that were born
+/// in it. `hold`: 2..=4.
+pub fn follow(particles: &mut Particles, step: u64, hold: u64) {
+    let Some(mut held) = particles.held.take() else {
+        return;
+    };
+    for i in 0..particles.alive() {
+        let seed = u64::from(particles.look[i] >> 8 & 0xff);
+        if held.age[i] < 0.0 || is_held_moment(step, hold, seed) {
+            let now = [
+                particles.x[i],
+                particles.y[i],
+                particles.z[i],
+                particles.age[i],
+                particles.size[i],
+            ];
+            held.columns_mut()
+                .into_iter()
+                .zip(now)
+                .for_each(|(column, value)| column[i] = value);
+        }
+    }
+    particles.held = Some(held);
+}
+
+/// Whether a moment of the film begins for a seed at the end of a step.
+fn is_held_moment(step: u64, hold: u64, seed: u64) -> bool {
+    let moments = |step: u64| (step * FRAME_RATE * SEEDS + seed * hold * STEP_RATE) / (hold * STEP_RATE * SEEDS);
+    moments(step) > moments(step - 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moments_come_evenly_and_not_all_at_once() {
+        for hold in 2..=4 {
+            let steps = 600;
+            let mut most = 0;
+            for step in 1..=steps {
+                most = most.max((0..SEEDS).filter(|seed| is_held_moment(step, hold, *seed)).count());
+            }
+            for seed in 0..SEEDS {
+                let moments: Vec<u64> = (1..=steps).filter(|step| is_held_moment(*step, hold, seed)).collect();
+                assert_eq!(moments.len() as u64, steps * FRAME_RATE / (hold * STEP_RATE));
+                let gaps = moments.windows(2).map(|pair| pair[1] - pair[0]);
+                let exact = hold * STEP_RATE;
+                assert!(
+                    gaps.clone()
+                        .all(|gap| gap == exact / FRAME_RATE || gap == exact.div_ceil(FRAME_RATE))
+                );
+            }
+            assert!(
+                most as u64 <= SEEDS / (2 * hold),
+                "{most} of {SEEDS} at once on a hold of {hold}"
+            );
+        }
+    }
+}
