@@ -87,6 +87,8 @@ function styleAsObject(style: Style, { pixelRatio }: FrameInput): object {
     bands,
     rim: style.shading ? style.rim : 0,
     rimColor: style.rimColor,
+    shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,
+    deepShadow: style.deepShadow,
     leastCap: leastCapOf(turnOf(style), bakedPuffs().lobes.latestCap),
   };
 }

@@ -12,6 +12,7 @@ const SCENES: readonly SceneName[] = [
   'orthographic',
   'eyeInside',
   'backlit',
+  'touching',
   'byLamp',
   'byLampAmongPuffs',
   'lampRising',

@@ -23,6 +23,7 @@ const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['offAxis', [{}, { outlines: false }]],
   ['orthographic', [{}, { shading: false }, { shading: false, tones: 1, outlines: false, shadows: false }]],
   ['eyeInside', [{}, { shadows: false }]],
+  ['touching', [{}, { shadowSteps: 2, shadowDepth: 3, outlineWidth: 3 }]],
   ['byLamp', [{}, { tones: 1, outlineWidth: 5, innerLine: 0.15 }]],
   ['byLampAmongPuffs', [{ tones: 3 }]],
   ['backlit', [{ tones: 3 }, { gradient: 'height' }, { gradient: 'screen' }]],
@@ -41,7 +42,7 @@ const TONES: readonly (readonly [SceneName, readonly Mode[]])[] = [
 ];
 const LAMPS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['lampRising', [{}, { gradient: 'age', tones: 3 }]],
-  ['lampFull', [{}, { gradient: 'puff' }]],
+  ['lampFull', [{}, { gradient: 'puff' }, { shadowSteps: 2, shadowDepth: 3 }]],
   ['eyeInPlume', [{}]],
 ];
 

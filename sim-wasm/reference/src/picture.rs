@@ -9,8 +9,8 @@ use crate::contact::Ground;
 use crate::hull::{Covered, Hull};
 use crate::light::Light;
 use crate::ray::Camera;
-use crate::scene::Scene;
-use crate::shade::{Part, Shade};
+use crate::scene::{Scene, Style};
+use crate::shade::{Part, Shade, Shadow};
 use crate::surfaces::Solids;
 use crate::volumes::Volume;
 
@@ -80,7 +80,7 @@ pub fn draw(scene: &Scene) -> Picture {
         .enumerate()
         .map(|(pixel, seen)| painter.shadows_over(pixel, seen))
         .collect();
-    finished(&seen, counts)
+    finished(&scene.style, &seen, counts)
 }
 
 struct Painter<'a> {
@@ -223,33 +223,30 @@ fn backdrop(scene: &Scene, height: f64) -> Nearest {
     }
 }
 
-fn finished(nearest: &[Nearest], counts: Vec<u32>) -> Picture {
+fn finished(style: &Style, nearest: &[Nearest], counts: Vec<u32>) -> Picture {
+    let shadows: Vec<Shadow> = counts.iter().map(|&count| Shadow::of(style, count)).collect();
+    let colors = nearest.iter().zip(&shadows).map(|(seen, &shadow)| {
+        let color = seen.shade.under(shadow, style).to_array();
+        let [red, green, blue] = color.map(|channel| channel.round().clamp(0.0, 255.0) as u8);
+        [red, green, blue, seen.alpha]
+    });
     Picture {
-        colors: nearest
-            .iter()
-            .zip(&counts)
-            .map(|(seen, &count)| color_of(seen, count))
-            .collect(),
+        colors: colors.collect(),
         counts: counts.iter().map(|&count| count.min(MOST) as u8).collect(),
-        regions: regions_of(nearest, &counts),
+        regions: regions_of(nearest, &shadows),
     }
 }
 
-fn color_of(seen: &Nearest, count: u32) -> [u8; 4] {
-    let color = if count > 0 { seen.shade.unlit } else { seen.shade.lit };
-    let [red, green, blue] = color.to_array().map(|channel| channel.round().clamp(0.0, 255.0) as u8);
-    [red, green, blue, seen.alpha]
-}
-
-/// Numbers what the pixels show: which part of what, in the light or in shadow.
-fn regions_of(nearest: &[Nearest], counts: &[u32]) -> Vec<u32> {
+/// Numbers what the pixels show: which part of what, in which shadow.
+fn regions_of(nearest: &[Nearest], shadows: &[Shadow]) -> Vec<u32> {
     let mut numbers = HashMap::new();
+    let mut number_of = |region| {
+        let next = numbers.len() as u32;
+        *numbers.entry(region).or_insert(next)
+    };
     nearest
         .iter()
-        .zip(counts)
-        .map(|(seen, &count)| {
-            let next = numbers.len() as u32;
-            *numbers.entry((seen.what, seen.shade.part, count > 0)).or_insert(next)
-        })
+        .zip(shadows)
+        .map(|(seen, &shadow)| number_of((seen.what, seen.shade.part, shadow)))
         .collect()
 }

@@ -63,6 +63,9 @@ pub struct Style {
     /// Width of the band along silhouettes that look away from the light, 0 to 1.
     pub rim: f64,
     pub rim_color: Triple,
+    /// How many volumes make deep shadow, where the colours of shadow are multiplied by another; none for plain shadow.
+    pub shadow_depth: Option<u32>,
+    pub deep_shadow: Triple,
     /// How many radii behind its centre a puff's volume begins at the nearest.
     pub least_cap: f64,
 }

@@ -28,6 +28,8 @@ pub enum Part {
     },
     Rim,
     Ink,
+    /// So narrow a line that it is gone over into the colour of its smoke in part.
+    FaintInk,
     Only,
 }
 
@@ -76,7 +78,37 @@ impl Shade {
         Self {
             lit: self.lit.lerp(ink, share),
             unlit: self.unlit.lerp(ink, share),
-            part: Part::Ink,
+            part: if share < 1.0 { Part::FaintInk } else { Part::Ink },
+        }
+    }
+}
+
+/// How much shadow lies over a place.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Shadow {
+    No,
+    Plain,
+    Deep,
+}
+
+impl Shadow {
+    /// `count`: of the volumes that hold the place.
+    pub fn of(style: &Style, count: u32) -> Self {
+        match style.shadow_depth {
+            _ if count == 0 => Self::No,
+            Some(depth) if count >= depth => Self::Deep,
+            _ => Self::Plain,
+        }
+    }
+}
+
+impl Shade {
+    /// Ink is the same in every light.
+    pub fn under(&self, shadow: Shadow, style: &Style) -> DVec3 {
+        match shadow {
+            Shadow::No => self.lit,
+            Shadow::Deep if self.part != Part::Ink => self.unlit * DVec3::from(style.deep_shadow) / 255.0,
+            _ => self.unlit,
         }
     }
 }

@@ -38,6 +38,7 @@ const SCENES = {
   orthographic: () => cluster(looking(orthographic(), [2, 2.5, 5], [0, -0.2, 0]), SUN),
   eyeInside: () => cluster(looking(perspective(), [0.1, -0.1, 0.5], [0, -0.4, -0.8]), { towardsLight: [0.1, 1, 0.1] }),
   backlit: () => cluster(looking(perspective(), [0, 0.6, 4.5], [0, -0.2, 0]), { towardsLight: [0.1, 0.35, -1] }),
+  touching: () => cluster(looking(perspective(), [0.4, 0.4, 3.6], [0, -0.7, 0]), SUN, -0.6),
   byLamp: () => cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, 0.5] }),
   byLampAmongPuffs: () => cluster(looking(orthographic(), [2, 2.5, 5], [0, -0.2, 0]), { lamp: [0.3, 0.1, -0.2] }),
   lampRising: () => lampAfter(90),
@@ -66,11 +67,11 @@ function looking(camera: Camera, from: [number, number, number], at: [number, nu
   return camera;
 }
 
-/** Puffs of all tints, ages and variations over a ground, with a ball and a box among them. */
-function cluster(camera: Camera, light: Pick<LabScene, 'towardsLight' | 'lamp'>): Shown {
+/** Puffs of all tints, ages and variations over a ground, higher by `raised` metres, with a ball and a box among them. */
+function cluster(camera: Camera, light: Pick<LabScene, 'towardsLight' | 'lamp'>, raised = 0): Shown {
   const next = random(77);
   const puffs = Array.from({ length: 40 }, (_, index) => ({
-    place: [next() * 2 - 1, next() * 1.3 - 0.7, next() * 2 - 1] as const,
+    place: [next() * 2 - 1, next() * 1.3 - 0.7 + raised, next() * 2 - 1] as const,
     radius: 0.12 + 0.22 * next(),
     roll: next() * 2 * Math.PI,
     variation: index % 4,
