@@ -22,9 +22,10 @@ float ringDepth(mat4 clipFromView, float rimZ, float sunkenZ, float outside, vec
   ivec2 last = textureSize(surfaceDepth, 0) - 1;
   float here = texelFetch(surfaceDepth, ivec2(gl_FragCoord.xy), 0).r;
   float atRim = texelFetch(surfaceDepth, clamp(ivec2(gl_FragCoord.xy + inward), ivec2(0), last), 0).r;
-  bool isBefore = atRim > windowDepth(clipFromView, rimZ);
-  bool isSlope = here > windowDepth(clipFromView, rimZ + STEEPEST * outside);
-  return isBefore && isSlope ? min(depth, here - LIFT) : depth;
+  float order = depthOrder(clipFromView);
+  bool isBefore = order * (atRim - windowDepth(clipFromView, rimZ)) > 0.0;
+  bool isSlope = order * (here - windowDepth(clipFromView, rimZ + STEEPEST * outside)) > 0.0;
+  return isBefore && isSlope ? order * min(order * depth, order * here - LIFT) : depth;
 }
 
 // The step of the surface's view z from pixel to pixel along an axis; across an edge, that of its own side.

@@ -38,17 +38,19 @@ export class Eye {
   /**
    * @param light (unit vector towards it, 0) or (its place, 1), world space
    * @param width, height of the target in pixels
+   * @param reversedDepth whether the renderer puts the near plane at window depth 1 and the far one at 0
    */
-  look(camera: Camera, light: Vector4, width: number, height: number): void {
+  look(camera: Camera, light: Vector4, width: number, height: number, reversedDepth = false): void {
     const { uniforms } = this;
     camera.updateMatrixWorld();
     uniforms.viewFromWorld.value.copy(camera.matrixWorldInverse);
-    uniforms.clipFromView.value.copy(camera.projectionMatrix);
+    const clipFromView = uniforms.clipFromView.value.copy(camera.projectionMatrix);
+    if (reversedDepth && !camera.reversedDepth) reverseDepth(clipFromView);
     uniforms.viewport.value.set(width, height);
-    uniforms.near.value = nearOf(camera.projectionMatrix);
+    uniforms.near.value = nearOf(clipFromView);
     uniforms.lightInWorld.value.copy(light);
     uniforms.lightInView.value.copy(light).applyMatrix4(camera.matrixWorldInverse);
-    this.clipFromWorld.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    this.clipFromWorld.multiplyMatrices(clipFromView, camera.matrixWorldInverse);
     this.forward.set(0, 0, -1).transformDirection(camera.matrixWorld);
   }
 
@@ -75,9 +77,16 @@ export class Eye {
   }
 }
 
-/** View depth at which a projection puts window depth 0. */
+/** Gives a projection the depth that three.js gives it when it first draws with a reversed depth buffer. */
+function reverseDepth({ elements }: Matrix4): void {
+  for (const column of [0, 4, 8, 12]) elements[column + 2] = 0.5 * (elements[column + 3] - elements[column + 2]);
+}
+
+/** View depth of the plane that a projection has as its near one. */
 function nearOf(clipFromView: Matrix4): number {
   const e = clipFromView.elements;
+  // Reversed, see shaders/lib/depth.glsl: clip z = clip w at the near plane.
+  if (e[14] > 0) return (e[14] - e[15]) / (e[10] - e[11]);
   // clip z = -clip w there: e10 z + e14 = -(e11 z + e15), solved for z = -near.
   return (e[14] + e[15]) / (e[10] + e[11]);
 }

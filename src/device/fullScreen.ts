@@ -1,12 +1,5 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Camera,
-  Mesh,
-  Scene,
-  type RawShaderMaterial,
-  type WebGLRenderer,
-} from 'three';
+import { BufferAttribute, BufferGeometry, Mesh, Scene, type RawShaderMaterial, type WebGLRenderer } from 'three';
+import { PassCamera } from './passCamera.ts';
 
 /** One triangle that covers the viewport; its vertex shader is shaders/lib/fullScreen.vert. */
 export function fullScreenMesh(material: RawShaderMaterial): Mesh<BufferGeometry, RawShaderMaterial> {
@@ -22,7 +15,7 @@ export function fullScreenMesh(material: RawShaderMaterial): Mesh<BufferGeometry
 export class FullScreen {
   private readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
   private readonly scene = new Scene();
-  private readonly camera = new Camera();
+  private readonly camera = new PassCamera();
 
   constructor(material: RawShaderMaterial) {
     this.mesh = fullScreenMesh(material);

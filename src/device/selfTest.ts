@@ -1,7 +1,6 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  Camera,
   GLSL3,
   LessEqualDepth,
   Mesh,
@@ -12,6 +11,7 @@ import {
   WebGLRenderTarget,
   type WebGLRenderer,
 } from 'three';
+import { PassCamera } from './passCamera.ts';
 import fragmentShader from '../../shaders/selfTest/selfTest.frag';
 import vertexShader from '../../shaders/selfTest/selfTest.vert';
 
@@ -49,7 +49,7 @@ export function keepsWrittenDepth(renderer: WebGLRenderer): boolean {
   renderer.autoClear = false;
   renderer.setRenderTarget(target);
   renderer.clear(true, true, false);
-  renderer.render(new Scene().add(mesh), new Camera());
+  renderer.render(new Scene().add(mesh), new PassCamera());
   const pixels = new Uint8Array(4 * WIDTH * HEIGHT);
   renderer.readRenderTargetPixels(target, 0, 0, WIDTH, HEIGHT, pixels);
   renderer.setRenderTarget(before.target);

@@ -1,5 +1,4 @@
 import {
-  Camera,
   DoubleSide,
   GLSL3,
   Mesh,
@@ -13,6 +12,7 @@ import {
   type Texture,
   type WebGLRenderer,
 } from 'three';
+import { PassCamera } from '../device/passCamera.ts';
 import billboardsFragmentShader from '../../shaders/bodies/billboards.frag';
 import billboardsVertexShader from '../../shaders/bodies/billboards.vert';
 import lobesFragmentShader from '../../shaders/bodies/lobes.frag';
@@ -34,7 +34,7 @@ const NO_SURFACES = { surfaceDepth: { value: null }, hasSurfaces: { value: false
 /** Draws the bodies: colour in light and in shadow, ink, and depth. Opaque and free of any order. */
 export class BodiesPass {
   private readonly scene = new Scene();
-  private readonly camera = new Camera();
+  private readonly camera = new PassCamera();
   private readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
   /** By the number of lobes that are unrolled in them; the billboards' by 0. */
   private readonly materials = new Map<number, RawShaderMaterial>();

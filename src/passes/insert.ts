@@ -7,7 +7,6 @@ import {
   OneMinusSrcAlphaFactor,
   RawShaderMaterial,
   Scene,
-  Camera,
   type BufferGeometry,
   type IUniform,
   type Mesh,
@@ -15,6 +14,7 @@ import {
   type Texture,
   type WebGLRenderer,
 } from 'three';
+import { PassCamera } from '../device/passCamera.ts';
 import fragmentShader from '../../shaders/insert/insert.frag';
 import vertexShader from '../../shaders/lib/fullScreen.vert';
 import type { Eye } from '../device/eye.ts';
@@ -37,7 +37,7 @@ export class InsertPass {
   private readonly depthMesh: Mesh<BufferGeometry, RawShaderMaterial>;
   private readonly litMesh: Mesh<BufferGeometry, RawShaderMaterial>;
   private readonly scene = new Scene();
-  private readonly camera = new Camera();
+  private readonly camera = new PassCamera();
   private readonly common = {
     smokeDepth: { value: null as Texture | null },
     isLinear: { value: false },

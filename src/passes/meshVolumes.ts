@@ -1,13 +1,13 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  Camera,
   Mesh,
   type RawShaderMaterial,
   Scene,
   type Matrix4,
   type WebGLRenderer,
 } from 'three';
+import { PassCamera } from '../device/passCamera.ts';
 import fragmentShader from '../../shaders/meshVolumes/meshVolumes.frag';
 import vertexShader from '../../shaders/meshVolumes/meshVolumes.vert';
 import type { Eye } from '../device/eye.ts';
@@ -25,7 +25,7 @@ const INSET = 0.012;
  */
 export class MeshVolumesPass {
   private readonly scene = new Scene();
-  private readonly camera = new Camera();
+  private readonly camera = new PassCamera();
   private readonly meshes = new Map<number, Mesh<BufferGeometry, RawShaderMaterial>>();
 
   constructor(eye: Eye, surfaces: readonly SurfaceDescription[]) {

@@ -1,4 +1,5 @@
-import { Camera, Mesh, Scene, type InstancedBufferGeometry, type RawShaderMaterial, type WebGLRenderer } from 'three';
+import { Mesh, Scene, type InstancedBufferGeometry, type RawShaderMaterial, type WebGLRenderer } from 'three';
+import { PassCamera } from '../device/passCamera.ts';
 import fragmentShader from '../../shaders/meshVolumes/meshVolumes.frag';
 import vertexShader from '../../shaders/prismVolumes/prismVolumes.vert';
 import type { Eye } from '../device/eye.ts';
@@ -17,7 +18,7 @@ const FULLNESS = 1.06;
  */
 export class PrismVolumesPass {
   private readonly scene = new Scene();
-  private readonly camera = new Camera();
+  private readonly camera = new PassCamera();
   private readonly rows: InstancedBufferGeometry;
   private readonly mesh: Mesh<InstancedBufferGeometry, RawShaderMaterial>;
   private readonly puffs: PuffTextures;

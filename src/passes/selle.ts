@@ -1,5 +1,4 @@
 import {
-  Camera,
   Color as ThreeColor,
   GLSL3,
   Mesh,
@@ -11,6 +10,7 @@ import {
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
+import { PassCamera } from '../device/passCamera.ts';
 import fullScreenVertexShader from '../../shaders/lib/fullScreen.vert';
 import linesFragmentShader from '../../shaders/selle/lines.frag';
 import fragmentShader from '../../shaders/selle/selle.frag';
@@ -27,7 +27,7 @@ import type { Targets } from './targets.ts';
  */
 export class SellePass {
   private readonly scene = new Scene();
-  private readonly camera = new Camera();
+  private readonly camera = new PassCamera();
   private readonly puffs: PuffTextures;
   private readonly rows: BufferGeometry;
   private readonly common;

@@ -1,5 +1,4 @@
 import {
-  Camera,
   CustomBlending,
   GLSL3,
   Mesh,
@@ -12,6 +11,7 @@ import {
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
+import { PassCamera } from '../device/passCamera.ts';
 import fragmentShader from '../../shaders/sprites/sprites.frag';
 import vertexShader from '../../shaders/sprites/sprites.vert';
 import type { Eye } from '../device/eye.ts';
@@ -24,7 +24,7 @@ import type { Targets } from './targets.ts';
  */
 export class SpritesPass {
   private readonly scene = new Scene();
-  private readonly camera = new Camera();
+  private readonly camera = new PassCamera();
   private readonly material: RawShaderMaterial;
   private readonly depth = { value: null as Texture | null };
 

@@ -3,7 +3,6 @@ import {
   Box3,
   BufferAttribute,
   BufferGeometry,
-  Camera,
   GLSL3,
   Mesh,
   NotEqualStencilFunc,
@@ -13,6 +12,7 @@ import {
   type Matrix4,
   type WebGLRenderer,
 } from 'three';
+import { PassCamera } from '../device/passCamera.ts';
 import hullFragmentShader from '../../shaders/surfaces/hull.frag';
 import hullVertexShader from '../../shaders/surfaces/hull.vert';
 import fragmentShader from '../../shaders/surfaces/surfaces.frag';
@@ -49,7 +49,7 @@ const RAISED_WIDTHS = 6;
 export class SurfacesPass {
   private readonly fills = new Scene();
   private readonly hulls = new Scene();
-  private readonly camera = new Camera();
+  private readonly camera = new PassCamera();
   private readonly materials: RawShaderMaterial[] = [];
   private readonly geometries: BufferGeometry[] = [];
   private readonly placed: Mesh[][] = [];

@@ -1,5 +1,4 @@
 import {
-  Camera,
   Mesh,
   Scene,
   type BufferGeometry,
@@ -8,6 +7,7 @@ import {
   type Texture,
   type WebGLRenderer,
 } from 'three';
+import { PassCamera } from '../device/passCamera.ts';
 import fragmentShader from '../../shaders/volumes/volumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
 import type { Eye } from '../device/eye.ts';
@@ -25,7 +25,7 @@ const BEHIND_THE_PUFF = 1.2;
  */
 export class VolumesPass {
   private readonly scene = new Scene();
-  private readonly camera = new Camera();
+  private readonly camera = new PassCamera();
   private readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
   /** By the number of lobes that are unrolled in them. */
   private readonly materials = new Map<number, RawShaderMaterial>();

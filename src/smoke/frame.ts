@@ -79,7 +79,8 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
   const { eye, targets, bodies, casters } = passes;
   const { style } = input;
   targets.resize(input.width, input.height);
-  eye.look(input.camera, homogeneous(input.light), input.width, input.height);
+  const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
+  eye.look(input.camera, homogeneous(input.light), input.width, input.height, reversedDepth);
   passes.placeSurfaces(input.rigids);
 
   const started = performance.now();

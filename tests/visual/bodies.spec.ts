@@ -75,6 +75,13 @@ for (const form of ['lobes', 'billboards'] as const) {
       expect(differing / pixels).toBeLessThanOrEqual(0.0001);
     });
 
+    test('a reversed depth buffer does not change the picture', async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      const report = await cases.evaluate((module, shape) => module.reversalSensitivity(shape), form);
+      expect(report.painted).toBeGreaterThan(10_000);
+      expect(report.differing / report.painted).toBeLessThan(0.002);
+    });
+
     for (const [radius, distance, variation, ink] of [
       [0.8, 3, 0, 0],
       [0.8, 3, 1, 0],

@@ -4,7 +4,7 @@
  */
 import {
   AlwaysDepth,
-  Camera,
+  type Camera,
   CustomBlending,
   EqualStencilFunc,
   GLSL3,
@@ -14,11 +14,13 @@ import {
   RawShaderMaterial,
   Scene,
   Vector3,
+  WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
 import fullScreenVertexShader from '../../shaders/lib/fullScreen.vert';
 import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
-import { createDevice, type Device } from '../../src/device/device.ts';
+import { createDevice, Device } from '../../src/device/device.ts';
+import { PassCamera } from '../../src/device/passCamera.ts';
 import { fullScreenMesh } from '../../src/device/fullScreen.ts';
 import type { Color } from '../../src/device/ramps.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
@@ -56,6 +58,8 @@ export interface LabScene {
   backdrop?: { top: Color; bottom: Color };
   camera?: Camera;
   towardsLight?: readonly [number, number, number];
+  /** Draws with a depth buffer that is reversed, as a stranger's renderer may have it. */
+  reversedDepth?: boolean;
   /** Place of a lamp, instead of a sun. */
   lamp?: readonly [number, number, number];
   style?: Partial<Style>;
@@ -154,7 +158,7 @@ export class Lab {
 
   constructor(options: LabOptions) {
     const { width, height, puffs, casters = [], surfaces = [], backdrop, shapes, capacity = 1 } = options;
-    this.device = createDevice(new OffscreenCanvas(1, 1), options);
+    this.device = options.reversedDepth ? reversedDevice() : createDevice(new OffscreenCanvas(1, 1), options);
     this.device.renderer.setSize(width, height, false);
     const most = Math.max(capacity, puffs.length, casters.length);
     this.smoke = new SmokeRenderer(this.device, { capacity: most, surfaces, backdrop, puffs: bakedPuffs(shapes) });
@@ -186,6 +190,14 @@ export class Lab {
     this.smoke.dispose();
     this.device.dispose();
   }
+}
+
+function reversedDevice(): Device {
+  const renderer = new WebGLRenderer({ canvas: new OffscreenCanvas(1, 1), depth: false, reversedDepthBuffer: true });
+  renderer.autoClear = false;
+  renderer.sortObjects = false;
+  if (!renderer.state.buffers.depth.getReversed()) throw new Error('This context cannot reverse its depth.');
+  return new Device(renderer, true);
 }
 
 export function inputOf(scene: LabScene): FrameInput {
@@ -250,7 +262,7 @@ function readStencil({ renderer }: Device, target: WebGLRenderTarget): Uint8Arra
   for (let bit = 1; bit < 256; bit *= 2) {
     value.value = bit;
     material.stencilFuncMask = bit;
-    renderer.render(scene, new Camera());
+    renderer.render(scene, new PassCamera());
   }
   const { width, height } = target;
   const pixels = new Uint8Array(4 * width * height);

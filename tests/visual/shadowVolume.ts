@@ -17,6 +17,7 @@ export interface View {
   /** Unit vector; absent where a lamp stands in the scene. */
   towardsLight?: Vector3;
   lamp?: Vector3;
+  reversedDepth?: boolean;
 }
 
 /** Unit vector from a place towards the light of a view. */

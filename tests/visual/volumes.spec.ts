@@ -9,12 +9,15 @@ const VIEWS = [
   ['eyeInside', false],
   ['backlit', false],
   ['orthographic', false],
+  ['reversedDepth', false],
+  ['reversedDepthOrthographic', false],
   ['lamp', false],
   ['lampAmongPuffs', false],
   ['lampOrthographic', false],
   ['ordinary', true],
   ['eyeInside', true],
   ['lamp', true],
+  ['reversedDepth', true],
 ] as const;
 
 for (const form of ['lobes', 'billboards'] as const) {

@@ -279,6 +279,14 @@ export function orderSensitivity(form: PuffForm): { differing: number; pixels: n
   return { differing: differing(a, b), pixels: WIDTH * HEIGHT, painted };
 }
 
+/** Pixels that change when the depth buffer is reversed. */
+export function reversalSensitivity(form: PuffForm): { differing: number; painted: number } {
+  const scene = { width: WIDTH, height: HEIGHT, puffs: heap(60, 9), surfaces: [ground(-0.6, 3)], style: { form } };
+  const [plain, reversed] = [false, true].map((reversedDepth) => takePicture({ ...scene, reversedDepth }));
+  const painted = plain.pixels.filter((value, index) => index % 4 === 3 && value > 0).length;
+  return { differing: differing(plain, reversed), painted };
+}
+
 /**
  * Of the pixels that a puff covers but should not, or should but does not: how far the farthest one's centre lies from
  * the projected silhouette, grown by a line of ink, in pixels. The silhouette is that of the CPU, projected by hand.

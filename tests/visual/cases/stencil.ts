@@ -23,8 +23,8 @@ const [WIDTH, HEIGHT] = [320, 240];
 const GROUND_Y = -1;
 const GROUND_HALF = 3;
 
-function lightOf({ towardsLight, lamp }: View): Pick<LabScene, 'towardsLight' | 'lamp'> {
-  return { towardsLight: towardsLight?.toArray(), lamp: lamp?.toArray() };
+function lightOf({ towardsLight, lamp, reversedDepth }: View): Partial<LabScene> {
+  return { towardsLight: towardsLight?.toArray(), lamp: lamp?.toArray(), reversedDepth };
 }
 
 function looking(camera: Camera, from: [number, number, number], at: [number, number, number]): Camera {
@@ -68,6 +68,16 @@ const VIEWS: Record<string, () => View> = {
   orthographic: () => ({
     camera: looking(orthographic(), [2, 2.5, 5], [0, -0.4, 0]),
     towardsLight: new Vector3(-0.5, 0.8, 0.4),
+  }),
+  reversedDepth: () => ({
+    camera: looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0]),
+    towardsLight: new Vector3(-0.5, 0.8, 0.4),
+    reversedDepth: true,
+  }),
+  reversedDepthOrthographic: () => ({
+    camera: looking(orthographic(), [2, 2.5, 5], [0, -0.4, 0]),
+    towardsLight: new Vector3(-0.5, 0.8, 0.4),
+    reversedDepth: true,
   }),
   lamp: () => ({
     camera: looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0]),
