@@ -14,8 +14,10 @@ vec3 towardsFill(vec3 towardsLight) {
 }
 
 // A band along the silhouette, broadest where the surface looks away from the light; it ends where the light begins.
+// A width of 1 is a band of half the radius of a ball.
 bool isRim(float facingEye, float facingLight, float width) {
-  return width > 0.0 && facingEye < width * clamp(0.5 - facingLight, 0.0, 1.0);
+  float band = 0.5 * width * clamp(0.5 - facingLight, 0.0, 1.0);
+  return band > 0.0 && facingEye < sqrt(band * (2.0 - band));
 }
 
 // Eq. 2 of McGuire and Fein (2006), its quantisation q folded into rows of final colours, see src/device/ramps.ts. Takes

@@ -62,8 +62,9 @@ impl Shade {
     /// Of smoke, in view space. A rim along the silhouette lies over everything where the puff looks away from the light.
     pub fn of_puff(style: &Style, ramp: &Ramp, normal: DVec3, light: DVec3, gradient: DVec3) -> Self {
         let facing = normal.dot(light);
-        let width = style.rim * (0.5 - facing).clamp(0.0, 1.0);
-        if width > 0.0 && normal.z < width {
+        // As a share of the radius of a ball.
+        let band = 0.5 * style.rim * (0.5 - facing).clamp(0.0, 1.0);
+        if band > 0.0 && normal.z < (band * (2.0 - band)).sqrt() {
             return Self::same(DVec3::from(style.rim_color), Part::Rim);
         }
         let shade = Self::of(ramp, facing, normal.dot(towards_fill(light)) > FILL_BORDER);
