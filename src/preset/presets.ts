@@ -56,6 +56,8 @@ export const presets: readonly Preset[] = [
       'style.inkColor': '#4a1527',
       'style.gradient': 'height',
       'style.gradientColor': '#f0708a',
+      'style.rim': 0.25,
+      'style.rimColor': '#ffe6a8',
       'light.azimuth': 62,
       'light.elevation': 20,
     },
