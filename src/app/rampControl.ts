@@ -37,6 +37,7 @@ class RampEditor {
   private readonly handles = createSvg('g', {});
   private readonly colorInput = create('input', { type: 'color', 'aria-label': strings.ramp.color });
   private readonly removeButton = textButton('quiet', strings.ramp.remove, () => this.remove());
+  private readonly tools = create('div', { class: 'ramp-tools' }, this.colorInput, this.removeButton);
   private readonly listener: ControlListener;
   private stops: readonly RampStop[] = [];
   private chosen = 0;
@@ -48,9 +49,9 @@ class RampEditor {
     this.drawing.setAttribute('viewBox', box);
     this.drawing.setAttribute('aria-label', label);
     const bar = createSvg('rect', { class: 'ramp-bar', x: 0, y: 0, width: WIDTH, height: HEIGHT });
-    this.drawing.append(this.fields, bar, this.handles);
-    const tools = create('div', { class: 'ramp-tools' }, this.colorInput, this.removeButton);
-    this.element = create('div', { class: 'ramp-holder' }, this.drawing, tools);
+    const hint = createSvg('text', { class: 'ramp-hint', x: WIDTH / 2, y: 0.65 * HEIGHT }, strings.ramp.begin);
+    this.drawing.append(this.fields, bar, hint, this.handles);
+    this.element = create('div', { class: 'ramp-holder' }, this.drawing, this.tools);
     bar.addEventListener('pointerdown', (event) => this.add(event));
     this.followPointer();
     this.colorInput.addEventListener('input', () => this.paint(this.colorInput.value));
@@ -61,8 +62,8 @@ class RampEditor {
     this.stops = readRamp(text) ?? [];
     this.chosen = Math.max(0, Math.min(this.chosen, this.stops.length - 1));
     const isEmpty = this.stops.length === 0;
-    this.colorInput.disabled = isEmpty;
-    this.removeButton.disabled = isEmpty;
+    this.tools.hidden = isEmpty;
+    this.drawing.classList.toggle('is-empty', isEmpty);
     if (!isEmpty) this.colorInput.value = this.stops[this.chosen].color;
     this.drawFields();
     this.drawHandles();
@@ -92,7 +93,7 @@ class RampEditor {
   }
 
   private createHandle(index: number): SVGElement {
-    const handle = createSvg('circle', { class: 'ramp-stop', cy: HEIGHT, r: 7, tabindex: 0, role: 'button' });
+    const handle = createSvg('circle', { class: 'ramp-stop', cy: HEIGHT, r: 8, tabindex: 0, role: 'button' });
     handle.addEventListener('focus', () => this.choose(index));
     handle.addEventListener('pointerdown', (event) => {
       this.choose(index);

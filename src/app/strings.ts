@@ -21,6 +21,7 @@ export const strings = {
     stop: (number: number, color: string, at: number) => `Stop ${number}: ${color} from ${Math.round(100 * at)} % on`,
     color: 'Colour of the chosen stop',
     remove: 'Remove this stop',
+    begin: 'None: press to begin',
   },
   items: {
     kind: 'What to add',
