@@ -56,6 +56,7 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   targets.begin(renderer);
   if (passes.hasBackdrop) passes.backdrop.draw(renderer);
   passes.surfaces.draw(renderer);
+  passes.creases.draw(renderer);
   passes.surfaceDepth.draw(renderer, targets, input.style.outlines);
   if (input.style.renderer === 'nailboards') drawNailboards(passes, input);
   else drawRival[input.style.renderer](passes, input);

@@ -6,6 +6,7 @@ import { RampTexture, type Color } from '../device/ramps.ts';
 import { FRONT_AND_BACK, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
 import { BackdropPass } from '../passes/backdrop.ts';
 import { BodiesPass } from '../passes/bodies.ts';
+import { CreasesPass } from '../passes/creases.ts';
 import { MaskPass } from '../passes/mask.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import { PrismVolumesPass } from '../passes/prismVolumes.ts';
@@ -30,6 +31,7 @@ export interface SmokePasses {
   readonly casters: Instances;
   readonly backdrop: BackdropPass;
   readonly surfaces: SurfacesPass;
+  readonly creases: CreasesPass;
   readonly surfaceDepth: SurfaceDepthPass;
   readonly body: BodiesPass;
   readonly meshVolumes: MeshVolumesPass;
@@ -84,6 +86,7 @@ export class SmokeRenderer {
     const casters = new Instances(capacity, FRONT_AND_BACK);
     const surfacesPass = new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces);
     const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0);
+    const creases = new CreasesPass(eye, surfaces);
     const meshVolumes = new MeshVolumesPass(eye, surfaces);
     this.passes = {
       renderer: device.renderer,
@@ -93,6 +96,7 @@ export class SmokeRenderer {
       casters,
       backdrop: new BackdropPass(eye),
       surfaces: surfacesPass,
+      creases,
       surfaceDepth,
       body: new BodiesPass(eye, this.puffs, this.ramps, bodies.geometry, surfaceDepth, isFlat),
       meshVolumes,
@@ -115,6 +119,7 @@ export class SmokeRenderer {
         surfaces.forEach(({ rigid }, surface) => {
           if (rigid === undefined) return;
           surfacesPass.place(surface, rigids[rigid]);
+          creases.place(surface, rigids[rigid]);
           meshVolumes.place(surface, rigids[rigid]);
         }),
     };
@@ -160,6 +165,7 @@ export class SmokeRenderer {
     const { passes } = this;
     for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop, passes.surfaces])
       part.dispose();
+    passes.creases.dispose();
     passes.surfaceDepth.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
     passes.prismVolumes?.dispose();
@@ -181,6 +187,7 @@ export class SmokeRenderer {
     body.setRim(style.rimColor, style.shading ? style.rim : 0);
     body.setForm(style.form);
     surfaces.setInk(line);
+    this.passes.creases.setInk(style.creases ? line : { ...line, pixels: 0 });
     volumes.follow(style.form, turnOf(style));
     prismVolumes?.follow();
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);

@@ -13,6 +13,8 @@ export interface Style extends Toning {
   renderer: Renderer;
   form: PuffForm;
   outlines: boolean;
+  /** Whether sharp edges of surfaces are inked too. */
+  creases: boolean;
   shadows: boolean;
   /** Steps of shadow: where `shadowDepth` volumes and more hold a place, the second is `deepShadow` times the first. */
   shadowSteps: 1 | 2;
@@ -49,6 +51,7 @@ export function styleOf(values: Values): Style {
     form: values['puff.form'] as PuffForm,
     shading: values['style.shading'] === 1,
     outlines: values['style.outlines'] === 1,
+    creases: values['style.creases'] === 1,
     shadows: values['style.shadows'] === 1,
     shadowSteps: values['style.shadowSteps'] as 1 | 2,
     shadowDepth: values['style.shadowDepth'] as number,

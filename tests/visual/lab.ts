@@ -74,6 +74,7 @@ export const PLAIN_STYLE: Style = {
   form: 'lobes',
   shading: true,
   outlines: true,
+  creases: false,
   shadows: true,
   shadowSteps: 1,
   shadowDepth: 6,

@@ -1,0 +1,63 @@
+precision highp float;
+
+// A sharp edge of a surface as a ribbon of even width on the screen. Where one of its faces looks away the edge is part
+// of the silhouette, which the hull draws.
+uniform mat4 modelMatrix;
+uniform mat4 viewFromWorld;
+uniform mat4 clipFromView;
+uniform vec2 viewport;
+uniform float near;
+uniform float inkPixels;
+
+// x: 0 at the start, 1 at the end; y: -1 and 1 on the two sides.
+in vec2 corner;
+in vec3 start;
+in vec3 end;
+in vec3 oneNormal;
+in vec3 otherNormal;
+
+#include ../lib/depth.glsl
+#include ../lib/pixel.glsl
+
+// Line widths by which a ribbon lies before its surface, and the most that may be, metres.
+const float RAISED_WIDTHS = 0.75;
+const float HIGHEST = 0.03;
+
+bool looksAway(mat3 turn, vec3 normal, vec3 towardsEye) {
+  return dot(turn * normal, towardsEye) < 0.0;
+}
+
+// Pixels of the target from its middle.
+vec2 onScreen(vec3 place) {
+  vec4 clip = clipFromView * vec4(place, 1.0);
+  return 0.5 * viewport * clip.xy / clip.w;
+}
+
+// The part of the edge before the near plane ends there.
+vec3 clipped(vec3 place, vec3 other) {
+  float depth = -place.z;
+  return depth >= near ? place : mix(place, other, clamp((near - depth) / (-other.z - depth), 0.0, 1.0));
+}
+
+void main() {
+  mat4 viewFromModel = viewFromWorld * modelMatrix;
+  vec3 from = (viewFromModel * vec4(start, 1.0)).xyz;
+  vec3 to = (viewFromModel * vec4(end, 1.0)).xyz;
+  mat3 turn = mat3(viewFromModel);
+  vec3 towardsEye = clipFromView[2][3] != 0.0 ? -from : vec3(0.0, 0.0, 1.0);
+  bool isHidden = max(-from.z, -to.z) < near;
+  if (isHidden || looksAway(turn, oneNormal, towardsEye) || looksAway(turn, otherNormal, towardsEye)) {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+    return;
+  }
+  vec3 place = corner.x < 0.5 ? clipped(from, to) : clipped(to, from);
+  vec2 along = onScreen(clipped(to, from)) - onScreen(clipped(from, to));
+  along = length(along) > 1e-4 ? normalize(along) : vec2(1.0, 0.0);
+  // Half a width beyond each end, so that no gap shows where edges meet at an angle.
+  vec2 beside = 0.5 * inkPixels * (corner.y * vec2(-along.y, along.x) + (2.0 * corner.x - 1.0) * along);
+  vec4 clip = clipFromView * vec4(place, 1.0);
+  clip.xy += beside * 2.0 / viewport * clip.w;
+  float raised = min(RAISED_WIDTHS * inkPixels * viewUnitsPerPixel(clipFromView, viewport, place.z), HIGHEST);
+  clip.z = (2.0 * windowDepth(clipFromView, min(place.z + raised, -near)) - 1.0) * clip.w;
+  gl_Position = clip;
+}

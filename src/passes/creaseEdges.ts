@@ -1,0 +1,72 @@
+import { weld, type TriangleMesh } from './extrusion.ts';
+
+/** Edges that are drawn as lines, numbers one after the other for each. */
+export interface CreaseEdges {
+  count: number;
+  /** Six: its two ends. */
+  ends: Float32Array;
+  /** Six: the unit normals of the two faces beside it; where there is one face only, zeros follow. */
+  faceNormals: Float32Array;
+}
+
+type Vector = readonly [number, number, number];
+
+interface Edge {
+  ends: readonly [number, number];
+  normals: Vector[];
+  isSplit: boolean;
+}
+
+/**
+ * The creases of a mesh: edges where two faces meet at a sharp angle without sharing their shaded corners, as smooth
+ * faces do, and edges of one face only.
+ * @param angle least turn between the normals of two faces, degrees
+ */
+export function creaseEdges(mesh: TriangleMesh, angle: number): CreaseEdges {
+  const least = Math.cos((angle * Math.PI) / 180);
+  const creases = [...edgesOf(mesh)].filter(
+    ({ normals, isSplit }) => normals.length === 1 || (isSplit && dot(normals[0], normals[1]) < least),
+  );
+  const place = (vertex: number): number[] => [...mesh.positions.subarray(3 * vertex, 3 * vertex + 3)];
+  return {
+    count: creases.length,
+    ends: new Float32Array(creases.flatMap(({ ends }) => ends.flatMap(place))),
+    faceNormals: new Float32Array(creases.flatMap(({ normals: [one, other = [0, 0, 0]] }) => [...one, ...other])),
+  };
+}
+
+function edgesOf(mesh: TriangleMesh): Iterable<Edge> {
+  const welded = weld(mesh.positions);
+  const edges = new Map<string, Edge>();
+  for (let at = 0; at < mesh.indices.length; at += 3) {
+    const corners = [...mesh.indices.subarray(at, at + 3)];
+    const normal = normalOf(mesh.positions, corners);
+    if (!normal) continue;
+    for (let side = 0; side < 3; ++side) {
+      const ends = [corners[side], corners[(side + 1) % 3]] as const;
+      const key = ends.map((vertex) => welded[vertex]).sort((a, b) => a - b);
+      const edge = edges.get(key.join());
+      if (!edge) edges.set(key.join(), { ends, normals: [normal], isSplit: true });
+      else join(edge, ends, normal);
+    }
+  }
+  return edges.values();
+}
+
+function join(edge: Edge, ends: readonly [number, number], normal: Vector): void {
+  edge.normals.push(normal);
+  edge.isSplit = !ends.every((vertex) => edge.ends.includes(vertex));
+}
+
+/** The unit normal of a face; none where it has no area. */
+function normalOf(positions: Float32Array, [a, b, c]: readonly number[]): Vector | undefined {
+  const side = (vertex: number, axis: number): number => positions[3 * vertex + axis] - positions[3 * a + axis];
+  const [u, v] = [b, c].map((vertex) => [0, 1, 2].map((axis) => side(vertex, axis)));
+  const cross: Vector = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+  const length = Math.hypot(...cross);
+  return length > 1e-12 ? [cross[0] / length, cross[1] / length, cross[2] / length] : undefined;
+}
+
+function dot(a: Vector, b: Vector): number {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}

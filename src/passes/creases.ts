@@ -1,0 +1,92 @@
+import {
+  Camera,
+  DoubleSide,
+  GLSL3,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  BufferAttribute,
+  Mesh,
+  RawShaderMaterial,
+  Scene,
+  type Matrix4,
+  type WebGLRenderer,
+} from 'three';
+import creasesVertexShader from '../../shaders/surfaces/creases.vert';
+import fragmentShader from '../../shaders/surfaces/hull.frag';
+import type { Eye } from '../device/eye.ts';
+import { creaseEdges } from './creaseEdges.ts';
+import { InkUniforms, type InkLine } from './ink.ts';
+import type { SurfaceDescription } from './surfaces.ts';
+
+/** Degrees between two faces from which their edge is drawn. */
+const SHARP = 40;
+
+/** Draws the sharp edges of inked surfaces as ribbons that are as wide as other lines, where the depth test lets them show. */
+export class CreasesPass {
+  private readonly scene = new Scene();
+  private readonly camera = new Camera();
+  private readonly meshes = new Map<number, Mesh<InstancedBufferGeometry, RawShaderMaterial>>();
+  private readonly ink = new InkUniforms();
+  private readonly material: RawShaderMaterial;
+
+  constructor(eye: Eye, surfaces: readonly SurfaceDescription[]) {
+    this.material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: creasesVertexShader,
+      fragmentShader,
+      uniforms: { ...eye.uniforms, ...this.ink.uniforms },
+      side: DoubleSide,
+    });
+    surfaces.forEach((surface, index) => {
+      if (surface.inked) this.add(surface, index);
+    });
+  }
+
+  /** A line of no width draws none. */
+  setInk(line: InkLine): void {
+    this.ink.set(line);
+  }
+
+  /** Puts a surface where its rigid is. */
+  place(surface: number, worldFromModel: Matrix4): void {
+    this.meshes.get(surface)?.matrixWorld.copy(worldFromModel);
+  }
+
+  draw(renderer: WebGLRenderer): void {
+    if (this.meshes.size > 0 && this.ink.uniforms.inkPixels.value > 0) renderer.render(this.scene, this.camera);
+  }
+
+  dispose(): void {
+    this.material.dispose();
+    for (const { geometry } of this.meshes.values()) geometry.dispose();
+  }
+
+  private add({ mesh }: SurfaceDescription, index: number): void {
+    const edges = creaseEdges(mesh, SHARP);
+    if (edges.count === 0) return;
+    const ribbons = new Mesh(ribbonsOf(edges), this.material);
+    ribbons.frustumCulled = false;
+    ribbons.matrixAutoUpdate = false;
+    ribbons.matrixWorldAutoUpdate = false;
+    this.meshes.set(index, ribbons);
+    this.scene.add(ribbons);
+  }
+}
+
+/** A quad for each edge. */
+function ribbonsOf({ count, ends, faceNormals }: ReturnType<typeof creaseEdges>): InstancedBufferGeometry {
+  const geometry = new InstancedBufferGeometry();
+  const everyOther = (numbers: Float32Array, first: number): InstancedBufferAttribute =>
+    new InstancedBufferAttribute(
+      numbers.filter((_, at) => at % 6 >= first && at % 6 < first + 3),
+      3,
+    );
+  geometry.setAttribute('corner', new BufferAttribute(new Float32Array([0, -1, 1, -1, 1, 1, 0, 1]), 2));
+  geometry.setAttribute('start', everyOther(ends, 0));
+  geometry.setAttribute('end', everyOther(ends, 3));
+  geometry.setAttribute('oneNormal', everyOther(faceNormals, 0));
+  geometry.setAttribute('otherNormal', everyOther(faceNormals, 3));
+  geometry.setIndex([0, 1, 2, 0, 2, 3]);
+  geometry.instanceCount = count;
+  return geometry;
+}

@@ -1,0 +1,73 @@
+/** Lines along the sharp edges of a box, against the projections of those that a camera sees. */
+import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
+import { PLAIN_STYLE, takePicture } from '../lab.ts';
+import { box } from '../solids.ts';
+
+const SIZE = 200;
+const HALF = 0.5;
+const WIDTH = 3;
+
+/** Ink within a box: pixels that belong to a line, those of them without ink, and ink where no line is. */
+export interface CreaseReport {
+  expected: number;
+  missing: number;
+  stray: number;
+}
+
+/** @param behind whether a wall stands before the box */
+export function creasesOf(projection: 'perspective' | 'orthographic', distance: number, behind = false): CreaseReport {
+  const camera = cameraOf(projection, distance);
+  const surface = { color: [200, 120, 60], casts: false, inked: true } as const;
+  const surfaces = [{ ...surface, name: 'box', mesh: box([0, 0, 0], [HALF, HALF, HALF]) }];
+  if (behind) surfaces.push({ ...surface, name: 'wall', mesh: wallBefore(camera) });
+  const style = { creases: true, outlineWidth: WIDTH, inkSwell: 0, shadows: false } as const;
+  const { pixels } = takePicture({ width: SIZE, height: SIZE, puffs: [], surfaces, camera, style });
+  // The corner that looks at the camera, and the ends of the three edges that meet there.
+  const [corner, ...ends] = [
+    [1, 1, 1],
+    [-1, 1, 1],
+    [1, -1, 1],
+    [1, 1, -1],
+  ].map((signs) => onScreen(new Vector3(...signs).multiplyScalar(HALF), camera));
+  const report = { expected: 0, missing: 0, stray: 0 };
+  for (let pixel = 0; pixel < SIZE * SIZE; ++pixel) {
+    const at = new Vector3((pixel % SIZE) + 0.5, Math.floor(pixel / SIZE) + 0.5, 0);
+    // Away from the silhouette, where hulls draw.
+    if (at.distanceTo(corner) > 0.6 * Math.min(...ends.map((end) => end.distanceTo(corner)))) continue;
+    const away = Math.min(...ends.map((end) => distanceTo(at, corner, end)));
+    const isInk = PLAIN_STYLE.inkColor.every((channel, index) => pixels[4 * pixel + index] === channel);
+    if (away < WIDTH / 2 - 0.3) report.expected++;
+    if (away < WIDTH / 2 - 0.3 && !isInk) report.missing++;
+    if (away > WIDTH / 2 + 0.3 && isInk) report.stray++;
+  }
+  return report;
+}
+
+function cameraOf(projection: string, distance: number): Camera {
+  const half = 1.1;
+  const camera =
+    projection === 'perspective'
+      ? new PerspectiveCamera((360 / Math.PI) * Math.atan(half / distance), 1, 0.1, 60)
+      : new OrthographicCamera(-half, half, half, -half, 0.1, 60);
+  camera.position.set(0.7, 0.55, 0.5).setLength(distance);
+  camera.lookAt(0, 0, 0);
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+/** A thin board between the camera and the box. */
+function wallBefore(camera: Camera): ReturnType<typeof box> {
+  const { x, y, z } = camera.position.clone().setLength(1.3);
+  return box([x, y, z], [0.02, 3, 3]);
+}
+
+function onScreen(place: Vector3, camera: Camera): Vector3 {
+  const { x, y } = place.project(camera);
+  return new Vector3((0.5 + 0.5 * x) * SIZE, (0.5 + 0.5 * y) * SIZE, 0);
+}
+
+function distanceTo(point: Vector3, from: Vector3, to: Vector3): number {
+  const way = to.clone().sub(from);
+  const share = Math.min(1, Math.max(0, point.clone().sub(from).dot(way) / way.lengthSq()));
+  return point.distanceTo(from.clone().addScaledVector(way, share));
+}
