@@ -2,6 +2,8 @@ import { expect, test } from '../support/fixtures.ts';
 
 type Cases = typeof import('./cases/stencil.ts');
 const CASES = '/tests/visual/cases/stencil.ts';
+type Shadows = typeof import('./cases/shadows.ts');
+const SHADOWS = '/tests/visual/cases/shadows.ts';
 
 const VIEWS = [
   ['ordinary', false],
@@ -44,9 +46,19 @@ for (const count of [256, 512]) {
 }
 
 test('two steps of shadow show exactly three colours on the ground, by the count', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
+  const cases = await load<Shadows>(SHADOWS);
   const report = await cases.evaluate((module) => module.steps(3));
   expect(report.wrong).toBe(0);
   expect(report.foreign).toEqual([]);
   expect(Math.min(report.lit, report.shadow, report.deep)).toBeGreaterThan(500);
 });
+
+for (const view of ['ordinary', 'backlit', 'lamp', 'lampOrthographic']) {
+  test(`a puff of one lobe throws the shadow of a ball: ${view}`, async ({ load }) => {
+    const cases = await load<Shadows>(SHADOWS);
+    const report = await cases.evaluate((module, name) => module.balls(name), view);
+    expect(report.receiver).toBeGreaterThan(20_000);
+    expect(report.deepest).toBeGreaterThan(1);
+    expect(report.differing / report.receiver).toBeLessThan(0.005);
+  });
+}

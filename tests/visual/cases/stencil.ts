@@ -5,9 +5,7 @@
 import { type Camera, OrthographicCamera, PerspectiveCamera, type Ray, Raycaster, Vector2, Vector3 } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
-import { multiply, rampOf, surfaceToning } from '../../../src/smoke/palette.ts';
-import type { Color } from '../../../src/device/ramps.ts';
-import { PLAIN_STYLE, takePicture, type LabPuff, type LabScene } from '../lab.ts';
+import { takePicture, type LabPuff, type LabScene } from '../lab.ts';
 import { box, ground } from '../solids.ts';
 import { random } from '../random.ts';
 import { holds, towardsLightOf, volumeOf, type View } from '../shadowVolume.ts';
@@ -19,11 +17,11 @@ export interface StencilReport {
   deepest: number;
 }
 
-const [WIDTH, HEIGHT] = [320, 240];
-const GROUND_Y = -1;
-const GROUND_HALF = 3;
+export const [WIDTH, HEIGHT] = [320, 240];
+export const GROUND_Y = -1;
+export const GROUND_HALF = 3;
 
-function lightOf({ towardsLight, lamp, reversedDepth }: View): Partial<LabScene> {
+export function lightOf({ towardsLight, lamp, reversedDepth }: View): Partial<LabScene> {
   return { towardsLight: towardsLight?.toArray(), lamp: lamp?.toArray(), reversedDepth };
 }
 
@@ -48,7 +46,7 @@ function orthographic(): OrthographicCamera {
   return new OrthographicCamera(-3, 3, 2.25, -2.25, 0.1, 100);
 }
 
-const VIEWS: Record<string, () => View> = {
+export const VIEWS: Record<string, () => View> = {
   ordinary: () => ({
     camera: looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0]),
     towardsLight: new Vector3(-0.5, 0.8, 0.4),
@@ -135,45 +133,8 @@ export function coincident(count: number): { shadowed: number; lit: number } {
   return { shadowed, lit: single.filter((value, pixel) => value > 0 && many[pixel] === 0).length };
 }
 
-/** Pixels of a ground under puffs by the colour that their count asks for, and those that have another. */
-export function steps(shadowDepth: number): {
-  lit: number;
-  shadow: number;
-  deep: number;
-  wrong: number;
-  foreign: string[];
-} {
-  const view = VIEWS.ordinary();
-  const deepShadow: Color = [120, 96, 200];
-  const style = { shadowSteps: 2, shadowDepth, deepShadow } as const;
-  const scene = { width: WIDTH, height: HEIGHT, camera: view.camera, ...lightOf(view), style };
-  const surfaces = [ground(GROUND_Y, GROUND_HALF)];
-  const { counts, pixels } = takePicture({ ...scene, puffs: [], casters: cluster(45), surfaces, readCounts: true });
-  const ramp = rampOf(surfaces[0].color, surfaceToning(PLAIN_STYLE));
-  const shadow = ramp.unlit[0].color;
-  const tones = { lit: ramp.lit[1].color, shadow, deep: multiply(shadow, deepShadow) };
-  const result = { lit: 0, shadow: 0, deep: 0, wrong: 0, foreign: foreignColors(scene, shadowDepth) };
-  counts.forEach((count, pixel) => {
-    if (pixels[4 * pixel + 3] === 0) return;
-    const step = count === 0 ? 'lit' : count < shadowDepth ? 'shadow' : 'deep';
-    result[step] += 1;
-    if (tones[step].join() !== pixels.slice(4 * pixel, 4 * pixel + 3).join()) result.wrong += 1;
-  });
-  return result;
-}
-
-/** Colours of puffs that shade each other which are neither a tone, nor a step of shadow, nor the ink, nor the page. */
-function foreignColors(scene: Omit<LabScene, 'puffs'>, shadowDepth: number): string[] {
-  const { lit, unlit } = rampOf(PLAIN_STYLE.smokeColor, PLAIN_STYLE);
-  const deep = multiply(unlit[0].color, scene.style!.deepShadow!);
-  const known = [...lit.map(({ color }) => color), deep, PLAIN_STYLE.inkColor].map((color) => `${color.join()},255`);
-  const { pixels } = takePicture({ ...scene, puffs: cluster(45), style: { ...scene.style, shadowDepth } });
-  const found = new Set<string>(['0,0,0,0']);
-  for (let at = 0; at < pixels.length; at += 4) found.add(pixels.slice(at, at + 4).join());
-  return [...found].filter((color) => color !== '0,0,0,0' && !known.includes(color));
-}
-
-function cluster(count: number): LabPuff[] {
+/** Seeded casters over the ground. */
+export function cluster(count: number): LabPuff[] {
   const next = random(77);
   return Array.from({ length: count }, () => ({
     place: [next() * 2 - 1, next() * 1.2 - 0.5, next() * 2 - 1],
@@ -212,7 +173,7 @@ function liesInBoxShadow(point: Vector3, view: View): boolean {
   return boxHides(point, towardsLightOf(view, point), view.lamp?.distanceTo(point));
 }
 
-function viewRay(pixel: number, camera: Camera): Ray {
+export function viewRay(pixel: number, camera: Camera): Ray {
   const at = new Vector2(
     (((pixel % WIDTH) + 0.5) / WIDTH) * 2 - 1,
     ((Math.floor(pixel / WIDTH) + 0.5) / HEIGHT) * 2 - 1,
@@ -222,7 +183,7 @@ function viewRay(pixel: number, camera: Camera): Ray {
   return caster.ray;
 }
 
-function groundPoint({ origin, direction }: Ray, withMesh: boolean): Vector3 | undefined {
+export function groundPoint({ origin, direction }: Ray, withMesh: boolean): Vector3 | undefined {
   const distance = (GROUND_Y - origin.y) / direction.y;
   if (!(distance > 0)) return undefined;
   const point = origin.clone().addScaledVector(direction, distance);
