@@ -35,7 +35,7 @@ export class OwnShape {
       chooser.value = '';
     });
     const choose = textButton('quiet', strings.ownShape.choose, () => chooser.click());
-    const buttons = create('div', { class: 'adder' }, choose, this.back);
+    const buttons = create('div', { class: 'own-shape-buttons' }, choose, this.back);
     this.element = create('div', { 'data-text': strings.ownShape.text }, this.caption, buttons, chooser);
     this.tell();
   }
