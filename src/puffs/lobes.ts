@@ -19,8 +19,11 @@ export interface LobeHit {
 export function meetLobes(lobes: readonly Lobe[], x: number, y: number): LobeHit {
   let [distance, top, rim] = [Infinity, -Infinity, 0];
   for (const { center, radius } of lobes) {
-    const beside = Math.hypot(x - center[0], y - center[1]);
-    if (beside - radius < distance) [distance, rim] = [beside - radius, center[2]];
+    const beside = Math.sqrt((x - center[0]) ** 2 + (y - center[1]) ** 2);
+    if (beside - radius < distance) {
+      distance = beside - radius;
+      rim = center[2];
+    }
     if (beside < radius) top = Math.max(top, center[2] + Math.sqrt(radius * radius - beside * beside));
   }
   return { height: distance < 0 ? top : rim, distance };

@@ -125,10 +125,8 @@ function bounded(points: Float32Array): Patch {
   let radius = 0;
   for (let i = 0; i < points.length; i += POINT_STRIDE) {
     cosine = Math.min(cosine, points[i] * axis[0] + points[i + 1] * axis[1] + points[i + 2] * axis[2]);
-    radius = Math.max(
-      radius,
-      Math.hypot(points[i + 3] - center[0], points[i + 4] - center[1], points[i + 5] - center[2]),
-    );
+    const [x, y, z] = [points[i + 3] - center[0], points[i + 4] - center[1], points[i + 5] - center[2]];
+    radius = Math.max(radius, Math.sqrt(x * x + y * y + z * z));
   }
   return { points, normal: axis, normalSpread: Math.acos(Math.max(-1, cosine)), center, radius };
 }

@@ -74,7 +74,7 @@ async function stageOf(values: Values = {}, canvas = new OffscreenCanvas(WIDTH, 
  */
 export async function turnKnobs(values: Values): Promise<{ changed: number; asMade: number; back: number }> {
   const [stage, made] = [await stageOf(), await stageOf(values)];
-  for (const each of [stage, made]) each.step(150);
+  for (const each of [stage, made]) each.step(80);
   const before = await pixelsOf(stage);
   const base = stage.get();
   stage.set(values);
@@ -92,7 +92,7 @@ export async function turnKnobs(values: Values): Promise<{ changed: number; asMa
 /** How many pixels change when there are fewer variations than living particles have, at once and in a restored state. */
 export async function fewerVariations(): Promise<{ atOnce: number; restored: number; later: boolean }> {
   const stage = await stageOf({ 'puff.variations': 9 });
-  stage.step(150);
+  stage.step(80);
   const before = await pixelsOf(stage);
   stage.set({ 'puff.variations': 2 });
   const atOnce = differing(before, await pixelsOf(stage));
@@ -108,7 +108,7 @@ export async function fewerVariations(): Promise<{ atOnce: number; restored: num
 /** The same stage with a shape that somebody brought, in both forms, and without it again. */
 export async function bringShape(): Promise<{ lobes: number; billboards: number; back: number; hash: boolean }> {
   const stage = await stageOf();
-  stage.step(150);
+  stage.step(80);
   const hash = stage.hash();
   const first = await pixelsOf(stage);
   stage.setPuffs([RING]);
@@ -141,7 +141,7 @@ export async function turnWhilePlaying(): Promise<{ frames: number; leftOver: nu
   };
   const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
   const stage = await stageOf({}, canvas);
-  stage.step(150);
+  stage.step(80);
   stage.speed = 0;
   stage.play();
   frame(0);
