@@ -40,11 +40,14 @@ smoke.step(60 * Number(new URLSearchParams(location.search).get('t') ?? 0));
 
 const timer = new Timer();
 timer.connect(document);
+let time = 0;
 renderer.setAnimationLoop((now) => {
   timer.update(now);
-  animate(timer.getElapsed());
+  // A machine that cannot keep up sees everything in slow motion, as smoke does by itself.
+  const seconds = Math.min(timer.getDelta(), 1 / 15);
+  animate((time += seconds));
   controls.update();
-  smoke.update(timer.getDelta());
+  smoke.update(seconds);
   renderer.render(scene, camera);
 });
 

@@ -40,15 +40,8 @@ export class BallVolumes {
   }
 
   draw(renderer: WebGLRenderer): void {
-    const { balls, place, look } = this;
-    if (balls.length === 0) return;
-    balls.forEach((ballAt, index) => {
-      const { center, radius } = ballAt();
-      center.toArray(place, 4 * index);
-      place[4 * index + 3] = radius;
-    });
-    const rows: Rows = { count: balls.length, place, look };
-    this.rows.fill(rows);
+    if (this.balls.length === 0) return;
+    this.rows.fill(this.rowsNow());
     this.volumes.draw(renderer);
   }
 
@@ -61,5 +54,15 @@ export class BallVolumes {
   dispose(): void {
     this.release();
     this.puffs.dispose();
+  }
+
+  private rowsNow(): Rows {
+    const { balls, place, look } = this;
+    balls.forEach((ballAt, index) => {
+      const { center, radius } = ballAt();
+      center.toArray(place, 4 * index);
+      place[4 * index + 3] = radius;
+    });
+    return { count: balls.length, place, look };
   }
 }

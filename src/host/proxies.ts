@@ -1,4 +1,4 @@
-import { Matrix4, Vector3, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh } from 'three';
+import { Matrix4, Vector3, type Bone, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh } from 'three';
 
 /** A ball that stands in for a part of something that bends: it follows an object, such as a bone. */
 export interface ProxyBall {
@@ -18,8 +18,10 @@ export interface Ball {
 /** Tells where a ball is now; the same object each time. */
 export type BallAt = () => Ball;
 
-/** The share of a part's reach that its ball has: limbs are thinner than they are long. */
-const FILLING = 0.75;
+/** Balls stay within the skin, where their shadows do not touch its lit side. */
+const FILLING = 0.9;
+/** A thin limb has no more balls than this and one. */
+const MOST_GAPS = 7;
 
 /** Follows a proxy through the world. */
 export function follow({ follows, center, radius }: ProxyBall): BallAt {
@@ -49,7 +51,7 @@ export function instanceBalls(mesh: InstancedMesh): BallAt[] {
   });
 }
 
-/** A ball for each bone that moves some of the skin more than any other bone does, in its middle. */
+/** Balls along each bone that moves some of the skin more than any other bone does, as thick as that. */
 export function boneBalls(mesh: SkinnedMesh): ProxyBall[] {
   const parts = new Map<number, Vector3[]>();
   const { position, skinIndex, skinWeight } = mesh.geometry.attributes;
@@ -60,7 +62,10 @@ export function boneBalls(mesh: SkinnedMesh): ProxyBall[] {
     const place = new Vector3().fromBufferAttribute(position, vertex).applyMatrix4(mesh.bindMatrix);
     parts.get(bone)!.push(place.applyMatrix4(mesh.skeleton.boneInverses[bone]));
   }
-  return [...parts].map(([bone, places]) => ({ follows: mesh.skeleton.bones[bone], ...ballAround(places) }));
+  return [...parts].flatMap(([number, places]) => {
+    const bone = mesh.skeleton.bones[number];
+    return ballsAlong(places, axisOf(bone)).map((ball) => ({ follows: bone, ...ball }));
+  });
 }
 
 /** The balls that stand in for a mesh of which the parts move by themselves; none for one that is rigid. */
@@ -70,8 +75,24 @@ export function ballsOf(mesh: Mesh): BallAt[] {
   return [];
 }
 
-function ballAround(places: readonly Vector3[]): { center: Vector3; radius: number } {
-  const center = new Vector3();
-  for (const place of places) center.addScaledVector(place, 1 / places.length);
-  return { center, radius: FILLING * Math.max(...places.map((place) => place.distanceTo(center))) };
+/** Where a bone leads: to its first child, or on from its parent. */
+function axisOf(bone: Bone): Vector3 {
+  const child = bone.children.find((each) => 'isBone' in each);
+  const axis = (child ?? bone).position.clone();
+  return axis.lengthSq() > 0 ? axis.normalize() : axis.set(0, 1, 0);
+}
+
+/** Balls in a row along an axis through the middle of some skin, each as thick as the skin is about it. */
+function ballsAlong(places: readonly Vector3[], axis: Vector3): Ball[] {
+  const middle = new Vector3();
+  for (const place of places) middle.addScaledVector(place, 1 / places.length);
+  const along = places.map((place) => place.clone().sub(middle).dot(axis));
+  const across = places.map((place, index) => place.distanceTo(middle.clone().addScaledVector(axis, along[index])));
+  const radius = (FILLING * across.reduce((sum, distance) => sum + distance, 0)) / places.length;
+  const [first, last] = [Math.min(...along) + radius, Math.max(...along) - radius];
+  const gaps = Math.min(MOST_GAPS, Math.max(0, Math.ceil((last - first) / radius)));
+  return Array.from({ length: gaps + 1 }, (_, ball) => {
+    const at = gaps === 0 ? (first + last) / 2 : first + ((last - first) * ball) / gaps;
+    return { center: middle.clone().addScaledVector(axis, at), radius };
+  });
 }
