@@ -21,7 +21,7 @@ function Scene(): ReactNode {
   useFrame((_, seconds) => {
     // A machine that cannot keep up sees everything in slow motion, as smoke does by itself.
     time.current += Math.min(seconds, 1 / 15);
-    ring.current!.rotation.set(1.3 + 0.3 * Math.sin(time.current), time.current / 2, 0);
+    ring.current!.rotation.set(1.57 + 0.35 * Math.sin(time.current), 0.3 * Math.cos(time.current), 0);
   });
   return (
     <>
@@ -36,8 +36,8 @@ function Scene(): ReactNode {
         <cylinderGeometry args={[0.3, 0.22, 0.4, 48]} />
         <meshToonMaterial color="#3a8f8a" />
       </mesh>
-      <mesh ref={ring} position={[0.15, 1.4, 0]} onClick={() => setColor((color + 1) % COLORS.length)}>
-        <torusGeometry args={[0.5, 0.14, 24, 64]} />
+      <mesh ref={ring} position={[0.1, 1.7, 0]} onClick={() => setColor((color + 1) % COLORS.length)}>
+        <torusGeometry args={[0.85, 0.13, 24, 64]} />
         <meshStandardMaterial color="#e8b53a" roughness={0.5} />
       </mesh>
       <mesh position={[0.9, 0.6, 0.8]}>

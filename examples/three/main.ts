@@ -28,7 +28,7 @@ const smoke = await CartoonSmoke.create({
     'emitters.0.radius': 0.16,
     'emitters.0.speed': 0.7,
     'emitters.0.size': 0.34,
-    'forces.wind.x': 0.22,
+    'forces.wind.x': 0.12,
     'style.outlineWidth': 2,
   },
 });

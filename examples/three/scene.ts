@@ -50,8 +50,8 @@ export async function makeScene(): Promise<ExampleScene> {
   const chimney = new Mesh(new CylinderGeometry(0.2, 0.26, 0.5, 32), new MeshStandardMaterial({ color: '#7d5447' }));
   chimney.position.set(-1.1, 0.25, 0.2);
   const monkey = await loadMonkey();
-  const ring = new Mesh(new TorusGeometry(0.42, 0.13, 24, 64), new MeshToonMaterial({ color: '#f2b632' }));
-  ring.position.set(-0.9, 1.55, 0.1);
+  const ring = new Mesh(new TorusGeometry(0.8, 0.12, 24, 64), new MeshToonMaterial({ color: '#f2b632' }));
+  ring.position.set(-1, 1.75, 0.15);
   const globe = makeGlobe();
   const tentacle = makeTentacle();
   const stones = makeStones();
@@ -71,7 +71,7 @@ export async function makeScene(): Promise<ExampleScene> {
     casters: [ring, globe, tentacle.mesh],
     setInShadow: (isInShadow) => (globe.material.uniforms.keyLight.value = isInShadow ? 0 : 1),
     animate: (seconds) => {
-      ring.rotation.set(1.2 + 0.3 * Math.sin(seconds), 0.4 * seconds, 0);
+      ring.rotation.set(1.57 + 0.35 * Math.sin(seconds), 0.3 * Math.cos(seconds), 0);
       tentacle.animate(seconds);
     },
   };
