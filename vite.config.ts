@@ -15,6 +15,6 @@ export default defineConfig({
     target: 'es2023',
     sourcemap: true,
     chunkSizeWarningLimit: 800,
-    rolldownOptions: { input: ['index.html', 'paper.html'] },
+    rolldownOptions: { input: ['index.html', 'paper.html', 'examples/three/index.html', 'examples/react/index.html'] },
   },
 });

@@ -8,7 +8,17 @@ import { Refusal } from '../lib/refusal.mjs';
 
 export const title = 'Site';
 
-const SOURCES = ['embed.html', 'index.html', 'package-lock.json', 'public', 'shaders', 'src', 'vite.config.ts'];
+const SOURCES = [
+  'embed.html',
+  'examples',
+  'index.html',
+  'package-lock.json',
+  'paper.html',
+  'public',
+  'shaders',
+  'src',
+  'vite.config.ts',
+];
 // Not in dist/, where it would be published.
 const STAMP = '.cache/site.txt';
 

@@ -42,6 +42,7 @@ export const CHECKS = [
   check('clippy', 'Lint (cargo clippy)', (say) => clippy(['--workspace', '--exclude', 'xtask', '--all-features'], say)),
   check('types', 'Types (tsc)', (say) => tool(TSC, ['--noEmit'], say)),
   check('scripts', 'Types of scripts/ (tsc)', (say) => tool(TSC, ['--noEmit', '-p', 'scripts'], say)),
+  check('examples', 'Types of examples/ (tsc)', (say) => tool(TSC, ['--noEmit', '-p', 'examples'], say)),
   check('arrows', 'Import direction and cycles', (say) =>
     demandFiles(tool(OXLINT, ['-c', '.oxlintrc.arrows.json', '--deny-warnings', 'src'], say)),
   ),
