@@ -14,6 +14,7 @@ uniform mat4 clipFromView;
 uniform vec2 viewport;
 uniform vec3 inkColor;
 uniform float inkSwell;
+uniform float innerTaper;
 uniform vec3 gradientFactor;
 uniform vec4 rim;
 
@@ -70,7 +71,7 @@ void main() {
 
   float outside = distanceOutside * radius;
   float depth = isRing
-    ? ringDepth(clipFromView, viewZ, viewZ - ringDrop, outside, -outward * (outside / pixel + 0.5))
+    ? ringDepth(clipFromView, viewZ, viewZ - ringDrop * sinking(distanceOutside / reach, innerTaper), outside, -outward * (outside / pixel + 0.5))
     : windowDepth(clipFromView, viewZ);
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 }

@@ -13,6 +13,7 @@ uniform vec2 viewport;
 uniform vec4 lightInView;
 uniform vec3 inkColor;
 uniform float inkSwell;
+uniform float innerTaper;
 uniform vec3 gradientFactor;
 uniform vec4 rim;
 
@@ -127,7 +128,7 @@ void main() {
   float outside = line.w * radius;
   vec2 inward = normalize(line.xy - point) * (outside / pixel + 0.5);
   float depth = isRing
-    ? ringDepth(clipFromView, viewZ, viewZ - depthsAndRamp.z, outside, inward)
+    ? ringDepth(clipFromView, viewZ, viewZ - depthsAndRamp.z * sinking(line.w / reach, innerTaper), outside, inward)
     : windowDepth(clipFromView, viewZ);
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 #endif

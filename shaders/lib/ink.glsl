@@ -17,3 +17,9 @@ float swelling(vec2 outward, vec3 towardsLightInView, float swell) {
 float inkShare(float width) {
   return smoothstep(0.5, 1.0, width);
 }
+
+// How much deeper than at the silhouette a line lies at a share of its width: the farther out the deeper, so that a line
+// between two puffs grows with the gap and does not come at once.
+float sinking(float share, float taper) {
+  return 1.0 + taper * clamp(share, 0.0, 1.0);
+}

@@ -44,6 +44,7 @@ export class BodiesPass {
   private readonly ink = new InkUniforms();
   private readonly uniforms = {
     innerLine: { value: 0.5 },
+    innerTaper: { value: 0 },
     plumeHeight: { value: new Vector2(0, 1) },
     gradientWeights: { value: new Vector4() },
     gradientFactor: { value: new Vector3(1, 1, 1) },
@@ -94,10 +95,14 @@ export class BodiesPass {
     this.mesh.material = form === 'lobes' || this.isFlat ? this.lobesMaterial() : this.billboardsMaterial();
   }
 
-  /** @param innerLine depth gap, in puff radii, beyond which a puff is outlined against what lies behind it */
-  setInk(line: InkLine, innerLine: number): void {
+  /**
+   * @param innerLine depth gap, in puff radii, beyond which a puff is outlined against what lies behind it
+   * @param innerTaper how much more gap, as a multiple, the line takes to reach its full width
+   */
+  setInk(line: InkLine, innerLine: number, innerTaper: number): void {
     this.ink.set(line);
     this.uniforms.innerLine.value = innerLine;
+    this.uniforms.innerTaper.value = innerTaper;
   }
 
   /** @param width of the band along silhouettes that look away from the light, 0 (none) to 1 */

@@ -69,7 +69,7 @@ export class ShadowMapPass {
     this.castingRigids = casting.map(({ rigid }) => rigid);
     this.body = new BodiesPass(this.lightEye, puffs, ramps, casters);
     this.surfaces = new SurfacesPass(this.lightEye, ramps, firstSurface, casting);
-    this.body.setInk(NO_INK, 0);
+    this.body.setInk(NO_INK, 0, 0);
     this.surfaces.setInk(NO_INK);
     this.shadowed = new WebGLRenderTarget(1, 1, {
       minFilter: NearestFilter,

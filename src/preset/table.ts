@@ -317,6 +317,15 @@ export const table: readonly Parameter[] = [
     label: 'Inner lines',
     text: 'How far one puff must stand before another for ink between them; 0 outlines every puff.',
   }),
+  quantity('style.innerTaper', 'style', 'style', {
+    min: 0,
+    max: 4,
+    step: 0.1,
+    default: 1,
+    unit: '\u00d7',
+    label: 'Inner taper',
+    text: 'How gradually a line between puffs grows with their distance; 0 gives each its full width at once.',
+  }),
   choice(
     'style.gradient',
     'style',

@@ -182,7 +182,7 @@ export class SmokeRenderer {
     const { body, surfaces, volumes, prismVolumes, mask, resolve } = this.passes;
     const line = inkLineOf(style, pixelRatio);
     this.writeRamps(style);
-    body.setInk(line, style.innerLine);
+    body.setInk(line, style.innerLine, style.innerTaper);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
     body.setRim(style.rimColor, style.shading ? style.rim : 0);
     body.setForm(style.form);

@@ -38,6 +38,8 @@ export interface Style extends Toning {
   inkSwell: number;
   /** Depth gap, in puff radii, beyond which a puff is outlined against what lies behind it. */
   innerLine: number;
+  /** How much more gap, as a multiple of that, a line between puffs takes to reach its full width. */
+  innerTaper: number;
   smokeColor: Color;
   /** Colours of smoke that an emitter or a collider has tinted. */
   tints: readonly [Color, Color, Color];
@@ -70,6 +72,7 @@ export function styleOf(values: Values): Style {
     outlineWidth: values['style.outlineWidth'] as number,
     inkSwell: values['style.inkSwell'] as number,
     innerLine: values['style.innerLine'] as number,
+    innerTaper: values['style.innerTaper'] as number,
     tones: values['style.tones'] as 1 | 2 | 3,
     smokeColor: parseColor(values['style.smokeColor'] as string),
     tints: [tint(values, 1), tint(values, 2), tint(values, 3)],

@@ -65,6 +65,25 @@ for (const form of ['lobes', 'billboards'] as const) {
       expect(over).toBeGreaterThan(150);
     });
 
+    test('with a taper a line between puffs grows from nothing at the threshold to its full width', async ({
+      load,
+    }) => {
+      const cases = await load<Cases>(CASES);
+      const [under, between, twice, full] = await cases.evaluate(
+        (module, shape) => [
+          module.innerInk(shape, 'under', 1),
+          module.innerInk(shape, 'under', 1, 1.9),
+          module.innerInk(shape, 'over', 1, 2),
+          module.innerInk(shape, 'over', 0, 2),
+        ],
+        form,
+      );
+      expect(under).toBe(0);
+      expect(between).toBeGreaterThan(0);
+      expect(between).toBeLessThan(0.9 * full);
+      expect(twice).toBe(full);
+    });
+
     test('drawing order does not change the picture', async ({ load }) => {
       const cases = await load<Cases>(CASES);
       const { differing, painted, pixels } = await cases.evaluate(

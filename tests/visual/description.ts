@@ -79,6 +79,7 @@ function styleAsObject(style: Style, { pixelRatio }: FrameInput): object {
     inkColor: color,
     inkSwell: swell,
     innerLine: style.innerLine,
+    innerTaper: style.innerTaper,
     gradient: style.gradient,
     gradientColor: style.gradientColor,
     smokeColor: smokeColorOf(style),

@@ -93,6 +93,7 @@ export const PLAIN_STYLE: Style = {
   outlineWidth: 2,
   inkSwell: 0,
   innerLine: 0.5,
+  innerTaper: 0,
   tones: 2,
   smokeColor: [240, 236, 224],
   tints: [

@@ -24,7 +24,7 @@ const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['orthographic', [{}, { shading: false }, { shading: false, tones: 1, outlines: false, shadows: false }]],
   ['eyeInside', [{}, { shadows: false }]],
   ['touching', [{}, { shadowSteps: 2, shadowDepth: 3, outlineWidth: 3 }]],
-  ['byLamp', [{}, { tones: 1, outlineWidth: 5, innerLine: 0.15 }]],
+  ['byLamp', [{}, { tones: 1, outlineWidth: 5, innerLine: 0.15, innerTaper: 2 }]],
   ['byLampAmongPuffs', [{ tones: 3 }]],
   ['backlit', [{ tones: 3 }, { gradient: 'height' }, { gradient: 'screen' }]],
 ];

@@ -89,7 +89,7 @@ impl<'a> Body<'a> {
         let shade = self.shade(place, screen);
         Some(BodyHit {
             depth: if is_ring {
-                ground.ring_depth(at, &self.ring(z, &meeting, point))
+                ground.ring_depth(at, &self.ring(z, &meeting, point, width))
             } else {
                 -z
             },
@@ -101,11 +101,17 @@ impl<'a> Body<'a> {
         })
     }
 
-    fn ring(&self, z: f64, meeting: &Meeting, point: DVec2) -> Ring {
+    fn ring(&self, z: f64, meeting: &Meeting, point: DVec2, width: f64) -> Ring {
+        let Style {
+            inner_line,
+            inner_taper,
+            ..
+        } = self.scene.style;
         let outside = meeting.outside * self.radius;
+        let share = outside / (width * self.pixel);
         Ring {
             rim: z,
-            sunken: z - self.scene.style.inner_line * self.radius,
+            sunken: z - inner_line * self.radius * (1.0 + inner_taper * share),
             outside,
             inward: (meeting.rim - point).normalize_or_zero() * (outside / self.pixel + 0.5),
         }

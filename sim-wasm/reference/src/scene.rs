@@ -52,6 +52,8 @@ pub struct Style {
     pub ink_swell: f64,
     /// How far the line of a puff lies behind it, in its radii.
     pub inner_line: f64,
+    /// Share by which a line's outer edge lies deeper than its inner one.
+    pub inner_taper: f64,
     pub gradient: Gradient,
     pub gradient_color: Triple,
     pub smoke_color: Triple,

@@ -239,9 +239,9 @@ function faceHeights(seen: (x: number, y: number) => PuffSample, reach: number):
  * Pixels of ink around a small puff that hangs before the broad face of a very large one.
  * @param side the whole edge of the small puff stands nearer to the face than the threshold, or farther
  */
-export function innerInk(form: PuffForm, side: 'under' | 'over'): number {
+export function innerInk(form: PuffForm, side: 'under' | 'over', innerTaper = 0, multiple = 1): number {
   const [near, far, innerLine, variation] = [0.35, 14, 0.9, 2];
-  const threshold = innerLine * near;
+  const threshold = multiple * innerLine * near;
   const seen = seenOf(form, variation);
   const face = faceHeights(seen, near / far);
   const edge = edgeHeights(seen);
@@ -258,7 +258,7 @@ export function innerInk(form: PuffForm, side: 'under' | 'over'): number {
       { place: [0, 0, 0], radius: far, variation },
     ],
     camera: frontCamera(WIDTH, HEIGHT, far + 25, 4),
-    style: { form, innerLine, shadows: false },
+    style: { form, innerLine, innerTaper, outlineWidth: 6, shadows: false },
   });
   return colors(picture)[`${PLAIN_STYLE.inkColor.join()},255`] ?? 0;
 }
