@@ -33,6 +33,13 @@ for (const form of ['lobes', 'billboards'] as const) {
       expect(Object.keys(found).sort()).toEqual([...new Set(allowed)].sort());
     });
 
+    test('a gradient by height stands still while smoke comes and goes', async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      const { differing, shades } = await cases.evaluate((module, shape) => module.heightUnrest(shape), form);
+      expect(shades).toBeGreaterThan(40);
+      expect(differing).toBe(0);
+    });
+
     test('two tones show exactly the ramp, the ink and the page', async ({ load }) => {
       const cases = await load<Cases>(CASES);
       const { found, allowed } = await cases.evaluate((module, shape) => module.toneColors(shape), form);

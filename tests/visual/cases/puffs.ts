@@ -144,7 +144,7 @@ export function chosenColors(form: PuffForm): { found: Record<string, number>; a
   const style: Style = {
     ...PLAIN_STYLE,
     form,
-    stops: parseStops('0:6a5a80,.2:b89aa8,.6:ffffff'),
+    stops: parseStops('0:6a5aff,.2:b89aa8,.6:ffffff'),
     fill: 0.3,
     rim: 0.5,
     rimColor: [255, 250, 120],
@@ -158,6 +158,16 @@ export function chosenColors(form: PuffForm): { found: Record<string, number>; a
     found: colors(takePicture({ width: WIDTH, height: HEIGHT, puffs, style })),
     allowed: [...opaque, '0,0,0,0'],
   };
+}
+
+/** Pixels of a puff with a gradient by height that change when smoke appears far above, out of the picture. */
+export function heightUnrest(form: PuffForm): { differing: number; shades: number } {
+  const puff: LabPuff = { place: [0, 0, 0], radius: 0.8 };
+  const style = { form, shadows: false, gradient: 'height' } as const;
+  const [alone, below] = [[puff], [puff, { place: [0, 40, 0], radius: 0.8 } as LabPuff]].map((puffs) =>
+    takePicture({ width: WIDTH, height: HEIGHT, puffs, style }),
+  );
+  return { differing: differing(alone, below), shades: Object.keys(colors(alone)).length };
 }
 
 /** The colours of a lone puff by its tint, most frequent first without ink and page, and those that the tint's ramp has. */
