@@ -19,7 +19,7 @@ export { CartoonSmoke } from './host/cartoonSmoke.ts';
 export type { CartoonSmokeOptions, CartoonSmokeStats, CastOptions } from './host/options.ts';
 export type { CollideOptions } from './host/colliders.ts';
 export type { KeyLight } from './host/keyLight.ts';
-export type { ProxyBall } from './host/proxies.ts';
+export { capsule, type ProxyBall, type ProxyCapsule } from './host/proxies.ts';
 export { bakedPuffs } from './smoke/bakedPuffs.ts';
 export type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './stage/contract.ts';
 export type { BlowInput } from './stage/blow.ts';

@@ -1,4 +1,5 @@
 import { Matrix4, Vector3, type Bone, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh } from 'three';
+import { ParameterError } from '../preset/errors.ts';
 
 /** A ball that stands in for a part of something that bends: it follows an object, such as a bone. */
 export interface ProxyBall {
@@ -7,6 +8,31 @@ export interface ProxyBall {
   center?: Vector3;
   /** In the space of what it follows, which may be scaled. */
   radius: number;
+}
+
+/** A capsule that stands in for a limb or a beam: a segment in the space of what it follows, and a radius. */
+export interface ProxyCapsule {
+  follows: Object3D;
+  from: Vector3;
+  to: Vector3;
+  radius: number;
+}
+
+/** Of its radius, how far apart the balls of a capsule stand at most: their outline dips by 3 % of the radius then. */
+const CAPSULE_PITCH = 0.5;
+
+/**
+ * A capsule as the balls that `cast` and `collide` take: a row without gaps.
+ * @throws ParameterError when the radius is not above 0
+ */
+export function capsule({ follows, from, to, radius }: ProxyCapsule): ProxyBall[] {
+  if (!(radius > 0)) throw new ParameterError('capsule.radius', radius, 'a length above 0');
+  const steps = Math.ceil(from.distanceTo(to) / (CAPSULE_PITCH * radius));
+  return Array.from({ length: steps + 1 }, (_, step) => ({
+    follows,
+    center: from.clone().lerp(to, steps > 0 ? step / steps : 0),
+    radius,
+  }));
 }
 
 /** A ball in world space. */
