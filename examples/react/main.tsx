@@ -36,7 +36,12 @@ function Scene(): ReactNode {
         <cylinderGeometry args={[0.3, 0.22, 0.4, 48]} />
         <meshToonMaterial color="#3a8f8a" />
       </mesh>
-      <mesh ref={ring} position={[0.1, 1.7, 0]} onClick={() => setColor((color + 1) % COLORS.length)}>
+      <mesh
+        ref={ring}
+        position={[0.1, 1.7, 0]}
+        rotation-x={Math.PI / 2}
+        onClick={() => setColor((color + 1) % COLORS.length)}
+      >
         <torusGeometry args={[0.85, 0.13, 24, 64]} />
         <meshStandardMaterial color="#e8b53a" roughness={0.5} />
       </mesh>
@@ -63,7 +68,7 @@ function Orbit(): null {
 
 // Smoke counts its shadows in the stencil buffer, which three.js leaves out unless it is asked for.
 createRoot(document.getElementById('root')!).render(
-  <Canvas flat gl={{ stencil: true }} camera={{ position: [2.2, 2.4, 5.2], fov: 42 }}>
+  <Canvas flat gl={{ stencil: true }} camera={{ position: [2.6, 2.7, 6.4], fov: 45 }}>
     <Orbit />
     <Scene />
   </Canvas>,

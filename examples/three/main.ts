@@ -18,6 +18,9 @@ controls.target.set(0, 1.1, 0);
 
 const { scene, keyLight, chimney, obstacles, casters, setInShadow, animate } = await makeScene();
 
+// Everything stands where it is going to, before smoke sees it for the first time.
+animate(0);
+
 const smoke = await CartoonSmoke.create({
   renderer,
   keyLight,
