@@ -68,6 +68,11 @@ void main() {
   Shades shades = shade(normal, towardsLight, ramps, material, gradient, rim);
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
+#ifdef NORMALS
+  // Marked by an alpha of a half: see debugViews/colors.frag.
+  unlit = vec4(0.5 + 0.5 * normal, 1.0);
+  lit = vec4(unlit.rgb, 0.5);
+#endif
 
   float outside = distanceOutside * radius;
   float depth = isRing

@@ -6,6 +6,7 @@ export interface KeyActions {
   share(): void;
   help(): void;
   togglePanel(): void;
+  nextView(): void;
   undo(): void;
   redo(): void;
   resetView(): void;
@@ -67,6 +68,7 @@ function simpleKeys(actions: KeyActions): Readonly<Record<string, () => void>> {
     r: () => actions.restart(),
     s: () => actions.share(),
     p: () => actions.togglePanel(),
+    v: () => actions.nextView(),
     '?': () => actions.help(),
     '0': () => actions.resetView(),
     '+': () => actions.zoom(ZOOM_STEP),

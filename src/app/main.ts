@@ -56,7 +56,7 @@ async function start(): Promise<void> {
   await begin(stage, environment, notices);
 }
 
-async function load(editor: Editor, { quality }: Environment): Promise<Stage> {
+async function load(editor: Editor, { quality, view }: Environment): Promise<Stage> {
   const progress = new Progress(strings.progress.loading);
   host.append(progress.element);
   try {
@@ -66,6 +66,7 @@ async function load(editor: Editor, { quality }: Environment): Promise<Stage> {
       height: canvas.clientHeight,
       pixelRatio: pixelRatio(),
       quality,
+      view,
       onProgress: ({ loaded, total }) => progress.show(total === undefined ? undefined : loaded / total),
     });
   } finally {

@@ -10,12 +10,14 @@ import { share } from './share.ts';
 import { createStatistics } from './statistics.ts';
 import { strings } from './strings.ts';
 import { createTransport } from './transport.ts';
+import { Views } from './views.ts';
 
 /** What the keys need of the page's controls. */
 export interface Page {
   share(): void;
   help(): void;
   togglePanel(): void;
+  nextView(): void;
 }
 
 /** On a phone the panel covers half of the smoke, so it starts closed there. */
@@ -30,6 +32,7 @@ export function buildPage(
   hasStatistics: boolean,
 ): Page {
   const help = createHelp();
+  const views = new Views(stage);
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
   toggle.setAttribute('aria-controls', PANEL_ID);
   const ownShape = new OwnShape(stage, notices, host);
@@ -46,9 +49,10 @@ export function buildPage(
   const page: Page = {
     share: () => void share(editor, notices, ownShape.name),
     help: () => toggleHelp(help),
+    nextView: () => views.next(),
     togglePanel: () => showPanel(panel.hidden !== false),
   };
-  host.append(createHeader(page, toggle), createTransport(stage), panel, help);
+  host.append(createHeader(page, toggle), createTransport(stage), panel, help, views.element);
   if (hasStatistics) host.append(createStatistics(stage));
   showPanel(matchMedia(ROOMY).matches);
   return page;

@@ -64,6 +64,15 @@ export const strings = {
     dismiss: 'Dismiss this message',
     flat: 'This graphics card does not draw puffs round, so they are flat here and meet in straight lines.',
   },
+  views: {
+    lit: 'Lit: the colours in the light.',
+    unlit: 'Unlit: the colours in shadow.',
+    ink: 'Ink: black.',
+    normals: 'Normals: red looks right, green up, blue at you. Surfaces are grey.',
+    depth: 'Depth: white is near, black is far.',
+    counts: 'Shadow volumes that hold a pixel: black none, red one, then yellow and white.',
+    overdraw: 'Polygons drawn at a pixel, hidden or not: black none, red one, then yellow and white.',
+  },
   help: {
     button: 'Help',
     title: 'Play with smoke',
@@ -86,6 +95,7 @@ export const strings = {
       ['+ \u2212', 'come nearer, go farther'],
       ['0', 'back to the first view'],
       ['P', 'show or hide the parameters'],
+      ['V', 'see what the picture is made of'],
       ['S', 'copy a link to this smoke'],
       ['Ctrl + Z, Ctrl + Shift + Z', 'undo, redo'],
       ['?', 'this sheet'],

@@ -47,6 +47,19 @@ export class PrismVolumesPass {
     renderer.render(this.scene, this.camera);
   }
 
+  /** What it draws with at present. */
+  get material(): RawShaderMaterial {
+    return this.mesh.material;
+  }
+
+  /** Draws once in another material, made of the present one. */
+  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
+    const { material: present } = this.mesh;
+    this.mesh.material = material;
+    this.draw(renderer);
+    this.mesh.material = present;
+  }
+
   dispose(): void {
     this.mesh.geometry.dispose();
     this.mesh.material.dispose();

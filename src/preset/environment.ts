@@ -4,6 +4,10 @@ import { notice, type Notice } from './notice.ts';
 /** How many of the screen's pixels are drawn: a share of the pixel ratio, or what the machine can do in time. */
 export type Quality = 'auto' | number;
 
+/** What can be shown instead of the picture, to see what the passes work with. */
+export const DEBUG_VIEWS = ['lit', 'unlit', 'ink', 'normals', 'depth', 'counts', 'overdraw'] as const;
+export type DebugView = (typeof DEBUG_VIEWS)[number];
+
 export const LOWEST_QUALITY = 0.25;
 
 export interface Environment {
@@ -15,6 +19,8 @@ export interface Environment {
   readonly hasInterface: boolean;
   readonly hasStatistics: boolean;
   readonly quality: Quality;
+  /** What is shown instead of the picture; undefined shows the picture. */
+  readonly view: DebugView | undefined;
   readonly notices: readonly Notice[];
 }
 
@@ -31,6 +37,7 @@ export function readEnvironment(search: string): Environment {
     hasInterface: isOn(query.get('ui'), true),
     hasStatistics: isOn(query.get('stats'), false),
     quality: readQuality(query.get('quality'), notices),
+    view: readView(query.get('view'), notices),
     notices,
   };
 }
@@ -38,6 +45,13 @@ export function readEnvironment(search: string): Environment {
 /** `?paused`, `?paused=1` and `?paused=true` are on, `0` and `false` are off. */
 function isOn(text: string | null, fallback: boolean): boolean {
   return text === null ? fallback : text !== '0' && text !== 'false';
+}
+
+function readView(text: string | null, notices: Notice[]): DebugView | undefined {
+  const view = DEBUG_VIEWS.find((name) => name === text);
+  const tell = (quoted: string) => `view cannot be ${quoted}: it takes ${DEBUG_VIEWS.join(', ')}.`;
+  if (text !== null && !view) notices.push(notice('malformed', 'view', text, tell));
+  return view;
 }
 
 function readQuality(text: string | null, notices: Notice[]): Quality {

@@ -1,4 +1,5 @@
 import { Box3, Vector3, type Camera, type Matrix4, type WebGLRenderTarget } from 'three';
+import type { DebugView } from '../preset/environment.ts';
 import type { Rows } from '../sim/rows.ts';
 import type { Bounds } from '../sim/simulator.ts';
 import type { View } from '../sim/view.ts';
@@ -32,6 +33,8 @@ export interface FrameInput {
   receivers?: Box3;
   /** Leaves out bodies and casters that cannot show; the picture is the same either way. */
   cull: boolean;
+  /** What is shown instead of the picture, if anything; other renderers than nailboards have no views. */
+  view?: DebugView;
   /** Where the picture goes; null is the canvas. */
   output: WebGLRenderTarget | null;
 }
@@ -58,7 +61,8 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   passes.surfaces.draw(renderer);
   passes.creases.draw(renderer);
   passes.surfaceDepth.draw(renderer, targets, input.style.outlines);
-  if (input.style.renderer === 'nailboards') drawNailboards(passes, input);
+  if (input.style.renderer === 'nailboards' && input.view) drawView(passes, input, input.view);
+  else if (input.style.renderer === 'nailboards') drawNailboards(passes, input);
   else drawRival[input.style.renderer](passes, input);
   return report;
 }
@@ -73,6 +77,21 @@ function drawNailboards(passes: SmokePasses, { style, output }: FrameInput): voi
     passes.mask.draw(renderer);
   }
   passes.resolve.draw(renderer, targets, output);
+}
+
+/** The same as far as the view goes, and then the view. */
+function drawView(passes: SmokePasses, { style, output }: FrameInput, view: DebugView): void {
+  const { renderer, targets, debugViews } = passes;
+  const volumes = passes.prismVolumes ?? passes.volumes;
+  if (view === 'normals') debugViews.drawNormals(renderer, passes.body);
+  else passes.body.draw(renderer);
+  if (view === 'counts') {
+    if (style.shadows) passes.meshVolumes.draw(renderer);
+    if (style.shadows) volumes.draw(renderer);
+    debugViews.copyCounts(renderer);
+  }
+  if (view === 'overdraw') debugViews.countOverdraw(renderer, style.shadows ? [passes.body, volumes] : [passes.body]);
+  debugViews.draw(renderer, targets, view, output);
 }
 
 /** The first half of a frame, which draws nothing: arrange(eye) and arrange(light) -> instance buffers. */

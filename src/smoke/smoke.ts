@@ -7,6 +7,7 @@ import { FRONT_AND_BACK, Instances, ONE_QUAD, TWO_QUADS } from '../instances/ins
 import { BackdropPass } from '../passes/backdrop.ts';
 import { BodiesPass } from '../passes/bodies.ts';
 import { CreasesPass } from '../passes/creases.ts';
+import { DebugViewsPass } from '../passes/debugViews.ts';
 import { MaskPass } from '../passes/mask.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import { PrismVolumesPass } from '../passes/prismVolumes.ts';
@@ -40,6 +41,7 @@ export interface SmokePasses {
   readonly prismVolumes: PrismVolumesPass | undefined;
   readonly mask: MaskPass;
   readonly resolve: ResolvePass;
+  readonly debugViews: DebugViewsPass;
   readonly rivals: Rivals;
   readonly hasBackdrop: boolean;
   /** Factor on a particle's radius that makes the sphere which holds all of its puff in a form. */
@@ -104,6 +106,7 @@ export class SmokeRenderer {
       prismVolumes: isFlat ? new PrismVolumesPass(eye, this.puffs, casters.geometry) : undefined,
       mask: new MaskPass(),
       resolve: new ResolvePass(),
+      debugViews: new DebugViewsPass(eye),
       rivals: new Rivals({
         eye,
         puffs: this.puffs,
@@ -169,6 +172,7 @@ export class SmokeRenderer {
     passes.surfaceDepth.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
     passes.prismVolumes?.dispose();
+    passes.debugViews.dispose();
     passes.rivals.dispose();
     this.ramps.dispose();
   }

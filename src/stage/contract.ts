@@ -1,5 +1,5 @@
 import type { Device, DeviceOptions } from '../device/device.ts';
-import type { Quality } from '../preset/environment.ts';
+import type { DebugView, Quality } from '../preset/environment.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { LoadProgress } from '../sim/load.ts';
 
@@ -17,6 +17,8 @@ export interface StageOptions extends DeviceOptions {
    * Always 1 when left out. A picture() is drawn with all pixels.
    */
   quality?: Quality;
+  /** What is shown instead of the picture, to see what the passes work with. */
+  view?: DebugView;
   /** Most bytes of states that are kept so that seeking backwards is quick, one a second; 64 MiB when left out. */
   historyBytes?: number;
   /** Told how much of what must be fetched has come. */
@@ -66,7 +68,7 @@ export interface PointerInput {
 }
 
 export interface StageEvents {
-  /** Playing began or ended, or values changed. */
+  /** Playing began or ended, or values or the view changed. */
   statechange: { playing: boolean };
   /** Something stopped the stage; it says what. */
   error: Error;

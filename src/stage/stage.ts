@@ -1,7 +1,7 @@
 import { MathUtils, Vector2, Vector3 } from 'three';
 import type { DeviceCanvas } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
-import { LOWEST_QUALITY, type Quality } from '../preset/environment.ts';
+import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from '../preset/environment.ts';
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { defaults, requireOptional, validate } from '../preset/values.ts';
@@ -62,6 +62,7 @@ export class Stage {
   #height = 0;
   #pixelRatio = 1;
   #quality: Quality = 1;
+  #view: DebugView | undefined;
   /** That of the latest frame. */
   #scale = 1;
   #playing = false;
@@ -89,6 +90,7 @@ export class Stage {
     this.#factory = factory;
     this.#simulation = new Simulation(factory, this.#scene, this.#values, options.historyBytes ?? HISTORY_BYTES);
     this.quality = options.quality ?? 1;
+    this.view = options.view;
     this.#stopListening = presenter.device.onContext((event) => (event === 'restored' ? this.#draw() : undefined));
     this.resize(options.width ?? canvas.width, options.height ?? canvas.height, options.pixelRatio ?? 1);
     this.ready = Promise.resolve();
@@ -119,6 +121,21 @@ export class Stage {
     }
     this.#quality = quality;
     if (!this.#playing) this.#draw();
+  }
+
+  /** What is shown instead of the picture; undefined shows the picture. */
+  get view(): DebugView | undefined {
+    return this.#view;
+  }
+
+  /** @throws ParameterError for a view that there is not */
+  set view(view: DebugView | undefined) {
+    if (view !== undefined && !DEBUG_VIEWS.includes(view)) {
+      throw new ParameterError('view', view, DEBUG_VIEWS.join(', '));
+    }
+    this.#view = view;
+    if (!this.#playing) this.#draw();
+    this.#listeners.tell('statechange', { playing: this.#playing });
   }
 
   get stats(): StageStats {
@@ -484,6 +501,7 @@ export class Stage {
       pixelRatio: this.#pixelRatio * scale,
       rigids,
       cull: true,
+      view: this.#view,
       output,
     });
     this.#presenter.present();

@@ -166,3 +166,13 @@ test.describe('on a phone', () => {
     await expect(panel).toBeHidden();
   });
 });
+
+test('V goes through the views of what the picture is made of, and says which', async ({ page }) => {
+  await open(page, `?paused=1&t=1&view=unlit${LIGHT}`);
+  await expect(page.getByText('Unlit: the colours in shadow.')).toBeVisible();
+  await page.keyboard.press('v');
+  await expect(page.getByText('Ink: black.')).toBeVisible();
+  for (let press = 0; press < 5; ++press) await page.keyboard.press('v');
+  expect(await ask(page, (stage) => stage.view)).toBeUndefined();
+  await expect(page.locator('.legend')).toBeHidden();
+});

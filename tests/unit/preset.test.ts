@@ -136,6 +136,7 @@ describe('readEnvironment', () => {
       hasInterface: true,
       hasStatistics: false,
       quality: 'auto',
+      view: undefined,
       notices: [],
     });
   });
@@ -155,6 +156,13 @@ describe('readEnvironment', () => {
       expect(read.time).toBe(time);
       expect(read.notices.map(({ code }) => code)).toEqual(['outOfRange']);
     }
+  });
+
+  it('reads a view, or says which there are', () => {
+    expect(readEnvironment('?view=depth')).toMatchObject({ view: 'depth', notices: [] });
+    const { view, notices } = readEnvironment('?view=constructor');
+    expect(view).toBeUndefined();
+    expect(notices[0].message).toContain('normals');
   });
 
   it('reads, clamps or ignores the quality', () => {

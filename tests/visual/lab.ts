@@ -23,6 +23,7 @@ import { createDevice, Device } from '../../src/device/device.ts';
 import { PassCamera } from '../../src/device/passCamera.ts';
 import { fullScreenMesh } from '../../src/device/fullScreen.ts';
 import type { Color } from '../../src/device/ramps.ts';
+import type { DebugView } from '../../src/preset/environment.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { PuffShape } from '../../src/puffs/shapes.ts';
 import type { Rows } from '../../src/sim/rows.ts';
@@ -65,6 +66,8 @@ export interface LabScene {
   style?: Partial<Style>;
   pixelRatio?: number;
   smoothEdges?: boolean;
+  /** What is drawn instead of the picture. */
+  view?: DebugView;
   /** Also read the stencil, which takes eight draws. */
   readCounts?: boolean;
 }
@@ -214,6 +217,7 @@ export function inputOf(scene: LabScene): FrameInput {
     pixelRatio: scene.pixelRatio ?? 1,
     rigids: (scene.surfaces ?? []).map(() => new Matrix4()),
     cull: false,
+    view: scene.view,
     output: null,
   };
 }

@@ -1,0 +1,17 @@
+precision highp float;
+
+// How far away what is seen lies: white at the nearest of everything in the scene, black at the farthest.
+uniform sampler2D depth;
+uniform mat4 clipFromView;
+// View depths between which it runs.
+uniform vec2 depthRange;
+
+out vec4 pixel;
+
+#include ../lib/depth.glsl
+
+void main() {
+  float found = texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r;
+  float away = (-viewZOf(clipFromView, found) - depthRange.x) / (depthRange.y - depthRange.x);
+  pixel = vec4(vec3(found < 1.0 ? clamp(1.0 - away, 0.0, 1.0) : 0.0), 1.0);
+}

@@ -1,0 +1,179 @@
+/** What the debug views show, against what the lab reads of the same scene. */
+import { OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Vector2, Vector3, type Camera } from 'three';
+import type { PuffForm } from '../../../src/device/puffTextures.ts';
+import type { DebugView } from '../../../src/preset/environment.ts';
+import { Lab, PLAIN_STYLE, type LabPuff, type LabScene } from '../lab.ts';
+import { ground } from '../solids.ts';
+
+const [WIDTH, HEIGHT] = [240, 180];
+const TOWARDS_LIGHT = [-0.5, 0.8, 0.4] as const;
+
+const PUFFS: readonly LabPuff[] = [
+  { place: [-0.5, 0.35, 0.2], radius: 0.6, seed: 3 },
+  { place: [0.5, 0.15, -0.3], radius: 0.7, seed: 9, variation: 1 },
+];
+
+function tilted(camera: Camera): Camera {
+  camera.position.set(0, 1.1, 4);
+  camera.lookAt(0, -0.1, 0);
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+function sceneOf(form: PuffForm): LabScene {
+  return {
+    width: WIDTH,
+    height: HEIGHT,
+    puffs: PUFFS,
+    surfaces: [ground(-0.9, 1.6)],
+    camera: tilted(new PerspectiveCamera(40, WIDTH / HEIGHT, 0.1, 50)),
+    towardsLight: TOWARDS_LIGHT,
+    style: { form },
+  };
+}
+
+type Rgba = readonly [number, number, number, number];
+
+/** A picture by pixel. */
+function reader(pixels: Uint8Array): (pixel: number) => Rgba {
+  return (pixel) => [pixels[4 * pixel], pixels[4 * pixel + 1], pixels[4 * pixel + 2], pixels[4 * pixel + 3]];
+}
+
+function same(a: Rgba, b: Rgba, tolerance = 0): boolean {
+  return a.every((value, channel) => Math.abs(value - b[channel]) <= tolerance);
+}
+
+/** The colour of a number in the views that count. */
+function heatOf(number: number, rate: number): Rgba {
+  const heat = 3 * (1 - 2 ** (-rate * (number > 0 ? number + 1 : 0)));
+  const channel = (from: number) => Math.round(255 * Math.min(1, Math.max(0, heat - from)));
+  return [channel(0), channel(1), channel(2), 255];
+}
+
+export interface ViewsReport {
+  /** Pixels that a view shows otherwise than it must, by view. */
+  wrong: Record<DebugView, number>;
+  /** Pixels of which something could be said, by view. */
+  judged: Record<DebugView, number>;
+  error: number;
+}
+
+export function compareViews(form: PuffForm): ViewsReport {
+  const scene = sceneOf(form);
+  const lab = new Lab(scene);
+  const show = (extra: Partial<LabScene>) => lab.draw({ ...scene, ...extra });
+  const { pixels, counts } = show({ readCounts: true });
+  const picture = reader(pixels);
+  const free = reader(show({ style: { ...scene.style, shadows: false } }).pixels);
+  const views = Object.fromEntries(VIEWS.map((view) => [view, reader(show({ view }).pixels)]));
+  const report: ViewsReport = { wrong: zeros(), judged: zeros(), error: lab.error };
+  const judge = (view: DebugView, isRight: boolean) => {
+    report.judged[view] += 1;
+    report.wrong[view] += isRight ? 0 : 1;
+  };
+  for (let pixel = 0; pixel < WIDTH * HEIGHT; ++pixel) {
+    const [seen, isInk] = [picture(pixel), isInkColor(picture(pixel))];
+    judge('lit', same(views.lit(pixel), free(pixel)));
+    if (counts[pixel] > 0) judge('unlit', same(views.unlit(pixel), seen));
+    if (seen[3] > 0) judge('ink', isInk === views.ink(pixel)[0] < 128);
+    judge('counts', same(views.counts(pixel), heatOf(counts[pixel], 0.25), 1));
+  }
+  lab.dispose();
+  return report;
+}
+
+const VIEWS: readonly DebugView[] = ['lit', 'unlit', 'ink', 'counts'];
+
+function zeros(): Record<DebugView, number> {
+  return { lit: 0, unlit: 0, ink: 0, normals: 0, depth: 0, counts: 0, overdraw: 0 };
+}
+
+function isInkColor([red, green, blue]: Rgba): boolean {
+  const { inkColor } = PLAIN_STYLE;
+  return red === inkColor[0] && green === inkColor[1] && blue === inkColor[2];
+}
+
+/** Of the pixels of a lone puff without ink: how many have a normal that does not explain their tone. */
+export function normalsAndTones(form: PuffForm): { puff: number; unexplained: number } {
+  const towardsLight = new Vector3(0.3, 0.5, 0.8).normalize();
+  const puffs: LabPuff[] = [{ place: [0, 0, 0], radius: 1, seed: 5 }];
+  const scene: LabScene = {
+    width: WIDTH,
+    height: HEIGHT,
+    puffs,
+    towardsLight: towardsLight.toArray(),
+    style: { form, outlines: false, shadows: false },
+  };
+  const lab = new Lab(scene);
+  const [tones, normals] = [reader(lab.draw(scene).pixels), reader(lab.draw({ ...scene, view: 'normals' }).pixels)];
+  lab.dispose();
+  const report = { puff: 0, unexplained: 0 };
+  for (let pixel = 0; pixel < WIDTH * HEIGHT; ++pixel) {
+    if (tones(pixel)[3] === 0) continue;
+    const [x, y, z] = normals(pixel).map((value) => value / 127.5 - 1);
+    const facing = new Vector3(x, y, z).normalize().dot(towardsLight);
+    report.puff += 1;
+    // Eight bits leave a hundredth of the cosine.
+    if (Math.abs(facing - 0.5) < 0.015) continue;
+    if ((tones(pixel)[0] === PLAIN_STYLE.smokeColor[0]) !== facing > 0.5) report.unexplained += 1;
+  }
+  return report;
+}
+
+/** How far the view of depth is from a ground's true depth, in 255ths, for both kinds of camera. */
+export function depthError(): { worst: number; pixels: number } {
+  const cameras = [
+    new PerspectiveCamera(40, WIDTH / HEIGHT, 0.1, 50),
+    new OrthographicCamera(-2, 2, 1.5, -1.5, 0.1, 50),
+  ];
+  const reports = cameras.map((camera) => depthErrorOf(tilted(camera)));
+  return {
+    worst: Math.max(...reports.map(({ worst }) => worst)),
+    pixels: Math.min(...reports.map(({ pixels }) => pixels)),
+  };
+}
+
+function depthErrorOf(camera: Camera): { worst: number; pixels: number } {
+  const scene: LabScene = { ...sceneOf('lobes'), camera, puffs: [], casters: [PUFFS[0]], view: 'depth' };
+  const lab = new Lab(scene);
+  const view = reader(lab.draw(scene).pixels);
+  lab.dispose();
+  const depthOf = (point: Vector3) => -point.clone().applyMatrix4(camera.matrixWorldInverse).z;
+  const corners = [-1.6, 1.6].flatMap((x) =>
+    [-1.6, 1.6].flatMap((z) => [-0.9, 0.95].map((y) => depthOf(new Vector3(x, y, z)))),
+  );
+  const [nearest, farthest] = [Math.min(...corners), Math.max(...corners)];
+  const report = { worst: 0, pixels: 0 };
+  for (let pixel = 0; pixel < WIDTH * HEIGHT; ++pixel) {
+    if (view(pixel)[0] === 0) continue;
+    const at = new Vector2(
+      (((pixel % WIDTH) + 0.5) / WIDTH) * 2 - 1,
+      ((Math.floor(pixel / WIDTH) + 0.5) / HEIGHT) * 2 - 1,
+    );
+    const caster = new Raycaster();
+    caster.setFromCamera(at, camera);
+    const point = caster.ray.intersectPlane(new Plane(new Vector3(0, 1, 0), 0.9), new Vector3())!;
+    const expected = 255 * (1 - (depthOf(point) - nearest) / (farthest - nearest));
+    report.pixels += 1;
+    report.worst = Math.max(report.worst, Math.abs(view(pixel)[0] - expected));
+  }
+  return report;
+}
+
+/** Colours of the overdraw of two bodies on one place, without and with their volumes, and those that are right. */
+export function overdraw(): { bodies: string[]; expected: string[]; withVolumes: number } {
+  const twice = [PUFFS[0], PUFFS[0]];
+  const scene: LabScene = { ...sceneOf('lobes'), puffs: twice, view: 'overdraw' };
+  const lab = new Lab(scene);
+  const colorsOf = (shadows: boolean) => {
+    const view = reader(lab.draw({ ...scene, style: { shadows } }).pixels);
+    return new Set(Array.from({ length: WIDTH * HEIGHT }, (_, pixel) => view(pixel).join()));
+  };
+  const [bodies, all] = [colorsOf(false), colorsOf(true)];
+  lab.dispose();
+  return {
+    bodies: [...bodies].sort(),
+    expected: [heatOf(0, 0.06), heatOf(2, 0.06)].map((color) => color.join()).sort(),
+    withVolumes: all.size,
+  };
+}

@@ -1,0 +1,37 @@
+import { expect, test } from '../support/fixtures.ts';
+
+type Cases = typeof import('./cases/debugViews.ts');
+const CASES = '/tests/visual/cases/debugViews.ts';
+
+for (const form of ['lobes', 'billboards'] as const) {
+  test(`${form}: lit, unlit, ink and counts are shown as they are`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const { wrong, judged, error } = await cases.evaluate((module, shape) => module.compareViews(shape), form);
+    expect(error).toBe(0);
+    for (const view of ['lit', 'unlit', 'ink', 'counts'] as const) {
+      expect(judged[view], view).toBeGreaterThan(2_000);
+      expect(wrong[view], view).toBe(0);
+    }
+  });
+
+  test(`${form}: normals explain the tones`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const { puff, unexplained } = await cases.evaluate((module, shape) => module.normalsAndTones(shape), form);
+    expect(puff).toBeGreaterThan(5_000);
+    expect(unexplained).toBe(0);
+  });
+}
+
+test('depth is shown between the nearest and the farthest of the scene', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { worst, pixels } = await cases.evaluate((module) => module.depthError());
+  expect(pixels).toBeGreaterThan(5_000);
+  expect(worst).toBeLessThan(1.5);
+});
+
+test('overdraw counts bodies and volumes, hidden or not', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { bodies, expected, withVolumes } = await cases.evaluate((module) => module.overdraw());
+  expect(bodies).toEqual(expected);
+  expect(withVolumes).toBeGreaterThan(2);
+});
