@@ -15,6 +15,7 @@ uniform vec2 viewport;
 uniform vec3 inkColor;
 uniform float inkSwell;
 uniform float innerTaper;
+uniform float boil;
 uniform vec3 gradientFactor;
 uniform vec4 rim;
 
@@ -23,6 +24,7 @@ in float gradientPosition;
 flat in int variation;
 flat in vec2 rollTurn;
 flat in float inkReach;
+flat in float phase;
 flat in float centreZ;
 flat in float radius;
 flat in float ringDrop;
@@ -53,6 +55,7 @@ void main() {
   float distanceOutside = (paint.a - 0.5) * distanceRange;
   vec2 outward = turned(puffPoint) / max(length(puffPoint), 1e-6);
   float reach = inkReach * exp2(-inkSwell) * swelling(outward, towardsLight, inkSwell);
+  reach *= boiling(outward, phase, boil);
   if (distanceOutside > reach) discard;
   bool isRing = distanceOutside > 0.0;
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centreZ);

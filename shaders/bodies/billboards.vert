@@ -11,6 +11,7 @@ uniform vec4 lightInView;
 uniform float near;
 uniform float inkPixels;
 uniform float inkSwell;
+uniform int drawing;
 uniform float innerLine;
 uniform vec2 plumeHeight;
 uniform vec4 gradientWeights;
@@ -26,6 +27,7 @@ out float gradientPosition;
 flat out int variation;
 flat out vec2 rollTurn;
 flat out float inkReach;
+flat out float phase;
 flat out float centreZ;
 flat out float radius;
 flat out float ringDrop;
@@ -43,6 +45,7 @@ void main() {
   // A puff that the eye runs into shrinks away instead of being cut by the near plane.
   radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
+  phase = boilPhase(seedOf(look), drawing);
   inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
   vec2 point = corner * (1.0 + inkReach);
   rollTurn = vec2(cos(rollOf(look)), sin(rollOf(look)));

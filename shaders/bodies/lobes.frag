@@ -14,10 +14,12 @@ uniform vec4 lightInView;
 uniform vec3 inkColor;
 uniform float inkSwell;
 uniform float innerTaper;
+uniform float boil;
 uniform vec3 gradientFactor;
 uniform vec4 rim;
 
-in vec3 pointAndGradient;
+// w: what sets the line of this puff apart.
+in vec4 pointAndGradient;
 flat in vec4 middleAndInkReach;
 flat in vec4 depthsAndRamp;
 flat in vec4 lobes[LOBES];
@@ -79,6 +81,7 @@ void main() {
   float pixel = viewUnitsPerPixel(clipFromView, viewport, depthsAndRamp.x);
   vec2 outward = normalize(point - middleAndInkReach.xy);
   float reach = middleAndInkReach.w * exp2(-inkSwell) * swelling(outward, towardsLight, inkSwell);
+  reach *= boiling(outward, pointAndGradient.w, boil);
   float linePixels = reach * radius / pixel;
   // Where a surface hides the nearest lobe, the line of its neighbour may still run over that surface.
 #ifdef FLAT

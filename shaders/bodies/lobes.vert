@@ -11,6 +11,7 @@ uniform vec2 viewport;
 uniform float near;
 uniform float inkPixels;
 uniform float inkSwell;
+uniform int drawing;
 uniform float innerLine;
 uniform vec2 plumeHeight;
 uniform vec4 gradientWeights;
@@ -23,7 +24,7 @@ in vec4 place;
 in uvec2 look;
 
 // Three vectors besides the lobes cross to the fragments; every device takes fifteen.
-out vec3 pointAndGradient;
+out vec4 pointAndGradient;
 flat out vec4 middleAndInkReach;
 // View depth of the centre, radius, how far the ring lies deeper; then which ramp.
 flat out vec4 depthsAndRamp;
@@ -62,7 +63,7 @@ void main() {
   float height = (worldHeight - plumeHeight.x) / max(plumeHeight.y - plumeHeight.x, 1e-6);
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
   vec4 gradients = vec4(0.5 + 0.5 * point.y, height, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look));
-  pointAndGradient = vec3(point, dot(gradientWeights, gradients));
+  pointAndGradient = vec4(point, dot(gradientWeights, gradients), boilPhase(seedOf(look), drawing));
   middleAndInkReach = vec4(middle, inkReach);
   depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(look, ramps));
 #ifdef FLAT

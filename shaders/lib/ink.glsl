@@ -13,6 +13,21 @@ float swelling(vec2 outward, vec3 towardsLightInView, float swell) {
   return exp2(-swell * dot(outward, towardsLightInView.xy));
 }
 
+// What sets the line of one puff in one drawing apart from all others, 0 to 2 pi.
+float boilPhase(int seed, int drawing) {
+  uint bits = uint(seed) * 747796405u + uint(drawing) * 2891336453u;
+  bits = (bits ^ (bits >> 16u)) * 73244475u;
+  return float((bits >> 8u) & 0xffffu) * (6.28318530718 / 65536.0);
+}
+
+// Share of its width that an unsteady hand leaves of a line, by where round the puff it runs: down to a half where the
+// boil is 1. Never more than all, so that quads and volumes stay what they are.
+float boiling(vec2 outward, float phase, float boil) {
+  if (boil <= 0.0) return 1.0;
+  float turn = atan(outward.y, outward.x);
+  return 1.0 - boil * (0.25 + 0.125 * (sin(3.0 * turn + phase) + sin(8.0 * turn - 2.7 * phase)));
+}
+
 // Under a pixel a line would break into dots; there it goes over into the colour of its smoke.
 float inkShare(float width) {
   return smoothstep(0.5, 1.0, width);

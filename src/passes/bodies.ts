@@ -45,6 +45,8 @@ export class BodiesPass {
   private readonly uniforms = {
     innerLine: { value: 0.5 },
     innerTaper: { value: 0 },
+    boil: { value: 0 },
+    drawing: { value: 0 },
     plumeHeight: { value: new Vector2(0, 1) },
     gradientWeights: { value: new Vector4() },
     gradientFactor: { value: new Vector3(1, 1, 1) },
@@ -93,6 +95,16 @@ export class BodiesPass {
   /** Chooses how puffs become pixels, and follows other puffs; a form that is not drawn costs nothing. */
   setForm(form: PuffForm): void {
     this.mesh.material = form === 'lobes' || this.isFlat ? this.lobesMaterial() : this.billboardsMaterial();
+  }
+
+  /**
+   * Lets lines tremble, as when each drawing is traced anew.
+   * @param boil 0..1: at 1 lines thin down to a half here and there
+   * @param drawing number of the drawing; the same one looks the same again
+   */
+  setBoil(boil: number, drawing: number): void {
+    this.uniforms.boil.value = boil;
+    this.uniforms.drawing.value = drawing;
   }
 
   /**

@@ -295,6 +295,14 @@ export const table: readonly Parameter[] = [
     label: 'Line swell',
     text: 'How much lines swell away from the light and thin towards it; 0 keeps them even.',
   }),
+  quantity('style.boil', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.05,
+    default: 0,
+    label: 'Line boil',
+    text: 'How much lines tremble, as if each drawing were traced anew, twelve times a second.',
+  }),
   {
     ...quantity('style.hold', 'style', 'simulator', {
       kind: 'integer',

@@ -9,6 +9,9 @@ import { drawRival, THROWS_SHADOW } from './rivals.ts';
 import type { SmokePasses } from './smoke.ts';
 import { inkLineOf, type Style } from './style.ts';
 
+/** Film is drawn on twos: lines boil at half of 24 frames a second. */
+const DRAWINGS_PER_SECOND = 12;
+
 /** The part of a simulator that a frame needs: rows for a view, and the box of what lives. */
 export interface Arranger {
   arrange(view: View): Rows;
@@ -23,6 +26,8 @@ export interface FrameInput {
   style: Style;
   /** Where between the previous step (0) and now (1) the picture stands. */
   blend: number;
+  /** Simulated seconds, by which lines boil; 0 where absent. */
+  time?: number;
   /** Size of the picture in pixels, and how many of them make a CSS pixel. */
   width: number;
   height: number;
@@ -102,6 +107,7 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
   const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
   eye.look(input.camera, homogeneous(input.light), input.width, input.height, reversedDepth);
   passes.placeSurfaces(input.rigids);
+  passes.body.setBoil(style.boil, Math.floor((input.time ?? 0) * DRAWINGS_PER_SECOND));
 
   const started = performance.now();
   bodies.fill(input.simulator.arrange(eyeView(passes, input)));

@@ -36,6 +36,8 @@ export interface Style extends Toning {
   outlineWidth: number;
   /** How much wider lines are away from the light, 0..1. */
   inkSwell: number;
+  /** How much lines tremble from drawing to drawing, 0..1. */
+  boil: number;
   /** Depth gap, in puff radii, beyond which a puff is outlined against what lies behind it. */
   innerLine: number;
   /** How much more gap, as a multiple of that, a line between puffs takes to reach its full width. */
@@ -71,6 +73,7 @@ export function styleOf(values: Values): Style {
     softColors: values['style.softColors'] === 1,
     outlineWidth: values['style.outlineWidth'] as number,
     inkSwell: values['style.inkSwell'] as number,
+    boil: values['style.boil'] as number,
     innerLine: values['style.innerLine'] as number,
     innerTaper: values['style.innerTaper'] as number,
     tones: values['style.tones'] as 1 | 2 | 3,

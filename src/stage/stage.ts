@@ -497,6 +497,7 @@ export class Stage {
       light: this.#light,
       style: this.#style,
       blend: this.#clock.blend,
+      time: this.#simulation.simulator.steps * STEP_SECONDS,
       ...drawn,
       pixelRatio: this.#pixelRatio * scale,
       rigids,

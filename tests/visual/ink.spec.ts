@@ -52,6 +52,15 @@ for (const form of ['lobes', 'billboards'] as const) {
     expect(swollen.expectedWidth).toBeCloseTo(4);
   });
 
+  test(`${form}: a boiling line trembles from drawing to drawing and stands still within one`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const { between, within, beyond, ink } = await cases.evaluate((module, shape) => module.boiling(shape), form);
+    expect(ink).toBeGreaterThan(400);
+    expect(between).toBeGreaterThan(60);
+    expect(between).toBeLessThan(ink);
+    expect([within, beyond]).toEqual([0, 0]);
+  });
+
   test(`${form}: a far plume keeps the colour of smoke`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const { covered, dark } = await cases.evaluate((module, shape) => module.farPlume(shape), form);

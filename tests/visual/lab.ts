@@ -65,6 +65,8 @@ export interface LabScene {
   lamp?: readonly [number, number, number];
   style?: Partial<Style>;
   pixelRatio?: number;
+  /** Simulated seconds. */
+  time?: number;
   smoothEdges?: boolean;
   /** What is drawn instead of the picture. */
   view?: DebugView;
@@ -95,6 +97,7 @@ export const PLAIN_STYLE: Style = {
   softColors: false,
   outlineWidth: 2,
   inkSwell: 0,
+  boil: 0,
   innerLine: 0.5,
   innerTaper: 0,
   tones: 2,
@@ -215,6 +218,7 @@ export function inputOf(scene: LabScene): FrameInput {
     width: scene.width,
     height: scene.height,
     pixelRatio: scene.pixelRatio ?? 1,
+    time: scene.time,
     rigids: (scene.surfaces ?? []).map(() => new Matrix4()),
     cull: false,
     view: scene.view,

@@ -98,6 +98,21 @@ function isDark(pixels: Uint8Array, pixel: number): boolean {
   return pixels[4 * pixel] < (red + smokeRed) / 2;
 }
 
+/** Pixels that a boiling line changes from drawing to drawing, within one, and from a line that does not boil. */
+export function boiling(form: PuffForm): { between: number; within: number; beyond: number; ink: number } {
+  const puffs: LabPuff[] = [{ place: [0, 0, 0], radius: 0.8, seed: 9 }];
+  const lab = new Lab({ width: SIZE, height: SIZE, puffs });
+  const draw = (boil: number, time: number): Uint8Array =>
+    lab.draw({ width: SIZE, height: SIZE, puffs, time, style: { form, boil, outlineWidth: 4, shadows: false } }).pixels;
+  const [still, first, again, next] = [draw(0, 1), draw(1, 1), draw(1, 1.05), draw(1, 1.1)];
+  lab.dispose();
+  const all = Array.from({ length: SIZE * SIZE }, (_, pixel) => pixel);
+  const unlike = (a: Uint8Array, b: Uint8Array): number => all.filter((pixel) => a[4 * pixel] !== b[4 * pixel]).length;
+  const beyond = all.filter((pixel) => first[4 * pixel + 3] > still[4 * pixel + 3]).length;
+  const isInk = (pixel: number): boolean => first[4 * pixel + 3] > 0 && isDark(first, pixel);
+  return { between: unlike(first, next), within: unlike(first, again), beyond, ink: all.filter(isInk).length };
+}
+
 /** A plume far away, its puffs a pixel or two large: pixels that it covers, and how many of them are darker than smoke. */
 export function farPlume(form: PuffForm): { covered: number; dark: number } {
   const next = random(8);
