@@ -1,6 +1,6 @@
 /** Pictures by sim-wasm/reference, and how much others differ from them. */
 import { spawn } from 'node:child_process';
-import { expect, type TestInfo } from '@playwright/test';
+import { expect, test, type TestInfo } from '@playwright/test';
 import { PNG } from 'pngjs';
 
 type Outcome = { status: number; output: string };
@@ -44,6 +44,13 @@ interface Difference {
 }
 
 let program: Promise<string> | undefined;
+
+/** Builds the program ahead of the tests, which takes longer than they may where nothing was built before. */
+export async function buildReference(): Promise<void> {
+  test.setTimeout(600_000);
+  program ??= build();
+  await program;
+}
 
 /** A picture and what it is a picture of; bytes as base64, row by row from the bottom. */
 export interface Drawn {

@@ -5,6 +5,7 @@ import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { TriangleMesh } from '../../src/passes/extrusion.ts';
 import type { Rows } from '../../src/sim/rows.ts';
 import type { View } from '../../src/sim/view.ts';
+import type { PuffForm } from '../../src/device/puffTextures.ts';
 import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { bandsOf } from '../../src/smoke/bands.ts';
 import type { FrameInput } from '../../src/smoke/frame.ts';
@@ -40,10 +41,10 @@ export function describe(shown: Shown): string {
     clipFromView: camera.projectionMatrix.toArray(),
     light: lightAsObject(input.light),
     backdrop,
-    bodies: rows('eye'),
+    bodies: style.form === 'lobes' ? rows('eye') : [],
     casters: rows('light'),
     style: styleAsObject(style, input),
-    puffs: puffsAsObject(),
+    puffs: puffsAsObject(style.form),
     surfaces: surfaces.map((surface, index) => surfaceAsObject(surface, index, shown)),
     shadows: style.shadows,
   });
@@ -90,23 +91,39 @@ function styleAsObject(style: Style, { pixelRatio }: FrameInput): object {
     rimColor: style.rimColor,
     shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,
     deepShadow: style.deepShadow,
-    leastCap: leastCapOf(turnOf(style), bakedPuffs().lobes.latestCap),
+    leastCap: leastCapOf(turnOf(style), bakedPuffs()[style.form].latestCap),
   };
 }
 
-function puffsAsObject(): object {
-  const { lobeCount, count, table, fillet, blend, startCaps } = bakedPuffs().lobes;
-  const lobe = (variation: number, index: number) => {
-    const first = 4 * (variation * (lobeCount + 1) + index);
-    return [...table.subarray(first, first + 4)];
-  };
+function puffsAsObject(form: PuffForm): object {
+  const { fillet, blend, startCaps, lobes, depth } = form === 'lobes' ? lobePuffs() : billboardCasters();
+  const { width, height, values } = startCaps;
+  const caps = { width, height, values: [...values] };
+  return { lobes, fillet, blend, depth, startCaps: caps, facesEye: form === 'billboards' };
+}
+
+function lobePuffs() {
+  const { lobeCount, count, table, fillet, blend, startCaps, depth } = bakedPuffs().lobes;
+  // A row holds the lobes and their middle.
+  return { fillet, blend, startCaps, depth, lobes: lobesOf(table, count, lobeCount, lobeCount + 1) };
+}
+
+/** Billboards are baked textures; their shadows are made of lobes. */
+function billboardCasters() {
+  const { casters, startCaps } = bakedPuffs().billboards;
+  const lobes = lobesOf(casters.table, casters.count, casters.lobeCount, casters.lobeCount);
+  return { fillet: 0, blend: 0, startCaps, depth: 0, lobes };
+}
+
+/** The lobes of each variation, out of rows of `columns` times four numbers. */
+function lobesOf(table: Float32Array, variations: number, lobes: number, columns: number): number[][][] {
   const numbers = (length: number) => [...Array(length).keys()];
-  return {
-    lobes: numbers(count).map((variation) => numbers(lobeCount).map((index) => lobe(variation, index))),
-    fillet,
-    blend,
-    startCaps: { width: startCaps.width, height: startCaps.height, values: [...startCaps.values] },
-  };
+  return numbers(variations).map((variation) =>
+    numbers(lobes).map((lobe) => {
+      const first = 4 * (variation * columns + lobe);
+      return [...table.subarray(first, first + 4)];
+    }),
+  );
 }
 
 function surfaceAsObject(surface: Shaped, index: number, { input, surfaces }: Shown): object {

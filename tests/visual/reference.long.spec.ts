@@ -1,5 +1,5 @@
 import { test } from '../support/fixtures.ts';
-import { expectReference } from '../support/reference.ts';
+import { buildReference, expectReference } from '../support/reference.ts';
 
 type Cases = typeof import('./cases/reference.ts');
 type SceneName = Parameters<Cases['drawn']>[0];
@@ -33,6 +33,8 @@ function everyMode(): Mode[] {
 
 /** Pictures that are handed over at once: a description with all its triangles takes a megabyte. */
 const BATCH = 12;
+
+test.beforeAll(buildReference);
 
 for (const scene of SCENES) {
   test(`${scene} is drawn as the reference draws it, in every mode`, async ({ load }, testInfo) => {

@@ -1,5 +1,5 @@
 import { test } from '../support/fixtures.ts';
-import { expectReference } from '../support/reference.ts';
+import { buildReference, expectReference } from '../support/reference.ts';
 
 type Cases = typeof import('./cases/reference.ts');
 type SceneName = Parameters<Cases['drawn']>[0];
@@ -17,16 +17,36 @@ const FIRE = [
   { from: 0.8, color: [255, 226, 150] },
 ] as const;
 
+const BILLBOARDS = { form: 'billboards' } as const;
+
 /** A few modes of each scene; the long test has every mode of every scene. */
 const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [{}, { tones: 1 }, { tones: 3, inkSwell: 0.7 }]],
   ['offAxis', [{}, { outlines: false }]],
   ['orthographic', [{}, { shading: false }, { shading: false, tones: 1, outlines: false, shadows: false }]],
   ['eyeInside', [{}, { shadows: false }]],
+];
+const LIGHTS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['touching', [{}, { shadowSteps: 2, shadowDepth: 3, outlineWidth: 3 }]],
   ['byLamp', [{}, { tones: 1, outlineWidth: 5, innerLine: 0.15, innerTaper: 2 }]],
   ['byLampAmongPuffs', [{ tones: 3 }]],
   ['backlit', [{ tones: 3 }, { gradient: 'height' }, { gradient: 'screen' }]],
+];
+const SHADOWS: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['perspective', [BILLBOARDS, { ...BILLBOARDS, tones: 1 }]],
+  ['offAxis', [BILLBOARDS]],
+  ['orthographic', [BILLBOARDS]],
+  ['eyeInside', [BILLBOARDS]],
+  ['backlit', [BILLBOARDS]],
+  ['byLamp', [BILLBOARDS]],
+  ['byLampAmongPuffs', [BILLBOARDS]],
+];
+const REVERSED: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['perspective', [{}]],
+  ['offAxis', [BILLBOARDS]],
+  ['orthographic', [{}]],
+  ['touching', [{}]],
+  ['eyeInside', [{}]],
 ];
 const TONES: readonly (readonly [SceneName, readonly Mode[]])[] = [
   [
@@ -46,15 +66,21 @@ const LAMPS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['eyeInPlume', [{}]],
 ];
 
-for (const [what, scenes] of [
-  ['puffs among solids', CLUSTERS],
-  ['puffs in tones of all kinds', TONES],
-  ['the lamp', LAMPS],
+test.beforeAll(buildReference);
+
+for (const [what, scenes, reversedDepth] of [
+  ['puffs among solids', CLUSTERS, false],
+  ['puffs that touch solids, by a lamp, against the light', LIGHTS, false],
+  ['shadows of billboards', SHADOWS, false],
+  ['puffs among solids under a reversed depth buffer', REVERSED, true],
+  ['puffs in tones of all kinds', TONES, false],
+  ['the lamp', LAMPS, false],
 ] as const) {
   test(`${what}: drawn as the reference draws it`, async ({ load }, testInfo) => {
     const cases = await load<Cases>(CASES);
     for (const [scene, modes] of scenes) {
-      const pictures = await cases.evaluate((module, input) => module.drawn(...input), [scene, modes] as const);
+      const input = [scene, modes, reversedDepth] as const;
+      const pictures = await cases.evaluate((module, given) => module.drawn(...given), input);
       for (const [index, picture] of pictures.entries()) {
         await expectReference(`${scene} ${JSON.stringify(modes[index])}`, picture, testInfo);
       }

@@ -117,6 +117,10 @@ pub struct Puffs {
     pub fillet: f64,
     pub blend: f64,
     pub start_caps: StartCaps,
+    /// What of them is seen lies no deeper than this behind their centre planes, in radii; 0 for billboards.
+    pub depth: f64,
+    /// Whether they are billboards, which roll about the view axis. Only their shadows are drawn then.
+    pub faces_eye: bool,
 }
 
 /// For each variation and direction towards the light, in the frame of the puff, how many radii behind the centre its

@@ -11,8 +11,6 @@ use crate::scene::{Row, Scene, StartCaps};
 
 /// Radii between the farthest lit point and the beginning of the volume.
 const SLACK: f64 = 0.02;
-/// What of a puff is seen lies no deeper behind its centre plane, in radii.
-const DEEPEST: f64 = 0.6;
 
 /// All that the puff's lobes hide from the light, from behind the puff on without an end.
 pub struct Volume {
@@ -38,7 +36,7 @@ impl Volume {
         let center = DVec3::from(row.place);
         let growth = 1.0 / light.distance(center);
         let axis = -light.towards(center);
-        let discs = discs(scene, row, axis, growth);
+        let discs = discs(scene, camera, row, axis, growth);
         let widest = discs.iter().map(|disc| disc.center.length() + disc.radius);
         if widest.fold(0.0, f64::max) * growth >= 1.0 {
             return None;
@@ -90,9 +88,9 @@ impl Volume {
     }
 }
 
-fn discs(scene: &Scene, row: &Row, axis: DVec3, growth: f64) -> Vec<Disc> {
+fn discs(scene: &Scene, camera: &Camera, row: &Row, axis: DVec3, growth: f64) -> Vec<Disc> {
     let look = Look(row.look);
-    let world_from_puff = look.world_from_puff();
+    let world_from_puff = world_from_puff(scene, camera, look);
     let lobes = &scene.puffs.lobes[look.variation() % scene.puffs.lobes.len()];
     let disc = |&[x, y, z, radius]: &[f64; 4]| {
         let center = row.radius * (world_from_puff * DVec3::new(x, y, z));
@@ -107,30 +105,40 @@ fn discs(scene: &Scene, row: &Row, axis: DVec3, growth: f64) -> Vec<Disc> {
     lobes.iter().map(disc).collect()
 }
 
+fn world_from_puff(scene: &Scene, camera: &Camera, look: Look) -> DMat3 {
+    if scene.puffs.faces_eye {
+        DMat3::from_mat4(camera.view_from_world).transpose() * DMat3::from_rotation_z(look.roll())
+    } else {
+        look.world_from_puff()
+    }
+}
+
 /// Radii from the centre, away from the light, to behind the farthest point of the puff that is lit.
 fn begin_behind(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> f64 {
     let look = Look(row.look);
     let towards_light = light.towards(DVec3::from(row.place));
-    let in_puff = look.world_from_puff().transpose() * towards_light;
+    let in_puff = world_from_puff(scene, camera, look).transpose() * towards_light;
     let variation = look.variation() % scene.puffs.lobes.len();
     tabled(&scene.puffs.start_caps, variation, in_puff).max(scene.style.least_cap)
-        + shear(camera, row, towards_light)
+        + shear(scene, camera, row, towards_light)
         + SLACK
 }
 
 /// A board shows its relief along the view rays and not along the view axis: a point at a height over the board is
 /// moved sideways by that height times the ray's slope. How much farther from the light that can take a lit point.
-fn shear(camera: &Camera, row: &Row, towards_light: DVec3) -> f64 {
+fn shear(scene: &Scene, camera: &Camera, row: &Row, towards_light: DVec3) -> f64 {
     if !camera.is_perspective() {
         return 0.0;
     }
     let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
     let light = (DMat3::from_mat4(camera.view_from_world) * towards_light).truncate();
-    // Per radius of height, at the middle of the board; heights go from -DEEPEST to 1.
+    // Per radius of height, at the middle of the board; heights go from -depth to 1.
     let slope = -light.dot(center.truncate()) / center.z;
     // Away from the middle the slope differs by the offset over the depth, and height times offset is at most 1/2.
-    let aside = 0.5 * light.length() * row.radius / -center.z;
-    slope.max(-DEEPEST * slope) + aside
+    // A billboard's relief is baked as it is shown.
+    let share = if scene.puffs.faces_eye { 0.0 } else { 0.5 };
+    let aside = share * light.length() * row.radius / -center.z;
+    slope.max(-scene.puffs.depth * slope) + aside
 }
 
 fn tabled(caps: &StartCaps, variation: usize, towards: DVec3) -> f64 {

@@ -1,6 +1,7 @@
 /** Frames that the GPU draws, and their descriptions for the reference, which draws the same. */
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
+import type { Arranger, FrameInput } from '../../../src/smoke/frame.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import type { Drawn } from '../../support/reference.ts';
 import { describe, type Shaped, type Shown } from '../description.ts';
@@ -16,17 +17,31 @@ export type SceneName = keyof typeof SCENES;
 export type Mode = Partial<Style>;
 
 /** One scene in several modes. */
-export async function drawn(scene: SceneName, modes: readonly Mode[]): Promise<Drawn[]> {
+export async function drawn(scene: SceneName, modes: readonly Mode[], reversedDepth = false): Promise<Drawn[]> {
   const { input, surfaces, backdrop } = await SCENES[scene]();
-  const lab = new Lab({ width: WIDTH, height: HEIGHT, puffs: [], capacity: CAPACITY, surfaces, backdrop });
+  const size = { width: WIDTH, height: HEIGHT };
+  const lab = new Lab({ ...size, puffs: [], capacity: CAPACITY, surfaces, backdrop, reversedDepth });
   const pictures = modes.map((mode) => {
-    const style = { ...input.style, ...mode };
-    const { pixels, counts } = lab.drawFrame({ ...input, style }, { readCounts: true });
-    const description = describe({ input: { ...input, style }, surfaces, backdrop });
+    const shown = { input: inMode(input, mode), surfaces, backdrop };
+    const { pixels, counts } = lab.drawFrame(shown.input, { readCounts: true });
+    const description = describe(shown);
     return { description, pixels: base64(pixels), counts: base64(counts) };
   });
   lab.dispose();
   return pictures;
+}
+
+/** The reference knows billboards by their shadows only. */
+function inMode(input: FrameInput, mode: Mode): FrameInput {
+  const style = { ...input.style, ...mode };
+  if (style.form === 'lobes') return { ...input, style };
+  const { simulator } = input;
+  const none = { count: 0, place: new Float32Array(), look: new Uint32Array() };
+  const shadows: Arranger = {
+    arrange: (view) => (view.purpose === 'eye' ? none : simulator.arrange(view)),
+    bounds: simulator.bounds,
+  };
+  return { ...input, style, simulator: shadows };
 }
 
 const CAPACITY = 1000;
