@@ -16,7 +16,6 @@ in vec3 end;
 in vec3 oneNormal;
 in vec3 otherNormal;
 
-#include ../lib/depth.glsl
 #include ../lib/pixel.glsl
 
 // Line widths by which a ribbon lies before its surface, and the most that may be, metres.
@@ -58,6 +57,7 @@ void main() {
   vec4 clip = clipFromView * vec4(place, 1.0);
   clip.xy += beside * 2.0 / viewport * clip.w;
   float raised = min(RAISED_WIDTHS * inkPixels * viewUnitsPerPixel(clipFromView, viewport, place.z), HIGHEST);
-  clip.z = (2.0 * windowDepth(clipFromView, min(place.z + raised, -near)) - 1.0) * clip.w;
+  vec4 raisedClip = clipFromView * vec4(0.0, 0.0, min(place.z + raised, -near), 1.0);
+  clip.z = raisedClip.z / raisedClip.w * clip.w;
   gl_Position = clip;
 }

@@ -1,5 +1,4 @@
 import {
-  Camera,
   DoubleSide,
   GLSL3,
   InstancedBufferAttribute,
@@ -11,6 +10,7 @@ import {
   type Matrix4,
   type WebGLRenderer,
 } from 'three';
+import { PassCamera } from '../device/passCamera.ts';
 import creasesVertexShader from '../../shaders/surfaces/creases.vert';
 import fragmentShader from '../../shaders/surfaces/hull.frag';
 import type { Eye } from '../device/eye.ts';
@@ -24,7 +24,7 @@ const SHARP = 40;
 /** Draws the sharp edges of inked surfaces as ribbons that are as wide as other lines, where the depth test lets them show. */
 export class CreasesPass {
   private readonly scene = new Scene();
-  private readonly camera = new Camera();
+  private readonly camera = new PassCamera();
   private readonly meshes = new Map<number, Mesh<InstancedBufferGeometry, RawShaderMaterial>>();
   private readonly ink = new InkUniforms();
   private readonly material: RawShaderMaterial;

@@ -14,14 +14,22 @@ export interface CreaseReport {
   stray: number;
 }
 
-/** @param behind whether a wall stands before the box */
-export function creasesOf(projection: 'perspective' | 'orthographic', distance: number, behind = false): CreaseReport {
+export interface CreaseCase {
+  projection: 'perspective' | 'orthographic';
+  /** Of the camera, metres. */
+  distance: number;
+  /** Whether a wall stands before the box. */
+  behind?: boolean;
+  reversedDepth?: boolean;
+}
+
+export function creasesOf({ projection, distance, behind = false, reversedDepth }: CreaseCase): CreaseReport {
   const camera = cameraOf(projection, distance);
   const surface = { color: [200, 120, 60], casts: false, inked: true } as const;
   const surfaces = [{ ...surface, name: 'box', mesh: box([0, 0, 0], [HALF, HALF, HALF]) }];
   if (behind) surfaces.push({ ...surface, name: 'wall', mesh: wallBefore(camera) });
   const style = { creases: true, outlineWidth: WIDTH, inkSwell: 0, shadows: false } as const;
-  const { pixels } = takePicture({ width: SIZE, height: SIZE, puffs: [], surfaces, camera, style });
+  const { pixels } = takePicture({ width: SIZE, height: SIZE, puffs: [], surfaces, camera, style, reversedDepth });
   // The corner that looks at the camera, and the ends of the three edges that meet there.
   const [corner, ...ends] = [
     [1, 1, 1],
