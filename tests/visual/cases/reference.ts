@@ -31,9 +31,9 @@ export async function drawn(scene: SceneName, modes: readonly Mode[], reversedDe
   return pictures;
 }
 
-/** The reference knows billboards by their shadows only. */
+/** The reference knows billboards by their shadows only, and no creases. */
 function inMode(input: FrameInput, mode: Mode): FrameInput {
-  const style = { ...input.style, ...mode };
+  const style = { ...input.style, creases: false, ...mode };
   if (style.form === 'lobes') return { ...input, style };
   const { simulator } = input;
   const none = { count: 0, place: new Float32Array(), look: new Uint32Array() };
