@@ -34,6 +34,8 @@ export class Eye {
   readonly clipFromWorld = new Matrix4();
   /** Unit vector in world space along which the camera looks. */
   readonly forward = new Vector3();
+  /** Depth of the eye itself. */
+  private depth = 0;
 
   /**
    * @param light (unit vector towards it, 0) or (its place, 1), world space
@@ -52,6 +54,7 @@ export class Eye {
     uniforms.lightInView.value.copy(light).applyMatrix4(camera.matrixWorldInverse);
     this.clipFromWorld.multiplyMatrices(clipFromView, camera.matrixWorldInverse);
     this.forward.set(0, 0, -1).transformDirection(camera.matrixWorld);
+    this.depth = new Vector3().setFromMatrixPosition(camera.matrixWorld).dot(this.forward);
   }
 
   /** Unit vector along which the light travels at a place, world space. */
@@ -69,6 +72,18 @@ export class Eye {
   receive(box: Box3): void {
     this.uniforms.receiversMin.value.copy(box.min);
     this.uniforms.receiversMax.value.copy(box.max);
+  }
+
+  /** Depths along {@link forward}, from the world's origin, at which the near and the far plane stand. */
+  get range(): [number, number] {
+    return [this.depth + this.uniforms.near.value, this.depth + farOf(this.uniforms.clipFromView.value)];
+  }
+
+  /** Tangent of the largest angle between a view ray and the view axis; 0 where all rays are parallel. */
+  get steepestSlope(): number {
+    const e = this.uniforms.clipFromView.value.elements;
+    if (e[11] === 0) return 0;
+    return Math.hypot((1 + Math.abs(e[8])) / e[0], (1 + Math.abs(e[9])) / e[5]);
   }
 
   /** World units that one pixel spans, for each unit of clip w. */
@@ -89,4 +104,12 @@ function nearOf(clipFromView: Matrix4): number {
   if (e[14] > 0) return (e[14] - e[15]) / (e[10] - e[11]);
   // clip z = -clip w there: e10 z + e14 = -(e11 z + e15), solved for z = -near.
   return (e[14] + e[15]) / (e[10] + e[11]);
+}
+
+/** View depth at which it puts window depth 1; that of a projection without an end is far beyond all. */
+function farOf(clipFromView: Matrix4): number {
+  const BOUNDLESS = 1e9;
+  const e = clipFromView.elements;
+  const far = (e[15] - e[14]) / (e[10] - e[11]);
+  return Math.abs(far) < BOUNDLESS ? -far : BOUNDLESS;
 }

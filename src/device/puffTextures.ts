@@ -13,6 +13,7 @@ import {
 import type { Casters } from '../puffs/casters.ts';
 import type { LobePuffs } from '../puffs/bakeLobes.ts';
 import type { PuffLayers } from '../puffs/layers.ts';
+import type { PuffSolids } from '../puffs/solids.ts';
 import type { StartCaps } from '../puffs/startCaps.ts';
 import { Shared } from './shared.ts';
 
@@ -25,6 +26,7 @@ export interface BillboardPuffs {
   readonly startCaps: StartCaps;
   readonly latestCap: number;
   readonly casters: Casters;
+  readonly solids: PuffSolids;
 }
 
 /** Puffs as plain data in each form. Each may be made when it is first asked for. */
@@ -33,19 +35,26 @@ export interface BakedPuffs {
   readonly billboards: BillboardPuffs;
 }
 
-/** What all that draws asks of the puffs in one form. */
-interface FormTextures {
-  /** A layer for each variation. */
-  readonly startCaps: DataArrayTexture;
-  /** See `latestCap` in src/puffs/startCaps.ts. */
-  readonly latestCap: number;
-  /** A row for each variation: the lobes that the light meets, centre and radius, and how many of them count. */
-  readonly casterTable: DataTexture;
-  readonly casterLobes: number;
+/** How far puffs of one form and their shadows reach, in radii of the particle. */
+export interface PuffExtents {
   /** Factor on a particle's radius that makes the sphere which holds all of its puff. */
   readonly reach: number;
   /** How deep behind the centre plane something of a puff can be seen, in radii of the particle. */
   readonly depth: number;
+  /** How far behind the centre shadow volumes begin, at least and at most, as the table says. */
+  readonly capRange: readonly [number, number];
+  readonly solids: PuffSolids;
+}
+
+/** What all that draws asks of the puffs in one form. */
+interface FormTextures extends PuffExtents {
+  /** See `latestCap` in src/puffs/startCaps.ts. */
+  readonly latestCap: number;
+  /** A layer for each variation. */
+  readonly startCaps: DataArrayTexture;
+  /** A row for each variation: the lobes that the light meets, centre and radius, and how many of them count. */
+  readonly casterTable: DataTexture;
+  readonly casterLobes: number;
 }
 
 /** The textures of all puffs on one device: smokes that show the same puffs share them. */
@@ -110,12 +119,16 @@ class LobeTextures implements FormTextures {
   readonly puffs: LobePuffs;
   readonly lobeTable: DataTexture;
   readonly startCaps: DataArrayTexture;
+  readonly capRange: readonly [number, number];
+  readonly solids: PuffSolids;
 
   constructor(puffs: LobePuffs) {
     this.puffs = puffs;
     this.lobeTable = new DataTexture(puffs.table, puffs.lobeCount + 1, puffs.count, RGBAFormat, FloatType);
     this.lobeTable.needsUpdate = true;
     this.startCaps = capTexture(puffs.startCaps);
+    this.capRange = capRange(puffs.startCaps);
+    this.solids = puffs.solids;
   }
 
   get latestCap(): number {
@@ -153,8 +166,10 @@ class BillboardTextures implements FormTextures {
   readonly latestCap: number;
   readonly casterTable: DataTexture;
   readonly casterLobes: number;
+  readonly capRange: readonly [number, number];
+  readonly solids: PuffSolids;
 
-  constructor(context: WebGL2RenderingContext, { layers, startCaps, latestCap, casters }: BillboardPuffs) {
+  constructor(context: WebGL2RenderingContext, { layers, startCaps, latestCap, casters, solids }: BillboardPuffs) {
     this.layers = layers;
     this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);
     this.normalDepth.format = RGBAFormat;
@@ -170,6 +185,8 @@ class BillboardTextures implements FormTextures {
     this.casterLobes = casters.lobeCount;
     this.casterTable = new DataTexture(casters.table, casters.lobeCount, casters.count, RGBAFormat, FloatType);
     this.casterTable.needsUpdate = true;
+    this.capRange = capRange(startCaps);
+    this.solids = solids;
   }
 
   /** The relief begins at the centre plane. */
@@ -185,6 +202,10 @@ class BillboardTextures implements FormTextures {
     this.startCaps.dispose();
     this.casterTable.dispose();
   }
+}
+
+function capRange({ values }: StartCaps): [number, number] {
+  return values.reduce<[number, number]>(([least, most], cap) => [Math.min(least, cap), Math.max(most, cap)], [0, 0]);
 }
 
 function capTexture({ values, width, height, count }: StartCaps): DataArrayTexture {

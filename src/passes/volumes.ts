@@ -61,6 +61,11 @@ export class VolumesPass {
     this.mesh.material = this.materialFor(form, turn);
   }
 
+  /** Radii behind a puff's centre before which no volume begins. */
+  get leastCap(): number {
+    return this.uniforms.leastCap.value;
+  }
+
   draw(renderer: WebGLRenderer): void {
     renderer.render(this.scene, this.camera);
   }

@@ -3,6 +3,7 @@ import { MOST_LOBES } from './lobes.ts';
 import { bakingVariation, type LobeVariation } from './lobeVariation.ts';
 import { CREASE_FILLET, middleOf, NORMAL_BLEND } from './normals.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
+import { solidsOf, type PuffSolids } from './solids.ts';
 import { joined, type StartCaps } from './startCaps.ts';
 import { finished, type Work } from './work.ts';
 
@@ -15,6 +16,7 @@ export interface LobePuffs {
   /** For each variation `lobeCount` lobes of four numbers, centre and radius, and at the end their middle and a zero. */
   readonly table: Float32Array;
   readonly startCaps: StartCaps;
+  readonly solids: PuffSolids;
   /** See {@link latestCap}. */
   readonly latestCap: number;
   /** Radius of the sphere about the particle's centre that holds any of the puffs. */
@@ -27,6 +29,8 @@ export interface LobePuffs {
   readonly fillet: number;
 }
 
+/** The sines of a graphics processor are right to some 2^-11, and so is where it turns a lobe to. */
+const TURNING_TOLERANCE = 0.002;
 /** What may be seen between the places where depths are measured, in radii; and to what the bound is rounded up. */
 const DEPTH_SLACK = 0.05;
 const DEPTH_STEP = 0.1;
@@ -58,6 +62,10 @@ function together(variations: readonly LobeVariation[], lobeCount: number): Lobe
     latestCap: Math.max(...variations.map((variation) => variation.latestCap)),
     reach: Math.max(...variations.map(({ reach }) => reach)),
     depth: Math.ceil((Math.max(...variations.map(({ depth }) => depth)) + DEPTH_SLACK) / DEPTH_STEP) * DEPTH_STEP,
+    solids: solidsOf(
+      variations.map(({ lobes }) => lobes),
+      { facesEye: false, tolerance: TURNING_TOLERANCE, blur: 0 },
+    ),
     blend: NORMAL_BLEND,
     fillet: CREASE_FILLET,
   };

@@ -9,7 +9,7 @@ import { poseNumbers } from './pose.ts';
 import { requireIndices, rigidArguments, type RigidDescription } from './rigid.ts';
 import { pathNumbers, spinNumbers, type RigidPath, type RigidSpin } from './rigidPath.ts';
 import { LOOK_WORDS, PLACE_FLOATS, POSE_FLOATS, RIGID_FLOATS, type Rows } from './rows.ts';
-import { VIEW_FLOATS, writeView, type View } from './view.ts';
+import { VIEW_FLOATS, viewLength, writeView, type View } from './view.ts';
 
 /** An instantiated module: its functions and its memory. */
 export interface SimulatorModule {
@@ -29,6 +29,8 @@ export interface SimulatorOptions {
 export interface Bounds {
   min: [number, number, number];
   max: [number, number, number];
+  /** Of the living particles, metres. */
+  greatestRadius: number;
 }
 
 /** The refusals of the module, as its Rust side makes them. */
@@ -49,7 +51,7 @@ interface Refusal {
 export class Simulator {
   readonly #module: SimulatorModule;
   readonly #handle: Bindings.Simulator;
-  readonly #view = new Float32Array(VIEW_FLOATS);
+  #view = new Float32Array(VIEW_FLOATS);
   #stopped: string | undefined;
 
   /** Made by {@link SimulatorFactory.create}. */
@@ -148,9 +150,12 @@ export class Simulator {
 
   /** Orders and, if asked, culls the rows for a view. */
   arrange(view: View): Rows {
-    writeView(view, this.#view);
+    const length = viewLength(view);
+    if (this.#view.length < length) this.#view = new Float32Array(length);
+    const numbers = this.#view.subarray(0, length);
+    writeView(view, numbers);
     return this.#attempt(() => {
-      const count = this.#handle.arrange(this.#view);
+      const count = this.#handle.arrange(numbers);
       // Memory that grew has a new buffer and leaves old views empty, so the views are made anew for each call.
       const { buffer } = this.#module.memory;
       return {
@@ -186,8 +191,9 @@ export class Simulator {
   /** What the last {@link arrange} found to hold all living particles with their radius. */
   get bounds(): Bounds {
     return this.#attempt(() => {
-      const [a, b, c, d, e, f] = new Float32Array(this.#module.memory.buffer, this.#handle.boundsPointer, 6);
-      return { min: [a, b, c], max: [d, e, f] };
+      const bounds = new Float32Array(this.#module.memory.buffer, this.#handle.boundsPointer, 7);
+      const [a, b, c, d, e, f, greatestRadius] = bounds;
+      return { min: [a, b, c], max: [d, e, f], greatestRadius };
     });
   }
 

@@ -1,7 +1,7 @@
 /**
- * What the simulator is asked to arrange its rows for, and the 32 floats in which that crosses into WASM.
+ * What the simulator is asked to arrange its rows for, and the floats in which that crosses into WASM: these, then the solids.
  */
-export const VIEW_FLOATS = 32;
+export const VIEW_FLOATS = 42;
 
 /** Offsets into the floats of a view; `tests/unit/simView.test.ts` compares them with what the WASM reports. */
 export const VIEW_OFFSETS = {
@@ -13,6 +13,17 @@ export const VIEW_OFFSETS = {
   direction: 20,
   reach: 23,
   receivers: 24,
+  pixel: 30,
+  nearest: 31,
+  farthest: 32,
+  covers: 33,
+  tolerance: 34,
+  blur: 35,
+  facesEye: 36,
+  lift: 37,
+  capRange: 38,
+  depth: 40,
+  balls: 41,
 } as const;
 
 type Triple = ArrayLike<number>;
@@ -35,12 +46,47 @@ export interface View {
   reach: number;
   /** The box that holds everything that can receive a shadow, metres; casters are swept to its exit. */
   receivers: { min: Triple; max: Triple };
+  /** What rows may hide of each other; where absent, only what lies beside the view is left out. */
+  coverage?: CoverageView;
+}
+
+/** By what it is certain that a body is hidden, or that a caster's shadow is there already. */
+export interface CoverageView {
+  /** How many covers make certain: 1, or up to 4 where counts matter; 0 leaves nothing out. */
+  covers: number;
+  /** World units that a pixel spans for each unit of clip w. */
+  pixel: number;
+  /** Depths along the eye's forward direction at its near and far plane, from the world's origin. */
+  nearest: number;
+  farthest: number;
+  /** How much nearer than its lobe a ring of ink may come, for each unit of clip w: surfaces lift it. */
+  lift: number;
+  /** Radii behind the centre at which volumes start, at least and at most, before the shear of nailboards moves it. */
+  capRange: readonly [number, number];
+  /** Radii behind the centre plane that a puff can be seen at; the shear depends on it. */
+  depth: number;
+  solids: Solids;
+}
+
+/** The balls that puffs consist of, in their radii; see src/puffs/solids.ts. */
+export interface Solids {
+  readonly table: Float32Array;
+  /** 4, 8 or 12. */
+  readonly balls: number;
+  readonly facesEye: boolean;
+  readonly tolerance: number;
+  readonly blur: number;
+}
+
+/** Floats that `view` takes, solids included. */
+export function viewLength({ coverage }: View): number {
+  return VIEW_FLOATS + (coverage ? coverage.solids.table.length : 0);
 }
 
 /**
  * Writes `view` into `target`.
  *
- * @param target {@link VIEW_FLOATS} floats, overwritten whole.
+ * @param target {@link viewLength} floats, overwritten whole.
  */
 export function writeView(view: View, target: Float32Array): void {
   target.fill(0);
@@ -53,6 +99,20 @@ export function writeView(view: View, target: Float32Array): void {
   target[VIEW_OFFSETS.reach] = view.reach;
   copy(view.receivers.min, target, VIEW_OFFSETS.receivers, 3);
   copy(view.receivers.max, target, VIEW_OFFSETS.receivers + 3, 3);
+  if (view.coverage) writeCoverage(view.coverage, target);
+}
+
+function writeCoverage(coverage: CoverageView, target: Float32Array): void {
+  const { solids } = coverage;
+  for (const name of ['pixel', 'nearest', 'farthest', 'covers', 'lift', 'depth'] as const) {
+    target[VIEW_OFFSETS[name]] = coverage[name];
+  }
+  target[VIEW_OFFSETS.tolerance] = solids.tolerance;
+  target[VIEW_OFFSETS.blur] = solids.blur;
+  target[VIEW_OFFSETS.facesEye] = solids.facesEye ? 1 : 0;
+  copy(coverage.capRange, target, VIEW_OFFSETS.capRange, 2);
+  target[VIEW_OFFSETS.balls] = solids.balls;
+  target.set(solids.table, VIEW_FLOATS);
 }
 
 function copy(from: ArrayLike<number>, to: Float32Array, offset: number, count: number): void {

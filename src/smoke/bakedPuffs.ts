@@ -7,8 +7,13 @@ import { bakePuffs } from '../puffs/layers.ts';
 import { LOBE_SHAPES } from '../puffs/lobeShapes.ts';
 import { frontsOf } from '../puffs/patches.ts';
 import { PUFF_SHAPES, type PuffShape } from '../puffs/shapes.ts';
+import { solidsOf } from '../puffs/solids.ts';
 import { bakeStartCaps, latestCap } from '../puffs/startCaps.ts';
 import { finished, type Work } from '../puffs/work.ts';
+
+/** Radii by which facets, texels and their filter move outline and relief, and pixels by which smaller levels do. */
+const LAYER_TOLERANCE = 0.06;
+const LAYER_BLUR = 3;
 
 /** Smokes whose puffs are the same object share their textures on a device. */
 const kept = new Kept<BakedPuffs>(8);
@@ -50,7 +55,17 @@ function billboardsOf(fronts: readonly PuffShape[]): BakedPuffs['billboards'] {
   const layers = bakePuffs(fronts);
   const surfaces = frontsOf(layers);
   const startCaps = bakeStartCaps(surfaces, FIRST_BORDER);
-  const billboards = { layers, startCaps, latestCap: latestCap(surfaces.flat()), casters: castersOf(fronts) };
+  const solids = solidsOf(
+    fronts.map(({ lobes }) => lobes),
+    { facesEye: true, tolerance: LAYER_TOLERANCE, blur: LAYER_BLUR },
+  );
+  const billboards = {
+    layers,
+    startCaps,
+    latestCap: latestCap(surfaces.flat()),
+    casters: castersOf(fronts),
+    solids,
+  };
   keptBillboards.add(keyOf(fronts), billboards);
   return billboards;
 }

@@ -1,13 +1,13 @@
-import { Box3, Vector3, type Camera, type Matrix4, type WebGLRenderTarget } from 'three';
+import { Box3, type Camera, type Matrix4, type WebGLRenderTarget } from 'three';
 import type { DebugView } from '../preset/environment.ts';
 import type { Rows } from '../sim/rows.ts';
 import type { Bounds } from '../sim/simulator.ts';
 import type { View } from '../sim/view.ts';
-import { widestLine } from '../passes/ink.ts';
 import { homogeneous, type Light } from './light.ts';
 import { drawRival, THROWS_SHADOW } from './rivals.ts';
 import type { SmokePasses } from './smoke.ts';
-import { inkLineOf, type Style } from './style.ts';
+import type { Style } from './style.ts';
+import { eyeView, lightView, smokeBox } from './views.ts';
 
 /** Film is drawn on twos: lines boil at half of 24 frames a second. */
 const DRAWINGS_PER_SECOND = 12;
@@ -119,43 +119,10 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
   return { bodiesDrawn: bodies.count, castersDrawn: throwsShadow ? casters.count : 0, arrangeMs };
 }
 
-function eyeView(passes: SmokePasses, input: FrameInput): View {
-  const { eye } = passes;
-  // What is blended has to come far to near.
-  const blends = input.style.renderer === 'sprites';
-  const { pixels, swell } = inkLineOf(input.style, input.pixelRatio);
-  return {
-    purpose: 'eye',
-    blend: input.blend,
-    cull: input.cull,
-    pad: widestLine(pixels, swell) * eye.unitsPerPixel,
-    clipFromWorld: eye.clipFromWorld.elements,
-    direction: (blends ? eye.forward.clone().negate() : eye.forward).toArray(),
-    reach: passes.reachOf(input.style.form),
-    receivers: { min: [0, 0, 0], max: [0, 0, 0] },
-  };
-}
-
-function lightView(passes: SmokePasses, input: FrameInput, receivers: Box3): View {
-  const { eye } = passes;
-  return {
-    purpose: 'light',
-    blend: input.blend,
-    // Casters are culled by where one common direction carries their shadow; a lamp has none.
-    cull: input.cull && eye.isLitBySun,
-    pad: 0,
-    clipFromWorld: eye.clipFromWorld.elements,
-    direction: eye.travelAt(receivers.getCenter(new Vector3())).toArray(),
-    reach: passes.reachOf(input.style.form),
-    receivers: { min: receivers.min.toArray(), max: receivers.max.toArray() },
-  };
-}
-
 /** Everything that can receive a shadow: the surfaces, and the smoke as arrange(eye) has just measured it. */
 function receiversOf(passes: SmokePasses, { simulator, receivers }: FrameInput): Box3 {
   const box = passes.surfaces.bounds(new Box3());
   if (receivers) box.union(receivers);
-  const { min, max } = simulator.bounds;
-  box.union(new Box3(new Vector3(...min), new Vector3(...max)));
+  box.union(smokeBox(passes, simulator.bounds));
   return box;
 }

@@ -1,7 +1,7 @@
 import type { Matrix4, WebGLRenderer } from 'three';
 import type { Device } from '../device/device.ts';
 import { Eye } from '../device/eye.ts';
-import { PuffTextures, type BakedPuffs, type PuffForm } from '../device/puffTextures.ts';
+import { PuffTextures, type BakedPuffs, type PuffExtents, type PuffForm } from '../device/puffTextures.ts';
 import { RampTexture, type Color } from '../device/ramps.ts';
 import { FRONT_AND_BACK, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
 import { BackdropPass } from '../passes/backdrop.ts';
@@ -44,8 +44,8 @@ export interface SmokePasses {
   readonly debugViews: DebugViewsPass;
   readonly rivals: Rivals;
   readonly hasBackdrop: boolean;
-  /** Factor on a particle's radius that makes the sphere which holds all of its puff in a form. */
-  reachOf(form: PuffForm): number;
+  /** How far puffs of a form and their shadows reach. */
+  extentsOf(form: PuffForm): PuffExtents;
   placeSurfaces(rigids: readonly Matrix4[]): void;
 }
 
@@ -117,7 +117,7 @@ export class SmokeRenderer {
         casters: casters.geometry,
       }),
       hasBackdrop: backdrop !== undefined,
-      reachOf: (form) => this.puffs.of(form).reach,
+      extentsOf: (form) => this.puffs.of(form),
       placeSurfaces: (rigids) =>
         surfaces.forEach(({ rigid }, surface) => {
           if (rigid === undefined) return;

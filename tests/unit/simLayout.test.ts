@@ -7,7 +7,7 @@ import {
   RIGID_FLOATS,
   ROW_BYTES,
 } from '../../src/sim/rows.ts';
-import { VIEW_FLOATS, VIEW_OFFSETS, writeView, type View } from '../../src/sim/view.ts';
+import { VIEW_FLOATS, VIEW_OFFSETS, viewLength, writeView, type View } from '../../src/sim/view.ts';
 import { EVERYTHING } from '../support/everything.ts';
 import { JET, loadVariant } from './simWasm.ts';
 
@@ -30,13 +30,27 @@ describe('the layout of rows and views', () => {
       direction: [0, -0.6, 0.8],
       reach: 1.5,
       receivers: { min: [-1, -2, -3], max: [1, 2, 3] },
+      coverage: {
+        covers: 2,
+        pixel: 0.125,
+        nearest: -4,
+        farthest: 50,
+        lift: 0.75,
+        capRange: [-0.5, 0.5],
+        depth: 1.25,
+        solids: { table: new Float32Array([9, 8, 7]), balls: 4, facesEye: true, tolerance: 0.0625, blur: 3 },
+      },
     };
-    const floats = new Float32Array(VIEW_FLOATS).fill(77);
+    const floats = new Float32Array(viewLength(view)).fill(77);
     writeView(view, floats);
     expect([...floats.subarray(0, 4)]).toEqual([1, 0.25, 1, 0.5]);
     expect([...floats.subarray(VIEW_OFFSETS.clipFromWorld, VIEW_OFFSETS.direction)]).toEqual(view.clipFromWorld);
     expect(floats[VIEW_OFFSETS.direction + 2]).toBeCloseTo(0.8);
-    expect([...floats.subarray(23)]).toEqual([1.5, -1, -2, -3, 1, 2, 3, 0, 0]);
+    const [head, coverage] = [
+      [1.5, -1, -2, -3, 1, 2, 3],
+      [0.125, -4, 50, 2, 0.0625, 3, 1, 0.75, -0.5, 0.5, 1.25],
+    ];
+    expect([...floats.subarray(VIEW_OFFSETS.reach)]).toEqual([...head, ...coverage, 4, 9, 8, 7]);
   });
 
   it('reads of each part of the view what Rust reads', async () => {

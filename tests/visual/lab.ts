@@ -240,6 +240,7 @@ function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arra
     bounds: {
       min: [extreme(0, -1), extreme(1, -1), extreme(2, -1)],
       max: [extreme(0, 1), extreme(1, 1), extreme(2, 1)],
+      greatestRadius: Math.max(0, ...all.map(({ radius }) => radius)),
     },
   };
 }

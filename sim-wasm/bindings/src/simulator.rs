@@ -47,7 +47,7 @@ impl Simulator {
         self.simulator.resize(capacity).map_err(parameter_refusal)
     }
 
-    /// Writes the rows for a view of 32 floats; returns how many were kept.
+    /// Writes the rows for a view, its floats and then its solids; returns how many were kept.
     pub fn arrange(&mut self, view: &[f32]) -> Result<u32, JsValue> {
         self.simulator
             .arrange(view)
@@ -67,7 +67,7 @@ impl Simulator {
         self.simulator.look().as_ptr() as u32
     }
 
-    /// Address of six float32: least and greatest x, y, z of what lives, as of the last arrange.
+    /// Address of seven float32: least and greatest x, y, z and the greatest radius of what lives, as of the last arrange.
     #[wasm_bindgen(getter = boundsPointer)]
     pub fn bounds_pointer(&self) -> u32 {
         self.simulator.bounds().as_ptr() as u32

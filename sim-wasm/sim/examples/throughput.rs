@@ -4,6 +4,7 @@
 use std::time::Instant;
 
 use sim::Simulator;
+use sim::arrange::VIEW_FLOATS;
 use sim::particles::Newborn;
 use sim::random::Random;
 
@@ -64,8 +65,8 @@ fn cloud() -> Simulator {
     simulator
 }
 
-fn view() -> [f32; 32] {
-    let mut view = [0.0; 32];
+fn view() -> [f32; VIEW_FLOATS] {
+    let mut view = [0.0; VIEW_FLOATS];
     view[1] = 0.5;
     view[22] = -1.0;
     view[23] = 1.0;

@@ -7,6 +7,7 @@
 
 use wide::f32x4;
 
+use crate::coverage::{Coverage, Footprint};
 use crate::order::{self, Entry, Histogram};
 use crate::particles::{LANES, Particles};
 use crate::rows::Moment;
@@ -17,7 +18,7 @@ use crate::view::View;
 pub const PLACE_FLOATS: usize = 4;
 /// Words in a row of looks.
 pub const LOOK_WORDS: usize = 2;
-/// Numbers in a view.
+/// Numbers in a view, without the solids behind it.
 pub const VIEW_FLOATS: usize = crate::view::VIEW_LENGTH;
 
 /// The rows of the last call and the memory for the next. 32 bytes a particle.
@@ -27,7 +28,8 @@ pub struct Arranger {
     look: Vec<[u32; LOOK_WORDS]>,
     order: Vec<Entry>,
     histogram: Histogram,
-    bounds: [f32; 6],
+    coverage: Coverage,
+    bounds: [f32; 7],
 }
 
 impl Arranger {
@@ -38,7 +40,8 @@ impl Arranger {
             look: vec![[0; 2]; capacity],
             order: vec![[0; 2]; capacity],
             histogram: Histogram::new(),
-            bounds: [0.0; 6],
+            coverage: Coverage::new(capacity),
+            bounds: [0.0; 7],
         }
     }
 
@@ -52,26 +55,37 @@ impl Arranger {
         &self.look
     }
 
-    /// Least corner, then greatest corner (m) of all particles with their radii, culled or not; zeros where there is
-    /// nothing to see at all.
-    pub fn bounds(&self) -> &[f32; 6] {
+    /// Least corner, then greatest corner (m) of all particles with their radii, culled or not, then the greatest
+    /// radius; zeros where there is nothing to see at all.
+    pub fn bounds(&self) -> &[f32; 7] {
         &self.bounds
     }
 
     /// Writes the rows that `view` needs and returns their number.
     pub fn arrange(&mut self, particles: &Particles, view: &View, moment: &Moment) -> usize {
-        let count = self.collect(particles, view, moment);
+        let mut footprint = view.coverage.map(|plan| Footprint::new(&plan.chart));
+        let count = self.collect(particles, view, moment, footprint.as_mut());
         let sorted = &mut self.order[..count];
         order::sort(&mut self.look[..count], sorted, &mut self.histogram);
-        for (row, [_, particle]) in sorted.iter().enumerate() {
-            self.place[row] = moment.place(particles, *particle as usize);
-            self.look[row] = moment.look(particles, *particle as usize);
+        let read = |[_, particle]: Entry| {
+            let particle = particle as usize;
+            (moment.place(particles, particle), moment.look(particles, particle))
+        };
+        let write = |row: usize, place, look| (self.place[row], self.look[row]) = (place, look);
+        match (&view.coverage, &footprint) {
+            (Some(plan), Some(footprint)) => self.coverage.sift(plan, footprint, sorted, read, write),
+            _ => write_all(sorted, read, write),
         }
-        count
     }
 
     /// Puts an entry for each particle that the view keeps where the looks will be, and measures the bounds.
-    fn collect(&mut self, particles: &Particles, view: &View, moment: &Moment) -> usize {
+    fn collect(
+        &mut self,
+        particles: &Particles,
+        view: &View,
+        moment: &Moment,
+        mut footprint: Option<&mut Footprint>,
+    ) -> usize {
         let direction = Vector4::splat(view.direction);
         let mut extent = Extent::new();
         let mut count = 0;
@@ -79,10 +93,11 @@ impl Arranger {
             let (place, radius) = blend(particles, moment, block);
             let seen = radius.simd_gt(f32x4::ZERO) & living(particles, block);
             extent.add(place, radius, seen);
-            let kept = view
-                .cull
-                .map_or(seen, |cull| cull.keeps(place, radius) & seen)
-                .to_bitmask();
+            let kept = view.cull.map_or(seen, |cull| cull.keeps(place, radius) & seen);
+            if let (Some(footprint), Some(plan)) = (footprint.as_deref_mut(), &view.coverage) {
+                footprint.add(&plan.chart, place, radius * f32x4::splat(plan.widening()), kept);
+            }
+            let kept = kept.to_bitmask();
             let depth = place.dot(direction).to_array();
             for (lane, depth) in depth.into_iter().enumerate() {
                 if kept >> lane & 1 == 1 {
@@ -94,6 +109,18 @@ impl Arranger {
         self.bounds = extent.corners();
         count
     }
+}
+
+fn write_all<R: Copy>(
+    rows: &[R],
+    read: impl Fn(R) -> ([f32; 4], [u32; 2]),
+    mut write: impl FnMut(usize, [f32; 4], [u32; 2]),
+) -> usize {
+    for (row, entry) in rows.iter().enumerate() {
+        let (place, look) = read(*entry);
+        write(row, place, look);
+    }
+    rows.len()
 }
 
 /// Places and radii of a block at the moment; the same arithmetic as [`Moment::place`].
@@ -134,6 +161,7 @@ fn living(particles: &Particles, block: usize) -> f32x4 {
 struct Extent {
     least: Vector4,
     greatest: Vector4,
+    radius: f32x4,
 }
 
 impl Extent {
@@ -141,6 +169,7 @@ impl Extent {
         Self {
             least: Vector4::splat([f32::INFINITY; 3]),
             greatest: Vector4::splat([f32::NEG_INFINITY; 3]),
+            radius: f32x4::ZERO,
         }
     }
 
@@ -149,6 +178,7 @@ impl Extent {
         let lower = |least: f32x4, place: f32x4| seen.select(least.fast_min(place - radius), least);
         let upper = |greatest: f32x4, place: f32x4| seen.select(greatest.fast_max(place + radius), greatest);
         let (least, greatest) = (self.least, self.greatest);
+        self.radius = seen.select(self.radius.fast_max(radius), self.radius);
         self.least = Vector4 {
             x: lower(least.x, place.x),
             y: lower(least.y, place.y),
@@ -161,7 +191,7 @@ impl Extent {
         };
     }
 
-    fn corners(&self) -> [f32; 6] {
+    fn corners(&self) -> [f32; 7] {
         let least = |lanes: f32x4| lanes.to_array().into_iter().fold(f32::INFINITY, f32::min);
         let greatest = |lanes: f32x4| lanes.to_array().into_iter().fold(f32::NEG_INFINITY, f32::max);
         let (low, high) = (self.least, self.greatest);
@@ -172,7 +202,8 @@ impl Extent {
             greatest(high.x),
             greatest(high.y),
             greatest(high.z),
+            greatest(self.radius),
         ];
-        if corners[0].is_finite() { corners } else { [0.0; 6] }
+        if corners[0].is_finite() { corners } else { [0.0; 7] }
     }
 }

@@ -6,6 +6,7 @@ pub mod arrange;
 mod bytes;
 mod clamp;
 pub mod collide;
+pub mod coverage;
 pub mod emission;
 pub mod error;
 pub mod forces;

@@ -181,7 +181,7 @@ impl Simulator {
         ended(Part::Rest);
     }
 
-    /// Writes the rows that the 32 numbers of `view` ask for (see [`View`]) and returns how many there are. Refuses a
+    /// Writes the rows that the numbers of `view` ask for (see [`View`]) and returns how many there are. Refuses a
     /// malformed view by name; the rows are then those of the last call.
     pub fn arrange(&mut self, view: &[f32]) -> Result<usize, ParameterError> {
         let view = View::new(view)?;
@@ -205,9 +205,9 @@ impl Simulator {
         self.arranger.look()
     }
 
-    /// Least and greatest corner (m) around all that lived at the moment of the last `arrange`, radii included; zeros
-    /// where nothing did.
-    pub fn bounds(&self) -> &[f32; 6] {
+    /// Least and greatest corner (m) around all that lived at the moment of the last `arrange`, radii included, and the
+    /// greatest radius; zeros where nothing did.
+    pub fn bounds(&self) -> &[f32; 7] {
         self.arranger.bounds()
     }
 

@@ -1,48 +1,107 @@
 //! What a picture needs to know of the particles: the question that `arrange` answers.
 //!
-//! 32 numbers: \[0] purpose, 0 eye, 1 light; \[1] blend, 0 the previous step, 1 now; \[2] cull, 0 or 1; \[3] pad, metres
+//! [`VIEW_LENGTH`] numbers: \[0] purpose, 0 eye, 1 light; \[1] blend, 0 the previous step, 1 now; \[2] cull, 0 or 1; \[3] pad, metres
 //! added to each radius per unit of clip w; \[4..19] clipFromWorld by columns; \[20..22] direction of the order; \[23]
-//! reach, factor on the radius; \[24..29] box of the receivers, least and greatest corner; \[30], \[31] unused.
+//! reach, factor on the radius; \[24..29] box of the receivers, least and greatest corner.
+//!
+//! What follows serves coverage, see `coverage`: \[30] metres that a pixel spans per unit of clip w; \[31], \[32] depths
+//! along the direction at the near and the far plane; \[33] how many covers make certain, 1 to 4, or 0 to leave nothing
+//! out that others cover; \[34], \[35] how far what is drawn may be from the solids, in radii and in pixels; \[36] 1 where
+//! puffs turn to the eye; \[37] metres by which ink
+//! may come nearer than its lobe, per unit of clip w; \[38], \[39] where shadows start behind the centre, at least and at
+//! most; \[40] how deep behind its centre a puff can be seen; \[41] balls of a puff, 0, 4, 8 or 12: for each variation their x, y, z and radii
+//! stand behind the view, all in radii.
 
 use wide::f32x4;
 
+use crate::coverage::{BALLS_LIMIT, Plan};
 use crate::error::ParameterError;
 use crate::simd::{Vector4, positive_part};
 
-/// Numbers in a view.
-pub const VIEW_LENGTH: usize = 32;
+/// Numbers in a view, without the solids behind it.
+pub const VIEW_LENGTH: usize = 42;
+
+/// Most covers that can be asked for.
+const COVERS_LIMIT: f64 = 4.0;
 
 /// A checked view.
 #[derive(Clone, Copy, Debug)]
-pub struct View {
+pub struct View<'v> {
     /// Where between the previous step (0) and now (1) the picture lies.
     pub blend: f32,
     /// Unit vector along which rows come near to far.
     pub direction: [f32; 3],
     /// What is left out; none: nothing is.
     pub cull: Option<Cull>,
+    /// How what is left may cover each other; none: nothing does.
+    pub coverage: Option<Plan<'v>>,
 }
 
-impl View {
-    /// Checks the 32 numbers; refuses by name what is not finite or out of range.
-    pub fn new(numbers: &[f32]) -> Result<Self, ParameterError> {
-        let numbers: &[f32; VIEW_LENGTH] = numbers.try_into().map_err(|_| wrong_length(numbers.len()))?;
-        if let Some(index) = numbers.iter().position(|value| !value.is_finite()) {
+impl<'v> View<'v> {
+    /// Checks the numbers; refuses by name what is not finite or out of range.
+    pub fn new(all: &'v [f32]) -> Result<Self, ParameterError> {
+        let (numbers, solids) = all.split_first_chunk().ok_or_else(|| wrong_length(all.len()))?;
+        if let Some(index) = all.iter().position(|value| !value.is_finite()) {
             let limit = f64::from(f32::MAX);
-            within(&format!("view[{index}]"), numbers[index], -limit, limit)?;
+            within(&format!("view[{index}]"), all[index], -limit, limit)?;
         }
         within("view.purpose", numbers[0], 0.0, 1.0)?;
         within("view.blend", numbers[1], 0.0, 1.0)?;
         within("view.cull", numbers[2], 0.0, 1.0)?;
         within("view.pad", numbers[3], 0.0, 1e6)?;
         within("view.reach", numbers[23], 0.0, 1e6)?;
+        check_coverage(numbers, solids)?;
         let direction = direction(numbers)?;
         let cull = (numbers[2] != 0.0).then(|| Cull::new(numbers, direction));
+        let coverage = cull.and_then(|_| Plan::new(numbers, solids, direction));
         Ok(Self {
             blend: numbers[1],
             direction,
             cull,
+            coverage,
         })
+    }
+}
+
+fn check_coverage(numbers: &[f32; VIEW_LENGTH], solids: &[f32]) -> Result<(), ParameterError> {
+    let lengths = [
+        ("view.pixel", 30),
+        ("view.tolerance", 34),
+        ("view.blur", 35),
+        ("view.lift", 37),
+        ("view.depth", 40),
+        ("view.balls", 41),
+    ];
+    for (name, index) in lengths {
+        within(name, numbers[index], 0.0, 1e6)?;
+    }
+    within("view.covers", numbers[33], 0.0, COVERS_LIMIT)?;
+    within(
+        "view.farthest",
+        numbers[32],
+        f64::from(numbers[31]),
+        f64::from(f32::MAX),
+    )?;
+    within("view.capMost", numbers[39], f64::from(numbers[38]), 1e6)?;
+    let balls = numbers[41] as usize;
+    if numbers[41] != balls as f32 || !balls.is_multiple_of(4) || balls > BALLS_LIMIT {
+        let value = f64::from(numbers[41]);
+        return Err(ParameterError::out_of_range(
+            "view.balls",
+            value,
+            0.0,
+            BALLS_LIMIT as f64,
+        ));
+    }
+    let is_whole = if balls == 0 {
+        solids.is_empty()
+    } else {
+        solids.len().is_multiple_of(4 * balls)
+    };
+    if is_whole {
+        Ok(())
+    } else {
+        Err(wrong_length(VIEW_LENGTH + solids.len()))
     }
 }
 

@@ -18,6 +18,7 @@ mod collide_moving;
 #[cfg(feature = "rigids")]
 mod collide_restore;
 mod common;
+mod coverage;
 mod emission_moments;
 #[cfg(feature = "rigids")]
 mod emission_riding;

@@ -2,6 +2,7 @@
 
 use crate::common::{LIVELY, STILL, newborn, simulator, steps};
 use sim::Simulator;
+use sim::arrange::VIEW_FLOATS;
 use sim::particles::Newborn;
 use sim::random::Random;
 
@@ -10,8 +11,8 @@ const FULL: &[(&str, f64)] = &[("simulation.integrator", 1.0)];
 const BOX: [f32; 6] = [-12.0, -1.0, -12.0, 12.0, 12.0, 12.0];
 
 /// A view that keeps everything, ordered along -z.
-fn view() -> [f32; 32] {
-    let mut view = [0.0; 32];
+fn view() -> [f32; VIEW_FLOATS] {
+    let mut view = [0.0; VIEW_FLOATS];
     view[1] = 1.0;
     view[4..20].copy_from_slice(&perspective());
     view[20..23].copy_from_slice(&[0.0, 0.0, -1.0]);
@@ -210,7 +211,7 @@ fn bounds_hold_all_that_lives_whatever_is_culled() {
     let mut view = view();
     view[2] = 1.0;
     assert_eq!(simulator.arrange(&view).unwrap(), 0);
-    assert_eq!(*simulator.bounds(), [0.0; 6]);
+    assert_eq!(*simulator.bounds(), [0.0; 7]);
     simulator.add(&Newborn {
         size: 0.5,
         ..newborn([-100.0, 2.0, 3.0])
@@ -224,7 +225,7 @@ fn bounds_hold_all_that_lives_whatever_is_culled() {
         ..newborn([0.0, 900.0, 0.0])
     });
     assert!(simulator.arrange(&view).unwrap() < 2);
-    assert_eq!(*simulator.bounds(), [-100.5, 1.5, -61.0, 5.0, 6.0, 3.5]);
+    assert_eq!(*simulator.bounds(), [-100.5, 1.5, -61.0, 5.0, 6.0, 3.5, 1.0]);
 }
 
 #[test]
@@ -245,7 +246,10 @@ fn malformed_views_are_refused_by_name() {
         let error = simulator.arrange(&view).unwrap_err();
         assert!(error.key.starts_with(name), "{error:?}");
     }
-    assert_eq!(simulator.arrange(&view()[..31]).unwrap_err().key, "view.length");
+    assert_eq!(
+        simulator.arrange(&view()[..VIEW_FLOATS - 1]).unwrap_err().key,
+        "view.length"
+    );
 }
 
 /// Whether a place is between the four sides of the frustum.

@@ -84,7 +84,7 @@ fn stops_of_one_age_are_pulled_apart() {
 
 /// Radii of a particle drawn at `parts` moments of each step, from its birth to its end.
 fn drawn(simulator: &mut Simulator, parts: usize) -> Vec<f32> {
-    let mut view = [0.0; 32];
+    let mut view = [0.0; sim::arrange::VIEW_FLOATS];
     (0..4).for_each(|i| view[4 + 5 * i] = 1.0);
     (view[22], view[23]) = (-1.0, 1.0);
     let mut radii = Vec::new();

@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use common::{LIVELY, simulator, steps};
 use sim::Simulator;
+use sim::arrange::VIEW_FLOATS;
 
 /// The system's allocator, counting calls and bytes.
 struct Counting;
@@ -39,8 +40,8 @@ fn bytes_of(capacity: u32) -> usize {
     after - before
 }
 
-fn views() -> [[f32; 32]; 2] {
-    let mut eye = [0.0; 32];
+fn views() -> [[f32; VIEW_FLOATS]; 2] {
+    let mut eye = [0.0; VIEW_FLOATS];
     (0..4).for_each(|i| eye[4 + 5 * i] = 0.2);
     (eye[1], eye[2], eye[22], eye[23]) = (0.3, 1.0, -1.0, 1.2);
     let mut light = eye;

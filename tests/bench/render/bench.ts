@@ -1,5 +1,5 @@
 /** The product's own frame over the seeded plume, and its passes one at a time. */
-import { Matrix4, PerspectiveCamera } from 'three';
+import { Matrix4, PerspectiveCamera, type Camera } from 'three';
 import { createDevice } from '../../../src/device/device.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { tableMesh } from '../../../src/scenes/models/table.ts';
@@ -69,8 +69,8 @@ export class RenderBench {
     return this.device.renderer.getContext() as WebGL2RenderingContext;
   }
 
-  draw(cull: boolean): FrameReport {
-    return this.smoke.draw(this.input(cull));
+  draw(cull: boolean, camera: Camera = this.camera): FrameReport {
+    return this.smoke.draw({ ...this.input(cull), camera });
   }
 
   /**

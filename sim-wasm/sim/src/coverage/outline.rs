@@ -1,0 +1,298 @@
+//! A puff, or its shadow, as discs on the grid: what it certainly covers, and all that it could show.
+
+use super::disc::Disc;
+use super::grid::Grid;
+use super::plan::{Bodies, Plan, Shadows, What};
+use super::solids::{BALLS_LIMIT, TurnedBalls, Turns};
+
+/// Single precision: a coordinate is a sum of terms as large as those of the place.
+const ROUNDING: f32 = 2e-6;
+/// Pixels by which a rasteriser that snaps corners to sixteenths may move what it draws.
+const SNAP: f32 = 0.1;
+/// Radii by which rounding may move the side of a volume, and the same in pixels.
+const EDGE_ROUNDING: f32 = 0.01;
+const EDGE_PIXELS: f32 = 0.25;
+/// The eye's own axes as the eye sees them.
+const VIEW_AXES: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+const CAP_ROUNDING: f32 = 1e-3;
+/// A puff that the eye runs into shrinks by a law; where that is this steep it covers nothing.
+const LEAST_GROWN: f32 = 0.05;
+const GROWTH_TOLERANCE: f32 = 0.002;
+/// As in shaders/volumes/volumes.vert.
+const CAP_SLACK: f32 = 0.02;
+
+/// The discs of one row; the memory is used again for the next.
+#[derive(Debug, Default)]
+pub(crate) struct Outline {
+    /// All that the row could show, in one.
+    pub hull: Disc,
+    inner: [Disc; BALLS_LIMIT],
+    outer: [Disc; BALLS_LIMIT],
+    inner_count: usize,
+    outer_count: usize,
+    balls: TurnedBalls,
+    spot: Spot,
+}
+
+/// Where a row stands on the grid.
+#[derive(Clone, Copy, Debug, Default)]
+struct Spot {
+    u: f32,
+    v: f32,
+    /// Cells for a metre.
+    density: f32,
+    depth: f32,
+    w: f32,
+    radius: f32,
+    /// Metres that depths may be wrong by, and radii that outlines may.
+    slack: f32,
+    tolerance: f32,
+    covers: bool,
+}
+
+impl Outline {
+    pub(crate) fn inner(&self) -> &[Disc] {
+        &self.inner[..self.inner_count]
+    }
+
+    pub(crate) fn outer(&self) -> &[Disc] {
+        &self.outer[..self.outer_count]
+    }
+}
+
+/// Lays rows out on a grid as a plan says.
+#[derive(Debug)]
+pub(crate) struct Outliner<'a> {
+    plan: &'a Plan<'a>,
+    turns: &'a Turns,
+    corner: [f32; 2],
+    density: f32,
+}
+
+impl<'a> Outliner<'a> {
+    pub(crate) fn new(plan: &'a Plan, grid: &Grid, turns: &'a Turns) -> Self {
+        Self {
+            plan,
+            turns,
+            corner: grid.corner,
+            density: grid.density,
+        }
+    }
+
+    /// Writes the hull of a row; false where nothing of it is drawn.
+    #[inline(always)]
+    pub(crate) fn place(&self, place: [f32; 4], outline: &mut Outline) -> bool {
+        match &self.plan.what {
+            What::Bodies(bodies) => self.place_body(bodies, place, outline),
+            What::Shadows(shadows) => self.place_shadow(shadows, place, outline),
+        }
+    }
+
+    /// Writes the discs of the row that has just been placed.
+    #[inline(always)]
+    pub(crate) fn draw(&self, place: [f32; 4], look: [u32; 2], outline: &mut Outline) {
+        match &self.plan.what {
+            What::Bodies(bodies) => self.draw_body(bodies, look, outline),
+            What::Shadows(shadows) => self.draw_shadow(shadows, place, look, outline),
+        }
+    }
+
+    #[inline(always)]
+    fn spot(&self, place: [f32; 4]) -> Spot {
+        let chart = &self.plan.chart;
+        let w = chart.w.at(place);
+        let [_, _, back] = &chart.axes;
+        let size = place[0].abs() + place[1].abs() + place[2].abs();
+        Spot {
+            u: (chart.across.at(place) / w - self.corner[0]) * self.density,
+            v: (chart.up.at(place) / w - self.corner[1]) * self.density,
+            density: self.density / w,
+            depth: -(back[0] * place[0] + back[1] * place[1] + back[2] * place[2]),
+            w,
+            radius: place[3],
+            slack: ROUNDING * size,
+            tolerance: ROUNDING * size / place[3],
+            covers: true,
+        }
+    }
+
+    fn place_body(&self, bodies: &Bodies, place: [f32; 4], outline: &mut Outline) -> bool {
+        let mut spot = self.spot(place);
+        // The law by which puffs shrink before the near plane, as in shaders/bodies.
+        let grown = ((spot.depth - self.plan.range[0]) / (2.0 * place[3])).clamp(0.0, 1.0);
+        spot.radius *= grown * grown * (3.0 - 2.0 * grown);
+        if spot.radius <= 0.0 || spot.w <= 0.0 {
+            return false;
+        }
+        spot.covers = grown > LEAST_GROWN;
+        if grown < 1.0 {
+            spot.tolerance += GROWTH_TOLERANCE;
+        }
+        if !spot.covers {
+            spot.radius = place[3];
+        }
+        spot.tolerance += bodies.tolerance + (bodies.blur + SNAP) * bodies.pixel * spot.w / spot.radius;
+        let farthest = spot.w + bodies.reach * spot.radius;
+        spot.slack += bodies.tolerance * spot.radius + bodies.depth_step * farthest * farthest;
+        // Ink stands beside its lobe at the height of its middle: a ball that is larger by the line holds it.
+        let radius = ((bodies.reach + spot.tolerance) * spot.radius + bodies.pad * spot.w) * spot.density;
+        outline.hull = Disc {
+            u: spot.u,
+            v: spot.v,
+            radius,
+            depth: spot.depth - spot.slack - bodies.lift * spot.w,
+            bulge: 1.0 / spot.density,
+            rim: radius,
+            rim_depth: f32::INFINITY,
+        };
+        outline.spot = spot;
+        true
+    }
+
+    fn draw_body(&self, bodies: &Bodies, look: [u32; 2], outline: &mut Outline) {
+        let spot = outline.spot;
+        (outline.inner_count, outline.outer_count) = (0, 0);
+        if !spot.covers {
+            (outline.outer[0], outline.outer_count) = (outline.hull, 1);
+            return;
+        }
+        let rotation = if bodies.solids.faces_eye {
+            self.turns.facing(look, &VIEW_AXES)
+        } else {
+            self.turns.standing(look, &self.plan.chart.axes)
+        };
+        bodies.solids.turn(look, &rotation, &mut outline.balls);
+        let balls = &outline.balls;
+        let cells = spot.radius * spot.density;
+        let line = bodies.pad * spot.w * spot.density;
+        // Baked layers carry the relief of the last texel on into the ring.
+        let rise = |radius: f32| match bodies.solids.faces_eye {
+            true => (4.0 * radius * spot.tolerance).sqrt() * spot.radius,
+            false => 0.0,
+        };
+        for ball in (0..balls.count).filter(|ball| balls.radius[*ball] > 0.0) {
+            let height = balls.z[ball] * spot.radius;
+            let disc = Disc {
+                u: spot.u + balls.x[ball] * cells,
+                v: spot.v + balls.y[ball] * cells,
+                radius: (balls.radius[ball] - spot.tolerance) * cells,
+                depth: spot.depth - height + bodies.tolerance * spot.radius,
+                bulge: 1.0 / spot.density,
+                ..Disc::default()
+            };
+            if disc.radius > 0.0 {
+                outline.inner[outline.inner_count] = disc;
+                outline.inner_count += 1;
+            }
+            let radius = (balls.radius[ball] + spot.tolerance) * cells;
+            outline.outer[outline.outer_count] = Disc {
+                radius,
+                depth: spot.depth - height - spot.slack,
+                rim: radius + line,
+                rim_depth: if line > 0.0 {
+                    spot.depth - height - rise(balls.radius[ball]) - bodies.lift * spot.w - spot.slack
+                } else {
+                    f32::INFINITY
+                },
+                ..disc
+            };
+            outline.outer_count += 1;
+        }
+    }
+
+    fn place_shadow(&self, shadows: &Shadows, place: [f32; 4], outline: &mut Outline) -> bool {
+        let mut spot = self.spot(place);
+        let [eye_w, shear] = shadows.seen(place);
+        spot.covers = eye_w > place[3] || !shadows.eye.is_perspective;
+        spot.tolerance += shadows.tolerance + EDGE_ROUNDING;
+        spot.tolerance += EDGE_PIXELS * shadows.eye.pixel * eye_w.max(0.0) / place[3];
+        spot.slack += (CAP_ROUNDING + shadows.tolerance) * place[3];
+        let start = if spot.covers {
+            spot.depth + Shadows::cap(shadows.caps[0], shear) * place[3]
+        } else {
+            f32::NEG_INFINITY
+        };
+        outline.hull = flat(&spot, (shadows.reach + spot.tolerance) * place[3], start - spot.slack);
+        outline.spot = spot;
+        place[3] > 0.0
+    }
+
+    /// Of a shadow the discs of all lobes are certain. What lies between them depends on the eye, so the circle around them
+    /// is all that it could darken.
+    fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], look: [u32; 2], outline: &mut Outline) {
+        let spot = outline.spot;
+        let rotation = if shadows.solids.faces_eye {
+            self.turns.facing(look, &shadows.axes_in_view)
+        } else {
+            self.turns.standing(look, &self.plan.chart.axes)
+        };
+        shadows.solids.turn(look, &rotation, &mut outline.balls);
+        let balls = &outline.balls;
+        let [_, shear] = shadows.seen(place);
+        let start = spot.depth + Shadows::cap(shadows.caps[1], shear) * place[3] + spot.slack;
+        let (mut widest, mut count) = (0.0_f32, 0);
+        for ball in (0..balls.count).filter(|ball| balls.radius[*ball] > 0.0) {
+            let [x, y, radius] = [balls.x[ball], balls.y[ball], balls.radius[ball]];
+            widest = widest.max((x * x + y * y).sqrt() + radius);
+            let disc = flat(&spot, (radius - spot.tolerance) * place[3], start);
+            if spot.covers && disc.radius > 0.0 {
+                let cells = place[3] * spot.density;
+                outline.inner[count] = Disc {
+                    u: spot.u + x * cells,
+                    v: spot.v + y * cells,
+                    ..disc
+                };
+                count += 1;
+            }
+        }
+        if self.plan.covers > 1 && count > 1 {
+            // Discs of one puff must not count as several covers.
+            let largest = outline.inner[..count]
+                .iter()
+                .max_by(|a, b| a.radius.total_cmp(&b.radius));
+            outline.inner[0] = *largest.unwrap_or(&outline.inner[0]);
+            count = 1;
+        }
+        outline.inner_count = count;
+        outline.outer[0] = flat(&spot, (widest + spot.tolerance) * place[3], outline.hull.depth);
+        outline.outer_count = 1;
+    }
+}
+
+/// A disc with a flat front; `radius` in metres.
+fn flat(spot: &Spot, radius: f32, depth: f32) -> Disc {
+    let radius = radius * spot.density;
+    Disc {
+        u: spot.u,
+        v: spot.v,
+        radius,
+        depth,
+        bulge: 0.0,
+        rim: radius,
+        rim_depth: f32::INFINITY,
+    }
+}
+
+impl Shadows<'_> {
+    /// The clip w of a place, and by how many radii the nailboard's shear moves the start of its volume.
+    #[inline(always)]
+    fn seen(&self, place: [f32; 4]) -> [f32; 2] {
+        let eye = &self.eye;
+        let w = eye.w.at(place);
+        if !eye.is_perspective {
+            return [w, 0.0];
+        }
+        let slope = -(eye.travel[0] * eye.right.at(place) + eye.travel[1] * eye.up.at(place)) / w;
+        if self.solids.faces_eye {
+            return [w, slope.max(0.0)];
+        }
+        let sideways = (eye.travel[0] * eye.travel[0] + eye.travel[1] * eye.travel[1]).sqrt();
+        [w, slope.max(-self.depth * slope) + 0.5 * sideways * place[3] / w]
+    }
+
+    /// Radii between the centre and the start, as the shader has it.
+    #[inline(always)]
+    fn cap(tabulated: f32, shear: f32) -> f32 {
+        tabulated + shear + CAP_SLACK
+    }
+}

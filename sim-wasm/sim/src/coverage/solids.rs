@@ -1,0 +1,121 @@
+//! Of which balls a puff consists, and how it stands: as src/puffs/solids.ts tells and shaders/lib/orientation.glsl turns.
+
+use wide::f32x4;
+
+/// Most balls of a puff.
+pub const BALLS_LIMIT: usize = 12;
+const LANES: usize = 4;
+const SEEDS: usize = 256;
+/// Entries of a table of sines for one turn; what lies between them is within the tolerance of the solids.
+const SINES: usize = 4096;
+/// The turn of a seed's axis about z from one seed to the next.
+const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
+
+/// The puffs of a form. Lengths in particle radii.
+#[derive(Clone, Copy, Debug)]
+pub struct Solids<'v> {
+    /// For each variation the x of all balls, then their y, z and radii; balls of radius 0 are absent.
+    table: &'v [f32],
+    balls: usize,
+    /// Whether the puff turns to the eye and rolls about the view axis, instead of standing in the world.
+    pub faces_eye: bool,
+}
+
+/// The balls of one puff as the eye sees it: right, up and towards the eye.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct TurnedBalls {
+    pub x: [f32; BALLS_LIMIT],
+    pub y: [f32; BALLS_LIMIT],
+    pub z: [f32; BALLS_LIMIT],
+    pub radius: [f32; BALLS_LIMIT],
+    pub count: usize,
+}
+
+impl<'v> Solids<'v> {
+    /// `table` holds one variation or more of 4 * `balls` numbers; `balls` is 4, 8 or 12.
+    pub(crate) fn new(table: &'v [f32], balls: usize, faces_eye: bool) -> Self {
+        debug_assert!(balls.is_multiple_of(LANES) && balls <= BALLS_LIMIT && !table.is_empty());
+        Self {
+            table,
+            balls,
+            faces_eye,
+        }
+    }
+
+    /// Turns the puff of a look by `rotation`.
+    #[inline(always)]
+    pub(crate) fn turn(&self, look: [u32; 2], rotation: &[[f32; 3]; 3], into: &mut TurnedBalls) {
+        let size = 4 * self.balls;
+        let variation = (look[1] & 0xff) as usize % (self.table.len() / size);
+        let columns = &self.table[variation * size..(variation + 1) * size];
+        let lanes = |column: usize, at: usize| {
+            let start = column * self.balls + at;
+            let lanes: &[f32; LANES] = columns[start..start + LANES].try_into().expect("whole blocks");
+            f32x4::new(*lanes)
+        };
+        into.count = self.balls;
+        for at in (0..self.balls).step_by(LANES) {
+            let (x, y, z) = (lanes(0, at), lanes(1, at), lanes(2, at));
+            let along = |row: [f32; 3]| x * f32x4::splat(row[0]) + y * f32x4::splat(row[1]) + z * f32x4::splat(row[2]);
+            into.x[at..at + LANES].copy_from_slice(along(rotation[0]).as_array());
+            into.y[at..at + LANES].copy_from_slice(along(rotation[1]).as_array());
+            into.z[at..at + LANES].copy_from_slice(along(rotation[2]).as_array());
+            into.radius[at..at + LANES].copy_from_slice(lanes(3, at).as_array());
+        }
+    }
+}
+
+/// Sines, and the axes that seeds choose; made once.
+#[derive(Debug)]
+pub(crate) struct Turns {
+    sines: Box<[f32; SINES]>,
+    axes: Box<[[f32; 3]; SEEDS]>,
+}
+
+impl Turns {
+    pub(crate) fn new() -> Self {
+        let mut turns = Self {
+            sines: Box::new([0.0; SINES]),
+            axes: Box::new([[0.0; 3]; SEEDS]),
+        };
+        for (index, sine) in turns.sines.iter_mut().enumerate() {
+            *sine = libm::sin(index as f64 * std::f64::consts::TAU / SINES as f64) as f32;
+        }
+        for (seed, axis) in turns.axes.iter_mut().enumerate() {
+            let z = 1.0 - (2.0 * seed as f64 + 1.0) / SEEDS as f64;
+            let (reach, angle) = (libm::sqrt(1.0 - z * z), seed as f64 * GOLDEN_ANGLE);
+            *axis = [reach * libm::cos(angle), reach * libm::sin(angle), z].map(|component| component as f32);
+        }
+        turns
+    }
+
+    /// Sine and cosine of a look's roll.
+    #[inline(always)]
+    fn roll(&self, look: [u32; 2]) -> (f32, f32) {
+        let index = ((look[0] & 0xffff) as usize * SINES + 0x8000) >> 16;
+        (self.sines[index % SINES], self.sines[(index + SINES / 4) % SINES])
+    }
+
+    /// Rows that take a puff's own frame to that of `axes`, for a puff that stands in the world.
+    #[inline(always)]
+    pub(crate) fn standing(&self, look: [u32; 2], axes: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
+        let (sine, cosine) = self.roll(look);
+        let axis = self.axes[(look[1] >> 8 & 0xff) as usize];
+        axes.map(|row| {
+            let across = [
+                row[1] * axis[2] - row[2] * axis[1],
+                row[2] * axis[0] - row[0] * axis[2],
+                row[0] * axis[1] - row[1] * axis[0],
+            ];
+            let share = (1.0 - cosine) * (row[0] * axis[0] + row[1] * axis[1] + row[2] * axis[2]);
+            std::array::from_fn(|i| cosine * row[i] + sine * across[i] + share * axis[i])
+        })
+    }
+
+    /// The same for a puff that turns to the eye and rolls, with axes as the eye sees them.
+    #[inline(always)]
+    pub(crate) fn facing(&self, look: [u32; 2], axes_in_view: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
+        let (sine, cosine) = self.roll(look);
+        axes_in_view.map(|[right, up, back]| [right * cosine + up * sine, up * cosine - right * sine, back])
+    }
+}

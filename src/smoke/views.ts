@@ -1,0 +1,83 @@
+/** What a frame asks the simulator to arrange: the bodies for the eye, the casters for the light. */
+import { Box3, Vector3 } from 'three';
+import type { Bounds } from '../sim/simulator.ts';
+import type { CoverageView, View } from '../sim/view.ts';
+import { widestLine } from '../passes/ink.ts';
+import type { FrameInput } from './frame.ts';
+import type { SmokePasses } from './smoke.ts';
+import { inkLineOf } from './style.ts';
+
+/** Ink stands at most this far beside a puff, in its radii; see shaders/lib/ink.glsl. */
+const WIDEST_RING = 0.3;
+/** So much nearer, for each unit beside its puff, a surface may lift it; see shaders/lib/contact.glsl. */
+const STEEPEST = 8;
+/** The simulator counts no farther. */
+const MOST_COVERS = 4;
+
+export function eyeView(passes: SmokePasses, input: FrameInput): View {
+  const { eye } = passes;
+  // What is blended has to come far to near.
+  const blends = input.style.renderer === 'sprites';
+  const { pixels, swell } = inkLineOf(input.style, input.pixelRatio);
+  return {
+    ...common(passes, input),
+    purpose: 'eye',
+    pad: widestLine(pixels, swell) * eye.unitsPerPixel,
+    direction: (blends ? eye.forward.clone().negate() : eye.forward).toArray(),
+    receivers: { min: [0, 0, 0], max: [0, 0, 0] },
+    coverage: coverageOf(passes, input, 1),
+  };
+}
+
+export function lightView(passes: SmokePasses, input: FrameInput, receivers: Box3): View {
+  const { eye } = passes;
+  const { style } = input;
+  return {
+    ...common(passes, input),
+    purpose: 'light',
+    // Casters are culled by where one common direction carries their shadow; a lamp has none.
+    cull: input.cull && eye.isLitBySun,
+    pad: 0,
+    direction: eye.travelAt(receivers.getCenter(new Vector3())).toArray(),
+    receivers: { min: receivers.min.toArray(), max: receivers.max.toArray() },
+    coverage: coverageOf(passes, input, style.shadowSteps === 2 ? style.shadowDepth : 1),
+  };
+}
+
+function common(passes: SmokePasses, { blend, cull, style }: FrameInput) {
+  const { eye } = passes;
+  return {
+    blend,
+    cull,
+    clipFromWorld: eye.clipFromWorld.elements,
+    reach: passes.extentsOf(style.form).reach,
+  };
+}
+
+function coverageOf(passes: SmokePasses, { style, pixelRatio }: FrameInput, covers: number): CoverageView | undefined {
+  // The rivals draw what is hidden, too: they are compared as they are, and blended sprites shine through.
+  if (style.renderer !== 'nailboards') return undefined;
+  const { eye, volumes } = passes;
+  const { capRange, depth, solids } = passes.extentsOf(style.form);
+  const [nearest, farthest] = eye.range;
+  const { pixels, swell } = inkLineOf(style, pixelRatio);
+  return {
+    covers: covers > MOST_COVERS ? 0 : covers,
+    pixel: eye.unitsPerPixel,
+    nearest,
+    farthest,
+    lift: STEEPEST * widestLine(pixels, swell) * eye.unitsPerPixel,
+    capRange: [Math.max(capRange[0], volumes.leastCap), Math.max(capRange[1], volumes.leastCap)],
+    depth,
+    solids,
+  };
+}
+
+/**
+ * The box of all smoke that can receive a shadow. A nailboard's relief moves its fragments along the view ray and so
+ * sideways too; were they outside of the box, a volume could end before them that hides another one which does not.
+ */
+export function smokeBox({ eye }: SmokePasses, { min, max, greatestRadius }: Bounds): Box3 {
+  const shear = eye.steepestSlope * (1 + WIDEST_RING) + WIDEST_RING;
+  return new Box3(new Vector3(...min), new Vector3(...max)).expandByScalar(shear * greatestRadius);
+}

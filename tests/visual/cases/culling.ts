@@ -1,0 +1,114 @@
+/** Pictures with and without what arrange leaves out: pixels that differ, and pixels whose shadow does. */
+import { OrthographicCamera, PerspectiveCamera, type Camera } from 'three';
+import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
+import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
+import type { FrameInput } from '../../../src/smoke/frame.ts';
+import type { Style } from '../../../src/smoke/style.ts';
+import { createStage } from '../../../src/stage/stage.ts';
+import { RenderBench } from '../../bench/render/bench.ts';
+
+/** What two pictures of the same moment have in common, and how much less one of them was drawn from. */
+export interface Comparison {
+  /** Pixels of another colour, and pixels that only one of the two has in shadow. */
+  changed: number;
+  masked: number;
+  /** Pixels in shadow at all, and colours: a picture with neither compares nothing. */
+  shadowed: number;
+  colors: number;
+  bodies: [culled: number, whole: number];
+  casters: [culled: number, whole: number];
+}
+
+/** From the front as the scene has it, from the side and above, and from within the smoke. */
+export type Place = 'scene' | 'above' | 'inside' | 'orthographic';
+
+const [WIDTH, HEIGHT] = [320, 240];
+
+/** A moment of the scene of a preset, as its stage draws it, from several places. */
+export async function compareScene(values: Values, seconds: number, places: readonly Place[]): Promise<Comparison[]> {
+  const comparisons: Comparison[] = [];
+  const { draw } = SmokeRenderer.prototype;
+  const stage = await createStage(new OffscreenCanvas(WIDTH, HEIGHT), {
+    values: { ...presetValues(defaultPreset), ...values },
+    width: WIDTH,
+    height: HEIGHT,
+    pixelRatio: 1,
+  });
+  await stage.seek(seconds);
+  SmokeRenderer.prototype.draw = function (input: FrameInput) {
+    for (const place of places) {
+      const camera = cameraAt(place, input.camera);
+      comparisons.push(compare(this, (cull) => draw.call(this, { ...input, camera, cull })));
+    }
+    return draw.call(this, input);
+  };
+  try {
+    await stage.picture();
+  } finally {
+    SmokeRenderer.prototype.draw = draw;
+    stage.dispose();
+  }
+  return comparisons;
+}
+
+/** A seeded plume of the bench. */
+export async function comparePlume(
+  particles: number,
+  style: Partial<Style>,
+  places: readonly Place[],
+): Promise<Comparison[]> {
+  const bench = await RenderBench.create(0.5, particles);
+  bench.style = { ...bench.style, ...style };
+  const comparisons = places.map((place) => {
+    const camera = cameraAt(place, bench.camera);
+    return compare(bench.smoke, (cull) => bench.draw(cull, camera));
+  });
+  bench.dispose();
+  return comparisons;
+}
+
+/** Both lamp and plume rise at the origin. */
+function cameraAt(place: Place, scene: Camera): Camera {
+  if (place === 'scene') return scene;
+  const aspect = WIDTH / HEIGHT;
+  const camera =
+    place === 'orthographic'
+      ? new OrthographicCamera(-1.6 * aspect, 1.6 * aspect, 1.6, -1.6, 0.1, 30)
+      : new PerspectiveCamera(place === 'inside' ? 70 : 35, aspect, 0.05, 60);
+  const [x, y, z] = { above: [4.5, 5.2, 2.5], inside: [0.35, 1.1, 0.1], orthographic: [-4, 3, 5] }[place];
+  camera.position.set(x, y, z);
+  camera.lookAt(0.3, 1.6, 0);
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+function compare(smoke: SmokeRenderer, draw: (cull: boolean) => ReturnType<SmokeRenderer['draw']>): Comparison {
+  const [culled, whole] = [true, false].map((cull) => ({ report: draw(cull), ...read(smoke) }));
+  return {
+    changed: differing(culled.colors, whole.colors),
+    masked: differing(culled.mask, whole.mask),
+    shadowed: whole.mask.reduce((sum, value) => sum + (value > 0 ? 1 : 0), 0),
+    colors: new Set(whole.colors).size,
+    bodies: [culled.report.bodiesDrawn, whole.report.bodiesDrawn],
+    casters: [culled.report.castersDrawn, whole.report.castersDrawn],
+  };
+}
+
+/** The picture, and where the stencil is not zero: the mask that stands in the alpha of the lit colour. */
+function read({ passes }: SmokeRenderer): { colors: Uint32Array; mask: Uint8Array } {
+  const { renderer, targets } = passes;
+  const gl = renderer.getContext();
+  const { width, height } = targets.renderTarget;
+  const colors = new Uint32Array(width * height);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(colors.buffer));
+  const lit = new Uint8Array(4 * width * height);
+  renderer.readRenderTargetPixels(targets.renderTarget, 0, 0, width, height, lit, 0, 1);
+  return { colors, mask: lit.filter((_, index) => index % 4 === 3) };
+}
+
+function differing(a: Uint32Array | Uint8Array, b: Uint32Array | Uint8Array): number {
+  let count = 0;
+  for (let index = 0; index < a.length; index++) count += a[index] === b[index] ? 0 : 1;
+  return count;
+}

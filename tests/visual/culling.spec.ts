@@ -1,0 +1,39 @@
+import { expect, test } from '../support/fixtures.ts';
+import type { Comparison } from './cases/culling.ts';
+
+type Cases = typeof import('./cases/culling.ts');
+const CASES = '/tests/visual/cases/culling.ts';
+
+function expectSame(comparisons: readonly Comparison[]): void {
+  for (const { changed, masked, shadowed, colors, bodies, casters } of comparisons) {
+    expect([changed, masked]).toEqual([0, 0]);
+    expect(shadowed).toBeGreaterThan(200);
+    expect(colors).toBeGreaterThan(50);
+    expect(bodies[0]).toBeLessThan(bodies[1]);
+    expect(casters[0]).toBeLessThan(casters[1]);
+  }
+}
+
+test('leaving out what is hidden changes no pixel of the lamp', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const values = { 'simulation.maxParticles': 800 };
+  const comparisons = await cases.evaluate(
+    (module, input) => module.compareScene(input, 4, ['scene', 'above', 'inside']),
+    values,
+  );
+  expect(comparisons).toHaveLength(3);
+  expectSame(comparisons);
+});
+
+for (const form of ['lobes', 'billboards'] as const) {
+  test(`leaving out what is hidden changes no pixel of a dense plume of ${form}`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const comparisons = await cases.evaluate((module, style) => module.comparePlume(1000, style, ['scene', 'inside']), {
+      form,
+    });
+    expectSame(comparisons);
+    const [{ bodies, casters }] = comparisons;
+    expect(bodies[0]).toBeLessThan(0.8 * bodies[1]);
+    expect(casters[0]).toBeLessThan(0.8 * casters[1]);
+  });
+}
