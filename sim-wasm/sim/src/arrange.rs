@@ -67,14 +67,12 @@ impl Arranger {
         let count = self.collect(particles, view, moment, footprint.as_mut());
         let sorted = &mut self.order[..count];
         order::sort(&mut self.look[..count], sorted, &mut self.histogram);
-        let read = |[_, particle]: Entry| {
-            let particle = particle as usize;
-            (moment.place(particles, particle), moment.look(particles, particle))
-        };
+        let place = |[_, particle]: Entry| moment.place(particles, particle as usize);
+        let look = |[_, particle]: Entry| moment.look(particles, particle as usize);
         let write = |row: usize, place, look| (self.place[row], self.look[row]) = (place, look);
         match (&view.coverage, &footprint) {
-            (Some(plan), Some(footprint)) => self.coverage.sift(plan, footprint, sorted, read, write),
-            _ => write_all(sorted, read, write),
+            (Some(plan), Some(footprint)) => self.coverage.sift(plan, footprint, sorted, place, look, write),
+            _ => write_all(sorted, place, look, write),
         }
     }
 
@@ -113,12 +111,12 @@ impl Arranger {
 
 fn write_all<R: Copy>(
     rows: &[R],
-    read: impl Fn(R) -> ([f32; 4], [u32; 2]),
+    place: impl Fn(R) -> [f32; 4],
+    look: impl Fn(R) -> [u32; 2],
     mut write: impl FnMut(usize, [f32; 4], [u32; 2]),
 ) -> usize {
     for (row, entry) in rows.iter().enumerate() {
-        let (place, look) = read(*entry);
-        write(row, place, look);
+        write(row, place(*entry), look(*entry));
     }
     rows.len()
 }

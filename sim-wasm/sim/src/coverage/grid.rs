@@ -141,12 +141,12 @@ impl Grid {
     pub(crate) fn cover(&mut self, discs: &[Disc]) {
         debug_assert!(self.covers == 1 || discs.len() == 1, "a puff would count twice");
         let layer = self.layer();
-        let Some(mut touched) = discs.first().map(|disc| self.fine.within(disc)) else {
+        let Some(mut touched) = discs.first().map(|disc| self.fine.around(disc, disc.radius)) else {
             return;
         };
         for disc in discs {
             self.fine.mark(&mut self.depths, layer, self.covers, disc, &self.range);
-            let within = self.fine.within(disc);
+            let within = self.fine.around(disc, disc.radius);
             touched = [
                 touched[0].min(within[0]),
                 touched[1].min(within[1]),
@@ -174,30 +174,28 @@ impl Grid {
 }
 
 impl Lattice {
-    /// Columns and rows that lie wholly within the disc may reach no farther: left, low, right, high, ends excluded.
-    fn within(&self, disc: &Disc) -> [usize; 4] {
-        let from = |at: f32| (at - disc.radius).max(0.0) as usize;
-        let to = |at: f32, limit: usize| ((at + disc.radius).max(0.0) as usize).min(limit);
+    /// Columns and rows of the cells that a square touches: left, low, right, high, ends excluded; columns in whole blocks.
+    #[inline(always)]
+    fn around(&self, disc: &Disc, reach: f32) -> [usize; 4] {
+        let from = |at: f32| (at - reach).max(0.0) as u32 as usize;
+        let to = |at: f32, limit: usize| ((at + reach + 1.0).max(0.0) as u32 as usize).min(limit);
         let (right, high) = (to(disc.u, self.columns), to(disc.v, self.rows));
-        [from(disc.u).min(right), from(disc.v).min(high), right, high]
+        [from(disc.u) / BLOCK * BLOCK, from(disc.v), right, high]
     }
 
+    #[inline(always)]
     fn is_behind(&self, depths: &[f32], disc: &Disc, range: &[f32x4; 2]) -> bool {
+        let [left, low, right, high] = self.around(disc, disc.rim);
         let rim_squared = disc.rim * disc.rim;
-        let low = (disc.v - disc.rim).max(0.0) as usize;
-        let high = ((disc.v + disc.rim).max(0.0).ceil() as usize).min(self.rows);
         for row in low..high {
             let beside = ((row as f32 + 0.5 - disc.v).abs() - 0.5).max(0.0);
-            let chord = rim_squared - beside * beside;
-            if chord <= 0.0 {
+            let beside = beside * beside;
+            if beside >= rim_squared {
                 continue;
             }
-            let half = chord.sqrt();
-            let left = (disc.u - half).max(0.0) as usize / BLOCK * BLOCK;
-            let right = ((disc.u + half).max(0.0).ceil() as usize).min(self.columns);
+            let line = &depths[row * self.stride..(row + 1) * self.stride];
             for column in (left..right).step_by(BLOCK) {
-                let cells = load(depths, row * self.stride + column);
-                if shows(disc, column, beside * beside, cells, range) {
+                if shows(disc, column, beside, load(line, column), range) {
                     return false;
                 }
             }
@@ -205,19 +203,17 @@ impl Lattice {
         true
     }
 
+    #[inline(always)]
     fn mark(&self, depths: &mut [f32], layer: usize, covers: usize, disc: &Disc, range: &[f32x4; 2]) {
-        let [_, low, _, high] = self.within(disc);
+        let [left, low, right, high] = self.around(disc, disc.radius);
         for row in low..high {
             let beside = (row as f32 + 0.5 - disc.v).abs() + 0.5;
-            let chord = disc.radius * disc.radius - beside * beside;
-            if chord <= 0.0 {
+            let beside = beside * beside;
+            if beside >= disc.radius * disc.radius {
                 continue;
             }
-            let half = chord.sqrt();
-            let left = (disc.u - half).max(0.0) as usize / BLOCK * BLOCK;
-            let right = ((disc.u + half).max(0.0) as usize).min(self.columns);
             for column in (left..right).step_by(BLOCK) {
-                let mut depth = certain(disc, column, beside * beside, range);
+                let mut depth = certain(disc, column, beside, range);
                 for cover in 0..covers {
                     let at = cover * layer + row * self.stride + column;
                     let cells = load(depths, at);

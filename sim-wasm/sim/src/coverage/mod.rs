@@ -39,24 +39,26 @@ impl Coverage {
         }
     }
 
-    /// Keeps those of `rows` that `plan` cannot rule out, in their order. `read` gives the place and the look of a row,
-    /// `keep` takes both for the next one that stays. Returns how many do.
+    /// Keeps those of `rows` that `plan` cannot rule out, in their order. `place` and `look` give those of a row, `keep`
+    /// takes both for the next one that stays. Returns how many do.
     pub(crate) fn sift<R: Copy>(
         &mut self,
         plan: &Plan,
         footprint: &Footprint,
         rows: &[R],
-        read: impl Fn(R) -> ([f32; 4], [u32; 2]),
+        place: impl Fn(R) -> [f32; 4],
+        look: impl Fn(R) -> [u32; 2],
         mut keep: impl FnMut(usize, [f32; 4], [u32; 2]),
     ) -> usize {
         self.grid.lay(plan, footprint);
         let outliner = Outliner::new(plan, &self.grid, &self.turns);
         let mut kept = 0;
         for row in rows {
-            let (place, look) = read(*row);
+            let place = place(*row);
             if !outliner.place(place, &mut self.outline) || self.grid.hides_block_by_block(&self.outline.hull) {
                 continue;
             }
+            let look = look(*row);
             outliner.draw(place, look, &mut self.outline);
             if self.outline.outer().iter().all(|disc| self.grid.hides(disc)) {
                 continue;
