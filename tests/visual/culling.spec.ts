@@ -1,18 +1,8 @@
 import { expect, test } from '../support/fixtures.ts';
-import type { Comparison } from './cases/culling.ts';
+import { expectSame } from './sameness.ts';
 
 type Cases = typeof import('./cases/culling.ts');
 const CASES = '/tests/visual/cases/culling.ts';
-
-function expectSame(comparisons: readonly Comparison[]): void {
-  for (const { changed, masked, shadowed, colors, bodies, casters } of comparisons) {
-    expect([changed, masked]).toEqual([0, 0]);
-    expect(shadowed).toBeGreaterThan(200);
-    expect(colors).toBeGreaterThan(50);
-    expect(bodies[0]).toBeLessThan(bodies[1]);
-    expect(casters[0]).toBeLessThan(casters[1]);
-  }
-}
 
 test('leaving out what is hidden changes no pixel of the lamp', async ({ load }) => {
   const cases = await load<Cases>(CASES);

@@ -1,0 +1,44 @@
+import { expect, test } from '../support/fixtures.ts';
+import { expectSame } from './sameness.ts';
+
+type Cases = typeof import('./cases/culling.ts');
+const CASES = '/tests/visual/cases/culling.ts';
+
+const PLACES = ['scene', 'above', 'inside', 'orthographic'] as const;
+const STYLES = {
+  plain: {},
+  'deep shadow': { shadowSteps: 2, shadowDepth: 3 },
+  'no shading': { shading: false },
+  'wide ink': { outlineWidth: 5, innerLine: 0 },
+} as const;
+
+for (const form of ['lobes', 'billboards']) {
+  for (const seconds of [1, 3, 6]) {
+    test(`leaving out what is hidden changes no pixel of the lamp of ${form} after ${seconds} s`, async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      const [values, places] = [{ 'puff.form': form }, PLACES];
+      const comparisons = await cases.evaluate(
+        (module, input) => module.compareScene(input.values, input.seconds, input.places),
+        { values, seconds, places },
+      );
+      expect(comparisons).toHaveLength(PLACES.length);
+      expectSame(comparisons);
+    });
+  }
+}
+
+for (const form of ['lobes', 'billboards'] as const) {
+  for (const [name, style] of Object.entries(STYLES)) {
+    test(`leaving out what is hidden changes no pixel of plumes of ${form}: ${name}`, async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      for (const particles of [300, 3000]) {
+        const input = { particles, style: { ...style, form }, places: PLACES };
+        const comparisons = await cases.evaluate(
+          (module, { particles: count, style: look, places }) => module.comparePlume(count, look, places),
+          input,
+        );
+        expectSame(comparisons);
+      }
+    });
+  }
+}
