@@ -106,10 +106,10 @@ function nearOf(clipFromView: Matrix4): number {
   return (e[14] + e[15]) / (e[10] + e[11]);
 }
 
-/** View depth at which it puts window depth 1; that of a projection without an end is far beyond all. */
+/** View depth of its far plane; that of a projection without an end is far beyond all. */
 function farOf(clipFromView: Matrix4): number {
   const BOUNDLESS = 1e9;
   const e = clipFromView.elements;
-  const far = (e[15] - e[14]) / (e[10] - e[11]);
-  return Math.abs(far) < BOUNDLESS ? -far : BOUNDLESS;
+  const far = e[14] > 0 ? e[14] / e[10] : (e[14] - e[15]) / (e[10] - e[11]);
+  return far < BOUNDLESS ? far : BOUNDLESS;
 }

@@ -56,7 +56,8 @@ function common(passes: SmokePasses, { blend, cull, style }: FrameInput) {
 
 function coverageOf(passes: SmokePasses, { style, pixelRatio }: FrameInput, covers: number): CoverageView | undefined {
   // The rivals draw what is hidden, too: they are compared as they are, and blended sprites shine through.
-  if (style.renderer !== 'nailboards') return undefined;
+  // Where bodies are as deep as their quads and shadows are prisms, the solids are not what is drawn.
+  if (style.renderer !== 'nailboards' || passes.prismVolumes) return undefined;
   const { eye, volumes } = passes;
   const { capRange, depth, solids } = passes.extentsOf(style.form);
   const [nearest, farthest] = eye.range;

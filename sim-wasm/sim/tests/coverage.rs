@@ -221,7 +221,20 @@ fn view(eye: &Eye, ink: f64) -> Vec<f32> {
     view[24..30].copy_from_slice(&[-3.0, -3.0, -3.0, 3.0, 3.0, 3.0]);
     let depth = dot(eye.at, eye.forward);
     let ends = [depth + NEAR, depth + FAR];
-    let numbers = [0.001, ends[0], ends[1], 1.0, 0.001, 0.0, 0.0, LIFT * ink, CAPS[0], CAPS[1], 0.6, BALLS as f64];
+    let numbers = [
+        0.001,
+        ends[0],
+        ends[1],
+        1.0,
+        0.001,
+        0.0,
+        0.0,
+        LIFT * ink,
+        CAPS[0],
+        CAPS[1],
+        0.6,
+        BALLS as f64,
+    ];
     (0..12).for_each(|i| view[30 + i] = numbers[i] as f32);
     view
 }

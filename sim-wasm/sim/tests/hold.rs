@@ -7,8 +7,8 @@ use sim::particles::Newborn;
 const COUNT: u32 = 64;
 
 /// Everything, in the middle between two steps.
-fn view(blend: f32) -> [f32; 32] {
-    let mut view = [0.0; 32];
+fn view(blend: f32) -> [f32; sim::arrange::VIEW_FLOATS] {
+    let mut view = [0.0; sim::arrange::VIEW_FLOATS];
     view[1] = blend;
     (view[4], view[9], view[14], view[19]) = (0.01, 0.01, -0.01, 1.0);
     view[20..23].copy_from_slice(&[0.0, 0.0, -1.0]);

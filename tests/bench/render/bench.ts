@@ -56,12 +56,12 @@ export class RenderBench {
   }
 
   /** A picture of the suite's shape, smaller where only its rows matter. */
-  static async create(scale = 1, particles = PARTICLES): Promise<RenderBench> {
+  static async create(scale = 1, particles = PARTICLES, smoke = seededPlume): Promise<RenderBench> {
     const factory = await loadSimulators({ physics: false });
     const simulator = factory.create({ capacity: particles, seed: 1 });
     // The paper's law, by which particles are born full.
     simulator.set({ 'emission.rate': 0, 'emission.growthTime': 0, 'simulation.integrator': 1 });
-    simulator.restore(withParticles(simulator, seededPlume(particles, 9)));
+    simulator.restore(withParticles(simulator, smoke(particles, 9)));
     return new RenderBench(simulator, particles, WIDTH * scale, HEIGHT * scale);
   }
 

@@ -31,3 +31,28 @@ export function seededPlume(count: number, seed: number): Particles {
   particles.lifetime.fill(LIFETIME);
   return particles;
 }
+
+/** Radius, height and place of the column, and the mean radius of its puffs; metres. */
+const COLUMN = { radius: 0.55, height: 3.4, x: -1.3, size: 0.2 };
+
+/**
+ * A column that is so full of smoke that more puffs hardly show: upright before the bench's camera, its puffs alike at
+ * all heights.
+ */
+export function saturatedColumn(count: number, seed: number): Particles {
+  const next = random(seed);
+  const particles = emptyParticles(count);
+  for (let i = 0; i < count; i++) {
+    const reach = COLUMN.radius * Math.sqrt(next());
+    const turn = 2 * Math.PI * next();
+    particles.x[i] = COLUMN.x + reach * Math.cos(turn);
+    particles.y[i] = 0.1 + COLUMN.height * next();
+    particles.z[i] = reach * Math.sin(turn);
+    particles.size[i] = COLUMN.size * (0.7 + 0.6 * next());
+    const look = Math.floor(VARIATIONS * next()) + 2 ** 16 * Math.floor(2 ** 12 * next());
+    particles.look[i] = look + 2 ** 8 * Math.floor(2 ** 8 * next());
+  }
+  for (const axis of ['x', 'y', 'z'] as const) particles[`p${axis}`].set(particles[axis]);
+  particles.lifetime.fill(LIFETIME);
+  return particles;
+}

@@ -4,6 +4,7 @@ import { measureMemory } from './memory.ts';
 import { measureForms } from './forms.ts';
 import { measurePasses } from './passes.ts';
 import { measureInside } from './inside.ts';
+import { measureVisible } from './visible.ts';
 import { measureUploads } from './uploads.ts';
 import { measureAgainstQuarks } from './versusQuarks.ts';
 import { measureAgainstRivals } from './versusRivals.ts';
@@ -16,6 +17,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureAgainstQuarks(quick)),
     ...(await measureAgainstRivals(quick)),
     ...(await measureInside(quick)),
+    ...(await measureVisible(quick)),
     ...(await measureUploads()),
     ...(await measureMemory()),
   ];

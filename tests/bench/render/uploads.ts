@@ -20,13 +20,10 @@ export async function measureUploads(): Promise<Figure[]> {
     rounds.push(watch.bytes / (bodiesDrawn + castersDrawn));
   }
   bench.dispose();
+  const note = 'bytes of all bufferData and bufferSubData in a frame, a body or caster';
   return [
-    figure(
-      'memory.upload',
-      'B',
-      rounds,
-      'bytes of all bufferData and bufferSubData in a frame, a body or caster; target <= 32',
-    ),
+    figure('memory.upload', 'B', rounds, `${note}; target <= 32`),
+    figure('render.upload', 'B', rounds, `${note}; goal <= 24`),
   ];
 }
 

@@ -1,0 +1,94 @@
+/**
+ * How cost follows what can be seen: bodies and casters that stay of seeded plumes of 1,000 to 100,000, what arrange
+ * takes, and frames of plumes and of a column that is full of smoke.
+ */
+import { demand, figure, say, type Figure } from '../support/figures.ts';
+import { HEIGHT, RenderBench, WIDTH } from './bench.ts';
+import { saturatedColumn, seededPlume } from './plume.ts';
+
+const COUNTS = [1_000, 5_000, 10_000, 20_000, 50_000, 100_000];
+/** Between these counts the time for each drawn body and caster is compared. */
+const COMPARED = [5_000, 10_000, 20_000, 50_000];
+const COLUMN = [5_000, 20_000];
+
+/** What frames of one smoke took and drew. */
+interface Frames {
+  frame: number[];
+  arrange: number[];
+  bodies: number;
+  casters: number;
+}
+
+export async function measureVisible(quick: boolean): Promise<Figure[]> {
+  const rounds = quick ? 3 : 5;
+  const counts = quick ? COUNTS.filter((count) => count <= 20_000) : COUNTS;
+  const plumes = await framesOf('plume', counts, rounds, seededPlume);
+  const column = await framesOf('column', COLUMN, rounds, saturatedColumn);
+  return [
+    ...[...plumes].flatMap(([count, frames]) => keptFigures(`plume.${count}`, frames)),
+    ...[...column].flatMap(([count, frames]) => keptFigures(`column.${count}`, frames)),
+    arrangeFigure(plumes.get(10_000)!),
+    perDrawnFigure(COMPARED.filter((count) => plumes.has(count)).map((count) => plumes.get(count)!)),
+    growthFigure(column.get(COLUMN[0])!, column.get(COLUMN[1])!),
+  ];
+}
+
+/** Draws smokes of all counts in turns, so that what slows the machine slows all. */
+async function framesOf(
+  name: string,
+  counts: readonly number[],
+  rounds: number,
+  smoke: typeof seededPlume,
+): Promise<Map<number, Frames>> {
+  const sides = new Map<number, { bench: RenderBench; frames: Frames }>();
+  for (const count of counts) {
+    const bench = await RenderBench.create(1, count, smoke);
+    const { bodiesDrawn, castersDrawn } = bench.draw(true);
+    demand(
+      bodiesDrawn > 100 && castersDrawn > 100,
+      `${bodiesDrawn} bodies and ${castersDrawn} casters of ${count} stay`,
+    );
+    sides.set(count, { bench, frames: { frame: [], arrange: [], bodies: bodiesDrawn, casters: castersDrawn } });
+  }
+  for (let round = 0; round < rounds; round++) {
+    await say(`render, ${name}s of ${counts.join(', ')}, round ${round + 1} of ${rounds}`);
+    for (const { bench, frames } of sides.values()) {
+      frames.frame.push(bench.timeDrawing(() => frames.arrange.push(bench.draw(true).arrangeMs)));
+    }
+  }
+  for (const { bench } of sides.values()) bench.dispose();
+  return new Map([...sides].map(([count, { frames }]) => [count, frames]));
+}
+
+function keptFigures(name: string, { bodies, casters, arrange, frame }: Frames): Figure[] {
+  return [
+    figure(`render.bodies.${name}`, '', [bodies], `stay, ${WIDTH} x ${HEIGHT}`),
+    figure(`render.casters.${name}`, '', [casters], 'stay'),
+    figure(`render.arrange.${name}`, 'ms', arrange, 'for eye and light; information'),
+    figure(`render.frame.${name}`, 'ms', frame, 'all of it; SwiftShader, information'),
+  ];
+}
+
+function arrangeFigure({ arrange, frame }: Frames): Figure {
+  const shares = arrange.map((milliseconds, round) => milliseconds / frame[round]);
+  return figure('render.arrange', 'x', shares, 'arrange for eye and light / frame, plume of 10,000; goal <= 0.15');
+}
+
+/** How far the dearest frame for each body and caster drawn lies above the cheapest, round by round. */
+function perDrawnFigure(plumes: readonly Frames[]): Figure {
+  const spread = plumes[0].frame.map((_, round) => {
+    const each = plumes.map(({ frame, bodies, casters }) => frame[round] / (bodies + casters));
+    return Math.max(...each) / Math.min(...each) - 1;
+  });
+  const note = 'frame time for each body and caster drawn, plumes of 5,000 to 50,000: most / least - 1; goal <= 0.2';
+  return figure('render.perDrawn', 'x', spread, note);
+}
+
+function growthFigure(few: Frames, many: Frames): Figure {
+  return figure(
+    'render.growth',
+    'x',
+    many.frame.map((milliseconds, round) => milliseconds / few.frame[round]),
+    'frame of a saturated column of 20,000 / of 5,000; goal <= 1.5',
+  );
+}
