@@ -81,7 +81,8 @@ for (const kind of ['mesh', 'skinned', 'instanced'] as const) {
     const cases = await load<Cases>(CASES);
     const { wrong, between, dark, lit } = await cases.evaluate((module, which) => module.casting(which), kind);
     expect([wrong, between]).toEqual([0, 0]);
-    expect(dark).toBeGreaterThan(200);
+    // The thinnest shadow is that of a bent post, some five pixels wide.
+    expect(dark).toBeGreaterThan(120);
     expect(lit).toBeGreaterThan(15_000);
   });
 }

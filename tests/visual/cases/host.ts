@@ -344,7 +344,7 @@ export async function casting(kind: 'mesh' | 'skinned' | 'instanced'): Promise<C
       : kind === 'skinned'
         ? makeSkinned(new MeshBasicMaterial()).mesh
         : makeInstanced(new MeshBasicMaterial());
-  thing.position.set(1.6, 0.6, 0);
+  thing.position.set(0.9, 0.5, 0.9);
   thing.scale.set(1.5, 0.8, 1);
   host.scene.add(thing);
   // Unseen, so that only what it casts shows.
