@@ -65,7 +65,7 @@ export function withParticles(simulator: Saving, particles: Particles): Uint8Arr
   const saved = simulator.save();
   const { content, end } = findSection(saved, PARTICLES);
   const count = particles.x.length;
-  const length = 4 + PARTICLE * count;
+  const length = 4 + PARTICLE * count + 4;
   const bytes = new Uint8Array(content + length + saved.length - end);
   bytes.set(saved.subarray(0, content));
   bytes.set(saved.subarray(end), content + length);
@@ -76,6 +76,8 @@ export function withParticles(simulator: Saving, particles: Particles): Uint8Arr
   columns.forEach((column, index) =>
     bytes.set(new Uint8Array(column.buffer, column.byteOffset, 4 * count), content + 4 + 4 * count * index),
   );
+  // Nothing is held: no columns follow.
+  view.setUint32(content + length - 4, 0, true);
   writeChecksum(bytes);
   return bytes;
 }
