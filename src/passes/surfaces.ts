@@ -76,12 +76,14 @@ export class SurfacesPass {
 
   /** The box of all surfaces in world space, empty if there are none. */
   bounds(into: Box3): Box3 {
-    const box = new Box3();
     into.makeEmpty();
-    this.boxes.forEach((local, surface) =>
-      into.union(box.copy(local).applyMatrix4(this.placed[surface][0].matrixWorld)),
-    );
+    for (const box of this.worldBoxes()) into.union(box);
     return into;
+  }
+
+  /** The box of each surface in world space. */
+  worldBoxes(): Box3[] {
+    return this.boxes.map((local, surface) => local.clone().applyMatrix4(this.placed[surface][0].matrixWorld));
   }
 
   draw(renderer: WebGLRenderer): void {

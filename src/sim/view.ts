@@ -1,7 +1,7 @@
 /**
  * What the simulator is asked to arrange its rows for, and the floats in which that crosses into WASM: these, then the solids.
  */
-export const VIEW_FLOATS = 42;
+export const VIEW_FLOATS = 91;
 
 /** Offsets into the floats of a view; `tests/unit/simView.test.ts` compares them with what the WASM reports. */
 export const VIEW_OFFSETS = {
@@ -24,7 +24,12 @@ export const VIEW_OFFSETS = {
   capRange: 38,
   depth: 40,
   balls: 41,
+  lifters: 42,
+  lifterBoxes: 43,
 } as const;
+
+/** Most boxes of {@link CoverageView.lifters}. */
+export const LIFTERS_LIMIT = 8;
 
 type Triple = ArrayLike<number>;
 
@@ -59,8 +64,10 @@ export interface CoverageView {
   /** Depths along the eye's forward direction at its near and far plane, from the world's origin. */
   nearest: number;
   farthest: number;
-  /** How much nearer than its lobe a ring of ink may come, for each unit of clip w: surfaces lift it. */
+  /** How much nearer than its lobe a ring of ink may come, for each unit of clip w, where a surface lifts it. */
   lift: number;
+  /** World boxes that hold those surfaces, least corner and greatest; at most {@link LIFTERS_LIMIT}. */
+  lifters: readonly (readonly number[])[];
   /** Radii behind the centre at which volumes start, at least and at most, before the shear of nailboards moves it. */
   capRange: readonly [number, number];
   /** Radii behind the centre plane that a puff can be seen at; the shear depends on it. */
@@ -112,6 +119,8 @@ function writeCoverage(coverage: CoverageView, target: Float32Array): void {
   target[VIEW_OFFSETS.facesEye] = solids.facesEye ? 1 : 0;
   copy(coverage.capRange, target, VIEW_OFFSETS.capRange, 2);
   target[VIEW_OFFSETS.balls] = solids.balls;
+  target[VIEW_OFFSETS.lifters] = coverage.lifters.length;
+  coverage.lifters.forEach((box, index) => copy(box, target, VIEW_OFFSETS.lifterBoxes + 6 * index, 6));
   target.set(solids.table, VIEW_FLOATS);
 }
 

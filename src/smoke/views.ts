@@ -1,7 +1,7 @@
 /** What a frame asks the simulator to arrange: the bodies for the eye, the casters for the light. */
 import { Box3, Vector3 } from 'three';
 import type { Bounds } from '../sim/simulator.ts';
-import type { CoverageView, View } from '../sim/view.ts';
+import { LIFTERS_LIMIT, type CoverageView, type View } from '../sim/view.ts';
 import { widestLine } from '../passes/ink.ts';
 import type { FrameInput } from './frame.ts';
 import type { SmokePasses } from './smoke.ts';
@@ -67,11 +67,19 @@ function coverageOf(passes: SmokePasses, { style, pixelRatio }: FrameInput, cove
     pixel: eye.unitsPerPixel,
     nearest,
     farthest,
+    lifters: liftersOf(passes),
     lift: STEEPEST * widestLine(pixels, swell) * eye.unitsPerPixel,
     capRange: [Math.max(capRange[0], volumes.leastCap), Math.max(capRange[1], volumes.leastCap)],
     depth,
     solids,
   };
+}
+
+/** The boxes of the surfaces; of too many, one that holds all. */
+function liftersOf({ surfaces }: SmokePasses): number[][] {
+  const boxes = surfaces.worldBoxes();
+  const few = boxes.length > LIFTERS_LIMIT ? [surfaces.bounds(new Box3())] : boxes;
+  return few.map(({ min, max }) => [...min.toArray(), ...max.toArray()]);
 }
 
 /**

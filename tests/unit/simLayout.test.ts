@@ -36,6 +36,7 @@ describe('the layout of rows and views', () => {
         nearest: -4,
         farthest: 50,
         lift: 0.75,
+        lifters: [[6, 5, 4, 3, 2, 1]],
         capRange: [-0.5, 0.5],
         depth: 1.25,
         solids: { table: new Float32Array([9, 8, 7]), balls: 4, facesEye: true, tolerance: 0.0625, blur: 3 },
@@ -50,7 +51,8 @@ describe('the layout of rows and views', () => {
       [1.5, -1, -2, -3, 1, 2, 3],
       [0.125, -4, 50, 2, 0.0625, 3, 1, 0.75, -0.5, 0.5, 1.25],
     ];
-    expect([...floats.subarray(VIEW_OFFSETS.reach)]).toEqual([...head, ...coverage, 4, 9, 8, 7]);
+    const lifters = [1, 6, 5, 4, 3, 2, 1, ...Array<number>(42).fill(0)];
+    expect([...floats.subarray(VIEW_OFFSETS.reach)]).toEqual([...head, ...coverage, 4, ...lifters, 9, 8, 7]);
   });
 
   it('reads of each part of the view what Rust reads', async () => {

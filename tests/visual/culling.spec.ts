@@ -6,7 +6,8 @@ const CASES = '/tests/visual/cases/culling.ts';
 
 test('leaving out what is hidden changes no pixel of the lamp', async ({ load }) => {
   const cases = await load<Cases>(CASES);
-  const values = { 'simulation.maxParticles': 800 };
+  // Denser than the lamp's own, so that much of it is hidden.
+  const values = { 'simulation.maxParticles': 800, 'emission.rate': 150 };
   const comparisons = await cases.evaluate(
     (module, input) => module.compareScene(input, 4, ['scene', 'above', 'inside']),
     values,

@@ -7,10 +7,11 @@
 //! What follows serves coverage, see `coverage`: \[30] metres that a pixel spans per unit of clip w; \[31], \[32] depths
 //! along the direction at the near and the far plane; \[33] how many covers make certain, 1 to 4, or 0 to leave nothing
 //! out that others cover; \[34], \[35] how far what is drawn may be from the solids, in radii and in pixels; \[36] 1 where
-//! puffs turn to the eye; \[37] metres by which ink
-//! may come nearer than its lobe, per unit of clip w; \[38], \[39] where shadows start behind the centre, at least and at
-//! most; \[40] how deep behind its centre a puff can be seen; \[41] balls of a puff, 0, 4, 8 or 12: for each variation their x, y, z and radii
-//! stand behind the view, all in radii.
+//! puffs turn to the eye; \[37] metres by which ink may come nearer than its lobe where a surface lifts it, per unit of
+//! clip w; \[38], \[39] where shadows start behind the centre, at least and at most; \[40] how deep behind its centre a
+//! puff can be seen; \[41] balls of a puff, 0, 4, 8 or 12: for each variation their x, y, z and radii stand behind the
+//! view, all in radii; \[42] how many boxes hold the surfaces that lift ink, 0 to 8; \[43..90] these boxes, each its least
+//! and its greatest corner.
 
 use wide::f32x4;
 
@@ -19,7 +20,10 @@ use crate::error::ParameterError;
 use crate::simd::{Vector4, positive_part};
 
 /// Numbers in a view, without the solids behind it.
-pub const VIEW_LENGTH: usize = 42;
+pub const VIEW_LENGTH: usize = 43 + 6 * LIFTERS_LIMIT;
+
+/// Most boxes of surfaces that lift ink.
+pub(crate) const LIFTERS_LIMIT: usize = 8;
 
 /// Most covers that can be asked for.
 const COVERS_LIMIT: f64 = 4.0;
@@ -76,6 +80,7 @@ fn check_coverage(numbers: &[f32; VIEW_LENGTH], solids: &[f32]) -> Result<(), Pa
         within(name, numbers[index], 0.0, 1e6)?;
     }
     within("view.covers", numbers[33], 0.0, COVERS_LIMIT)?;
+    within("view.lifters", numbers[42], 0.0, LIFTERS_LIMIT as f64)?;
     within(
         "view.farthest",
         numbers[32],

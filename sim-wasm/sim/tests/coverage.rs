@@ -236,6 +236,8 @@ fn view(eye: &Eye, ink: f64) -> Vec<f32> {
         BALLS as f64,
     ];
     (0..12).for_each(|i| view[30 + i] = numbers[i] as f32);
+    view[42] = 1.0;
+    view[43..49].copy_from_slice(&[-9.0, -9.0, -9.0, 9.0, 9.0, 9.0]);
     view
 }
 
@@ -467,7 +469,7 @@ fn malformed_coverage_is_refused_by_name() {
         (41, 5.0, "view.balls"),
         (41, 16.0, "view.balls"),
         (41, 0.0, "view.length"),
-        (VIEW_FLOATS + 3, f32::INFINITY, "view[45]"),
+        (VIEW_FLOATS + 3, f32::INFINITY, "view[94]"),
     ];
     for (index, value, name) in cases {
         let mut view = body_view(&eye, 0.0, &solids(1));

@@ -9,7 +9,7 @@ export async function measureInside(quick: boolean): Promise<Figure[]> {
   bench.camera.position.set(0.4, 1.6, 0.1);
   bench.camera.lookAt(0.4, 1.7, -1);
   const inside = lookFrom(bench);
-  demand(inside.bodiesDrawn > 100, `only ${inside.bodiesDrawn} bodies are seen from inside`);
+  demand(inside.bodiesDrawn > 10, `only ${inside.bodiesDrawn} bodies are seen from inside`);
   const rounds = quick ? 5 : 9;
   for (let round = 0; round < rounds; round++) {
     await say(`render.inside, round ${round + 1} of ${rounds}`);

@@ -139,7 +139,7 @@ impl Grid {
 
     /// Takes up what is certain of one puff. Where covers are counted, it must be a single disc.
     pub(crate) fn cover(&mut self, discs: &[Disc]) {
-        debug_assert!(self.covers == 1 || discs.len() == 1, "a puff would count twice");
+        debug_assert!(self.covers == 1 || discs.len() <= 1, "a puff would count twice");
         let layer = self.layer();
         let Some(mut touched) = discs.first().map(|disc| self.fine.around(disc, disc.radius)) else {
             return;

@@ -47,6 +47,8 @@ struct Spot {
     /// Metres that depths may be wrong by, and radii that outlines may.
     slack: f32,
     tolerance: f32,
+    /// Metres by which its ring may come nearer than its lobes.
+    lift: f32,
     covers: bool,
 }
 
@@ -112,6 +114,7 @@ impl<'a> Outliner<'a> {
             radius: place[3],
             slack: ROUNDING * size,
             tolerance: ROUNDING * size / place[3],
+            lift: 0.0,
             covers: true,
         }
     }
@@ -134,13 +137,14 @@ impl<'a> Outliner<'a> {
         spot.tolerance += bodies.tolerance + (bodies.blur + SNAP) * bodies.pixel * spot.w / spot.radius;
         let farthest = spot.w + bodies.reach * spot.radius;
         spot.slack += bodies.tolerance * spot.radius + bodies.depth_step * farthest * farthest;
+        spot.lift = bodies.lift_of(place, spot.w);
         // Ink stands beside its lobe at the height of its middle: a ball that is larger by the line holds it.
         let radius = ((bodies.reach + spot.tolerance) * spot.radius + bodies.pad * spot.w) * spot.density;
         outline.hull = Disc {
             u: spot.u,
             v: spot.v,
             radius,
-            depth: spot.depth - spot.slack - bodies.lift * spot.w,
+            depth: spot.depth - spot.slack - spot.lift,
             bulge: 1.0 / spot.density,
             rim: radius,
             rim_depth: f32::INFINITY,
@@ -190,7 +194,7 @@ impl<'a> Outliner<'a> {
                 depth: spot.depth - height - spot.slack,
                 rim: radius + line,
                 rim_depth: if line > 0.0 {
-                    spot.depth - height - rise(balls.radius[ball]) - bodies.lift * spot.w - spot.slack
+                    spot.depth - height - rise(balls.radius[ball]) - spot.lift - spot.slack
                 } else {
                     f32::INFINITY
                 },

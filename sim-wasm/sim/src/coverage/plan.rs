@@ -33,8 +33,9 @@ pub(crate) struct Bodies<'v> {
     /// Metres for each unit of clip w: a pixel, and the ring of ink.
     pub pixel: f32,
     pub pad: f32,
-    /// Metres by which surfaces may lift that ring.
-    pub lift: f32,
+    /// Metres by which surfaces may lift that ring, for each unit of clip w, and the boxes that hold those surfaces.
+    lift: f32,
+    lifters: &'v [[f32; 6]],
     /// Metres that cannot be told apart in depth, for each unit of w squared.
     pub depth_step: f32,
 }
@@ -67,7 +68,7 @@ pub(crate) struct EyeOfShadows {
 
 impl<'v> Plan<'v> {
     /// From the checked numbers of a view and the solids behind them; none where nothing can be left out.
-    pub(crate) fn new(numbers: &[f32; VIEW_LENGTH], solids: &'v [f32], direction: [f32; 3]) -> Option<Self> {
+    pub(crate) fn new(numbers: &'v [f32; VIEW_LENGTH], solids: &'v [f32], direction: [f32; 3]) -> Option<Self> {
         let covers = numbers[33] as usize;
         let eye = EyeAxes::new(&numbers[4..20], direction)?;
         let plan = |chart, range, what| Self {
@@ -115,8 +116,9 @@ impl Plan<'_> {
 }
 
 impl<'v> Bodies<'v> {
-    fn new(numbers: &[f32; VIEW_LENGTH], solids: &'v [f32], eye: &EyeAxes) -> Option<Self> {
+    fn new(numbers: &'v [f32; VIEW_LENGTH], solids: &'v [f32], eye: &EyeAxes) -> Option<Self> {
         let balls = numbers[41] as usize;
+        let (boxes, _) = numbers[43..].as_chunks();
         (!solids.is_empty()).then(|| Self {
             solids: Solids::new(solids, balls, numbers[36] != 0.0),
             reach: numbers[23],
@@ -125,8 +127,18 @@ impl<'v> Bodies<'v> {
             pixel: numbers[30],
             pad: numbers[3],
             lift: numbers[37],
+            lifters: &boxes[..numbers[42] as usize],
             depth_step: eye.depth_step(),
         })
+    }
+
+    /// Metres by which a surface may lift the ring of a puff: none where no surface comes near its board.
+    pub(crate) fn lift_of(&self, place: [f32; 4], w: f32) -> f32 {
+        let lift = self.lift * w;
+        let reach = self.reach * place[3] + self.pad * w + lift;
+        let is_near =
+            |lifter: &&[f32; 6]| (0..3).all(|i| lifter[i] - reach <= place[i] && place[i] <= lifter[3 + i] + reach);
+        self.lifters.iter().find(is_near).map_or(0.0, |_| lift)
     }
 
     /// A depth that is certainly not drawn as the far end, nor as any other one beyond: from the depths of both planes.
