@@ -137,10 +137,12 @@ function depthErrorOf(camera: Camera): { worst: number; pixels: number } {
   const scene: LabScene = { ...sceneOf('lobes'), camera, puffs: [], casters: [PUFFS[0]], view: 'depth' };
   const lab = new Lab(scene);
   const view = reader(lab.draw(scene).pixels);
+  const { receiversMin, receiversMax } = lab['smoke'].passes.eye.uniforms;
+  const [min, max] = [receiversMin.value.clone(), receiversMax.value.clone()];
   lab.dispose();
   const depthOf = (point: Vector3) => -point.clone().applyMatrix4(camera.matrixWorldInverse).z;
-  const corners = [-1.6, 1.6].flatMap((x) =>
-    [-1.6, 1.6].flatMap((z) => [-0.9, 0.95].map((y) => depthOf(new Vector3(x, y, z)))),
+  const corners = [min.x, max.x].flatMap((x) =>
+    [min.z, max.z].flatMap((z) => [min.y, max.y].map((y) => depthOf(new Vector3(x, y, z)))),
   );
   const [nearest, farthest] = [Math.min(...corners), Math.max(...corners)];
   const report = { worst: 0, pixels: 0 };
