@@ -3,6 +3,7 @@ import { withPlace } from '../../src/app/rampControl.ts';
 import { decode } from '../../src/preset/codec.ts';
 import { ParameterError } from '../../src/preset/errors.ts';
 import { MOST_COLORS, readRamp, writeRamp } from '../../src/preset/ramp.ts';
+import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import { validate } from '../../src/preset/values.ts';
 
 const TEXT = '0:333344,.5:aab0c0,1:ffffff';
@@ -55,7 +56,7 @@ describe('ramps', () => {
     expect(good.notices).toEqual([]);
     expect(good.state.values['style.ramp']).toBe(TEXT);
     const { state, notices } = await decode('#v=1&preset=lamp-ember&style.heatRamp=0:<b>,1:ffffff&style.ramp=0:1');
-    expect(state.values['style.ramp']).toBe('');
+    expect(state.values['style.ramp']).toBe(presetValues(findPreset('lamp-ember')!)['style.ramp']);
     expect(readRamp(String(state.values['style.heatRamp']))!.length).toBeGreaterThan(2);
     expect(notices.map(({ code, key }) => `${code} ${key}`)).toEqual([
       'malformed style.heatRamp',
