@@ -18,6 +18,7 @@ import billboardsVertexShader from '../../shaders/bodies/billboards.vert';
 import lobesFragmentShader from '../../shaders/bodies/lobes.frag';
 import lobesVertexShader from '../../shaders/bodies/lobes.vert';
 import type { Eye } from '../device/eye.ts';
+import { withMaterial } from '../device/withMaterial.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
 import { withLobes } from '../device/unroll.ts';
@@ -145,10 +146,7 @@ export class BodiesPass {
 
   /** Draws once in another material, made of the present one. */
   drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
-    const { material: present } = this.mesh;
-    this.mesh.material = material;
-    this.draw(renderer);
-    this.mesh.material = present;
+    withMaterial(this.mesh, material, () => this.draw(renderer));
   }
 
   dispose(): void {

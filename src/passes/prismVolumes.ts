@@ -3,6 +3,7 @@ import { PassCamera } from '../device/passCamera.ts';
 import fragmentShader from '../../shaders/meshVolumes/meshVolumes.frag';
 import vertexShader from '../../shaders/prismVolumes/prismVolumes.vert';
 import type { Eye } from '../device/eye.ts';
+import { withMaterial } from '../device/withMaterial.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { prismsOf } from './prisms.ts';
@@ -54,10 +55,7 @@ export class PrismVolumesPass {
 
   /** Draws once in another material, made of the present one. */
   drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
-    const { material: present } = this.mesh;
-    this.mesh.material = material;
-    this.draw(renderer);
-    this.mesh.material = present;
+    withMaterial(this.mesh, material, () => this.draw(renderer));
   }
 
   dispose(): void {

@@ -11,6 +11,7 @@ import { PassCamera } from '../device/passCamera.ts';
 import fragmentShader from '../../shaders/volumes/volumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
 import type { Eye } from '../device/eye.ts';
+import { withMaterial } from '../device/withMaterial.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
@@ -77,10 +78,7 @@ export class VolumesPass {
 
   /** Draws once in another material, made of the present one. */
   drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
-    const { material: present } = this.mesh;
-    this.mesh.material = material;
-    this.draw(renderer);
-    this.mesh.material = present;
+    withMaterial(this.mesh, material, () => this.draw(renderer));
   }
 
   dispose(): void {
