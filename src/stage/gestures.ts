@@ -1,0 +1,74 @@
+import { Vector3, type Matrix4 } from 'three';
+import { blowOf, type BlowInput } from './blow.ts';
+import type { PointerInput } from './contract.ts';
+import type { Picture } from './picture.ts';
+import type { Simulation } from './simulation.ts';
+
+/** What people do to smoke by pointing at its picture: they move its rigid and blow. */
+export class Gestures {
+  private readonly simulation: Simulation;
+  private readonly picture: Picture;
+  private movedWhilePaused = false;
+
+  constructor(simulation: Simulation, picture: Picture) {
+    this.simulation = simulation;
+    this.picture = picture;
+  }
+
+  /**
+   * Takes a pointer. Returns 'rigid' while it moves a rigid.
+   * @param onMove called when the rigid has been asked to go elsewhere
+   */
+  pointer({ type, id, x, y }: PointerInput, onMove: () => void): 'rigid' | null {
+    const { drag } = this.simulation;
+    if (!drag || !this.picture.isVisible) return null;
+    const at = this.picture.deviceCoordinates(x, y);
+    const { camera } = this.picture.eye;
+    if (type === 'down') return drag.grab(id, at, camera, this.simulation.handleTransform()) ? 'rigid' : null;
+    if (type !== 'move') {
+      if (!drag.release(id)) return null;
+      this.simulation.releaseHandle();
+      return 'rigid';
+    }
+    if (!drag.follow(id, at, camera)) return null;
+    this.simulation.dragHandle();
+    onMove();
+    return 'rigid';
+  }
+
+  /** Moves the place to which a spring draws the movable rigid, by metres; whether there is one. */
+  nudge(dx: number, dy: number, dz: number): boolean {
+    const { drag } = this.simulation;
+    if (!drag) return false;
+    drag.nudge(new Vector3(dx, dy, dz));
+    this.simulation.dragHandle();
+    if (!drag.isHeld) this.simulation.releaseHandle();
+    return true;
+  }
+
+  /** @throws ParameterError naming what is out of range */
+  blow(input: BlowInput): void {
+    if (!this.picture.isVisible) return;
+    const { camera, distance } = this.picture.eye;
+    const blow = blowOf(input, camera, distance, ...this.picture.size);
+    this.simulation.input((simulator) => simulator.inputBlow(blow));
+  }
+
+  /** From now on the rigid is shown where it was put, though the spring will bring it there only in the next steps. */
+  showMoved(): void {
+    this.movedWhilePaused = true;
+  }
+
+  /** Steps have been taken or gone back on: the rigid is shown where it is. */
+  settle(): void {
+    this.movedWhilePaused = false;
+  }
+
+  /** World transforms of the rigids as they are shown, by their number, between the previous step (0) and now (1). */
+  rigids(blend: number): readonly Matrix4[] {
+    const { simulation } = this;
+    const rigids = simulation.rigids(blend);
+    if (this.movedWhilePaused) simulation.handleTransform().setPosition(simulation.drag!.target);
+    return rigids;
+  }
+}

@@ -1,0 +1,187 @@
+import { SimulatorError } from '../preset/errors.ts';
+import type { Values } from '../preset/parameter.ts';
+import type { Scene } from '../scenes/scene.ts';
+import type { SimulatorFactory } from '../sim/load.ts';
+import type { SeekOptions, StageEvents, StageStats } from './contract.ts';
+import { FrameLoop } from './frameLoop.ts';
+import { Gestures } from './gestures.ts';
+import { Listeners } from './listeners.ts';
+import { Picture } from './picture.ts';
+import type { Presenter } from './presenter.ts';
+import { advanceTo } from './seek.ts';
+import { Simulation } from './simulation.ts';
+import { statsOf } from './stats.ts';
+
+/** A scene that runs: its simulation, its picture and its values go on together, and whoever listens is told. */
+export class RunningScene {
+  readonly simulation: Simulation;
+  readonly picture: Picture;
+  readonly gestures: Gestures;
+  readonly listeners = new Listeners<StageEvents>();
+  readonly loop = new FrameLoop({
+    frame: (steps) => this.playOn(steps),
+    fail: (error) => this.fail(error),
+  });
+  private readonly stopListening: () => void;
+  private now: Values;
+  private hasEnded = false;
+
+  /** @param historyBytes how much memory states may take that are kept for going back */
+  constructor(presenter: Presenter, factory: SimulatorFactory, scene: Scene, values: Values, historyBytes: number) {
+    this.now = values;
+    this.simulation = new Simulation(factory, scene, values, historyBytes);
+    this.picture = new Picture(presenter, scene, values);
+    this.gestures = new Gestures(this.simulation, this.picture);
+    this.stopListening = presenter.device.onContext((event) => (event === 'restored' ? this.draw() : undefined));
+  }
+
+  /** All values by flat key; optional ones only where somebody has set them. */
+  get values(): Values {
+    return this.now;
+  }
+
+  get isDisposed(): boolean {
+    return this.hasEnded;
+  }
+
+  get stats(): StageStats {
+    return statsOf(this.simulation, this.picture);
+  }
+
+  /** Share of the pixel ratio that the next frame is drawn with. */
+  get nextScale(): number {
+    const { quality } = this.picture;
+    return quality === 'auto' ? this.loop.scale : quality;
+  }
+
+  play(): void {
+    if (!this.hasEnded && this.loop.play()) this.tellState();
+  }
+
+  /** Whether it was playing. */
+  stop(): boolean {
+    const hasStopped = this.loop.stop();
+    if (hasStopped) this.tellState();
+    return hasStopped;
+  }
+
+  advance(steps: number): void {
+    if (steps > 0) this.gestures.settle();
+    this.simulation.advance(steps);
+    this.followLog();
+  }
+
+  /** Goes to where so many steps lead, with all that was done on the way. */
+  async seek(goal: number, options: SeekOptions): Promise<void> {
+    this.loop.isHeld = true;
+    try {
+      this.simulation.approach(goal);
+      await advanceTo(goal, this.simulation, options, () => this.hasEnded);
+    } finally {
+      this.loop.isHeld = false;
+      if (!this.hasEnded) {
+        this.followLog();
+        this.keepVariations();
+        this.showLatest();
+      }
+    }
+  }
+
+  /** Changes values, which are valid; see `Stage.set`. */
+  change(values: Values): void {
+    const before = this.now;
+    const after = { ...before, ...values };
+    this.simulation.set(differing(values, before));
+    const capacity = after['simulation.maxParticles'] as number;
+    if (capacity !== before['simulation.maxParticles']) {
+      this.simulation.input((simulator) => simulator.inputCapacity(capacity));
+    }
+    if (after.seed !== before.seed) this.simulation.restart(after);
+    this.show(() => this.follow(after));
+  }
+
+  /** Lets optional parameters go back to what the scene has. */
+  unset(keys: readonly string[]): void {
+    this.simulation.unset(keys);
+    const kept = Object.entries(this.now).filter(([key]) => !keys.includes(key));
+    this.show(() => this.follow(Object.fromEntries(kept)));
+  }
+
+  /** Where the log of a take has done something since, its values are shown. */
+  private followLog(): void {
+    if (this.simulation.hasFollowed()) this.follow(this.simulation.valuesIn(this.now));
+  }
+
+  /** Goes on with these values, which the simulator has already. */
+  follow(values: Values): void {
+    this.now = values;
+    this.picture.smoke.follow(values);
+    this.tellState();
+  }
+
+  /** Where a state comes from elsewhere, its particles may have variations that no value has told of. */
+  keepVariations(): void {
+    this.picture.smoke.keepVariations(this.now, this.simulation.variationsAlive());
+  }
+
+  /** Changes what is seen, and shows it unless the next frame does. */
+  show(change: () => void): void {
+    change();
+    if (!this.loop.isPlaying) this.draw();
+  }
+
+  /** Shows where the simulation has come to by steps or by a leap. */
+  showLatest(): void {
+    this.gestures.settle();
+    this.loop.clock.settle();
+    this.draw();
+  }
+
+  /** While playing the spring brings the rigid to where it was put, and frames show it on its way. */
+  showMoved(): void {
+    if (!this.loop.isPlaying) this.show(() => this.gestures.showMoved());
+  }
+
+  tellState(): void {
+    this.listeners.tell('statechange', { playing: this.loop.isPlaying });
+  }
+
+  draw(scale = this.nextScale): void {
+    if (this.hasEnded) return;
+    const { blend } = this.loop.clock;
+    const rigids = this.gestures.rigids(blend);
+    const { simulator } = this.simulation;
+    const isDrawn = this.picture.draw({ simulator, rigids, blend, scale, isPlaying: this.loop.isPlaying });
+    if (isDrawn && this.listeners.has('frame')) this.listeners.tell('frame', this.stats);
+  }
+
+  /** @throws SimulatorError when it was disposed */
+  requireAlive(): void {
+    if (this.hasEnded) throw new SimulatorError('This stage was disposed; create a new one.');
+  }
+
+  dispose(): void {
+    if (this.hasEnded) return;
+    this.stop();
+    this.hasEnded = true;
+    this.stopListening();
+    this.simulation.dispose();
+    this.picture.dispose();
+    this.listeners.clear();
+  }
+
+  private playOn(steps: number): void {
+    this.advance(steps);
+    this.draw();
+  }
+
+  private fail(error: Error): void {
+    this.tellState();
+    this.listeners.tell('error', error);
+  }
+}
+
+/** Of `values`, those that `before` has otherwise. */
+function differing(values: Values, before: Values): Values {
+  return Object.fromEntries(Object.entries(values).filter(([key, value]) => before[key] !== value));
+}

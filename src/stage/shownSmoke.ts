@@ -1,0 +1,87 @@
+import { Vector3 } from 'three';
+import type { Device } from '../device/device.ts';
+import type { BakedPuffs } from '../device/puffTextures.ts';
+import type { Values } from '../preset/parameter.ts';
+import type { PuffShape } from '../puffs/shapes.ts';
+import type { Scene } from '../scenes/scene.ts';
+import type { FrameInput, FrameReport } from '../smoke/frame.ts';
+import { lightOf, type Light } from '../smoke/light.ts';
+import { LivePuffs } from '../smoke/livePuffs.ts';
+import { SmokeRenderer } from '../smoke/smoke.ts';
+import { styleOf, type Style } from '../smoke/style.ts';
+
+/** A scene's smoke as values describe it: its style, its light, its puffs, and how many particles it can draw. */
+export class ShownSmoke {
+  private readonly device: Device;
+  private readonly scene: Scene;
+  private readonly puffs: LivePuffs;
+  private baked: BakedPuffs | undefined;
+  private renderer: SmokeRenderer;
+  private capacity: number;
+  private style: Style;
+  private light: Light;
+
+  constructor(device: Device, scene: Scene, values: Values) {
+    this.device = device;
+    this.scene = scene;
+    this.style = styleOf(values);
+    this.light = this.lightOf(values);
+    this.puffs = new LivePuffs(values);
+    this.baked = this.puffs.finish();
+    this.capacity = capacityOf(values);
+    this.renderer = this.makeRenderer();
+  }
+
+  get throwsShadow(): boolean {
+    return this.style.shadows;
+  }
+
+  /** Goes on with these values. */
+  follow(values: Values): void {
+    this.style = styleOf(values);
+    this.light = this.lightOf(values);
+    this.puffs.follow(values);
+    if (this.capacity === capacityOf(values)) return;
+    this.capacity = capacityOf(values);
+    this.renderer.dispose();
+    this.renderer = this.makeRenderer();
+  }
+
+  /** Makes sure of so many variations, for particles that come from elsewhere. */
+  keepVariations(values: Values, alive: number): void {
+    this.puffs.follow(values, alive);
+  }
+
+  /** Shows shapes that somebody brought; without any, those that values describe. */
+  usePuffs(shapes: readonly PuffShape[] | undefined, values: Values): void {
+    this.puffs.use(shapes, values);
+  }
+
+  /** Goes on baking puffs for some milliseconds, or until they are ready. */
+  bake(milliseconds = Infinity): void {
+    const puffs = milliseconds === Infinity ? this.puffs.finish() : this.puffs.workFor(milliseconds);
+    if (!puffs) return;
+    this.baked = puffs;
+    this.renderer.setPuffs(puffs);
+  }
+
+  draw(input: Omit<FrameInput, 'style' | 'light'>): FrameReport {
+    return this.renderer.draw({ ...input, style: this.style, light: this.light });
+  }
+
+  dispose(): void {
+    this.renderer.dispose();
+  }
+
+  private lightOf(values: Values): Light {
+    return lightOf(values, new Vector3(...this.scene.camera.target));
+  }
+
+  private makeRenderer(): SmokeRenderer {
+    return new SmokeRenderer(this.device, { ...this.scene, capacity: this.capacity, puffs: this.baked });
+  }
+}
+
+function capacityOf(values: Values): number {
+  return values['simulation.maxParticles'] as number;
+}
