@@ -73,6 +73,11 @@ export class RenderBench {
     return this.smoke.draw({ ...this.input(cull), camera });
   }
 
+  /** The first half of a frame, which draws nothing. */
+  arrange(cull: boolean): FrameReport {
+    return this.smoke.arrange(this.input(cull));
+  }
+
   /**
    * Milliseconds of a frame and of three of its passes, all within the same frame. Waiting for each pass costs the frame
    * some tenths of a millisecond, and takes nothing from it, since SwiftShader draws one thing after the other anyway.
