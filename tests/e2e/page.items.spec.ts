@@ -1,5 +1,5 @@
 import { expect, test } from '../support/fixtures.ts';
-import { ask, LIGHT, open, row } from './page.ts';
+import { ask, expectSteps, expectValue, LIGHT, open, row } from './page.ts';
 
 const hash = () => decodeURIComponent(location.hash);
 
@@ -12,7 +12,7 @@ test('a force is added, ridden on the ball, undone and removed, and the link fol
   await page.locator('summary', { hasText: 'Wind 1' }).click();
   await page.getByLabel('Rides on', { exact: true }).selectOption({ label: 'Ball' });
   await expect.poll(() => page.evaluate(hash)).toContain('winds.0.rigid=0');
-  expect((await ask(page, (stage) => stage.get()))['winds.0.rigid']).toBe(0);
+  await expectValue(page, 'winds.0.rigid', 0);
 
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect.poll(() => page.evaluate(hash)).not.toContain('winds.0.rigid');
@@ -42,6 +42,7 @@ test('what the scene has is shown, can be changed and goes back, but not removed
 test('smoke blows where an added wind blows', async ({ page }) => {
   const hashWith = async (link: string) => {
     await open(page, `?paused=1&t=3${LIGHT}${link}`);
+    await expectSteps(page, 180);
     return ask(page, (stage) => stage.hash());
   };
   expect(await hashWith('&winds.0.velocity.x=2')).not.toBe(await hashWith(''));

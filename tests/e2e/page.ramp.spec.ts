@@ -33,7 +33,7 @@ test('a ramp is begun, added to, dragged, painted, moved by keys, undone and emp
   await expectValue(page, KEY, '0:6a6a8c,.5:ffffff');
   await pressBar(page, 0.75);
   await expect(stops).toHaveCount(3);
-  expect((await places(page))[2]).toBeCloseTo(0.75, 1);
+  await expect.poll(async () => (await places(page))[2]).toBeCloseTo(0.75, 1);
 
   const from = (await stops.nth(2).boundingBox())!;
   const to = await onBar(page, 0.9);

@@ -1,5 +1,5 @@
 import { expect, test } from '../support/fixtures.ts';
-import { ask, LIGHT, open } from './page.ts';
+import { ask, expectSteps, LIGHT, open } from './page.ts';
 
 const CORNERS = [0, 1, 2, 3, 4, 5, 6, 7].map((corner) => [corner & 1, (corner >> 1) & 1, corner >> 2]);
 /** Four corners each, counter-clockwise from outside. */
@@ -50,6 +50,7 @@ function cubeScene(name: string, address?: string) {
 
 test('a mesh becomes the puffs, the link says that it cannot hold it, and drawn puffs come back', async ({ page }) => {
   await open(page, `?paused=1&t=2${LIGHT}`);
+  await expectSteps(page, 120);
   await page.keyboard.press('p');
   await page.locator('summary', { hasText: 'Shape of the puffs' }).click();
   const chooser = page.getByLabel('Use a shape of your own');

@@ -1,5 +1,5 @@
 import { expect, test } from '../support/fixtures.ts';
-import { ask, LIGHT, open } from './page.ts';
+import { ask, expectSteps, LIGHT, open } from './page.ts';
 
 test('smoke appears and goes on', async ({ page }) => {
   await open(page, LIGHT);
@@ -49,7 +49,7 @@ test('play, pause, step and start over', async ({ page }) => {
 
 test('?t= winds forward before the first picture, and ?stats=1 shows figures', async ({ page }) => {
   await open(page, `?paused=1&t=1.5&stats=1${LIGHT}`);
-  await expect.poll(() => ask(page, (stage) => stage.stats.steps)).toBe(90);
+  await expectSteps(page, 90);
   await expect(page.getByText('1.5 s', { exact: true })).toBeVisible();
   await expect(page.locator('.statistics')).toContainText('alive');
 });

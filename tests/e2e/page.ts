@@ -31,6 +31,11 @@ export async function expectHash(page: Page, hash: string): Promise<void> {
   await expect.poll(() => page.evaluate(() => location.hash), { message: 'address bar' }).toBe(hash);
 }
 
+/** Waits until `?t=` has wound the stage forward: the page is open before. @param count of steps, 60 a second */
+export async function expectSteps(page: Page, count: number): Promise<void> {
+  await expect.poll(() => ask(page, (stage) => stage.stats.steps), { message: 'steps', timeout: 30_000 }).toBe(count);
+}
+
 /** The row of a parameter in the panel. */
 export function row(page: Page, key: string) {
   return page.locator(`[data-key="${key}"]`);
