@@ -11,20 +11,9 @@ export class BallKeys {
   private direction = [0, 0, 0];
   private request = 0;
   private last = 0;
-  private azimuth = 0;
 
   constructor(stage: Stage) {
     this.stage = stage;
-  }
-
-  /** The view turned about the vertical, radians: right stays right on the screen. */
-  turned(radians: number): void {
-    this.azimuth += radians;
-  }
-
-  /** The view is the scene's own again. */
-  viewReset(): void {
-    this.azimuth = 0;
   }
 
   /** @param right, up, near -1, 0 or 1 each; all 0 stops */
@@ -51,7 +40,8 @@ export class BallKeys {
   private move(seconds: number): void {
     const metres = METRES_PER_SECOND * seconds;
     const [right, up, near] = this.direction.map((part) => part * metres);
-    const [cosine, sine] = [Math.cos(this.azimuth), Math.sin(this.azimuth)];
+    const azimuth = this.stage.camera.azimuth();
+    const [cosine, sine] = [Math.cos(azimuth), Math.sin(azimuth)];
     this.stage.nudge({ dx: right * cosine + near * sine, dy: up, dz: near * cosine - right * sine });
   }
 }

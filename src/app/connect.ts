@@ -11,21 +11,20 @@ export function connectStage(editor: Editor, stage: Stage, tell: (message: strin
   let waiting: Changes = {};
   let isFlushing = false;
   const isWaiting = () => Object.keys(waiting).length > 0;
-  const flush = () => {
-    const changes = Object.entries(waiting);
+  const flush = async () => {
+    const changes = waiting;
     waiting = {};
     isFlushing = true;
     try {
-      // Each call draws a picture in a pause: none for nothing.
-      const taken = changes.flatMap(([key, value]) => (value === undefined ? [key] : []));
-      const given = changes.filter((change): change is [string, Value] => change[1] !== undefined);
-      if (taken.length > 0) stage.unset(taken);
-      if (given.length > 0) stage.set(Object.fromEntries(given));
+      const isElsewhere = (changes.scene ?? stage.get().scene) !== stage.get().scene;
+      if (isElsewhere) await stage.enter(editor.state.values);
+      else apply(changes, stage);
     } catch (error) {
       tell((error as Error).message);
       editor.adopt(stage.get());
     } finally {
       isFlushing = false;
+      if (isWaiting()) requestAnimationFrame(flush);
     }
   };
   // What the editor learns from the stage must not come back to it later: it would undo what a take has set meanwhile.
@@ -34,7 +33,7 @@ export function connectStage(editor: Editor, stage: Stage, tell: (message: strin
     if (isAdopting) return;
     const wasWaiting = isWaiting();
     waiting = { ...waiting, ...changed };
-    if (!wasWaiting && isWaiting()) requestAnimationFrame(flush);
+    if (!wasWaiting && isWaiting() && !isFlushing) requestAnimationFrame(flush);
   });
   stage.on('statechange', () => {
     if (isWaiting() || isFlushing) return;
@@ -42,4 +41,12 @@ export function connectStage(editor: Editor, stage: Stage, tell: (message: strin
     editor.adopt(stage.get());
     isAdopting = false;
   });
+}
+
+/** Each call draws a picture in a pause: none for nothing. */
+function apply(changes: Changes, stage: Stage): void {
+  const taken = Object.keys(changes).filter((key) => changes[key] === undefined);
+  const given = Object.entries(changes).filter((change): change is [string, Value] => change[1] !== undefined);
+  if (taken.length > 0) stage.unset(taken);
+  if (given.length > 0) stage.set(Object.fromEntries(given));
 }

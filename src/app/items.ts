@@ -26,7 +26,14 @@ export function createItems(editor: Editor, scene: SceneLists): Section {
   const items = new Map<string, Section>();
   const holder = create('div', { class: 'items' });
   const element = create('div', {}, createAdder(editor, scene), holder);
+  let named = scene.rigidNames;
   const show = (state: State) => {
+    // Another scene has other rigids to ride on.
+    if (named !== scene.rigidNames) {
+      items.clear();
+      holder.replaceChildren();
+      named = scene.rigidNames;
+    }
     const present = itemsOf({ ...scene.rig, ...state.values });
     for (const [key, item] of items) item.element.hidden = !present.has(key);
     for (const { key, label } of itemGroups) {

@@ -98,7 +98,7 @@ function offerToPlay(stage: Stage): void {
 
 function connectInput(stage: Stage, editor: Editor, page: Page): void {
   const ball = new BallKeys(stage);
-  new Pointers(stage, canvas, (radians) => ball.turned(radians));
+  new Pointers(stage, canvas);
   listenToKeys({
     ...page,
     togglePlaying: () => togglePlaying(stage),
@@ -108,14 +108,8 @@ function connectInput(stage: Stage, editor: Editor, page: Page): void {
     redo: () => editor.redo(),
     zoom: (factor) => stage.camera.zoom(factor),
     push: (right, up, near) => ball.push(right, up, near),
-    turn(right, up) {
-      stage.camera.orbit(right * TURN_STEP, up * TURN_STEP);
-      ball.turned(right * TURN_STEP);
-    },
-    resetView() {
-      stage.camera.reset();
-      ball.viewReset();
-    },
+    turn: (right, up) => stage.camera.orbit(right * TURN_STEP, up * TURN_STEP),
+    resetView: () => stage.camera.reset(),
   });
 }
 

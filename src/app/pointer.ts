@@ -16,21 +16,16 @@ interface Point {
   does: 'turn' | 'pan' | 'blow';
 }
 
-/** Told by how many radians the view turned about the vertical. */
-export type TurnListener = (radians: number) => void;
-
 /** Hands mouse, pen and touch to the stage: what does not grab a rigid turns, shifts or zooms the view, or blows. */
 export class Pointers {
   private readonly stage: Stage;
   private readonly canvas: HTMLCanvasElement;
-  private readonly turned: TurnListener;
   private readonly loose = new Map<number, Point>();
   private readonly holding = new Set<number>();
 
-  constructor(stage: Stage, canvas: HTMLCanvasElement, turned: TurnListener) {
+  constructor(stage: Stage, canvas: HTMLCanvasElement) {
     this.stage = stage;
     this.canvas = canvas;
-    this.turned = turned;
     canvas.addEventListener('pointerdown', (event) => this.down(event));
     canvas.addEventListener('pointermove', (event) => this.move(event));
     canvas.addEventListener('pointerup', (event) => this.up(event, 'up'));
@@ -61,7 +56,7 @@ export class Pointers {
     if (point.does === 'blow') this.blow(event, dx, dy, elapsed);
     else if (this.loose.size > 1) this.pinch(before, dx, dy);
     else if (point.does === 'pan') this.stage.camera.pan(dx, dy);
-    else this.turn(-dx * TURN_PER_PIXEL, dy * TURN_PER_PIXEL);
+    else this.stage.camera.orbit(-dx * TURN_PER_PIXEL, dy * TURN_PER_PIXEL);
   }
 
   private up(event: PointerEvent, type: 'up' | 'cancel'): void {
@@ -82,11 +77,6 @@ export class Pointers {
     const after = this.spread();
     if (before > 0 && after > 0) this.stage.camera.zoom(after / before);
     this.stage.camera.pan(dx / this.loose.size, dy / this.loose.size);
-  }
-
-  private turn(azimuth: number, elevation: number): void {
-    this.stage.camera.orbit(azimuth, elevation);
-    this.turned(azimuth);
   }
 
   private blow(event: PointerEvent, dx: number, dy: number, elapsed: number): void {

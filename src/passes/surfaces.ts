@@ -36,6 +36,8 @@ export interface SurfaceDescription {
   group?: string;
   /** Number of the rigid that carries it; still where absent. */
   rigid?: number;
+  /** Number of the part of the scene that it is drawn at, instead of a rigid. */
+  part?: number;
 }
 
 /** Line widths by which a line comes nearer so that it does not sink into what its surface stands on. */

@@ -3,9 +3,19 @@ import type { TriangleMesh } from '../passes/extrusion.ts';
 import type { SurfaceDescription } from '../passes/surfaces.ts';
 import type { RigidDescription } from '../sim/rigid.ts';
 
+export type Vector = readonly [x: number, y: number, z: number];
+/** A unit quaternion. */
+export type Turn = readonly [x: number, y: number, z: number, w: number];
+
+/** Where a thing is and how it is turned; metres. */
+export interface Placement {
+  readonly position: Vector;
+  readonly rotation: Turn;
+}
+
 /** Where a scene wants its camera: angles in radians, lengths in metres. */
 export interface CameraPose {
-  target: readonly [number, number, number];
+  target: Vector;
   /** About the vertical; 0 looks from +z, positive goes to the right (+x). */
   azimuth: number;
   /** Above the horizon. */
@@ -13,15 +23,61 @@ export interface CameraPose {
   distance: number;
   /** Vertical field of view. */
   fieldOfView: number;
+  /** However narrow the window, so much is seen from side to side. */
+  leastWidth?: number;
 }
+
+/** What a moving camera adds to its pose: radians, and metres for the target. */
+export interface CameraShift {
+  target?: Vector;
+  azimuth?: number;
+  elevation?: number;
+  /** A factor. */
+  distance?: number;
+}
+
+/** A camera that moves by itself until somebody takes it, by simulated seconds alone: a moment has one picture. */
+export type CameraMove = (seconds: number) => CameraShift;
 
 /** A rigid that people can move, and the box that its centre stays in, metres. */
 export interface Handle {
   rigid: number;
+  /** Of the ball around its centre in which a pointer grabs it. */
   radius: number;
-  start: readonly [number, number, number];
-  min: readonly [number, number, number];
-  max: readonly [number, number, number];
+  start: Vector;
+  min: Vector;
+  max: Vector;
+  /**
+   * Without it a spring draws the rigid. With it people only say where it should go, and the scene's guide takes it
+   * there: these channels hold the place in the box along x, y and z, -1 to 1 from `min` to `max`.
+   */
+  steers?: readonly [x: number, y: number, z: number];
+}
+
+/** What a guide knows of the step that comes. All of it is in saved states, so that seeking and takes stay exact. */
+export interface Moment {
+  /** Simulated time at the end of the coming step, seconds. */
+  readonly seconds: number;
+  /** Length of a step, seconds. */
+  readonly dt: number;
+  /** What a channel was steered to, -1 to 1; 0 until somebody steers. */
+  control(channel: number): number;
+  /** Where a rigid is before the step. */
+  pose(rigid: number): Placement;
+}
+
+/**
+ * Leads kinematic rigids, step by step: returns where they shall be at the end of the coming step. It keeps nothing
+ * itself; what must last from step to step is in the poses that it reads back.
+ */
+export type Guide = (moment: Moment) => readonly (Placement & { readonly rigid: number })[];
+
+/** Something that moves and that no smoke bumps into, such as a wheel: drawn where its pose says. */
+export interface Part {
+  /** Number of the rigid that carries it, in whose space the pose is meant; the world's where absent. */
+  readonly rigid?: number;
+  /** By simulated seconds alone; asked at moments between two steps, too. */
+  readonly pose: (seconds: number) => Placement;
 }
 
 /** What a stage needs to set up: plain data, made anew for each stage. */
@@ -33,10 +89,18 @@ export interface Scene {
   rigids: readonly RigidDescription[];
   /** What people call them, by their number: emitters and forces can ride on any of them. */
   rigidNames: readonly string[];
+  guide?: Guide;
   surfaces: readonly SurfaceDescription[];
+  /** In the order of the numbers by which surfaces name them. */
+  parts?: readonly Part[];
   /** Meshes that emitters smoke from, in the order of their numbers; none of them is drawn. */
   emissionSurfaces?: readonly Pick<TriangleMesh, 'positions' | 'indices'>[];
   handle?: Handle;
   camera: CameraPose;
+  /** What differs in a picture that is higher than wide. */
+  portrait?: Partial<CameraPose>;
+  cameraMove?: CameraMove;
+  /** What the light's angles and distance are measured from; what the camera looks at where absent. */
+  lightCentre?: Vector;
   backdrop?: { top: Color; bottom: Color };
 }

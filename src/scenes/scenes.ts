@@ -1,12 +1,23 @@
 import { ParameterError } from '../preset/errors.ts';
-import { lamp } from './lamp.ts';
 import type { Scene } from './scene.ts';
 
-const scenes: ReadonlyMap<string, () => Scene> = new Map([['lamp', lamp]]);
+/** A scene before its code has come: each is a download of its own. */
+export interface SceneEntry {
+  /** Whether it needs the simulator with physics, so that both can come at once. */
+  readonly hasRigids: boolean;
+  readonly load: () => Promise<Scene>;
+}
+
+/** Every scene by its name, in the order in which people see them. */
+export const sceneEntries: Readonly<Record<string, SceneEntry>> = {
+  lamp: { hasRigids: true, load: async () => (await import('./lamp.ts')).lamp() },
+  wisp: { hasRigids: false, load: async () => (await import('./wisp.ts')).wisp() },
+};
 
 /** @throws ParameterError when there is no scene of that name */
-export function sceneNamed(name: string): Scene {
-  const build = scenes.get(name);
-  if (!build) throw new ParameterError('scene', name, [...scenes.keys()].join(', '));
-  return build();
+export function sceneNamed(name: string): SceneEntry {
+  if (!Object.hasOwn(sceneEntries, name)) {
+    throw new ParameterError('scene', name, Object.keys(sceneEntries).join(', '));
+  }
+  return sceneEntries[name];
 }

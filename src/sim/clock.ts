@@ -1,6 +1,11 @@
 /** Length of a simulation step in seconds; the same everywhere, so that takes replay. */
 export const STEP_SECONDS = 1 / 60;
 
+/** Simulated seconds of a picture after so many steps, between the previous one (0) and the latest (1). */
+export function secondsAt(steps: number, blend: number): number {
+  return Math.max(0, steps - 1 + blend) * STEP_SECONDS;
+}
+
 // A machine that cannot keep up shows slow motion instead of falling ever further behind.
 const MOST_STEPS_A_TICK = 4;
 

@@ -34,6 +34,8 @@ export interface FrameInput {
   pixelRatio: number;
   /** World transforms of the rigids, by their number. */
   rigids: readonly Matrix4[];
+  /** World transforms of the parts that ride on them or on nothing, by their number. */
+  parts?: readonly Matrix4[];
   /** What else can receive a shadow besides surfaces and smoke, world space. */
   receivers?: Box3;
   /** Leaves out bodies and casters that cannot show; the picture is the same either way. */
@@ -106,7 +108,7 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
   targets.resize(input.width, input.height);
   const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
   eye.look(input.camera, homogeneous(input.light), input.width, input.height, reversedDepth);
-  passes.placeSurfaces(input.rigids);
+  passes.placeSurfaces(input.rigids, input.parts ?? []);
   passes.body.setBoil(style.boil, Math.floor((input.time ?? 0) * DRAWINGS_PER_SECOND));
 
   const started = performance.now();

@@ -46,7 +46,7 @@ export interface SmokePasses {
   readonly hasBackdrop: boolean;
   /** How far puffs of a form and their shadows reach. */
   extentsOf(form: PuffForm): PuffExtents;
-  placeSurfaces(rigids: readonly Matrix4[]): void;
+  placeSurfaces(rigids: readonly Matrix4[], parts: readonly Matrix4[]): void;
 }
 
 export interface SmokeOptions {
@@ -118,12 +118,11 @@ export class SmokeRenderer {
       }),
       hasBackdrop: backdrop !== undefined,
       extentsOf: (form) => this.puffs.of(form),
-      placeSurfaces: (rigids) =>
-        surfaces.forEach(({ rigid }, surface) => {
-          if (rigid === undefined) return;
-          surfacesPass.place(surface, rigids[rigid]);
-          creases.place(surface, rigids[rigid]);
-          meshVolumes.place(surface, rigids[rigid]);
+      placeSurfaces: (rigids, parts) =>
+        surfaces.forEach(({ rigid, part }, surface) => {
+          if (rigid === undefined && part === undefined) return;
+          const transform = part === undefined ? rigids[rigid!] : parts[part];
+          for (const pass of [surfacesPass, creases, meshVolumes]) pass.place(surface, transform);
         }),
     };
     // Told later, three.js would try to delete in the restored context what belonged to the lost one.

@@ -3,7 +3,7 @@ import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from '../pr
 import { ParameterError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { Scene } from '../scenes/scene.ts';
-import { STEP_SECONDS } from '../sim/clock.ts';
+import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import type { FrameReport } from '../smoke/frame.ts';
 import { OrbitCamera } from './orbit.ts';
@@ -19,6 +19,8 @@ export interface Moment {
   simulator: Simulator;
   /** World transforms of the rigids, by their number. */
   rigids: readonly Matrix4[];
+  /** Those of the scene's parts. */
+  parts: readonly Matrix4[];
   /** Where between the previous step (0) and now (1) it stands. */
   blend: number;
   /** Share of the pixel ratio to draw with. */
@@ -29,13 +31,13 @@ export interface Moment {
 
 /** A stage's picture: from where it is seen, how large it is, how it is drawn, and what of it is shown. */
 export class Picture {
-  readonly eye: OrbitCamera;
-  readonly smoke: ShownSmoke;
   /** Of the latest frame. */
   scale = 1;
   renderMs = 0;
   report: FrameReport = { bodiesDrawn: 0, castersDrawn: 0, arrangeMs: 0 };
   private readonly presenter: Presenter;
+  private camera: OrbitCamera;
+  private shown: ShownSmoke;
   private width = 0;
   private height = 0;
   private pixelRatio = 1;
@@ -44,8 +46,16 @@ export class Picture {
 
   constructor(presenter: Presenter, scene: Scene, values: Values) {
     this.presenter = presenter;
-    this.eye = new OrbitCamera(scene.camera);
-    this.smoke = new ShownSmoke(presenter.device, scene, values);
+    this.camera = new OrbitCamera(scene);
+    this.shown = new ShownSmoke(presenter.device, scene, values);
+  }
+
+  get eye(): OrbitCamera {
+    return this.camera;
+  }
+
+  get smoke(): ShownSmoke {
+    return this.shown;
   }
 
   /** See StageOptions. */
@@ -99,6 +109,14 @@ export class Picture {
     if (this.isVisible) this.eye.setAspect(this.width / this.height);
   }
 
+  /** Shows another scene from now on, from where it wants to be seen. */
+  enter(scene: Scene, values: Values): void {
+    this.shown.dispose();
+    this.shown = new ShownSmoke(this.presenter.device, scene, values);
+    this.camera = new OrbitCamera(scene);
+    if (this.isVisible) this.camera.setAspect(this.width / this.height);
+  }
+
   /** A place in CSS pixels from the top left, in normalised device coordinates: -1 to 1, y up. */
   deviceCoordinates(x: number, y: number): Vector2 {
     const [width, height] = this.size;
@@ -111,9 +129,10 @@ export class Picture {
   }
 
   /** Draws a moment and shows it; false where nothing can be seen, or while the context is lost. */
-  draw({ simulator, rigids, blend, scale, isPlaying }: Moment): boolean {
+  draw({ simulator, rigids, parts, blend, scale, isPlaying }: Moment): boolean {
     if (!this.isVisible || !this.presenter.device.isUsable) return false;
     this.smoke.bake(isPlaying ? BAKING_MS : Infinity);
+    this.eye.follow(secondsAt(simulator.steps, blend));
     const started = performance.now();
     const canvas = { width: this.width, height: this.height };
     const drawn = { width: Math.ceil(canvas.width * scale), height: Math.ceil(canvas.height * scale) };
@@ -126,6 +145,7 @@ export class Picture {
       ...drawn,
       pixelRatio: this.pixelRatio * scale,
       rigids,
+      parts,
       cull: true,
       view: this.view,
       output,

@@ -6,6 +6,7 @@ import type { SeekOptions, StageEvents, StageStats } from './contract.ts';
 import { FrameLoop } from './frameLoop.ts';
 import { Gestures } from './gestures.ts';
 import { Listeners } from './listeners.ts';
+import type { OpenedScene } from './openScene.ts';
 import { Picture } from './picture.ts';
 import type { Presenter } from './presenter.ts';
 import { advanceTo } from './seek.ts';
@@ -14,25 +15,46 @@ import { statsOf } from './stats.ts';
 
 /** A scene that runs: its simulation, its picture and its values go on together, and whoever listens is told. */
 export class RunningScene {
-  readonly simulation: Simulation;
   readonly picture: Picture;
-  readonly gestures: Gestures;
   readonly listeners = new Listeners<StageEvents>();
   readonly loop = new FrameLoop({
     frame: (steps) => this.playOn(steps),
     fail: (error) => this.fail(error),
   });
   private readonly stopListening: () => void;
+  private readonly historyBytes: number;
+  private opened: OpenedScene;
+  private simulated: Simulation;
+  private hands: Gestures;
   private now: Values;
   private hasEnded = false;
 
   /** @param historyBytes how much memory states may take that are kept for going back */
-  constructor(presenter: Presenter, factory: SimulatorFactory, scene: Scene, values: Values, historyBytes: number) {
+  constructor(presenter: Presenter, opened: OpenedScene, values: Values, historyBytes: number) {
     this.now = values;
-    this.simulation = new Simulation(factory, scene, values, historyBytes);
-    this.picture = new Picture(presenter, scene, values);
-    this.gestures = new Gestures(this.simulation, this.picture);
+    this.historyBytes = historyBytes;
+    this.opened = opened;
+    this.simulated = new Simulation(opened.factory, opened.scene, values, historyBytes);
+    this.picture = new Picture(presenter, opened.scene, values);
+    this.hands = new Gestures(this.simulated, this.picture);
     this.stopListening = presenter.device.onContext((event) => (event === 'restored' ? this.draw() : undefined));
+  }
+
+  /** Another one in each scene. */
+  get simulation(): Simulation {
+    return this.simulated;
+  }
+
+  get gestures(): Gestures {
+    return this.hands;
+  }
+
+  get scene(): Scene {
+    return this.opened.scene;
+  }
+
+  get factory(): SimulatorFactory {
+    return this.opened.factory;
   }
 
   /** All values by flat key; optional ones only where somebody has set them. */
@@ -87,6 +109,19 @@ export class RunningScene {
     }
   }
 
+  /** Goes on with another scene, from its first step; see `Stage.enter`. */
+  enter(opened: OpenedScene, values: Values): void {
+    // First, because it may refuse.
+    const simulation = new Simulation(opened.factory, opened.scene, values, this.historyBytes);
+    this.simulated.dispose();
+    this.simulated = simulation;
+    this.opened = opened;
+    this.picture.enter(opened.scene, values);
+    this.hands = new Gestures(simulation, this.picture);
+    this.follow(values);
+    this.showLatest();
+  }
+
   /** Changes values, which are valid; see `Stage.set`. */
   change(values: Values): void {
     const before = this.now;
@@ -139,7 +174,7 @@ export class RunningScene {
 
   /** While playing the spring brings the rigid to where it was put, and frames show it on its way. */
   showMoved(): void {
-    if (!this.loop.isPlaying) this.show(() => this.gestures.showMoved());
+    if (!this.loop.isPlaying && !this.simulation.isSteered) this.show(() => this.gestures.showMoved());
   }
 
   tellState(): void {
@@ -150,8 +185,9 @@ export class RunningScene {
     if (this.hasEnded) return;
     const { blend } = this.loop.clock;
     const rigids = this.gestures.rigids(blend);
+    const parts = this.simulation.parts(blend, rigids);
     const { simulator } = this.simulation;
-    const isDrawn = this.picture.draw({ simulator, rigids, blend, scale, isPlaying: this.loop.isPlaying });
+    const isDrawn = this.picture.draw({ simulator, rigids, parts, blend, scale, isPlaying: this.loop.isPlaying });
     if (isDrawn && this.listeners.has('frame')) this.listeners.tell('frame', this.stats);
   }
 

@@ -74,7 +74,8 @@ export class ShownSmoke {
   }
 
   private lightOf(values: Values): Light {
-    return lightOf(values, new Vector3(...this.scene.camera.target));
+    const { lightCentre, camera } = this.scene;
+    return lightOf(values, new Vector3(...(lightCentre ?? camera.target)));
   }
 
   private makeRenderer(): SmokeRenderer {

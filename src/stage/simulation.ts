@@ -1,13 +1,15 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
-import type { Scene } from '../scenes/scene.ts';
+import type { Moment, Scene } from '../scenes/scene.ts';
+import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import { POSE_FLOATS } from '../sim/rows.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import type { View } from '../sim/view.ts';
 import { Drag } from './drag.ts';
 import { simulatorValues, valueOf, valuesIn } from '../sim/simulatorValues.ts';
+import { PlacedParts } from './parts.ts';
 import { KeptStates } from './states.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);
@@ -38,6 +40,7 @@ export class Simulation {
   private readonly factory: SimulatorFactory;
   private readonly scene: Scene;
   private readonly matrices: Matrix4[];
+  private readonly placedParts: PlacedParts;
   private readonly states: KeptStates;
   private current: Simulator;
   private start: Values;
@@ -51,6 +54,7 @@ export class Simulation {
     this.scene = scene;
     this.rig = rigValues(scene);
     this.matrices = scene.rigids.map(() => new Matrix4());
+    this.placedParts = new PlacedParts(scene.parts);
     this.states = new KeptStates(historyBytes);
     this.current = this.create(values);
     this.start = values;
@@ -117,13 +121,19 @@ export class Simulation {
     this.set(Object.fromEntries(keys.map((key) => [key, this.rig[key] ?? findParameter(key)!.default])));
   }
 
-  /** Draws the rigid that people move to where they want it, by a spring. */
+  /** Draws the rigid that people move to where they want it, by a spring, or tells the scene's guide where that is. */
   dragHandle(): void {
     const { drag } = this;
     if (!drag) return;
+    if (this.scene.handle!.steers) return this.steerHandle(drag);
     const [anchor, grip] = [drag.anchor.toArray(), drag.grip.toArray()];
     this.input((simulator) => simulator.inputDrag(this.scene.handle!.rigid, anchor, grip));
     this.heldUntil = Infinity;
+  }
+
+  /** Whether a guide takes the rigid that people move to where they want it, which takes its time. */
+  get isSteered(): boolean {
+    return this.scene.handle?.steers !== undefined;
   }
 
   /** Lets go of it as soon as it has come to where it was drawn: let go in a pause, it could not come there otherwise. */
@@ -151,6 +161,7 @@ export class Simulation {
     const started = performance.now();
     for (let taken = 0; taken < steps; ++taken) {
       this.letGoWhenSettled();
+      this.guide();
       this.current.step();
       this.keepState();
     }
@@ -191,6 +202,11 @@ export class Simulation {
     return this.matrices;
   }
 
+  /** World transforms of the scene's parts, by their number, at the moment of `rigids`. */
+  parts(blend: number, rigids: readonly Matrix4[]): readonly Matrix4[] {
+    return this.placedParts.at(secondsAt(this.current.steps, blend), rigids);
+  }
+
   /** The transform with which the rigid that people move was drawn. */
   handleTransform(): Matrix4 {
     return this.matrices[this.scene.handle!.rigid];
@@ -216,6 +232,36 @@ export class Simulation {
     this.start = values;
     this.states.clear();
     this.resetDrag();
+  }
+
+  /** Tells kinematic rigids where the scene wants them after the coming step. What is asked for so is no input. */
+  private guide(): void {
+    const { guide } = this.scene;
+    if (!guide) return;
+    for (const { rigid, position, rotation } of guide(this.moment())) this.current.moveRigid(rigid, position, rotation);
+  }
+
+  private moment(): Moment {
+    const { current } = this;
+    const poses = current.rigidPoses(1);
+    return {
+      seconds: (current.steps + 1) * STEP_SECONDS,
+      dt: STEP_SECONDS,
+      control: (channel) => current.control(channel),
+      pose: (rigid) => {
+        const [x, y, z, i, j, k, w] = poses.subarray(POSE_FLOATS * rigid);
+        return { position: [x, y, z], rotation: [i, j, k, w] };
+      },
+    };
+  }
+
+  private steerHandle({ target }: Drag): void {
+    const { min, max, steers } = this.scene.handle!;
+    const place = target.toArray();
+    steers!.forEach((channel, axis) => {
+      const half = (max[axis] - min[axis]) / 2;
+      if (half > 0) this.input((simulator) => simulator.inputSteer(channel, (place[axis] - min[axis]) / half - 1));
+    });
   }
 
   private letGoWhenSettled(): void {

@@ -1,17 +1,15 @@
 import { MathUtils } from 'three';
 import type { DeviceCanvas } from '../device/device.ts';
 import type { DebugView, Quality } from '../preset/environment.ts';
-import { SimulatorError } from '../preset/errors.ts';
+import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { defaults, requireOptional, validate } from '../preset/values.ts';
 import { demandShapes } from '../puffs/demandShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
-import type { Scene } from '../scenes/scene.ts';
-import { sceneNamed } from '../scenes/scenes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
-import { loadSimulators, type SimulatorFactory } from '../sim/load.ts';
 import type { BlowInput } from './blow.ts';
 import type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
+import { openScene, type OpenedScene } from './openScene.ts';
 import type { Picture } from './picture.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
 import { RunningScene } from './runningScene.ts';
@@ -32,22 +30,18 @@ export class Stage {
     zoom: (factor: number) => this.#running.show(() => this.#picture.eye.zoom(factor)),
     pan: (x: number, y: number) => this.#running.show(() => this.#picture.eye.pan(x, y, this.#picture.size[1])),
     reset: () => this.#running.show(() => this.#picture.eye.reset()),
+    /** Where the eye stands about the vertical; 0 looks from +z. */
+    azimuth: () => this.#picture.eye.azimuth,
   };
-  readonly #factory: SimulatorFactory;
-  readonly #scene: Scene;
   readonly #running: RunningScene;
-  readonly #simulation: Simulation;
-  readonly #picture: Picture;
+  /** The latest call of enter. */
+  #entering: symbol | undefined;
 
   /** @internal Use createStage. */
-  constructor(canvas: DeviceCanvas, presenter: Presenter, factory: SimulatorFactory, options: StageOptions) {
+  constructor(canvas: DeviceCanvas, presenter: Presenter, opened: OpenedScene, options: StageOptions) {
     const values = { ...defaults(), ...options.values };
     this.canvas = canvas;
-    this.#factory = factory;
-    this.#scene = sceneNamed(values.scene as string);
-    this.#running = new RunningScene(presenter, factory, this.#scene, values, options.historyBytes ?? HISTORY_BYTES);
-    this.#simulation = this.#running.simulation;
-    this.#picture = this.#running.picture;
+    this.#running = new RunningScene(presenter, opened, values, options.historyBytes ?? HISTORY_BYTES);
     this.#picture.quality = options.quality ?? 1;
     this.#picture.view = options.view;
     this.resize(options.width ?? canvas.width, options.height ?? canvas.height, options.pixelRatio ?? 1);
@@ -131,13 +125,31 @@ export class Stage {
   }
 
   /**
+   * Goes to the scene of these values, or begins anew in this one, from the first step; values that are left out get the
+   * defaults of the table. Of several calls at once the last counts. The old scene goes on until the new one has come.
+   * @throws ParameterError for a value it does not take, LoadError when the scene cannot be fetched; nothing has changed then
+   */
+  async enter(values: Values): Promise<void> {
+    this.#running.requireAlive();
+    validate(values);
+    const after = { ...defaults(), ...values };
+    const entry = (this.#entering = Symbol(String(after.scene)));
+    const opened = await openScene(after.scene as string);
+    if (this.#running.isDisposed || this.#entering !== entry) return;
+    this.#running.enter(opened, after);
+  }
+
+  /**
    * Changes parameters by flat key; all of them, or none when one is refused. A new seed starts over; a new
    * simulation.maxParticles keeps what lives. What the simulator reads becomes part of the take; style and light do not.
+   * Another scene comes by `enter`.
    * @throws ParameterError naming the parameter, the value and what would have been accepted
    */
   set(values: Values): void {
     this.#running.requireAlive();
     validate(values);
+    const { scene } = this.#running.values;
+    if ((values.scene ?? scene) !== scene) throw new ParameterError('scene', values.scene, `${scene}, or enter()`);
     this.#running.change(values);
   }
 
@@ -169,7 +181,7 @@ export class Stage {
 
   /** Names of the scene's rigids by their number, for people who attach something to one. */
   get rigidNames(): readonly string[] {
-    return this.#scene.rigidNames;
+    return this.#running.scene.rigidNames;
   }
 
   /** What the scene itself sets of the optional parameters; it holds wherever `get()` has no value. */
@@ -209,7 +221,7 @@ export class Stage {
   take(): Take {
     this.#running.requireAlive();
     const bytes = this.#simulation.simulator.take(noteOf(this.#simulation.startValues));
-    return takeOf(bytes, this.#factory.readTake(bytes));
+    return takeOf(bytes, this.#running.factory.readTake(bytes));
   }
 
   /**
@@ -221,9 +233,10 @@ export class Stage {
   playTake(take: Take | Uint8Array): void {
     this.#running.requireAlive();
     const bytes = take instanceof Uint8Array ? take : take.toBytes();
-    const { values } = takeOf(bytes, this.#factory.readTake(bytes));
-    if (values.scene !== this.#scene.name) {
-      throw new SimulatorError(`The take was made in the scene ${values.scene}; this stage shows ${this.#scene.name}.`);
+    const { values } = takeOf(bytes, this.#running.factory.readTake(bytes));
+    const { name } = this.#running.scene;
+    if (values.scene !== name) {
+      throw new SimulatorError(`The take was made in the scene ${values.scene}; this stage shows ${name}.`);
     }
     this.#simulation.replay(bytes, values);
     this.#running.follow(this.#simulation.valuesIn(values));
@@ -276,20 +289,27 @@ export class Stage {
   dispose(): void {
     this.#running.dispose();
   }
+
+  get #simulation(): Simulation {
+    return this.#running.simulation;
+  }
+
+  get #picture(): Picture {
+    return this.#running.picture;
+  }
 }
 
 /**
  * Sets a scene up on a canvas and draws its first picture; it does not play yet.
- * @throws ParameterError for a value it does not take, LoadError when the simulator cannot be fetched,
+ * @throws ParameterError for a value it does not take, LoadError when the simulator or the scene cannot be fetched,
  * UnsupportedError when the browser lacks WebGL2 or WASM SIMD
  */
 export async function createStage(canvas: DeviceCanvas, options: StageOptions = {}): Promise<Stage> {
   validate(options.values ?? {});
-  const scene = sceneNamed((options.values?.scene ?? defaults().scene) as string);
+  const name = (options.values?.scene ?? defaults().scene) as string;
   const presenter = createPresenter(canvas, options.device, options);
   try {
-    const factory = await loadSimulators({ physics: scene.rigids.length > 0, onProgress: options.onProgress });
-    return new Stage(canvas, presenter, factory, options);
+    return new Stage(canvas, presenter, await openScene(name, options.onProgress), options);
   } catch (error) {
     presenter.dispose();
     throw error;

@@ -1,3 +1,4 @@
+import { sceneEntries } from '../../src/scenes/scenes.ts';
 import { expect, test } from '../support/fixtures.ts';
 import { expectSame } from './sameness.ts';
 
@@ -25,6 +26,19 @@ for (const form of ['lobes', 'billboards']) {
       expectSame(comparisons);
     });
   }
+}
+
+for (const scene of Object.keys(sceneEntries).filter((name) => name !== 'lamp')) {
+  test(`leaving out what is hidden changes no pixel of the scene ${scene}`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    for (const seconds of [2, 6]) {
+      const comparisons = await cases.evaluate(
+        (module, input) => module.compareScene({ preset: input.scene }, input.seconds, ['scene', 'above']),
+        { scene, seconds },
+      );
+      expectSame(comparisons);
+    }
+  });
 }
 
 for (const form of ['lobes', 'billboards'] as const) {

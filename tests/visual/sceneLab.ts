@@ -2,7 +2,7 @@
 import { PerspectiveCamera, Vector3, type Camera } from 'three';
 import { createDevice } from '../../src/device/device.ts';
 import type { Values } from '../../src/preset/parameter.ts';
-import { defaultPreset, presetValues } from '../../src/preset/presets.ts';
+import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import type { CameraPose, Scene } from '../../src/scenes/scene.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { loadSimulators } from '../../src/sim/load.ts';
@@ -55,9 +55,9 @@ export class SceneLab {
   }
 
   static async create(name: string, choice: SceneChoice): Promise<SceneLab> {
-    const scene = sceneNamed(name);
-    const values = { ...presetValues(defaultPreset), ...SMALL, scene: name, ...choice.values };
-    const factory = await loadSimulators({ physics: scene.rigids.length > 0 });
+    const { load, hasRigids } = sceneNamed(name);
+    const values = { ...presetValues(findPreset(name)!), ...SMALL, ...choice.values };
+    const [scene, factory] = await Promise.all([load(), loadSimulators({ physics: hasRigids })]);
     return new SceneLab(scene, new Simulation(factory, scene, values, 0), values, choice);
   }
 
@@ -80,17 +80,19 @@ export class SceneLab {
 
   /** What a picture is drawn from. */
   frame({ camera = this.camera(), cull = true, blend = 1 }: FrameOptions = {}): FrameInput {
-    const { width, height, values, style, simulator } = this;
+    const { width, height, values, style, simulator, scene } = this;
+    const rigids = this.simulation.rigids(blend);
     return {
       simulator,
       camera,
-      light: lightOf(values, new Vector3()),
+      light: lightOf(values, new Vector3(...(scene.lightCentre ?? scene.camera.target))),
       style,
       blend,
       width,
       height,
       pixelRatio: 1,
-      rigids: this.simulation.rigids(blend),
+      rigids,
+      parts: this.simulation.parts(blend, rigids),
       cull,
       output: null,
     };

@@ -1,3 +1,4 @@
+import { sceneEntries } from '../../src/scenes/scenes.ts';
 import { expect, test } from '../support/fixtures.ts';
 
 type Cases = typeof import('./cases/steadiness.ts');
@@ -9,18 +10,20 @@ const CASES = '/tests/visual/cases/steadiness.ts';
  */
 const SLIVER = 12;
 
-test('nothing pops in the lamp during ten seconds', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
-  const report = await cases.evaluate((module) => module.timePassing('lamp', 30, 600));
-  console.log('lamp, ten seconds:', report);
-  expect(report.bodies).toBeGreaterThan(0);
-  expect(report.largest).toBeLessThanOrEqual(SLIVER);
-});
+for (const scene of Object.keys(sceneEntries)) {
+  test(`nothing pops in the scene ${scene} during ten seconds`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const report = await cases.evaluate((module, name) => module.timePassing(name, 30, 600), scene);
+    console.log(`${scene}, ten seconds:`, report);
+    expect(report.bodies).toBeGreaterThan(0);
+    expect(report.largest).toBeLessThanOrEqual(SLIVER);
+  });
 
-test('nothing jumps in the lamp while the camera goes all the way round', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
-  const report = await cases.evaluate((module) => module.orbiting('lamp', 240, 360));
-  console.log('lamp, 360 degrees:', report);
-  expect(report.bodies).toBeGreaterThan(0);
-  expect(report.largest).toBeLessThanOrEqual(SLIVER);
-});
+  test(`nothing jumps in the scene ${scene} while the camera goes all the way round`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const report = await cases.evaluate((module, name) => module.orbiting(name, 240, 360), scene);
+    console.log(`${scene}, 360 degrees:`, report);
+    expect(report.bodies).toBeGreaterThan(0);
+    expect(report.largest).toBeLessThanOrEqual(SLIVER);
+  });
+}

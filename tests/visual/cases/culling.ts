@@ -1,6 +1,6 @@
 /** Pictures with and without what arrange leaves out: pixels that differ, and pixels whose shadow does. */
 import { OrthographicCamera, PerspectiveCamera, type Camera } from 'three';
-import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
+import { defaultPreset, findPreset, presetValues } from '../../../src/preset/presets.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
 import type { FrameInput } from '../../../src/smoke/frame.ts';
@@ -25,12 +25,16 @@ export type Place = 'scene' | 'above' | 'inside' | 'orthographic';
 
 const [WIDTH, HEIGHT] = [320, 240];
 
-/** A moment of the scene of a preset, as its stage draws it, from several places. */
-export async function compareScene(values: Values, seconds: number, places: readonly Place[]): Promise<Comparison[]> {
+/** A moment of the scene of a preset, the default one where none is named, as its stage draws it, from several places. */
+export async function compareScene(
+  { preset, ...values }: Values,
+  seconds: number,
+  places: readonly Place[],
+): Promise<Comparison[]> {
   const comparisons: Comparison[] = [];
   const { draw } = SmokeRenderer.prototype;
   const stage = await createStage(new OffscreenCanvas(WIDTH, HEIGHT), {
-    values: { ...presetValues(defaultPreset), ...values },
+    values: { ...presetValues(findPreset(String(preset)) ?? defaultPreset), ...values },
     width: WIDTH,
     height: HEIGHT,
     pixelRatio: 1,

@@ -1,0 +1,40 @@
+/** Things turned on an upright lathe, told by a few points of their outline. */
+import type { TriangleMesh } from '../../passes/extrusion.ts';
+import { planarAxis, revolve, uprightAxis, type Stretch } from './revolve.ts';
+import { spline } from './spline.ts';
+
+/** Points [radius, height] that a smooth line goes through. */
+export type Outline = readonly (readonly [radius: number, height: number])[];
+
+/** Bands of triangles between two points of an outline that bends. */
+const BANDS = 4;
+
+/**
+ * The closed mesh of an outline from the lowest point of its axis to the highest, along its outside.
+ * @param outlines each smooth in itself, with a crease where one ends and the next begins
+ */
+export function lathe(segments: number, ...outlines: readonly Outline[]): TriangleMesh {
+  return revolve({ axis: uprightAxis, segments, profile: outlines.map(stretch) });
+}
+
+/**
+ * A bent pipe in the plane z = 0.
+ * @param path points [x, y] that its middle goes through
+ * @param outlines [radius, share of the path], as for `lathe`
+ */
+export function pipe(
+  segments: number,
+  path: readonly (readonly [number, number])[],
+  ...outlines: readonly Outline[]
+): TriangleMesh {
+  const bends = BANDS * (path.length - 1);
+  const profile = outlines.map((outline) => {
+    const { curve, bands } = stretch(outline);
+    return { curve, bands: Math.max(bands, Math.ceil(bends * Math.abs(outline.at(-1)![1] - outline[0][1]))) };
+  });
+  return revolve({ axis: planarAxis(spline(path)), segments, profile });
+}
+
+function stretch(outline: Outline): Stretch {
+  return { curve: spline(outline), bands: outline.length === 2 ? 1 : BANDS * (outline.length - 1) };
+}
