@@ -1,16 +1,5 @@
-import {
-  GLSL3,
-  LinearFilter,
-  NoBlending,
-  NoColorSpace,
-  RawShaderMaterial,
-  UnsignedByteType,
-  Vector2,
-  WebGLRenderTarget,
-  type WebGLRenderer,
-} from 'three';
+import { LinearFilter, NoColorSpace, UnsignedByteType, Vector2, WebGLRenderTarget, type WebGLRenderer } from 'three';
 import fragmentShader from '../../shaders/enlarger/enlarger.frag';
-import vertexShader from '../../shaders/lib/fullScreen.vert';
 import { FullScreen } from './fullScreen.ts';
 
 /** A picture smaller than the canvas, and the way onto it: the canvas keeps its size, so that no page moves. */
@@ -24,20 +13,10 @@ export class Enlarger {
     depthBuffer: false,
   });
   private readonly canvas = { value: new Vector2(1, 1) };
-  private readonly triangle: FullScreen;
-
-  constructor() {
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader,
-      fragmentShader,
-      uniforms: { picture: { value: this.picture.texture }, canvas: this.canvas },
-      depthTest: false,
-      depthWrite: false,
-      blending: NoBlending,
-    });
-    this.triangle = new FullScreen(material);
-  }
+  private readonly triangle = new FullScreen(fragmentShader, {
+    picture: { value: this.picture.texture },
+    canvas: this.canvas,
+  });
 
   /** Where to draw the picture. @param width, height in pixels, at least 1 */
   prepare(width: number, height: number): WebGLRenderTarget {

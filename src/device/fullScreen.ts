@@ -1,33 +1,60 @@
-import { BufferAttribute, BufferGeometry, Mesh, Scene, type RawShaderMaterial, type WebGLRenderer } from 'three';
-import { PassCamera } from './passCamera.ts';
+import {
+  AddEquation,
+  BufferAttribute,
+  BufferGeometry,
+  CustomBlending,
+  GLSL3,
+  NoBlending,
+  OneFactor,
+  RawShaderMaterial,
+  type IUniform,
+  type ShaderMaterialParameters,
+} from 'three';
+import vertexShader from '../../shaders/lib/fullScreen.vert';
+import { DrawnMesh } from './drawnMesh.ts';
 
-/** One triangle that covers the viewport; its vertex shader is shaders/lib/fullScreen.vert. */
-export function fullScreenMesh(material: RawShaderMaterial): Mesh<BufferGeometry, RawShaderMaterial> {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('corner', new BufferAttribute(new Float32Array([-1, -1, 3, -1, -1, 3]), 2));
-  geometry.setDrawRange(0, 3);
-  const mesh = new Mesh(geometry, material);
-  mesh.frustumCulled = false;
-  return mesh;
-}
+/** Blending that adds to what stands. */
+export const ADDS = {
+  blending: CustomBlending,
+  blendEquation: AddEquation,
+  blendSrc: OneFactor,
+  blendDst: OneFactor,
+} as const satisfies ShaderMaterialParameters;
 
-/** Draws one material over the whole viewport, and owns it. */
-export class FullScreen {
-  private readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
-  private readonly scene = new Scene();
-  private readonly camera = new PassCamera();
-
-  constructor(material: RawShaderMaterial) {
-    this.mesh = fullScreenMesh(material);
-    this.scene.add(this.mesh);
-  }
-
-  draw(renderer: WebGLRenderer): void {
-    renderer.render(this.scene, this.camera);
+/**
+ * Draws one fragment shader over the whole viewport, by one triangle, and owns its material.
+ * Without further parameters it replaces what stands, and neither reads nor writes depth and stencil.
+ */
+export class FullScreen extends DrawnMesh {
+  constructor(
+    fragmentShader: string,
+    uniforms: Record<string, IUniform>,
+    parameters: Omit<ShaderMaterialParameters, 'vertexShader' | 'fragmentShader' | 'uniforms'> = {},
+  ) {
+    super(
+      triangle(),
+      new RawShaderMaterial({
+        glslVersion: GLSL3,
+        vertexShader,
+        fragmentShader,
+        uniforms,
+        depthTest: false,
+        depthWrite: false,
+        blending: NoBlending,
+        ...parameters,
+      }),
+    );
   }
 
   dispose(): void {
     this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+    this.material.dispose();
   }
+}
+
+function triangle(): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('corner', new BufferAttribute(new Float32Array([-1, -1, 3, -1, -1, 3]), 2));
+  geometry.setDrawRange(0, 3);
+  return geometry;
 }

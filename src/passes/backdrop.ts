@@ -1,6 +1,5 @@
-import { Color as ThreeColor, GLSL3, RawShaderMaterial, type WebGLRenderer } from 'three';
+import { Color as ThreeColor, type WebGLRenderer } from 'three';
 import fragmentShader from '../../shaders/backdrop/backdrop.frag';
-import vertexShader from '../../shaders/lib/fullScreen.vert';
 import type { Eye } from '../device/eye.ts';
 import { FullScreen } from '../device/fullScreen.ts';
 import { writeColor, type Color } from '../device/ramps.ts';
@@ -11,15 +10,7 @@ export class BackdropPass {
   private readonly triangle: FullScreen;
 
   constructor(eye: Eye) {
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader,
-      fragmentShader,
-      uniforms: { ...this.uniforms, viewport: eye.uniforms.viewport },
-      depthTest: false,
-      depthWrite: false,
-    });
-    this.triangle = new FullScreen(material);
+    this.triangle = new FullScreen(fragmentShader, { ...this.uniforms, viewport: eye.uniforms.viewport });
   }
 
   setColors(top: Color, bottom: Color): void {

@@ -1,9 +1,7 @@
 import {
   DoubleSide,
   GLSL3,
-  Mesh,
   RawShaderMaterial,
-  Scene,
   Vector2,
   Vector3,
   Vector4,
@@ -12,13 +10,12 @@ import {
   type Texture,
   type WebGLRenderer,
 } from 'three';
-import { PassCamera } from '../device/passCamera.ts';
 import billboardsFragmentShader from '../../shaders/bodies/billboards.frag';
 import billboardsVertexShader from '../../shaders/bodies/billboards.vert';
 import lobesFragmentShader from '../../shaders/bodies/lobes.frag';
 import lobesVertexShader from '../../shaders/bodies/lobes.vert';
+import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { Eye } from '../device/eye.ts';
-import { withMaterial } from '../device/withMaterial.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
 import { withLobes } from '../device/unroll.ts';
@@ -34,9 +31,7 @@ const NO_SURFACES = { surfaceDepth: { value: null }, hasSurfaces: { value: false
 
 /** Draws the bodies: colour in light and in shadow, ink, and depth. Opaque and free of any order. */
 export class BodiesPass {
-  private readonly scene = new Scene();
-  private readonly camera = new PassCamera();
-  private readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
+  private readonly rows: DrawnMesh;
   /** By the number of lobes that are unrolled in them; the billboards' by 0. */
   private readonly materials = new Map<number, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
@@ -88,14 +83,12 @@ export class BodiesPass {
       ramps: { value: ramps.texture },
       ...this.puffUniforms,
     };
-    this.mesh = new Mesh(rows, this.lobesMaterial());
-    this.mesh.frustumCulled = false;
-    this.scene.add(this.mesh);
+    this.rows = new DrawnMesh(rows, this.lobesMaterial());
   }
 
   /** Chooses how puffs become pixels, and follows other puffs; a form that is not drawn costs nothing. */
   setForm(form: PuffForm): void {
-    this.mesh.material = form === 'lobes' || this.isFlat ? this.lobesMaterial() : this.billboardsMaterial();
+    this.rows.material = form === 'lobes' || this.isFlat ? this.lobesMaterial() : this.billboardsMaterial();
   }
 
   /**
@@ -136,17 +129,17 @@ export class BodiesPass {
   }
 
   draw(renderer: WebGLRenderer): void {
-    renderer.render(this.scene, this.camera);
+    this.rows.draw(renderer);
   }
 
   /** What it draws with at present. */
   get material(): RawShaderMaterial {
-    return this.mesh.material;
+    return this.rows.material;
   }
 
   /** Draws once in another material, made of the present one. */
   drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
-    withMaterial(this.mesh, material, () => this.draw(renderer));
+    this.rows.drawAs(renderer, material);
   }
 
   dispose(): void {

@@ -1,12 +1,8 @@
 import {
-  AlwaysDepth,
   Box3,
-  CustomBlending,
   DoubleSide,
   EqualStencilFunc,
   GLSL3,
-  NoBlending,
-  OneFactor,
   RawShaderMaterial,
   Vector2,
   Vector3,
@@ -18,9 +14,8 @@ import addFragmentShader from '../../shaders/debugViews/add.frag';
 import colorsFragmentShader from '../../shaders/debugViews/colors.frag';
 import countsFragmentShader from '../../shaders/debugViews/counts.frag';
 import depthFragmentShader from '../../shaders/debugViews/depth.frag';
-import vertexShader from '../../shaders/lib/fullScreen.vert';
 import type { Eye } from '../device/eye.ts';
-import { FullScreen } from '../device/fullScreen.ts';
+import { ADDS, FullScreen } from '../device/fullScreen.ts';
 import type { DebugView } from '../preset/environment.ts';
 import type { BodiesPass } from './bodies.ts';
 import type { Targets } from './targets.ts';
@@ -41,7 +36,7 @@ export class DebugViewsPass {
   private readonly number = { value: 1 };
   private readonly shows = new Map<DebugView, FullScreen>();
   private readonly variants = new Map<string, RawShaderMaterial>();
-  private adding: { material: RawShaderMaterial; triangle: FullScreen } | undefined;
+  private adding: FullScreen | undefined;
 
   constructor(eye: Eye) {
     this.eye = eye;
@@ -62,12 +57,11 @@ export class DebugViewsPass {
   /** Writes the counts of the stencil into the targets, bit by bit, instead of what is there. */
   copyCounts(renderer: WebGLRenderer): void {
     this.adding ??= this.makeAdding();
-    const { material, triangle } = this.adding;
     renderer.clear(true, false, false);
     for (let bit = 1; bit < 256; bit *= 2) {
       this.number.value = bit;
-      material.stencilFuncMask = bit;
-      triangle.draw(renderer);
+      this.adding.material.stencilFuncMask = bit;
+      this.adding.draw(renderer);
     }
   }
 
@@ -77,7 +71,7 @@ export class DebugViewsPass {
     this.uniforms.lit.value = targets.lit;
     this.uniforms.depth.value = targets.depth;
     this.measureDepths();
-    const show = this.shows.get(view) ?? new FullScreen(this.showing(view));
+    const show = this.shows.get(view) ?? this.showing(view);
     this.shows.set(view, show);
     renderer.setRenderTarget(output);
     show.draw(renderer);
@@ -86,29 +80,24 @@ export class DebugViewsPass {
   dispose(): void {
     for (const show of this.shows.values()) show.dispose();
     for (const variant of this.variants.values()) variant.dispose();
-    this.adding?.triangle.dispose();
+    this.adding?.dispose();
     this.shows.clear();
     this.variants.clear();
     this.adding = undefined;
   }
 
-  private showing(view: DebugView): RawShaderMaterial {
+  private showing(view: DebugView): FullScreen {
     const fragmentShader =
       view === 'depth'
         ? depthFragmentShader
         : view === 'counts' || view === 'overdraw'
           ? countsFragmentShader
           : colorsFragmentShader;
-    return new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader,
+    return new FullScreen(
       fragmentShader,
-      defines: { VIEW: `${view}View`, RATE: view === 'counts' ? '0.25' : '0.06' },
-      uniforms: { ...this.uniforms, clipFromView: this.eye.uniforms.clipFromView },
-      depthTest: false,
-      depthWrite: false,
-      blending: NoBlending,
-    });
+      { ...this.uniforms, clipFromView: this.eye.uniforms.clipFromView },
+      { defines: { VIEW: `${view}View`, RATE: view === 'counts' ? '0.25' : '0.06' } },
+    );
   }
 
   /** The view depths of the box of everything that receives shadow. */
@@ -120,17 +109,9 @@ export class DebugViewsPass {
     this.uniforms.depthRange.value.set(nearest, Math.max(nearest + 1e-3, -box.min.z));
   }
 
-  private makeAdding(): { material: RawShaderMaterial; triangle: FullScreen } {
-    const material = new RawShaderMaterial({
-      ...ADDING,
-      vertexShader,
-      fragmentShader: addFragmentShader,
-      uniforms: { number: this.number },
-      stencilWrite: true,
-      stencilFunc: EqualStencilFunc,
-      stencilRef: 255,
-    });
-    return { material, triangle: new FullScreen(material) };
+  private makeAdding(): FullScreen {
+    const stencil = { stencilWrite: true, stencilFunc: EqualStencilFunc, stencilRef: 255 } as const;
+    return new FullScreen(addFragmentShader, { number: this.number }, { ...ADDS, ...stencil });
   }
 
   /** A material that stands where `source` does: with normals for its colours, or one more for each fragment. */
@@ -142,27 +123,21 @@ export class DebugViewsPass {
   }
 
   private makeVariant(source: RawShaderMaterial, kind: 'NORMALS' | 'OVERDRAW'): RawShaderMaterial {
-    const { vertexShader: vertices, fragmentShader, defines, side, uniforms } = source;
+    const { vertexShader, fragmentShader, defines, side, uniforms } = source;
     if (kind === 'NORMALS') {
-      const parts = { vertexShader: vertices, fragmentShader, side, uniforms };
+      const parts = { vertexShader, fragmentShader, side, uniforms };
       return new RawShaderMaterial({ ...parts, glslVersion: GLSL3, defines: { ...defines, NORMALS: '' } });
     }
     return new RawShaderMaterial({
-      ...ADDING,
-      vertexShader: vertices,
+      ...ADDS,
+      glslVersion: GLSL3,
+      vertexShader,
       fragmentShader: addFragmentShader,
+      depthTest: false,
+      depthWrite: false,
       side: DoubleSide,
       defines: { ...defines },
       uniforms: { ...uniforms, number: this.number },
     });
   }
 }
-
-const ADDING = {
-  glslVersion: GLSL3,
-  depthFunc: AlwaysDepth,
-  depthWrite: false,
-  blending: CustomBlending,
-  blendSrc: OneFactor,
-  blendDst: OneFactor,
-} as const;

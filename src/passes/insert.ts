@@ -1,24 +1,17 @@
 import {
   CustomBlending,
   EqualStencilFunc,
-  GLSL3,
   NotEqualStencilFunc,
   OneFactor,
   OneMinusSrcAlphaFactor,
-  RawShaderMaterial,
-  Scene,
-  type BufferGeometry,
-  type IUniform,
   type Mesh,
   type ShaderMaterialParameters,
   type Texture,
   type WebGLRenderer,
 } from 'three';
-import { PassCamera } from '../device/passCamera.ts';
 import fragmentShader from '../../shaders/insert/insert.frag';
-import vertexShader from '../../shaders/lib/fullScreen.vert';
 import type { Eye } from '../device/eye.ts';
-import { fullScreenMesh } from '../device/fullScreen.ts';
+import { FullScreen } from '../device/fullScreen.ts';
 
 /** What is inserted: both pictures of the smoke, smoothed and premultiplied, and its depth. */
 export interface InsertedSmoke {
@@ -32,12 +25,9 @@ export interface InsertedSmoke {
  * depth, so that volumes count on smoke and on all else; then lit where the stencil is zero, and unlit elsewhere.
  */
 export class InsertPass {
-  /** Draws unlit smoke where the stencil counts: the part that can wait for its turn in a stranger's list. */
-  readonly unlitMesh: Mesh<BufferGeometry, RawShaderMaterial>;
-  private readonly depthMesh: Mesh<BufferGeometry, RawShaderMaterial>;
-  private readonly litMesh: Mesh<BufferGeometry, RawShaderMaterial>;
-  private readonly scene = new Scene();
-  private readonly camera = new PassCamera();
+  private readonly depthTriangle: FullScreen;
+  private readonly litTriangle: FullScreen;
+  private readonly unlitTriangle: FullScreen;
   private readonly common = {
     smokeDepth: { value: null as Texture | null },
     isLinear: { value: false },
@@ -47,9 +37,18 @@ export class InsertPass {
 
   constructor(eye: Eye) {
     const uniforms = { ...this.common, viewportOrigin: eye.uniforms.viewportOrigin };
-    this.depthMesh = insertMesh({ ...uniforms, picture: this.unlit }, { colorWrite: false, depthWrite: true });
-    this.litMesh = insertMesh({ ...uniforms, picture: this.lit }, shownWhere(EqualStencilFunc));
-    this.unlitMesh = insertMesh({ ...uniforms, picture: this.unlit }, shownWhere(NotEqualStencilFunc));
+    const onlyDepth = { depthTest: true, depthWrite: true, colorWrite: false };
+    const [lit, unlit] = [this.lit, this.unlit].map((picture) => ({ ...uniforms, picture }));
+    this.depthTriangle = new FullScreen(fragmentShader, unlit, onlyDepth);
+    this.litTriangle = new FullScreen(fragmentShader, lit, shownWhere(EqualStencilFunc));
+    this.unlitTriangle = new FullScreen(fragmentShader, unlit, shownWhere(NotEqualStencilFunc));
+    // A scene that is drawn with one material for everything shall not replace this one.
+    this.unlitTriangle.material.allowOverride = false;
+  }
+
+  /** Draws unlit smoke where the stencil counts: the part that can wait for its turn in a stranger's list. */
+  get unlitMesh(): Mesh {
+    return this.unlitTriangle.mesh;
   }
 
   /** @param isLinear whether the picture holds linear colour instead of display-encoded */
@@ -61,44 +60,26 @@ export class InsertPass {
   }
 
   drawDepth(renderer: WebGLRenderer): void {
-    this.draw(renderer, this.depthMesh);
+    this.depthTriangle.draw(renderer);
   }
 
   drawLit(renderer: WebGLRenderer): void {
-    this.draw(renderer, this.litMesh);
+    this.litTriangle.draw(renderer);
   }
 
   dispose(): void {
-    for (const { geometry, material } of [this.depthMesh, this.litMesh, this.unlitMesh]) {
-      geometry.dispose();
-      material.dispose();
-    }
+    for (const triangle of [this.depthTriangle, this.litTriangle, this.unlitTriangle]) triangle.dispose();
   }
-
-  private draw(renderer: WebGLRenderer, mesh: Mesh): void {
-    this.scene.children = [mesh];
-    renderer.render(this.scene, this.camera);
-  }
-}
-
-function insertMesh(
-  uniforms: Record<string, IUniform>,
-  parameters: ShaderMaterialParameters,
-): Mesh<BufferGeometry, RawShaderMaterial> {
-  const material = new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms, ...parameters });
-  // A scene that is drawn with one material for everything shall not replace this one.
-  material.allowOverride = false;
-  return fullScreenMesh(material);
 }
 
 /** Colour over what is there, and nearest: the depth that was inserted before stands there. */
 function shownWhere(stencilFunc: ShaderMaterialParameters['stencilFunc']): ShaderMaterialParameters {
   return {
+    depthTest: true,
     transparent: true,
     blending: CustomBlending,
     blendSrc: OneFactor,
     blendDst: OneMinusSrcAlphaFactor,
-    depthWrite: false,
     stencilWrite: true,
     stencilWriteMask: 0,
     stencilFunc,

@@ -1,9 +1,8 @@
-import { Mesh, Scene, type InstancedBufferGeometry, type RawShaderMaterial, type WebGLRenderer } from 'three';
-import { PassCamera } from '../device/passCamera.ts';
+import type { InstancedBufferGeometry, RawShaderMaterial, WebGLRenderer } from 'three';
 import fragmentShader from '../../shaders/meshVolumes/meshVolumes.frag';
 import vertexShader from '../../shaders/prismVolumes/prismVolumes.vert';
+import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { Eye } from '../device/eye.ts';
-import { withMaterial } from '../device/withMaterial.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { prismsOf } from './prisms.ts';
@@ -18,10 +17,8 @@ const FULLNESS = 1.06;
  * back faces of each come before its front faces, so that the operations may clamp as those of the nailboards do.
  */
 export class PrismVolumesPass {
-  private readonly scene = new Scene();
-  private readonly camera = new PassCamera();
   private readonly rows: InstancedBufferGeometry;
-  private readonly mesh: Mesh<InstancedBufferGeometry, RawShaderMaterial>;
+  private readonly prisms: DrawnMesh<InstancedBufferGeometry>;
   private readonly puffs: PuffTextures;
   private readonly shadowRadius = { value: 1 };
 
@@ -29,11 +26,9 @@ export class PrismVolumesPass {
     this.puffs = puffs;
     this.rows = rows;
     const uniforms = { ...eye.uniforms, shadowRadius: this.shadowRadius };
-    this.mesh = new Mesh(prismsOf(rows), countingMaterial({ vertexShader, fragmentShader, uniforms }));
-    this.mesh.frustumCulled = false;
+    this.prisms = new DrawnMesh(prismsOf(rows), countingMaterial({ vertexShader, fragmentShader, uniforms }));
     const { KEEP, INCR, DECR } = WebGL2RenderingContext;
-    countFaces(this.mesh, { depthFail: DECR, depthPass: KEEP }, { depthFail: INCR, depthPass: KEEP });
-    this.scene.add(this.mesh);
+    countFaces(this.prisms.mesh, { depthFail: DECR, depthPass: KEEP }, { depthFail: INCR, depthPass: KEEP });
     this.follow();
   }
 
@@ -44,23 +39,28 @@ export class PrismVolumesPass {
   }
 
   draw(renderer: WebGLRenderer): void {
-    this.mesh.geometry.instanceCount = this.rows.instanceCount;
-    renderer.render(this.scene, this.camera);
+    this.takeRows();
+    this.prisms.draw(renderer);
   }
 
   /** What it draws with at present. */
   get material(): RawShaderMaterial {
-    return this.mesh.material;
+    return this.prisms.material;
   }
 
   /** Draws once in another material, made of the present one. */
   drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
-    withMaterial(this.mesh, material, () => this.draw(renderer));
+    this.takeRows();
+    this.prisms.drawAs(renderer, material);
   }
 
   dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+    this.prisms.mesh.geometry.dispose();
+    this.prisms.material.dispose();
+  }
+
+  private takeRows(): void {
+    this.prisms.mesh.geometry.instanceCount = this.rows.instanceCount;
   }
 }
 

@@ -1,14 +1,5 @@
-import {
-  Color as ThreeColor,
-  GLSL3,
-  NoBlending,
-  RawShaderMaterial,
-  type Texture,
-  type WebGLRenderer,
-  type WebGLRenderTarget,
-} from 'three';
+import { Color as ThreeColor, type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 import fragmentShader from '../../shaders/resolve/resolve.frag';
-import vertexShader from '../../shaders/lib/fullScreen.vert';
 import { FullScreen } from '../device/fullScreen.ts';
 import { writeColor, type Color } from '../device/ramps.ts';
 import type { Targets } from './targets.ts';
@@ -21,20 +12,7 @@ export class ResolvePass {
     deepShadow: { value: new ThreeColor() },
     smoothEdges: { value: true },
   };
-  private readonly triangle: FullScreen;
-
-  constructor() {
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader,
-      fragmentShader,
-      uniforms: this.uniforms,
-      depthTest: false,
-      depthWrite: false,
-      blending: NoBlending,
-    });
-    this.triangle = new FullScreen(material);
-  }
+  private readonly triangle = new FullScreen(fragmentShader, this.uniforms);
 
   /** @param color what the colour of shadow is multiplied by where shadow is deep */
   setDeepShadow(color: Color): void {

@@ -1,20 +1,16 @@
 import {
   Color as ThreeColor,
   GLSL3,
-  Mesh,
-  NoBlending,
   RawShaderMaterial,
-  Scene,
   type BufferGeometry,
   type Texture,
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
-import { PassCamera } from '../device/passCamera.ts';
-import fullScreenVertexShader from '../../shaders/lib/fullScreen.vert';
 import linesFragmentShader from '../../shaders/selle/lines.frag';
 import fragmentShader from '../../shaders/selle/selle.frag';
 import vertexShader from '../../shaders/selle/selle.vert';
+import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { Eye } from '../device/eye.ts';
 import { FullScreen } from '../device/fullScreen.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
@@ -26,18 +22,14 @@ import type { Targets } from './targets.ts';
  * puffs of one depth each, and lines one pixel wide where the depth, read back as a texture, jumps. No shadows.
  */
 export class SellePass {
-  private readonly scene = new Scene();
-  private readonly camera = new PassCamera();
   private readonly puffs: PuffTextures;
-  private readonly rows: BufferGeometry;
   private readonly common;
   private readonly lineUniforms;
   private readonly lines: FullScreen;
-  private material: RawShaderMaterial | undefined;
+  private readonly rows: DrawnMesh;
 
   constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, rows: BufferGeometry) {
     this.puffs = puffs;
-    this.rows = rows;
     this.common = {
       ...eye.uniforms,
       ramps: { value: ramps.texture },
@@ -52,17 +44,14 @@ export class SellePass {
       inkColor: { value: new ThreeColor() },
       threshold: { value: 0 },
     };
-    this.lines = new FullScreen(
-      new RawShaderMaterial({
-        glslVersion: GLSL3,
-        vertexShader: fullScreenVertexShader,
-        fragmentShader: linesFragmentShader,
-        uniforms: this.lineUniforms,
-        depthTest: false,
-        depthWrite: false,
-        blending: NoBlending,
-      }),
-    );
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms: this.common,
+    });
+    this.rows = new DrawnMesh(rows, material);
+    this.lines = new FullScreen(linesFragmentShader, this.lineUniforms);
   }
 
   /** @param threshold depth gap in metres beyond which there is a line */
@@ -73,12 +62,11 @@ export class SellePass {
 
   /** Draws the puffs into the targets. */
   draw(renderer: WebGLRenderer): void {
-    this.material ??= this.show();
     // Late, because the flat puffs are baked when they are first asked for; each time, because they may be others.
     const { layers, colorCoverage } = this.puffs.billboards;
     this.common.colorCoverage.value = colorCoverage;
     this.common.pad.value = layers.pad;
-    renderer.render(this.scene, this.camera);
+    this.rows.draw(renderer);
   }
 
   /** Draws the picture with its lines: what the resolve pass does elsewhere. */
@@ -92,21 +80,6 @@ export class SellePass {
 
   dispose(): void {
     this.lines.dispose();
-    this.material?.dispose();
-    this.material = undefined;
-    this.scene.clear();
-  }
-
-  private show(): RawShaderMaterial {
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader,
-      fragmentShader,
-      uniforms: this.common,
-    });
-    const mesh = new Mesh(this.rows, material);
-    mesh.frustumCulled = false;
-    this.scene.add(mesh);
-    return material;
+    this.rows.material.dispose();
   }
 }

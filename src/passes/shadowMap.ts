@@ -1,14 +1,8 @@
 import {
-  AddEquation,
   Box3,
-  CustomBlending,
-  GLSL3,
   Matrix4,
   NearestFilter,
-  NoBlending,
-  OneFactor,
   OrthographicCamera,
-  RawShaderMaterial,
   Sphere,
   WebGLRenderTarget,
   type BufferGeometry,
@@ -16,11 +10,10 @@ import {
   type Texture,
   type WebGLRenderer,
 } from 'three';
-import fullScreenVertexShader from '../../shaders/lib/fullScreen.vert';
 import applyFragmentShader from '../../shaders/shadowMap/apply.frag';
 import shadowedFragmentShader from '../../shaders/shadowMap/shadowed.frag';
 import { Eye } from '../device/eye.ts';
-import { FullScreen } from '../device/fullScreen.ts';
+import { ADDS, FullScreen } from '../device/fullScreen.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import type { RampTexture } from '../device/ramps.ts';
 import { BodiesPass } from './bodies.ts';
@@ -85,9 +78,9 @@ export class ShadowMapPass {
       lightViewFromView: { value: new Matrix4() },
       bias: { value: 0 },
     };
-    this.measure = new FullScreen(fullScreenMaterial(shadowedFragmentShader, this.uniforms));
+    this.measure = new FullScreen(shadowedFragmentShader, this.uniforms);
     const shadowed = { value: this.shadowed.texture };
-    this.apply = new FullScreen(fullScreenMaterial(applyFragmentShader, { shadowed }, true));
+    this.apply = new FullScreen(applyFragmentShader, { shadowed }, ADDS);
   }
 
   setForm(form: PuffForm): void {
@@ -134,28 +127,4 @@ export class ShadowMapPass {
     this.uniforms.bias.value = (BIAS_TEXELS * 2 * radius) / SIZE;
     this.uniforms.lightViewFromView.value.copy(viewFromWorld.value).invert().premultiply(camera.matrixWorldInverse);
   }
-}
-
-function fullScreenMaterial(
-  fragmentShader: string,
-  uniforms: RawShaderMaterial['uniforms'],
-  adds = false,
-): RawShaderMaterial {
-  return new RawShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader: fullScreenVertexShader,
-    fragmentShader,
-    uniforms,
-    depthTest: false,
-    depthWrite: false,
-    ...(adds
-      ? {
-          transparent: true,
-          blending: CustomBlending,
-          blendEquation: AddEquation,
-          blendSrc: OneFactor,
-          blendDst: OneFactor,
-        }
-      : { blending: NoBlending }),
-  });
 }

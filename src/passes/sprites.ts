@@ -1,19 +1,17 @@
 import {
   CustomBlending,
   GLSL3,
-  Mesh,
   OneFactor,
   OneMinusSrcAlphaFactor,
   RawShaderMaterial,
-  Scene,
   type BufferGeometry,
   type Texture,
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
-import { PassCamera } from '../device/passCamera.ts';
 import fragmentShader from '../../shaders/sprites/sprites.frag';
 import vertexShader from '../../shaders/sprites/sprites.vert';
+import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { Eye } from '../device/eye.ts';
 import type { RampTexture } from '../device/ramps.ts';
 import type { Targets } from './targets.ts';
@@ -23,13 +21,11 @@ import type { Targets } from './targets.ts';
  * The rows must come in that order.
  */
 export class SpritesPass {
-  private readonly scene = new Scene();
-  private readonly camera = new PassCamera();
-  private readonly material: RawShaderMaterial;
+  private readonly rows: DrawnMesh;
   private readonly depth = { value: null as Texture | null };
 
   constructor(eye: Eye, ramps: RampTexture, rows: BufferGeometry) {
-    this.material = new RawShaderMaterial({
+    const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,
       fragmentShader,
@@ -38,26 +34,23 @@ export class SpritesPass {
         depth: this.depth,
         ramps: { value: ramps.texture },
       },
-      transparent: true,
       depthTest: false,
       depthWrite: false,
       blending: CustomBlending,
       blendSrc: OneFactor,
       blendDst: OneMinusSrcAlphaFactor,
     });
-    const mesh = new Mesh(rows, this.material);
-    mesh.frustumCulled = false;
-    this.scene.add(mesh);
+    this.rows = new DrawnMesh(rows, material);
   }
 
   /** Blends over what the resolve pass has written to `output`; the depth of the surfaces is read from the targets. */
   draw(renderer: WebGLRenderer, targets: Targets, output: WebGLRenderTarget | null): void {
     this.depth.value = targets.depth;
     renderer.setRenderTarget(output);
-    renderer.render(this.scene, this.camera);
+    this.rows.draw(renderer);
   }
 
   dispose(): void {
-    this.material.dispose();
+    this.rows.material.dispose();
   }
 }

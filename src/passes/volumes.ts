@@ -1,17 +1,8 @@
-import {
-  Mesh,
-  Scene,
-  type BufferGeometry,
-  type IUniform,
-  type RawShaderMaterial,
-  type Texture,
-  type WebGLRenderer,
-} from 'three';
-import { PassCamera } from '../device/passCamera.ts';
+import { type BufferGeometry, type IUniform, type RawShaderMaterial, type Texture, type WebGLRenderer } from 'three';
 import fragmentShader from '../../shaders/volumes/volumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
+import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { Eye } from '../device/eye.ts';
-import { withMaterial } from '../device/withMaterial.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
@@ -25,9 +16,7 @@ const BEHIND_THE_PUFF = 1.2;
  * and then its back in one draw, so the running count is the true one and saturation can only stay dark.
  */
 export class VolumesPass {
-  private readonly scene = new Scene();
-  private readonly camera = new PassCamera();
-  private readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
+  private readonly rows: DrawnMesh;
   /** By the number of lobes that are unrolled in them. */
   private readonly materials = new Map<number, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
@@ -44,14 +33,12 @@ export class VolumesPass {
   constructor(eye: Eye, puffs: PuffTextures, rows: BufferGeometry) {
     this.puffs = puffs;
     this.common = { ...eye.uniforms, ...this.uniforms };
-    this.mesh = new Mesh(rows, this.materialFor('lobes', FIRST_BORDER));
-    this.mesh.frustumCulled = false;
+    this.rows = new DrawnMesh(rows, this.materialFor('lobes', FIRST_BORDER));
     countFaces(
-      this.mesh,
+      this.rows.mesh,
       { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.INCR },
       { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.DECR },
     );
-    this.scene.add(this.mesh);
   }
 
   /**
@@ -59,7 +46,7 @@ export class VolumesPass {
    * @param turn N . L from which a lit pixel differs from one in shadow; below 0 where it does even on the dark side
    */
   follow(form: PuffForm, turn: number): void {
-    this.mesh.material = this.materialFor(form, turn);
+    this.rows.material = this.materialFor(form, turn);
   }
 
   /** Radii behind a puff's centre before which no volume begins. */
@@ -68,17 +55,17 @@ export class VolumesPass {
   }
 
   draw(renderer: WebGLRenderer): void {
-    renderer.render(this.scene, this.camera);
+    this.rows.draw(renderer);
   }
 
   /** What it draws with at present. */
   get material(): RawShaderMaterial {
-    return this.mesh.material;
+    return this.rows.material;
   }
 
   /** Draws once in another material, made of the present one. */
   drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
-    withMaterial(this.mesh, material, () => this.draw(renderer));
+    this.rows.drawAs(renderer, material);
   }
 
   dispose(): void {

@@ -3,25 +3,17 @@
  * colours and stencil counts back. Runs inside a page.
  */
 import {
-  AlwaysDepth,
   type Camera,
-  CustomBlending,
   EqualStencilFunc,
-  GLSL3,
   Matrix4,
-  OneFactor,
   PerspectiveCamera,
-  RawShaderMaterial,
-  Scene,
   Vector3,
   WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
-import fullScreenVertexShader from '../../shaders/lib/fullScreen.vert';
 import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { createDevice, Device } from '../../src/device/device.ts';
-import { PassCamera } from '../../src/device/passCamera.ts';
-import { fullScreenMesh } from '../../src/device/fullScreen.ts';
+import { ADDS, FullScreen } from '../../src/device/fullScreen.ts';
 import type { Color } from '../../src/device/ramps.ts';
 import type { DebugView } from '../../src/preset/environment.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
@@ -248,37 +240,25 @@ function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arra
 /** Reads the stencil, which WebGL cannot do itself: each of its bits draws itself where it stands. */
 function readStencil({ renderer }: Device, target: WebGLRenderTarget): Uint8Array {
   const value = { value: 0 };
-  const material = new RawShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader: fullScreenVertexShader,
-    fragmentShader: `precision highp float;
+  const triangle = new FullScreen(
+    `precision highp float;
       uniform float value;
       layout(location = 0) out vec4 first;
       layout(location = 1) out vec4 second;
       void main() { first = vec4(value / 255.0); second = first; }`,
-    uniforms: { value },
-    depthFunc: AlwaysDepth,
-    depthWrite: false,
-    blending: CustomBlending,
-    blendSrc: OneFactor,
-    blendDst: OneFactor,
-    stencilWrite: true,
-    stencilFunc: EqualStencilFunc,
-    stencilRef: 255,
-  });
-  const mesh = fullScreenMesh(material);
-  const scene = new Scene().add(mesh);
+    { value },
+    { ...ADDS, stencilWrite: true, stencilFunc: EqualStencilFunc, stencilRef: 255 },
+  );
   renderer.setRenderTarget(target);
   renderer.clear(true, false, false);
   for (let bit = 1; bit < 256; bit *= 2) {
     value.value = bit;
-    material.stencilFuncMask = bit;
-    renderer.render(scene, new PassCamera());
+    triangle.material.stencilFuncMask = bit;
+    triangle.draw(renderer);
   }
   const { width, height } = target;
   const pixels = new Uint8Array(4 * width * height);
   renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
-  mesh.geometry.dispose();
-  material.dispose();
+  triangle.dispose();
   return pixels.filter((_, index) => index % 4 === 0);
 }

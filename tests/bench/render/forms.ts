@@ -54,6 +54,6 @@ function look(bench: RenderBench, form: PuffForm): Side {
   bench.style = style;
   const { bodiesDrawn } = bench.draw(false);
   const { bodies, body } = bench.smoke.passes;
-  const fragments = countFragments(bench.device.renderer, bodies.geometry, body['mesh'].material, WIDTH, HEIGHT);
+  const fragments = countFragments(bench.device.renderer, bodies.geometry, body.material, WIDTH, HEIGHT);
   return { form, style, times: [], bodiesDrawn, fragments };
 }

@@ -35,7 +35,7 @@ function lookFrom(bench: RenderBench) {
   bench.camera.updateMatrixWorld();
   const { bodiesDrawn, castersDrawn } = bench.draw(true);
   const { casters, volumes } = bench.smoke.passes;
-  const { kept } = countFragments(bench.device.renderer, casters.geometry, volumes['mesh'].material, WIDTH, HEIGHT);
+  const { kept } = countFragments(bench.device.renderer, casters.geometry, volumes.material, WIDTH, HEIGHT);
   const note = `${bodiesDrawn} bodies, ${castersDrawn} casters, ${kept} volume fragments`;
   return { place: bench.camera.matrixWorld.clone(), bodiesDrawn, note, times: [] as number[] };
 }

@@ -49,15 +49,15 @@ function look(bench: RenderBench, cull: boolean): Side {
   const picture = bench.picture();
   const { renderer } = bench.device;
   const { bodies, casters, body, volumes } = bench.smoke.passes;
-  const count = (geometry: typeof bodies.geometry, material: (typeof body)['mesh']['material']) =>
+  const count = (geometry: typeof bodies.geometry, material: (typeof body)['material']) =>
     countFragments(renderer, geometry, material, WIDTH, HEIGHT);
   return {
     cull,
     times: [],
     bodiesDrawn,
     castersDrawn,
-    bodies: count(bodies.geometry, body['mesh'].material),
-    volumes: count(casters.geometry, volumes['mesh'].material),
+    bodies: count(bodies.geometry, body.material),
+    volumes: count(casters.geometry, volumes.material),
     picture,
   };
 }

@@ -40,8 +40,8 @@ function check(bench: RenderBench, quarks: QuarksScene): { ours: string; theirs:
   const { bodiesDrawn, castersDrawn } = bench.draw(true);
   const { bodies, casters, body, volumes } = bench.smoke.passes;
   const [bodyFragments, volumeFragments] = [
-    countFragments(renderer, bodies.geometry, body['mesh'].material, WIDTH, HEIGHT).kept,
-    countFragments(renderer, casters.geometry, volumes['mesh'].material, WIDTH, HEIGHT).kept,
+    countFragments(renderer, bodies.geometry, body.material, WIDTH, HEIGHT).kept,
+    countFragments(renderer, casters.geometry, volumes.material, WIDTH, HEIGHT).kept,
   ];
   const quads = Math.round(quarks.countFragments(renderer, bench.camera, WIDTH, HEIGHT));
   quarks.draw(renderer, bench.camera);

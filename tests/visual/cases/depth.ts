@@ -1,21 +1,17 @@
 /** windowDepth as the shaders compute it, against the projection of the same points. */
 import {
-  Camera,
+  type Camera,
   FloatType,
-  GLSL3,
   type Matrix4,
   NearestFilter,
   OrthographicCamera,
   PerspectiveCamera,
-  RawShaderMaterial,
-  Scene,
   Vector4,
   WebGLRenderTarget,
 } from 'three';
 import depthChunk from '../../../shaders/lib/depth.glsl';
-import fullScreenVertexShader from '../../../shaders/lib/fullScreen.vert';
 import { createDevice } from '../../../src/device/device.ts';
-import { fullScreenMesh } from '../../../src/device/fullScreen.ts';
+import { FullScreen } from '../../../src/device/fullScreen.ts';
 
 const SAMPLES = 64;
 const [NEAR, FAR] = [0.1, 60];
@@ -51,24 +47,21 @@ function depthOf(sample: number): number {
 function onTheGpu(clipFromView: Matrix4): Float32Array {
   const device = createDevice(new OffscreenCanvas(1, 1));
   device.renderer.getContext().getExtension('EXT_color_buffer_float');
-  const material = new RawShaderMaterial({
-    glslVersion: GLSL3,
-    vertexShader: fullScreenVertexShader,
-    fragmentShader: `precision highp float;
+  const triangle = new FullScreen(
+    `precision highp float;
       uniform mat4 clipFromView;
       uniform float depths[${SAMPLES}];
       out vec4 result;
       ${depthChunk}
       void main() { result = vec4(windowDepth(clipFromView, -depths[int(gl_FragCoord.x)])); }`,
-    uniforms: {
+    {
       clipFromView: { value: clipFromView },
       depths: { value: Array.from({ length: SAMPLES }, (_, sample) => depthOf(sample)) },
     },
-  });
-  const mesh = fullScreenMesh(material);
+  );
   const target = new WebGLRenderTarget(SAMPLES, 1, { type: FloatType, minFilter: NearestFilter, depthBuffer: false });
   device.renderer.setRenderTarget(target);
-  device.renderer.render(new Scene().add(mesh), new Camera());
+  triangle.draw(device.renderer);
   const pixels = new Float32Array(4 * SAMPLES);
   device.renderer.readRenderTargetPixels(target, 0, 0, SAMPLES, 1, pixels);
   device.dispose();
