@@ -53,13 +53,20 @@ mat3 viewFromPuffOf(uvec2 look) {
 }
 
 // A nailboard is sheared along its view rays: its relief moves a fragment sideways, in radii. How much farther behind
-// that can take a lit point.
+// that can take a lit point that is in the picture.
 float shearOf(vec3 travel, vec3 centre) {
+  // Before the near plane puffs shrink, as in shaders/bodies; behind it none is left.
+  float grown = smoothstep(near, near + 2.0 * place.w, -centre.z);
+  if (grown <= 0.0) return 0.0;
+  // The slopes of view rays; of a puff beside the picture only what reaches into it counts.
+  vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
+  vec2 ray = clamp(centre.xy / -centre.z, (clipFromView[2].xy - 1.0) / scale, (clipFromView[2].xy + 1.0) / scale);
   // What of a puff is seen lies no deeper than a bound behind its centre plane, and of the unit ball height times
   // distance from the view axis is at most a half.
-  float slope = dot(travel.xy, centre.xy / centre.z);
-  if (facesEye) return max(0.0, slope);
-  return max(slope, -depth * slope) - 0.5 * length(travel.xy) * place.w / centre.z;
+  float slope = -dot(travel.xy, ray);
+  if (facesEye) return grown * max(0.0, slope);
+  float aside = 0.5 * length(travel.xy) * grown * place.w / -centre.z;
+  return grown * (max(slope, -depth * slope) + aside);
 }
 
 // How far behind the centre (in radii, along the light's travel) the puff's farthest lit point lies, from the baked table.

@@ -15,6 +15,7 @@ const SCENES: readonly SceneName[] = [
   'touching',
   'byLamp',
   'byLampAmongPuffs',
+  'lampAmongPuffs',
   'lampRising',
   'lampFull',
   'eyeInPlume',

@@ -32,6 +32,11 @@ const LIGHTS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['byLampAmongPuffs', [{ tones: 3 }]],
   ['backlit', [{ tones: 3 }, { gradient: 'height' }, { gradient: 'screen' }]],
 ];
+const MANY: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['lampAmongPuffs', [{}, BILLBOARDS]],
+  ['besideEye', [{}]],
+  ['coincident', [{}, BILLBOARDS]],
+];
 const SHADOWS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [BILLBOARDS, { ...BILLBOARDS, tones: 1 }]],
   ['offAxis', [BILLBOARDS]],
@@ -44,7 +49,7 @@ const SHADOWS: readonly (readonly [SceneName, readonly Mode[]])[] = [
 const REVERSED: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [{}]],
   ['offAxis', [BILLBOARDS]],
-  ['orthographic', [{}]],
+  ['orthographic', [{}, BILLBOARDS]],
   ['touching', [{}]],
   ['eyeInside', [{}]],
 ];
@@ -72,6 +77,7 @@ for (const [what, scenes, reversedDepth] of [
   ['puffs among solids', CLUSTERS, false],
   ['puffs that touch solids, by a lamp, against the light', LIGHTS, false],
   ['shadows of billboards', SHADOWS, false],
+  ['a lamp among puffs, puffs beside the eye, more than a stencil counts', MANY, false],
   ['puffs among solids under a reversed depth buffer', REVERSED, true],
   ['puffs in tones of all kinds', TONES, false],
   ['the lamp', LAMPS, false],

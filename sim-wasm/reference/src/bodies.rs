@@ -35,13 +35,17 @@ pub struct BodyHit {
     pub shade: Shade,
 }
 
+/// The share of its radius that a particle is drawn with: a puff that the eye runs into shrinks away.
+pub fn grown(camera: &Camera, row: &Row, center: DVec3) -> f64 {
+    ink::smooth_step(camera.near, camera.near + 2.0 * row.radius, -center.z)
+}
+
 impl<'a> Body<'a> {
     /// None where the particle is not in front of the near plane.
     pub fn new(scene: &'a Scene, camera: &Camera, light: &Light, row: Row) -> Option<Self> {
         let look = Look(row.look);
         let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
-        // A puff that the eye runs into shrinks away.
-        let radius = row.radius * ink::smooth_step(camera.near, camera.near + 2.0 * row.radius, -center.z);
+        let radius = row.radius * grown(camera, &row, center);
         if radius <= 0.0 {
             return None;
         }

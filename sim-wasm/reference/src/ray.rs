@@ -93,6 +93,11 @@ impl Camera {
         self.ray(DVec2::Y).at(depth).y - self.ray(DVec2::ZERO).at(depth).y
     }
 
+    /// Least and greatest slopes of the picture's rays against the view axis, to the right and up.
+    pub fn slopes(&self) -> [DVec2; 2] {
+        [DVec2::ZERO, self.size].map(|corner| self.ray(corner).direction.truncate())
+    }
+
     pub fn is_perspective(&self) -> bool {
         self.clip_from_view.z_axis.w != 0.0
     }

@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec3};
 
+use crate::bodies::grown;
 use crate::light::Light;
 use crate::look::Look;
 use crate::ray::{Camera, Ray};
@@ -125,20 +126,26 @@ fn begin_behind(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> f64
 }
 
 /// A board shows its relief along the view rays and not along the view axis: a point at a height over the board is
-/// moved sideways by that height times the ray's slope. How much farther from the light that can take a lit point.
+/// moved sideways by that height times the ray's slope. How much farther from the light that can take a lit point that
+/// is in the picture, in radii of the particle.
 fn shear(scene: &Scene, camera: &Camera, row: &Row, towards_light: DVec3) -> f64 {
     if !camera.is_perspective() {
         return 0.0;
     }
     let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
+    let grown = grown(camera, row, center);
+    if grown == 0.0 {
+        return 0.0;
+    }
     let light = (DMat3::from_mat4(camera.view_from_world) * towards_light).truncate();
-    // Per radius of height, at the middle of the board; heights go from -depth to 1.
-    let slope = -light.dot(center.truncate()) / center.z;
-    // Away from the middle the slope differs by the offset over the depth, and height times offset is at most 1/2.
+    // Per radius of height, at the board's point in the picture that is nearest to its middle; heights go from -depth to 1.
+    let [least, greatest] = camera.slopes();
+    let slope = light.dot((center.truncate() / -center.z).clamp(least, greatest));
+    // Farther out the slope differs by at most the offset over the depth, and height times offset is at most 1/2.
     // A billboard's relief is baked as it is shown.
     let share = if scene.puffs.faces_eye { 0.0 } else { 0.5 };
-    let aside = share * light.length() * row.radius / -center.z;
-    slope.max(-scene.puffs.depth * slope) + aside
+    let aside = share * light.length() * grown * row.radius / -center.z;
+    grown * (slope.max(-scene.puffs.depth * slope) + aside)
 }
 
 fn tabled(caps: &StartCaps, variation: usize, towards: DVec3) -> f64 {

@@ -141,6 +141,12 @@ fn solids(seed: u32) -> Vec<f32> {
     table
 }
 
+/// The share of its radius with which a puff at a depth is drawn.
+fn grown(depth: f64, radius: f64) -> f64 {
+    let share = ((depth - NEAR) / (2.0 * radius)).clamp(0.0, 1.0);
+    share * share * (3.0 - 2.0 * share)
+}
+
 /// A puff as the eye sees it, in double precision.
 struct Puff {
     centre: V3,
@@ -152,8 +158,7 @@ impl Puff {
     fn new(place: [f32; 4], look: [u32; 2], eye: &Eye, solids: &[f32]) -> Self {
         let centre = eye.view([place[0], place[1], place[2]].map(f64::from));
         let full = f64::from(place[3]);
-        let grown = ((centre[2] - NEAR) / (2.0 * full)).clamp(0.0, 1.0);
-        let radius = full * grown * grown * (3.0 - 2.0 * grown);
+        let radius = full * grown(centre[2], full);
         let columns = &solids[(look[1] & 0xff) as usize % VARIATIONS * 4 * BALLS..][..4 * BALLS];
         let ball = |ball: usize| {
             let at = turned([0, 1, 2].map(|axis| f64::from(columns[axis * BALLS + ball])), look);
@@ -361,9 +366,16 @@ impl Shadow {
         let radius = f64::from(place[3]);
         let [x, y, depth] = eye.view(centre);
         let aside = [dot(travel, eye.right), dot(travel, eye.up)];
-        let slope = -(aside[0] * x + aside[1] * y) / depth;
-        let sheared = slope.max(-0.6 * slope) + 0.5 * aside[0].hypot(aside[1]) * radius / depth;
-        let shear = if eye.is_perspective { sheared } else { 0.0 };
+        let grown = grown(depth, radius);
+        let ray = [x / depth, y / depth];
+        let slope =
+            -(aside[0] * ray[0].clamp(-1.1 * eye.half, 0.9 * eye.half) + aside[1] * ray[1].clamp(-eye.half, eye.half));
+        let sheared = grown * (slope.max(-0.6 * slope) + 0.5 * grown * aside[0].hypot(aside[1]) * radius / depth);
+        let shear = if eye.is_perspective && grown > 0.0 {
+            sheared
+        } else {
+            0.0
+        };
         let columns = &solids[(look[1] & 0xff) as usize % VARIATIONS * 4 * BALLS..][..4 * BALLS];
         let disc = |ball: usize| {
             let at = turned([0, 1, 2].map(|axis| f64::from(columns[axis * BALLS + ball])), *look);

@@ -5,7 +5,7 @@ import type { Arranger, FrameInput } from '../../../src/smoke/frame.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import type { Drawn } from '../../support/reference.ts';
 import { describe, type Shaped, type Shown } from '../description.ts';
-import { inputOf, Lab, type LabScene } from '../lab.ts';
+import { inputOf, Lab, type LabPuff, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
 import { SceneLab } from '../sceneLab.ts';
 import { box, ground } from '../solids.ts';
@@ -56,6 +56,10 @@ const SCENES = {
   touching: () => cluster(looking(perspective(), [0.4, 0.4, 3.6], [0, -0.7, 0]), SUN, -0.6),
   byLamp: () => cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, 0.5] }),
   byLampAmongPuffs: () => cluster(looking(orthographic(), [2, 2.5, 5], [0, -0.2, 0]), { lamp: [0.3, 0.1, -0.2] }),
+  lampAmongPuffs: () =>
+    cluster(looking(perspective(), [0.1, -0.55, 1.2], [0, -0.9, -0.5]), { lamp: [0.3, 0.55, -0.2] }),
+  besideEye: () => beside(looking(perspective(), [0, -0.2, 0.6], [0, -0.4, 0])),
+  coincident: () => coincident(looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0])),
   lampRising: () => lampAfter(90),
   lampFull: () => lampAfter(240),
   eyeInPlume: () => lampAfter(240, true),
@@ -97,6 +101,34 @@ function cluster(camera: Camera, light: Pick<LabScene, 'towardsLight' | 'lamp'>,
   }));
   const surfaces = [ground(-1, 3), ball([-1.1, -0.5, 0.5], 0.35), cube([0.92, -0.6, 0.6], [0.25, 0.4, 0.2])];
   const input = inputOf({ width: WIDTH, height: HEIGHT, puffs, surfaces, camera, ...light });
+  return { input, surfaces, backdrop: BACKDROP };
+}
+
+/** The shadows of puffs beside the eye and behind it, most of them hardly before or behind the near plane. */
+function beside(camera: Camera): Shown {
+  const next = random(5);
+  const casters = Array.from({ length: 30 }, (_, index) => {
+    const z = index % 3 ? 0.1 * (next() - 0.7) : next();
+    const place = new Vector3(0.4 + 0.8 * next(), 0.5 * next() - 0.2, z).applyMatrix4(camera.matrixWorld);
+    const turn = { roll: next() * 2 * Math.PI, variation: index % 4, seed: Math.floor(next() * 256) };
+    return { place: place.toArray(), radius: 0.05 + 0.1 * next(), ...turn };
+  });
+  return shadowsOnly(camera, casters, [0.6, 0.5, 0.6]);
+}
+
+/** More puffs on one place than a stencil counts. */
+function coincident(camera: Camera): Shown {
+  const one = { place: [0, 0, 0], radius: 0.5 } as const;
+  return shadowsOnly(
+    camera,
+    Array.from({ length: 512 }, () => one),
+    SUN.towardsLight,
+  );
+}
+
+function shadowsOnly(camera: Camera, casters: LabPuff[], towardsLight: LabScene['towardsLight']): Shown {
+  const surfaces = [ground(-1, 3), cube([0.7, -0.7, 0.2], [0.25, 0.3, 0.2])];
+  const input = inputOf({ width: WIDTH, height: HEIGHT, puffs: [], casters, surfaces, camera, towardsLight });
   return { input, surfaces, backdrop: BACKDROP };
 }
 

@@ -121,9 +121,8 @@ impl<'a> Outliner<'a> {
 
     fn place_body(&self, bodies: &Bodies, place: [f32; 4], outline: &mut Outline) -> bool {
         let mut spot = self.spot(place);
-        // The law by which puffs shrink before the near plane, as in shaders/bodies.
-        let grown = ((spot.depth - self.plan.range[0]) / (2.0 * place[3])).clamp(0.0, 1.0);
-        spot.radius *= grown * grown * (3.0 - 2.0 * grown);
+        let grown = grown(spot.depth - self.plan.range[0], place[3]);
+        spot.radius *= grown;
         if spot.radius <= 0.0 || spot.w <= 0.0 {
             return false;
         }
@@ -263,6 +262,13 @@ impl<'a> Outliner<'a> {
     }
 }
 
+/// The share of its radius with which a puff is drawn, by its distance from the near plane, as in shaders/bodies.
+#[inline(always)]
+fn grown(beyond_near: f32, radius: f32) -> f32 {
+    let share = (beyond_near / (2.0 * radius)).clamp(0.0, 1.0);
+    share * share * (3.0 - 2.0 * share)
+}
+
 /// A disc with a flat front; `radius` in metres.
 fn flat(spot: &Spot, radius: f32, depth: f32) -> Disc {
     let radius = radius * spot.density;
@@ -286,12 +292,19 @@ impl Shadows<'_> {
         if !eye.is_perspective {
             return [w, 0.0];
         }
-        let slope = -(eye.travel[0] * eye.right.at(place) + eye.travel[1] * eye.up.at(place)) / w;
+        let grown = grown(w - eye.near, place[3]);
+        if grown <= 0.0 {
+            return [w, 0.0];
+        }
+        let ray = [eye.right.at(place) / w, eye.up.at(place) / w];
+        let ray = [0, 1].map(|axis: usize| ray[axis].clamp(eye.slopes[axis][0], eye.slopes[axis][1]));
+        let slope = -(eye.travel[0] * ray[0] + eye.travel[1] * ray[1]);
         if self.solids.faces_eye {
-            return [w, slope.max(0.0)];
+            return [w, grown * slope.max(0.0)];
         }
         let sideways = (eye.travel[0] * eye.travel[0] + eye.travel[1] * eye.travel[1]).sqrt();
-        [w, slope.max(-self.depth * slope) + 0.5 * sideways * place[3] / w]
+        let aside = 0.5 * sideways * grown * place[3] / w;
+        [w, grown * (slope.max(-self.depth * slope) + aside)]
     }
 
     /// Radii between the centre and the start, as the shader has it.

@@ -62,6 +62,10 @@ pub(crate) struct EyeOfShadows {
     pub w: Linear,
     /// The light's travel to the right and up.
     pub travel: [f32; 2],
+    /// Clip w at the near plane.
+    pub near: f32,
+    /// Least and greatest slope of the picture's rays against the view axis, to the right and up.
+    pub slopes: [[f32; 2]; 2],
     pub is_perspective: bool,
     pub pixel: f32,
 }
@@ -162,7 +166,7 @@ impl<'v> Shadows<'v> {
             tolerance: numbers[34],
             caps: [numbers[38], numbers[39]],
             depth: numbers[40],
-            eye: eye.of_shadows(travel, numbers[30]),
+            eye: eye.of_shadows(travel, numbers[30], numbers[31]),
             axes_in_view: chart.axes.map(|axis| eye.in_view(axis)),
         })
     }
@@ -248,14 +252,15 @@ impl EyeAxes {
         (2.0 * DEPTH_STEPS * DEPTH_STEP / slope.max(1e-12)) as f32
     }
 
-    /// The eye as the shear of its nailboards needs it.
-    pub(crate) fn of_shadows(&self, travel: [f32; 3], pixel: f32) -> EyeOfShadows {
+    /// The eye as the shear of its nailboards needs it. `near`: depth along its own direction at the near plane.
+    pub(crate) fn of_shadows(&self, travel: [f32; 3], pixel: f32, near: f32) -> EyeOfShadows {
+        let along = |row: &Row| dot([row[0], row[1], row[2]], self.forward);
         let beside = |axis: usize| {
-            let along = dot(
-                [self.rows[axis][0], self.rows[axis][1], self.rows[axis][2]],
-                self.forward,
-            );
-            let w_share = if self.is_perspective() { along } else { 0.0 };
+            let w_share = if self.is_perspective() {
+                along(&self.rows[axis])
+            } else {
+                0.0
+            };
             linear(std::array::from_fn(|i| {
                 (self.rows[axis][i] - w_share * self.rows[3][i]) / self.scale[axis]
             }))
@@ -266,6 +271,9 @@ impl EyeAxes {
             up: beside(1),
             w: linear(self.rows[3]),
             travel: self.sides.map(|side| dot(side, travel) as f32),
+            near: (along(&self.rows[3]) * f64::from(near) + self.rows[3][3]) as f32,
+            slopes: [0, 1]
+                .map(|axis: usize| [-1.0, 1.0].map(|end| ((end - along(&self.rows[axis])) / self.scale[axis]) as f32)),
             is_perspective: self.is_perspective(),
             pixel,
         }
