@@ -79,7 +79,7 @@ void main() {
 
   float outside = distanceOutside * radius;
   float depth = isRing
-    ? ringDepth(clipFromView, viewZ, viewZ - ringDrop * sinking(distanceOutside / reach, innerTaper), outside, -outward * (outside / pixel + 0.5))
+    ? ringDepth(clipFromView, viewZ, viewZ - ringDrop * sinking(outside / pixel, linePixels, innerTaper), outside, -outward * (outside / pixel + 0.5))
     : windowDepth(clipFromView, viewZ);
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 }

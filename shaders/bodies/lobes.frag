@@ -136,7 +136,7 @@ void main() {
   float outside = line.w * radius;
   vec2 inward = normalize(line.xy - point) * (outside / pixel + 0.5);
   float depth = isRing
-    ? ringDepth(clipFromView, viewZ, viewZ - depthsAndRamp.z * sinking(line.w / reach, innerTaper), outside, inward)
+    ? ringDepth(clipFromView, viewZ, viewZ - depthsAndRamp.z * sinking(outside / pixel, linePixels, innerTaper), outside, inward)
     : windowDepth(clipFromView, viewZ);
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 #endif

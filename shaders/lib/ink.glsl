@@ -33,8 +33,9 @@ float inkShare(float width) {
   return smoothstep(0.5, 1.0, width);
 }
 
-// How much deeper than at the silhouette a line lies at a share of its width: the farther out the deeper, so that a line
-// between two puffs grows with the gap and does not come at once.
-float sinking(float share, float taper) {
-  return 1.0 + taper * clamp(share, 0.0, 1.0);
+// How much deeper than at the silhouette a line lies `outside` pixels beyond it: the farther out the deeper, so that a
+// line between two puffs grows with the gap and does not come at once. Its first pixel goes as one, for a line that
+// thins to less would end in dots.
+float sinking(float outside, float width, float taper) {
+  return 1.0 + taper * clamp(max(outside, 1.0) / max(width, 1e-6), 0.0, 1.0);
 }

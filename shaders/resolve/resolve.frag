@@ -75,6 +75,27 @@ vec4 blend(vec4 own, vec4 other, float share) {
   return vec4(displayFromLinear(alpha > 0.0 ? light / alpha : light), alpha);
 }
 
+// Neighbours over sides and corners with the tone `own`, and one of them.
+int likeAround(ivec2 at, vec4 own, out ivec2 one) {
+  int count = 0;
+  one = at;
+  for (int place = 0; place < 9; ++place) {
+    ivec2 there = at + ivec2(place % 3, place / 3) - 1;
+    if (place == 4 || !alike(toneAt(there), own)) continue;
+    one = there;
+    ++count;
+  }
+  return count;
+}
+
+// Whether a pixel stands alone or with a single other one, as nothing does that a hand has drawn: where a line or a
+// patch of light thins out, pixels catch it here and there.
+bool isSpeck(ivec2 at, vec4 own) {
+  ivec2 other, back;
+  int count = likeAround(at, own, other);
+  return count == 0 || (count == 1 && likeAround(other, own, back) == 1);
+}
+
 vec4 smoothed(ivec2 at, vec4 own) {
   vec4 north = toneAt(at + ivec2(0, 1));
   vec4 south = toneAt(at - ivec2(0, 1));
@@ -83,6 +104,12 @@ vec4 smoothed(ivec2 at, vec4 own) {
   vec4 gaps = vec4(difference(own, north), difference(own, south), difference(own, east), difference(own, west));
   vec2 widest = vec2(max(gaps.x, gaps.y), max(gaps.z, gaps.w));
   if (max(widest.x, widest.y) <= EDGE) return own;
+  // Most of what has edges has two sides alike, which no speck has.
+  if (dot(vec4(lessThanEqual(gaps, vec4(EDGE))), vec4(1.0)) < 2.0 && isSpeck(at, own)) {
+    vec4 others = mix(gaps, vec4(2.0), lessThanEqual(gaps, vec4(EDGE)));
+    float least = min(min(others.x, others.y), min(others.z, others.w));
+    return least == others.x ? north : least == others.y ? south : least == others.z ? east : west;
+  }
   ivec2 towards = ivec2(gaps.z >= gaps.w ? 1 : -1, gaps.x >= gaps.y ? 1 : -1);
   vec4 above = towards.y > 0 ? north : south;
   vec4 beside = towards.x > 0 ? east : west;

@@ -33,6 +33,14 @@ test('lines of one or two pixels keep their ink and do not break', async ({ load
   }
 });
 
+test('specks of one or two pixels go and strokes stay', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  for (const { name, isDrawn, left } of await cases.evaluate((module) => module.marks())) {
+    if (isDrawn) expect(left, name).toBeCloseTo(1, 1);
+    else expect(left, name).toBe(0);
+  }
+});
+
 test('the corner of a square stays sharp', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   expect(await cases.evaluate((module) => module.corner())).toBe(0);

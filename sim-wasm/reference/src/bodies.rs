@@ -112,7 +112,7 @@ impl<'a> Body<'a> {
             ..
         } = self.scene.style;
         let outside = meeting.outside * self.radius;
-        let share = outside / (width * self.pixel);
+        let share = (outside.max(self.pixel) / (width * self.pixel)).min(1.0);
         Ring {
             rim: z,
             sunken: z - inner_line * self.radius * (1.0 + inner_taper * share),

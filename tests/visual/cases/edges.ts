@@ -415,3 +415,27 @@ function nameOf(color: Uint8Array): string {
   if (color[0] > color[2]) return color[0] > 200 ? 'ground' : 'shadow';
   return 'shade';
 }
+
+/** Marks of a few pixels, by their places, and whether a hand may have drawn them. */
+const MARKS: Readonly<Record<string, { pixels: readonly string[]; isDrawn: boolean }>> = {
+  'a pixel': { pixels: ['30 30'], isDrawn: false },
+  'a pair': { pixels: ['30 30', '31 30'], isDrawn: false },
+  'a slanted pair': { pixels: ['30 30', '31 31'], isDrawn: false },
+  'dots in a row': { pixels: ['30 30', '32 30', '34 31', '36 31'], isDrawn: false },
+  'a stroke': { pixels: ['30 30', '31 30', '32 30'], isDrawn: true },
+  'a slanted stroke': { pixels: ['30 30', '31 31', '32 32'], isDrawn: true },
+};
+
+/** The share of each mark's darkness on light ground that the filter leaves. */
+export function marks(): { name: string; isDrawn: boolean; left: number }[] {
+  const filter = new Filter();
+  const reports = Object.entries(MARKS).map(([name, { pixels, isDrawn }]) => {
+    const pixelAt = (x: number, y: number) => KINDS.ink[pixels.includes(`${x} ${y}`) ? 0 : 1];
+    const [before, after] = [false, true].map((smoothEdges) =>
+      darkness(filter.draw(pixelAt, smoothEdges)).reduce((sum, value) => sum + value, 0),
+    );
+    return { name, isDrawn, left: after / before };
+  });
+  filter.dispose();
+  return reports;
+}
