@@ -75,6 +75,25 @@ vec4 blend(vec4 own, vec4 other, float share) {
   return vec4(displayFromLinear(alpha > 0.0 ? light / alpha : light), alpha);
 }
 
+// The next tone of a stair whose steps are one pixel each, from which the line can lie either way: see `besideStair`.
+const float BESIDE_STAIR = 1.0 / 32.0;
+
+// A pixel that touches such a stair with a corner alone. Without it an edge of 45 degrees had one tone on each side.
+vec4 besideStair(ivec2 at, vec4 own) {
+  vec4 direct = texelFetch(lit, at, 0);
+  ivec2 last = textureSize(lit, 0) - 1;
+  for (int corner = 0; corner < 4; ++corner) {
+    ivec2 towards = ivec2(2 * (corner & 1), corner & 2) - 1;
+    if (alike(texelFetch(lit, clamp(at + towards, ivec2(0), last), 0), direct)) continue;
+    vec4 other = toneAt(at + towards);
+    bool isStair = alike(toneAt(at + ivec2(2 * towards.x, 0)), other) && alike(toneAt(at + ivec2(0, 2 * towards.y)), other);
+    // A line of two pixels would grow darker.
+    bool isWide = alike(toneAt(at + 2 * towards), other) && alike(toneAt(at + 3 * towards), other);
+    if (isStair && isWide && !alike(other, own)) return blend(own, other, BESIDE_STAIR);
+  }
+  return own;
+}
+
 // Neighbours over sides and corners with the tone `own`, and one of them.
 int likeAround(ivec2 at, vec4 own, out ivec2 one) {
   int count = 0;
@@ -103,7 +122,7 @@ vec4 smoothed(ivec2 at, vec4 own) {
   vec4 west = toneAt(at - ivec2(1, 0));
   vec4 gaps = vec4(difference(own, north), difference(own, south), difference(own, east), difference(own, west));
   vec2 widest = vec2(max(gaps.x, gaps.y), max(gaps.z, gaps.w));
-  if (max(widest.x, widest.y) <= EDGE) return own;
+  if (max(widest.x, widest.y) <= EDGE) return besideStair(at, own);
   // Most of what has edges has two sides alike, which no speck has.
   if (dot(vec4(lessThanEqual(gaps, vec4(EDGE))), vec4(1.0)) < 2.0 && isSpeck(at, own)) {
     vec4 others = mix(gaps, vec4(2.0), lessThanEqual(gaps, vec4(EDGE)));
@@ -121,14 +140,18 @@ vec4 smoothed(ivec2 at, vec4 own) {
   ivec2 across = level ? ivec2(0, towards.y) : ivec2(towards.x, 0);
   vec4 taken = level ? above : beside;
   float share = shareOf(at, across, own, taken);
+  ivec2 from = at + across;
   // A line as thin as a pixel has an edge on either side, and leaves the pixel through one of them.
   if (min(level ? gaps.x : gaps.z, level ? gaps.y : gaps.w) > EDGE) {
     vec4 opposite = toneAt(at - across);
     float oppositeShare = shareOf(at, -across, own, opposite);
-    if (oppositeShare > share) taken = opposite;
+    if (oppositeShare > share) {
+      taken = opposite;
+      from = at - across;
+    }
     share = max(share, oppositeShare);
   }
-  return share > 0.0 ? blend(own, taken, share) : own;
+  return share > 0.0 && !isSpeck(from, taken) ? blend(own, taken, share) : own;
 }
 
 void main() {

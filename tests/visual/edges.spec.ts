@@ -4,17 +4,17 @@ import { expect, test } from '../support/fixtures.ts';
 type Cases = typeof import('./cases/edges.ts');
 const CASES = '/tests/visual/cases/edges.ts';
 
-/** Degrees against the horizontal. At 45 each step of the stair is one pixel, which leaves two levels. */
-const ANGLES = [3, 8, 22, 38, 64, 75, 87];
+/** Degrees against the horizontal. */
+const ANGLES = [3, 8, 22, 38, 45, 64, 75, 87];
 
 test('slanted edges of every kind are smoothed as their pixels are covered', async ({ load }) => {
   const cases = await load<Cases>(CASES);
-  const slants = await cases.evaluate((module, angles) => module.slants([...angles, 0, 45]), ANGLES);
+  const slants = await cases.evaluate((module, angles) => module.slants([...angles, 0]), ANGLES);
   for (const { kind, angle, report } of slants) {
     const { levels, error, rawError, flatChanged, strange } = report;
     const what = `${kind} at ${angle} degrees`;
-    if (ANGLES.includes(angle)) expect(levels, what).toBeGreaterThanOrEqual(3);
-    else expect(levels, what).toBe(angle === 0 ? 0 : 2);
+    if (angle > 0) expect(levels, what).toBeGreaterThanOrEqual(3);
+    else expect(levels, what).toBe(0);
     if (angle > 0) expect(error / rawError, what).toBeLessThan(angle === 45 ? 0.8 : 0.5);
     expect([flatChanged, strange], what).toEqual([0, 0]);
   }
