@@ -1,7 +1,7 @@
 precision highp float;
 
-// A sharp edge of a surface as a ribbon of even width on the screen. Where one of its faces looks away the edge is part
-// of the silhouette, which the hull draws.
+// A sharp edge of a surface, or a seam of two, as a ribbon of even width on the screen. Where one of its faces looks away
+// an edge is part of the silhouette, which the hull draws. The normals of a seam are zero.
 uniform mat4 modelMatrix;
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
@@ -18,9 +18,10 @@ in vec3 otherNormal;
 
 #include ../lib/pixel.glsl
 
-// Line widths by which a ribbon lies before its surface, and the most that may be, metres.
-const float RAISED_WIDTHS = 0.75;
-const float HIGHEST = 0.03;
+// Line widths by which a ribbon lies before its surface, and the most that may be, metres. A seam runs in a hollow, out
+// of which it must come farther.
+const vec2 CREASE_RAISED = vec2(0.75, 0.03);
+const vec2 SEAM_RAISED = vec2(3.0, 0.05);
 
 bool looksAway(mat3 turn, vec3 normal, vec3 towardsEye) {
   return dot(turn * normal, towardsEye) < 0.0;
@@ -56,7 +57,8 @@ void main() {
   vec2 beside = 0.5 * inkPixels * (corner.y * vec2(-along.y, along.x) + (2.0 * corner.x - 1.0) * along);
   vec4 clip = clipFromView * vec4(place, 1.0);
   clip.xy += beside * 2.0 / viewport * clip.w;
-  float raised = min(RAISED_WIDTHS * inkPixels * viewUnitsPerPixel(clipFromView, viewport, place.z), HIGHEST);
+  vec2 most = oneNormal == vec3(0.0) ? SEAM_RAISED : CREASE_RAISED;
+  float raised = min(most.x * inkPixels * viewUnitsPerPixel(clipFromView, viewport, place.z), most.y);
   vec4 raisedClip = clipFromView * vec4(0.0, 0.0, min(place.z + raised, -near), 1.0);
   clip.z = raisedClip.z / raisedClip.w * clip.w;
   gl_Position = clip;

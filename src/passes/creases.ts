@@ -14,14 +14,18 @@ import { PassCamera } from '../device/passCamera.ts';
 import creasesVertexShader from '../../shaders/surfaces/creases.vert';
 import fragmentShader from '../../shaders/surfaces/hull.frag';
 import type { Eye } from '../device/eye.ts';
-import { creaseEdges } from './creaseEdges.ts';
+import { creaseEdges, type CreaseEdges } from './creaseEdges.ts';
 import { InkUniforms, type InkLine } from './ink.ts';
+import { seamEdges } from './seamEdges.ts';
 import type { SurfaceDescription } from './surfaces.ts';
 
 /** Degrees between two faces from which their edge is drawn. */
 const SHARP = 40;
 
-/** Draws the sharp edges of inked surfaces as ribbons that are as wide as other lines, where the depth test lets them show. */
+/**
+ * Draws the sharp edges of inked surfaces, and the seams along which those of one rigid meet, as ribbons that are as wide
+ * as other lines, where the depth test lets them show.
+ */
 export class CreasesPass {
   private readonly scene = new Scene();
   private readonly camera = new PassCamera();
@@ -38,7 +42,7 @@ export class CreasesPass {
       side: DoubleSide,
     });
     surfaces.forEach((surface, index) => {
-      if (surface.inked) this.add(surface, index);
+      if (surface.inked) this.add(index, [creaseEdges(surface.mesh, SHARP), ...seamsBehind(surfaces, index)]);
     });
   }
 
@@ -61,10 +65,9 @@ export class CreasesPass {
     for (const { geometry } of this.meshes.values()) geometry.dispose();
   }
 
-  private add({ mesh }: SurfaceDescription, index: number): void {
-    const edges = creaseEdges(mesh, SHARP);
-    if (edges.count === 0) return;
-    const ribbons = new Mesh(ribbonsOf(edges), this.material);
+  private add(index: number, edges: readonly CreaseEdges[]): void {
+    if (edges.every(({ count }) => count === 0)) return;
+    const ribbons = new Mesh(ribbonsOf(joined(edges)), this.material);
     ribbons.frustumCulled = false;
     ribbons.matrixAutoUpdate = false;
     ribbons.matrixWorldAutoUpdate = false;
@@ -73,8 +76,25 @@ export class CreasesPass {
   }
 }
 
+/** The seams of a surface with those that follow it, ride on the same rigid and do not grow into it. */
+function seamsBehind(surfaces: readonly SurfaceDescription[], index: number): CreaseEdges[] {
+  const { mesh, rigid, group } = surfaces[index];
+  return surfaces
+    .slice(index + 1)
+    .filter((other) => other.inked && other.rigid === rigid && (group === undefined || other.group !== group))
+    .map((other) => seamEdges(mesh, other.mesh));
+}
+
+function joined(edges: readonly CreaseEdges[]): CreaseEdges {
+  return {
+    count: edges.reduce((sum, { count }) => sum + count, 0),
+    ends: new Float32Array(edges.flatMap(({ ends }) => [...ends])),
+    faceNormals: new Float32Array(edges.flatMap(({ faceNormals }) => [...faceNormals])),
+  };
+}
+
 /** A quad for each edge. */
-function ribbonsOf({ count, ends, faceNormals }: ReturnType<typeof creaseEdges>): InstancedBufferGeometry {
+function ribbonsOf({ count, ends, faceNormals }: CreaseEdges): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
   const everyOther = (numbers: Float32Array, first: number): InstancedBufferAttribute =>
     new InstancedBufferAttribute(

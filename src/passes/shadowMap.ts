@@ -63,7 +63,7 @@ export class ShadowMapPass {
     this.body = new BodiesPass(this.lightEye, puffs, ramps, casters);
     this.surfaces = new SurfacesPass(this.lightEye, ramps, firstSurface, casting);
     this.body.setInk(NO_INK, 0, 0);
-    this.surfaces.setInk(NO_INK);
+    this.surfaces.setInk(NO_INK, false);
     this.shadowed = new WebGLRenderTarget(1, 1, {
       minFilter: NearestFilter,
       magFilter: NearestFilter,

@@ -46,7 +46,7 @@ const RAISED_WIDTHS = 6;
 /**
  * Draws the scene's meshes with flat tones, and their ink as hulls of back faces. Each surface has two hulls: one where
  * it is, which draws its lines before itself, and a raised one, which the stencil keeps off the surface's own pixels and
- * which closes the outline where the surface stands on another. Leaves the stencil as it found it: zero.
+ * which closes the outline where the surface stands on another that may move on. Leaves the stencil as it found it: zero.
  */
 export class SurfacesPass {
   private readonly fills = new Scene();
@@ -55,6 +55,8 @@ export class SurfacesPass {
   private readonly materials: RawShaderMaterial[] = [];
   private readonly geometries: BufferGeometry[] = [];
   private readonly placed: Mesh[][] = [];
+  /** The raised hulls of still surfaces. */
+  private readonly closing: Mesh[] = [];
   private readonly groups = new Map<string, number>();
   private readonly boxes: Box3[];
   private readonly ink = new InkUniforms();
@@ -67,8 +69,10 @@ export class SurfacesPass {
     this.boxes = surfaces.map((surface) => boxOf(surface.mesh));
   }
 
-  setInk(line: InkLine): void {
+  /** @param hasSeams whether creases.ts draws the lines along which still surfaces meet, which need no raised line then */
+  setInk(line: InkLine, hasSeams: boolean): void {
     this.ink.set(line);
+    for (const hull of this.closing) hull.visible = !hasSeams;
   }
 
   /** Puts a surface where its rigid is. */
@@ -123,7 +127,9 @@ export class SurfacesPass {
     const meshes = [this.mesh(this.fills, geometry, material)];
     if (surface.inked) {
       meshes.push(this.mesh(this.hulls, geometry, this.hull(0)));
-      meshes.push(this.mesh(this.hulls, geometry, this.hull(ownPixels)));
+      const raised = this.mesh(this.hulls, geometry, this.hull(ownPixels));
+      if (surface.rigid === undefined) this.closing.push(raised);
+      meshes.push(raised);
     }
     this.placed.push(meshes);
   }

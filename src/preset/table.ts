@@ -215,7 +215,7 @@ export const table: readonly Parameter[] = [
   }),
   toggle('shading', 'Shading', 'Light and shade on the puffs; off leaves them flat.'),
   toggle('outlines', 'Outlines', 'Ink around the smoke and between its puffs.'),
-  toggle('creases', 'Creases', 'Ink along the sharp edges of surfaces.'),
+  toggle('creases', 'Creases', 'Ink along the sharp edges of surfaces, and where still ones meet.'),
   toggle('shadows', 'Shadows', 'Smoke shades itself and what stands below it.'),
   choice(
     'style.shadowSteps',

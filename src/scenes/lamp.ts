@@ -18,6 +18,9 @@ const LAMP_COLORS: Record<LampRole, Color> = {
   gem: [219, 64, 92],
 };
 
+/** Parts that come out of another without a line between them. */
+const GROWS_FROM: Record<string, string> = { curl: 'handle', spout: 'belly' };
+
 /** The paper's Fig. 1: a magic oil lamp whose smoke rises, curls and drifts away, and a ball to stir it with. */
 export function lamp(): Scene {
   const model = lampModel();
@@ -63,7 +66,7 @@ function surfaces({ parts }: LampModel): SurfaceDescription[] {
       color: LAMP_COLORS[role],
       casts: true,
       inked: true,
-      group: name === 'curl' ? 'handle' : name,
+      group: GROWS_FROM[name] ?? name,
     })),
   ];
 }

@@ -189,7 +189,7 @@ export class SmokeRenderer {
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
     body.setRim(style.rimColor, style.shading ? style.rim : 0);
     body.setForm(style.form);
-    surfaces.setInk(line);
+    surfaces.setInk(line, style.creases);
     this.passes.creases.setInk(style.creases ? line : { ...line, pixels: 0 });
     volumes.follow(style.form, turnOf(style));
     prismVolumes?.follow();

@@ -1,4 +1,4 @@
-/** Lines along the sharp edges of a box, against the projections of those that a camera sees. */
+/** Lines along the sharp edges of a box, and where it stands on a floor, against the projections of those that a camera sees. */
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { PLAIN_STYLE, takePicture } from '../lab.ts';
 import { box } from '../solids.ts';
@@ -20,28 +20,28 @@ export interface CreaseCase {
   distance: number;
   /** Whether a wall stands before the box. */
   behind?: boolean;
+  /** How deep the box stands in a floor, metres, whose line is looked at; there is none where absent. */
+  sunk?: number;
   reversedDepth?: boolean;
 }
 
-export function creasesOf({ projection, distance, behind = false, reversedDepth }: CreaseCase): CreaseReport {
+export function creasesOf({ projection, distance, behind = false, sunk, reversedDepth }: CreaseCase): CreaseReport {
   const camera = cameraOf(projection, distance);
   const surface = { color: [200, 120, 60], casts: false, inked: true } as const;
   const surfaces = [{ ...surface, name: 'box', mesh: box([0, 0, 0], [HALF, HALF, HALF]) }];
   if (behind) surfaces.push({ ...surface, name: 'wall', mesh: wallBefore(camera) });
+  if (sunk !== undefined)
+    surfaces.push({ ...surface, name: 'floor', mesh: box([0, sunk - HALF - 0.2, 0], [2, 0.2, 2]) });
   const style = { creases: true, outlineWidth: WIDTH, inkSwell: 0, shadows: false } as const;
   const { pixels } = takePicture({ width: SIZE, height: SIZE, puffs: [], surfaces, camera, style, reversedDepth });
-  // The corner that looks at the camera, and the ends of the three edges that meet there.
-  const [corner, ...ends] = [
-    [1, 1, 1],
-    [-1, 1, 1],
-    [1, -1, 1],
-    [1, 1, -1],
-  ].map((signs) => onScreen(new Vector3(...signs).multiplyScalar(HALF), camera));
+  const [corner, ...ends] = cornerOf(sunk).map((place) => onScreen(place, camera));
   const report = { expected: 0, missing: 0, stray: 0 };
   for (let pixel = 0; pixel < SIZE * SIZE; ++pixel) {
     const at = new Vector3((pixel % SIZE) + 0.5, Math.floor(pixel / SIZE) + 0.5, 0);
     // Away from the silhouette, where hulls draw.
     if (at.distanceTo(corner) > 0.6 * Math.min(...ends.map((end) => end.distanceTo(corner)))) continue;
+    // Ribbons end square, and stand out where two meet at an angle.
+    if (sunk !== undefined && at.distanceTo(corner) < WIDTH) continue;
     const away = Math.min(...ends.map((end) => distanceTo(at, corner, end)));
     const isInk = PLAIN_STYLE.inkColor.every((channel, index) => pixels[4 * pixel + index] === channel);
     if (away < WIDTH / 2 - 0.3) report.expected++;
@@ -49,6 +49,18 @@ export function creasesOf({ projection, distance, behind = false, reversedDepth 
     if (away > WIDTH / 2 + 0.3 && isInk) report.stray++;
   }
   return report;
+}
+
+/** The corner that looks at the camera, or the one on the floor, and the ends of the three edges that meet there. */
+function cornerOf(sunk?: number): Vector3[] {
+  const height = sunk === undefined ? HALF : sunk - HALF;
+  const corners = [
+    [1, height, 1],
+    [-1, height, 1],
+    [1, -Math.sign(height) * HALF, 1],
+    [1, height, -1],
+  ];
+  return corners.map(([x, y, z]) => new Vector3(x * HALF, y, z * HALF));
 }
 
 function cameraOf(projection: string, distance: number): Camera {
