@@ -1,0 +1,41 @@
+/** Smoke drawn on ones to fours beside a ball that moves all the time: in which steps each of them changes. */
+import { SceneLab } from '../sceneLab.ts';
+
+const SIZE = 160;
+const BALL = 0;
+/** The ball is farther right than this, and the smoke less far; a share of the picture's width. */
+const BORDER = 0.72;
+/** The puffs have left the spout by then, and are well before their end. */
+const FIRST_STEP = 60;
+
+export interface HoldReport {
+  /** Steps, from 0, in which the smoke or its ink looked different from the step before. */
+  smoke: number[];
+  ball: number[];
+}
+
+/** @param hold a puff stands still for so many 24ths of a second */
+export async function changes(hold: number, puffs: number, steps: number): Promise<HoldReport> {
+  const values = { 'style.hold': hold, 'style.shadows': 0, 'simulation.maxParticles': puffs };
+  const lab = await SceneLab.create('lamp', { width: SIZE, height: SIZE, values });
+  lab.step(FIRST_STEP);
+  const report: HoldReport = { smoke: [], ball: [] };
+  let before = sides(lab, 0);
+  for (let step = 0; step < steps; step++) {
+    lab.step(1);
+    const now = sides(lab, step + 1);
+    if (now.smoke !== before.smoke) report.smoke.push(step);
+    if (now.ball !== before.ball) report.ball.push(step);
+    before = now;
+  }
+  lab.dispose();
+  return report;
+}
+
+/** The two parts of the picture, for comparison. */
+function sides(lab: SceneLab, step: number): { smoke: string; ball: string } {
+  lab.simulator.moveRigid(BALL, [1.6, 1 + 0.03 * step, 0]);
+  const pixels = new Uint32Array(lab.draw().pixels.buffer);
+  const isLeft = (at: number): boolean => at % SIZE < BORDER * SIZE;
+  return { smoke: pixels.filter((_, at) => isLeft(at)).join(), ball: pixels.filter((_, at) => !isLeft(at)).join() };
+}
