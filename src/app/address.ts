@@ -10,8 +10,11 @@ export async function linkTo(editor: Editor): Promise<string> {
   return address.href;
 }
 
-/** Keeps the address bar on what is edited, and edits what somebody puts into the address bar. */
-export function followAddress(editor: Editor, tell: (decoded: Decoded) => void): void {
+/**
+ * Keeps the address bar on what is edited, and edits what somebody puts into the address bar.
+ * @param arrive told of what was put there, once the editor has it
+ */
+export function followAddress(editor: Editor, arrive: (decoded: Decoded) => void): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   editor.listen((_state, changed) => {
     if (Object.keys(changed).length === 0) return;
@@ -26,6 +29,6 @@ export function followAddress(editor: Editor, tell: (decoded: Decoded) => void):
   addEventListener('hashchange', async () => {
     const decoded = await decode(location.hash);
     editor.load(decoded.state);
-    tell(decoded);
+    arrive(decoded);
   });
 }

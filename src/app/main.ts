@@ -11,6 +11,7 @@ import { textButton } from './dom.ts';
 import { Editor } from './editor.ts';
 import { fitStage, pixelRatio, restWhileHidden } from './fit.ts';
 import { listenToKeys } from './keyboard.ts';
+import { goToMoment, type Moment } from './moment.ts';
 import { Notices } from './notices.ts';
 import { buildPage, type Page } from './page.ts';
 import { Pointers } from './pointer.ts';
@@ -41,19 +42,36 @@ async function start(): Promise<void> {
   const notices = new Notices();
   host.classList.toggle('is-bare', !environment.hasInterface);
   host.append(notices.element);
+  const moment = momentOf(decoded, environment);
   tellAll(notices, decoded);
   tellAll(notices, environment);
   const stage = await load(editor, environment);
   window.cartoonSmoke = stage;
   if (!stage.stats.writesDepth) notices.tell(strings.notices.flat);
   stage.on('error', refuse);
+  if (moment) await arriveAt(moment, stage, editor, notices);
   connectStage(editor, stage, (message) => notices.tell(message));
-  followAddress(editor, (read) => tellAll(notices, read));
+  followAddress(editor, (read) => {
+    tellAll(notices, read);
+    const shared = momentOf(read);
+    // The stage takes up the values with the coming frame: later they would be something that was done to the take.
+    if (shared) requestAnimationFrame(() => void goToMoment(stage, shared, notices, host));
+  });
   const page = buildPage(host, editor, stage, notices, environment.hasStatistics);
   connectInput(stage, editor, page);
   fitStage(stage, canvas);
   restWhileHidden(stage);
-  await begin(stage, environment, notices);
+  await begin(stage, moment ? { ...environment, time: 0 } : environment, notices);
+}
+
+function momentOf({ take, state }: Decoded, environment?: Environment): Moment | undefined {
+  return take && { take, state, seconds: environment?.time, isTrusted: false };
+}
+
+/** Before anything follows the stage, so that the address keeps the moment until somebody edits. */
+async function arriveAt(moment: Moment, stage: Stage, editor: Editor, notices: Notices): Promise<void> {
+  await goToMoment(stage, moment, notices, host);
+  editor.adopt(stage.get());
 }
 
 async function load(editor: Editor, { quality, view }: Environment): Promise<Stage> {

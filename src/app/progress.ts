@@ -28,12 +28,18 @@ export class Progress {
 }
 
 /**
- * Simulates up to a time before the first picture, with progress and a way out.
+ * Simulates up to a time, with progress and a way out.
+ * @param message what is being done; by default that time goes on
  * @returns whether it arrived; false when somebody stopped it
  */
-export async function windForward(stage: Stage, seconds: number, host: HTMLElement): Promise<boolean> {
+export async function windForward(
+  stage: Stage,
+  seconds: number,
+  host: HTMLElement,
+  message: (seconds: number) => string = strings.progress.winding,
+): Promise<boolean> {
   const controller = new AbortController();
-  const progress = new Progress(strings.progress.winding(seconds), () => controller.abort());
+  const progress = new Progress(message(seconds), () => controller.abort());
   host.append(progress.element);
   try {
     await stage.seek(seconds, { onProgress: (share) => progress.show(share), signal: controller.signal });

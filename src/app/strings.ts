@@ -51,6 +51,14 @@ export const strings = {
     byHand: 'The browser did not let the page copy. Copy the link from here:',
     link: 'Link to this smoke',
   },
+  moment: {
+    winding: (seconds: number) => `Doing again what was done in ${seconds.toFixed(1)} s\u2026`,
+    refused: (reason: string) => `The moment in the link cannot be shown: ${reason}`,
+    truncated: 'More was done to this smoke than a take has room for, so it may look otherwise than it did.',
+    tooLate: (seconds: number) => `This moment is too late to be waited for; the smoke is shown at ${seconds} s.`,
+    notFresh: 'it begins in the middle of things. Ask for it as a file.',
+    tooMany: (particles: number, most: number) => `it holds ${particles} particles; a link may hold ${most}.`,
+  },
   ownShape: {
     choose: 'Use a shape of your own\u2026',
     back: 'Back to drawn puffs',
@@ -103,7 +111,7 @@ export const strings = {
   },
   progress: {
     loading: 'Rubbing the lamp\u2026',
-    winding: (seconds: number) => `Winding forward to ${seconds} s\u2026`,
+    winding: (seconds: number) => `Winding forward to ${Number(seconds.toFixed(1))} s\u2026`,
     cancel: 'Stop here',
     cancelled: (seconds: number) => `Stopped at ${seconds.toFixed(1)} s.`,
   },

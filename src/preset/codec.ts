@@ -4,9 +4,10 @@
  * A link holds what differs from its preset, in the order of the table. Reading one never throws and never trusts:
  * what cannot be used is told in notices, and the result always has a value in range for every key that needs one.
  */
+import { migrate, VERSION } from './migrations.ts';
 import { notice, quoteKey, summarise, type Notice } from './notice.ts';
-import { DECODED_LIMIT, pack, unpack } from './packing.ts';
-import type { Values } from './parameter.ts';
+import { DECODED_LIMIT, pack, packBytes, unpack, unpackBytes } from './packing.ts';
+import type { Parameter, Value, Values } from './parameter.ts';
 import { defaultPreset, findPreset, presetValues } from './presets.ts';
 import { findParameter, table } from './table.ts';
 import { readText, writeText } from './values.ts';
@@ -20,37 +21,52 @@ export interface State {
 /** A link read: what to show, and what to tell. */
 export interface Decoded {
   readonly state: State;
+  /** Bytes of a take that leads to the moment that was shared; whether they are one, only a simulator can say. */
+  readonly take?: Uint8Array;
   readonly notices: readonly Notice[];
 }
 
-const VERSION = '1';
 const LONGEST_READABLE = 1500;
+
+/** What is longer is not sent as a link, because chats and mail programs cut it: it becomes a file. */
+export const LONGEST_LINK = 8000;
 
 /** The preset that is shown when nothing else is asked for. */
 export function defaultState(): State {
   return { preset: defaultPreset.name, values: presetValues(defaultPreset) };
 }
 
-/** The hash of a state, with `#`; packed when the readable form is over 1,500 characters. */
-export async function encode(state: State): Promise<string> {
+/**
+ * The hash of a state, with `#`; packed when the readable form is over 1,500 characters.
+ * @param take bytes of a take, for a link to one very moment
+ */
+export async function encode(state: State, take?: Uint8Array<ArrayBuffer>): Promise<string> {
   const text = writeState(state);
-  if (text.length <= LONGEST_READABLE) return `#${text}`;
-  return `#v=${VERSION}&z=${await pack(text)}`;
+  const shown = text.length <= LONGEST_READABLE ? `#${text}` : `#v=${VERSION}&z=${await pack(text)}`;
+  return take ? `${shown}&take=${await packBytes(take)}` : shown;
 }
 
 /** Reads the hash of an address, with or without `#`. Never rejects. */
 export async function decode(hash: string): Promise<Decoded> {
   const notices: Notice[] = [];
   const text = await expand(hash.replace(/^#/, ''), notices);
-  const state = readState(firstOfEach(new URLSearchParams(text), notices), notices);
-  return { state, notices: summarise(notices) };
+  const pairs = migrate(firstOfEach(new URLSearchParams(text), notices), notices);
+  const state = readState(pairs, notices, 'link');
+  const take = await readTake(pairs.get('take'), notices);
+  return { state, ...(take && { take }), notices: summarise(notices) };
 }
 
 function writeState({ preset, values }: State): string {
+  const differing = ownValues({ preset, values });
+  const pairs = differing.map(([parameter, value]) => `${parameter.key}=${writeText(parameter, value)}`);
+  return [`v=${VERSION}`, `preset=${preset}`, ...pairs].join('&');
+}
+
+/** What a state has otherwise than its preset, in the order of the table. */
+export function ownValues({ preset, values }: State): [Parameter, Value][] {
   const base = presetValues(findPreset(preset) ?? defaultPreset);
   const differing = table.filter(({ key }) => values[key] !== undefined && values[key] !== base[key]);
-  const pairs = differing.map((parameter) => `${parameter.key}=${writeText(parameter, values[parameter.key])}`);
-  return [`v=${VERSION}`, `preset=${preset}`, ...pairs].join('&');
+  return differing.map((parameter) => [parameter, values[parameter.key]]);
 }
 
 /** The readable form of a packed link, followed by what somebody may have written behind it by hand. */
@@ -89,7 +105,23 @@ function firstOfEach(pairs: URLSearchParams, notices: Notice[]): Map<string, str
   return first;
 }
 
-function readState(pairs: Map<string, string>, notices: Notice[]): State {
+async function readTake(packed: string | undefined, notices: Notice[]): Promise<Uint8Array | undefined> {
+  if (packed === undefined) return undefined;
+  const inflated = await unpackBytes(packed, DECODED_LIMIT).catch(() => undefined);
+  if (inflated && !inflated.isCut) return inflated.bytes;
+  const tell = () => 'The moment in the link is damaged; the smoke starts from the beginning.';
+  notices.push(notice('damaged', 'take', packed, tell));
+  return undefined;
+}
+
+/** Keys of a link that are no parameters. */
+const OWN_KEYS: ReadonlySet<string> = new Set(['v', 'preset', 'take']);
+
+/**
+ * The state that pairs of text describe, those of a link or of a file, after `migrate`.
+ * @param notices told of everything that is not used as it stands
+ */
+export function readState(pairs: ReadonlyMap<string, string>, notices: Notice[], source: 'link' | 'file'): State {
   const version = pairs.get('v') ?? VERSION;
   if (version !== VERSION) notices.push(notice('version', 'v', version, tellVersion));
   const name = pairs.get('preset') ?? defaultPreset.name;
@@ -97,24 +129,30 @@ function readState(pairs: Map<string, string>, notices: Notice[]): State {
   if (!preset) notices.push(notice('unknownPreset', 'preset', name, tellPreset));
   const values = presetValues(preset ?? defaultPreset);
   for (const [key, text] of pairs) {
-    if (key !== 'v' && key !== 'preset') readPair(key, text, values, notices);
+    if (!OWN_KEYS.has(key)) readPair(key, text, values, notices, source);
   }
   return { preset: (preset ?? defaultPreset).name, values };
 }
 
-function readPair(key: string, text: string, values: Record<string, Values[string]>, notices: Notice[]): void {
+function readPair(
+  key: string,
+  text: string,
+  values: Record<string, Values[string]>,
+  notices: Notice[],
+  source: 'link' | 'file',
+): void {
   const parameter = findParameter(key);
   if (!parameter) {
     notices.push(notice('unknownKey', key, text, () => `There is no parameter ${quoteKey(key)}; it was ignored.`));
     return;
   }
-  const read = readText(parameter, text, values[parameter.key]);
+  const read = readText(parameter, text, values[parameter.key], source);
   values[parameter.key] = read.value;
   if (read.notice) notices.push(read.notice);
 }
 
 function tellVersion(given: string): string {
-  return `The link has version ${given}, this page reads version ${VERSION}; what it knows was used.`;
+  return `This has version ${given}, this page reads version ${VERSION}; what it knows was used.`;
 }
 
 function tellPreset(given: string): string {

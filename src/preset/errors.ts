@@ -29,6 +29,11 @@ export class ShapeError extends SmokeError {
   override name = 'ShapeError';
 }
 
+/** A file holds no preset and no take; the message says what is wrong with it, and where. */
+export class FileError extends SmokeError {
+  override name = 'FileError';
+}
+
 /** Something that smoke needs could not be fetched or compiled; `cause` holds the reason. */
 export class LoadError extends SmokeError {
   override name = 'LoadError';

@@ -1,4 +1,4 @@
-/** Long links: text to deflate-raw in base64url and back, with a limit that a deflate bomb cannot pass. */
+/** Long links and takes: text and bytes to deflate-raw in base64url and back, with a limit that no deflate bomb passes. */
 
 /** Decoding stops here, in bytes. */
 export const DECODED_LIMIT = 64 * 1024;
@@ -6,32 +6,60 @@ export const DECODED_LIMIT = 64 * 1024;
 // One piece of input can grow a thousandfold before the stream can be stopped, so the pieces are small.
 const PIECE = 256;
 
+/** Bytes that were inflated, and whether they were cut at the limit. */
+export interface Inflated {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly isCut: boolean;
+}
+
 /** Deflates UTF-8 text; the result holds only letters, digits, `-` and `_`. */
-export async function pack(text: string): Promise<string> {
-  const bytes = new Blob([text]).stream().pipeThrough(new CompressionStream('deflate-raw'));
-  return toBase64Url(new Uint8Array(await new Response(bytes).arrayBuffer()));
+export function pack(text: string): Promise<string> {
+  return packBytes(new TextEncoder().encode(text));
+}
+
+/** Deflates bytes; the result holds only letters, digits, `-` and `_`. */
+export async function packBytes(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
+  const deflated = new Blob([bytes]).stream().pipeThrough(new CompressionStream('deflate-raw'));
+  return toBase64Url(new Uint8Array(await new Response(deflated).arrayBuffer()));
 }
 
 /**
- * Inflates what `pack` made, at most DECODED_LIMIT bytes of it.
- * @returns the text, and whether it was cut at the limit
+ * Inflates text that `pack` made, at most DECODED_LIMIT bytes of it.
  * @throws when the text is no base64url or no deflated data
  */
 export async function unpack(packed: string): Promise<{ text: string; isCut: boolean }> {
+  const { bytes, isCut } = await unpackBytes(packed, DECODED_LIMIT);
+  return { text: new TextDecoder().decode(bytes), isCut };
+}
+
+/**
+ * Inflates what `packBytes` made, at most `limit` bytes of it.
+ * @throws when the text is no base64url or no deflated data
+ */
+export async function unpackBytes(packed: string, limit: number): Promise<Inflated> {
   const reader = inPieces(fromBase64Url(packed)).pipeThrough(new DecompressionStream('deflate-raw')).getReader();
-  const decoder = new TextDecoder();
-  let text = '';
-  let room = DECODED_LIMIT;
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  let room = limit;
   for (;;) {
     const { done, value } = await reader.read();
-    if (done) return { text, isCut: false };
-    text += decoder.decode(value.subarray(0, room), { stream: true });
+    if (done) return { bytes: joined(parts), isCut: false };
+    parts.push(value.subarray(0, room));
     room -= value.length;
     if (room < 0) {
       await reader.cancel();
-      return { text, isCut: true };
+      return { bytes: joined(parts), isCut: true };
     }
   }
+}
+
+function joined(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
+  const whole = new Uint8Array(parts.reduce((length, part) => length + part.length, 0));
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return whole;
 }
 
 function inPieces(bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<ArrayBuffer>> {

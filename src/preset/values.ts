@@ -60,15 +60,19 @@ export function writeText(parameter: Parameter, value: Value): string {
 }
 
 /**
- * Reads a value out of a link, under the limits for links. What is out of range is clamped, what cannot be read
- * becomes the fallback; both are told.
+ * Reads a value out of a link or a file. What is out of range is clamped, what cannot be read becomes the fallback;
+ * both are told.
+ * @param source links have limits of their own, because nobody chose what is in them
  */
 export function readText(
   parameter: Parameter,
   text: string,
   fallback: Value = parameter.default,
+  source: 'link' | 'file' = 'link',
 ): { value: Value; notice?: Notice } {
-  if (parameter.kind === 'number' || parameter.kind === 'integer') return readNumber(parameter, text, fallback);
+  if (parameter.kind === 'number' || parameter.kind === 'integer') {
+    return readNumber(source === 'file' ? { ...parameter, linkMax: undefined } : parameter, text, fallback);
+  }
   const value = parse(parameter, text);
   return value === undefined ? malformed(parameter, text, fallback) : { value };
 }
@@ -89,7 +93,7 @@ function readNumber(parameter: NumberParameter, text: string, fallback: Value): 
   // The addition turns -0 into 0, which is how it would come back from a link.
   const value = Math.min(Math.max(rounded, parameter.min), parameter.linkMax ?? parameter.max) + 0;
   if (value === given) return { value };
-  const tell = (quoted: string) => `${parameter.key} cannot be ${quoted} in a link; ${value} is used.`;
+  const tell = (quoted: string) => `${parameter.key} cannot be ${quoted} here; ${value} is used.`;
   return { value, notice: notice('outOfRange', parameter.key, text, tell) };
 }
 

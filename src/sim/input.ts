@@ -20,8 +20,10 @@ export interface Blow {
 /** What stands in a take besides its inputs. */
 export interface TakeInfo {
   readonly seed: number;
-  /** Most particles at its start. */
-  readonly capacity: number;
+  /** The most particles that it ever makes room for; a saved state that it begins with has its own room. */
+  readonly mostParticles: number;
+  /** Whether it begins with the scene as it is set up, and not with a saved state. */
+  readonly isFresh: boolean;
   /** Steps that had been made at its start and at its end. */
   readonly start: number;
   readonly end: number;

@@ -1,4 +1,4 @@
-import { MOST_STOPS, readCurve } from '../preset/curve.ts';
+import { MOST_STOPS, readCurve, writeCurve } from '../preset/curve.ts';
 import type { Parameter, Value, Values } from '../preset/parameter.ts';
 import { findParameter, table } from '../preset/table.ts';
 import type { Simulator } from './simulator.ts';
@@ -39,12 +39,27 @@ export function valuesIn(simulator: Simulator, values: Values, rig: Readonly<Rec
   const numbers = simulator.parameters();
   for (const parameter of table.filter(({ reader }) => reader === 'simulator')) {
     const { key } = parameter;
+    if (parameter.kind === 'curve') {
+      after[key] = curveIn(numbers, String(values[key]));
+      continue;
+    }
     const number = numbers.get(key);
     if (number === undefined) delete after[key];
     else if (key in values || number !== (rig[key] ?? numberOf(parameter, parameter.default)))
       after[key] = valueOf(parameter, number);
   }
   return after;
+}
+
+/** The simulator's curve; as `known` writes it where that means the same. */
+function curveIn(numbers: ReadonlyMap<string, number>, known: string): string {
+  const isKnown = Object.entries(stopsOf(known)).every(([key, number]) => numbers.get(key) === number);
+  if (isKnown) return known;
+  const stops = Array.from({ length: MOST_STOPS }, (_, index) => ({
+    at: numbers.get(`density.${index}.age`) ?? 1,
+    value: numbers.get(`density.${index}.value`) ?? 0,
+  }));
+  return writeCurve(stops.filter(({ at }, index) => index === 0 || at > stops[index - 1].at));
 }
 
 /** The value of a parameter as people see it, from the number that the simulator has. */

@@ -225,6 +225,14 @@ export class Stage {
   }
 
   /**
+   * What a take says of itself, without playing it.
+   * @throws SimulatorError when the bytes are damaged or no take
+   */
+  readTake(bytes: Uint8Array): Take {
+    return takeOf(bytes, this.#running.factory.readTake(bytes));
+  }
+
+  /**
    * Goes to the start of a take, with all values as they were there; playing, stepping and seeking then do what was done
    * in it, to the same hash at every step. What is done meanwhile takes over: the rest of the take is forgotten.
    * @param take as `take()` gave it, or its bytes

@@ -15,20 +15,27 @@ export interface Take {
   /** Steps that had been made at the start and at the end; the start is 0 unless a saved state was restored. */
   readonly start: number;
   readonly steps: number;
+  /** The most particles that it makes room for, where it begins with no saved state. */
+  readonly mostParticles: number;
+  /** Whether it begins with the scene as it is set up, and not with a saved state. */
+  readonly isFresh: boolean;
   /** Whether more was done than a take has room for, 20,000 inputs. */
   readonly isTruncated: boolean;
   /** All of it, for keeping and sending. */
-  toBytes(): Uint8Array;
+  toBytes(): Uint8Array<ArrayBuffer>;
 }
 
-/** The note of a take that begins with these values. */
+/** The note of a take that begins with these values; takes travel in links, so it leaves out what is as ever. */
 export function noteOf(values: Values): string {
-  return JSON.stringify({ values });
+  const usual = defaults();
+  return JSON.stringify({
+    values: Object.fromEntries(Object.entries(values).filter(([key, value]) => usual[key] !== value)),
+  });
 }
 
 /** @throws SimulatorError when the note is not one that a stage wrote */
-export function takeOf(bytes: Uint8Array, { note, seed, inputs, start, end, isTruncated }: TakeInfo): Take {
-  return { values: valuesOf(note), seed, inputs, start, steps: end, isTruncated, toBytes: () => bytes.slice() };
+export function takeOf(bytes: Uint8Array, { note, end, ...info }: TakeInfo): Take {
+  return { ...info, values: valuesOf(note), steps: end, toBytes: () => bytes.slice() };
 }
 
 /** Values that a stranger wrote: keys that the table does not have are left out, values that it does not take refused. */

@@ -1,5 +1,6 @@
 /** Going back and forth in a take, and doing it again elsewhere, comes to the same hashes. */
 import { beforeAll, describe, expect, it } from 'vitest';
+import { defaultState, encode, LONGEST_LINK } from '../../src/preset/codec.ts';
 import { ParameterError, SimulatorError } from '../../src/preset/errors.ts';
 import type { SimulatorFactory } from '../../src/sim/load.ts';
 import { noteOf, takeOf } from '../../src/stage/take.ts';
@@ -94,6 +95,54 @@ describe('a take', () => {
     expect(take).toMatchObject({ seed: 1, start: 0, steps: LAST_STEP, isTruncated: false, values: VALUES });
     expect(take.inputs).toBe(simulation.simulator.inputCount);
     expect(take.toBytes()).toEqual(bytes);
+    simulation.dispose();
+  });
+
+  it('brings back the values that were changed on the way, the curve of density among them', () => {
+    const density = { 'emission.density': '0:.5,0.5:1,1:0' };
+    const first = lampSimulation(factory);
+    first.advance(10);
+    first.set(density);
+    first.advance(10);
+    const second = lampSimulation(factory);
+    second.replay(first.simulator.take(noteOf(first.startValues)), VALUES);
+    second.advance(20);
+    expect(second.simulator.hash()).toBe(first.simulator.hash());
+    expect(second.valuesIn(VALUES)['emission.density']).toBe('0:.5,.5:1,1:0');
+    expect(first.valuesIn({ ...VALUES, ...density })['emission.density'], 'as it was written').toBe('0:.5,0.5:1,1:0');
+    expect(lampSimulation(factory).valuesIn(VALUES)).toEqual(VALUES);
+    first.dispose();
+    second.dispose();
+  });
+
+  it('says how much room it asks for', () => {
+    const simulation = lampSimulation(factory);
+    const roomOf = (bytes: Uint8Array) => factory.readTake(bytes).mostParticles;
+    expect(roomOf(simulation.simulator.take())).toBe(300);
+    simulation.input((simulator) => simulator.inputCapacity(70_000));
+    simulation.advance(1);
+    simulation.input((simulator) => simulator.inputCapacity(100));
+    expect(roomOf(simulation.simulator.take())).toBe(70_000);
+    expect(factory.readTake(simulation.simulator.take()).isFresh).toBe(true);
+    simulation.restore(simulation.simulator.save(), VALUES);
+    expect(factory.readTake(simulation.simulator.take()).isFresh).toBe(false);
+    simulation.dispose();
+  });
+
+  it('of half a minute of dragging fits into a link', async () => {
+    const simulation = lampSimulation(factory);
+    const place = [0, 1.5, 0];
+    for (let step = 0; step < 30 * 60; ++step) {
+      // A hand trembles by millimetres; multiples of irrational numbers tremble the same each time.
+      place[0] += 0.02 * Math.sin(step / 17) + 0.004 * ((step * Math.SQRT2) % 1);
+      place[1] += 0.015 * Math.cos(step / 23) - 0.004 * ((step * Math.E) % 1);
+      simulation.drag!.target.fromArray(place);
+      simulation.dragHandle();
+      simulation.advance(1);
+    }
+    const bytes = simulation.simulator.take(noteOf(simulation.startValues));
+    const link = await encode(defaultState(), Uint8Array.from(bytes));
+    expect(link.length).toBeLessThan(LONGEST_LINK);
     simulation.dispose();
   });
 

@@ -165,13 +165,13 @@ impl Simulator {
     }
 }
 
-/// What a take says of itself: `{ seed, capacity, start, end, inputs, isTruncated, note }`.
+/// What a take says of itself: `{ seed, mostParticles, start, end, inputs, isFresh, isTruncated, note }`.
 #[wasm_bindgen(js_name = readTake)]
 pub fn read_take(bytes: &[u8]) -> Result<JsValue, JsValue> {
     let take = Take::parse(bytes).map_err(|error| plain_refusal(&error.message))?;
     let numbers = [
         ("seed", f64::from(take.origin.seed)),
-        ("capacity", f64::from(take.origin.capacity)),
+        ("mostParticles", f64::from(take.most_particles())),
         ("start", take.origin.step as f64),
         ("end", take.end as f64),
         ("inputs", take.log.len() as f64),
@@ -180,6 +180,7 @@ pub fn read_take(bytes: &[u8]) -> Result<JsValue, JsValue> {
     for (name, number) in numbers {
         object.put(name, number.into());
     }
+    object.put("isFresh", take.is_fresh().into());
     object.put("isTruncated", take.log.is_truncated().into());
     object.put("note", take.note.into());
     Ok(object.into())

@@ -25,6 +25,15 @@ impl Writer {
         self.0.extend_from_slice(&long.to_le_bytes());
     }
 
+    /// A number that is mostly small: seven bits a byte, the lowest first.
+    pub fn count(&mut self, mut count: u64) {
+        while count > 0x7f {
+            self.byte(count as u8 | 0x80);
+            count >>= 7;
+        }
+        self.byte(count as u8);
+    }
+
     pub fn number(&mut self, number: f64) {
         self.long(number.to_bits());
     }
@@ -72,6 +81,11 @@ impl Writer {
 pub struct Reader<'b>(&'b [u8]);
 
 impl<'b> Reader<'b> {
+    /// Of bytes without an envelope.
+    pub fn over(bytes: &'b [u8]) -> Self {
+        Self(bytes)
+    }
+
     /// What `Writer::seal` made, without the envelope. `name` is what people call such bytes.
     pub fn open(bytes: &'b [u8], kind: &[u8; 4], version: u32, name: &str) -> Result<Self, RestoreError> {
         let mut reader = Self(bytes);
@@ -107,6 +121,19 @@ impl<'b> Reader<'b> {
     #[inline(never)]
     pub fn long(&mut self) -> Result<u64, RestoreError> {
         self.take().map(u64::from_le_bytes)
+    }
+
+    /// What `Writer::count` wrote.
+    pub fn count(&mut self) -> Result<u64, RestoreError> {
+        let mut count = 0;
+        for shift in (0..u64::BITS - 7).step_by(7) {
+            let byte = self.byte()?;
+            count |= u64::from(byte & 0x7f) << shift;
+            if byte <= 0x7f {
+                return Ok(count);
+            }
+        }
+        Err(RestoreError::new("the bytes hold a number that is too large"))
     }
 
     /// A number that is finite.

@@ -1,8 +1,9 @@
 //! A take as bytes, and everything that is checked before it is believed.
 
 use super::Origin;
+use super::columns;
 use super::input::Input;
-use super::log::{Log, MOST_INPUTS, Record};
+use super::log::{Log, Record};
 use crate::bytes::{Reader, Writer};
 use crate::error::RestoreError;
 use crate::parameters::Parameters;
@@ -10,7 +11,7 @@ use crate::simulator::CAPACITY_LIMIT;
 use crate::snapshot::Section;
 
 const KIND: &[u8; 4] = b"take";
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 const NAME: &str = "take";
 /// Longest note (bytes).
 pub const MOST_NOTE: usize = 65_536;
@@ -38,6 +39,16 @@ impl Take {
         let note = reader.section(b"note", read_note)?;
         reader.end()?;
         Ok(Self { origin, log, end, note })
+    }
+
+    /// Whether it begins with the scene as it is set up, and not with a saved state.
+    pub fn is_fresh(&self) -> bool {
+        self.origin.is_fresh
+    }
+
+    /// The most particles that there is ever room for, as far as it says itself: a saved state has its own room.
+    pub fn most_particles(&self) -> u32 {
+        self.log.largest_capacity().unwrap_or(0).max(self.origin.capacity)
     }
 
     /// The bytes that it was read from.
@@ -106,33 +117,22 @@ fn read_keys(reader: &mut Reader) -> Result<Vec<String>, RestoreError> {
 
 fn write_log(body: &mut Writer, log: &Log) {
     body.byte(u8::from(log.is_truncated));
-    body.word(log.len() as u32);
-    for Record { step, input } in &log.records {
-        body.long(*step);
-        input.write(body);
-    }
+    columns::write(&log.records, body);
 }
 
 fn read_log(reader: &mut Reader, keys: Vec<String>, start: u64, end: u64) -> Result<Log, RestoreError> {
     let is_truncated = reader.byte()? != 0;
-    let count = reader.word()? as usize;
-    if count > MOST_INPUTS {
-        return Err(RestoreError::new("the take holds more inputs than a take can hold"));
-    }
+    let records = columns::read(reader)?;
     let mut scratch = Parameters::default();
-    let mut records = Vec::new();
     let mut earliest = start;
-    for _ in 0..count {
-        let step = reader.long()?;
-        if !(earliest..=end).contains(&step) {
+    for Record { step, input } in &records {
+        if !(earliest..=end).contains(step) {
             return Err(RestoreError::new(
                 "the take's inputs are not in the order of their steps",
             ));
         }
-        earliest = step;
-        let input = Input::read(reader)?;
-        check_set(&input, &keys, &mut scratch)?;
-        records.push(Record { step, input });
+        earliest = *step;
+        check_set(input, &keys, &mut scratch)?;
     }
     Ok(Log {
         keys,

@@ -39,6 +39,15 @@ impl Log {
         self.is_truncated
     }
 
+    /// The most particles that an input makes room for.
+    pub(super) fn largest_capacity(&self) -> Option<u32> {
+        let capacities = self.records.iter().filter_map(|record| match record.input {
+            Input::Resize { capacity } => Some(capacity),
+            _ => None,
+        });
+        capacities.max()
+    }
+
     /// The number of a parameter's key in this log.
     pub(super) fn number_of(&mut self, key: &str) -> u16 {
         let known = self.keys.iter().position(|known| known == key);

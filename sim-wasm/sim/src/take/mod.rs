@@ -10,6 +10,7 @@
 
 mod blow;
 mod bytes;
+mod columns;
 pub mod input;
 mod live;
 pub mod log;

@@ -1,0 +1,96 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../support/fixtures.ts';
+import { loadModule } from '../support/modules.ts';
+import { ask, ballPlace, expectValue, LIGHT, open } from './page.ts';
+
+test.use({ viewport: { width: 320, height: 240 } });
+
+/** Drags the ball, blows, and turns knobs while the smoke plays, then pauses. */
+async function play(page: Page): Promise<void> {
+  await open(page, `?ui=0${LIGHT}`);
+  const ball = (await ballPlace(page))!;
+  await page.mouse.move(ball.x, ball.y);
+  await page.mouse.down();
+  await page.mouse.move(ball.x - 40, ball.y - 30, { steps: 5 });
+  await ask(page, (stage) => stage.set({ 'forces.wind.x': 1.25, 'emission.density': '0:.5,.5:1,1:0' }));
+  await page.mouse.move(ball.x - 60, ball.y, { steps: 5 });
+  await page.mouse.up();
+  await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
+  await ask(page, (stage) => stage.set({ 'style.smokeColor': '#ffcc88' }));
+  await ask(page, (stage) => stage.pause());
+  await ask(page, (stage) => stage.step(45));
+}
+
+/** The link to what the page shows, as the page makes it. */
+async function momentLink(page: Page): Promise<string> {
+  const moment = await loadModule<typeof import('../../src/app/moment.ts')>(page, '/src/app/moment.ts');
+  return moment.evaluate(({ linkToMoment }) => {
+    const stage = window.cartoonSmoke!;
+    return linkToMoment({ preset: 'lamp', values: stage.get() }, stage);
+  });
+}
+
+const shown = (page: Page) =>
+  ask(page, (stage) => ({ hash: stage.hash(), steps: stage.stats.steps, playing: stage.playing, values: stage.get() }));
+
+test('a take comes to the same hash in another browser, and to an earlier moment of it', async ({ page, browser }) => {
+  await play(page);
+  const there = await shown(page);
+  const link = await momentLink(page);
+  expect(link).toMatch(/[?&]paused=1#v=1&preset=lamp&.*&take=[\w-]+$/);
+  expect(link.length).toBeLessThan(4000);
+  await ask(page, (stage) => stage.seek(0.5));
+  const [earlier, earlierLink] = [await shown(page), await momentLink(page)];
+  const context = await browser.newContext({ viewport: { width: 240, height: 160 } });
+  const other = await context.newPage();
+  for (const [address, moment] of [
+    [link, there],
+    [earlierLink, earlier],
+  ] as const) {
+    await open(other, address.slice(address.indexOf('/?') + 1));
+    await expect.poll(() => shown(other), { timeout: 30_000 }).toEqual(moment);
+    await expect(other.locator('.notice')).toHaveCount(0);
+  }
+  await context.close();
+});
+
+test('what nobody touched is a moment by its time alone', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await ask(page, (stage) => stage.step(7));
+  expect(new URL(await momentLink(page)).search).toBe('?paused=1&t=0.117');
+  expect(new URL(await momentLink(page)).hash).toBe(LIGHT);
+});
+
+test('a long take is done again with progress, and can be stopped', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await ask(page, (stage) => stage.blow({ x: 100, y: 100, dx: 5 }));
+  await ask(page, (stage) => stage.step(20_000));
+  const link = await momentLink(page);
+  await page.goto('about:blank');
+  await page.goto(link);
+  await expect(page.getByRole('progressbar', { name: 'Doing again what was done in 333.3 s' })).toBeVisible();
+  await page.getByRole('button', { name: 'Stop here' }).click();
+  await expect(page.getByText('Stopped at')).toBeVisible();
+  expect(await ask(page, (stage) => stage.stats.steps)).toBeLessThan(20_000);
+});
+
+test('a moment that cannot be shown leaves the look, and a notice', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  const packing = await loadModule<typeof import('../../src/preset/packing.ts')>(page, '/src/preset/packing.ts');
+  const tooMany = await packing.evaluate(({ packBytes }) => {
+    const stage = window.cartoonSmoke!;
+    stage.set({ 'simulation.maxParticles': 60_000 });
+    return packBytes(stage.take().toBytes());
+  });
+  for (const [take, message] of [
+    [tooMany, 'it holds 60000 particles; a link may hold 50000'],
+    ['AAAA', 'The moment in the link is damaged'],
+    ['AwA', 'The moment in the link cannot be shown'],
+  ]) {
+    await open(page, `?paused=1${LIGHT}&puff.size=2&take=${take}`);
+    await expect(page.locator('.notice')).toContainText(message);
+    await expectValue(page, 'puff.size', 2);
+    await ask(page, (stage) => stage.step(2));
+    expect(await ask(page, (stage) => stage.stats.steps)).toBe(2);
+  }
+});

@@ -1,0 +1,64 @@
+/** Random states that a link may carry. Made of few plain numbers, so that ten thousand take seconds, and shrink well. */
+import fc from 'fast-check';
+import type { State } from '../../src/preset/codec.ts';
+import { MOST_STOPS, writeCurve } from '../../src/preset/curve.ts';
+import type { NumberParameter, Parameter, Value, Values } from '../../src/preset/parameter.ts';
+import { presets, presetValues } from '../../src/preset/presets.ts';
+import { MOST_COLORS, writeRamp } from '../../src/preset/ramp.ts';
+import { table } from '../../src/preset/table.ts';
+
+/** Which row, and a number that its value is made of. */
+const anyChange = fc.tuple(fc.nat({ max: table.length - 1 }), fc.nat({ max: 999_999_999 }));
+
+/** Mostly a few, now and then so many that the link is packed. */
+const anyChanges = fc.oneof(
+  { arbitrary: fc.array(anyChange, { maxLength: 20 }), weight: 9 },
+  { arbitrary: fc.array(anyChange, { minLength: 20, maxLength: 80 }), weight: 1 },
+);
+
+export const anyState: fc.Arbitrary<State> = fc
+  .tuple(fc.constantFrom(...presets), anyChanges)
+  .map(([preset, changes]) => {
+    const values = changes.map(([row, share]) => [table[row].key, valueOf(table[row], share / 1e9)] as const);
+    return { preset: preset.name, values: { ...presetValues(preset), ...(Object.fromEntries(values) as Values) } };
+  });
+
+/** @param share 0 to below 1. Each tenth number is an end of the range; the others lie anywhere within, with all their digits. */
+function valueOf(parameter: Parameter, share: number): Value {
+  switch (parameter.kind) {
+    case 'toggle':
+      return Math.floor(2 * share);
+    case 'choice':
+      return parameter.options[Math.floor(share * parameter.options.length)].value;
+    case 'color':
+      return `#${Math.floor(share * 0x1000000)
+        .toString(16)
+        .padStart(6, '0')}`;
+    case 'curve':
+      return writeCurve(places(share, 2, MOST_STOPS).map((at) => ({ at, value: (7 * at + share) % 1 })));
+    case 'ramp':
+      return share < 0.1 ? '' : writeRamp(places(share, 2, MOST_COLORS).map((at) => ({ at, color: gray(at) })));
+    default:
+      return numberIn(parameter, share);
+  }
+}
+
+function numberIn({ kind, min, max, linkMax = max }: NumberParameter, share: number): number {
+  if (share < 0.05) return min;
+  if (share < 0.1) return linkMax;
+  const number = min + (share - 0.1) * (10 / 9) * (linkMax - min);
+  return kind === 'integer' ? Math.round(number) : number;
+}
+
+/** Rising places, the first below 1, in whole thousandths. */
+function places(share: number, least: number, most: number): number[] {
+  const count = least + Math.floor(share * (most - least + 1));
+  return Array.from({ length: count }, (_, index) => Math.floor((1000 * (index + share)) / count) / 1000);
+}
+
+function gray(share: number): string {
+  return `#${Math.floor(255 * share)
+    .toString(16)
+    .padStart(2, '0')
+    .repeat(3)}`;
+}
