@@ -100,6 +100,8 @@ function choice(key: string, group: string, reader: Reader, rest: Choice, option
 export const table: readonly Parameter[] = [
   choice('scene', 'simulation', 'stage', { label: 'Scene', text: 'What stands in the smoke.', default: 'lamp' }, [
     ['lamp', 'Magic lamp'],
+    ['airplane', 'Airplane'],
+    ['train', 'Steam train'],
     ['wisp', 'Cup of tea'],
   ]),
   quantity('seed', 'simulation', 'stage', {

@@ -61,9 +61,9 @@ export interface Moment {
   /** Length of a step, seconds. */
   readonly dt: number;
   /** What a channel was steered to, -1 to 1; 0 until somebody steers. */
-  control(channel: number): number;
+  readonly control: (channel: number) => number;
   /** Where a rigid is before the step. */
-  pose(rigid: number): Placement;
+  readonly pose: (rigid: number) => Placement;
 }
 
 /**

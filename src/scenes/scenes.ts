@@ -11,6 +11,8 @@ export interface SceneEntry {
 /** Every scene by its name, in the order in which people see them. */
 export const sceneEntries: Readonly<Record<string, SceneEntry>> = {
   lamp: { hasRigids: true, load: async () => (await import('./lamp.ts')).lamp() },
+  airplane: { hasRigids: true, load: async () => (await import('./airplane.ts')).airplane() },
+  train: { hasRigids: true, load: async () => (await import('./train.ts')).train() },
   wisp: { hasRigids: false, load: async () => (await import('./wisp.ts')).wisp() },
 };
 
