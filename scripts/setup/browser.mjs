@@ -18,6 +18,8 @@ export const CHROMIUM_FLAGS = [
   '--use-gl=angle',
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
+  // A context finds the shaders that another one has compiled, which is most of what a small picture takes.
+  '--enable-angle-features=preferGlobalPipelineCache',
   '--disable-background-networking',
   '--disable-component-update',
   '--disable-sync',

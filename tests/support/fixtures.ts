@@ -3,13 +3,16 @@
  * because on anything else the pictures mean something else.
  */
 import { expect, test as base, type Page } from '@playwright/test';
-import { loadModule, type LoadModule } from './modules.ts';
 import { watchComplaints } from './complaints.ts';
+import { KeptPage } from './keptPage.ts';
+import { loadModule, type LoadModule } from './modules.ts';
 
 interface TestFixtures {
   /** Complaints of the page that a test provokes on purpose; any other makes it fail. `test.use({ allowed: /…/ })` */
   allowed: RegExp;
-  /** A page without anything of ours on it, for tests of single modules. */
+  /** Whether `blank` is nobody else's: for tests of what ends with a page, such as contexts and memory. */
+  ownPage: boolean;
+  /** A page without anything of ours on it, for tests of single modules: one for all tests of a file. */
   blank: Page;
   /** Imports a source module inside the blank page, such as '/src/puffs/mesh.ts', and gives a handle on it. */
   load: LoadModule;
@@ -18,10 +21,12 @@ interface TestFixtures {
 interface WorkerFixtures {
   /** The unmasked renderer string of WebGL 2, checked once for each browser that is started. */
   renderer: string;
+  kept: KeptPage;
 }
 
 export const test = base.extend<TestFixtures, WorkerFixtures>({
   allowed: [/^none$/, { option: true }],
+  ownPage: [false, { option: true }],
   renderer: [
     async ({ browser }, use) => {
       const page = await browser.newPage();
@@ -32,15 +37,24 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
     },
     { scope: 'worker', auto: true },
   ],
+  kept: [
+    async ({ browser }, use, { project }) => {
+      const kept = new KeptPage(browser, project.use);
+      await use(kept);
+      await kept.close();
+    },
+    { scope: 'worker' },
+  ],
   page: async ({ page, allowed }, use) => {
     const complaints = watchComplaints(page);
     await use(page);
-    const unexpected = complaints.filter((text) => !allowed.test(text));
-    expect(unexpected, 'complaints of the page').toEqual([]);
+    expectNone(complaints, allowed);
   },
-  blank: async ({ page }, use) => {
-    await page.goto('/tests/support/blank.html');
-    await use(page);
+  blank: async ({ browser, kept, ownPage, allowed }, use, { file, project }) => {
+    const one = ownPage ? new KeptPage(browser, project.use) : kept;
+    await use(await one.forTestOf(file));
+    expectNone(await one.complaints(), allowed);
+    if (ownPage) await one.close();
   },
   load: async ({ blank }, use) => {
     await use((path) => loadModule(blank, path));
@@ -48,6 +62,11 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
 });
 
 export { expect };
+
+function expectNone(complaints: string[], allowed: RegExp): void {
+  const unexpected = complaints.filter((text) => !allowed.test(text));
+  expect(unexpected, 'complaints of the page').toEqual([]);
+}
 
 function rendererString(): string {
   const gl = document.createElement('canvas').getContext('webgl2');

@@ -38,6 +38,25 @@ test('a page that complains fails its test', async ({ page }) => {
   await page.evaluate(() => console.error('unexpected'));
 });
 
+test.describe('the page that a file keeps', () => {
+  test('fails the test in which it complains', async ({ blank }) => {
+    test.fail();
+    await blank.evaluate(() => console.error('unexpected'));
+  });
+
+  test('shows nothing of a test before, and its modules again', async ({ blank, load }) => {
+    expect(await blank.evaluate(() => document.body.childElementCount)).toBe(0);
+    const errors = await load<typeof import('../../src/preset/errors')>('/src/preset/errors.ts');
+    const sameErrors = await load<typeof import('../../src/preset/errors')>('/src/preset/errors.ts');
+    expect(await errors.evaluate((module, other) => module.LoadError === other.LoadError, sameErrors)).toBe(true);
+    await blank.evaluate(() => document.body.append('left behind', document.createElement('p')));
+  });
+
+  test('is empty again', async ({ blank }) => {
+    expect(await blank.evaluate(() => document.body.childNodes.length)).toBe(0);
+  });
+});
+
 test('a picture is compared channel by channel', async ({ blank }) => {
   const blob = await blank.evaluateHandle(async () => {
     const canvas = new OffscreenCanvas(4, 2);

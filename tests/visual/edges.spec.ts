@@ -57,10 +57,10 @@ for (const grey of [0, 128, 255]) {
 }
 
 for (const background of ['white', 'black', 'noise']) {
-  test(`a page shows through the outline without a fringe: ${background}`, async ({ load, page }) => {
+  test(`a page shows through the outline without a fringe: ${background}`, async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
     const { disc, behind } = await cases.evaluate((module, name) => module.showDisc(name), background);
-    const shown = PNG.sync.read(await page.screenshot({ clip: { x: 0, y: 0, width: 64, height: 64 } })).data;
+    const shown = PNG.sync.read(await blank.screenshot({ clip: { x: 0, y: 0, width: 64, height: 64 } })).data;
     const expected = disc.map((value, at) => value + (1 - disc[at - (at % 4) + 3] / 255) * behind[at]);
     const worst = expected.reduce(
       (most, value, at) => (at % 4 === 3 ? most : Math.max(most, Math.abs(value - shown[at]))),

@@ -51,7 +51,7 @@ test('memory that grows in mid-run keeps drawing', async ({ load }) => {
 });
 
 test.describe('loss', () => {
-  test.use({ allowed: /context lost|context restored|CONTEXT_LOST/i });
+  test.use({ allowed: /context lost|context restored|CONTEXT_LOST/i, ownPage: true });
 
   test('a lost context comes back with the simulation unharmed', async ({ load }) => {
     const cases = await load<Cases>(CASES);
@@ -59,9 +59,9 @@ test.describe('loss', () => {
     expect(report).toEqual({ changed: 0, sameHash: true, refused: true });
   });
 
-  test('50 stages leave no live context and no growing heap', async ({ load, page }) => {
+  test('50 stages leave no live context and no growing heap', async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
-    const devTools = await page.context().newCDPSession(page);
+    const devTools = await blank.context().newCDPSession(blank);
     const heap = async () => {
       await devTools.send('HeapProfiler.collectGarbage');
       return (await devTools.send('Runtime.getHeapUsage')).usedSize;
