@@ -2,7 +2,8 @@
  * `npm test [-- [--update] NAME...]`: gets what is missing and runs every check and test suite, or those named.
  * With --long, what takes too long for that instead; with --update, the screenshot goldens are written anew.
  *
- * All of them run even when one failed. The last line is `N passed, N failed`.
+ * All of them run even when one failed. The last line is `N passed, N failed`. What cargo compiles and tests runs beside
+ * everything else: its linking keeps one core busy, and the browser rarely two.
  */
 
 import { readArguments } from './lib/arguments.mjs';
@@ -25,16 +26,28 @@ await conclude(async () => {
   const choice = { long: values.long, update: values.update };
   const runners = chooseRunners(choice, positionals);
   await setUp(TESTS);
-  const total = { passed: 0, failed: 0 };
+  const lanes = [runners.filter(({ lane }) => lane === 'cargo'), runners.filter(({ lane }) => lane !== 'cargo')];
+  const results = (await Promise.all(lanes.map(runInTurn))).flat();
+  const [passed, failed] = [sumOf(results, 'passed'), sumOf(results, 'failed')];
+  console.log(`${passed} passed, ${failed} failed`);
+  return failed > 0 ? 1 : 0;
+});
+
+/** @param {import('./test/checks.mjs').Runner[]} runners */
+async function runInTurn(runners) {
+  const results = [];
   for (const runner of runners) {
     const result = await withProgress(runner.title, runner.run, summary);
     if (result.failed > 0) show(runner.title, result);
-    total.passed += result.passed;
-    total.failed += result.failed;
+    results.push(result);
   }
-  console.log(`${total.passed} passed, ${total.failed} failed`);
-  return total.failed > 0 ? 1 : 0;
-});
+  return results;
+}
+
+/** @param {import('./test/checks.mjs').Result[]} results @param {'passed' | 'failed'} what */
+function sumOf(results, what) {
+  return results.reduce((sum, result) => sum + result[what], 0);
+}
 
 /** @param {import('./test/suites.mjs').Choice} choice @param {string[]} names */
 function chooseRunners(choice, names) {

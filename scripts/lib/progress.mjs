@@ -1,10 +1,13 @@
 /**
  * Shows what a command is doing while it does it: one line that is redrawn on a terminal, and elsewhere (a log) a line
- * at the beginning, one now and then, and one at the end.
+ * at the beginning, one now and then, and one at the end. Several pieces of work at a time share the terminal's line.
  */
 
 const LOG_INTERVAL = 10_000;
 const REDRAW_INTERVAL = 200;
+
+/** What is told of each piece of work that is being done. @type {Map<symbol, string>} */
+const told = new Map();
 
 /**
  * Does a piece of work under a title and shows the time that has passed and the last thing said.
@@ -18,8 +21,11 @@ const REDRAW_INTERVAL = 200;
 export async function withProgress(title, work, summary = () => 'done') {
   const began = Date.now();
   const elapsed = () => `${((Date.now() - began) / 1000).toFixed(1)} s`;
+  const key = Symbol(title);
   let last = '';
-  const show = process.stdout.isTTY ? redraw : (/** @type {string} */ line) => console.log(line);
+  const show = process.stdout.isTTY
+    ? (/** @type {string} */ line) => redraw(told.set(key, line))
+    : (/** @type {string} */ line) => console.log(line);
   if (!process.stdout.isTTY) console.log(`${title} ...`);
   const timer = setInterval(
     () => show(`${title}: ${elapsed()}${last && `, ${last}`}`),
@@ -27,19 +33,20 @@ export async function withProgress(title, work, summary = () => 'done') {
   );
   try {
     const result = await work((line) => (last = line));
-    clearInterval(timer);
     finish(`${title}: ${summary(result)} (${elapsed()})`);
     return result;
   } catch (error) {
-    clearInterval(timer);
     finish(`${title}: stopped after ${elapsed()}`);
     throw error;
+  } finally {
+    clearInterval(timer);
+    told.delete(key);
   }
 }
 
-function redraw(/** @type {string} */ line) {
+function redraw(/** @type {Map<symbol, string>} */ lines) {
   const width = (process.stdout.columns || 80) - 1;
-  process.stdout.write(`\r\u001b[2K${line.slice(0, width)}`);
+  process.stdout.write(`\r\u001b[2K${[...lines.values()].join(' | ').slice(0, width)}`);
 }
 
 function finish(/** @type {string} */ line) {

@@ -11,6 +11,7 @@ import { cargo } from '../setup/toolchain.mjs';
  * @typedef {object} Runner
  * @property {string} name what `npm test -- NAME` chooses it by
  * @property {string} title
+ * @property {'cargo' | undefined} [lane] runners of one lane wait for each other, as cargo would anyway
  * @property {(say: Say) => Promise<Result>} run
  */
 
@@ -19,16 +20,22 @@ export function tool(/** @type {string} */ path, /** @type {string[]} */ paramet
   return run(process.execPath, [inRoot(`node_modules/${path}`), ...parameters], { onLine: say });
 }
 
-/** @type {(name: string, title: string, work: (say: Say) => Promise<Outcome>) => Runner} */
-function check(name, title, work) {
+/** @type {(name: string, title: string, work: (say: Say) => Promise<Outcome>, lane?: 'cargo') => Runner} */
+function check(name, title, work, lane) {
   return {
     name,
     title,
+    lane,
     run: async (say) => {
       const { status, output } = await work(say);
       return { passed: status === 0 ? 1 : 0, failed: status === 0 ? 0 : 1, skipped: 0, output };
     },
   };
+}
+
+/** @type {(name: string, title: string, work: (say: Say) => Promise<Outcome>) => Runner} */
+function checkOfCargo(name, title, work) {
+  return check(name, title, work, 'cargo');
 }
 
 const OXLINT = 'oxlint/bin/oxlint';
@@ -39,7 +46,9 @@ export const CHECKS = [
   check('lint', 'Lint (oxlint)', (say) => demandFiles(tool(OXLINT, ['--type-aware', '--deny-warnings'], say))),
   check('format', 'Format (prettier)', (say) => tool('prettier/bin/prettier.cjs', ['--check', '.'], say)),
   check('rustfmt', 'Format (cargo fmt)', (say) => cargo(['fmt', '--all', '--check'], say)),
-  check('clippy', 'Lint (cargo clippy)', (say) => clippy(['--workspace', '--exclude', 'xtask', '--all-features'], say)),
+  checkOfCargo('clippy', 'Lint (cargo clippy)', (say) =>
+    clippy(['--workspace', '--exclude', 'xtask', '--all-features'], say),
+  ),
   check('types', 'Types (tsc)', (say) => tool(TSC, ['--noEmit'], say)),
   check('scripts', 'Types of scripts/ (tsc)', (say) => tool(TSC, ['--noEmit', '-p', 'scripts'], say)),
   check('examples', 'Types of examples/ (tsc)', (say) => tool(TSC, ['--noEmit', '-p', 'examples'], say)),
@@ -54,7 +63,7 @@ export const CHECKS = [
  * @type {Runner[]}
  */
 export const LONG_CHECKS = [
-  check('clippy-xtask', 'Lint of xtask (cargo clippy)', (say) => clippy(['--package', 'xtask'], say)),
+  checkOfCargo('clippy-xtask', 'Lint of xtask (cargo clippy)', (say) => clippy(['--package', 'xtask'], say)),
   check('fuzz', 'A minute of fuzzing', (say) => fuzz([], say)),
   check('fuzz-rigids', 'A minute of fuzzing with rigids', (say) => fuzz(['--rigids'], say)),
 ];

@@ -41,6 +41,7 @@ function rust(name, title, features, { long }) {
   return {
     name,
     title,
+    lane: 'cargo',
     run: async (say) => {
       const { status, output } = await cargo(parameters, say);
       return { ...settle(tallyCargo(output), status), output };

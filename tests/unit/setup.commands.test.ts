@@ -107,6 +107,17 @@ describe('test', () => {
     expect(output.trimEnd().split('\n').at(-1)).toBe('5 passed, 1 failed');
   });
 
+  test('runs what cargo does beside the rest', () => {
+    const passes = '{ passed: 1, failed: 0, skipped: 0, output: "" }';
+    withSuites(`
+      { name: 'a', title: 'a', lane: 'cargo', run: () => new Promise((end) => { globalThis.endA = () => end(${passes}); }) },
+      { name: 'b', title: 'b', run: async () => { globalThis.endA(); return ${passes}; } },
+    `);
+    const { status, output } = project.run('test.mjs');
+    expect(status).toBe(0);
+    expect(output.trimEnd().split('\n').at(-1)).toBe('2 passed, 0 failed');
+  });
+
   test('succeeds only when nothing failed', () => {
     withSuites(suite('b', { passed: 3, failed: 0 }));
     expect(project.run('test.mjs')).toMatchObject({ status: 0, errors: [] });
