@@ -19,7 +19,7 @@ export default defineConfig({
   retries: 0,
   // SwiftShader draws with as many threads as there are cores, so that a second worker mostly makes the first one wait.
   workers: 1,
-  timeout: isLong ? 900_000 : 90_000,
+  timeout: isLong ? 900_000 : 180_000,
   // What is waited for comes at once on a machine at rest; on a busy one a frame takes a second.
   expect: { timeout: 15_000 },
   outputDir: 'test-results',
