@@ -41,14 +41,15 @@ for (const form of ['lobes', 'billboards'] as const) {
     }
   });
 
-  test(`${form}: a line swells away from the light`, async ({ load }) => {
+  test(`${form}: a line swells away from the light and trembles by its law`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const line = { form, projection: 'perspective', distance: 2, pixelRatio: 1, outlineWidth: 4 } as const;
-    const [even, swollen] = await cases.evaluate(
-      (module, input) => module.measureLines([input, { ...input, inkSwell: 1 }]),
+    const [even, swollen, boiling] = await cases.evaluate(
+      (module, input) => module.measureLines([input, { ...input, inkSwell: 1 }, { ...input, boil: 1 }]),
       line,
     );
-    expect(Math.max(even.worst, swollen.worst)).toBeLessThan(SLACK[form]);
+    expect(Math.max(even.worst, swollen.worst, boiling.worst)).toBeLessThan(SLACK[form]);
+    expect(boiling.ink).toBeLessThan(0.9 * even.ink);
     expect(swollen.expectedWidth).toBeCloseTo(4);
   });
 

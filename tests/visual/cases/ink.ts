@@ -26,6 +26,7 @@ export interface LineCase {
   /** Pixels of the page. */
   outlineWidth: number;
   inkSwell?: number;
+  boil?: number;
 }
 
 /** How far the worst pixel lies from the border that it is on the wrong side of, and the pixels of ink; all in pixels. */
@@ -49,6 +50,18 @@ function swelling(swell: number, x: number, y: number): number {
   return 2 ** ((-swell * (x * TOWARDS_LIGHT[0] + y * TOWARDS_LIGHT[1])) / Math.hypot(x, y));
 }
 
+/** The drawing of the pictures, of which there are twelve a second. */
+const DRAWING = 7;
+
+/** What a hand that trembles leaves of a width, at a place about what the line surrounds. */
+function trembling(boil: number, seed: number, x: number, y: number): number {
+  const hashed = Math.imul(seed, 747796405) + Math.imul(DRAWING, 2891336453);
+  const bits = Math.imul(hashed ^ (hashed >>> 16), 73244475) >>> 0;
+  const phase = ((bits >>> 8) & 0xffff) * ((2 * Math.PI) / 65536);
+  const turn = Math.atan2(y, x);
+  return 1 - boil * (0.25 + 0.125 * (Math.sin(3 * turn + phase) + Math.sin(8 * turn - 2.7 * phase)));
+}
+
 /** Compares the lines of lone puffs, pixel by pixel, with distances to their silhouettes that the CPU computes. */
 export function measureLines(cases: readonly LineCase[]): LineReport[] {
   const lab = new Lab({ width: SIZE, height: SIZE, puffs: [] });
@@ -58,12 +71,12 @@ export function measureLines(cases: readonly LineCase[]): LineReport[] {
 }
 
 function measureLine(lab: Lab, line: LineCase, variation: number): LineReport {
-  const { form, distance, pixelRatio, outlineWidth, inkSwell = 0 } = line;
+  const { form, distance, pixelRatio, outlineWidth, inkSwell = 0, boil = 0 } = line;
   const [seed, roll] = form === 'lobes' ? [61 * variation, 1 + variation] : [0, 0];
   const puff: LabPuff = { place: [0, 0, 0], radius: RADIUS, variation, seed, roll };
-  const style = { form, outlineWidth, inkSwell, shadows: false, tones: 1 } as const;
+  const style = { form, outlineWidth, inkSwell, boil, shadows: false, tones: 1 } as const;
   const scene = { width: SIZE, height: SIZE, puffs: [puff], camera: cameraOf(line), towardsLight: TOWARDS_LIGHT };
-  const { pixels } = lab.draw({ ...scene, style, pixelRatio });
+  const { pixels } = lab.draw({ ...scene, style, pixelRatio, time: (DRAWING + 0.5) / 12 });
   const radius = (SIZE / 2 / Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180))) * (RADIUS / distance);
   const expectedWidth = lineWidth(outlineWidth * pixelRatio * 2 ** inkSwell, radius) / 2 ** inkSwell;
   const seen = seenOf(form, variation, seed, roundedRoll(roll));
@@ -75,7 +88,8 @@ function measureLine(lab: Lab, line: LineCase, variation: number): LineReport {
     const outside = Math.max(Math.abs(x), Math.abs(y)) < 2 ? seen(x, y).distance * radius : 2 * radius;
     const isInk = pixels[4 * pixel + 3] > 0 && isDark(pixels, pixel);
     if (isInk) report.ink++;
-    const width = expectedWidth * swelling(inkSwell, x - middle[0], y - middle[1]);
+    const [besideX, besideY] = [x - middle[0], y - middle[1]];
+    const width = expectedWidth * swelling(inkSwell, besideX, besideY) * trembling(boil, seed, besideX, besideY);
     if (isInk === (outside > 0 && outside <= width)) continue;
     report.worst = Math.max(report.worst, Math.min(Math.abs(outside), Math.abs(outside - width)));
   }
