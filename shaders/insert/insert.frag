@@ -7,9 +7,11 @@ uniform sampler2D picture;
 uniform sampler2D smokeDepth;
 uniform vec2 viewportOrigin;
 uniform bool isLinear;
+uniform mat4 clipFromView;
 
 out vec4 pixel;
 
+#include ../lib/depth.glsl
 #include ../lib/srgb.glsl
 
 float depthAt(ivec2 at) {
@@ -18,11 +20,14 @@ float depthAt(ivec2 at) {
 
 // A smoothed edge reaches one pixel beyond the smoke, where it takes the nearest depth beside it.
 float nearestDepth(ivec2 at) {
+  float order = depthOrder(clipFromView);
+  float nothing = order > 0.0 ? 1.0 : 0.0;
   float own = depthAt(at);
-  if (own < 1.0) return own;
-  float level = min(depthAt(at + ivec2(1, 0)), depthAt(at - ivec2(1, 0)));
-  float upright = min(depthAt(at + ivec2(0, 1)), depthAt(at - ivec2(0, 1)));
-  return min(level, upright);
+  if (own != nothing) return own;
+  vec2 level = vec2(depthAt(at + ivec2(1, 0)), depthAt(at - ivec2(1, 0)));
+  vec2 upright = vec2(depthAt(at + ivec2(0, 1)), depthAt(at - ivec2(0, 1)));
+  vec2 nearer = order * min(order * level, order * upright);
+  return order * min(order * nearer.x, order * nearer.y);
 }
 
 void main() {

@@ -2,6 +2,8 @@
 // so here it is lifted out again, and where a puff dips into a surface its line runs along the seam. Needs depth.glsl.
 uniform highp sampler2D surfaceDepth;
 uniform bool hasSurfaces;
+// Pixels about its middle of which a pixel's surface is tested, where the picture is smoothed; else 0.
+uniform float surfaceSlack;
 
 // Steps of a 24-bit depth buffer by which a lifted ring stays before its surface.
 const float LIFT = 3.0 / 16777216.0;
@@ -12,6 +14,20 @@ const float STEEPEST = 8.0;
 float surfaceZ(mat4 clipFromView) {
   const float NOTHING = -1e9;
   return hasSurfaces ? viewZOf(clipFromView, texelFetch(surfaceDepth, ivec2(gl_FragCoord.xy), 0).r) : NOTHING;
+}
+
+// The step of the surface's window depth from pixel to pixel along an axis; across an edge, that of its flatter side.
+float depthStep(float here, ivec2 axis) {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  float ahead = abs(texelFetch(surfaceDepth, at + axis, 0).r - here);
+  float behind = abs(texelFetch(surfaceDepth, at - axis, 0).r - here);
+  return min(ahead, behind);
+}
+
+// How much nearer than in the middle the surface may be within this pixel.
+float lift(float here) {
+  if (surfaceSlack == 0.0) return LIFT;
+  return LIFT + surfaceSlack * (depthStep(here, ivec2(1, 0)) + depthStep(here, ivec2(0, 1)));
 }
 
 // Window depth of a ring of ink that would lie at `sunkenZ`. Where the surface lies behind the puff at the silhouette,
@@ -25,7 +41,7 @@ float ringDepth(mat4 clipFromView, float rimZ, float sunkenZ, float outside, vec
   float order = depthOrder(clipFromView);
   bool isBefore = order * (atRim - windowDepth(clipFromView, rimZ)) > 0.0;
   bool isSlope = order * (here - windowDepth(clipFromView, rimZ + STEEPEST * outside)) > 0.0;
-  return isBefore && isSlope ? order * min(order * depth, order * here - LIFT) : depth;
+  return isBefore && isSlope ? order * min(order * depth, order * here - lift(here)) : depth;
 }
 
 // The step of the surface's view z from pixel to pixel along an axis; across an edge, that of its own side.

@@ -8,6 +8,8 @@ uniform sampler2D unlit;
 uniform sampler2D lit;
 uniform vec3 deepShadow;
 uniform bool smoothEdges;
+// Takes all that is not ink to be in deep shadow, whatever the mask says.
+uniform bool isAllDeep;
 
 out vec4 pixel;
 
@@ -24,9 +26,9 @@ vec4 toneAt(ivec2 at) {
   vec4 shadowed = texelFetch(unlit, inside, 0);
   vec4 direct = texelFetch(lit, inside, 0);
   // Ink holds 1 from the start, and is the same in every light.
-  bool isDeep = direct.a > DEEP.x && direct.a < DEEP.y;
+  bool isDeep = isAllDeep ? direct.a < DEEP.y : direct.a > DEEP.x && direct.a < DEEP.y;
   if (isDeep) shadowed.rgb *= deepShadow;
-  return vec4(direct.a > 0.25 ? shadowed.rgb : direct.rgb, shadowed.a);
+  return vec4(isAllDeep || direct.a > 0.25 ? shadowed.rgb : direct.rgb, shadowed.a);
 }
 
 float difference(vec4 a, vec4 b) {

@@ -15,7 +15,7 @@ import { InsertPass } from '../passes/insert.ts';
 import { SmokePictures } from '../passes/pictures.ts';
 import { SimulatorError, UnsupportedError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
-import { Clock } from '../sim/clock.ts';
+import { Clock, STEP_SECONDS } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { simulatorValues } from '../sim/simulatorValues.ts';
@@ -201,7 +201,7 @@ export class CartoonSmoke extends Group {
 
   private makePasses(capacity: number): HostPasses {
     const { device } = this;
-    const smoke = new SmokeRenderer(device, { capacity, surfaces: [] });
+    const smoke = new SmokeRenderer(device, { capacity, surfaces: [], isGuest: true });
     const { eye } = smoke.passes;
     const casters = new Casters(device, eye);
     return { smoke, casters, pictures: new SmokePictures(), insert: new InsertPass(eye) };
@@ -264,6 +264,7 @@ export class CartoonSmoke extends Group {
       light: lightFrom(this.keyLight),
       style: this.style,
       blend: this.clock.blend,
+      time: this.simulator.steps * STEP_SECONDS,
       origin: new Vector2(x, y),
       width,
       height,

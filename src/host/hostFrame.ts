@@ -1,4 +1,4 @@
-import type { Camera, Scene, Vector2, WebGLRenderer } from 'three';
+import { Vector2, type Camera, type Scene, type WebGLRenderer } from 'three';
 import type { SmokePictures } from '../passes/pictures.ts';
 import type { InsertPass } from '../passes/insert.ts';
 import type { FrameInput, FrameReport } from '../smoke/frame.ts';
@@ -31,38 +31,43 @@ export interface HostView {
 
 /**
  * Smoke in the middle of a stranger's frame, between the opaque objects and the blended ones:
- * arrange -> bodies alone into unlit, lit and depth -> both pictures, smoothed -> their depth into the stranger's
- * -> volumes into the stencil -> lit smoke where that is zero -> the scene without its key light elsewhere.
+ * arrange -> the stranger's depth, which ink asks for -> bodies alone into unlit, lit and depth -> pictures, smoothed
+ * -> their depth into the stranger's -> volumes into the stencil -> lit smoke where that is zero
+ * -> the scene without its key light elsewhere -> deep shadow where the stencil counts enough.
  * Unlit smoke follows, as the first of the blended objects.
  */
 export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInput): FrameReport {
   const { smoke, pictures, insert, casters } = passes;
   const { renderer } = view;
-  const { body, eye, resolve, targets, volumes } = smoke.passes;
+  const { body, eye, resolve, surfaceDepth, targets, volumes } = smoke.passes;
+  const { style } = input;
+  const hasDeep = style.shadows && style.shadowSteps === 2;
   const isLinear = isLinearPicture(renderer);
   const state = new RendererState(renderer);
   state.hold();
   try {
     const report = smoke.arrange(input);
     eye.uniforms.viewportOrigin.value.copy(view.origin);
+    surfaceDepth.takeFromStranger(renderer, view.origin, new Vector2(input.width, input.height), style.outlines);
     targets.begin(renderer);
     body.draw(renderer);
-    pictures.take(renderer, targets, resolve);
+    pictures.take(renderer, targets, resolve, hasDeep);
 
     state.returnToTarget();
     renderer.clearStencil();
-    insert.setSmoke({ lit: pictures.lit, unlit: pictures.unlit, depth: targets.depth }, isLinear);
+    insert.setSmoke(pictures, targets.depth, isLinear);
     insert.drawDepth(renderer);
-    if (input.style.shadows) {
+    if (style.shadows) {
       casters.draw(renderer);
       volumes.draw(renderer);
     }
     insert.drawLit(renderer);
-    if (input.style.shadows) {
+    if (style.shadows) {
       view.onRelight(true);
       relight(renderer, view.scene, view.camera, view.keyLight);
       view.onRelight(false);
     }
+    if (hasDeep) insert.drawDeep(renderer, style.shadowDepth, style.deepShadow);
     return report;
   } finally {
     state.restore();

@@ -8,14 +8,9 @@ import { UnsupportedError } from '../preset/errors.ts';
 export function requireRenderer(renderer: WebGLRenderer): void {
   if (!('isWebGLRenderer' in renderer))
     throw new UnsupportedError('Smoke draws with a WebGLRenderer of three.js, and no other.');
-  const { logarithmicDepthBuffer, reversedDepthBuffer } = renderer.capabilities;
-  if (logarithmicDepthBuffer)
+  if (renderer.capabilities.logarithmicDepthBuffer)
     throw new UnsupportedError(
       'Smoke writes its own depth, which a logarithmic depth buffer does not match: create the renderer without logarithmicDepthBuffer.',
-    );
-  if (reversedDepthBuffer)
-    throw new UnsupportedError(
-      'Smoke cannot draw into a reversed depth buffer: create the renderer without reversedDepthBuffer.',
     );
   const attributes = renderer.getContext().getContextAttributes();
   if (attributes?.stencil && attributes.depth) return;

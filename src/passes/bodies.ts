@@ -27,7 +27,7 @@ export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
 
 const GRADIENTS: readonly Gradient[] = ['puff', 'height', 'screen', 'age'];
 
-const NO_SURFACES = { surfaceDepth: { value: null }, hasSurfaces: { value: false } };
+const NO_SURFACES = { surfaceDepth: { value: null }, hasSurfaces: { value: false }, surfaceSlack: { value: 0 } };
 
 /** Draws the bodies: colour in light and in shadow, ink, and depth. Opaque and free of any order. */
 export class BodiesPass {

@@ -1,47 +1,61 @@
 import {
+  Color as ThreeColor,
   CustomBlending,
   EqualStencilFunc,
+  LessEqualStencilFunc,
   NotEqualStencilFunc,
   OneFactor,
   OneMinusSrcAlphaFactor,
+  SrcColorFactor,
+  ZeroFactor,
+  ZeroStencilOp,
   type Mesh,
   type ShaderMaterialParameters,
   type Texture,
   type WebGLRenderer,
 } from 'three';
+import darkenFragmentShader from '../../shaders/insert/darken.frag';
 import fragmentShader from '../../shaders/insert/insert.frag';
 import type { Eye } from '../device/eye.ts';
 import { FullScreen } from '../device/fullScreen.ts';
-
-/** What is inserted: both pictures of the smoke, smoothed and premultiplied, and its depth. */
-export interface InsertedSmoke {
-  lit: Texture;
-  unlit: Texture;
-  depth: Texture;
-}
+import { writeColor, type Color } from '../device/ramps.ts';
+import type { SmokePictures } from './pictures.ts';
 
 /**
  * Puts smoke that was drawn by itself into a picture that others draw, which has depth and stencil of its own: first the
- * depth, so that volumes count on smoke and on all else; then lit where the stencil is zero, and unlit elsewhere.
+ * depth, so that volumes count on smoke and on all else; then lit where the stencil is zero, and unlit elsewhere. With
+ * two steps of shadow, deep comes before unlit, which then leaves those places alone.
  */
 export class InsertPass {
   private readonly depthTriangle: FullScreen;
   private readonly litTriangle: FullScreen;
   private readonly unlitTriangle: FullScreen;
+  private readonly deepTriangle: FullScreen;
+  private readonly darkenTriangle: FullScreen;
   private readonly common = {
     smokeDepth: { value: null as Texture | null },
     isLinear: { value: false },
   };
   private readonly lit = { value: null as Texture | null };
   private readonly unlit = { value: null as Texture | null };
+  private readonly deep = { value: null as Texture | null };
+  private readonly factor = { value: new ThreeColor() };
 
   constructor(eye: Eye) {
-    const uniforms = { ...this.common, viewportOrigin: eye.uniforms.viewportOrigin };
+    const { viewportOrigin, clipFromView } = eye.uniforms;
     const onlyDepth = { depthTest: true, depthWrite: true, colorWrite: false };
-    const [lit, unlit] = [this.lit, this.unlit].map((picture) => ({ ...uniforms, picture }));
+    const [lit, unlit, deep] = [this.lit, this.unlit, this.deep].map((picture) => {
+      return { ...this.common, viewportOrigin, clipFromView, picture };
+    });
     this.depthTriangle = new FullScreen(fragmentShader, unlit, onlyDepth);
     this.litTriangle = new FullScreen(fragmentShader, lit, shownWhere(EqualStencilFunc));
     this.unlitTriangle = new FullScreen(fragmentShader, unlit, shownWhere(NotEqualStencilFunc));
+    this.deepTriangle = new FullScreen(fragmentShader, deep, {
+      ...shownWhere(LessEqualStencilFunc),
+      stencilWriteMask: 0xff,
+      stencilZPass: ZeroStencilOp,
+    });
+    this.darkenTriangle = new FullScreen(darkenFragmentShader, { factor: this.factor }, DARKENS);
     // A scene that is drawn with one material for everything shall not replace this one.
     this.unlitTriangle.material.allowOverride = false;
   }
@@ -51,10 +65,14 @@ export class InsertPass {
     return this.unlitTriangle.mesh;
   }
 
-  /** @param isLinear whether the picture holds linear colour instead of display-encoded */
-  setSmoke({ lit, unlit, depth }: InsertedSmoke, isLinear: boolean): void {
+  /**
+   * @param depth of the smoke
+   * @param isLinear whether what it is put into holds linear colour instead of display-encoded
+   */
+  setSmoke({ lit, unlit, deep }: SmokePictures, depth: Texture, isLinear: boolean): void {
     this.lit.value = lit;
     this.unlit.value = unlit;
+    this.deep.value = deep;
     this.common.smokeDepth.value = depth;
     this.common.isLinear.value = isLinear;
   }
@@ -67,8 +85,22 @@ export class InsertPass {
     this.litTriangle.draw(renderer);
   }
 
+  /**
+   * Darkens what is not smoke where at least so many volumes hold it, then draws the smoke there.
+   * @param depth how many volumes make deep shadow, 2..255
+   * @param color what the colour of shadow is multiplied by where shadow is deep
+   */
+  drawDeep(renderer: WebGLRenderer, depth: number, color: Color): void {
+    writeColor(color, this.factor);
+    if (this.common.isLinear.value) this.factor.value.convertSRGBToLinear();
+    for (const { material } of [this.darkenTriangle, this.deepTriangle]) material.stencilRef = Math.min(depth, 255);
+    this.darkenTriangle.draw(renderer);
+    this.deepTriangle.draw(renderer);
+  }
+
   dispose(): void {
     for (const triangle of [this.depthTriangle, this.litTriangle, this.unlitTriangle]) triangle.dispose();
+    for (const triangle of [this.deepTriangle, this.darkenTriangle]) triangle.dispose();
   }
 }
 
@@ -85,3 +117,13 @@ function shownWhere(stencilFunc: ShaderMaterialParameters['stencilFunc']): Shade
     stencilFunc,
   };
 }
+
+/** Multiplies what stands, and leaves its alpha. */
+const DARKENS: ShaderMaterialParameters = {
+  blending: CustomBlending,
+  blendSrc: ZeroFactor,
+  blendDst: SrcColorFactor,
+  stencilWrite: true,
+  stencilWriteMask: 0,
+  stencilFunc: LessEqualStencilFunc,
+};

@@ -2,10 +2,11 @@ import { NearestFilter, NoColorSpace, WebGLRenderTarget, type Texture, type WebG
 import type { ResolvePass } from './resolve.ts';
 import type { Targets } from './targets.ts';
 
-/** Smoke in full light and smoke in full shadow as two pictures, each with smooth edges: premultiplied, display-encoded. */
+/** Smoke in full light, in full shadow and in deep shadow as pictures, each with smooth edges: premultiplied, display-encoded. */
 export class SmokePictures {
   private readonly litTarget = pictureTarget();
   private readonly unlitTarget = pictureTarget();
+  private readonly deepTarget = pictureTarget();
 
   get lit(): Texture {
     return this.litTarget.texture;
@@ -15,17 +16,28 @@ export class SmokePictures {
     return this.unlitTarget.texture;
   }
 
-  /** Resolves what the bodies have drawn and nothing has masked yet: once as it is, once as if all of it were in shadow. */
-  take(renderer: WebGLRenderer, { unlit, lit, width, height }: Targets, resolve: ResolvePass): void {
+  get deep(): Texture {
+    return this.deepTarget.texture;
+  }
+
+  /**
+   * Resolves what the bodies have drawn and nothing has masked yet: once as it is, once as if all of it were in shadow.
+   * @param hasDeep whether there is to be one in deep shadow, too
+   */
+  take(renderer: WebGLRenderer, { unlit, lit, width, height }: Targets, resolve: ResolvePass, hasDeep: boolean): void {
     for (const target of [this.litTarget, this.unlitTarget]) target.setSize(width, height);
     resolve.draw(renderer, { unlit, lit }, this.litTarget);
     // The alpha of unlit is the page's, and 1 wherever there is smoke: read as a mask it leaves nothing lit.
     resolve.draw(renderer, { unlit, lit: unlit }, this.unlitTarget);
+    if (!hasDeep) return;
+    this.deepTarget.setSize(width, height);
+    resolve.drawDeep(renderer, { unlit, lit }, this.deepTarget);
   }
 
   dispose(): void {
     this.litTarget.dispose();
     this.unlitTarget.dispose();
+    this.deepTarget.dispose();
   }
 }
 

@@ -11,6 +11,7 @@ export class ResolvePass {
     lit: { value: null as Texture | null },
     deepShadow: { value: new ThreeColor() },
     smoothEdges: { value: true },
+    isAllDeep: { value: false },
   };
   private readonly triangle = new FullScreen(fragmentShader, this.uniforms);
 
@@ -21,6 +22,13 @@ export class ResolvePass {
 
   set smoothEdges(smooth: boolean) {
     this.uniforms.smoothEdges.value = smooth;
+  }
+
+  /** Draws as if all of it were in deep shadow. @param output as below */
+  drawDeep(renderer: WebGLRenderer, targets: Pick<Targets, 'unlit' | 'lit'>, output: WebGLRenderTarget | null): void {
+    this.uniforms.isAllDeep.value = true;
+    this.draw(renderer, targets, output);
+    this.uniforms.isAllDeep.value = false;
   }
 
   /** @param output the target to write, or null for the canvas */

@@ -53,6 +53,8 @@ export interface SmokeOptions {
   /** The most particles it will ever be asked to draw. */
   capacity: number;
   surfaces: readonly SurfaceDescription[];
+  /** Whether it is drawn among surfaces that somebody else draws. */
+  isGuest?: boolean;
   /** Colours at the top and the bottom of what lies behind everything; transparent where absent. */
   backdrop?: { top: Color; bottom: Color };
   /** What particles look like, such as `bakedPuffs(shapes)`; the default puffs where absent. */
@@ -77,7 +79,7 @@ export class SmokeRenderer {
   private style: Style | undefined;
   private pixelRatio = 0;
 
-  constructor(device: Device, { capacity, surfaces, backdrop, puffs = bakedPuffs() }: SmokeOptions) {
+  constructor(device: Device, { capacity, surfaces, isGuest = false, backdrop, puffs = bakedPuffs() }: SmokeOptions) {
     this.device = device;
     this.surfaces = surfaces;
     this.puffs = new PuffTextures(device.puffs, puffs);
@@ -87,7 +89,7 @@ export class SmokeRenderer {
     const bodies = new Instances(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
     const casters = new Instances(capacity, FRONT_AND_BACK);
     const surfacesPass = new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces);
-    const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0);
+    const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0 || isGuest);
     const creases = new CreasesPass(eye, surfaces);
     const meshVolumes = new MeshVolumesPass(eye, surfaces);
     this.passes = {

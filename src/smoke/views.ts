@@ -54,7 +54,11 @@ function common(passes: SmokePasses, { blend, cull, style }: FrameInput) {
   };
 }
 
-function coverageOf(passes: SmokePasses, { style, pixelRatio }: FrameInput, covers: number): CoverageView | undefined {
+function coverageOf(
+  passes: SmokePasses,
+  { style, pixelRatio, receivers }: FrameInput,
+  covers: number,
+): CoverageView | undefined {
   // The rivals draw what is hidden, too: they are compared as they are, and blended sprites shine through.
   // Where bodies are as deep as their quads and shadows are prisms, the solids are not what is drawn.
   if (style.renderer !== 'nailboards' || passes.prismVolumes) return undefined;
@@ -67,7 +71,7 @@ function coverageOf(passes: SmokePasses, { style, pixelRatio }: FrameInput, cove
     pixel: eye.unitsPerPixel,
     nearest,
     farthest,
-    lifters: liftersOf(passes),
+    lifters: liftersOf(passes, receivers),
     lift: STEEPEST * widestLine(pixels, swell) * eye.unitsPerPixel,
     capRange: [Math.max(capRange[0], volumes.leastCap), Math.max(capRange[1], volumes.leastCap)],
     depth,
@@ -75,10 +79,10 @@ function coverageOf(passes: SmokePasses, { style, pixelRatio }: FrameInput, cove
   };
 }
 
-/** The boxes of the surfaces; of too many, one that holds all. */
-function liftersOf({ surfaces }: SmokePasses): number[][] {
-  const boxes = surfaces.worldBoxes();
-  const few = boxes.length > LIFTERS_LIMIT ? [surfaces.bounds(new Box3())] : boxes;
+/** The boxes of the surfaces, a stranger's as one; of too many, one that holds all. */
+function liftersOf({ surfaces }: SmokePasses, strangers: Box3 | undefined): number[][] {
+  const boxes = [...surfaces.worldBoxes(), ...(strangers && !strangers.isEmpty() ? [strangers] : [])];
+  const few = boxes.length > LIFTERS_LIMIT ? [boxes.reduce((all, box) => all.union(box), new Box3())] : boxes;
   return few.map(({ min, max }) => [...min.toArray(), ...max.toArray()]);
 }
 

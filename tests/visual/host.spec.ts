@@ -1,16 +1,30 @@
 import { expect, test } from '../support/fixtures.ts';
 
-type Cases = typeof import('./cases/host.ts');
-const CASES = '/tests/visual/cases/host.ts';
+type Ink = typeof import('./cases/hostInk.ts');
+type Meshes = typeof import('./cases/hostMeshes.ts');
+type Output = typeof import('./cases/hostOutput.ts');
+type Refusals = typeof import('./cases/hostRefusals.ts');
+type Shadow = typeof import('./cases/hostShadow.ts');
+const INK = '/tests/visual/cases/hostInk.ts';
+const MESHES = '/tests/visual/cases/hostMeshes.ts';
+const OUTPUT = '/tests/visual/cases/hostOutput.ts';
+const REFUSALS = '/tests/visual/cases/hostRefusals.ts';
+const SHADOW = '/tests/visual/cases/hostShadow.ts';
 
-for (const [antialias, toneMapped] of [
-  [false, false],
-  [true, true],
+for (const { antialias, toneMapped, reversedDepthBuffer } of [
+  { antialias: false, toneMapped: false, reversedDepthBuffer: false },
+  { antialias: true, toneMapped: true, reversedDepthBuffer: false },
+  { antialias: false, toneMapped: false, reversedDepthBuffer: true },
 ]) {
-  const how = `${antialias ? 'smoothed' : 'plain'}, ${toneMapped ? 'tone-mapped' : 'not tone-mapped'}`;
-  test(`beside smoke and its shadow a scene stays as it is, bit for bit: ${how}`, async ({ load }) => {
-    const cases = await load<Cases>(CASES);
-    const census = await cases.evaluate((module, [a, b]) => module.lightAndShadow(a, b), [antialias, toneMapped]);
+  const how = [antialias && 'smoothed', toneMapped && 'tone-mapped', reversedDepthBuffer && 'depth reversed'];
+  test(`beside smoke and its shadow a scene stays as it is, bit for bit: ${how.filter(Boolean).join(', ') || 'plain'}`, async ({
+    load,
+  }) => {
+    const cases = await load<Shadow>(SHADOW);
+    const census = await cases.evaluate(
+      (module, [parameters, isMapped]) => module.lightAndShadow(parameters, isMapped),
+      [{ antialias, reversedDepthBuffer }, toneMapped] as const,
+    );
     expect(census.wrong).toBe(0);
     expect(census.between).toBeLessThan(antialias ? census.dark : 1);
     expect(census.dark).toBeGreaterThan(300);
@@ -18,9 +32,60 @@ for (const [antialias, toneMapped] of [
   });
 }
 
+test('an unseen box darkens what lies behind it', async ({ load }) => {
+  const cases = await load<Shadow>(SHADOW);
+  const { wrong, between, dark, lit } = await cases.evaluate((module) => module.meshShadow());
+  expect([wrong, between]).toEqual([0, 0]);
+  expect(dark).toBeGreaterThan(300);
+  expect(lit).toBeGreaterThan(15_000);
+});
+
+test('balls and capsules that stand in for meshes throw the shadow that rays towards the light find', async ({
+  load,
+}) => {
+  const cases = await load<Shadow>(SHADOW);
+  for (const kind of ['capsules', 'bones', 'instances'] as const) {
+    const { dark, lit, wrong } = await cases.evaluate((module, which) => module.ballShadow(which), kind);
+    expect(wrong, kind).toBe(0);
+    expect(dark, kind).toBeGreaterThan(60);
+    expect(lit, kind).toBeGreaterThan(10_000);
+  }
+});
+
+test('shadow is deep exactly where two boxes both throw theirs', async ({ load }) => {
+  const cases = await load<Shadow>(SHADOW);
+  const { once, twice, wrong } = await cases.evaluate((module) => module.deepShadow());
+  expect(wrong).toBe(0);
+  expect(once).toBeGreaterThan(200);
+  expect(twice).toBeGreaterThan(200);
+});
+
+for (const [antialias, origin] of [
+  [false, 0],
+  [false, 20],
+  [true, 20],
+] as const) {
+  const where = `${origin > 0 ? 'in a part of ' : 'on '}a ${antialias ? 'smoothed' : 'plain'} canvas`;
+  test(`ink closes where smoke sinks into a stranger's floor, ${where}`, async ({ load }) => {
+    const cases = await load<Ink>(INK);
+    const { border, inked } = await cases.evaluate((module, [a, b]) => module.contactLine(a, b), [
+      antialias,
+      origin,
+    ] as const);
+    expect(border).toBeGreaterThan(120);
+    expect(inked / border).toBeGreaterThan(0.99);
+  });
+}
+
+test('lines boil from drawing to drawing', async ({ load }) => {
+  const cases = await load<Ink>(INK);
+  const { boiling, steady } = await cases.evaluate((module) => module.boiling());
+  expect(boiling).toBeGreaterThan(steady + 100);
+});
+
 for (const kind of ['skinned', 'instanced'] as const) {
   test(`a ${kind} mesh stands among smoke as its triangles do`, async ({ load }) => {
-    const cases = await load<Cases>(CASES);
+    const cases = await load<Meshes>(MESHES);
     const { changed, hidden, shown } = await cases.evaluate((module, which) => module.deformed(which), kind);
     expect(hidden).toBeGreaterThan(100);
     expect(shown).toBeGreaterThan(100);
@@ -33,7 +98,7 @@ for (const kind of ['pane', 'sprite'] as const) {
   test(`a ${kind} tints the smoke that it stands before, in part that within which it stands, and none behind`, async ({
     load,
   }) => {
-    const cases = await load<Cases>(CASES);
+    const cases = await load<Meshes>(MESHES);
     const { before, within, behind, wrong } = await cases.evaluate((module, which) => module.blended(which), kind);
     expect(before).toBe(1);
     expect(within).toBeGreaterThan(0.02);
@@ -44,7 +109,7 @@ for (const kind of ['pane', 'sprite'] as const) {
 }
 
 test('a renderer is left as it was found', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
+  const cases = await load<Output>(OUTPUT);
   const { before, after, changed, drawn } = await cases.evaluate((module) => module.stateAsFound());
   expect(after).toEqual(before);
   expect(drawn).toBeGreaterThan(1000);
@@ -52,7 +117,7 @@ test('a renderer is left as it was found', async ({ load }) => {
 });
 
 test('two cameras see one smoke, each as if it were alone', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
+  const cases = await load<Output>(OUTPUT);
   const { left, right, between, sameState } = await cases.evaluate((module) => module.twoCameras());
   expect(between).toBeGreaterThan(1000);
   expect([left, right]).toEqual([0, 0]);
@@ -61,7 +126,7 @@ test('two cameras see one smoke, each as if it were alone', async ({ load }) => 
 
 for (const samples of [0, 4]) {
   test(`a linear half float target with ${samples} samples holds the same picture`, async ({ load }) => {
-    const cases = await load<Cases>(CASES);
+    const cases = await load<Output>(OUTPUT);
     const { changed, smoke } = await cases.evaluate((module, count) => module.inTarget(count), samples);
     expect(smoke).toBeGreaterThan(1000);
     // What is blended along an edge is blended in linear light there, and display-encoded on the canvas.
@@ -70,32 +135,18 @@ for (const samples of [0, 4]) {
 }
 
 test('a renderer with an output buffer of half floats shows the same picture', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
+  const cases = await load<Output>(OUTPUT);
   expect(await cases.evaluate((module) => module.inOutputBuffer())).toBeLessThan(500);
 });
-
-for (const kind of ['mesh', 'skinned', 'instanced'] as const) {
-  test(`what a ${kind === 'mesh' ? 'closed' : kind} mesh casts is the scene without its key light`, async ({
-    load,
-  }) => {
-    const cases = await load<Cases>(CASES);
-    const { wrong, between, dark, lit } = await cases.evaluate((module, which) => module.casting(which), kind);
-    expect([wrong, between]).toEqual([0, 0]);
-    // The thinnest shadow is that of a bent post, some five pixels wide.
-    expect(dark).toBeGreaterThan(120);
-    expect(lit).toBeGreaterThan(15_000);
-  });
-}
 
 test.describe('refusals', () => {
   test.use({ allowed: /stencil|depth/i });
 
   test('say what is wrong and what to do', async ({ load }) => {
-    const cases = await load<Cases>(CASES);
+    const cases = await load<Refusals>(REFUSALS);
     const said = await cases.evaluate((module) => module.refusals());
     expect(said.stencil).toMatch(/^UnsupportedError: .*stencil: true/);
     expect(said.logarithmic).toMatch(/^UnsupportedError: .*without logarithmicDepthBuffer/);
-    expect(said.reversed).toMatch(/^UnsupportedError: .*without reversedDepthBuffer/);
     expect(said.light).toMatch(/^ParameterError: keyLight cannot be HemisphereLight: .*DirectionalLight/);
     expect(said.preset).toMatch(/^ParameterError: preset cannot be lampp: it takes lamp, /);
     expect(said.value).toMatch(/^ParameterError: emission.rate cannot be -1: it takes a number from 0 to/);

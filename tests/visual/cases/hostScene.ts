@@ -172,6 +172,16 @@ export function readCanvas(renderer: WebGLRenderer): Pixels {
   return pixels;
 }
 
+/** Where smoke is, alone in front of one colour. */
+export function smokePixels(host: Host, smoke: CartoonSmoke): boolean[] {
+  const scene = new Scene();
+  scene.background = new Color('#ff00ff');
+  scene.add(smoke);
+  const pixels = draw({ ...host, scene });
+  host.scene.add(smoke);
+  return Array.from({ length: WIDTH * HEIGHT }, (_, pixel) => pixels[4 * pixel + 1] !== 0);
+}
+
 /** How the picture would be without the key light. */
 export function drawUnlit(host: Host): Pixels {
   const { intensity } = host.keyLight;

@@ -1,0 +1,209 @@
+/** The shadow of smoke and of casters in a stranger's scene, against the same scene without its key light. */
+import {
+  ACESFilmicToneMapping,
+  BoxGeometry,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  NoToneMapping,
+  PlaneGeometry,
+  Vector3,
+  type WebGLRendererParameters,
+} from 'three';
+import type { CartoonSmoke } from '../../../src/host/cartoonSmoke.ts';
+import { boneBalls, capsule, follow, instanceBalls, type BallAt } from '../../../src/host/proxies.ts';
+import {
+  differences,
+  dispose,
+  draw,
+  drawUnlit,
+  emptyHost,
+  furnishedHost,
+  HANGING,
+  HEIGHT,
+  makeInstanced,
+  makeRenderer,
+  makeSkinned,
+  smokeIn,
+  smokePixels,
+  WIDTH,
+  type Host,
+  type Pixels,
+} from './hostScene.ts';
+
+/** How the pixels beside the smoke are, once it is there. */
+export interface Census {
+  /** As they were. */
+  lit: number;
+  /** As they are without the key light, which is not as they were. */
+  dark: number;
+  /** Partly so and partly so, along an edge that the canvas smooths. */
+  between: number;
+  wrong: number;
+}
+
+/** A furnished scene before and after smoke comes into it. */
+export async function lightAndShadow(parameters: WebGLRendererParameters, toneMapped: boolean): Promise<Census> {
+  const toneMapping = toneMapped ? ACESFilmicToneMapping : NoToneMapping;
+  const host = furnishedHost(makeRenderer(parameters, undefined, toneMapping));
+  const [before, unlit] = [draw(host), drawUnlit(host)];
+  const smoke = await smokeIn(host);
+  const census = censusOf(before, unlit, draw(host), maskOf(host, smoke));
+  dispose(smoke, host.renderer);
+  return census;
+}
+
+function censusOf(before: Pixels, unlit: Pixels, after: Pixels, isSmoke: readonly boolean[]): Census {
+  const census = { lit: 0, dark: 0, between: 0, wrong: 0 };
+  const [toBefore, toUnlit] = [differences(after, before), differences(after, unlit)];
+  isSmoke.forEach((smoke, pixel) => {
+    if (smoke) return;
+    if (toBefore[pixel] === 0) ++census.lit;
+    else if (toUnlit[pixel] === 0) ++census.dark;
+    else if (isBetween(after, before, unlit, pixel)) ++census.between;
+    else ++census.wrong;
+  });
+  return census;
+}
+
+function isBetween(value: Pixels, a: Pixels, b: Pixels, pixel: number): boolean {
+  return [0, 1, 2, 3].every((channel) => {
+    const at = 4 * pixel + channel;
+    return value[at] >= Math.min(a[at], b[at]) - 1 && value[at] <= Math.max(a[at], b[at]) + 1;
+  });
+}
+
+/** Where smoke is, and one pixel around it. */
+function maskOf(host: Host, smoke: CartoonSmoke): boolean[] {
+  const isSmoke = smokePixels(host, smoke);
+  return isSmoke.map((_, pixel) => [0, 1, -1, WIDTH, -WIDTH].some((step) => isSmoke[pixel + step]));
+}
+
+/** Floor pixels that a box nobody sees darkens. */
+export async function meshShadow(): Promise<Census> {
+  const host = furnishedHost();
+  const box = new Mesh(new BoxGeometry(0.8, 0.6, 0.6), UNSEEN);
+  box.position.set(0.9, 0.5, 0.9);
+  box.scale.set(1.5, 0.8, 1);
+  host.scene.add(box);
+  const [before, unlit] = [draw(host), drawUnlit(host)];
+  const smoke = await smokeIn(host, NO_SMOKE);
+  smoke.cast(box);
+  const census = censusOf(before, unlit, draw(host), Array<boolean>(WIDTH * HEIGHT).fill(false));
+  dispose(smoke, host.renderer);
+  return census;
+}
+
+const NO_SMOKE = { ...HANGING, 'emission.rate': 0 };
+const UNSEEN = new MeshBasicMaterial({ colorWrite: false, depthWrite: false });
+
+/** How the floor's pixels agree with rays towards the light that meet one of the balls or none. */
+export interface Agreement {
+  dark: number;
+  lit: number;
+  wrong: number;
+}
+
+/** The shadow on the floor of the balls that stand in for a mesh. */
+export async function ballShadow(kind: 'capsules' | 'bones' | 'instances'): Promise<Agreement> {
+  const host = floorOnly();
+  const { mesh: skinned, bones } = makeSkinned(UNSEEN);
+  const thing = kind === 'instances' ? makeInstanced(UNSEEN) : skinned;
+  thing.position.set(-0.4, 0.4, 0.5);
+  host.scene.add(thing);
+  const unlit = drawUnlit(host);
+  const smoke = await smokeIn(host, NO_SMOKE);
+  const limbs = bones.flatMap((follows) =>
+    capsule({ follows, from: new Vector3(0, 0.1, 0), to: new Vector3(0, 0.7, 0), radius: 0.15 }),
+  );
+  smoke.cast(thing, kind === 'capsules' ? { proxies: limbs } : {});
+  const balls =
+    'isInstancedMesh' in thing ? instanceBalls(thing) : (kind === 'capsules' ? limbs : boneBalls(skinned)).map(follow);
+  const agreement = agreementOf(host, draw(host), unlit, balls);
+  dispose(smoke, host.renderer);
+  return agreement;
+}
+
+function floorOnly(): Host {
+  const host = emptyHost();
+  const floor = new Mesh(new PlaneGeometry(8, 8), new MeshStandardMaterial({ color: '#c08860' }));
+  floor.rotation.x = -Math.PI / 2;
+  host.scene.add(floor);
+  return host;
+}
+
+/** Pixels whose ray misses a ball by less than this are not judged, metres. */
+const EDGE = 0.03;
+
+function agreementOf(host: Host, picture: Pixels, unlit: Pixels, balls: readonly BallAt[]): Agreement {
+  const towardsLight = host.keyLight.position.clone().normalize();
+  const solids = balls.map((ballAt) => ballAt()).map(({ center, radius }) => ({ center: center.clone(), radius }));
+  const isDark = differences(picture, unlit).map((difference) => difference === 0);
+  const agreement = { dark: 0, lit: 0, wrong: 0 };
+  isDark.forEach((dark, pixel) => {
+    const place = onFloor(host, pixel);
+    if (!place) return;
+    const gaps = solids.map(({ center, radius }) => gapOf(place, towardsLight, center) - radius);
+    const nearest = Math.min(...gaps);
+    if (Math.abs(nearest) < EDGE) return;
+    if (dark !== nearest < 0) ++agreement.wrong;
+    else ++agreement[dark ? 'dark' : 'lit'];
+  });
+  return agreement;
+}
+
+/** Where the floor is in a pixel, if there. */
+function onFloor({ camera }: Host, pixel: number): Vector3 | undefined {
+  const x = (((pixel % WIDTH) + 0.5) / WIDTH) * 2 - 1;
+  const y = ((Math.floor(pixel / WIDTH) + 0.5) / HEIGHT) * 2 - 1;
+  const ray = new Vector3(x, y, 0.5).unproject(camera).sub(camera.position);
+  if (ray.y >= 0) return undefined;
+  const place = ray.multiplyScalar(-camera.position.y / ray.y).add(camera.position);
+  return Math.max(Math.abs(place.x), Math.abs(place.z)) < 3.9 ? place : undefined;
+}
+
+/** How far a ray passes by a point. */
+function gapOf(origin: Vector3, direction: Vector3, point: Vector3): number {
+  const beside = point.clone().sub(origin);
+  return beside.addScaledVector(direction, -beside.dot(direction)).length();
+}
+
+/** The factor by which two steps of shadow darken what two volumes hold. */
+const DEEP = [128, 64, 255];
+
+/** The shadows of two boxes that overlap on the floor, in two steps: how many pixels are as they must be, by steps. */
+export async function deepShadow(): Promise<{ once: number; twice: number; wrong: number }> {
+  const host = floorOnly();
+  const boxes = [0.9, 1.6].map((height) => {
+    const box = new Mesh(new BoxGeometry(0.9, 0.3, 0.9), UNSEEN);
+    box.position.set(0.2 * height, height, 0.3);
+    host.scene.add(box);
+    return box;
+  });
+  const [before, unlit] = [draw(host), drawUnlit(host)];
+  const style = { 'style.shadowSteps': 2, 'style.shadowDepth': 2, 'style.deepShadow': '#8040ff' };
+  const pictures: Pixels[] = [];
+  for (const casters of [[boxes[0]], [boxes[1]], boxes]) {
+    const smoke = await smokeIn(host, { ...NO_SMOKE, ...style });
+    for (const box of casters) smoke.cast(box);
+    pictures.push(draw(host));
+    dispose(smoke);
+  }
+  dispose(host.renderer);
+  const [one, other, both] = pictures;
+  const [byOne, byOther] = [one, other].map((picture) => differences(picture, before).map((gap) => gap > 0));
+  const result = { once: 0, twice: 0, wrong: 0 };
+  byOne.forEach((isDark, pixel) => {
+    const depth = Number(isDark) + Number(byOther[pixel]);
+    if (!isAt(both, pixel, depth === 0 ? before : unlit, depth === 2 ? DEEP : [255, 255, 255])) ++result.wrong;
+    else if (depth > 0) ++result[depth === 2 ? 'twice' : 'once'];
+  });
+  return result;
+}
+
+function isAt(picture: Pixels, pixel: number, source: Pixels, factor: readonly number[]): boolean {
+  return factor.every((share, channel) => {
+    const at = 4 * pixel + channel;
+    return Math.abs(picture[at] - (source[at] * share) / 255) <= 1;
+  });
+}
