@@ -117,10 +117,15 @@ export async function inTarget(samples: number): Promise<{ changed: number; smok
   return { changed: changedPixels(encoded(halves), onCanvas, 2), smoke: changedPixels(onCanvas, before) };
 }
 
-/** The canvas of a renderer that draws all into a half float buffer of its own first, against one that does not. */
-export async function inOutputBuffer(): Promise<number> {
+const RENDERERS = {
+  outputBuffer: { outputBufferType: HalfFloatType },
+  reversedDepth: { reversedDepthBuffer: true },
+} as const;
+
+/** The canvas of a renderer with a half float buffer of its own or with its depth reversed, against one without. */
+export async function otherRenderer(kind: keyof typeof RENDERERS): Promise<number> {
   const pictures: Pixels[] = [];
-  for (const parameters of [{}, { outputBufferType: HalfFloatType }] as const) {
+  for (const parameters of [{}, RENDERERS[kind]]) {
     const host = furnishedHost(makeRenderer(parameters));
     const smoke = await smokeIn(host);
     pictures.push(draw(host));
