@@ -117,6 +117,24 @@ bool isSpeck(ivec2 at, vec4 own) {
   return count == 0 || (count == 1 && likeAround(other, own, back) == 1);
 }
 
+// Whether nothing meets here: most of a picture, told by one texture alone. What differs without light only, such as black
+// smoke without ink on a transparent page, counts as flat too.
+bool isFlat(ivec2 at) {
+  // Beyond the border comes anything; a pixel there is not flat, and looked at closely.
+  vec4 one = texelFetch(lit, at, 0);
+  vec4 two = texelFetchOffset(lit, at, 0, ivec2(1, 0));
+  vec4 three = texelFetchOffset(lit, at, 0, ivec2(-1, 0));
+  vec4 four = texelFetchOffset(lit, at, 0, ivec2(0, 1));
+  vec4 five = texelFetchOffset(lit, at, 0, ivec2(0, -1));
+  vec4 six = texelFetchOffset(lit, at, 0, ivec2(1, 1));
+  vec4 seven = texelFetchOffset(lit, at, 0, ivec2(-1, 1));
+  vec4 eight = texelFetchOffset(lit, at, 0, ivec2(1, -1));
+  vec4 nine = texelFetchOffset(lit, at, 0, ivec2(-1, -1));
+  vec4 least = min(min(min(one, two), min(three, four)), min(min(five, six), min(seven, min(eight, nine))));
+  vec4 most = max(max(max(one, two), max(three, four)), max(max(five, six), max(seven, max(eight, nine))));
+  return alike(least, most);
+}
+
 vec4 smoothed(ivec2 at, vec4 own) {
   vec4 north = toneAt(at + ivec2(0, 1));
   vec4 south = toneAt(at - ivec2(0, 1));
@@ -159,6 +177,6 @@ vec4 smoothed(ivec2 at, vec4 own) {
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vec4 tone = toneAt(at);
-  if (smoothEdges) tone = smoothed(at, tone);
+  if (smoothEdges && !isFlat(at)) tone = smoothed(at, tone);
   pixel = vec4(tone.rgb * tone.a, tone.a);
 }
