@@ -6,12 +6,16 @@ precision highp float;
 uniform mat4 clipFromView;
 uniform float near;
 
-in vec3 origin;
-in vec3 ray;
-flat in vec3 lengthAndScale;
+uniform vec2 viewport;
+uniform vec2 viewportOrigin;
+
+flat in vec4 rightAndLength;
+flat in vec4 upAndScale;
+flat in vec4 eyeAndGrowth;
 flat in vec3 discs[LOBES];
 
 #include ../lib/depth.glsl
+#include ../lib/pixel.glsl
 
 const float FAR = 1e20;
 
@@ -25,10 +29,24 @@ void pass(inout vec2 stretch, vec3 disc, vec2 direction, float offset) {
   if (squared > 0.0) stretch = vec2(min(stretch.x, middle - halfChord), max(stretch.y, middle + halfChord));
 }
 
+// The view ray of this pixel in the frame of the volume; its parameter is the view depth.
+void aim(out vec3 origin, out vec3 ray) {
+  vec2 point = viewPointOf(gl_FragCoord.xy - viewportOrigin, clipFromView, viewport, -1.0);
+  vec3 aside = point.x * rightAndLength.xyz + point.y * upAndScale.xyz;
+  vec3 back = cross(rightAndLength.xyz, upAndScale.xyz) * inversesqrt(dot(upAndScale.xyz, upAndScale.xyz));
+  bool perspective = clipFromView[2][3] != 0.0;
+  origin = perspective ? eyeAndGrowth.xyz : eyeAndGrowth.xyz + aside;
+  ray = perspective ? aside - back : -back;
+  // A view straight along the light has no direction across it; any will do.
+  if (dot(ray.xy, ray.xy) < 1e-12 * dot(ray, ray)) ray.x += 1e-6 * length(ray);
+}
+
 void main() {
+  vec3 origin, ray;
+  aim(origin, ray);
   // The line that the ray draws on the plane of the discs, seen from the light.
-  float scale = lengthAndScale.y + lengthAndScale.z * origin.z;
-  float growth = lengthAndScale.z * ray.z;
+  float scale = upAndScale.w + eyeAndGrowth.w * origin.z;
+  float growth = eyeAndGrowth.w * ray.z;
   vec2 line = ray.xy * scale - origin.xy * growth;
   float inverse = inversesqrt(max(dot(line, line), 1e-24));
   vec2 direction = line * inverse;
@@ -46,7 +64,7 @@ void main() {
   vec2 depths = (stretch * scale - dot(origin.xy, direction)) / sinking;
   if (sinking.x <= 0.0) depths.x = growth > 0.0 ? FAR : -FAR;
   if (sinking.y <= 0.0) depths.y = growth > 0.0 ? FAR : -FAR;
-  vec2 ends = vec2(-origin.z, lengthAndScale.x - origin.z) / (abs(ray.z) > 1e-9 ? ray.z : 1e-9);
+  vec2 ends = vec2(-origin.z, rightAndLength.w - origin.z) / (abs(ray.z) > 1e-9 ? ray.z : 1e-9);
   float enter = max(depths.x, min(ends.x, ends.y));
   float leave = min(depths.y, max(ends.x, ends.y));
   if (enter >= leave || leave <= near) discard;

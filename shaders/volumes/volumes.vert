@@ -23,13 +23,16 @@ uniform float reach;
 in vec2 corner;
 in vec4 place;
 in uvec2 look;
+// Metres from the centre to where the shadow has left all that it could fall on.
+in float end;
 
-// The view ray of a pixel in the frame of the volume, which begins at the middle of its start: two axes across the way of
-// the light, then the way; all in puff radii. The ray's parameter is the view depth.
-out vec3 origin;
-out vec3 ray;
-// Length, scale at the start and how it grows with each radius of the way.
-flat out vec3 lengthAndScale;
+// View space in the frame of the volume, which begins at the middle of its start: two axes across the way of the light,
+// then the way; all in puff radii. Its first two axes and its origin, and as fourth components the volume's length, its
+// scale at the start and how that grows with each radius of the way. Nothing depends on the corners, so that volumes of
+// other lengths round alike.
+flat out vec4 rightAndLength;
+flat out vec4 upAndScale;
+flat out vec4 eyeAndGrowth;
 // Discs on the plane where the scale is 1: centre and squared radius.
 flat out vec3 discs[LOBES];
 
@@ -82,7 +85,7 @@ float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
 // How far beyond the centre the volume has left everything that could receive it, metres; 0 where it holds the light.
 float exitOf(float ball, float growth) {
   vec3 travel = -towardsLightFrom(lightInWorld, place.xyz);
-  float exit = exitFromBox(place.xyz, travel, receiversMin, receiversMax, ball, ball * growth);
+  float exit = min(end, exitFromBox(place.xyz, travel, receiversMin, receiversMax, ball, ball * growth));
   if (lightInWorld.w == 0.0) return exit;
   float way = length(place.xyz - lightInWorld.xyz);
   return way > ball ? min(exit, farthestCorner(lightInWorld.xyz, receiversMin, receiversMax) - way) : 0.0;
@@ -126,20 +129,14 @@ void main() {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     return;
   }
-  lengthAndScale = vec3(extent, 1.0 + growth * cap, growth);
   vec3 start = centre + cap * place.w * axis;
-  vec4 startBall = vec4(start, place.w * widest * lengthAndScale.y);
+  float scale = 1.0 + growth * cap;
+  rightAndLength = vec4(frameFromView[0] / place.w, extent);
+  upAndScale = vec4(frameFromView[1] / place.w, scale);
+  eyeAndGrowth = vec4(frameFromView * -start / place.w, growth);
+  vec4 startBall = vec4(start, place.w * widest * scale);
   vec4 endBall = vec4(start + extent * place.w * axis, startBall.w + place.w * widest * growth * extent);
   vec2 ndc = footprint(corner, startBall, endBall, clipFromView, near);
-  vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
-  bool perspective = clipFromView[2][3] != 0.0;
-  // The parameter of both rays is the view depth.
-  vec3 from = perspective ? vec3(0.0) : vec3((ndc - clipFromView[3].xy) / scale, 0.0);
-  vec3 along = perspective ? vec3((ndc + clipFromView[2].xy) / scale, -1.0) : vec3(0.0, 0.0, -1.0);
-  origin = frameFromView * (from - start) / place.w;
-  ray = frameFromView * along / place.w;
-  // A view straight along the light has no direction across it; any will do.
-  if (dot(ray.xy, ray.xy) < 1e-12 * dot(ray, ray)) ray.x += 1e-6 * length(ray);
   // Depth is written by the fragments; a constant here keeps the near and far planes from cutting the quad.
   gl_Position = vec4(ndc, 0.0, 1.0);
 }

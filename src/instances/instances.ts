@@ -48,6 +48,11 @@ export class Instances {
     return this.geometry.instanceCount;
   }
 
+  /** x, y, z and radius of each row, metres. */
+  get places(): Float32Array {
+    return (this.place.array as Float32Array).subarray(0, 4 * this.count);
+  }
+
   /** Metres; 0 where there are no rows. */
   get meanRadius(): number {
     let sum = 0;
@@ -67,9 +72,31 @@ export class Instances {
   }
 }
 
+/** Rows of casters, each with where its shadow may end. */
+export class Casters extends Instances {
+  private readonly end: InstancedBufferAttribute;
+
+  constructor(capacity: number, footprint: Footprint) {
+    super(capacity, footprint);
+    this.end = new InstancedBufferAttribute(new Float32Array(capacity), 1);
+    this.end.setUsage(DynamicDrawUsage);
+    this.geometry.setAttribute('end', this.end);
+  }
+
+  /** @param write sets for each row how far behind its centre its shadow may end, metres */
+  fillEnds(write: (ends: Float32Array) => void): void {
+    write((this.end.array as Float32Array).subarray(0, this.count));
+    markPrefix(this.end, this.count);
+  }
+}
+
 function copyPrefix(attribute: InstancedBufferAttribute, source: Float32Array | Uint32Array, length: number): void {
-  if (length === 0) return;
   (attribute.array as Float32Array | Uint32Array).set(source.subarray(0, length));
+  markPrefix(attribute, length);
+}
+
+function markPrefix(attribute: InstancedBufferAttribute, length: number): void {
+  if (length === 0) return;
   attribute.clearUpdateRanges();
   attribute.addUpdateRange(0, length);
   attribute.needsUpdate = true;

@@ -1,4 +1,4 @@
-import { Box3, type Camera, type Matrix4, type WebGLRenderTarget } from 'three';
+import { Box3, Vector3, type Camera, type Matrix4, type WebGLRenderTarget } from 'three';
 import type { DebugView } from '../preset/environment.ts';
 import type { Rows } from '../sim/rows.ts';
 import type { Bounds } from '../sim/simulator.ts';
@@ -7,7 +7,7 @@ import { homogeneous, type Light } from './light.ts';
 import { drawRival, THROWS_SHADOW } from './rivals.ts';
 import type { SmokePasses } from './smoke.ts';
 import type { Style } from './style.ts';
-import { eyeView, lightView, smokeBox } from './views.ts';
+import { eyeView, lightView, shownWithin, smokeBox } from './views.ts';
 
 /** Film is drawn on twos: lines boil at half of 24 frames a second. */
 const DRAWINGS_PER_SECOND = 12;
@@ -116,9 +116,22 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
   const receivers = receiversOf(passes, input);
   eye.receive(receivers);
   const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];
-  if (throwsShadow) casters.fill(input.simulator.arrange(lightView(passes, input, receivers)));
+  if (throwsShadow) {
+    casters.fill(input.simulator.arrange(lightView(passes, input, receivers)));
+    casters.fillEnds((ends) => endShadows(passes, input, ends));
+  }
   const arrangeMs = performance.now() - started;
   return { bodiesDrawn: bodies.count, castersDrawn: throwsShadow ? casters.count : 0, arrangeMs };
+}
+
+/** Ends each shadow behind all that it could fall on. Those of a lamp end at the box of all receivers. */
+function endShadows({ eye, casters, bodies, surfaces, ...passes }: SmokePasses, input: FrameInput, ends: Float32Array) {
+  if (!eye.isLitBySun) return void ends.fill(Infinity);
+  const { reach } = passes.extentsOf(input.style.form);
+  const boxes = surfaces.worldBoxes();
+  if (input.receivers) boxes.push(input.receivers);
+  const receivers = { bodies: bodies.places, reach: shownWithin(reach, eye), boxes };
+  passes.shadowEnds.find(casters.places, reach, receivers, eye.travelAt(new Vector3()), ends);
 }
 
 /** Everything that can receive a shadow: the surfaces, and the smoke as arrange(eye) has just measured it. */

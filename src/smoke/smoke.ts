@@ -3,7 +3,7 @@ import type { Device } from '../device/device.ts';
 import { Eye } from '../device/eye.ts';
 import { PuffTextures, type BakedPuffs, type PuffExtents, type PuffForm } from '../device/puffTextures.ts';
 import { RampTexture, type Color } from '../device/ramps.ts';
-import { FRONT_AND_BACK, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
+import { FRONT_AND_BACK, Casters, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
 import { BackdropPass } from '../passes/backdrop.ts';
 import { BodiesPass } from '../passes/bodies.ts';
 import { CreasesPass } from '../passes/creases.ts';
@@ -21,6 +21,7 @@ import { arrangeFrame, drawFrame, type FrameInput, type FrameReport } from './fr
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, turnOf } from './palette.ts';
 import { Rivals } from './rivals.ts';
+import { ShadowEnds } from './shadowEnds.ts';
 import { inkLineOf, type Style } from './style.ts';
 
 /** Everything that a frame draws with; made once for a smoke. */
@@ -29,7 +30,8 @@ export interface SmokePasses {
   readonly eye: Eye;
   readonly targets: Targets;
   readonly bodies: Instances;
-  readonly casters: Instances;
+  readonly casters: Casters;
+  readonly shadowEnds: ShadowEnds;
   readonly backdrop: BackdropPass;
   readonly surfaces: SurfacesPass;
   readonly creases: CreasesPass;
@@ -87,7 +89,7 @@ export class SmokeRenderer {
     const eye = new Eye();
     const isFlat = !device.writesDepth;
     const bodies = new Instances(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
-    const casters = new Instances(capacity, FRONT_AND_BACK);
+    const casters = new Casters(capacity, FRONT_AND_BACK);
     const surfacesPass = new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces);
     const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0 || isGuest);
     const creases = new CreasesPass(eye, surfaces);
@@ -98,6 +100,7 @@ export class SmokeRenderer {
       targets: new Targets(),
       bodies,
       casters,
+      shadowEnds: new ShadowEnds(),
       backdrop: new BackdropPass(eye),
       surfaces: surfacesPass,
       creases,

@@ -3,6 +3,7 @@ import { Box3, Vector3 } from 'three';
 import type { Bounds } from '../sim/simulator.ts';
 import { LIFTERS_LIMIT, type CoverageView, type View } from '../sim/view.ts';
 import { widestLine } from '../passes/ink.ts';
+import type { Eye } from '../device/eye.ts';
 import type { FrameInput } from './frame.ts';
 import type { SmokePasses } from './smoke.ts';
 import { inkLineOf } from './style.ts';
@@ -93,4 +94,9 @@ function liftersOf({ surfaces }: SmokePasses, strangers: Box3 | undefined): numb
 export function smokeBox({ eye }: SmokePasses, { min, max, greatestRadius }: Bounds): Box3 {
   const shear = eye.steepestSlope * (1 + WIDEST_RING) + WIDEST_RING;
   return new Box3(new Vector3(...min), new Vector3(...max)).expandByScalar(shear * greatestRadius);
+}
+
+/** Radii from its centre within which everything is that is seen of a puff with a reach, moved by its relief and ink included. */
+export function shownWithin(reach: number, { steepestSlope }: Eye): number {
+  return (reach + WIDEST_RING) * (1 + steepestSlope);
 }

@@ -1,0 +1,128 @@
+/**
+ * Where shadows may end: behind the last of what the picture shows that they could fall on. Of the smoke that is what
+ * arrange(eye) has left, laid on a grid across the light; surfaces are known by their boxes.
+ */
+import { Vector3, type Box3 } from 'three';
+
+/** Cells along each side of the grid: about as wide as puffs. */
+const CELLS = 40;
+
+type Triple = readonly [number, number, number];
+
+/** What shadows can fall on. */
+export interface Receivers {
+  /** x, y, z and radius of each puff that is drawn. */
+  readonly bodies: Float32Array;
+  /** Factor on such a radius that makes the ball in which everything is that a puff shows. */
+  readonly reach: number;
+  /** World boxes of all else. */
+  readonly boxes: readonly Box3[];
+}
+
+/** The ends of parallel shadows; keeps its grid for the next frame. */
+export class ShadowEnds {
+  private readonly farthest = new Float32Array(CELLS * CELLS);
+  private readonly corner: [number, number] = [0, 0];
+  private perMetre = 0;
+  private right: Triple = [1, 0, 0];
+  private up: Triple = [0, 1, 0];
+  private travel: Triple = [0, 0, -1];
+
+  /**
+   * @param casters x, y, z and radius of each
+   * @param widest factor on such a radius that makes the ball which holds all of the puff
+   * @param travel unit vector along which the light travels
+   * @param ends for each caster how far behind its centre its shadow has left every receiver, metres; below 0 where
+   *   there is none behind it
+   */
+  find(casters: Float32Array, widest: number, receivers: Receivers, travel: Vector3, ends: Float32Array): void {
+    this.face(travel);
+    this.lay(receivers.bodies, receivers.reach);
+    for (let row = 0; 4 * row < casters.length; row++) {
+      const radius = widest * casters[4 * row + 3];
+      const depth = at(casters, row, this.travel);
+      let end = this.farthestWithin(at(casters, row, this.right), at(casters, row, this.up), radius) - depth;
+      for (const box of receivers.boxes) end = Math.max(end, exitFrom(box, casters, row, radius, this.travel));
+      ends[row] = end;
+    }
+  }
+
+  private face(travel: Vector3): void {
+    const side = Math.abs(travel.x) < 0.7 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0);
+    const right = side.cross(travel).normalize();
+    this.right = right.toArray();
+    this.up = right.clone().cross(travel).toArray();
+    this.travel = travel.toArray();
+  }
+
+  /** Keeps in each cell how far along the light the last puff over it reaches. */
+  private lay(bodies: Float32Array, reach: number): void {
+    this.measure(bodies, reach);
+    this.farthest.fill(-Infinity);
+    for (let row = 0; 4 * row < bodies.length; row++) {
+      const radius = reach * bodies[4 * row + 3];
+      const depth = at(bodies, row, this.travel) + radius;
+      const [firstColumn, lastColumn] = this.cellsOf(at(bodies, row, this.right), radius, 0);
+      const [firstRow, lastRow] = this.cellsOf(at(bodies, row, this.up), radius, 1);
+      for (let j = firstRow; j <= lastRow; j++) {
+        for (let cell = j * CELLS + firstColumn; cell <= j * CELLS + lastColumn; cell++) {
+          if (this.farthest[cell] < depth) this.farthest[cell] = depth;
+        }
+      }
+    }
+  }
+
+  /** Spreads the grid over all puffs. */
+  private measure(bodies: Float32Array, reach: number): void {
+    let side = 0;
+    [this.right, this.up].forEach((axis, index) => {
+      let [least, most] = [Infinity, -Infinity];
+      for (let row = 0; 4 * row < bodies.length; row++) {
+        const [middle, radius] = [at(bodies, row, axis), reach * bodies[4 * row + 3]];
+        least = Math.min(least, middle - radius);
+        most = Math.max(most, middle + radius);
+      }
+      this.corner[index] = least;
+      side = Math.max(side, most - least);
+    });
+    this.perMetre = side > 0 ? CELLS / side : 0;
+  }
+
+  private farthestWithin(across: number, upwards: number, radius: number): number {
+    const [firstColumn, lastColumn] = this.cellsOf(across, radius, 0);
+    const [firstRow, lastRow] = this.cellsOf(upwards, radius, 1);
+    let farthest = -Infinity;
+    for (let j = firstRow; j <= lastRow; j++) {
+      for (let cell = j * CELLS + firstColumn; cell <= j * CELLS + lastColumn; cell++) {
+        if (this.farthest[cell] > farthest) farthest = this.farthest[cell];
+      }
+    }
+    return farthest;
+  }
+
+  /** First and last cell along an axis; none where the first comes after the last. */
+  private cellsOf(middle: number, radius: number, axis: 0 | 1): [number, number] {
+    const from = Math.floor((middle - radius - this.corner[axis]) * this.perMetre);
+    const to = Math.floor((middle + radius - this.corner[axis]) * this.perMetre);
+    return [Math.max(0, from), Math.min(CELLS - 1, to)];
+  }
+}
+
+function at(places: Float32Array, row: number, [x, y, z]: Triple): number {
+  return places[4 * row] * x + places[4 * row + 1] * y + places[4 * row + 2] * z;
+}
+
+/** How far on the way a ball has left a box; -Infinity where it misses it. */
+function exitFrom({ min, max }: Box3, places: Float32Array, row: number, radius: number, travel: Triple): number {
+  let [enter, exit] = [-Infinity, Infinity];
+  const [low, high] = [min.toArray(), max.toArray()];
+  for (let axis = 0; axis < 3; axis++) {
+    const place = places[4 * row + axis];
+    const [ahead, behind] = [(high[axis] + radius - place) / travel[axis], (low[axis] - radius - place) / travel[axis]];
+    if (travel[axis] === 0 && (place > high[axis] + radius || place < low[axis] - radius)) return -Infinity;
+    if (travel[axis] === 0) continue;
+    enter = Math.max(enter, Math.min(ahead, behind));
+    exit = Math.min(exit, Math.max(ahead, behind));
+  }
+  return enter <= exit ? exit : -Infinity;
+}
