@@ -1,20 +1,24 @@
 import { defineConfig } from '@playwright/test';
+import type { WorkerOptions } from './tests/support/fixtures.ts';
 import { demandTestServer } from './tests/support/server.ts';
 
 const isLong = Boolean(process.env.TEST_LONG);
 const FOLDERS = '{support,visual,e2e}';
 const LONG = `**/${FOLDERS}/**/*.long.{spec,test}.ts`;
 
+const ignored = isLong ? [] : [LONG];
+
 const { port, browser, flags } = await demandTestServer();
 
 /**
- * Tests that need a browser: pages and source modules on a development server of their own, drawn by SwiftShader.
+ * Tests that need a browser: source modules on a development server of their own and pages as they are published, all
+ * drawn by SwiftShader.
  * Those named *.long.spec.ts run by `npm run test:long` only.
  */
-export default defineConfig({
+export default defineConfig<object, WorkerOptions>({
   testDir: 'tests',
   testMatch: isLong ? LONG : `**/${FOLDERS}/**/*.{spec,test}.ts`,
-  testIgnore: isLong ? [] : LONG,
+  testIgnore: ignored,
   forbidOnly: true,
   retries: 0,
   // SwiftShader draws with as many threads as there are cores, so that a second worker mostly makes the first one wait.
@@ -23,6 +27,14 @@ export default defineConfig({
   // What is waited for comes at once on a machine at rest; on a busy one a frame takes a second.
   expect: { timeout: 15_000 },
   outputDir: 'test-results',
+  projects: [
+    { name: 'modules', testIgnore: [...ignored, '**/e2e/**'] },
+    {
+      name: 'pages',
+      testMatch: isLong ? '**/e2e/**/*.long.spec.ts' : '**/e2e/**/*.spec.ts',
+      use: { showsBuiltSite: true },
+    },
+  ],
   reporter: 'list',
   use: {
     baseURL: `http://localhost:${port}`,

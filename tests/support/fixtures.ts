@@ -3,6 +3,7 @@
  * because on anything else the pictures mean something else.
  */
 import { expect, test as base, type Page } from '@playwright/test';
+import { serveBuiltSite } from './builtSite.ts';
 import { watchComplaints } from './complaints.ts';
 import { KeptPage } from './keptPage.ts';
 import { loadModule, type LoadModule } from './modules.ts';
@@ -18,7 +19,14 @@ interface TestFixtures {
   load: LoadModule;
 }
 
-interface WorkerFixtures {
+export interface WorkerOptions {
+  /** Whether `page` shows the built site; the sources on the development server otherwise. */
+  showsBuiltSite: boolean;
+}
+
+interface WorkerFixtures extends WorkerOptions {
+  /** Address of the built site, where it is shown. */
+  site: string | undefined;
   /** The unmasked renderer string of WebGL 2, checked once for each browser that is started. */
   renderer: string;
   kept: KeptPage;
@@ -37,6 +45,18 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
     },
     { scope: 'worker', auto: true },
   ],
+  showsBuiltSite: [false, { option: true, scope: 'worker' }],
+  site: [
+    async ({ showsBuiltSite }, use) => {
+      const site = showsBuiltSite ? await serveBuiltSite() : undefined;
+      await use(site?.address);
+      await site?.stop();
+    },
+    { scope: 'worker', timeout: 300_000 },
+  ],
+  baseURL: async ({ baseURL, site }, use) => {
+    await use(site ?? baseURL);
+  },
   kept: [
     async ({ browser }, use, { project }) => {
       const kept = new KeptPage(browser, project.use);

@@ -22,7 +22,6 @@ export interface TestServer {
  */
 export async function demandTestServer(): Promise<TestServer> {
   const { findBrowser, CHROMIUM_FLAGS } = await script<BrowserScript>('setup/browser.mjs');
-  const { findFreePort } = await script<PortScript>('lib/port.mjs');
   process.env.TEST_PORT ||= String(await findFreePort());
   const browser = await findBrowser();
   if (!browser) throw new Error('There is no browser for the tests: npm test gets one.');
@@ -30,7 +29,11 @@ export async function demandTestServer(): Promise<TestServer> {
   return { port: Number(process.env.TEST_PORT), browser, flags: CHROMIUM_FLAGS };
 }
 
+export async function findFreePort(): Promise<number> {
+  return (await script<PortScript>('lib/port.mjs')).findFreePort();
+}
+
 /** Imports a module of scripts/, which is plain JavaScript and therefore has its type said here. */
-function script<Module>(path: string): Promise<Module> {
+export function script<Module>(path: string): Promise<Module> {
   return import(new URL(`../../scripts/${path}`, import.meta.url).href) as Promise<Module>;
 }
