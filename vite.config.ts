@@ -1,10 +1,12 @@
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
+import { preloads } from './scripts/site/preloads.ts';
+import { serviceWorker } from './scripts/site/serviceWorker.ts';
 
 /** The demo site: relative addresses, so that it works from any folder of any host. */
 export default defineConfig({
   base: './',
-  plugins: [glsl()],
+  plugins: [glsl(), preloads('/src/app/main.ts'), serviceWorker()],
   // Found too late otherwise, by a module that only a test imports or that comes on demand, and the page would reload.
   optimizeDeps: {
     include: ['three', 'three/examples/jsm/loaders/GLTFLoader.js', 'three/examples/jsm/loaders/OBJLoader.js'],
@@ -15,6 +17,6 @@ export default defineConfig({
     target: 'es2023',
     sourcemap: true,
     chunkSizeWarningLimit: 800,
-    rolldownOptions: { input: ['index.html', 'paper.html', 'examples/three/index.html', 'examples/react/index.html'] },
+    rolldownOptions: { input: ['index.html', 'paper.html'] },
   },
 });

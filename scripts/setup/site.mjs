@@ -15,6 +15,7 @@ const SOURCES = [
   'package-lock.json',
   'paper.html',
   'public',
+  'scripts/site',
   'shaders',
   'src',
   'vite.config.ts',
@@ -32,16 +33,19 @@ export function isFresh() {
 export async function bring(say) {
   rmSync(inRoot(STAMP), { force: true });
   const before = digest();
-  const outcome = await run(process.execPath, [inRoot('node_modules/vite/bin/vite.js'), 'build'], { onLine: say });
-  if (outcome.status !== 0) {
-    throw new Refusal(
-      'The site could not be built: the bundler says why in the lines above.',
-      withoutStack(outcome.output),
-    );
-  }
+  await bundle('vite.config.ts', say);
+  await bundle('examples/vite.config.ts', say);
   mkdirSync(inRoot('.cache'), { recursive: true });
   // Sources that were edited meanwhile may or may not be in: then no stamp matches, and the next call builds again.
   writeFileSync(inRoot(STAMP), before);
+}
+
+/** @param {string} config @param {(line: string) => void} say */
+async function bundle(config, say) {
+  const vite = inRoot('node_modules/vite/bin/vite.js');
+  const { status, output } = await run(process.execPath, [vite, 'build', '--config', inRoot(config)], { onLine: say });
+  if (status === 0) return;
+  throw new Refusal('The site could not be built: the bundler says why in the lines above.', withoutStack(output));
 }
 
 function digest() {

@@ -13,6 +13,7 @@ import { fitStage, pixelRatio, restWhileHidden } from './fit.ts';
 import { listenToKeys } from './keyboard.ts';
 import { goToMoment, type Moment } from './moment.ts';
 import { Notices } from './notices.ts';
+import { workOffline } from './offline/register.ts';
 import { buildPage, type Page } from './page.ts';
 import { Pointers } from './pointer.ts';
 import { Progress, windForward } from './progress.ts';
@@ -62,6 +63,7 @@ async function start(): Promise<void> {
   fitStage(stage, canvas);
   restWhileHidden(stage);
   await begin(stage, moment ? { ...environment, time: 0 } : environment, notices);
+  workOffline((takeOver) => notices.offer(strings.notices.newVersion, strings.notices.reload, takeOver));
 }
 
 function momentOf({ take, state }: Decoded, environment?: Environment): Moment | undefined {

@@ -1,4 +1,4 @@
-import { create, iconButton } from './dom.ts';
+import { create, iconButton, textButton } from './dom.ts';
 import { icon } from './icons.ts';
 import { strings } from './strings.ts';
 
@@ -23,6 +23,11 @@ export class Notices {
   mention(message: string): void {
     const notice = this.add(message, 'notice is-transient');
     setTimeout(() => notice.remove(), TRANSIENT_MS);
+  }
+
+  /** A message with something that people can do about it. */
+  offer(message: string, name: string, act: () => void): void {
+    this.add(message, 'notice').lastElementChild!.before(textButton('loud', name, act));
   }
 
   private add(message: string, className: string): HTMLElement {

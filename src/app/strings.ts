@@ -70,6 +70,8 @@ export const strings = {
   notices: {
     title: 'Messages',
     dismiss: 'Dismiss this message',
+    newVersion: 'There is a new version of this page.',
+    reload: 'Reload',
     flat: 'This graphics card does not draw puffs round, so they are flat here and meet in straight lines.',
   },
   views: {

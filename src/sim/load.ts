@@ -129,8 +129,9 @@ function requireSimd(): void {
 async function load(physics: boolean, given: BufferSource | undefined, report: Listener): Promise<SimulatorFactory> {
   const address = wasmAddress(physics);
   try {
-    const [bindings, bytes] = await Promise.all([importBindings(physics), given ?? download(address, report)]);
-    const instance = bindings.initSync({ module: await WebAssembly.compile(bytes) });
+    const compiled = given ? WebAssembly.compile(given) : compileFrom(address, report);
+    const [bindings, module] = await Promise.all([importBindings(physics), compiled]);
+    const instance = bindings.initSync({ module });
     return new SimulatorFactory({ bindings, memory: instance.memory });
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
@@ -149,29 +150,26 @@ async function importBindings(physics: boolean): Promise<SimulatorModule['bindin
   return physics ? await import('./wasm/physics/bindings.js') : await import('./wasm/core/bindings.js');
 }
 
-async function download(address: URL, report: Listener): Promise<BufferSource> {
+/** Compiles while the module comes, where the server names its type; browsers insist on that. */
+async function compileFrom(address: URL, report: Listener): Promise<WebAssembly.Module> {
   const response = await fetch(address);
   if (!response.ok) throw new Error(`the server answered ${response.status} ${response.statusText}`.trim());
-  if (response.body === null) return response.arrayBuffer();
-  const stated = Number(response.headers.get('content-length')) || undefined;
-  const pieces: Uint8Array[] = [];
+  // Of a download that breaks off the compiler tells.
+  follow(response.clone(), report).catch(() => undefined);
+  if (response.headers.get('content-type')?.startsWith('application/wasm')) {
+    return WebAssembly.compileStreaming(response);
+  }
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+async function follow({ body, headers }: Response, report: Listener): Promise<void> {
+  if (body === null) return;
+  const stated = Number(headers.get('content-length')) || undefined;
   let loaded = 0;
-  const reader = response.body.getReader();
+  const reader = body.getReader();
   for (let piece = await reader.read(); !piece.done; piece = await reader.read()) {
-    pieces.push(piece.value);
     loaded += piece.value.length;
     // The stated length of a compressed answer is that of the compressed bytes: once exceeded it tells nothing.
     report({ loaded, total: stated !== undefined && loaded <= stated ? stated : undefined });
   }
-  return join(pieces, loaded);
-}
-
-function join(pieces: readonly Uint8Array[], size: number): Uint8Array<ArrayBuffer> {
-  const whole = new Uint8Array(size);
-  let offset = 0;
-  for (const piece of pieces) {
-    whole.set(piece, offset);
-    offset += piece.length;
-  }
-  return whole;
 }

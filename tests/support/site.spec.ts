@@ -1,51 +1,136 @@
-/** The built site, served by a plain file server from a folder deep inside a host. */
+/** The built site on a plain host: from a folder deep inside, packed by gzip, under a strict Content-Security-Policy. */
 import { spawnSync } from 'node:child_process';
-import { readFile } from 'node:fs/promises';
-import { createServer, type Server } from 'node:http';
-import type { AddressInfo } from 'node:net';
-import { extname, join } from 'node:path';
+import { cpSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import type { Page } from '@playwright/test';
 import { expect, test } from './fixtures.ts';
 
+interface SiteServer {
+  address: string;
+  sent: { file: string; bytes: number }[];
+  close(): Promise<void>;
+}
+interface ServeScript {
+  serveSite(folder: string, place: string, headers?: Record<string, string>): Promise<SiteServer>;
+}
+
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
-const FOLDER = '/some/where/';
-const TYPES: Record<string, string> = {
-  '.html': 'text/html',
-  '.js': 'text/javascript',
-  '.css': 'text/css',
-  '.svg': 'image/svg+xml',
-  '.wasm': 'application/wasm',
+const PLACE = '/some/where/';
+const STRICT = {
+  'content-security-policy':
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:",
 };
+const WISP = '#v=1&preset=wisp&simulation.maxParticles=500';
+const { serveSite } = (await import(new URL('../../scripts/site/serve.mjs', import.meta.url).href)) as ServeScript;
 
-let server: Server;
+let folder: string;
+let server: SiteServer;
 
-test.beforeAll(async () => {
-  test.setTimeout(180_000);
+test.beforeAll(() => {
+  test.setTimeout(300_000);
   const build = spawnSync(process.execPath, [join(ROOT, 'scripts/build.mjs')], { encoding: 'utf8' });
   expect(build.status, build.stderr).toBe(0);
-  server = createServer((request, response) => {
-    const path = new URL(request.url ?? '/', 'http://localhost').pathname;
-    const name = path.endsWith('/') ? `${path}index.html` : path;
-    const type = TYPES[extname(name)];
-    const body = name.startsWith(FOLDER) ? readFile(join(ROOT, 'dist', name.slice(FOLDER.length))) : Promise.reject();
-    body.then(
-      (bytes) => response.writeHead(200, type ? { 'content-type': type } : {}).end(bytes),
-      () => response.writeHead(404).end(),
-    );
-  });
-  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
 });
-
-test.afterAll(() => server.close());
+test.beforeEach(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'cartoon-smoke-site-'));
+  cpSync(join(ROOT, 'dist'), folder, { recursive: true });
+  server = await serveSite(folder, PLACE, STRICT);
+});
+test.afterEach(async () => {
+  await server.close();
+  rmSync(folder, { recursive: true });
+});
 
 test('runs from any folder, because its addresses are relative', async ({ page }) => {
   const missing: string[] = [];
   page.on('response', (response) => response.status() >= 400 && missing.push(response.url()));
-  const { port } = server.address() as AddressInfo;
-  await page.goto(`http://localhost:${port}${FOLDER}#v=1&preset=lamp&emission.rate=40&simulation.maxParticles=500`);
-  await page.waitForFunction(() => window.cartoonSmoke !== undefined, null, { timeout: 60_000 });
-  await expect
-    .poll(() => page.evaluate(() => window.cartoonSmoke?.stats.alive), { timeout: 30_000 })
-    .toBeGreaterThan(0);
+  await page.goto(`${server.address}#v=1&preset=lamp&emission.rate=40&simulation.maxParticles=500`);
+  await smokes(page);
   expect(missing).toEqual([]);
 });
+
+/** Kilobytes of JavaScript and WASM, as they come over the wire, that may come before the first smoke. */
+const LIMITS = { wisp: 400 };
+
+for (const [preset, limit] of Object.entries(LIMITS)) {
+  test(`${preset} fetches at most ${limit} kB of code before its first smoke`, async ({ page }) => {
+    await page.goto(`${server.address}?paused=1#v=1&preset=${preset}`);
+    await page.waitForFunction(() => window.cartoonSmoke !== undefined);
+    const needed = (await fetched(page)).filter((file) => /\.(js|wasm)$/.test(file));
+    const kilobytes = server.sent.reduce((sum, { file, bytes }) => sum + (needed.includes(file) ? bytes : 0), 0) / 1000;
+    expect(kilobytes).toBeLessThan(limit);
+    // What only some people ever need.
+    const names = needed.join(' ');
+    for (const rarity of ['GLTFLoader', 'OBJLoader', 'paper', 'draco']) expect(names).not.toContain(rarity);
+    expect(names).not.toContain(preset === 'wisp' ? 'lamp-' : 'wisp-');
+  });
+}
+
+test.describe('without a network', () => {
+  test.use({ allowed: /ERR_CONNECTION_REFUSED/ });
+
+  test('what was looked at once works again', async ({ page }) => {
+    await page.goto(`${server.address}${WISP}`);
+    await isKept(page, 'bindings_bg');
+    await server.close();
+    await page.reload();
+    await smokes(page);
+  });
+});
+
+test('a new version is offered, takes over when asked to, and leaves nothing of the old one behind', async ({
+  page,
+}) => {
+  await page.goto(`${server.address}${WISP}`);
+  await isKept(page, 'main-');
+  const [before, after] = renameMain(folder);
+  await page.reload();
+  await page.getByRole('button', { name: 'Reload' }).click();
+  await page.waitForFunction(async () => !(await navigator.serviceWorker.getRegistration())?.waiting);
+  await smokes(page);
+  await isKept(page, after);
+  expect((await kept(page)).join(' ')).not.toContain(before);
+  await expect(page.getByRole('button', { name: 'Reload' })).toBeHidden();
+});
+
+async function smokes(page: Page): Promise<void> {
+  await expect
+    .poll(() => page.evaluate(() => window.cartoonSmoke?.stats.alive ?? 0), { timeout: 60_000 })
+    .toBeGreaterThan(0);
+}
+
+/** What the page has fetched so far, relative to its folder. */
+function fetched(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const base = new URL('.', location.href).href;
+    return performance.getEntriesByType('resource').map(({ name }) => name.slice(base.length));
+  });
+}
+
+async function isKept(page: Page, file: string): Promise<void> {
+  await expect.poll(async () => (await kept(page)).join(' '), { timeout: 60_000 }).toContain(file);
+}
+
+/** What the service worker has kept. A reload on the way answers with nothing. */
+async function kept(page: Page): Promise<string[]> {
+  const list = page.evaluate(async () => {
+    const keys = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
+    return keys.flat().map(({ url }) => url);
+  });
+  return list.catch(() => []);
+}
+
+/** Publishes the site anew with another name for the page's main chunk. */
+function renameMain(site: string): [before: string, after: string] {
+  const before = readdirSync(join(site, 'assets')).find((name) => /^main-.+\.js$/.test(name))!;
+  const after = 'main-Another1.js';
+  renameSync(join(site, 'assets', before), join(site, 'assets', after));
+  const naming = ['index.html', 'sw.js', ...readdirSync(join(site, 'assets')).map((name) => `assets/${name}`)];
+  for (const name of naming.filter((each) => /\.(html|js)$/.test(each))) {
+    const text = readFileSync(join(site, name), 'utf8');
+    if (text.includes(before)) writeFileSync(join(site, name), text.replaceAll(before, after));
+  }
+  return [before, after];
+}

@@ -1,0 +1,89 @@
+/**
+ * The service worker: what was once fetched works without a network. Files with a hash in their name come from the
+ * cache first, for they never change; pages come from the network first, so that a new version is met at once. Nothing is
+ * fetched ahead but the start page: a visitor pays for what is looked at and for no more.
+ */
+
+/** What TypeScript's library of the page lacks. */
+interface LastingEvent extends Event {
+  waitUntil(work: Promise<unknown>): void;
+}
+interface Fetching extends LastingEvent {
+  readonly request: Request;
+  respondWith(answer: Promise<Response>): void;
+}
+interface WorkerScope {
+  readonly registration: { readonly scope: string };
+  readonly clients: { claim(): Promise<void> };
+  skipWaiting(): Promise<void>;
+  addEventListener(type: 'install' | 'activate', listener: (event: LastingEvent) => void): void;
+  addEventListener(type: 'fetch', listener: (event: Fetching) => void): void;
+  addEventListener(type: 'message', listener: (event: LastingEvent & { readonly data: unknown }) => void): void;
+}
+
+/** Written by the build: the files of this version whose names hold a hash, relative to the scope. */
+declare const HASHED_FILES: readonly string[];
+
+/** A page that the network has not begun to send by then is taken from the cache. */
+const PATIENCE_MS = 4000;
+
+const worker = self as unknown as WorkerScope;
+const { scope } = worker.registration;
+// Other pages of the host have caches in the same place, so the name says whose it is.
+const CACHE = `cartoon-smoke ${scope}`;
+const hashed = new Set(HASHED_FILES.map((file) => new URL(file, scope).href));
+
+worker.addEventListener('install', (event) => event.waitUntil(keep([scope])));
+worker.addEventListener('activate', (event) => event.waitUntil(forget().then(() => worker.clients.claim())));
+worker.addEventListener('message', (event) => {
+  if (event.data === 'take over') event.waitUntil(worker.skipWaiting());
+  else if (Array.isArray(event.data)) event.waitUntil(keep(event.data.filter((file) => hashed.has(file as string))));
+});
+worker.addEventListener('fetch', (event) => {
+  const { request } = event;
+  if (request.method !== 'GET') return;
+  if (hashed.has(request.url)) event.respondWith(cacheFirst(request));
+  else if (request.mode === 'navigate' && request.url.startsWith(scope)) event.respondWith(networkFirst(request));
+});
+
+/** Puts files into the cache that are not there yet; the start page anew. */
+async function keep(files: readonly string[]): Promise<void> {
+  const cache = await caches.open(CACHE);
+  const kept = new Set((await cache.keys()).map(({ url }) => url));
+  await cache.addAll(files.filter((file) => file === scope || !kept.has(file)));
+}
+
+/** Drops the files of other versions; pages stay. */
+async function forget(): Promise<void> {
+  const cache = await caches.open(CACHE);
+  const assets = new URL('assets/', scope).href;
+  const old = (await cache.keys()).filter(({ url }) => url.startsWith(assets) && !hashed.has(url));
+  await Promise.all(old.map((request) => cache.delete(request)));
+}
+
+async function cacheFirst(request: Request): Promise<Response> {
+  const cache = await caches.open(CACHE);
+  const kept = await cache.match(request.url);
+  if (kept) return kept;
+  const answer = await fetch(request);
+  if (answer.ok) await cache.put(request.url, answer.clone());
+  return answer;
+}
+
+async function networkFirst(request: Request): Promise<Response> {
+  const cache = await caches.open(CACHE);
+  const page = request.url.replace(/[?#].*$/, '');
+  const patience = new AbortController();
+  const timer = setTimeout(() => patience.abort(), PATIENCE_MS);
+  try {
+    const answer = await fetch(request, { signal: patience.signal });
+    if (answer.ok) await cache.put(page, answer.clone());
+    return answer;
+  } catch (error) {
+    const kept = await cache.match(page);
+    if (kept) return kept;
+    throw error;
+  } finally {
+    clearTimeout(timer);
+  }
+}
