@@ -1,0 +1,71 @@
+/**
+ * `npm run bench -- load`: from the navigation to the first smoke in the built site, from this machine and with nothing in
+ * any cache, and what comes over the wire until then.
+ */
+
+import { chromium } from '@playwright/test';
+import { inRoot } from '../../scripts/lib/paths.mjs';
+import { serveSite } from '../../scripts/site/serve.mjs';
+import { CHROMIUM_FLAGS, findBrowser } from '../../scripts/setup/browser.mjs';
+import * as site from '../../scripts/setup/site.mjs';
+import { loadOnce } from './load/firstSmoke.mjs';
+
+/** @typedef {import('../../scripts/bench/table.mjs').Figure} Figure */
+
+/** Without rigids and with them. */
+const PRESETS = ['wisp', 'lamp'];
+
+/** @param {import('./support/page.mjs').Choice} choice @returns {Promise<Figure[]>} */
+export async function run({ quick, say }) {
+  if (!site.isFresh()) await site.bring(say);
+  const rounds = quick ? 5 : 9;
+  /** @type {Map<string, import('./load/firstSmoke.mjs').Load[]>} */
+  const found = new Map(PRESETS.map((preset) => [preset, []]));
+  // In turns, so that what else the machine does meets all alike; the first of each round warms the disk.
+  for (let round = 0; round <= rounds; round++) {
+    for (const preset of PRESETS) {
+      say(`${preset}, round ${round} of ${rounds}`);
+      const load = await visit(preset);
+      if (round > 0) found.get(preset)?.push(load);
+    }
+  }
+  return [...found].flatMap(([preset, loads]) => figures(preset, loads));
+}
+
+/** In a browser of its own: another one would have the shaders and the compiled modules already. */
+async function visit(/** @type {string} */ preset) {
+  const server = await serveSite(inRoot('dist'), '/');
+  const browser = await chromium.launch({ executablePath: await findBrowser(), args: CHROMIUM_FLAGS });
+  try {
+    return await loadOnce(browser, `${server.address}#v=1&preset=${preset}`);
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
+
+/** @param {string} preset @param {import('./load/firstSmoke.mjs').Load[]} loads @returns {Figure[]} */
+function figures(preset, loads) {
+  const suffix = preset === 'lamp' ? '' : `.${preset}`;
+  const note = `preset ${preset}, 800 x 450, pixel ratio 1`;
+  return [
+    {
+      name: `load.firstSmoke${suffix}`,
+      ...spread(loads.map((load) => load.firstSmoke)),
+      note: `${note}; budget 1500 ms`,
+    },
+    {
+      name: `load.stage${suffix}`,
+      ...spread(loads.map((load) => load.stageAt)),
+      note: 'of that until the stage is there',
+    },
+    { name: `load.bytes${suffix}`, value: loads[0].bytes / 1000, unit: 'kB', note: 'JavaScript and WASM, gzip' },
+  ];
+}
+
+/** @param {number[]} values @returns {Pick<Figure, 'value' | 'unit' | 'range' | 'rounds'>} */
+function spread(values) {
+  const sorted = values.toSorted((a, b) => a - b);
+  const median = (sorted[Math.floor((sorted.length - 1) / 2)] + sorted[Math.ceil((sorted.length - 1) / 2)]) / 2;
+  return { value: median, unit: 'ms', range: [sorted[0], sorted[sorted.length - 1]], rounds: sorted.length };
+}
