@@ -8,6 +8,12 @@ float ageOf(uvec2 look) {
   return float(look.x >> 16u) / 65535.0;
 }
 
+// Of a caster instead: how many radii behind its centre its shadow may end, because others go on.
+float endOf(uvec2 look) {
+  uint end = look.x >> 16u;
+  return end == 0xffffu ? 1e9 : float(end) / 256.0;
+}
+
 int variationOf(uvec2 look) {
   return int(look.y & 0xffu);
 }

@@ -124,7 +124,7 @@ void main() {
   float growth = lightInWorld.w / distance;
   float widest = spreadDiscs(frameFromView * viewFromPuff, growth);
   float cap = startCap(axis, viewFromPuff, centre);
-  float extent = exitOf(place.w * widest, growth / place.w) / place.w - cap;
+  float extent = min(exitOf(place.w * widest, growth / place.w) / place.w, endOf(look)) - cap;
   if (extent <= 0.0) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     return;

@@ -43,6 +43,7 @@ export interface PuffExtents {
   readonly depth: number;
   /** How far behind the centre shadow volumes begin, at least and at most, as the table says. */
   readonly capRange: readonly [number, number];
+  readonly capTable: StartCaps;
   readonly solids: PuffSolids;
 }
 
@@ -120,6 +121,7 @@ class LobeTextures implements FormTextures {
   readonly lobeTable: DataTexture;
   readonly startCaps: DataArrayTexture;
   readonly capRange: readonly [number, number];
+  readonly capTable: StartCaps;
   readonly solids: PuffSolids;
 
   constructor(puffs: LobePuffs) {
@@ -128,6 +130,7 @@ class LobeTextures implements FormTextures {
     this.lobeTable.needsUpdate = true;
     this.startCaps = capTexture(puffs.startCaps);
     this.capRange = capRange(puffs.startCaps);
+    this.capTable = puffs.startCaps;
     this.solids = puffs.solids;
   }
 
@@ -167,6 +170,7 @@ class BillboardTextures implements FormTextures {
   readonly casterTable: DataTexture;
   readonly casterLobes: number;
   readonly capRange: readonly [number, number];
+  readonly capTable: StartCaps;
   readonly solids: PuffSolids;
 
   constructor(context: WebGL2RenderingContext, { layers, startCaps, latestCap, casters, solids }: BillboardPuffs) {
@@ -186,6 +190,7 @@ class BillboardTextures implements FormTextures {
     this.casterTable = new DataTexture(casters.table, casters.lobeCount, casters.count, RGBAFormat, FloatType);
     this.casterTable.needsUpdate = true;
     this.capRange = capRange(startCaps);
+    this.capTable = startCaps;
     this.solids = solids;
   }
 

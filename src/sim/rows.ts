@@ -3,7 +3,8 @@
  *
  * place: four float32: world x, y, z in metres at the view's blend, and the radius in metres.
  * look: two uint32.
- *   word 0: bits 0-15 roll as a fraction of a turn; bits 16-31 age as a fraction of the lifetime.
+ *   word 0: bits 0-15 roll as a fraction of a turn; bits 16-31 age as a fraction of the lifetime; in rows for the light, where the
+ *   shadow may end, in 256ths of a radius behind the centre, 0xffff for nowhere.
  *   word 1: byte 0 variation; byte 1 seed; byte 2 temperature in steps of 4/255; byte 3 tint, 0 for none.
  *
  * The same numbers stand in Rust; `tests/unit/simRows.test.ts` compares them with what the WASM reports.

@@ -1,7 +1,8 @@
 /**
- * What the simulator is asked to arrange its rows for, and the floats in which that crosses into WASM: these, then the solids.
+ * What the simulator is asked to arrange its rows for, and the floats in which that crosses into WASM: these, then the
+ * solids, then the start caps.
  */
-export const VIEW_FLOATS = 91;
+export const VIEW_FLOATS = 92;
 
 /** Offsets into the floats of a view; `tests/unit/simView.test.ts` compares them with what the WASM reports. */
 export const VIEW_OFFSETS = {
@@ -26,6 +27,7 @@ export const VIEW_OFFSETS = {
   balls: 41,
   lifters: 42,
   lifterBoxes: 43,
+  capsFollow: 91,
 } as const;
 
 /** Most boxes of {@link CoverageView.lifters}. */
@@ -57,7 +59,7 @@ export interface View {
 
 /** By what it is certain that a body is hidden, or that a caster's shadow is there already. */
 export interface CoverageView {
-  /** How many covers make certain: 1, or up to 4 where counts matter; 0 leaves nothing out. */
+  /** How many covers make certain: 1, or up to 16 where counts matter; 0 leaves nothing out. */
   covers: number;
   /** World units that a pixel spans for each unit of clip w. */
   pixel: number;
@@ -70,6 +72,8 @@ export interface CoverageView {
   lifters: readonly (readonly number[])[];
   /** Radii behind the centre at which volumes start, at least and at most, before the shear of nailboards moves it. */
   capRange: readonly [number, number];
+  /** The same by the direction of the light, as src/puffs/startCaps.ts tabulates it; where absent, the range holds for all. */
+  startCaps?: { readonly values: Float32Array };
   /** Radii behind the centre plane that a puff can be seen at; the shear depends on it. */
   depth: number;
   solids: Solids;
@@ -85,9 +89,25 @@ export interface Solids {
   readonly blur: number;
 }
 
-/** Floats that `view` takes, solids included. */
+/**
+ * The grid that rows are laid out on to find what they cover. Its plane is the eye's image plane at unit depth, to the
+ * right and up from the view's axis, or a plane across the light.
+ */
+export interface CoverageGrid {
+  readonly columns: number;
+  readonly rows: number;
+  /** Cells from one row to the next. */
+  readonly stride: number;
+  /** Left and low end on that plane, and cells for each of its units. */
+  readonly corner: readonly [number, number];
+  readonly density: number;
+  /** Depths along the view, metres, behind which nothing shows in a cell; infinite where nothing covers. */
+  readonly depths: Float32Array;
+}
+
+/** Floats that `view` takes, solids and start caps included. */
 export function viewLength({ coverage }: View): number {
-  return VIEW_FLOATS + (coverage ? coverage.solids.table.length : 0);
+  return VIEW_FLOATS + (coverage ? coverage.solids.table.length + (coverage.startCaps?.values.length ?? 0) : 0);
 }
 
 /**
@@ -122,6 +142,8 @@ function writeCoverage(coverage: CoverageView, target: Float32Array): void {
   target[VIEW_OFFSETS.lifters] = coverage.lifters.length;
   coverage.lifters.forEach((box, index) => copy(box, target, VIEW_OFFSETS.lifterBoxes + 6 * index, 6));
   target.set(solids.table, VIEW_FLOATS);
+  target[VIEW_OFFSETS.capsFollow] = coverage.startCaps ? 1 : 0;
+  if (coverage.startCaps) target.set(coverage.startCaps.values, VIEW_FLOATS + solids.table.length);
 }
 
 function copy(from: ArrayLike<number>, to: Float32Array, offset: number, count: number): void {

@@ -13,7 +13,7 @@ const WIDEST_RING = 0.3;
 /** So much nearer, for each unit beside its puff, a surface may lift it; see shaders/lib/contact.glsl. */
 const STEEPEST = 8;
 /** The simulator counts no farther. */
-const MOST_COVERS = 4;
+const MOST_COVERS = 16;
 
 export function eyeView(passes: SmokePasses, input: FrameInput): View {
   const { eye } = passes;
@@ -33,6 +33,7 @@ export function eyeView(passes: SmokePasses, input: FrameInput): View {
 export function lightView(passes: SmokePasses, input: FrameInput, receivers: Box3): View {
   const { eye } = passes;
   const { style } = input;
+  const coverage = coverageOf(passes, input, style.shadowSteps === 2 ? style.shadowDepth : 1);
   return {
     ...common(passes, input),
     purpose: 'light',
@@ -41,7 +42,7 @@ export function lightView(passes: SmokePasses, input: FrameInput, receivers: Box
     pad: 0,
     direction: eye.travelAt(receivers.getCenter(new Vector3())).toArray(),
     receivers: { min: receivers.min.toArray(), max: receivers.max.toArray() },
-    coverage: coverageOf(passes, input, style.shadowSteps === 2 ? style.shadowDepth : 1),
+    coverage: coverage && { ...coverage, startCaps: passes.extentsOf(style.form).capTable },
   };
 }
 

@@ -9,6 +9,7 @@ const PLACES = ['scene', 'above', 'inside', 'orthographic'] as const;
 const STYLES = {
   plain: {},
   'deep shadow': { shadowSteps: 2, shadowDepth: 3 },
+  'deeper shadow': { shadowSteps: 2, shadowDepth: 6 },
   'no shading': { shading: false },
   'wide ink': { outlineWidth: 5, innerLine: 0 },
 } as const;

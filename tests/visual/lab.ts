@@ -125,6 +125,13 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
   return { count: puffs.length, place, look };
 }
 
+/** The same as casters whose shadows have no end. */
+function castersOf(puffs: readonly LabPuff[]): Rows {
+  const rows = rowsOf(puffs);
+  for (let word = 0; word < rows.look.length; word += 2) rows.look[word] |= 0xffff0000;
+  return rows;
+}
+
 /** The camera of most tests: at the origin's front, 4 m away, looking along -z. */
 export function frontCamera(width: number, height: number, distance = 4, fieldOfView = 40): PerspectiveCamera {
   const camera = new PerspectiveCamera(fieldOfView, width / height, 0.1, 100);
@@ -228,7 +235,7 @@ function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arra
   const extreme = (axis: 0 | 1 | 2, sign: 1 | -1) =>
     sign * Math.max(...all.map(({ place, radius }) => sign * place[axis] + radius));
   return {
-    arrange: ({ purpose }) => rowsOf(purpose === 'eye' ? puffs : casters),
+    arrange: ({ purpose }) => (purpose === 'eye' ? rowsOf(puffs) : castersOf(casters)),
     bounds: {
       min: [extreme(0, -1), extreme(1, -1), extreme(2, -1)],
       max: [extreme(0, 1), extreme(1, 1), extreme(2, 1)],

@@ -61,6 +61,18 @@ impl Simulator {
         self.simulator.place().as_ptr() as u32
     }
 
+    /// Columns, rows, cells from one row to the next, left, low and density of the grid of the last arrange.
+    #[wasm_bindgen(getter = coverageShape)]
+    pub fn coverage_shape(&self) -> Vec<f32> {
+        self.simulator.coverage_shape().to_vec()
+    }
+
+    /// Address of its depths, a float32 for each cell.
+    #[wasm_bindgen(getter = coveragePointer)]
+    pub fn coverage_pointer(&self) -> u32 {
+        self.simulator.coverage_depths().as_ptr() as u32
+    }
+
     /// Address of the look rows, two uint32 each.
     #[wasm_bindgen(getter = lookPointer)]
     pub fn look_pointer(&self) -> u32 {

@@ -7,7 +7,7 @@
 
 use wide::f32x4;
 
-use crate::coverage::{Coverage, Footprint};
+use crate::coverage::{Coverage, Footprint, NO_END};
 use crate::order::{self, Entry, Histogram};
 use crate::particles::{LANES, Particles};
 use crate::rows::Moment;
@@ -36,7 +36,8 @@ impl Arranger {
     /// Room for the rows of `capacity` particles.
     pub fn new(capacity: usize) -> Self {
         Self {
-            place: vec![[0.0; 4]; capacity],
+            // Places are written in whole blocks.
+            place: vec![[0.0; 4]; capacity.next_multiple_of(LANES)],
             look: vec![[0; 2]; capacity],
             order: vec![[0; 2]; capacity],
             histogram: Histogram::new(),
@@ -61,18 +62,48 @@ impl Arranger {
         &self.bounds
     }
 
+    /// The grid by which the last call left out what others cover: columns, rows, cells from one row to the next, chart
+    /// coordinates of its corner (left, low) and cells for each unit of the chart; without rows where it left out nothing so.
+    pub fn coverage_shape(&self) -> [f32; 6] {
+        self.coverage.grid.shape()
+    }
+
+    /// Depths (m) along the view behind which nothing shows, cell by cell; infinite where nothing covers.
+    pub fn coverage_depths(&self) -> &[f32] {
+        self.coverage.grid.depths()
+    }
+
     /// Writes the rows that `view` needs and returns their number.
     pub fn arrange(&mut self, particles: &Particles, view: &View, moment: &Moment) -> usize {
         let mut footprint = view.coverage.map(|plan| Footprint::new(&plan.chart));
         let count = self.collect(particles, view, moment, footprint.as_mut());
-        let sorted = &mut self.order[..count];
-        order::sort(&mut self.look[..count], sorted, &mut self.histogram);
-        let place = |[_, particle]: Entry| moment.place(particles, particle as usize);
-        let look = |[_, particle]: Entry| moment.look(particles, particle as usize);
-        let write = |row: usize, place, look| (self.place[row], self.look[row]) = (place, look);
-        match (&view.coverage, &footprint) {
-            (Some(plan), Some(footprint)) => self.coverage.sift(plan, footprint, sorted, place, look, write),
-            _ => write_all(sorted, place, look, write),
+        order::sort(&mut self.look[..count], &mut self.order[..count], &mut self.histogram);
+        let count = match (&view.coverage, &footprint) {
+            (Some(plan), Some(footprint)) => {
+                let look = |particle: usize| moment.stance(particles, particle);
+                let rows = &mut self.order[..count];
+                self.coverage.sift(plan, footprint, rows, &self.place, look)
+            }
+            _ => {
+                self.coverage.grid.empty();
+                count
+            }
+        };
+        self.write(particles, view, moment, count);
+        count
+    }
+
+    /// Writes the rows of the entries that stay, over the places that they were chosen by.
+    fn write(&mut self, particles: &Particles, view: &View, moment: &Moment, count: usize) {
+        let has_ends = view.coverage.is_some_and(|plan| plan.has_ends());
+        for (row, [end, particle]) in self.order[..count].iter().enumerate() {
+            let particle = *particle as usize;
+            self.place[row] = moment.place(particles, particle);
+            self.look[row] = moment.look(particles, particle);
+            if view.is_light {
+                let end = if has_ends { *end } else { NO_END };
+                self.look[row][0] = self.look[row][0] & 0xffff | end << 16;
+            }
         }
     }
 
@@ -96,6 +127,11 @@ impl Arranger {
                 footprint.add(&plan.chart, place, radius * f32x4::splat(plan.widening()), kept);
             }
             let kept = kept.to_bitmask();
+            if view.coverage.is_some() {
+                let rows = f32x4::transpose([place.x, place.y, place.z, radius]);
+                let places = self.place[block * LANES..][..LANES].iter_mut();
+                places.zip(rows).for_each(|(place, row)| *place = row.to_array());
+            }
             let depth = place.dot(direction).to_array();
             for (lane, depth) in depth.into_iter().enumerate() {
                 if kept >> lane & 1 == 1 {
@@ -107,18 +143,6 @@ impl Arranger {
         self.bounds = extent.corners();
         count
     }
-}
-
-fn write_all<R: Copy>(
-    rows: &[R],
-    place: impl Fn(R) -> [f32; 4],
-    look: impl Fn(R) -> [u32; 2],
-    mut write: impl FnMut(usize, [f32; 4], [u32; 2]),
-) -> usize {
-    for (row, entry) in rows.iter().enumerate() {
-        write(row, place(*entry), look(*entry));
-    }
-    rows.len()
 }
 
 /// Places and radii of a block at the moment; the same arithmetic as [`Moment::place`].

@@ -2,7 +2,8 @@
 //!
 //! `place`, four f32: x, y, z in world space (m), radius (m), blended between the steps.
 //! `look`, two u32: word 0 = roll (bits 0-15, fraction of a turn times 65,536, with a slow spin by age) and
-//! age / lifetime (bits 16-31, times 65,535); word 1 = variation (bits 0-7), seed byte (8-15), temperature (16-23,
+//! age / lifetime (bits 16-31, times 65,535; in rows for the light instead where the shadow may end, in 256ths of a
+//! radius behind the centre, 65,535 for nowhere); word 1 = variation (bits 0-7), seed byte (8-15), temperature (16-23,
 //! 255 stands for 4), tint (24-31, 0: none).
 
 use crate::held::Held;
@@ -53,15 +54,25 @@ impl Moment {
         [held.x[i], held.y[i], held.z[i], if is_born { radius } else { 0.0 }]
     }
 
+    /// Of the two words of particle `i` only how it stands and which it is: roll, variation and seed.
+    pub fn stance(&self, particles: &Particles, i: usize) -> [u32; 2] {
+        let look = particles.look[i];
+        [roll(look, self.age(particles, i)), look & 0xffff]
+    }
+
     /// The two words of particle `i`.
     pub fn look(&self, particles: &Particles, i: usize) -> [u32; 2] {
         let look = particles.look[i];
         let age = self.age(particles, i);
-        let roll = (look >> 12 & 0xfff0).wrapping_add(spin(look, age)) & 0xffff;
+        let roll = roll(look, age);
         let worn = fraction(age / particles.lifetime[i], 65_535.0);
         let heat = fraction(particles.temperature[i] / GREATEST_TEMPERATURE, 255.0);
         [roll | worn << 16, look & 0xffff | heat << 16 | look >> 28 << 24]
     }
+}
+
+fn roll(look: u32, age: f32) -> u32 {
+    (look >> 12 & 0xfff0).wrapping_add(spin(look, age)) & 0xffff
 }
 
 /// The roll, in 65,536ths of a turn, that `age` seconds of spin add.

@@ -211,6 +211,16 @@ impl Simulator {
         self.arranger.bounds()
     }
 
+    /// See [`Arranger::coverage_shape`].
+    pub fn coverage_shape(&self) -> [f32; 6] {
+        self.arranger.coverage_shape()
+    }
+
+    /// See [`Arranger::coverage_depths`].
+    pub fn coverage_depths(&self) -> &[f32] {
+        self.arranger.coverage_depths()
+    }
+
     /// How many particles live.
     pub fn alive(&self) -> usize {
         self.particles.alive()

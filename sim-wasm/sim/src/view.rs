@@ -5,28 +5,31 @@
 //! reach, factor on the radius; \[24..29] box of the receivers, least and greatest corner.
 //!
 //! What follows serves coverage, see `coverage`: \[30] metres that a pixel spans per unit of clip w; \[31], \[32] depths
-//! along the direction at the near and the far plane; \[33] how many covers make certain, 1 to 4, or 0 to leave nothing
+//! along the direction at the near and the far plane; \[33] how many covers make certain, 1 to 16, or 0 to leave nothing
 //! out that others cover; \[34], \[35] how far what is drawn may be from the solids, in radii and in pixels; \[36] 1 where
 //! puffs turn to the eye; \[37] metres by which ink may come nearer than its lobe where a surface lifts it, per unit of
 //! clip w; \[38], \[39] where shadows start behind the centre, at least and at most; \[40] how deep behind its centre a
 //! puff can be seen; \[41] balls of a puff, 0, 4, 8 or 12: for each variation their x, y, z and radii stand behind the
 //! view, all in radii; \[42] how many boxes hold the surfaces that lift ink, 0 to 8; \[43..90] these boxes, each its least
-//! and its greatest corner.
+//! and its greatest corner; \[91] 1 where behind the balls of all variations stand the tables of their start caps, 2,048
+//! numbers each.
 
 use wide::f32x4;
 
-use crate::coverage::{BALLS_LIMIT, Plan};
+use crate::coverage::{BALLS_LIMIT, CAP_ENTRIES, Plan};
 use crate::error::ParameterError;
 use crate::simd::{Vector4, positive_part};
 
 /// Numbers in a view, without the solids behind it.
-pub const VIEW_LENGTH: usize = 43 + 6 * LIFTERS_LIMIT;
+pub const VIEW_LENGTH: usize = CAPS_FOLLOW + 1;
+/// Where a view says that start caps follow its solids.
+pub(crate) const CAPS_FOLLOW: usize = 43 + 6 * LIFTERS_LIMIT;
 
 /// Most boxes of surfaces that lift ink.
 pub(crate) const LIFTERS_LIMIT: usize = 8;
 
 /// Most covers that can be asked for.
-const COVERS_LIMIT: f64 = 4.0;
+const COVERS_LIMIT: f64 = 16.0;
 
 /// A checked view.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +38,8 @@ pub struct View<'v> {
     pub blend: f32,
     /// Unit vector along which rows come near to far.
     pub direction: [f32; 3],
+    /// Whether its rows throw shadows, and tell where these may end instead of how old they are.
+    pub is_light: bool,
     /// What is left out; none: nothing is.
     pub cull: Option<Cull>,
     /// How what is left may cover each other; none: nothing does.
@@ -61,6 +66,7 @@ impl<'v> View<'v> {
         Ok(Self {
             blend: numbers[1],
             direction,
+            is_light: numbers[0] != 0.0,
             cull,
             coverage,
         })
@@ -98,10 +104,12 @@ fn check_coverage(numbers: &[f32; VIEW_LENGTH], solids: &[f32]) -> Result<(), Pa
             BALLS_LIMIT as f64,
         ));
     }
+    within("view.capsFollow", numbers[CAPS_FOLLOW], 0.0, 1.0)?;
+    let variation = 4 * balls + if numbers[CAPS_FOLLOW] != 0.0 { CAP_ENTRIES } else { 0 };
     let is_whole = if balls == 0 {
         solids.is_empty()
     } else {
-        solids.len().is_multiple_of(4 * balls)
+        solids.len().is_multiple_of(variation)
     };
     if is_whole {
         Ok(())

@@ -5,11 +5,12 @@ use wide::f32x4;
 use super::chart::Footprint;
 use super::disc::Disc;
 use super::plan::Plan;
+use super::polygon::Polygon;
 
 /// Cells along a side of a block; also the lanes of a row.
 const BLOCK: usize = 4;
 /// Cells that the typical puff is wide, from its centre to its side.
-const FINENESS: f32 = 7.0;
+const FINENESS: f32 = 10.0;
 /// Fewest and most cells, and cells for each particle that there may be.
 const CELLS: [usize; 2] = [1 << 10, 1 << 16];
 const CELLS_A_PARTICLE: usize = 64;
@@ -34,6 +35,9 @@ pub(crate) struct Grid {
     fine: Lattice,
     blocks: Vec<f32>,
     coarse: Lattice,
+    /// The farthest of 4 by 4 blocks each.
+    fields: Vec<f32>,
+    coarsest: Lattice,
     covers: usize,
     /// Ends of the grid beyond which puffs may show: left, low, right, high, in cells.
     ends: [f32; 4],
@@ -53,6 +57,8 @@ impl Grid {
             // A row of blocks may be three longer than the cells need.
             blocks: vec![NOTHING; cells / 4 + BLOCK],
             coarse: Lattice::default(),
+            fields: vec![NOTHING; cells / 16 + BLOCK],
+            coarsest: Lattice::default(),
             covers: 1,
             ends: [0.0; 4],
             corner: [0.0; 2],
@@ -108,11 +114,79 @@ impl Grid {
         for row in blocks.chunks_exact_mut(self.coarse.stride) {
             row[..self.coarse.columns].fill(NOTHING);
         }
+        let fields = self.coarse.columns.div_ceil(BLOCK);
+        self.coarsest = Lattice {
+            columns: fields,
+            rows: self.coarse.rows.div_ceil(BLOCK),
+            stride: fields,
+        };
+        self.fields[..fields * self.coarsest.rows].fill(NOTHING);
+    }
+
+    /// Forgets the cells: nothing has been laid out.
+    pub(crate) fn empty(&mut self) {
+        self.fine = Lattice::default();
+    }
+
+    /// Columns, rows and cells from one row to the next; chart coordinates of the corner, and cells for each unit.
+    pub(crate) fn shape(&self) -> [f32; 6] {
+        let Lattice { columns, rows, stride } = self.fine;
+        let [left, low] = self.corner;
+        [columns as f32, rows as f32, stride as f32, left, low, self.density]
+    }
+
+    /// The nearest certain depth of each cell, row by row.
+    pub(crate) fn depths(&self) -> &[f32] {
+        &self.depths[..self.fine.stride * self.fine.rows]
     }
 
     /// Cells from one layer to the next.
     fn layer(&self) -> usize {
         self.fine.stride * self.fine.rows.next_multiple_of(BLOCK)
+    }
+
+    /// Whether even the nearest of the disc lies behind all fields that it touches, or else each part behind its block.
+    pub(crate) fn hides_hull(&self, disc: &Disc) -> bool {
+        if self.is_left_by(disc) {
+            return false;
+        }
+        let nearest = disc.depth - disc.bulge * disc.radius;
+        let [least, most] = self.range.map(|lanes| lanes.to_array()[0]);
+        let nearest = nearest.max(least).min(most);
+        let field = (BLOCK * BLOCK) as f32;
+        let from = |at: f32| ((at - disc.rim) / field).max(0.0) as u32 as usize;
+        let to = |at: f32, limit: usize| (((at + disc.rim) / field + 1.0).max(0.0) as u32 as usize).min(limit);
+        let (right, high) = (to(disc.u, self.coarsest.columns), to(disc.v, self.coarsest.rows));
+        let is_behind = (from(disc.v)..high).all(|row| {
+            let line = &self.fields[row * self.coarsest.stride..][..self.coarsest.stride];
+            (from(disc.u)..right).all(|column| line[column] < nearest)
+        });
+        is_behind || self.hides_block_by_block(disc)
+    }
+
+    /// Whether all of the polygon lies behind what is certain.
+    pub(crate) fn hides_polygon(&self, polygon: &Polygon) -> bool {
+        self.farthest(polygon, polygon.depth) < polygon.depth
+    }
+
+    /// The farthest depth of the cells that the polygon touches, or the first that is `enough`; infinite where one of them
+    /// is not covered.
+    pub(crate) fn farthest(&self, polygon: &Polygon, enough: f32) -> f32 {
+        let [left, low, right, high] = polygon.bounds();
+        let [first, lowest, last, highest] = self.ends;
+        if left < first || low < lowest || right > last || high > highest {
+            return NOTHING;
+        }
+        let depths = &self.depths[(self.covers - 1) * self.layer()..];
+        let mut farthest = OUTSIDE;
+        for row in low.max(0.0) as usize..((high + 1.0) as usize).min(self.fine.rows) {
+            let [left, right] = polygon.between(row as f32, (row + 1) as f32);
+            farthest = self.fine.farthest(depths, row, [left, right]).max(farthest);
+            if farthest >= enough {
+                break;
+            }
+        }
+        farthest
     }
 
     /// Whether all of the disc lies behind the farthest depth of each block that it touches.
@@ -170,6 +244,22 @@ impl Grid {
                 self.blocks[row * self.coarse.stride + column] = a.max(b).max(c.max(d));
             }
         }
+        self.gather_fields([left, low, right, high].map(|cell| cell / BLOCK));
+    }
+
+    /// Brings the fields up to date around blocks, ends included.
+    fn gather_fields(&mut self, [left, low, right, high]: [usize; 4]) {
+        let last = |block: usize, limit: usize| (block / BLOCK + 1).min(limit);
+        for row in low / BLOCK..last(high, self.coarsest.rows) {
+            for column in left / BLOCK..last(right, self.coarsest.columns) {
+                let lines = (row * BLOCK..(row + 1) * BLOCK).take_while(|line| *line < self.coarse.rows);
+                let farthest = lines.fold(f32x4::splat(OUTSIDE), |farthest, line| {
+                    farthest.fast_max(load(&self.blocks, line * self.coarse.stride + column * BLOCK))
+                });
+                self.fields[row * self.coarsest.stride + column] =
+                    farthest.to_array().into_iter().fold(OUTSIDE, f32::max);
+            }
+        }
     }
 }
 
@@ -181,6 +271,23 @@ impl Lattice {
         let to = |at: f32, limit: usize| ((at + reach + 1.0).max(0.0) as u32 as usize).min(limit);
         let (right, high) = (to(disc.u, self.columns), to(disc.v, self.rows));
         [from(disc.u) / BLOCK * BLOCK, from(disc.v), right, high]
+    }
+
+    /// The farthest depth of a row's cells between two places.
+    #[inline(always)]
+    fn farthest(&self, depths: &[f32], row: usize, [left, right]: [f32; 2]) -> f32 {
+        let (from, to) = (
+            left.max(0.0) as u32 as usize,
+            (right.max(0.0) as u32 as usize + 1).min(self.columns),
+        );
+        let line = &depths[row * self.stride..(row + 1) * self.stride];
+        let mut farthest = f32x4::splat(OUTSIDE);
+        for column in (from / BLOCK * BLOCK..to).step_by(BLOCK) {
+            let at = f32x4::new([0.0, 1.0, 2.0, 3.0]) + f32x4::splat(column as f32);
+            let touched = at.simd_ge(f32x4::splat(from as f32)) & at.simd_lt(f32x4::splat(to as f32));
+            farthest = farthest.fast_max(touched.select(load(line, column), f32x4::splat(OUTSIDE)));
+        }
+        farthest.to_array().into_iter().fold(OUTSIDE, f32::max)
     }
 
     #[inline(always)]
@@ -215,6 +322,9 @@ impl Lattice {
             for column in (left..right).step_by(BLOCK) {
                 let mut depth = certain(disc, column, beside, range);
                 for cover in 0..covers {
+                    if depth.simd_eq(f32x4::splat(NOTHING)).all() {
+                        break;
+                    }
                     let at = cover * layer + row * self.stride + column;
                     let cells = load(depths, at);
                     depths[at..at + BLOCK].copy_from_slice(cells.fast_min(depth).as_array());

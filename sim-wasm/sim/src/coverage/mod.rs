@@ -11,20 +11,25 @@ mod disc;
 mod grid;
 mod outline;
 mod plan;
+mod polygon;
 mod solids;
+mod start_caps;
 
 pub use plan::Plan;
 pub use solids::BALLS_LIMIT;
 
+use crate::order::Entry;
 pub(crate) use chart::Footprint;
 use grid::Grid;
 use outline::{Outline, Outliner};
+use plan::What;
 use solids::Turns;
+pub(crate) use start_caps::ENTRIES as CAP_ENTRIES;
 
 /// The grid and the tables; their memory is taken once and used for every view.
 #[derive(Debug)]
 pub(crate) struct Coverage {
-    grid: Grid,
+    pub grid: Grid,
     turns: Turns,
     outline: Outline,
 }
@@ -39,34 +44,91 @@ impl Coverage {
         }
     }
 
-    /// Keeps those of `rows` that `plan` cannot rule out, in their order. `place` and `look` give those of a row, `keep`
-    /// takes both for the next one that stays. Returns how many do.
-    pub(crate) fn sift<R: Copy>(
+    /// Keeps those of `rows` that `plan` cannot rule out, in their order: keys and particles. `places` has those of the
+    /// particles, `look` gives theirs. Returns how many stay; of shadows the keys become ends.
+    pub(crate) fn sift(
         &mut self,
         plan: &Plan,
         footprint: &Footprint,
-        rows: &[R],
-        place: impl Fn(R) -> [f32; 4],
-        look: impl Fn(R) -> [u32; 2],
-        mut keep: impl FnMut(usize, [f32; 4], [u32; 2]),
+        rows: &mut [Entry],
+        places: &[[f32; 4]],
+        look: impl Fn(usize) -> [u32; 2],
     ) -> usize {
         self.grid.lay(plan, footprint);
         let outliner = Outliner::new(plan, &self.grid, &self.turns);
         let mut kept = 0;
-        for row in rows {
-            let place = place(*row);
-            if !outliner.place(place, &mut self.outline) || self.grid.hides_block_by_block(&self.outline.hull) {
+        for at in 0..rows.len() {
+            let particle = rows[at][1] as usize;
+            let place = places[particle];
+            if !outliner.place(place, &mut self.outline) || self.grid.hides_hull(&self.outline.hull) {
                 continue;
             }
-            let look = look(*row);
-            outliner.draw(place, look, &mut self.outline);
-            if self.outline.outer().iter().all(|disc| self.grid.hides(disc)) {
+            outliner.draw(place, look(particle), &mut self.outline);
+            if self.is_hidden(plan) {
                 continue;
             }
             self.grid.cover(self.outline.inner());
-            keep(kept, place, look);
+            rows[kept] = rows[at];
             kept += 1;
+        }
+        if plan.has_ends() {
+            kept = self.shorten(plan, footprint, &mut rows[..kept], places, look);
+        }
+        kept
+    }
+
+    fn is_hidden(&self, plan: &Plan) -> bool {
+        match plan.what {
+            What::Bodies(_) => self.outline.outer().iter().all(|disc| self.grid.hides(disc)),
+            What::Shadows(_) => self.grid.hides_polygon(&self.outline.polygon),
+        }
+    }
+
+    /// Lets shadows end where others certainly go on. Those that do not end are chosen first among the large ones, which
+    /// leave the fewest.
+    fn shorten(
+        &mut self,
+        plan: &Plan,
+        footprint: &Footprint,
+        rows: &mut [Entry],
+        places: &[[f32; 4]],
+        look: impl Fn(usize) -> [u32; 2],
+    ) -> usize {
+        self.grid.lay(plan, footprint);
+        let outliner = Outliner::new(plan, &self.grid, &self.turns);
+        let typical = footprint.typical() / plan.widening();
+        for are_large in [true, false] {
+            for row in rows.iter_mut() {
+                let particle = row[1] as usize;
+                let place = places[particle];
+                if (place[3] > LARGE * typical) != are_large {
+                    continue;
+                }
+                outliner.place(place, &mut self.outline);
+                outliner.draw(place, look(particle), &mut self.outline);
+                let farthest = self.grid.farthest(&self.outline.polygon, f32::INFINITY);
+                row[0] = outliner.end(place, farthest, &self.outline);
+                if row[0] == NO_END {
+                    self.grid.cover(self.outline.inner());
+                }
+            }
+        }
+        let mut kept = 0;
+        for at in 0..rows.len() {
+            if rows[at][0] != NOTHING_LEFT {
+                rows[kept] = rows[at];
+                kept += 1;
+            }
         }
         kept
     }
 }
+
+/// The end of a shadow that goes on, and of one of which nothing is left; others are in 256ths of a radius behind the
+/// centre.
+pub(crate) const NO_END: u32 = 0xffff;
+/// Of a radius.
+const END_STEPS: f32 = 256.0;
+const NOTHING_LEFT: u32 = 0x10000;
+/// Typical radii from which a puff is large.
+const LARGE: f32 = 1.25;

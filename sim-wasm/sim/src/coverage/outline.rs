@@ -3,7 +3,9 @@
 use super::disc::Disc;
 use super::grid::Grid;
 use super::plan::{Bodies, Plan, Shadows, What};
+use super::polygon::Polygon;
 use super::solids::{BALLS_LIMIT, TurnedBalls, Turns};
+use super::{END_STEPS, NO_END, NOTHING_LEFT};
 
 /// Single precision: a coordinate is a sum of terms as large as those of the place.
 const ROUNDING: f32 = 2e-6;
@@ -26,6 +28,8 @@ const CAP_SLACK: f32 = 0.02;
 pub(crate) struct Outline {
     /// All that the row could show, in one.
     pub hull: Disc,
+    /// All that a shadow could darken.
+    pub polygon: Polygon,
     inner: [Disc; BALLS_LIMIT],
     outer: [Disc; BALLS_LIMIT],
     inner_count: usize,
@@ -116,6 +120,19 @@ impl<'a> Outliner<'a> {
             tolerance: ROUNDING * size / place[3],
             lift: 0.0,
             covers: true,
+        }
+    }
+
+    /// How far behind its centre the shadow that has just been drawn must reach, when others go on from a depth.
+    pub(crate) fn end(&self, place: [f32; 4], depth: f32, outline: &Outline) -> u32 {
+        if depth <= outline.polygon.depth {
+            return NOTHING_LEFT;
+        }
+        let steps = (depth - outline.spot.depth) / place[3] * END_STEPS + 1.0;
+        if steps < NO_END as f32 {
+            steps.max(0.0) as u32
+        } else {
+            NO_END
         }
     }
 
@@ -211,7 +228,7 @@ impl<'a> Outliner<'a> {
         spot.tolerance += EDGE_PIXELS * shadows.eye.pixel * eye_w.max(0.0) / place[3];
         spot.slack += (CAP_ROUNDING + shadows.tolerance) * place[3];
         let start = if spot.covers {
-            spot.depth + Shadows::cap(shadows.caps[0], shear) * place[3]
+            spot.depth + Shadows::cap(shadows.caps.range[0], shear) * place[3]
         } else {
             f32::NEG_INFINITY
         };
@@ -220,7 +237,7 @@ impl<'a> Outliner<'a> {
         place[3] > 0.0
     }
 
-    /// Of a shadow the discs of all lobes are certain. What lies between them depends on the eye, so the circle around them
+    /// Of a shadow the discs of all lobes are certain. What lies between them depends on the eye, so the polygon around them
     /// is all that it could darken.
     fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], look: [u32; 2], outline: &mut Outline) {
         let spot = outline.spot;
@@ -232,17 +249,32 @@ impl<'a> Outliner<'a> {
         shadows.solids.turn(look, &rotation, &mut outline.balls);
         let balls = &outline.balls;
         let [_, shear] = shadows.seen(place);
-        let start = spot.depth + Shadows::cap(shadows.caps[1], shear) * place[3] + spot.slack;
-        let (mut widest, mut count) = (0.0_f32, 0);
+        let starts = shadows
+            .caps
+            .of(look, rotation[2])
+            .map(|cap| spot.depth + Shadows::cap(cap, shear) * place[3]);
+        let cells = place[3] * spot.density;
+        let nearest = if spot.covers {
+            starts[0] - spot.slack
+        } else {
+            f32::NEG_INFINITY
+        };
+        outline.polygon = Polygon::at(spot.u, spot.v, nearest);
+        let mut count = 0;
         for ball in (0..balls.count).filter(|ball| balls.radius[*ball] > 0.0) {
-            let [x, y, radius] = [balls.x[ball], balls.y[ball], balls.radius[ball]];
-            widest = widest.max((x * x + y * y).sqrt() + radius);
-            let disc = flat(&spot, (radius - spot.tolerance) * place[3], start);
+            let [x, y] = [balls.x[ball] * cells, balls.y[ball] * cells];
+            outline
+                .polygon
+                .hold(x, y, (balls.radius[ball] + spot.tolerance) * cells);
+            let disc = flat(
+                &spot,
+                (balls.radius[ball] - spot.tolerance) * place[3],
+                starts[1] + spot.slack,
+            );
             if spot.covers && disc.radius > 0.0 {
-                let cells = place[3] * spot.density;
                 outline.inner[count] = Disc {
-                    u: spot.u + x * cells,
-                    v: spot.v + y * cells,
+                    u: spot.u + x,
+                    v: spot.v + y,
                     ..disc
                 };
                 count += 1;
@@ -257,8 +289,6 @@ impl<'a> Outliner<'a> {
             count = 1;
         }
         outline.inner_count = count;
-        outline.outer[0] = flat(&spot, (widest + spot.tolerance) * place[3], outline.hull.depth);
-        outline.outer_count = 1;
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::chart::{Chart, Linear};
 use super::solids::Solids;
-use crate::view::VIEW_LENGTH;
+use super::start_caps::{ENTRIES, StartCaps};
+use crate::view::{CAPS_FOLLOW, VIEW_LENGTH};
 
 /// How the rows of a view may cover each other.
 #[derive(Clone, Copy, Debug)]
@@ -45,8 +46,8 @@ pub(crate) struct Shadows<'v> {
     pub solids: Solids<'v>,
     pub reach: f32,
     pub tolerance: f32,
-    /// A volume starts this far behind the centre, at least and at most, before the shear.
-    pub caps: [f32; 2],
+    /// How far behind the centre volumes start, before the shear.
+    pub caps: StartCaps<'v>,
     /// How deep behind its centre plane a puff can be seen.
     pub depth: f32,
     pub eye: EyeOfShadows,
@@ -110,6 +111,11 @@ impl Plan<'_> {
         }
     }
 
+    /// Whether shadows may end where others go on: not where covers are counted.
+    pub(crate) fn has_ends(&self) -> bool {
+        self.covers == 1 && matches!(self.what, What::Shadows(_))
+    }
+
     /// Those lines and tolerances, on the chart.
     pub(crate) fn margin(&self) -> f32 {
         match &self.what {
@@ -119,10 +125,22 @@ impl Plan<'_> {
     }
 }
 
+/// How many of so many numbers behind a view are start caps: with each variation's balls stand the entries of its table,
+/// where the view says so.
+fn caps_length(numbers: &[f32; VIEW_LENGTH], tables: usize) -> usize {
+    let balls = 4 * numbers[41] as usize;
+    if numbers[CAPS_FOLLOW] != 0.0 {
+        tables / (balls + ENTRIES) * ENTRIES
+    } else {
+        0
+    }
+}
+
 impl<'v> Bodies<'v> {
     fn new(numbers: &'v [f32; VIEW_LENGTH], solids: &'v [f32], eye: &EyeAxes) -> Option<Self> {
         let balls = numbers[41] as usize;
-        let (boxes, _) = numbers[43..].as_chunks();
+        let (boxes, _) = numbers[43..CAPS_FOLLOW].as_chunks();
+        let solids = &solids[..solids.len() - caps_length(numbers, solids.len())];
         (!solids.is_empty()).then(|| Self {
             solids: Solids::new(solids, balls, numbers[36] != 0.0),
             reach: numbers[23],
@@ -158,13 +176,14 @@ impl<'v> Bodies<'v> {
 }
 
 impl<'v> Shadows<'v> {
-    fn new(numbers: &[f32; VIEW_LENGTH], solids: &'v [f32], eye: &EyeAxes, chart: &Chart) -> Option<Self> {
+    fn new(numbers: &[f32; VIEW_LENGTH], tables: &'v [f32], eye: &EyeAxes, chart: &Chart) -> Option<Self> {
         let travel = chart.axes[2].map(|component| -component);
+        let (solids, caps) = tables.split_at(tables.len() - caps_length(numbers, tables.len()));
         (!solids.is_empty()).then(|| Self {
             solids: Solids::new(solids, numbers[41] as usize, numbers[36] != 0.0),
             reach: numbers[23],
             tolerance: numbers[34],
-            caps: [numbers[38], numbers[39]],
+            caps: StartCaps::new(caps, [numbers[38], numbers[39]]),
             depth: numbers[40],
             eye: eye.of_shadows(travel, numbers[30], numbers[31]),
             axes_in_view: chart.axes.map(|axis| eye.in_view(axis)),
