@@ -82,6 +82,7 @@ export const strings = {
     depth: 'Depth: white is near, black is far.',
     counts: 'Shadow volumes that hold a pixel: black none, red one, then yellow and white.',
     overdraw: 'Polygons drawn at a pixel, hidden or not: black none, red one, then yellow and white.',
+    coverage: 'Coverage grid: what lies behind a tinted cell is not drawn; near is bright, far is dark.',
   },
   help: {
     button: 'Help',

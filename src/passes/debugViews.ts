@@ -12,12 +12,14 @@ import {
 } from 'three';
 import addFragmentShader from '../../shaders/debugViews/add.frag';
 import colorsFragmentShader from '../../shaders/debugViews/colors.frag';
+import coverageFragmentShader from '../../shaders/debugViews/coverage.frag';
 import countsFragmentShader from '../../shaders/debugViews/counts.frag';
 import depthFragmentShader from '../../shaders/debugViews/depth.frag';
 import type { Eye } from '../device/eye.ts';
 import { ADDS, FullScreen } from '../device/fullScreen.ts';
 import type { DebugView } from '../preset/environment.ts';
 import type { BodiesPass } from './bodies.ts';
+import { GridTexture, type GridOfDepths } from './gridTexture.ts';
 import type { Targets } from './targets.ts';
 import type { VolumesPass } from './volumes.ts';
 
@@ -27,7 +29,9 @@ type Redrawn = Pick<BodiesPass | VolumesPass, 'material' | 'drawAs'>;
 /** Shows what the passes work with instead of the picture. Nothing of it is compiled before it is asked for. */
 export class DebugViewsPass {
   private readonly eye: Eye;
+  private readonly grid = new GridTexture();
   private readonly uniforms = {
+    ...this.grid.uniforms,
     unlit: { value: null as Texture | null },
     lit: { value: null as Texture | null },
     depth: { value: null as Texture | null },
@@ -52,6 +56,11 @@ export class DebugViewsPass {
     renderer.clear(true, false, false);
     this.number.value = 1;
     for (const each of drawn) each.drawAs(renderer, this.variantOf(each.material, 'OVERDRAW'));
+  }
+
+  /** Takes up the grid by which hidden bodies were found, for the view of it. */
+  layGrid(grid: GridOfDepths | undefined): void {
+    this.grid.lay(this.eye, grid);
   }
 
   /** Writes the counts of the stencil into the targets, bit by bit, instead of what is there. */
@@ -81,20 +90,15 @@ export class DebugViewsPass {
     for (const show of this.shows.values()) show.dispose();
     for (const variant of this.variants.values()) variant.dispose();
     this.adding?.dispose();
+    this.grid.dispose();
     this.shows.clear();
     this.variants.clear();
     this.adding = undefined;
   }
 
   private showing(view: DebugView): FullScreen {
-    const fragmentShader =
-      view === 'depth'
-        ? depthFragmentShader
-        : view === 'counts' || view === 'overdraw'
-          ? countsFragmentShader
-          : colorsFragmentShader;
     return new FullScreen(
-      fragmentShader,
+      SHOWING[view] ?? colorsFragmentShader,
       { ...this.uniforms, clipFromView: this.eye.uniforms.clipFromView },
       { defines: { VIEW: `${view}View`, RATE: view === 'counts' ? '0.25' : '0.06' } },
     );
@@ -141,3 +145,11 @@ export class DebugViewsPass {
     });
   }
 }
+
+/** What shows a view; colours show the others. */
+const SHOWING: Partial<Record<DebugView, string>> = {
+  depth: depthFragmentShader,
+  counts: countsFragmentShader,
+  overdraw: countsFragmentShader,
+  coverage: coverageFragmentShader,
+};

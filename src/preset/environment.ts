@@ -5,7 +5,7 @@ import { notice, type Notice } from './notice.ts';
 export type Quality = 'auto' | number;
 
 /** What can be shown instead of the picture, to see what the passes work with. */
-export const DEBUG_VIEWS = ['lit', 'unlit', 'ink', 'normals', 'depth', 'counts', 'overdraw'] as const;
+export const DEBUG_VIEWS = ['lit', 'unlit', 'ink', 'normals', 'depth', 'counts', 'overdraw', 'coverage'] as const;
 export type DebugView = (typeof DEBUG_VIEWS)[number];
 
 export const LOWEST_QUALITY = 0.25;

@@ -9,7 +9,7 @@ import { poseNumbers } from './pose.ts';
 import { requireIndices, rigidArguments, type RigidDescription } from './rigid.ts';
 import { pathNumbers, spinNumbers, type RigidPath, type RigidSpin } from './rigidPath.ts';
 import { LOOK_WORDS, PLACE_FLOATS, POSE_FLOATS, RIGID_FLOATS, type Rows } from './rows.ts';
-import { VIEW_FLOATS, viewLength, writeView, type View } from './view.ts';
+import { VIEW_FLOATS, viewLength, writeView, type CoverageGrid, type View } from './view.ts';
 
 /** An instantiated module: its functions and its memory. */
 export interface SimulatorModule {
@@ -194,6 +194,15 @@ export class Simulator {
       const bounds = new Float32Array(this.#module.memory.buffer, this.#handle.boundsPointer, 7);
       const [a, b, c, d, e, f, greatestRadius] = bounds;
       return { min: [a, b, c], max: [d, e, f], greatestRadius };
+    });
+  }
+
+  /** By which grid the last {@link arrange} left out what others cover; without cells where it did not. */
+  get coverageGrid(): CoverageGrid {
+    return this.#attempt(() => {
+      const [columns, rows, stride, left, low, density] = this.#handle.coverageShape;
+      const depths = new Float32Array(this.#module.memory.buffer, this.#handle.coveragePointer, stride * rows);
+      return { columns, rows, stride, corner: [left, low], density, depths };
     });
   }
 

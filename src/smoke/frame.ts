@@ -2,7 +2,7 @@ import { Box3, Vector3, type Camera, type Matrix4, type WebGLRenderTarget } from
 import type { DebugView } from '../preset/environment.ts';
 import type { Rows } from '../sim/rows.ts';
 import type { Bounds } from '../sim/simulator.ts';
-import type { View } from '../sim/view.ts';
+import type { CoverageGrid, View } from '../sim/view.ts';
 import { homogeneous, type Light } from './light.ts';
 import { drawRival, THROWS_SHADOW } from './rivals.ts';
 import type { SmokePasses } from './smoke.ts';
@@ -16,6 +16,8 @@ const DRAWINGS_PER_SECOND = 12;
 export interface Arranger {
   arrange(view: View): Rows;
   readonly bounds: Bounds;
+  /** Of the last arrange. */
+  readonly coverageGrid?: CoverageGrid;
 }
 
 /** What one frame is drawn from. */
@@ -113,6 +115,7 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
 
   const started = performance.now();
   bodies.fill(input.simulator.arrange(eyeView(passes, input)));
+  if (input.view === 'coverage') passes.debugViews.layGrid(input.simulator.coverageGrid);
   const receivers = receiversOf(passes, input);
   eye.receive(receivers);
   const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];

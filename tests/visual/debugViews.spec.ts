@@ -35,3 +35,12 @@ test('overdraw counts bodies and volumes, hidden or not', async ({ load }) => {
   expect(bodies).toEqual(expected);
   expect(withVolumes).toBeGreaterThan(2);
 });
+
+test('the coverage grid is shown where it lies, and covers nothing but smoke', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { tinted, wrong, missing, clear } = await cases.evaluate((module) => module.coverageTints());
+  expect(tinted).toBeGreaterThan(1_000);
+  expect(clear).toBe(0);
+  // Sides of cells are rounded otherwise in single precision.
+  expect(wrong + missing).toBeLessThan(0.002 * tinted);
+});

@@ -2,6 +2,8 @@
 import { OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Vector2, Vector3, type Camera } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import type { DebugView } from '../../../src/preset/environment.ts';
+import { RenderBench } from '../../bench/render/bench.ts';
+import { eyeView } from '../../../src/smoke/views.ts';
 import { Lab, PLAIN_STYLE, type LabPuff, type LabScene } from '../lab.ts';
 import { ground } from '../solids.ts';
 
@@ -85,7 +87,7 @@ export function compareViews(form: PuffForm): ViewsReport {
 const VIEWS: readonly DebugView[] = ['lit', 'unlit', 'ink', 'counts'];
 
 function zeros(): Record<DebugView, number> {
-  return { lit: 0, unlit: 0, ink: 0, normals: 0, depth: 0, counts: 0, overdraw: 0 };
+  return { lit: 0, unlit: 0, ink: 0, normals: 0, depth: 0, counts: 0, overdraw: 0, coverage: 0 };
 }
 
 function isInkColor([red, green, blue]: Rgba): boolean {
@@ -177,5 +179,52 @@ export function overdraw(): { bodies: string[]; expected: string[]; withVolumes:
     bodies: [...bodies].sort(),
     expected: [heatOf(0, 0.06), heatOf(2, 0.06)].map((color) => color.join()).sort(),
     withVolumes: all.size,
+  };
+}
+
+/**
+ * Pixels of a plume that the view of the grid tints, those of them where it should not, those that it should tint and does
+ * not, and tinted ones that show no smoke.
+ */
+export async function coverageTints(): Promise<{ tinted: number; wrong: number; missing: number; clear: number }> {
+  const bench = await RenderBench.create(0.5, 1500);
+  const input = bench['input'](true);
+  const none = { count: 0, place: new Float32Array(), look: new Uint32Array() };
+  const shown = (view: DebugView, extra = {}) => {
+    bench.smoke.draw({ ...input, ...extra, view });
+    return reader(bench.picture());
+  };
+  const [tints, lit, smoke] = [shown('coverage'), shown('lit'), shown('normals')];
+  const empty = shown('normals', { simulator: { arrange: () => none, bounds: bench.simulator.bounds } });
+  const isCovered = coveredIn(bench);
+  const report = { tinted: 0, wrong: 0, missing: 0, clear: 0 };
+  for (let pixel = 0; pixel < input.width * input.height; pixel++) {
+    const warmth = ([red, , blue]: Rgba) => red - blue;
+    const isTinted = warmth(tints(pixel)) > 0.4 * warmth(lit(pixel)) + 15;
+    report.tinted += isTinted ? 1 : 0;
+    report.wrong += isTinted && !isCovered(pixel) ? 1 : 0;
+    report.missing += !isTinted && isCovered(pixel) ? 1 : 0;
+    report.clear += isTinted && same(smoke(pixel), empty(pixel)) ? 1 : 0;
+  }
+  bench.dispose();
+  return report;
+}
+
+/** Whether the simulator's grid covers a pixel of the bench's picture. */
+function coveredIn(bench: RenderBench): (pixel: number) => boolean {
+  const { simulator, smoke, camera } = bench;
+  const input = bench['input'](true);
+  simulator.arrange(eyeView(smoke.passes, input));
+  const { columns, rows, stride, corner, density, depths } = simulator.coverageGrid;
+  const known = depths.slice();
+  const scale = [camera.projectionMatrix.elements[0], camera.projectionMatrix.elements[5]];
+  return (pixel) => {
+    const at = [(pixel % input.width) + 0.5, Math.floor(pixel / input.width) + 0.5];
+    const [column, row] = at.map((value, axis) => {
+      const ndc = (2 * value) / [input.width, input.height][axis] - 1;
+      return Math.floor((ndc / scale[axis] - corner[axis]) * density);
+    });
+    const isInside = column >= 0 && column < columns && row >= 0 && row < rows;
+    return isInside && Number.isFinite(known[row * stride + column]);
   };
 }
