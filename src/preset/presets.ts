@@ -1,7 +1,9 @@
 /** The named presets: each says only what differs from the defaults of the table. */
 import { airplanePresets } from './moods/airplane.ts';
+import { campfirePresets } from './moods/campfire.ts';
 import { lampPresets } from './moods/lamp.ts';
 import type { Preset } from './moods/preset.ts';
+import { rocketPresets } from './moods/rocket.ts';
 import { trainPresets } from './moods/train.ts';
 import { wispPresets } from './moods/wisp.ts';
 import type { Value } from './parameter.ts';
@@ -10,7 +12,14 @@ import { defaults } from './values.ts';
 export type { Preset };
 
 /** Those of a scene follow each other; the first of them has the scene's name and is how it wants to be seen. */
-export const presets: readonly Preset[] = [...lampPresets, ...airplanePresets, ...trainPresets, ...wispPresets];
+export const presets: readonly Preset[] = [
+  ...lampPresets,
+  ...airplanePresets,
+  ...trainPresets,
+  ...campfirePresets,
+  ...rocketPresets,
+  ...wispPresets,
+];
 
 const byName: ReadonlyMap<string, Preset> = new Map(presets.map((preset) => [preset.name, preset]));
 

@@ -102,6 +102,8 @@ export const table: readonly Parameter[] = [
     ['lamp', 'Magic lamp'],
     ['airplane', 'Airplane'],
     ['train', 'Steam train'],
+    ['campfire', 'Campfire'],
+    ['rocket', 'Rocket launch'],
     ['wisp', 'Cup of tea'],
   ]),
   quantity('seed', 'simulation', 'stage', {

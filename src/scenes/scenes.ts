@@ -13,6 +13,8 @@ export const sceneEntries: Readonly<Record<string, SceneEntry>> = {
   lamp: { hasRigids: true, load: async () => (await import('./lamp.ts')).lamp() },
   airplane: { hasRigids: true, load: async () => (await import('./airplane.ts')).airplane() },
   train: { hasRigids: true, load: async () => (await import('./train.ts')).train() },
+  campfire: { hasRigids: false, load: async () => (await import('./campfire.ts')).campfire() },
+  rocket: { hasRigids: true, load: async () => (await import('./rocket.ts')).rocket() },
   wisp: { hasRigids: false, load: async () => (await import('./wisp.ts')).wisp() },
 };
 

@@ -1,0 +1,23 @@
+import type { Preset } from './preset.ts';
+
+export const rocketPresets: readonly Preset[] = [
+  {
+    name: 'rocket',
+    label: 'Rocket launch',
+    text: 'A rocket that goes up in a ring of cloud, and comes back.',
+    values: {
+      scene: 'rocket',
+      'emission.rate': 110,
+      'emission.lifetime': 6,
+      'emission.growthTime': 0.7,
+      'emission.density': '0:.55,.3:1,.6:.85,1:0',
+      'forces.turbulence': 1,
+      'simulation.maxParticles': 1500,
+      'style.heatRamp': '0:fff8ec,.1:f6d9b4,.22:f6a050,.5:f9c24c,.8:fff0b4',
+      'style.inkColor': '#2a1a26',
+      'style.innerLine': 0.24,
+      'light.azimuth': 44,
+      'light.elevation': 48,
+    },
+  },
+];

@@ -1,0 +1,103 @@
+import { island } from './models/island.ts';
+import { placement } from './models/place.ts';
+import { launchPad, NOZZLE, rocket as rocketModel, rocketHull } from './models/rocket.ts';
+import type { Placement, Scene } from './scene.ts';
+
+const ROCKET = 0;
+/** Height of the pad, metres. */
+const PAD = 0.06;
+/** Seconds from one launch to the next, when the engine starts and when the rocket leaves the ground. */
+const PERIOD = 18;
+export const IGNITION = 1;
+const LIFTOFF = 2;
+/** How long it climbs, and how fast it gains speed: m/s2. It comes down the same way. */
+const CLIMB = 5;
+const THRUST = 1.1;
+const LANDING = PERIOD - 3;
+
+/** A rocket goes up and comes down again; what its engine blows on the ground spreads in a ring. */
+export function rocket(): Scene {
+  return {
+    name: 'rocket',
+    rig: RIG,
+    rigids: [{ kind: 'kinematic', shape: rocketHull(), ...flight(0), friction: 0.2 }],
+    rigidNames: ['Rocket'],
+    guide: ({ seconds }) => [{ rigid: ROCKET, ...flight(seconds) }],
+    surfaces: [...island(3.2, [232, 196, 138], [180, 124, 100]), ...launchPad(), ...rocketModel(ROCKET)],
+    camera: { target: [0, 1.3, 0], azimuth: 0.22, elevation: 0.2, distance: 10.6, fieldOfView: 0.6 },
+    portrait: { target: [0, 1.9, 0], distance: 12.4, leastWidth: 0.53 },
+    cameraMove: (seconds) => ({
+      target: [0, 0.55 * (1 - Math.cos((2 * Math.PI * seconds) / PERIOD)), 0],
+      azimuth: 0.22 * Math.sin(seconds / 6),
+    }),
+    backdrop: { top: [96, 116, 200], bottom: [255, 196, 180] },
+  };
+}
+
+/** Height of the rocket above its pad, metres. */
+function height(seconds: number): number {
+  const since = seconds % PERIOD;
+  const rising = Math.min(Math.max(since - LIFTOFF, 0), CLIMB);
+  const falling = Math.min(Math.max(LANDING - since, 0), CLIMB);
+  return (THRUST / 2) * Math.min(rising, falling) ** 2;
+}
+
+function flight(seconds: number): Placement {
+  const up = height(seconds);
+  const sway = Math.min(up, 1) * 0.035;
+  const shake = seconds % PERIOD > IGNITION && up < 0.5 ? 0.006 * Math.sin(47 * seconds) : 0;
+  return placement(
+    [shake, PAD + up, 0],
+    [sway * Math.sin(1.7 * seconds), 0.3 * Math.sin(0.35 * up), sway * Math.cos(1.3 * seconds)],
+  );
+}
+
+const RIG: Readonly<Record<string, number>> = {
+  'emitters.0.shape': 1,
+  'emitters.0.rigid': ROCKET,
+  'emitters.0.position.y': NOZZLE - 0.02,
+  'emitters.0.direction.y': -1,
+  'emitters.0.radius': 0.1,
+  'emitters.0.speed': 4.2,
+  'emitters.0.speedVariation': 0.3,
+  'emitters.0.spread': 0.14,
+  'emitters.0.inherit': 0.6,
+  'emitters.0.size': 0.42,
+  'emitters.0.sizeVariation': 0.45,
+  'emitters.0.lifetimeVariation': 0.3,
+  'emitters.0.temperature': 1.3,
+  'emitters.0.share': 1,
+  'emitters.0.envelope.start': IGNITION,
+  'emitters.0.envelope.duration': LANDING - IGNITION,
+  'emitters.0.envelope.period': PERIOD,
+  'emitters.0.envelope.fade': 0.3,
+  'colliders.0.shape': 0,
+  'colliders.0.position.y': 0.16,
+  'colliders.0.restitution': 0,
+  'colliders.0.friction': 0.05,
+  // The ground turns the blast aside while the rocket is near it: once when it leaves, once when it comes back.
+  ...blast(0, IGNITION, LIFTOFF + 2.6 - IGNITION),
+  ...blast(1, LANDING - 2.6, 2.6),
+  'buoyancy.acceleration': 0.25,
+  'buoyancy.coolingTime': 0.7,
+  'drag.rate': 1.8,
+};
+
+function blast(index: number, start: number, duration: number): Record<string, number> {
+  const key = `spirals.${index}`;
+  return {
+    [`${key}.inward`]: -2.6,
+    [`${key}.turn`]: 0,
+    [`${key}.coreRadius`]: 0.35,
+    [`${key}.reach`]: 4.2,
+    [`${key}.region.shape`]: 2,
+    [`${key}.region.size.x`]: 8,
+    [`${key}.region.size.y`]: 0.5,
+    [`${key}.region.size.z`]: 8,
+    [`${key}.region.softness`]: 0.5,
+    [`${key}.envelope.start`]: start,
+    [`${key}.envelope.duration`]: duration,
+    [`${key}.envelope.period`]: PERIOD,
+    [`${key}.envelope.fade`]: 0.5,
+  };
+}
