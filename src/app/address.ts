@@ -3,8 +3,15 @@ import type { Editor } from './editor.ts';
 
 const QUIET_MS = 300;
 
-/** The share link of what the page shows now. */
+/** The share link of what the page shows now; the smoke starts anew wherever it is opened. */
 export async function linkTo(editor: Editor): Promise<string> {
+  const address = new URL(await addressOf(editor));
+  for (const name of ['t', 'paused']) address.searchParams.delete(name);
+  return address.href;
+}
+
+/** What the address bar shall say. */
+async function addressOf(editor: Editor): Promise<string> {
   const address = new URL(location.href);
   address.hash = await encode(editor.state);
   return address.href;
@@ -21,7 +28,7 @@ export function followAddress(editor: Editor, arrive: (decoded: Decoded) => void
     clearTimeout(timer);
     timer = setTimeout(async () => {
       const started = timer;
-      const link = await linkTo(editor);
+      const link = await addressOf(editor);
       // A packed link takes a moment; if an edit came meanwhile, its own turn will write.
       if (timer === started) history.replaceState(history.state, '', link);
     }, QUIET_MS);

@@ -11,6 +11,9 @@ const paths = {
   sliders: 'M4 7h9M18 7h2M4 17h3M12 17h8M15.5 4.5v5M9.5 14.5v5',
   share: 'M12 15V3.5M7.5 7.5 12 3.5l4.5 4M5 12v8h14v-8',
   help: 'M8.5 8.5a3.6 3.6 0 1 1 5.2 3.3c-1.2.7-1.7 1.3-1.7 2.7M12 19.3v.4',
+  rename: 'M4.5 19.5l1-4.5L16 4.5l3.5 3.5L9 18.5zM13.5 7l3.5 3.5',
+  download: 'M12 4v11.5M7.5 11 12 15.5l4.5-4.5M5 20h14',
+  remove: 'M4.5 7h15M9 7V4h6v3M6.5 7l1 13h9l1-13',
 } as const;
 
 export type IconName = keyof typeof paths;

@@ -9,8 +9,9 @@ const TRANSIENT_MS = 6000;
 export class Notices {
   readonly element = create('div', {
     class: 'notices',
-    role: 'log',
-    'aria-live': 'polite',
+    role: 'status',
+    // Only what is new is read, not what still stands.
+    'aria-atomic': 'false',
     'aria-label': strings.notices.title,
   });
 
@@ -25,9 +26,14 @@ export class Notices {
     setTimeout(() => notice.remove(), TRANSIENT_MS);
   }
 
-  /** A message with something that people can do about it. */
-  offer(message: string, name: string, act: () => void): void {
-    this.add(message, 'notice').lastElementChild!.before(textButton('loud', name, act));
+  /** A message with something to do about it; it stays until that is done or it is dismissed. */
+  offer(message: string, action: string, act: () => void): void {
+    const button = textButton('quiet', action, () => {
+      notice.remove();
+      act();
+    });
+    const notice = this.add(message, 'notice');
+    notice.lastElementChild!.before(button);
   }
 
   private add(message: string, className: string): HTMLElement {

@@ -63,19 +63,6 @@ export class OwnShape {
     }
   }
 
-  /** Takes files that are dropped anywhere on the page. */
-  acceptDrops(page: HTMLElement): void {
-    page.addEventListener('dragover', (event) => {
-      if (event.dataTransfer?.types.includes('Files')) event.preventDefault();
-    });
-    page.addEventListener('drop', (event) => {
-      const file = event.dataTransfer?.files[0];
-      if (!file) return;
-      event.preventDefault();
-      void this.open(file);
-    });
-  }
-
   private giveUp(): void {
     this.stage.setPuffs();
     this.shown = undefined;

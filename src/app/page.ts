@@ -1,12 +1,15 @@
 import type { Stage } from '../stage/stage.ts';
 import { create, iconButton } from './dom.ts';
+import { acceptDrops } from './drops.ts';
 import type { Editor } from './editor.ts';
+import { SmokeFiles } from './files.ts';
 import { createHelp, toggleHelp } from './help.ts';
 import { icon } from './icons.ts';
 import type { Notices } from './notices.ts';
+import { OwnPresets } from './ownPresets.ts';
 import { OwnShape } from './ownShape.ts';
 import { createPanel, PANEL_ID } from './panel.ts';
-import { share } from './share.ts';
+import { ShareSheet } from './shareSheet.ts';
 import { createStatistics } from './statistics.ts';
 import { strings } from './strings.ts';
 import { createTransport } from './transport.ts';
@@ -36,8 +39,11 @@ export function buildPage(
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
   toggle.setAttribute('aria-controls', PANEL_ID);
   const ownShape = new OwnShape(stage, notices, host);
-  ownShape.acceptDrops(document.body);
-  const panel = createPanel(editor, stage, { puff: ownShape.element }, () => {
+  const files = new SmokeFiles(editor, stage, notices, host);
+  const sheet = new ShareSheet(editor, stage, files);
+  acceptDrops(document.body, (file) => void (isJson(file) ? files : ownShape).open(file));
+  const own = new OwnPresets(editor, stage, notices, files);
+  const panel = createPanel(editor, stage, { presets: own.element, puff: ownShape.element }, () => {
     page.togglePanel();
     toggle.focus();
   });
@@ -47,15 +53,19 @@ export function buildPage(
     document.body.classList.toggle('has-panel', isOpen);
   };
   const page: Page = {
-    share: () => void share(editor, notices, ownShape.name),
+    share: () => void sheet.open(ownShape.name),
     help: () => toggleHelp(help),
     nextView: () => views.next(),
     togglePanel: () => showPanel(panel.hidden !== false),
   };
-  host.append(createHeader(page, toggle), createTransport(stage), panel, help, views.element);
+  host.append(createHeader(page, toggle), createTransport(stage), panel, help, sheet.element, views.element);
   if (hasStatistics) host.append(createStatistics(stage));
   showPanel(matchMedia(ROOMY).matches);
   return page;
+}
+
+function isJson({ name }: File): boolean {
+  return name.toLowerCase().endsWith('.json');
 }
 
 function createHeader(page: Page, toggle: HTMLElement): HTMLElement {

@@ -11,7 +11,7 @@ import { strings } from './strings.ts';
 
 export const PANEL_ID = 'parameters';
 
-/** What stands below the rows of a group, by the group's key. */
+/** What stands below the rows of a group, by the group's key, or below the presets. */
 type Feet = Readonly<Record<string, HTMLElement>>;
 
 /** The panel of live parameters, made from the table. */
@@ -22,7 +22,8 @@ export function createPanel(editor: Editor, scene: SceneLists, feet: Feet, close
   const head = createHead(editor, close);
   const caption = create('p', { class: 'caption', 'aria-hidden': 'true' }, strings.panel.caption);
   const items = createItems(editor, scene);
-  const scroll = create('div', { class: 'scroll' }, chooser.element, ...createGroups(rows, feet), items.element);
+  const scroll = create('div', { class: 'scroll' }, chooser.element);
+  scroll.append(...(feet.presets ? [feet.presets] : []), ...createGroups(rows, feet), items.element);
   const panel = create('section', { id: PANEL_ID, class: 'panel card', 'aria-label': strings.panel.title });
   panel.append(head.element, scroll, caption);
   explainIn(caption, panel);

@@ -81,25 +81,6 @@ test('a preset is chosen, and a link of it typed into the address bar is taken u
   await expect(page.getByText('There is no parameter “bogus”')).toBeVisible();
 });
 
-test('Share copies the link and says so', async ({ page, context }) => {
-  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-  await open(page, `?paused=1${LIGHT}`);
-  await page.getByRole('button', { name: 'Share' }).click();
-  await expect(page.getByText('The link is copied.')).toBeVisible();
-  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(page.url());
-});
-
-test('where copying is refused, the link can be copied by hand', async ({ page }) => {
-  await page.addInitScript(() => {
-    if (isSecureContext) navigator.clipboard.writeText = () => Promise.reject(new Error('refused'));
-  });
-  await open(page, `?paused=1${LIGHT}`);
-  await page.keyboard.press('s');
-  await expect(page.getByLabel('Link to this smoke')).toHaveValue(page.url());
-  await page.keyboard.press('Escape');
-  await expect(page.getByRole('dialog')).toHaveCount(0);
-});
-
 test('hostile links leave a running page, a notice, and run nothing', async ({ page }) => {
   const script = encodeURIComponent('<img src=x onerror="document.title=1"><script>document.title=2</script>');
   const hostile = [

@@ -7,7 +7,7 @@ test('smoke appears and goes on', async ({ page }) => {
   const steps = await ask(page, (stage) => stage.stats.steps);
   await expect.poll(() => ask(page, (stage) => stage.stats.steps)).toBeGreaterThan(steps);
   await expect(page.getByRole('button', { name: 'Pause', exact: true })).toBeVisible();
-  await expect(page.getByRole('status')).toHaveCount(0);
+  await expect(page.getByRole('progressbar')).toHaveCount(0);
 });
 
 test('loading shows how far it is', async ({ page }) => {

@@ -1,0 +1,91 @@
+/** Presets and takes that come and go as files. */
+import type { State } from '../preset/codec.ts';
+import { FileError } from '../preset/errors.ts';
+import { nameOf, readFile, writeFile, type SmokeFile } from '../preset/file.ts';
+import { findPreset } from '../preset/presets.ts';
+import type { Stage } from '../stage/stage.ts';
+import { create, textButton } from './dom.ts';
+import { download } from './download.ts';
+import type { Editor } from './editor.ts';
+import { goToMoment } from './moment.ts';
+import type { Notices } from './notices.ts';
+import type { What } from './shareWhat.ts';
+import { strings } from './strings.ts';
+
+/** The largest file that is read: a take that begins with a hundred thousand particles has less. */
+const MOST_BYTES = 32 * 1024 * 1024;
+const SCHEMA = 'smoke-file.schema.json';
+
+/** Writes what the page shows into files, and shows what is in files. */
+export class SmokeFiles {
+  private readonly editor: Editor;
+  private readonly stage: Stage;
+  private readonly notices: Notices;
+  private readonly host: HTMLElement;
+
+  /** @param host where progress is shown */
+  constructor(editor: Editor, stage: Stage, notices: Notices, host: HTMLElement) {
+    this.editor = editor;
+    this.stage = stage;
+    this.notices = notices;
+    this.host = host;
+  }
+
+  /** Hands out a file of what is shown. @returns its name */
+  async save(what: What): Promise<string> {
+    const name = findPreset(this.editor.state.preset)?.label ?? strings.title;
+    const moment = { take: this.stage.take().toBytes(), seconds: this.stage.stats.time };
+    const file = { name, state: this.editor.state, ...(what === 'moment' && { moment }) };
+    return saveFile(file, what === 'moment' ? 'take' : 'preset');
+  }
+
+  /** Shows what is in a file, or says what is wrong with it; what was shown before can be undone to. */
+  async open(file: File): Promise<void> {
+    try {
+      if (file.size > MOST_BYTES) throw new FileError(strings.files.tooLarge(MOST_BYTES / 1024 / 1024));
+      const { state, moment, notices, name } = await readFile(await file.text());
+      for (const { message } of notices) this.notices.tell(message);
+      this.editor.load(state);
+      if (moment) await this.goTo(moment, state);
+      else this.notices.mention(strings.files.opened(name));
+    } catch (error) {
+      this.notices.tell(strings.files.refused(file.name, (error as Error).message));
+    }
+  }
+
+  /** A button that asks for a file. */
+  createOpener(): HTMLElement {
+    const chooser = create('input', { type: 'file', accept: '.json', hidden: true, 'aria-label': strings.files.open });
+    chooser.addEventListener('change', () => {
+      const file = chooser.files?.[0];
+      if (file) void this.open(file);
+      chooser.value = '';
+    });
+    const button = textButton('quiet', strings.files.open, () => chooser.click());
+    return create('span', {}, button, chooser);
+  }
+
+  private async goTo({ take, seconds }: NonNullable<SmokeFile['moment']>, state: State): Promise<void> {
+    // The stage takes up the values with the coming frame: later they would be something that was done to the take.
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+    await goToMoment(this.stage, { take, seconds, state, isTrusted: true }, this.notices, this.host);
+  }
+}
+
+/** Hands out a file. @returns its name */
+export async function saveFile(file: SmokeFile, kind: 'preset' | 'take'): Promise<string> {
+  const name = `${slug(file.name)}.${kind}.json`;
+  download(name, await writeFile(file, new URL(SCHEMA, document.baseURI).href));
+  return name;
+}
+
+/** Hands out the text of a file that was kept, under the name that it has now. */
+export async function saveText(text: string, name: string): Promise<string> {
+  return saveFile({ ...(await readFile(text)), name }, 'preset');
+}
+
+/** As systems take it for the name of a file. */
+function slug(name: string): string {
+  const plain = nameOf(name).toLowerCase().normalize('NFKD');
+  return plain.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'smoke';
+}

@@ -1,0 +1,118 @@
+import { MOST_NAME, nameOf, readFile, writeFile } from '../preset/file.ts';
+import { findPreset } from '../preset/presets.ts';
+import type { Stage } from '../stage/stage.ts';
+import { create, iconButton, textButton } from './dom.ts';
+import type { Editor } from './editor.ts';
+import { saveText, type SmokeFiles } from './files.ts';
+import { icon } from './icons.ts';
+import type { Notices } from './notices.ts';
+import { localShelf, type Kept } from './shelf.ts';
+import { strings } from './strings.ts';
+import { createThumbnail, drawThumbnail, shrink } from './thumbnail.ts';
+
+const words = strings.own;
+
+/** What the visitor has kept: cards to go back to, rename, save and remove, and a way to keep more. */
+export class OwnPresets {
+  /** For the panel. */
+  readonly element: HTMLElement;
+  private readonly editor: Editor;
+  private readonly stage: Stage;
+  private readonly notices: Notices;
+  private readonly shelf = localShelf();
+  private readonly cards = create('ul', { class: 'own-cards' });
+  private readonly keepButton = textButton('quiet', words.keep, () => void this.attempt(() => this.keep()));
+
+  constructor(editor: Editor, stage: Stage, notices: Notices, files: SmokeFiles) {
+    this.editor = editor;
+    this.stage = stage;
+    this.notices = notices;
+    const buttons = create('div', { class: 'own-buttons' }, this.keepButton, files.createOpener());
+    const attributes = { class: 'own-presets', role: 'group', 'aria-label': words.title, 'data-text': words.text };
+    this.element = create('div', attributes, create('h3', {}, words.title), this.cards, buttons);
+    this.shelf.onChange = () => this.show();
+    if (this.shelf.complaint !== undefined) notices.tell(this.shelf.complaint);
+    this.show();
+  }
+
+  private show(): void {
+    this.cards.replaceChildren(...this.shelf.all.map((kept) => this.createCard(kept)));
+    this.cards.hidden = this.shelf.all.length === 0;
+  }
+
+  private async keep(): Promise<void> {
+    const { state } = this.editor;
+    const mood = findPreset(state.preset)?.label ?? strings.title;
+    const name = words.numbered(mood, this.shelf.all.filter(({ name: other }) => other.startsWith(mood)).length + 1);
+    const picture = await shrink(await this.stage.picture());
+    const kept = this.shelf.keep(name, await writeFile({ name, state }, ''), picture);
+    this.notices.mention(words.kept(kept.name));
+  }
+
+  private createCard(kept: Kept): HTMLElement {
+    const { id, name } = kept;
+    const picture = createThumbnail();
+    void drawThumbnail(picture, kept.picture);
+    const label = create('span', {}, name);
+    const show = create('button', { type: 'button', class: 'own-show' }, picture, label);
+    show.addEventListener('click', () => void this.attempt(() => this.open(kept)));
+    const rename = iconButton('icon-button', words.rename(name), icon('rename'), () => this.rename(card, kept));
+    const save = iconButton('icon-button', words.save(name), icon('download'), () => this.save(kept));
+    const remove = iconButton('icon-button', words.remove(name), icon('remove'), () => this.remove(kept));
+    const card = create('li', { 'data-id': id }, show, create('div', {}, rename, save, remove));
+    return card;
+  }
+
+  private async open({ file, name }: Kept): Promise<void> {
+    const { state, notices } = await readFile(file);
+    for (const { message } of notices) this.notices.tell(message);
+    this.editor.load(state);
+    this.notices.mention(strings.files.opened(name));
+  }
+
+  /** Writes where the name stands: Enter and leaving keep it, Escape does not. */
+  private rename(card: HTMLElement, { id, name }: Kept): void {
+    const field = create('input', { type: 'text', value: name, maxlength: MOST_NAME, 'aria-label': words.newName });
+    let isDone = false;
+    const finish = (isKept: boolean) => {
+      if (isDone) return;
+      isDone = true;
+      void this.attempt(() => (isKept ? this.shelf.rename(id, nameOf(field.value)) : this.show()));
+      this.focusOn(id);
+    };
+    field.addEventListener('keydown', (event) => {
+      if (event.key !== 'Enter' && event.key !== 'Escape') return;
+      event.stopPropagation();
+      finish(event.key === 'Enter');
+    });
+    field.addEventListener('blur', () => finish(true));
+    card.append(field);
+    field.select();
+    field.focus();
+  }
+
+  private save({ file, name }: Kept): void {
+    void this.attempt(async () => void (await saveText(file, name)));
+  }
+
+  private remove({ id, name }: Kept): void {
+    void this.attempt(() => {
+      const bringBack = this.shelf.remove(id);
+      this.notices.offer(words.removed(name), words.bringBack, () => void this.attempt(bringBack));
+      this.keepButton.focus();
+    });
+  }
+
+  private focusOn(id: string): void {
+    this.cards.querySelector<HTMLElement>(`[data-id="${CSS.escape(id)}"] .own-show`)?.focus();
+  }
+
+  /** What cannot be done is said, and nothing has changed. */
+  private async attempt(action: () => void | Promise<void>): Promise<void> {
+    try {
+      await action();
+    } catch (error) {
+      this.notices.tell((error as Error).message);
+    }
+  }
+}

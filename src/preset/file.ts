@@ -1,0 +1,119 @@
+/**
+ * Presets and takes as files: JSON that people can read and edit, described by `public/smoke-file.schema.json`.
+ *
+ * What a file says of values is read as in a link: what cannot be used is told, the rest counts. A file that is none of
+ * ours is refused whole, with the place that is wrong.
+ */
+import { ownValues, readState, type State } from './codec.ts';
+import { FileError } from './errors.ts';
+import { jsonFault } from './jsonFault.ts';
+import { migrate, VERSION } from './migrations.ts';
+import { notice, quoteKey, summarise, type Notice } from './notice.ts';
+import { packBytes, unpackBytes } from './packing.ts';
+import { defaultPreset } from './presets.ts';
+
+export const FORMAT = 'cartoon-smoke';
+export const MOST_NAME = 60;
+/** What a take in a file may inflate to, bytes: a saved state of a million particles and all that can be done to it. */
+const MOST_TAKE_BYTES = 128 * 1024 * 1024;
+
+/** What a file holds. */
+export interface SmokeFile {
+  /** For people, 1 to 60 characters. */
+  readonly name: string;
+  readonly state: State;
+  /** Where it is more than a preset: how one moment came to be. */
+  readonly moment?: { readonly take: Uint8Array<ArrayBuffer>; readonly seconds: number };
+}
+
+/** @param schema address of the schema, for editors that check what is typed */
+export async function writeFile({ name, state, moment }: SmokeFile, schema: string): Promise<string> {
+  const content = {
+    $schema: schema,
+    format: FORMAT,
+    version: Number(VERSION),
+    name,
+    preset: state.preset,
+    values: Object.fromEntries(ownValues(state).map(([{ key }, value]) => [key, value])),
+    ...(moment && { moment: { seconds: moment.seconds, take: await packBytes(moment.take) } }),
+  };
+  return `${JSON.stringify(content, null, 2)}\n`;
+}
+
+/** @throws FileError that says what is wrong, and where */
+export async function readFile(text: string): Promise<SmokeFile & { notices: readonly Notice[] }> {
+  const content = parse(text);
+  if (content.format !== FORMAT) {
+    throw new FileError(`This is no file of cartoon smoke: it does not say "format": "${FORMAT}".`);
+  }
+  const notices: Notice[] = [];
+  const state = readState(migrate(pairsOf(content, notices), notices), notices, 'file');
+  const moment = content.moment === undefined ? undefined : await readMoment(content.moment);
+  return { name: nameOf(content.name), state, ...(moment && { moment }), notices: summarise(notices) };
+}
+
+function parse(text: string): Record<string, unknown> {
+  try {
+    return recordOf(JSON.parse(text), 'The file');
+  } catch (error) {
+    if (error instanceof FileError) throw error;
+    const fault = jsonFault(text);
+    const place = fault ? ` from line ${fault.line}, column ${fault.column} on` : '';
+    throw new FileError(`The file is no JSON${place}.`, { cause: error });
+  }
+}
+
+function recordOf(value: unknown, what: string): Record<string, unknown> {
+  if (typeof value === 'object' && value !== null && !Array.isArray(value)) return value as Record<string, unknown>;
+  throw new FileError(`${what} must be an object in braces, { }, not ${describe(value)}.`);
+}
+
+/** The values as text, as a link has them. */
+function pairsOf({ version, preset, values }: Record<string, unknown>, notices: Notice[]): Map<string, string> {
+  if (typeof version !== 'number') throw new FileError(`"version" must be a number, not ${describe(version)}.`);
+  const name = preset ?? defaultPreset.name;
+  if (typeof name !== 'string') throw new FileError(`"preset" must be a name, not ${describe(name)}.`);
+  const pairs = new Map([
+    ['v', String(version)],
+    ['preset', name],
+  ]);
+  for (const [key, value] of Object.entries(recordOf(values ?? {}, '"values"'))) {
+    if (key === 'v' || key === 'preset' || key === 'take') notices.push(unknown(key, value));
+    else if (typeof value === 'number' || typeof value === 'string') pairs.set(key, String(value));
+    else notices.push(unusable(key, value));
+  }
+  return pairs;
+}
+
+function unknown(key: string, value: unknown): Notice {
+  return notice('unknownKey', key, String(value), () => `There is no parameter ${quoteKey(key)}; it was ignored.`);
+}
+
+function unusable(key: string, value: unknown): Notice {
+  const tell = () => `${quoteKey(key)} cannot be ${describe(value)}; it was ignored.`;
+  return notice('malformed', key, describe(value), tell);
+}
+
+async function readMoment(value: unknown): Promise<NonNullable<SmokeFile['moment']>> {
+  const { seconds, take } = recordOf(value, '"moment"');
+  if (typeof seconds !== 'number' || seconds < 0) {
+    throw new FileError(`"seconds" of "moment" must be a number from 0 on, not ${describe(seconds)}.`);
+  }
+  if (typeof take !== 'string') throw new FileError(`"take" of "moment" must be a text, not ${describe(take)}.`);
+  const inflated = await unpackBytes(take, MOST_TAKE_BYTES).catch(() => undefined);
+  if (!inflated || inflated.isCut) throw new FileError('"take" of "moment" is damaged: part of it is missing.');
+  return { take: inflated.bytes, seconds };
+}
+
+/** A name that fits on a card, whatever stands there. */
+export function nameOf(value: unknown): string {
+  const text = typeof value === 'string' ? value.replace(/\p{C}/gu, ' ').trim() : '';
+  return text.slice(0, MOST_NAME) || 'Smoke';
+}
+
+function describe(value: unknown): string {
+  if (value === undefined) return 'left out';
+  if (value === null) return 'null';
+  if (Array.isArray(value)) return 'a list';
+  return typeof value === 'object' ? 'an object' : `a ${typeof value}`;
+}

@@ -1,0 +1,83 @@
+/** The schema of the files that `file.ts` reads and writes, made of the parameter table (JSON Schema 2020-12). */
+import { LEAST_STOPS, MOST_STOPS } from './curve.ts';
+import { FORMAT, MOST_NAME } from './file.ts';
+import { LIST_LIMIT } from './lists.ts';
+import { VERSION } from './migrations.ts';
+import type { Parameter } from './parameter.ts';
+import { presets } from './presets.ts';
+import { LEAST_COLORS, MOST_COLORS } from './ramp.ts';
+import { table } from './table.ts';
+
+type Schema = Readonly<Record<string, unknown>>;
+
+/** The whole schema as plain data. */
+export function fileSchema(): Schema {
+  return {
+    $schema: 'https://json-schema.org/draft/2020-12/schema',
+    title: 'A preset or a take of cartoon smoke',
+    type: 'object',
+    required: ['format', 'version', 'values'],
+    properties: {
+      $schema: { type: 'string' },
+      format: { const: FORMAT },
+      version: { const: Number(VERSION) },
+      name: { type: 'string', minLength: 1, maxLength: MOST_NAME, description: 'What people call it.' },
+      preset: { enum: presets.map(({ name }) => name), description: 'What it begins with; values change that.' },
+      values: valuesSchema(),
+      moment: MOMENT,
+    },
+    additionalProperties: false,
+  };
+}
+
+const MOMENT: Schema = {
+  type: 'object',
+  description: 'How one moment came to be; a file without it is a preset.',
+  required: ['seconds', 'take'],
+  properties: {
+    seconds: { type: 'number', minimum: 0, description: 'Simulated seconds.' },
+    take: { type: 'string', pattern: '^[\\w-]+$', description: 'What was done by step: base64url of deflate-raw.' },
+  },
+  additionalProperties: false,
+};
+
+/** The items of a list are alike: one pattern stands for all. */
+function valuesSchema(): Schema {
+  const single = table.filter(({ key }) => !/^\w+\.\d\./.test(key));
+  const first = table.filter(({ key }) => /^\w+\.0\./.test(key));
+  const pattern = (key: string) => `^${key.replace('.0.', `.[0-${LIST_LIMIT - 1}].`).replaceAll('.', '\\.')}$`;
+  return {
+    type: 'object',
+    description: 'What is otherwise than in the preset, by the keys of links.',
+    properties: Object.fromEntries(single.map((row) => [row.key, schemaOf(row)])),
+    patternProperties: Object.fromEntries(first.map((row) => [pattern(row.key), schemaOf(row)])),
+    additionalProperties: false,
+  };
+}
+
+function schemaOf(parameter: Parameter): Schema {
+  return { title: parameter.label, description: parameter.text, ...valueSchema(parameter) };
+}
+
+function valueSchema(parameter: Parameter): Schema {
+  switch (parameter.kind) {
+    case 'toggle':
+      return { enum: [0, 1] };
+    case 'choice':
+      return { enum: parameter.options.map(({ value }) => value) };
+    case 'color':
+      return { type: 'string', pattern: '^#[0-9a-fA-F]{6}$' };
+    case 'curve':
+      return { type: 'string', pattern: stops('[0-9.]+', LEAST_STOPS, MOST_STOPS), examples: [parameter.default] };
+    case 'ramp':
+      return { type: 'string', pattern: `^$|${stops('[0-9a-fA-F]{6}', LEAST_COLORS, MOST_COLORS)}` };
+    default:
+      return { type: parameter.kind, minimum: parameter.min, maximum: parameter.max };
+  }
+}
+
+/** Stops such as `0:1,.5:.8`; that their places rise no schema can say. */
+function stops(value: string, least: number, most: number): string {
+  const stop = `[0-9.]+:${value}`;
+  return `^${stop}(,${stop}){${least - 1},${most - 1}}$`;
+}
