@@ -32,7 +32,8 @@ export default defineConfig<object, WorkerOptions>({
     {
       name: 'pages',
       testMatch: isLong ? '**/e2e/**/*.long.spec.ts' : '**/e2e/**/*.spec.ts',
-      use: { showsBuiltSite: true },
+      // Each test meets the page for the first time; the service worker has tests of its own, beside the site's.
+      use: { showsBuiltSite: true, serviceWorkers: 'block' },
     },
   ],
   reporter: 'list',

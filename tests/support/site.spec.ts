@@ -1,16 +1,20 @@
 /** The built site on a plain host: from a folder deep inside, packed by gzip, under a strict Content-Security-Policy. */
-import { spawnSync } from 'node:child_process';
 import { cpSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { expect, test } from './fixtures.ts';
+import { script } from './server.ts';
 
 interface SiteServer {
   address: string;
   sent: { file: string; bytes: number }[];
   close(): Promise<void>;
+}
+interface SiteScript {
+  isFresh(): boolean;
+  bring(say: () => void): Promise<void>;
 }
 interface ServeScript {
   serveSite(folder: string, place: string, headers?: Record<string, string>): Promise<SiteServer>;
@@ -23,15 +27,15 @@ const STRICT = {
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:",
 };
 const WISP = '#v=1&preset=wisp&simulation.maxParticles=500';
-const { serveSite } = (await import(new URL('../../scripts/site/serve.mjs', import.meta.url).href)) as ServeScript;
+const { serveSite } = await script<ServeScript>('site/serve.mjs');
 
 let folder: string;
 let server: SiteServer;
 
-test.beforeAll(() => {
+test.beforeAll(async () => {
   test.setTimeout(300_000);
-  const build = spawnSync(process.execPath, [join(ROOT, 'scripts/build.mjs')], { encoding: 'utf8' });
-  expect(build.status, build.stderr).toBe(0);
+  const site = await script<SiteScript>('setup/site.mjs');
+  if (!site.isFresh()) await site.bring(() => {});
 });
 test.beforeEach(async () => {
   folder = mkdtempSync(join(tmpdir(), 'cartoon-smoke-site-'));
