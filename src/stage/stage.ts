@@ -7,6 +7,7 @@ import { defaults, requireOptional, validate } from '../preset/values.ts';
 import { demandShapes } from '../puffs/demandShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
+import { bakeAhead } from './bakeAhead.ts';
 import type { BlowInput } from './blow.ts';
 import type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { openScene, type OpenedScene } from './openScene.ts';
@@ -314,10 +315,11 @@ export class Stage {
  */
 export async function createStage(canvas: DeviceCanvas, options: StageOptions = {}): Promise<Stage> {
   validate(options.values ?? {});
-  const name = (options.values?.scene ?? defaults().scene) as string;
+  const values = { ...defaults(), ...options.values };
   const presenter = createPresenter(canvas, options.device, options);
   try {
-    return new Stage(canvas, presenter, await openScene(name, options.onProgress), options);
+    const [opened] = await Promise.all([openScene(values.scene as string, options.onProgress), bakeAhead(values)]);
+    return new Stage(canvas, presenter, opened, options);
   } catch (error) {
     presenter.dispose();
     throw error;
