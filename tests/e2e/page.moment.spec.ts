@@ -1,13 +1,13 @@
 import type { Page } from '@playwright/test';
+import { packBytes } from '../../src/preset/packing.ts';
 import { expect, test } from '../support/fixtures.ts';
-import { loadModule } from '../support/modules.ts';
 import { ask, ballPlace, expectValue, LIGHT, open } from './page.ts';
 
 test.use({ viewport: { width: 320, height: 240 } });
 
 /** Drags the ball, blows, and turns knobs while the smoke plays, then pauses. */
 async function play(page: Page): Promise<void> {
-  await open(page, `?ui=0${LIGHT}`);
+  await open(page, LIGHT);
   const ball = (await ballPlace(page))!;
   await page.mouse.move(ball.x, ball.y);
   await page.mouse.down();
@@ -21,13 +21,15 @@ async function play(page: Page): Promise<void> {
   await ask(page, (stage) => stage.step(45));
 }
 
-/** The link to what the page shows, as the page makes it. */
+/** The link to what the page shows, as the sheet has it. */
 async function momentLink(page: Page): Promise<string> {
-  const moment = await loadModule<typeof import('../../src/app/moment.ts')>(page, '/src/app/moment.ts');
-  return moment.evaluate(({ linkToMoment }) => {
-    const stage = window.cartoonSmoke!;
-    return linkToMoment({ preset: 'lamp', values: stage.get() }, stage);
-  });
+  const sheet = page.getByRole('dialog', { name: 'Share this smoke' });
+  await page.keyboard.press('s');
+  await expect(sheet.getByRole('button', { name: 'Copy link' })).toBeFocused();
+  await sheet.getByRole('radio', { name: 'This very moment' }).check();
+  const link = await sheet.getByLabel('Link to this smoke').inputValue();
+  await page.keyboard.press('Escape');
+  return link;
 }
 
 const shown = (page: Page) =>
@@ -57,8 +59,8 @@ test('a take comes to the same hash in another browser, and to an earlier moment
 test('what nobody touched is a moment by its time alone', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await ask(page, (stage) => stage.step(7));
-  expect(new URL(await momentLink(page)).search).toBe('?paused=1&t=0.117');
-  expect(new URL(await momentLink(page)).hash).toBe(LIGHT);
+  const { search, hash } = new URL(await momentLink(page));
+  expect([search, hash]).toEqual(['?paused=1&t=0.117', LIGHT]);
 });
 
 test('a long take is done again with progress, and can be stopped', async ({ page }) => {
@@ -76,12 +78,11 @@ test('a long take is done again with progress, and can be stopped', async ({ pag
 
 test('a moment that cannot be shown leaves the look, and a notice', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  const packing = await loadModule<typeof import('../../src/preset/packing.ts')>(page, '/src/preset/packing.ts');
-  const tooMany = await packing.evaluate(({ packBytes }) => {
-    const stage = window.cartoonSmoke!;
+  const bytes = await ask(page, (stage) => {
     stage.set({ 'simulation.maxParticles': 60_000 });
-    return packBytes(stage.take().toBytes());
+    return [...stage.take().toBytes()];
   });
+  const tooMany = await packBytes(Uint8Array.from(bytes));
   for (const [take, message] of [
     [tooMany, 'it holds 60000 particles; a link may hold 50000'],
     ['AAAA', 'The moment in the link is damaged'],
