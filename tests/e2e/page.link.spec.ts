@@ -81,26 +81,6 @@ test('a preset is chosen, and a link of it typed into the address bar is taken u
   await expect(page.getByText('There is no parameter “bogus”')).toBeVisible();
 });
 
-test('hostile links leave a running page, a notice, and run nothing', async ({ page }) => {
-  const script = encodeURIComponent('<img src=x onerror="document.title=1"><script>document.title=2</script>');
-  const hostile = [
-    `emission.rate=NaN&puff.size=1e308&scene=${script}&style.smokeColor=${script}`,
-    `${script}=${script}&__proto__=1&constructor.prototype.x=1`,
-    `preset=${script}`,
-    'z=%%%',
-    `z=${'A'.repeat(90_000)}`,
-    'x'.repeat(100_000),
-  ];
-  for (const link of hostile) {
-    await open(page, `?paused=1#v=1&emission.rate=20&simulation.maxParticles=100&${link}`);
-    await expect(page.locator('.notice').first()).toBeVisible();
-    await ask(page, (stage) => stage.step(2));
-    expect(await ask(page, (stage) => stage.stats.steps)).toBe(2);
-    expect(await page.title()).toBe('Cartoon Smoke');
-    expect(await page.locator('.notices img, .notices script').count()).toBe(0);
-  }
-});
-
 test('a link cannot ask for more than 50,000 particles', async ({ page }) => {
   await open(page, '?paused=1#v=1&simulation.maxParticles=1000000');
   expect(await valueOf(page, 'simulation.maxParticles')).toBe(50_000);
