@@ -29,6 +29,11 @@ export class OrbitCamera {
     this.reset();
   }
 
+  /** What it looks at. */
+  get centre(): Vector3 {
+    return this.target.clone();
+  }
+
   /** From the eye to the target, metres. */
   get distance(): number {
     return this.place.radius;

@@ -10,6 +10,7 @@ import type { OpenedScene } from './openScene.ts';
 import { Picture } from './picture.ts';
 import type { Presenter } from './presenter.ts';
 import { advanceTo } from './seek.ts';
+import { Sight } from './sight.ts';
 import { Simulation } from './simulation.ts';
 import { statsOf } from './stats.ts';
 
@@ -47,6 +48,11 @@ export class RunningScene {
 
   get gestures(): Gestures {
     return this.hands;
+  }
+
+  /** Ways between places of the scene and of its picture, as it was drawn last. */
+  get sight(): Sight {
+    return new Sight(this.picture, () => this.gestures.rigids(this.loop.clock.blend));
   }
 
   get scene(): Scene {

@@ -15,6 +15,7 @@ import type { Picture } from './picture.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
 import { RunningScene } from './runningScene.ts';
 import type { Simulation } from './simulation.ts';
+import type { Sight } from './sight.ts';
 import { noteOf, takeOf, type Take } from './take.ts';
 
 const HISTORY_BYTES = 64 * 1024 * 1024;
@@ -178,6 +179,11 @@ export class Stage {
   /** All values by flat key; optional ones only where somebody has set them. */
   get(): Values {
     return { ...this.#running.values };
+  }
+
+  /** Ways between places of the scene and of its picture, for who puts something over it. */
+  get sight(): Sight {
+    return this.#running.sight;
   }
 
   /** Names of the scene's rigids by their number, for people who attach something to one. */

@@ -1,0 +1,86 @@
+import { MathUtils, Vector3, type Matrix4 } from 'three';
+import type { Vector } from '../scenes/scene.ts';
+import type { Picture } from './picture.ts';
+
+/** A place of the picture, CSS pixels from the top left. */
+export interface PicturePlace {
+  x: number;
+  y: number;
+}
+
+/**
+ * Ways between places of the scene, metres, and of its picture. Places may be meant in the space of a rigid, by its
+ * number; -1 is the world's.
+ */
+export class Sight {
+  private readonly picture: Picture;
+  private readonly transforms: () => readonly Matrix4[];
+
+  /** @param transforms of the rigids as they are drawn, by their number */
+  constructor(picture: Picture, transforms: () => readonly Matrix4[]) {
+    this.picture = picture;
+    this.transforms = transforms;
+  }
+
+  /** What the eye looks at, in the world. */
+  get centre(): Vector {
+    return this.picture.eye.centre.toArray();
+  }
+
+  /** Where a place is seen; undefined behind the eye. */
+  project(place: Vector, rigid = -1): PicturePlace | undefined {
+    const point = this.toWorld(place, rigid);
+    if (this.depthOf(point) <= 0) return undefined;
+    const [width, height] = this.picture.size;
+    const { x, y } = point.project(this.picture.eye.camera);
+    return { x: ((x + 1) / 2) * width, y: ((1 - y) / 2) * height };
+  }
+
+  /** A place that lies so many CSS pixels to the right, up and towards the eye, in the space that it came in. */
+  shift(place: Vector, [right, up, near]: Vector, rigid = -1): Vector {
+    const point = this.toWorld(place, rigid);
+    const { camera } = this.picture.eye;
+    const [, height] = this.picture.size;
+    const angle = MathUtils.degToRad(camera.fov) / 2;
+    const metres = (2 * Math.max(this.depthOf(point), camera.near) * Math.tan(angle)) / Math.max(height, 1);
+    [right, up, near].forEach((pixels, axis) => point.addScaledVector(this.axis(axis), pixels * metres));
+    return this.fromWorld(point, rigid);
+  }
+
+  /** A direction or velocity in the world, of so much to the right, up and towards the eye in the picture. */
+  along([right, up, near]: Vector): Vector {
+    const sum = new Vector3();
+    [right, up, near].forEach((share, axis) => sum.addScaledVector(this.axis(axis), share));
+    return sum.toArray();
+  }
+
+  /** How much of a direction or velocity of the world goes to the right, up and towards the eye. */
+  across(direction: Vector): Vector {
+    const given = new Vector3(...direction);
+    return [given.dot(this.axis(0)), given.dot(this.axis(1)), given.dot(this.axis(2))];
+  }
+
+  /** The same place in the space of another rigid. */
+  change(place: Vector, from: number, to: number): Vector {
+    return this.fromWorld(this.toWorld(place, from), to);
+  }
+
+  private axis(index: number): Vector3 {
+    return new Vector3().setFromMatrixColumn(this.picture.eye.camera.matrixWorld, index);
+  }
+
+  private depthOf(point: Vector3): number {
+    return -point.clone().applyMatrix4(this.picture.eye.camera.matrixWorldInverse).z;
+  }
+
+  private toWorld(place: Vector, rigid: number): Vector3 {
+    const transform = this.transforms()[rigid];
+    const point = new Vector3(...place);
+    return transform ? point.applyMatrix4(transform) : point;
+  }
+
+  private fromWorld(point: Vector3, rigid: number): Vector {
+    const transform = this.transforms()[rigid];
+    return (transform ? point.applyMatrix4(transform.clone().invert()) : point).toArray();
+  }
+}
