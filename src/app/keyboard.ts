@@ -2,10 +2,18 @@
 export interface KeyActions {
   togglePlaying(): void;
   step(): void;
+  stepBack(): void;
+  /** Goes on or back by seconds. */
+  shift(seconds: number): void;
   restart(): void;
   share(): void;
   help(): void;
   togglePanel(): void;
+  search(): void;
+  toggleGallery(): void;
+  toggleGizmos(): void;
+  toggleStatistics(): void;
+  fullScreen(): void;
   nextView(): void;
   undo(): void;
   redo(): void;
@@ -31,7 +39,7 @@ const DIRECTIONS: Readonly<Record<string, Direction>> = {
 const ZOOM_STEP = 1.15;
 
 /** Holding these down does them again and again. */
-const REPEATING = new Set(['.', '+', '=', '-']);
+const REPEATING = new Set([',', '.', '[', ']', '+', '=', '-']);
 
 /** Listens to the keys of the whole page, but leaves alone what a focused input needs itself. */
 export function listenToKeys(actions: KeyActions): void {
@@ -65,10 +73,18 @@ function simpleKeys(actions: KeyActions): Readonly<Record<string, () => void>> {
   return {
     ' ': () => actions.togglePlaying(),
     '.': () => actions.step(),
+    ',': () => actions.stepBack(),
+    '[': () => actions.shift(-1),
+    ']': () => actions.shift(1),
     r: () => actions.restart(),
     s: () => actions.share(),
     p: () => actions.togglePanel(),
     v: () => actions.nextView(),
+    '/': () => actions.search(),
+    g: () => actions.toggleGallery(),
+    h: () => actions.toggleGizmos(),
+    i: () => actions.toggleStatistics(),
+    f: () => actions.fullScreen(),
     '?': () => actions.help(),
     '0': () => actions.resetView(),
     '+': () => actions.zoom(ZOOM_STEP),

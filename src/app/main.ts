@@ -10,6 +10,7 @@ import { connectStage } from './connect.ts';
 import { textButton } from './dom.ts';
 import { Editor } from './editor.ts';
 import { fitStage, pixelRatio, restWhileHidden } from './fit.ts';
+import { toggleFullScreen } from './fullScreen.ts';
 import { listenToKeys } from './keyboard.ts';
 import { goToMoment, type Moment } from './moment.ts';
 import { Notices } from './notices.ts';
@@ -18,6 +19,7 @@ import { buildPage, type Page } from './page.ts';
 import { Pointers } from './pointer.ts';
 import { Progress, windForward } from './progress.ts';
 import { createRefusal } from './refusal.ts';
+import { Scrubber } from './scrubber.ts';
 import { strings } from './strings.ts';
 import { takeStep, togglePlaying } from './transport.ts';
 
@@ -58,8 +60,9 @@ async function start(): Promise<void> {
     // The stage takes up the values with the coming frame: later they would be something that was done to the take.
     if (shared) requestAnimationFrame(() => void goToMoment(stage, shared, notices, host));
   });
-  const page = buildPage(host, editor, stage, notices, environment.hasStatistics);
-  connectInput(stage, editor, page);
+  const scrubber = new Scrubber(stage);
+  const page = buildPage(host, { editor, stage, notices, scrubber, hasStatistics: environment.hasStatistics });
+  connectInput(stage, editor, page, scrubber);
   fitStage(stage, canvas);
   restWhileHidden(stage);
   await begin(stage, moment ? { ...environment, time: 0 } : environment, notices);
@@ -116,13 +119,16 @@ function offerToPlay(stage: Stage): void {
   host.append(button);
 }
 
-function connectInput(stage: Stage, editor: Editor, page: Page): void {
+function connectInput(stage: Stage, editor: Editor, page: Page, scrubber: Scrubber): void {
   const ball = new BallKeys(stage);
   new Pointers(stage, canvas);
   listenToKeys({
     ...page,
     togglePlaying: () => togglePlaying(stage),
     step: () => takeStep(stage),
+    stepBack: () => void scrubber.stepBack(),
+    shift: (seconds) => void scrubber.shift(seconds),
+    fullScreen: () => void toggleFullScreen(),
     restart: () => stage.restart(),
     undo: () => editor.undo(),
     redo: () => editor.redo(),

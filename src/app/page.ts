@@ -1,18 +1,20 @@
 import type { Stage } from '../stage/stage.ts';
+import { createDock } from './dock.ts';
 import { create, iconButton } from './dom.ts';
 import { acceptDrops } from './drops.ts';
 import type { Editor } from './editor.ts';
 import { SmokeFiles } from './files.ts';
+import { Gizmos } from './gizmos.ts';
 import { createHelp, toggleHelp } from './help.ts';
 import { icon } from './icons.ts';
 import type { Notices } from './notices.ts';
 import { OwnPresets } from './ownPresets.ts';
 import { OwnShape } from './ownShape.ts';
 import { createPanel, PANEL_ID } from './panel.ts';
+import type { Scrubber } from './scrubber.ts';
 import { ShareSheet } from './shareSheet.ts';
 import { createStatistics } from './statistics.ts';
 import { strings } from './strings.ts';
-import { createTransport } from './transport.ts';
 import { Views } from './views.ts';
 
 /** What the keys need of the page's controls. */
@@ -21,19 +23,28 @@ export interface Page {
   help(): void;
   togglePanel(): void;
   nextView(): void;
+  search(): void;
+  toggleGallery(): void;
+  toggleGizmos(): void;
+  toggleStatistics(): void;
 }
 
 /** On a phone the panel covers half of the smoke, so it starts closed there. */
 const ROOMY = '(min-width: 701px) and (min-height: 501px)';
 
+/** What the controls act on and talk through. */
+export interface PageParts {
+  readonly editor: Editor;
+  readonly stage: Stage;
+  readonly notices: Notices;
+  readonly scrubber: Scrubber;
+  /** Whether statistics are shown from the start. */
+  readonly hasStatistics: boolean;
+}
+
 /** Puts the controls over the canvas. @param host the element that holds them */
-export function buildPage(
-  host: HTMLElement,
-  editor: Editor,
-  stage: Stage,
-  notices: Notices,
-  hasStatistics: boolean,
-): Page {
+export function buildPage(host: HTMLElement, parts: PageParts): Page {
+  const { editor, stage, notices, scrubber } = parts;
   const help = createHelp();
   const views = new Views(stage);
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
@@ -47,6 +58,12 @@ export function buildPage(
     page.togglePanel();
     toggle.focus();
   });
+  const dock = createDock(editor, stage, scrubber);
+  const gizmos = new Gizmos(editor, stage);
+  const gizmoToggle = iconButton('icon-button', strings.gizmos.title, icon('handles'), () => page.toggleGizmos());
+  gizmoToggle.setAttribute('aria-pressed', 'false');
+  const statistics = createStatistics(stage);
+  statistics.toggle(parts.hasStatistics);
   const showPanel = (isOpen: boolean) => {
     panel.hidden = !isOpen;
     toggle.setAttribute('aria-expanded', String(isOpen));
@@ -57,9 +74,24 @@ export function buildPage(
     help: () => toggleHelp(help),
     nextView: () => views.next(),
     togglePanel: () => showPanel(panel.hidden !== false),
+    search: () => {
+      showPanel(true);
+      panel.querySelector<HTMLElement>('.search-field')!.focus();
+    },
+    toggleGallery: () => dock.toggleGallery(),
+    toggleGizmos: () => gizmoToggle.setAttribute('aria-pressed', String(gizmos.toggle())),
+    toggleStatistics: () => statistics.toggle(),
   };
-  host.append(createHeader(page, toggle), createTransport(stage), panel, help, sheet.element, views.element);
-  if (hasStatistics) host.append(createStatistics(stage));
+  host.append(
+    gizmos.element,
+    createHeader(page, gizmoToggle, toggle),
+    dock.element,
+    panel,
+    help,
+    sheet.element,
+    views.element,
+    statistics.element,
+  );
   showPanel(matchMedia(ROOMY).matches);
   return page;
 }
@@ -68,11 +100,11 @@ function isJson({ name }: File): boolean {
   return name.toLowerCase().endsWith('.json');
 }
 
-function createHeader(page: Page, toggle: HTMLElement): HTMLElement {
+function createHeader(page: Page, ...toggles: HTMLElement[]): HTMLElement {
   const shareButton = create('button', { type: 'button', class: 'loud' }, icon('share'), strings.share.button);
   shareButton.addEventListener('click', () => page.share());
   const helpButton = iconButton('icon-button', strings.help.button, icon('help'), () => page.help());
-  const actions = create('div', { class: 'actions card' }, shareButton, helpButton, toggle);
+  const actions = create('div', { class: 'actions card' }, shareButton, helpButton, ...toggles);
   return create('header', { class: 'top' }, createWordmark(), actions);
 }
 

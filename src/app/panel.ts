@@ -1,12 +1,13 @@
 import type { State } from '../preset/codec.ts';
 import type { Parameter } from '../preset/parameter.ts';
 import { groups, table } from '../preset/table.ts';
-import { createChooser } from './chooser.ts';
 import { create, iconButton, textButton } from './dom.ts';
 import type { Editor } from './editor.ts';
 import { icon } from './icons.ts';
 import { createItems, type SceneLists } from './items.ts';
 import { createRow, type Row } from './row.ts';
+import { createSearch } from './search.ts';
+import { SheetGrip } from './sheet.ts';
 import { strings } from './strings.ts';
 
 export const PANEL_ID = 'parameters';
@@ -18,17 +19,15 @@ type Feet = Readonly<Record<string, HTMLElement>>;
 export function createPanel(editor: Editor, scene: SceneLists, feet: Feet, close: () => void): HTMLElement {
   const shown = table.filter((parameter) => hasChoice(parameter) && isOfPanel(parameter));
   const rows = new Map(shown.map((parameter) => [parameter, createRow(parameter, editor)]));
-  const chooser = createChooser(editor);
   const head = createHead(editor, close);
   const caption = create('p', { class: 'caption', 'aria-hidden': 'true' }, strings.panel.caption);
   const items = createItems(editor, scene);
-  const scroll = create('div', { class: 'scroll' }, chooser.element);
-  scroll.append(...(feet.presets ? [feet.presets] : []), ...createGroups(rows, feet), items.element);
+  const scroll = create('div', { class: 'scroll' }, ...(feet.presets ? [feet.presets] : []));
+  scroll.append(...createGroups(rows, feet), items.element);
   const panel = create('section', { id: PANEL_ID, class: 'panel card', 'aria-label': strings.panel.title });
-  panel.append(head.element, scroll, caption);
+  panel.append(new SheetGrip(panel, close).element, head.element, createSearch(rows, scroll), scroll, caption);
   explainIn(caption, panel);
   const show = (state: State) => {
-    chooser.show(state);
     head.show();
     const base = editor.base;
     items.show(state);

@@ -5,12 +5,14 @@ import { strings } from './strings.ts';
 
 const REFRESH_MS = 250;
 
-/** The figures of the stage, for `?stats=1`. */
-export function createStatistics(stage: Stage): HTMLElement {
-  const output = create('pre', { class: 'statistics', 'aria-label': strings.statistics.title });
+/** The figures of the stage, for `?stats=1` and on demand. */
+export function createStatistics(stage: Stage): { element: HTMLElement; toggle(isShown?: boolean): void } {
+  const output = create('pre', { class: 'statistics', role: 'region', hidden: true });
+  output.setAttribute('aria-label', strings.statistics.title);
   let last = Number.NEGATIVE_INFINITY;
   let frames = 0;
   stage.on('frame', (stats) => {
+    if (output.hidden) return;
     frames += 1;
     const elapsed = performance.now() - last;
     if (elapsed < REFRESH_MS) return;
@@ -18,7 +20,14 @@ export function createStatistics(stage: Stage): HTMLElement {
     last = performance.now();
     frames = 0;
   });
-  return output;
+  return {
+    element: output,
+    toggle(isShown = output.hidden !== false) {
+      output.hidden = !isShown;
+      // In a pause no frame would tell.
+      output.textContent = describe(stage.stats, 0);
+    },
+  };
 }
 
 function describe(stats: StageStats, framesPerSecond: number): string {

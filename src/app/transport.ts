@@ -1,18 +1,25 @@
 import type { Stage } from '../stage/stage.ts';
 import { create, iconButton } from './dom.ts';
+import { createFullScreenButton } from './fullScreen.ts';
 import { icon } from './icons.ts';
+import type { Scrubber } from './scrubber.ts';
 import { strings } from './strings.ts';
+import { createTimeline } from './timeline.ts';
 
 // The clock changes this often; every frame would only flicker.
 const READOUT_MS = 100;
 
-/** Play, pause, step, start over, speed, and the simulated time. */
-export function createTransport(stage: Stage): HTMLElement {
+/**
+ * Play, pause, step, start over, a line to go back and forth on, the simulated time, speed and full screen.
+ * @param last a button behind all others
+ */
+export function createTransport(stage: Stage, scrubber: Scrubber, last: HTMLElement): HTMLElement {
   const { title, restart, step } = strings.transport;
   const restartButton = iconButton('icon-button', restart, icon('restart'), () => stage.restart());
   const stepButton = iconButton('icon-button', step, icon('step'), () => takeStep(stage));
   const bar = create('div', { class: 'transport card', role: 'group', 'aria-label': title });
-  bar.append(restartButton, createPlayButton(stage), stepButton, createSpeed(stage), createReadout(stage));
+  bar.append(restartButton, createPlayButton(stage), stepButton);
+  bar.append(createTimeline(stage, scrubber), createReadout(stage), createSpeed(stage), createFullScreenButton(), last);
   return bar;
 }
 

@@ -1,0 +1,30 @@
+import type { Stage } from '../stage/stage.ts';
+import { create, iconButton } from './dom.ts';
+import type { Editor } from './editor.ts';
+import { createGallery } from './gallery.ts';
+import { icon } from './icons.ts';
+import type { Scrubber } from './scrubber.ts';
+import { strings } from './strings.ts';
+import { createTransport } from './transport.ts';
+
+/** What stands below the smoke: the transport, and the gallery, which can be put away. */
+export interface Dock {
+  readonly element: HTMLElement;
+  toggleGallery(): void;
+}
+
+export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber): Dock {
+  const gallery = createGallery(editor);
+  const toggle = iconButton('icon-button', strings.gallery.toggle, icon('pictures'), () => dock.toggleGallery());
+  const show = (isOpen: boolean) => {
+    gallery.hidden = !isOpen;
+    toggle.setAttribute('aria-expanded', String(isOpen));
+  };
+  const element = create('div', { class: 'dock' }, createTransport(stage, scrubber, toggle), gallery);
+  const dock = { element, toggleGallery: () => show(gallery.hidden !== false) };
+  show(innerHeight >= LEAST_HEIGHT);
+  return dock;
+}
+
+/** Lower windows, such as phones on their side, keep their height for the smoke at first. CSS pixels. */
+const LEAST_HEIGHT = 600;

@@ -1,0 +1,68 @@
+import type { State } from '../preset/codec.ts';
+import { presets, presetValues, type Preset } from '../preset/presets.ts';
+import { findParameter } from '../preset/table.ts';
+import { create } from './dom.ts';
+import type { Editor } from './editor.ts';
+import { strings } from './strings.ts';
+
+/** Pixels of a thumbnail; `npm run thumbnails` makes them. */
+const SIZE = { width: 192, height: 128 };
+
+/**
+ * The presets as a strip of pictures, those of a scene together: radio buttons, so that it is one stop for Tab and the
+ * arrow keys go along it.
+ */
+export function createGallery(editor: Editor): HTMLElement {
+  const inputs = new Map(presets.map((preset) => [preset.name, createInput(preset, editor)]));
+  const scenes = [...byScene()].map(([scene, members]) =>
+    createScene(
+      scene,
+      members.map((preset) => createCard(preset, inputs.get(preset.name)!)),
+    ),
+  );
+  const label = { class: 'gallery card', role: 'radiogroup', 'aria-label': strings.gallery.title };
+  const element = create('section', label, ...scenes);
+  const show = ({ preset }: State) => {
+    for (const [name, input] of inputs) input.checked = name === preset;
+  };
+  editor.listen(show);
+  show(editor.state);
+  return element;
+}
+
+function byScene(): ReadonlyMap<string, Preset[]> {
+  const scenes = new Map<string, Preset[]>();
+  for (const preset of presets) {
+    const scene = String(presetValues(preset).scene);
+    scenes.set(scene, [...(scenes.get(scene) ?? []), preset]);
+  }
+  return scenes;
+}
+
+function createScene(scene: string, cards: readonly HTMLElement[]): HTMLElement {
+  const row = findParameter('scene')!;
+  const label = (row.kind === 'choice' && row.options.find(({ value }) => value === scene)?.label) || scene;
+  const heading = create('span', { class: 'gallery-scene', 'aria-hidden': 'true' }, label);
+  const shelf = create('div', { class: 'gallery-shelf' }, ...cards);
+  return create('div', { role: 'group', 'aria-label': label }, heading, shelf);
+}
+
+function createInput({ name }: Preset, editor: Editor): HTMLInputElement {
+  const input = create('input', { type: 'radio', name: 'preset', value: name });
+  input.addEventListener('change', () => editor.choose(name));
+  input.addEventListener('focus', () => input.parentElement!.scrollIntoView({ block: 'nearest', inline: 'nearest' }));
+  return input;
+}
+
+function createCard({ name, label, text }: Preset, input: HTMLInputElement): HTMLElement {
+  const source = `./thumbnails/${name}.webp`;
+  const picture = create('img', {
+    src: source,
+    alt: '',
+    ...SIZE,
+    loading: 'lazy',
+    decoding: 'async',
+    draggable: 'false',
+  });
+  return create('label', { class: 'gallery-card', title: text }, input, picture, create('span', {}, label));
+}

@@ -1,0 +1,59 @@
+import { AxeBuilder } from '@axe-core/playwright';
+import type { Page } from '@playwright/test';
+import { expect, test } from '../support/fixtures.ts';
+import { LIGHT, open } from './page.ts';
+
+/** What axe finds wrong, in short: the rule and where. */
+async function expectNoFaults(page: Page, view: string): Promise<void> {
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  const faults = violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${String(target)}`));
+  expect(faults, view).toEqual([]);
+}
+
+test('axe finds nothing on the page, its panel, its handles and its dialogs', async ({ page }) => {
+  await page.setViewportSize({ width: 1024, height: 720 });
+  await open(page, `?paused=1&stats=1${LIGHT}&bogus=1`);
+  await expectNoFaults(page, 'panel, gallery, statistics and a message');
+  for (const summary of await page.locator('summary').all()) await summary.click();
+  await page.keyboard.press('h');
+  await page.getByRole('button', { name: 'Add a vortex' }).click();
+  await expectNoFaults(page, 'the other groups and the handles');
+  await page.keyboard.press('?');
+  await expectNoFaults(page, 'help');
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test('axe finds nothing, with the sheet and without', async ({ page }) => {
+    await open(page, `?paused=1${LIGHT}`);
+    await expectNoFaults(page, 'page');
+    await page.getByRole('button', { name: 'Parameters', exact: true }).tap();
+    await expectNoFaults(page, 'sheet');
+  });
+});
+
+test.describe('with reduced motion, at 200 %', () => {
+  // A window of 1280 x 720 at 200 % has so many CSS pixels.
+  test.use({ viewport: { width: 640, height: 360 }, contextOptions: { reducedMotion: 'reduce' } });
+
+  test('axe finds nothing beside the still picture, and nothing lies out of reach', async ({ page }) => {
+    await open(page, LIGHT);
+    await expect(page.getByRole('button', { name: 'Play the smoke' })).toBeVisible();
+    await expectNoFaults(page, 'still picture');
+    const outside = await page.evaluate(() =>
+      [...document.querySelectorAll('header button, .transport button, .transport select')]
+        .filter((element) => element.checkVisibility())
+        .map((element) => ({ name: element.getAttribute('aria-label'), box: element.getBoundingClientRect() }))
+        .filter(({ box }) => box.left < 0 || box.top < 0 || box.right > innerWidth || box.bottom > innerHeight)
+        .map(({ name }) => name),
+    );
+    expect(outside).toEqual([]);
+  });
+});
+
+test('axe finds nothing on the page about the paper', async ({ page }) => {
+  await page.goto('/paper.html');
+  await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
+  await expectNoFaults(page, 'paper');
+});

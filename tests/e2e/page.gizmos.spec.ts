@@ -1,0 +1,89 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../support/fixtures.ts';
+import { ask, LIGHT, open } from './page.ts';
+import { fingerOf, middleOf, mouseOf, type Drag } from './touch.ts';
+
+const handle = (key: string) => `[data-gizmo="${key}"]`;
+const numberOf = (page: Page, key: string) =>
+  page.evaluate((name) => {
+    const stage = window.cartoonSmoke!;
+    return Number({ ...stage.rig, ...stage.get() }[name] ?? 0);
+  }, key);
+const link = (page: Page) => page.evaluate(() => decodeURIComponent(location.hash));
+/** Few pixels of the picture, enough to tell two apart. */
+const pictureOf = (page: Page) =>
+  ask(page, async (stage) => {
+    const bytes = new Uint8Array(await (await stage.picture()).arrayBuffer());
+    return bytes.reduce((sum, byte, index) => (sum * 31 + byte + index) % 2147483647, 7);
+  });
+
+/** Drags a handle and sees value, picture, link and undo follow. */
+async function expectGesture(page: Page, drag: Drag, key: string, value: string, by: { x: number; y: number }) {
+  const before = { number: await numberOf(page, value), picture: await pictureOf(page) };
+  const from = await middleOf(page, handle(key));
+  const to = { x: from.x + by.x, y: from.y + by.y };
+  await drag(from, to);
+  await expect.poll(() => numberOf(page, value), { message: `${key} moves ${value}` }).not.toBe(before.number);
+  const after = await numberOf(page, value);
+  await expect.poll(() => link(page), { message: 'link' }).toContain(`${value}=${after}`);
+  const moved = await middleOf(page, handle(key));
+  expect(Math.hypot(moved.x - to.x, moved.y - to.y), `the handle of ${key} is where it was let go`).toBeLessThan(4);
+  // The others act on smoke that is yet to come.
+  if (key === 'light') expect(await pictureOf(page), 'picture').not.toBe(before.picture);
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => numberOf(page, value), { message: 'undone' }).toBe(before.number);
+  await page.keyboard.press('Control+Shift+z');
+  await expect.poll(() => numberOf(page, value), { message: 'done again' }).toBe(after);
+}
+
+async function expectAllGestures(page: Page, drag: Drag) {
+  await expectGesture(page, drag, 'light', 'light.azimuth', { x: -60, y: 12 });
+  await expectGesture(page, drag, 'wind', 'forces.wind.x', { x: 50, y: -10 });
+  await expectGesture(page, drag, 'emitters.0', 'emitters.0.position.x', { x: -30, y: -24 });
+  await page.getByRole('button', { name: 'Add a vortex' }).click();
+  await expect.poll(() => numberOf(page, 'vortices.1.circulation')).not.toBe(0);
+  await expectGesture(page, drag, 'vortices.1', 'vortices.1.position.y', { x: 20, y: -30 });
+}
+
+test('handles of sun, wind, emitter and vortex follow the mouse and the keys', async ({ page }) => {
+  await page.setViewportSize({ width: 690, height: 480 });
+  await open(page, `?paused=1${LIGHT}`);
+  await expect(page.locator('.gizmo').filter({ visible: true })).toHaveCount(0);
+  await page.keyboard.press('h');
+  await expectAllGestures(page, mouseOf(page));
+
+  for (const [key, value, press] of [
+    ['light', 'light.elevation', 'ArrowUp'],
+    ['wind', 'forces.wind.y', 'ArrowUp'],
+    ['emitters.0', 'emitters.0.position.z', 'PageDown'],
+    ['vortices.1', 'vortices.1.position.x', 'ArrowLeft'],
+  ]) {
+    const before = await numberOf(page, value);
+    await page.locator(handle(key)).press(press);
+    await expect.poll(() => numberOf(page, value), { message: `${press} moves ${value}` }).not.toBe(before);
+  }
+
+  // Attached it stays where it is seen, and then goes where the ball goes.
+  const place = await middleOf(page, handle('vortices.1'));
+  await page.getByLabel('Vortex 2 rides on').selectOption({ label: 'Ball' });
+  await expect.poll(() => link(page)).toContain('vortices.1.rigid=0');
+  const attached = await middleOf(page, handle('vortices.1'));
+  expect(Math.hypot(attached.x - place.x, attached.y - place.y)).toBeLessThan(3);
+  await ask(page, (stage) => {
+    stage.nudge({ dx: -0.5 });
+    stage.step(30);
+  });
+  await expect.poll(async () => (await middleOf(page, handle('vortices.1'))).x).toBeLessThan(place.x - 20);
+  await page.keyboard.press('h');
+  await expect(page.locator('.gizmo').filter({ visible: true })).toHaveCount(0);
+});
+
+test.describe('by touch', () => {
+  test.use({ viewport: { width: 390, height: 600 }, hasTouch: true, isMobile: true });
+
+  test('handles follow a finger', async ({ page }) => {
+    await open(page, `?paused=1${LIGHT}`);
+    await page.getByRole('button', { name: 'Handles' }).tap();
+    await expectAllGestures(page, await fingerOf(page));
+  });
+});

@@ -1,0 +1,75 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from '../support/fixtures.ts';
+import { ask, LIGHT, open } from './page.ts';
+import { fingerOf, mouseOf, type Drag } from './touch.ts';
+
+const stepsOf = (page: Page) => ask(page, (stage) => stage.stats.steps);
+const hashOf = (page: Page) => ask(page, (stage) => stage.hash());
+const line = (page: Page) => page.getByRole('slider', { name: 'Time line' });
+
+/** Drags the knob from one moment to another, seconds. */
+async function scrub(page: Page, drag: Drag, from: number, to: number): Promise<void> {
+  const box = (await line(page).boundingBox())!;
+  const most = Number(await line(page).getAttribute('max'));
+  // The knob's middle stays inside the line by half its width.
+  const place = (seconds: number) => ({
+    x: box.x + 8 + ((box.width - 16) * seconds) / most,
+    y: box.y + box.height / 2,
+  });
+  await drag(place(from), place(to));
+}
+
+/** Forth, back and forth again: the same moment has the same smoke. */
+async function expectScrubbing(page: Page, drag: Drag): Promise<void> {
+  await scrub(page, drag, 0, 2);
+  await expect.poll(() => stepsOf(page), { message: 'about two seconds' }).toBeGreaterThan(90);
+  await expect
+    .poll(async () => Math.abs((await stepsOf(page)) / 60 - (await line(page).inputValue().then(Number))))
+    .toBe(0);
+  const [steps, hash] = [await stepsOf(page), await hashOf(page)];
+  await scrub(page, drag, steps / 60, 0.5);
+  await expect.poll(() => stepsOf(page)).toBeLessThan(60);
+  await ask(page, (stage) => stage.seek(0));
+  await page.evaluate((seconds) => window.cartoonSmoke!.seek(seconds), steps / 60);
+  expect(await hashOf(page)).toBe(hash);
+}
+
+test('the time line goes forth and back by mouse and keys', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await expectScrubbing(page, mouseOf(page));
+  const steps = await stepsOf(page);
+  await page.keyboard.press(',');
+  await expect.poll(() => stepsOf(page)).toBe(steps - 1);
+  await page.locator('canvas').focus();
+  await page.keyboard.press('[');
+  await expect.poll(() => stepsOf(page)).toBe(steps - 61);
+  await page.keyboard.press(']');
+  await expect.poll(() => stepsOf(page)).toBe(steps - 1);
+  await page.keyboard.press('i');
+  await expect(page.locator('.statistics')).toContainText('alive');
+  await page.keyboard.press('f');
+  await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(true);
+  await page.keyboard.press('f');
+  await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(false);
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test('a finger scrubs, and chooses presets in the gallery', async ({ page }) => {
+    await open(page, `?paused=1${LIGHT}`);
+    await expectScrubbing(page, await fingerOf(page));
+    const gallery = page.getByRole('radiogroup', { name: 'Presets' });
+    await gallery.getByRole('radio', { name: 'Noir' }).tap();
+    await expect.poll(() => ask(page, (stage) => stage.get()['style.tones'])).toBe(1);
+    await expect.poll(() => page.evaluate(() => location.hash)).toBe('#v=1&preset=lamp-noir');
+    await page.keyboard.press('ArrowRight');
+    await expect(gallery.getByRole('radio', { name: 'Sunset' })).toBeChecked();
+    await page.keyboard.press('Control+z');
+    await expect(gallery.getByRole('radio', { name: 'Noir' })).toBeChecked();
+    const finger = await fingerOf(page);
+    const box = (await gallery.boundingBox())!;
+    await finger({ x: 300, y: box.y + 60 }, { x: 60, y: box.y + 60 });
+    await expect.poll(() => gallery.evaluate((strip) => strip.scrollLeft)).toBeGreaterThan(0);
+  });
+});

@@ -1,0 +1,34 @@
+/** Fingers for tests of the page. */
+import type { Page } from '@playwright/test';
+import type { Place } from './page.ts';
+
+export type Drag = (from: Place, to: Place) => Promise<void>;
+
+/** A finger that goes from one place to another; the page must have been opened with touch. */
+export async function fingerOf(page: Page): Promise<Drag> {
+  const session = await page.context().newCDPSession(page);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: Place[]) =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints });
+  return async (from, to) => {
+    await touch('touchStart', [from]);
+    await touch('touchMove', [{ x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 }]);
+    await touch('touchMove', [to]);
+    await touch('touchEnd', []);
+  };
+}
+
+/** The same by the mouse. */
+export function mouseOf({ mouse }: Page): Drag {
+  return async (from, to) => {
+    await mouse.move(from.x, from.y);
+    await mouse.down();
+    await mouse.move(to.x, to.y, { steps: 3 });
+    await mouse.up();
+  };
+}
+
+/** The middle of what a selector finds. */
+export async function middleOf(page: Page, selector: string): Promise<Place> {
+  const box = (await page.locator(selector).boundingBox())!;
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
