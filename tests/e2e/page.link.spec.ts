@@ -72,6 +72,7 @@ test('undo, redo, reset one and reset all', async ({ page }) => {
 
 test('a preset is chosen, and a link of it typed into the address bar is taken up', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
+  await page.keyboard.press('g');
   await page.getByRole('radio', { name: 'Noir' }).check();
   await expectHash(page, '#v=1&preset=lamp-noir');
   await expectValue(page, 'style.tones', 1);
