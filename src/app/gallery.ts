@@ -21,7 +21,7 @@ export function createGallery(editor: Editor): HTMLElement {
     ),
   );
   const label = { class: 'gallery card', role: 'radiogroup', 'aria-label': strings.gallery.title };
-  const element = create('section', label, ...scenes);
+  const element = create('div', label, ...scenes);
   const show = ({ preset }: State) => {
     for (const [name, input] of inputs) input.checked = name === preset;
   };
