@@ -9,7 +9,14 @@ export default defineConfig({
   plugins: [glsl(), preloads('/src/app/main.ts'), serviceWorker()],
   // Found too late otherwise, by a module that only a test imports or that comes on demand, and the page would reload.
   optimizeDeps: {
-    include: ['three', 'three/examples/jsm/loaders/GLTFLoader.js', 'three/examples/jsm/loaders/OBJLoader.js'],
+    include: [
+      'three',
+      'three/examples/jsm/loaders/GLTFLoader.js',
+      'three/examples/jsm/loaders/OBJLoader.js',
+      'fflate',
+      'gifenc',
+      'mediabunny',
+    ],
   },
   // The simulator's module loads its bindings on demand, which the older worker format cannot.
   worker: { format: 'es' },

@@ -7,6 +7,7 @@ export interface KeyActions {
   shift(seconds: number): void;
   restart(): void;
   share(): void;
+  capture(): void;
   help(): void;
   togglePanel(): void;
   search(): void;
@@ -78,6 +79,7 @@ function simpleKeys(actions: KeyActions): Readonly<Record<string, () => void>> {
     ']': () => actions.shift(1),
     r: () => actions.restart(),
     s: () => actions.share(),
+    c: () => actions.capture(),
     p: () => actions.togglePanel(),
     v: () => actions.nextView(),
     '/': () => actions.search(),

@@ -1,4 +1,5 @@
 import type { Stage } from '../stage/stage.ts';
+import { CaptureButton } from './capture/button.ts';
 import { createDock } from './dock.ts';
 import { create, iconButton } from './dom.ts';
 import { acceptDrops } from './drops.ts';
@@ -20,6 +21,7 @@ import { Views } from './views.ts';
 /** What the keys need of the page's controls. */
 export interface Page {
   share(): void;
+  capture(): void;
   help(): void;
   togglePanel(): void;
   nextView(): void;
@@ -46,6 +48,7 @@ export interface PageParts {
 export function buildPage(host: HTMLElement, parts: PageParts): Page {
   const { editor, stage, notices, scrubber } = parts;
   const help = createHelp();
+  const captureButton = new CaptureButton(stage, host, notices);
   const views = new Views(stage);
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
   toggle.setAttribute('aria-controls', PANEL_ID);
@@ -71,6 +74,7 @@ export function buildPage(host: HTMLElement, parts: PageParts): Page {
   };
   const page: Page = {
     share: () => void sheet.open(ownShape.name),
+    capture: () => captureButton.press(),
     help: () => toggleHelp(help),
     nextView: () => views.next(),
     togglePanel: () => showPanel(panel.hidden !== false),
@@ -84,7 +88,7 @@ export function buildPage(host: HTMLElement, parts: PageParts): Page {
   };
   host.append(
     gizmos.element,
-    createHeader(page, gizmoToggle, toggle),
+    createHeader(page, captureButton.element, gizmoToggle, toggle),
     dock.element,
     panel,
     help,
@@ -101,7 +105,8 @@ function isJson({ name }: File): boolean {
 }
 
 function createHeader(page: Page, ...toggles: HTMLElement[]): HTMLElement {
-  const shareButton = create('button', { type: 'button', class: 'loud' }, icon('share'), strings.share.button);
+  const shareButton = create('button', { type: 'button', class: 'loud' }, icon('share'));
+  shareButton.append(create('span', { class: 'label' }, strings.share.button));
   shareButton.addEventListener('click', () => page.share());
   const helpButton = iconButton('icon-button', strings.help.button, icon('help'), () => page.help());
   const actions = create('div', { class: 'actions card' }, shareButton, helpButton, ...toggles);

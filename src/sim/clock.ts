@@ -39,9 +39,9 @@ export class Clock {
     this.last = undefined;
   }
 
-  /** Puts the picture exactly on the latest step. */
-  settle(): void {
+  /** Puts the picture exactly on the latest step, or between the previous one (0) and it (1). */
+  settle(blend = 1): void {
     this.rest();
-    this.owed = 1;
+    this.owed = blend;
   }
 }

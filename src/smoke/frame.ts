@@ -44,6 +44,8 @@ export interface FrameInput {
   cull: boolean;
   /** What is shown instead of the picture, if anything; other renderers than nailboards have no views. */
   view?: DebugView;
+  /** Leaves out what lies behind everything. */
+  isTransparent?: boolean;
   /** Where the picture goes; null is the canvas. */
   output: WebGLRenderTarget | null;
 }
@@ -66,7 +68,7 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   const report = arrangeFrame(passes, input);
 
   targets.begin(renderer);
-  if (passes.hasBackdrop) passes.backdrop.draw(renderer);
+  if (passes.hasBackdrop && !input.isTransparent) passes.backdrop.draw(renderer);
   passes.surfaces.draw(renderer);
   passes.creases.draw(renderer);
   passes.surfaceDepth.draw(renderer, targets, input.style.outlines);

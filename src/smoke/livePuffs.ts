@@ -26,6 +26,11 @@ export class LivePuffs {
     this.wanted = this.orderOf(values);
   }
 
+  /** The shapes that somebody brought, if anybody has. */
+  get ownShapes(): readonly PuffShape[] | undefined {
+    return this.own;
+  }
+
   /**
    * Asks for the puffs that values describe. Variations never become fewer: a particle keeps the one it was born with.
    * @param alive variations that living particles may have

@@ -19,6 +19,8 @@ export interface StageOptions extends DeviceOptions {
   quality?: Quality;
   /** What is shown instead of the picture, to see what the passes work with. */
   view?: DebugView;
+  /** Whether pictures show what lies behind everything; true when left out. Without it they are transparent there. */
+  background?: boolean;
   /** Most bytes of states that are kept so that seeking backwards is quick, one a second; 64 MiB when left out. */
   historyBytes?: number;
   /** Told how much of what must be fetched has come. */

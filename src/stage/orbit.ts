@@ -72,6 +72,15 @@ export class OrbitCamera {
     this.goHome();
   }
 
+  /** Looks as another camera of the same scene does. */
+  copy(other: OrbitCamera): void {
+    this.target.copy(other.target);
+    this.place.copy(other.place);
+    this.isTaken = other.isTaken;
+    this.seconds = other.seconds;
+    this.apply();
+  }
+
   /** Goes where the scene wants its camera at a simulated time, unless somebody has taken it. */
   follow(seconds: number): void {
     if (seconds === this.seconds) return;

@@ -31,6 +31,8 @@ export interface Moment {
 
 /** A stage's picture: from where it is seen, how large it is, how it is drawn, and what of it is shown. */
 export class Picture {
+  /** Whether it shows what lies behind everything; it is transparent there if not. */
+  hasBackground = true;
   /** Of the latest frame. */
   scale = 1;
   renderMs = 0;
@@ -148,6 +150,7 @@ export class Picture {
       parts,
       cull: true,
       view: this.view,
+      isTransparent: !this.hasBackground,
       output,
     });
     this.presenter.present();

@@ -1,6 +1,7 @@
 import { SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { Scene } from '../scenes/scene.ts';
+import { STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import type { SeekOptions, StageEvents, StageStats } from './contract.ts';
 import { FrameLoop } from './frameLoop.ts';
@@ -99,6 +100,16 @@ export class RunningScene {
     this.followLog();
   }
 
+  /** Goes on by a time and shows that moment, which may lie between two steps. */
+  advanceBy(seconds: number): void {
+    const { steps } = this.simulation.simulator;
+    const goal = steps - 1 + this.loop.clock.blend + seconds / STEP_SECONDS;
+    // A rounding error is not worth a step.
+    const last = Math.max(steps, Math.ceil(goal - 1e-6));
+    this.advance(last - steps);
+    this.showLatest(Math.min(1, goal - last + 1));
+  }
+
   /** Goes to where so many steps lead, with all that was done on the way. */
   async seek(goal: number, options: SeekOptions): Promise<void> {
     this.loop.isHeld = true;
@@ -171,10 +182,13 @@ export class RunningScene {
     if (!this.loop.isPlaying) this.draw();
   }
 
-  /** Shows where the simulation has come to by steps or by a leap. */
-  showLatest(): void {
+  /**
+   * Shows where the simulation has come to by steps or by a leap.
+   * @param blend between the previous step (0) and the latest (1)
+   */
+  showLatest(blend = 1): void {
     this.gestures.settle();
-    this.loop.clock.settle();
+    this.loop.clock.settle(blend);
     this.draw();
   }
 

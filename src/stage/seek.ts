@@ -25,7 +25,7 @@ export async function advanceTo(
 }
 
 /** Lets the page have a turn, without the delay that nested timers get. */
-function nextTask(): Promise<void> {
+export function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = () => {

@@ -52,6 +52,11 @@ export class ShownSmoke {
     this.puffs.follow(values, alive);
   }
 
+  /** What somebody brought, if anything. */
+  get ownShapes(): readonly PuffShape[] | undefined {
+    return this.puffs.ownShapes;
+  }
+
   /** Shows shapes that somebody brought; without any, those that values describe. */
   usePuffs(shapes: readonly PuffShape[] | undefined, values: Values): void {
     this.puffs.use(shapes, values);

@@ -11,6 +11,7 @@ import { bakeAhead } from './bakeAhead.ts';
 import type { BlowInput } from './blow.ts';
 import type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { openScene, type OpenedScene } from './openScene.ts';
+import { OrbitCamera } from './orbit.ts';
 import type { Picture } from './picture.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
 import { RunningScene } from './runningScene.ts';
@@ -44,6 +45,7 @@ export class Stage {
     const values = { ...defaults(), ...options.values };
     this.canvas = canvas;
     this.#running = new RunningScene(presenter, opened, values, options.historyBytes ?? HISTORY_BYTES);
+    this.#picture.hasBackground = options.background ?? true;
     this.#picture.quality = options.quality ?? 1;
     this.#picture.view = options.view;
     this.resize(options.width ?? canvas.width, options.height ?? canvas.height, options.pixelRatio ?? 1);
@@ -84,6 +86,15 @@ export class Stage {
     this.#running.tellState();
   }
 
+  /** Whether pictures show what lies behind everything; without it they are transparent there. */
+  get background(): boolean {
+    return this.#picture.hasBackground;
+  }
+
+  set background(isShown: boolean) {
+    this.#running.show(() => (this.#picture.hasBackground = isShown));
+  }
+
   get stats(): StageStats {
     return this.#running.stats;
   }
@@ -108,6 +119,15 @@ export class Stage {
     this.#running.requireAlive();
     this.#running.advance(n);
     this.#running.showLatest();
+  }
+
+  /**
+   * Goes on by simulated seconds and shows that very moment, also where it falls between two steps: for pictures at any
+   * rate. Where it stood between two steps already, it goes on from there.
+   */
+  advance(seconds: number): void {
+    this.#running.requireAlive();
+    this.#running.advanceBy(Math.max(0, seconds));
   }
 
   /**
@@ -206,6 +226,24 @@ export class Stage {
     this.#picture.smoke.bake();
     this.#running.draw(1);
     return this.#picture.encode();
+  }
+
+  /**
+   * Another stage that shows the same smoke at the same step, from the same place: for pictures of another size, while this
+   * one stays as it is. The take of the copy begins with it.
+   * @param options as of createStage; the values are those of this stage
+   * @throws what createStage throws
+   */
+  async copy(canvas: DeviceCanvas, options: Omit<StageOptions, 'values'> = {}): Promise<Stage> {
+    this.#running.requireAlive();
+    const [values, state, eye] = [this.get(), this.save(), new OrbitCamera(this.#running.scene)];
+    eye.copy(this.#picture.eye);
+    const shapes = this.#picture.smoke.ownShapes;
+    const stage = await createStage(canvas, { ...options, values });
+    stage.setPuffs(shapes);
+    stage.#picture.eye.copy(eye);
+    stage.restore(state);
+    return stage;
   }
 
   /** The simulator's state as bytes. */

@@ -1,0 +1,77 @@
+import type { Stage } from '../../stage/stage.ts';
+import { create, textButton } from '../dom.ts';
+import { download } from '../download.ts';
+import { Progress } from '../progress.ts';
+import { strings } from '../strings.ts';
+import { capture } from './capture.ts';
+import { OrderForm } from './orderForm.ts';
+import type { Order } from './order.ts';
+
+/** Where people choose what to capture, wait for it, and may change their mind. The smoke rests meanwhile. */
+export class CaptureDialog {
+  readonly element: HTMLDialogElement;
+  private readonly stage: Stage;
+  private readonly form = new OrderForm();
+  private readonly outcome = create('div', { class: 'capture-outcome', role: 'status' });
+  private readonly start = create('button', { type: 'submit', class: 'loud' }, strings.capture.start);
+  private work: AbortController | undefined;
+  private wasPlaying = false;
+
+  constructor(stage: Stage) {
+    this.stage = stage;
+    const { title } = strings.capture;
+    const close = textButton('quiet', strings.help.close, () => this.element.close());
+    const buttons = create('div', { class: 'capture-buttons' }, this.start, close);
+    this.form.element.append(this.outcome, buttons);
+    const heading = create('h2', { id: 'capture-title' }, title);
+    const attributes = { class: 'sheet card capture', 'aria-labelledby': 'capture-title' };
+    this.element = create('dialog', attributes, heading, this.form.element);
+    this.form.element.addEventListener('submit', (event) => {
+      event.preventDefault();
+      void this.run(this.form.order());
+    });
+    this.element.addEventListener('close', () => this.leave());
+  }
+
+  open(): void {
+    if (this.element.open) return;
+    this.wasPlaying = this.stage.playing;
+    this.stage.pause();
+    this.outcome.replaceChildren();
+    this.form.measureWindow();
+    this.element.showModal();
+  }
+
+  private leave(): void {
+    this.work?.abort();
+    if (this.wasPlaying) this.stage.play();
+  }
+
+  private async run(order: Order): Promise<void> {
+    const work = (this.work = new AbortController());
+    const progress = new Progress(strings.capture.working, () => work.abort());
+    progress.element.classList.remove('card');
+    this.outcome.replaceChildren(progress.element);
+    this.form.isLocked = this.start.disabled = true;
+    try {
+      const onProgress = (share: number) => progress.show(share);
+      const file = await capture(this.stage, order, { signal: work.signal, onProgress });
+      this.say(this.save(order, file));
+    } catch (error) {
+      this.say(work.signal.aborted ? strings.capture.cancelled : strings.capture.failed((error as Error).message));
+    } finally {
+      this.form.isLocked = this.start.disabled = false;
+    }
+  }
+
+  private save({ format }: Order, file: Blob): string {
+    const { scene } = this.stage.get();
+    const name = `${String(scene)}-${this.stage.stats.time.toFixed(2)}s.${format}`;
+    download(name, file);
+    return strings.capture.saved(name, file.size);
+  }
+
+  private say(message: string): void {
+    this.outcome.replaceChildren(create('p', {}, message));
+  }
+}

@@ -1,0 +1,36 @@
+import { GIFEncoder } from 'gifenc';
+import { shootClip, type Task } from './clip.ts';
+import { indexFrame } from './gifPalette.ts';
+import { pixelSize, type Order } from './order.ts';
+import { PixelReader } from './pixels.ts';
+import type { Studio } from './studio.ts';
+
+const FOREVER = 0;
+/** What was drawn goes before the next frame, or a hole would show it. */
+const RESTORE_BACKGROUND = 2;
+
+/** A GIF that starts over when it has ended. */
+export async function makeGif(studio: Studio, order: Order, task: Task): Promise<Blob> {
+  const [width, height] = pixelSize(order);
+  const reader = new PixelReader(width, height);
+  const encoder = GIFEncoder();
+  await shootClip(studio, order, task, (frame) => {
+    const { palette, indices, transparent } = indexFrame(reader.read(studio.canvas));
+    encoder.writeFrame(indices, width, height, {
+      palette,
+      delay: delayOf(frame, order.rate),
+      repeat: FOREVER,
+      transparent: transparent !== undefined,
+      transparentIndex: transparent ?? 0,
+      dispose: transparent === undefined ? -1 : RESTORE_BACKGROUND,
+    });
+  });
+  encoder.finish();
+  return new Blob([encoder.bytes()], { type: 'image/gif' });
+}
+
+/** Milliseconds in whole hundredths of a second, as long together as the frames shall be. */
+function delayOf(frame: number, rate: number): number {
+  const until = (count: number) => Math.round((100 * count) / rate);
+  return 10 * (until(frame + 1) - until(frame));
+}

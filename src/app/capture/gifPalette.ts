@@ -1,0 +1,71 @@
+import { quantize } from 'gifenc';
+
+const MOST = 256;
+/** So many entries hold the commonest colours as they are: flat tones, ink, and the rows of a backdrop. */
+const EXACT = 208;
+/** Below half of it a pixel is left out: a GIF knows no half. */
+const HALF = 128;
+
+/** A frame as a GIF has it: up to 256 colours, and one of them for each pixel. */
+export interface IndexedFrame {
+  readonly palette: number[][];
+  readonly indices: Uint8Array;
+  /** Number of the colour that is not drawn; undefined where all is. */
+  readonly transparent: number | undefined;
+}
+
+/**
+ * Gives a frame its colours: the commonest stay exactly as they are, which a common quantizer would mix with their
+ * neighbours, and what is rare, mostly smoothed edges, gets the nearest of what a quantizer makes of the rest.
+ */
+export function indexFrame({ data }: ImageData): IndexedFrame {
+  const pixels = new Uint32Array(data.buffer);
+  const counts = countColors(pixels);
+  const hasHoles = counts.delete(0);
+  const room = MOST - Number(hasHoles);
+  const ordered = [...counts.keys()].sort((a, b) => counts.get(b)! - counts.get(a)!);
+  const exact = ordered.length <= room ? ordered : ordered.slice(0, EXACT);
+  const rest = ordered.slice(exact.length);
+  const palette = [...exact.map(channels), ...mixtures(rest, room - exact.length)];
+  const numbers = new Map(exact.map((color, number) => [color, number]));
+  for (const color of rest) numbers.set(color, nearest(palette, channels(color)));
+  const transparent = hasHoles ? palette.length : undefined;
+  if (hasHoles) {
+    numbers.set(0, palette.length);
+    palette.push([0, 0, 0]);
+  }
+  return { palette, indices: Uint8Array.from(pixels, (pixel) => numbers.get(opaque(pixel))!), transparent };
+}
+
+/** A pixel without its alpha, or 0. Opaque black keeps its alpha and so is not 0. */
+function opaque(pixel: number): number {
+  return pixel >>> 24 < HALF ? 0 : (pixel | 0xff000000) >>> 0;
+}
+
+function countColors(pixels: Uint32Array): Map<number, number> {
+  const counts = new Map<number, number>();
+  for (const pixel of pixels) {
+    const color = opaque(pixel);
+    counts.set(color, (counts.get(color) ?? 0) + 1);
+  }
+  return counts;
+}
+
+function channels(color: number): number[] {
+  return [color & 0xff, (color >> 8) & 0xff, (color >> 16) & 0xff];
+}
+
+function mixtures(colors: readonly number[], count: number): number[][] {
+  if (colors.length === 0 || count === 0) return [];
+  return quantize(new Uint8Array(Uint32Array.from(colors).buffer), count);
+}
+
+function nearest(palette: readonly number[][], [red, green, blue]: readonly number[]): number {
+  let best = 0;
+  let least = Infinity;
+  palette.forEach((entry, number) => {
+    const away = (entry[0] - red) ** 2 + (entry[1] - green) ** 2 + (entry[2] - blue) ** 2;
+    if (away < least) [best, least] = [number, away];
+  });
+  return best;
+}

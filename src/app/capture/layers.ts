@@ -1,0 +1,93 @@
+import type { Values } from '../../preset/parameter.ts';
+import { PixelReader } from './pixels.ts';
+import type { Studio } from './studio.ts';
+
+export const LAYERS = ['flats', 'shadow', 'ink', 'depth'] as const;
+export type Layer = (typeof LAYERS)[number];
+
+/**
+ * Takes a moment apart: flats without shadow and ink, shadow as the colours that it brings, ink alone, and depth, near
+ * white. Flats, shadow and ink laid over each other are the picture.
+ */
+export class LayerCamera {
+  private readonly studio: Studio;
+  private readonly reader: PixelReader;
+  private readonly style: Values;
+
+  /** @param width, height of the studio's canvas */
+  constructor(studio: Studio, width: number, height: number) {
+    this.studio = studio;
+    this.reader = new PixelReader(width, height);
+    this.style = studio.stage.get();
+  }
+
+  async shoot(): Promise<(readonly [Layer, Blob])[]> {
+    const layers = [
+      ['flats', this.flats()],
+      ['shadow', this.shadow()],
+      ['ink', this.ink()],
+      ['depth', this.depth()],
+    ] as const;
+    const pictures: (readonly [Layer, Blob])[] = [];
+    for (const [layer, pixels] of layers) pictures.push([layer, await this.reader.encode(pixels)]);
+    return pictures;
+  }
+
+  private flats(): ImageData {
+    return this.read({ 'style.outlines': 0, 'style.shadows': 0 });
+  }
+
+  private shadow(): ImageData {
+    const flats = new Uint32Array(this.flats().data.buffer);
+    const shadowed = this.read({ 'style.outlines': 0 });
+    const pixels = new Uint32Array(shadowed.data.buffer);
+    pixels.forEach((pixel, at) => {
+      if (pixel === flats[at]) pixels[at] = 0;
+    });
+    return shadowed;
+  }
+
+  /** How much of a pixel is ink tells the difference between white ink and black. */
+  private ink(): ImageData {
+    const black = this.read({ 'style.inkColor': '#000000' }).data;
+    const white = this.read({ 'style.inkColor': '#ffffff' });
+    const { data } = white;
+    const color = rgbOf(this.style['style.inkColor'] as string);
+    for (let at = 0; at < data.length; at += 4) {
+      const cover = linear(data[at]) - linear(black[at]);
+      data.set(color, at);
+      data[at + 3] = Math.round(data[at + 3] * Math.max(0, cover));
+    }
+    return white;
+  }
+
+  private depth(): ImageData {
+    const { stage, canvas } = this.studio;
+    stage.view = 'depth';
+    const pixels = this.reader.read(canvas);
+    stage.view = undefined;
+    return pixels;
+  }
+
+  private read(values: Values): ImageData {
+    const { stage, canvas } = this.studio;
+    const { style } = this;
+    stage.set({
+      'style.outlines': style['style.outlines'],
+      'style.shadows': style['style.shadows'],
+      'style.inkColor': style['style.inkColor'],
+      ...values,
+    });
+    return this.reader.read(canvas);
+  }
+}
+
+function rgbOf(color: string): number[] {
+  return [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
+}
+
+/** Light of an sRGB code, 0 to 1. */
+function linear(code: number): number {
+  const value = code / 255;
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+}

@@ -1,0 +1,39 @@
+import { Zip, ZipPassThrough } from 'fflate';
+import { shootClip, type Task } from './clip.ts';
+import { LayerCamera } from './layers.ts';
+import { pixelSize, type Order } from './order.ts';
+import type { Studio } from './studio.ts';
+
+/** PNGs by number in a zip, with alpha; in layers a folder each. */
+export async function makePngSequence(studio: Studio, order: Order, task: Task): Promise<Blob> {
+  const archive = new Archive();
+  const layers = order.inLayers ? new LayerCamera(studio, ...pixelSize(order)) : undefined;
+  await shootClip(studio, order, task, async (frame) => {
+    const name = `${String(frame + 1).padStart(4, '0')}.png`;
+    if (!layers) return archive.add(`frame-${name}`, await studio.canvas.convertToBlob({ type: 'image/png' }));
+    for (const [layer, picture] of await layers.shoot()) await archive.add(`${layer}/${name}`, picture);
+  });
+  return archive.finish();
+}
+
+/** A zip without compression of its own: PNGs are as small as they get. */
+class Archive {
+  private readonly parts: Uint8Array<ArrayBuffer>[] = [];
+  private failure: Error | undefined;
+  private readonly zip = new Zip((error, part) => {
+    if (error) this.failure = error;
+    else this.parts.push(part);
+  });
+
+  async add(name: string, content: Blob): Promise<void> {
+    const entry = new ZipPassThrough(name);
+    this.zip.add(entry);
+    entry.push(new Uint8Array(await content.arrayBuffer()), true);
+  }
+
+  finish(): Blob {
+    this.zip.end();
+    if (this.failure) throw this.failure;
+    return new Blob(this.parts, { type: 'application/zip' });
+  }
+}

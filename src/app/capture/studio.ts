@@ -1,0 +1,37 @@
+import type { Stage } from '../../stage/stage.ts';
+import { strings } from '../strings.ts';
+import { pixelSize, type Order } from './order.ts';
+
+/** A stage on a canvas that nobody sees. */
+export interface Studio {
+  readonly stage: Stage;
+  readonly canvas: OffscreenCanvas;
+  /** Draws the moment that the stage stands at; what is drawn can be read in the same task. */
+  readonly draw: () => void;
+}
+
+/**
+ * A copy of what a stage shows, as large as somebody wants it. The stage itself is left as it is, whatever happens in the
+ * studio.
+ * @throws RangeError for more pixels than the graphics card has room for
+ */
+export async function openStudio(stage: Stage, order: Order): Promise<Studio> {
+  const [width, height] = pixelSize(order);
+  const { scale, hasBackground } = order;
+  const canvas = new OffscreenCanvas(1, 1);
+  const options = { width: 1, height: 1, background: hasBackground, historyBytes: 0 };
+  const copy = await stage.copy(canvas, options);
+  const most = mostPixels(canvas);
+  if (Math.max(width, height) > most) {
+    copy.dispose();
+    throw new RangeError(strings.capture.tooLarge(width, height, most));
+  }
+  // Until somebody wants a picture, as few pixels as possible are drawn.
+  const draw = () => copy.resize(width / scale, height / scale, scale);
+  return { stage: copy, canvas, draw };
+}
+
+function mostPixels(canvas: OffscreenCanvas): number {
+  const context = canvas.getContext('webgl2')!;
+  return context.getParameter(context.MAX_RENDERBUFFER_SIZE) as number;
+}

@@ -1,0 +1,93 @@
+import { labelColors, type Labels } from './labels.ts';
+import { pixelSize, type Order } from './order.ts';
+import { PixelReader } from './pixels.ts';
+import type { Point } from './simplify.ts';
+import type { Studio } from './studio.ts';
+import { traceRegion } from './trace.ts';
+
+/** Half of a pixel beside the true edge, nobody sees. */
+const TOLERANCE = 0.6;
+const STOPS = 9;
+
+/**
+ * The picture as a drawing: backdrop, flats with their shadow, and ink, each a group with a name, and in it a path for each
+ * colour. Where ink lies, flats go on beneath it. Colours that change all the way, as gradients do, become steps.
+ */
+export async function makeSvg(studio: Studio, order: Order): Promise<Blob> {
+  const [width, height] = pixelSize(order);
+  const { stage, canvas, draw } = studio;
+  const reader = new PixelReader(width, height);
+  const inkColor = String(stage.get()['style.inkColor']).toLowerCase();
+  draw();
+  const whole = reader.read(canvas);
+  if (order.hasBackground) stage.background = false;
+  const cut = order.hasBackground ? reader.read(canvas) : whole;
+  stage.set({ 'style.outlines': 0 });
+  const flats = labelColors(reader.read(canvas));
+  const ink = labelColors(cut);
+  const groups = [
+    ...(order.hasBackground ? [backdrop(whole, cut)] : []),
+    group('flats', flats, flats.colors.slice(1)),
+    group(
+      'ink',
+      ink,
+      ink.colors.filter((color) => hexOf(color) === inkColor),
+    ),
+  ];
+  const size = `width="${order.width}" height="${order.height}" viewBox="0 0 ${width} ${height}"`;
+  const text = `<svg xmlns="http://www.w3.org/2000/svg" ${size}>\n${groups.join('\n')}\n</svg>\n`;
+  return new Blob([text], { type: 'image/svg+xml' });
+}
+
+/** A group of paths, one for each of the given colours. The line around each closes what rounding leaves open. */
+function group(name: string, labels: Labels, colors: readonly number[]): string {
+  const paths = colors.map((color) => {
+    const outlines = traceRegion(labels, labels.colors.indexOf(color), TOLERANCE);
+    const shape = outlines.map(pathOf).join('');
+    return shape && `<path fill="${hexOf(color)}" stroke="${hexOf(color)}" d="${shape}"/>`;
+  });
+  return `<g id="${name}" fill-rule="evenodd" stroke-width=".7">\n${paths.filter(Boolean).join('\n')}\n</g>`;
+}
+
+/** Closed, relative and in halves of a pixel, which is short. */
+function pathOf(outline: readonly Point[]): string {
+  let [x, y] = outline[0];
+  const steps = outline.slice(1).map(([toX, toY]) => {
+    const step = [toX - x, toY - y].map(short);
+    [x, y] = [toX, toY];
+    return step[1].startsWith('-') ? step.join('') : step.join(' ');
+  });
+  return `M${short(outline[0][0])} ${short(outline[0][1])}l${steps.join(' ')}z`.replaceAll(' -', '-');
+}
+
+function short(value: number): string {
+  return String(value).replace(/^(-?)0\./, '$1.');
+}
+
+/** What shows where nothing stands, from top to bottom, as a gradient. */
+function backdrop(whole: ImageData, cut: ImageData): string {
+  const stops = Array.from({ length: STOPS }, (_, stop) => {
+    const share = stop / (STOPS - 1);
+    const color = emptyColor(whole, cut, Math.round(share * (whole.height - 1)));
+    return color === undefined ? '' : `<stop offset="${share}" stop-color="${hexOf(color)}"/>`;
+  });
+  return [
+    '<g id="background">',
+    `<linearGradient id="backdrop" x2="0" y2="1">${stops.join('')}</linearGradient>`,
+    '<rect width="100%" height="100%" fill="url(#backdrop)"/>',
+    '</g>',
+  ].join('\n');
+}
+
+/** The colour of a row where nothing stands. */
+function emptyColor(whole: ImageData, cut: ImageData, row: number): number | undefined {
+  const from = row * whole.width;
+  const [colors, holes] = [whole, cut].map(({ data }) => new Uint32Array(data.buffer, 4 * from, whole.width));
+  const at = holes.indexOf(0);
+  return at < 0 ? undefined : colors[at];
+}
+
+function hexOf(color: number): string {
+  const channel = (shift: number) => ((color >>> shift) & 0xff).toString(16).padStart(2, '0');
+  return `#${channel(0)}${channel(8)}${channel(16)}`;
+}

@@ -1,0 +1,75 @@
+import {
+  BufferTarget,
+  getFirstEncodableVideoCodec,
+  Mp4OutputFormat,
+  Output,
+  Quality,
+  VideoSample,
+  VideoSampleSource,
+  WebMOutputFormat,
+  type VideoCodec,
+} from 'mediabunny';
+import { strings } from '../strings.ts';
+import { shootClip, type Task } from './clip.ts';
+import { pixelSize, type Order } from './order.ts';
+import type { Studio } from './studio.ts';
+
+/** What plays in most places comes first. */
+const CODECS: Readonly<Record<'webm' | 'mp4', VideoCodec[]>> = {
+  webm: ['vp9', 'vp8', 'av1'],
+  mp4: ['avc', 'hevc', 'av1', 'vp9'],
+};
+
+/** The browser has no encoder for a format; the message says what to take instead. */
+export class VideoError extends Error {
+  override name = 'VideoError';
+}
+
+/**
+ * A WebM or MP4 with every frame, encoded by the browser.
+ * @throws VideoError where the browser cannot encode the format in this size
+ */
+export async function makeVideo(studio: Studio, order: Order, task: Task): Promise<Blob> {
+  const source = new VideoSampleSource(await encodingOf(order));
+  const target = new BufferTarget();
+  const isMp4 = order.format === 'mp4';
+  const format = isMp4 ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat();
+  const output = new Output({ format, target });
+  output.addVideoTrack(source, { frameRate: order.rate });
+  await output.start();
+  try {
+    await shootClip(studio, order, task, (frame) => addFrame(source, studio.canvas, frame, order.rate));
+  } catch (error) {
+    await output.cancel();
+    throw error;
+  }
+  await output.finalize();
+  return new Blob([target.buffer!], { type: isMp4 ? 'video/mp4' : 'video/webm' });
+}
+
+async function addFrame(
+  source: VideoSampleSource,
+  canvas: OffscreenCanvas,
+  frame: number,
+  rate: number,
+): Promise<void> {
+  const sample = new VideoSample(canvas, { timestamp: frame / rate, duration: 1 / rate });
+  // Waits while the encoder has more to do than it can hold.
+  await source.add(sample);
+  sample.close();
+}
+
+async function encodingOf(order: Order) {
+  const [width, height] = pixelSize(order);
+  const format = order.format as keyof typeof CODECS;
+  const encoding = {
+    quality: new Quality('very-high'),
+    alpha: format === 'webm' && !order.hasBackground ? ('keep' as const) : ('discard' as const),
+  };
+  const codec =
+    typeof VideoEncoder === 'undefined'
+      ? null
+      : await getFirstEncodableVideoCodec(CODECS[format], { width, height, frameRate: order.rate, ...encoding });
+  if (!codec) throw new VideoError(strings.capture.noEncoder(strings.capture.formats[format], width, height));
+  return { codec, ...encoding };
+}
