@@ -1,6 +1,8 @@
 import type { Labels } from './labels.ts';
 import { simplifyArc, type Point } from './simplify.ts';
 
+const OUTSIDE = -1;
+
 /** Right, down, left, up. */
 const TURNS = [
   [1, 0],
@@ -34,7 +36,7 @@ function above({ of, width }: Labels, at: number): number | undefined {
 
 /** The number at a place; nothing of the picture lies outside of it. */
 function numberAt({ of, width, height }: Labels, x: number, y: number): number {
-  return x < 0 || y < 0 || x >= width || y >= height ? -1 : of[y * width + x];
+  return x < 0 || y < 0 || x >= width || y >= height ? OUTSIDE : of[y * width + x];
 }
 
 /** Follows an outline from the top left corner of a pixel back to it, and marks the tops that it passes. */
@@ -86,7 +88,8 @@ function isJoint(labels: Labels, [x, y]: Point): boolean {
     numberAt(labels, x - 1, y),
   ];
   const changes = around.filter((number, at) => number !== around[(at + 1) % 4]).length;
-  return changes > 2;
+  const isCornerOfPicture = around.filter((number) => number === OUTSIDE).length === 3;
+  return changes > 2 || isCornerOfPicture;
 }
 
 /** Where a closed outline without joints begins, whichever side it is walked from. */
