@@ -1,0 +1,224 @@
+/** Captures of a small lamp, and what somebody who opens the files finds in them. */
+import { unzipSync } from 'fflate';
+import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
+import { capture } from '../../../src/app/capture/capture.ts';
+import type { Order } from '../../../src/app/capture/order.ts';
+import { createStage, type Stage } from '../../../src/stage/stage.ts';
+
+const [WIDTH, HEIGHT] = [160, 120];
+const PLAIN: Order = {
+  format: 'png',
+  width: WIDTH,
+  height: HEIGHT,
+  scale: 1,
+  hasBackground: true,
+  seconds: 0.25,
+  rate: 24,
+  inLayers: false,
+};
+
+let opened: Promise<Stage> | undefined;
+
+/** One for all tests, in the midst of its smoke. */
+function lamp(): Promise<Stage> {
+  opened ??= createStage(new OffscreenCanvas(WIDTH, HEIGHT), { values: { 'simulation.maxParticles': 300 } }).then(
+    async (stage) => {
+      await stage.seek(3);
+      stage.camera.orbit(0.4, 0.1);
+      return stage;
+    },
+  );
+  return opened;
+}
+
+async function captured(order: Partial<Order>, signal = new AbortController().signal): Promise<Blob> {
+  return capture(await lamp(), { ...PLAIN, ...order }, { signal, onProgress: () => undefined });
+}
+
+/** Whatever is done with the captures, the smoke must stay as it is. */
+export async function untouched<Report>(work: () => Promise<Report>): Promise<Report & { isUntouched: boolean }> {
+  const stage = await lamp();
+  const before = [stage.hash(), stage.stats.steps, (await bytesOf(await stage.picture())).join()];
+  const report = await work();
+  const after = [stage.hash(), stage.stats.steps, (await bytesOf(await stage.picture())).join()];
+  return { ...report, isUntouched: before.join() === after.join() };
+}
+
+let large: Promise<ImageData> | undefined;
+
+/** Twice as large and without background; one for all tests. */
+function largeCut(): Promise<ImageData> {
+  large ??= captured({ scale: 2, hasBackground: false }).then(pixelsOf);
+  return large;
+}
+
+export function still() {
+  return untouched(async () => {
+    const same = await pixelsOf(await captured({}));
+    const stage = await lamp();
+    const shown = await pixelsOf(await stage.picture());
+    const cut = await largeCut();
+    const flats = commonest(cut, 4);
+    return {
+      differing: differing(same, shown),
+      size: [cut.width, cut.height],
+      foreignFlats: flats.filter((color) => !commonest(shown, 40).includes(color)),
+      alphaOfCorner: cut.data[3],
+    };
+  });
+}
+
+export function gif() {
+  return untouched(async () => {
+    const bytes = await bytesOf(await captured({ format: 'gif', rate: 12, seconds: 0.5 }));
+    const decoder = new ImageDecoder({ data: bytes, type: 'image/gif' });
+    await decoder.tracks.ready;
+    await decoder.completed;
+    const { frameCount, repetitionCount } = decoder.tracks.selectedTrack!;
+    const first = pixelsOfFrame((await decoder.decode({ frameIndex: 0 })).image);
+    const second = pixelsOfFrame((await decoder.decode({ frameIndex: 1 })).image);
+    const shown = await pixelsOf(await (await lamp()).picture());
+    const kept = commonest(shown, 20).filter((color) => commonest(first, 256).includes(color)).length;
+    return { frameCount, loops: repetitionCount === Infinity, moved: differing(first, second), kept };
+  });
+}
+
+export function video(format: 'webm' | 'mp4', hasBackground = true) {
+  return untouched(async () => {
+    const blob = await captured({ format, hasBackground, width: WIDTH - 1 });
+    const input = new Input({ source: new BlobSource(blob), formats: ALL_FORMATS });
+    const track = (await input.getPrimaryVideoTrack())!;
+    const times: number[] = [];
+    const moves: number[] = [];
+    let last: ImageData | undefined;
+    for await (const sample of new VideoSampleSink(track).samples()) {
+      times.push(sample.timestamp);
+      const pixels = pixelsOfFrame(sample.toVideoFrame());
+      sample.close();
+      if (last) moves.push(differing(last, pixels, 24));
+      last = pixels;
+    }
+    return { times, moves, size: [track.displayWidth, track.displayHeight], corner: last!.data[3] };
+  });
+}
+
+export function sequence(inLayers: boolean) {
+  return untouched(async () => {
+    const order = inLayers ? { inLayers, scale: 2, seconds: 0.04 } : { seconds: 0.125 };
+    const blob = await captured({ ...order, format: 'zip', hasBackground: false });
+    const entries = unzipSync(await bytesOf(blob));
+    const names = Object.keys(entries).sort();
+    const pictures = await Promise.all(names.map((name) => pixelsOf(new Blob([entries[name].slice()]))));
+    const corners = pictures.map(({ data }) => data[3]);
+    return { names, corners, composed: inLayers ? await composedError(pictures) : differing(pictures[0], pictures[1]) };
+  });
+}
+
+/** Flats, shadow and ink laid over each other, against the picture: mean difference of a channel. */
+async function composedError([, flats, ink, shadow]: ImageData[]): Promise<number> {
+  const [width, height] = [2 * WIDTH, 2 * HEIGHT];
+  const context = new OffscreenCanvas(width, height).getContext('2d')!;
+  for (const layer of [flats, shadow, ink]) context.drawImage(await createImageBitmap(layer), 0, 0);
+  return meanDifference(context.getImageData(0, 0, width, height), await largeCut());
+}
+
+export function drawing() {
+  return untouched(async () => {
+    const blob = await captured({ format: 'svg', scale: 2, hasBackground: false });
+    const text = await blob.text();
+    const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
+    const picture = await largeCut();
+    const fills = [...root.querySelectorAll('path')].map((path) => path.getAttribute('fill'));
+    return {
+      groups: [...root.children].map(({ id }) => id),
+      bytes: blob.size,
+      missing: commonest(picture, 5)
+        .map(hexOf)
+        .filter((color) => !fills.includes(color)),
+      error: meanDifference(await rasterised(text, picture), picture),
+    };
+  });
+}
+
+/** Ends a clip after its second frame. */
+export function cancelled() {
+  return untouched(async () => {
+    const controller = new AbortController();
+    let shares = 0;
+    const onProgress = () => void (++shares === 2 && controller.abort());
+    const task = { signal: controller.signal, onProgress };
+    const outcome = await capture(await lamp(), { ...PLAIN, format: 'zip', seconds: 5 }, task).then(
+      () => 'finished',
+      (error: Error) => error.name,
+    );
+    return { outcome, shares };
+  });
+}
+
+/** What is said where no encoder is. */
+export function withoutEncoder() {
+  return untouched(async () => {
+    const encoder = globalThis.VideoEncoder;
+    Reflect.deleteProperty(globalThis, 'VideoEncoder');
+    const message = await captured({ format: 'mp4' }).catch((error: Error) => `${error.name}: ${error.message}`);
+    globalThis.VideoEncoder = encoder;
+    return { message };
+  });
+}
+
+async function rasterised(svg: string, { width, height }: { width: number; height: number }): Promise<ImageData> {
+  const image = new Image(width, height);
+  image.src = `data:image/svg+xml,${encodeURIComponent(svg)}`;
+  await image.decode();
+  return drawn(image, width, height);
+}
+
+async function pixelsOf(blob: Blob): Promise<ImageData> {
+  const bitmap = await createImageBitmap(blob);
+  return drawn(bitmap, bitmap.width, bitmap.height);
+}
+
+function pixelsOfFrame(frame: VideoFrame): ImageData {
+  const pixels = drawn(frame, frame.displayWidth, frame.displayHeight);
+  frame.close();
+  return pixels;
+}
+
+function drawn(source: CanvasImageSource, width: number, height: number): ImageData {
+  const context = new OffscreenCanvas(width, height).getContext('2d')!;
+  context.drawImage(source, 0, 0, width, height);
+  return context.getImageData(0, 0, width, height);
+}
+
+async function bytesOf(blob: Blob): Promise<Uint8Array<ArrayBuffer>> {
+  return new Uint8Array(await blob.arrayBuffer());
+}
+
+/** The commonest opaque colours. */
+function commonest({ data }: ImageData, count: number): number[] {
+  const counts = new Map<number, number>();
+  for (const color of new Uint32Array(data.buffer)) {
+    if (color >>> 24 === 255) counts.set(color, (counts.get(color) ?? 0) + 1);
+  }
+  return [...counts.keys()].sort((a, b) => counts.get(b)! - counts.get(a)!).slice(0, count);
+}
+
+function hexOf(color: number): string {
+  return `#${[0, 8, 16].map((shift) => ((color >>> shift) & 0xff).toString(16).padStart(2, '0')).join('')}`;
+}
+
+/** Pixels of which a channel differs by more than a tolerance. */
+function differing(a: ImageData, b: ImageData, tolerance = 0): number {
+  let count = 0;
+  for (let at = 0; at < a.data.length; at += 4) {
+    if ([0, 1, 2, 3].some((channel) => Math.abs(a.data[at + channel] - b.data[at + channel]) > tolerance)) ++count;
+  }
+  return count;
+}
+
+/** Of 255. */
+function meanDifference(a: ImageData, b: ImageData): number {
+  let sum = 0;
+  a.data.forEach((value, at) => (sum += Math.abs(value - b.data[at])));
+  return sum / a.data.length;
+}
