@@ -3,11 +3,14 @@ import { expect, test } from '../support/fixtures.ts';
 type Cases = typeof import('./cases/puffs.ts');
 const CASES = '/tests/visual/cases/puffs.ts';
 
+type LonePuffs = typeof import('./cases/lonePuffs.ts');
+const LONE_PUFFS = '/tests/visual/cases/lonePuffs.ts';
+
 for (const form of ['lobes', 'billboards'] as const) {
   test.describe(form, () => {
     for (const light of ['sun', 'lamp'] as const) {
-      test(`a lone puff under a ${light} masks none of its own lit pixels`, async ({ load }) => {
-        const cases = await load<Cases>(CASES);
+      test(`puffs that nothing shades under a ${light} mask none of their own lit pixels`, async ({ load }) => {
+        const cases = await load<LonePuffs>(LONE_PUFFS);
         const report = await cases.evaluate((module, input) => module.selfMasked(...input, 200), [
           form,
           light,
@@ -17,8 +20,8 @@ for (const form of ['lobes', 'billboards'] as const) {
       });
     }
 
-    test('a lone puff masks nothing of a ramp that turns at once, of its fill light and its rim', async ({ load }) => {
-      const cases = await load<Cases>(CASES);
+    test('they mask nothing of a ramp that turns at once, of its fill light and its rim', async ({ load }) => {
+      const cases = await load<LonePuffs>(LONE_PUFFS);
       const report = await cases.evaluate(
         (module, shape) => module.selfMasked(shape, 'sun', 150, undefined, module.EARLY),
         form,

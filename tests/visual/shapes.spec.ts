@@ -5,7 +5,7 @@ type Cases = typeof import('./cases/shapes.ts');
 const CASES = '/tests/visual/cases/shapes.ts';
 
 test('a lone puff masks none of its own lit pixels, whatever its shape', async ({ load }) => {
-  const cases = await load<typeof import('./cases/puffs.ts')>('/tests/visual/cases/puffs.ts');
+  const cases = await load<typeof import('./cases/lonePuffs.ts')>('/tests/visual/cases/lonePuffs.ts');
   const shapes = await (await load<Cases>(CASES)).evaluate((module) => module.oddShapes());
   const report = await cases.evaluate((module, odd) => module.selfMasked('lobes', 'sun', 200, odd), shapes);
   expect(report.lit).toBeGreaterThan(50_000);

@@ -1,16 +1,14 @@
 /** What single puffs and small heaps of them must look like. */
-import { PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { PerspectiveCamera } from 'three';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
-import { colorAt, type Color } from '../../../src/device/ramps.ts';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { samplePuff, type PuffSample } from '../../../src/puffs/layers.ts';
 import { sampleLobes } from '../../../src/puffs/lobes.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
-import type { PuffShape } from '../../../src/puffs/shapes.ts';
 import { orientationOf, turnedLobes } from '../../../src/puffs/orientation.ts';
-import { parseStops, plainColorOf, rampOf } from '../../../src/smoke/palette.ts';
+import { parseStops, rampOf } from '../../../src/smoke/palette.ts';
 import type { Style } from '../../../src/smoke/style.ts';
-import { frontCamera, Lab, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
+import { frontCamera, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
 import { random } from '../random.ts';
 import { ground } from '../solids.ts';
 
@@ -19,21 +17,21 @@ const [WIDTH, HEIGHT] = [240, 180];
 type Triple = [number, number, number];
 
 export function differing(a: LabPicture, b: LabPicture): number {
-  let count = 0;
-  for (let at = 0; at < a.pixels.length; at += 4) {
-    if ([0, 1, 2, 3].some((channel) => a.pixels[at + channel] !== b.pixels[at + channel])) count += 1;
-  }
-  return count;
+  const [wordsOfA, wordsOfB] = [a, b].map(wordsOf);
+  return wordsOfA.reduce((count, word, at) => count + Number(word !== wordsOfB[at]), 0);
 }
 
 /** How often each colour occurs, `r,g,b,a` to pixels. */
 export function colors(picture: LabPicture): Record<string, number> {
-  const counts: Record<string, number> = {};
-  for (let at = 0; at < picture.pixels.length; at += 4) {
-    const key = picture.pixels.slice(at, at + 4).join();
-    counts[key] = (counts[key] ?? 0) + 1;
-  }
-  return counts;
+  const counts = new Map<number, number>();
+  for (const word of wordsOf(picture)) counts.set(word, (counts.get(word) ?? 0) + 1);
+  const keyOf = (word: number) => new Uint8Array(Uint32Array.of(word).buffer).join();
+  return Object.fromEntries([...counts].map(([word, count]) => [keyOf(word), count]));
+}
+
+/** A number for each pixel, because whole pictures are compared hundreds of times. */
+function wordsOf({ pixels }: LabPicture): Uint32Array {
+  return new Uint32Array(pixels.buffer, pixels.byteOffset, pixels.length / 4);
 }
 
 function heap(count: number, seed: number): LabPuff[] {
@@ -52,78 +50,6 @@ export function seenOf(form: PuffForm, variation: number, seed = 0, roll = 0): (
   if (form === 'billboards') return (x, y) => samplePuff(bakedPuffs().billboards.layers, variation, x, y);
   const lobes = turnedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes);
   return (x, y) => sampleLobes(lobes, x, y);
-}
-
-/**
- * A lone puff under random lights, however it and the camera are turned, up to 35 degrees off the axis: how many of the
- * pixels that its own light reaches its own shadow takes away again.
- */
-export function selfMasked(
-  form: PuffForm,
-  light: 'sun' | 'lamp',
-  trials: number,
-  shapes: readonly PuffShape[] = LOBE_SHAPES,
-  toning: Partial<Style> = { tones: 3 },
-): { lit: number; masked: number; trialsWithMask: number } {
-  const next = random(2006);
-  const lab = new Lab({ width: WIDTH, height: HEIGHT, puffs: [], shapes });
-  const result = { lit: 0, masked: 0, trialsWithMask: 0 };
-  for (let trial = 0; trial < trials; ++trial) {
-    const slope = Math.tan((35 * Math.PI) / 180) * Math.sqrt(next());
-    const turn = next() * 2 * Math.PI;
-    const depth = 1.6 + 1.4 * next();
-    const camera = new PerspectiveCamera(78, WIDTH / HEIGHT, 0.1, 50);
-    camera.quaternion.copy(new Quaternion(next() - 0.5, next() - 0.5, next() - 0.5, next() - 0.5).normalize());
-    camera.updateMatrixWorld();
-    const place = new Vector3(Math.cos(turn) * slope * depth, Math.sin(turn) * slope * depth, -depth);
-    const puff: LabPuff = {
-      place: place.applyMatrix4(camera.matrixWorld).toArray(),
-      radius: 0.35 + 0.25 * next(),
-      roll: next() * 2 * Math.PI,
-      variation: trial % shapes.length,
-      seed: Math.floor(next() * 256),
-    };
-    const towardsLight = new Vector3().setFromSphericalCoords(1, Math.acos(2 * next() - 1), next() * 2 * Math.PI);
-    const scene = { width: WIDTH, height: HEIGHT, puffs: [puff], camera, ...shining(light, towardsLight, puff) };
-    const masked = lab.draw({ ...scene, style: { form, ...toning } });
-    const free = lab.draw({ ...scene, style: { form, ...toning, shadows: false } });
-    const difference = differing(masked, free);
-    const dark = darkestOf({ ...PLAIN_STYLE, ...toning }).join();
-    result.lit += Object.entries(colors(free)).reduce(
-      (sum, [color, count]) =>
-        color.startsWith(dark) || color.startsWith(PLAIN_STYLE.inkColor.join()) || color === '0,0,0,0'
-          ? sum
-          : sum + count,
-      0,
-    );
-    result.masked += difference;
-    result.trialsWithMask += difference > 0 ? 1 : 0;
-  }
-  lab.dispose();
-  return result;
-}
-
-function darkestOf(style: Style): Color {
-  return colorAt(rampOf(plainColorOf(style), style).unlit, 0);
-}
-
-/** A ramp that turns from shadow at once, with a fill light and a rim: nothing of it may begin behind the volume. */
-export const EARLY: Partial<Style> = {
-  stops: parseStops('0:3a3f6b,.3:7a6fa8,.8:fff4d8'),
-  isBlended: true,
-  fill: 0.4,
-  rim: 0.5,
-};
-
-/** Light from one side of a puff: a lamp hangs two radii from its centre. */
-function shining(light: 'sun' | 'lamp', towards: Vector3, { place, radius }: LabPuff): Partial<LabScene> {
-  if (light === 'sun') return { towardsLight: towards.toArray() };
-  return {
-    lamp: towards
-      .multiplyScalar(2 * radius)
-      .add(new Vector3(...place))
-      .toArray(),
-  };
 }
 
 /** The colours of a heap of puffs in two tones with shadows; and those that its ramp, the ink and the page allow. */
