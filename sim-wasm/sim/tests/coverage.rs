@@ -491,6 +491,13 @@ fn a_dense_cloud_is_mostly_hidden_and_a_thin_one_is_not() {
     let casters = rows(&mut dense_cloud, &shadow_view(&eye, unit([0.4, -0.8, 0.1]), 1, &solids));
     let ended = casters.iter().filter(|(_, look)| look[0] >> 16 < 0xffff).count();
     assert!(4 * ended > casters.len(), "{ended} of {} shadows end", casters.len());
+    // So it is for an eye whose rays are parallel, whatever the direction of the light.
+    let from_afar = Eye::new([3.0, 4.0, 5.0], 1.5, false);
+    let casters = rows(
+        &mut dense_cloud,
+        &shadow_view(&from_afar, unit([0.4, -0.8, 0.1]), 1, &solids),
+    );
+    assert!(casters.len() < 1800, "{} of 4000 casters stay", casters.len());
     // What must be covered more often is covered less often.
     let twice = share(4000, 1.0, 2);
     assert!(

@@ -75,7 +75,7 @@ impl<'v> Plan<'v> {
     /// From the checked numbers of a view and the solids behind them; none where nothing can be left out.
     pub(crate) fn new(numbers: &'v [f32; VIEW_LENGTH], solids: &'v [f32], direction: [f32; 3]) -> Option<Self> {
         let covers = numbers[33] as usize;
-        let eye = EyeAxes::new(&numbers[4..20], direction)?;
+        let eye = EyeAxes::new(&numbers[4..20])?;
         let plan = |chart, range, what| Self {
             chart,
             range,
@@ -211,14 +211,14 @@ pub(crate) struct EyeAxes {
 
 impl EyeAxes {
     /// None where the matrix squeezes the picture askew, which no camera does.
-    pub(crate) fn new(columns: &[f32], direction: [f32; 3]) -> Option<Self> {
+    pub(crate) fn new(columns: &[f32]) -> Option<Self> {
         let rows: [Row; 4] = std::array::from_fn(|row| std::array::from_fn(|i| f64::from(columns[4 * i + row])));
         let w = [rows[3][0], rows[3][1], rows[3][2]];
-        let length = length(w);
-        let forward = if length > 1e-9 {
-            w.map(|component| component / length)
+        let forward = if length(w) > 1e-9 {
+            unit(w)
         } else {
-            direction.map(f64::from)
+            // Parallel rays run across both sides of the picture.
+            unit(cross([0, 1, 2].map(|i| rows[1][i]), [0, 1, 2].map(|i| rows[0][i])))
         };
         let beside = [0, 1].map(|row: usize| {
             let row = [rows[row][0], rows[row][1], rows[row][2]];
@@ -306,13 +306,8 @@ pub(crate) fn light_chart(direction: [f32; 3]) -> Chart {
     let mut side: [f64; 3] = std::array::from_fn(|i| if i == least { 1.0 } else { 0.0 });
     let along = d[least];
     side = std::array::from_fn(|i| side[i] - along * d[i]);
-    let size = length(side);
-    let side = side.map(|component| component / size);
-    let up = [
-        d[1] * side[2] - d[2] * side[1],
-        d[2] * side[0] - d[0] * side[2],
-        d[0] * side[1] - d[1] * side[0],
-    ];
+    let side = unit(side);
+    let up = cross(d, side);
     let line = |axis: [f64; 3]| linear([axis[0], axis[1], axis[2], 0.0]);
     Chart {
         across: line(side),
@@ -332,6 +327,19 @@ fn linear(row: Row) -> Linear {
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+fn unit(a: [f64; 3]) -> [f64; 3] {
+    let length = length(a);
+    a.map(|component| component / length)
 }
 
 fn length(a: [f64; 3]) -> f64 {
