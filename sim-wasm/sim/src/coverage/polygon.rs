@@ -1,23 +1,25 @@
 //! A polygon that holds some discs: all that a shadow could darken, whatever the eye sees between its discs as filled.
 
+use std::f32::consts::FRAC_1_SQRT_2;
+
 /// Sides, each with a normal a sixteenth of a turn from the last; the first looks along u.
 const SIDES: usize = 16;
 const COSINES: [f32; SIDES] = [
     1.0,
     0.923_879_5,
-    0.707_106_8,
+    FRAC_1_SQRT_2,
     0.382_683_43,
     0.0,
     -0.382_683_43,
-    -0.707_106_8,
+    -FRAC_1_SQRT_2,
     -0.923_879_5,
     -1.0,
     -0.923_879_5,
-    -0.707_106_8,
+    -FRAC_1_SQRT_2,
     -0.382_683_43,
     0.0,
     0.382_683_43,
-    0.707_106_8,
+    FRAC_1_SQRT_2,
     0.923_879_5,
 ];
 /// The sides that look along v and against it.
@@ -68,8 +70,7 @@ impl Polygon {
     pub(crate) fn between(&self, low: f32, high: f32) -> [f32; 2] {
         let (low, high) = (low - self.v, high - self.v);
         let (mut left, mut right) = (-self.sides[SIDES / 2], self.sides[0]);
-        for side in 1..UP {
-            let (cosine, sine) = (COSINES[side], sine(side));
+        for (side, cosine, sine) in (1..UP).map(|side| (side, COSINES[side], sine(side))) {
             // Where a side leans back upwards its low end is the wider one.
             right = right
                 .min((self.sides[side] - sine * low) / cosine)
