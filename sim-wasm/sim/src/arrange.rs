@@ -95,12 +95,13 @@ impl Arranger {
 
     /// Writes the rows of the entries that stay, over the places that they were chosen by.
     fn write(&mut self, particles: &Particles, view: &View, moment: &Moment, count: usize) {
+        let has_ends = view.coverage.is_some_and(|plan| plan.has_ends());
         for (row, [end, particle]) in self.order[..count].iter().enumerate() {
             let particle = *particle as usize;
             self.place[row] = moment.place(particles, particle);
             self.look[row] = moment.look(particles, particle);
             if view.is_light {
-                let end = if view.coverage.is_some() { *end } else { NO_END };
+                let end = if has_ends { *end } else { NO_END };
                 self.look[row][0] = self.look[row][0] & 0xffff | end << 16;
             }
         }

@@ -45,7 +45,7 @@ impl Coverage {
     }
 
     /// Keeps those of `rows` that `plan` cannot rule out, in their order: keys and particles. `places` has those of the
-    /// particles, `look` gives theirs. Returns how many stay; the keys become ends of shadows.
+    /// particles, `look` gives theirs. Returns how many stay; of shadows the keys become ends.
     pub(crate) fn sift(
         &mut self,
         plan: &Plan,
@@ -56,7 +56,7 @@ impl Coverage {
     ) -> usize {
         self.grid.lay(plan, footprint);
         let outliner = Outliner::new(plan, &self.grid, &self.turns);
-        let (mut kept, mut lies_before_eye) = (0, true);
+        let mut kept = 0;
         for at in 0..rows.len() {
             let particle = rows[at][1] as usize;
             let place = places[particle];
@@ -68,15 +68,12 @@ impl Coverage {
                 continue;
             }
             self.grid.cover(self.outline.inner());
-            lies_before_eye &= self.outline.is_certain();
             rows[kept] = rows[at];
             kept += 1;
         }
-        // Among smoke, where volumes fill the picture, the sides of those that go on may miss a pixel of one that ends.
-        if plan.has_ends() && lies_before_eye {
-            return self.shorten(plan, footprint, &mut rows[..kept], places, look);
+        if plan.has_ends() {
+            kept = self.shorten(plan, footprint, &mut rows[..kept], places, look);
         }
-        rows[..kept].iter_mut().for_each(|row| row[0] = NO_END);
         kept
     }
 

@@ -57,11 +57,6 @@ struct Spot {
 }
 
 impl Outline {
-    /// Whether what it covers is certain; not of what the eye runs into.
-    pub(crate) fn is_certain(&self) -> bool {
-        self.spot.covers
-    }
-
     pub(crate) fn inner(&self) -> &[Disc] {
         &self.inner[..self.inner_count]
     }
