@@ -2,6 +2,7 @@
 import {
   AmbientLight,
   BoxGeometry,
+  CanvasTexture,
   CircleGeometry,
   Color,
   CylinderGeometry,
@@ -150,11 +151,28 @@ function makePane(): Mesh {
 }
 
 function makeSparks(): Sprite[] {
-  const material = new SpriteMaterial({ color: '#ffe08a', opacity: 0.9 });
+  const material = new SpriteMaterial({ color: '#ffe08a', map: drawStar(), depthWrite: false });
   return [0, 1, 2, 3].map((index) => {
     const spark = new Sprite(material);
-    spark.scale.setScalar(0.16);
+    spark.scale.setScalar(0.3 - 0.04 * index);
     spark.position.set(-1.4 + 0.35 * index, 1.2 + 0.45 * index, 0.5 - 0.35 * index);
     return spark;
   });
+}
+
+/** A star of four points, as cartoons draw what glitters. */
+function drawStar(): CanvasTexture {
+  const size = 128;
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = size;
+  const context = canvas.getContext('2d')!;
+  context.translate(size / 2, size / 2);
+  context.fillStyle = '#fff';
+  context.moveTo(0, -60);
+  for (let point = 0; point < 4; point++) {
+    context.rotate(Math.PI / 2);
+    context.quadraticCurveTo(-6, -6, 0, -60);
+  }
+  context.fill();
+  return new CanvasTexture(canvas);
 }
