@@ -6,7 +6,7 @@ import { Casters, FRONT_AND_BACK } from '../instances/instances.ts';
 import { VolumesPass } from '../passes/volumes.ts';
 import { ParameterError } from '../preset/errors.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
-import type { Rows } from '../sim/rows.ts';
+import { LOOK_WORDS, NO_END, type Rows } from '../sim/rows.ts';
 import { bakedPuffs } from '../smoke/bakedPuffs.ts';
 import type { BallAt } from './proxies.ts';
 
@@ -24,7 +24,9 @@ export class BallVolumes {
   private readonly rows = new Casters(MOST_BALLS, FRONT_AND_BACK);
   private readonly volumes: VolumesPass;
   private readonly place = new Float32Array(4 * MOST_BALLS);
-  private readonly look = new Uint32Array(2 * MOST_BALLS);
+  private readonly look = new Uint32Array(LOOK_WORDS * MOST_BALLS).map((_, word) =>
+    word % LOOK_WORDS === 0 ? NO_END : 0,
+  );
 
   constructor(device: Device, eye: Eye) {
     this.puffs = new PuffTextures(device.puffs, bakedPuffs(BALL, BALL));

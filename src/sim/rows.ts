@@ -13,6 +13,9 @@ export const PLACE_FLOATS = 4;
 export const LOOK_WORDS = 2;
 export const ROW_BYTES = 4 * (PLACE_FLOATS + LOOK_WORDS);
 
+/** The end, in a look's first word, of a shadow that goes on for ever. */
+export const NO_END = 0xffff0000;
+
 /** A rigid's poses: position and quaternion (x, y, z, w) one step earlier, then the same now. */
 export const RIGID_FLOATS = 14;
 /** One pose: x, y, z in metres, then the unit quaternion x, y, z, w. */

@@ -18,7 +18,7 @@ import type { Color } from '../../src/device/ramps.ts';
 import type { DebugView } from '../../src/preset/environment.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { PuffShape } from '../../src/puffs/shapes.ts';
-import type { Rows } from '../../src/sim/rows.ts';
+import { LOOK_WORDS, NO_END, type Rows } from '../../src/sim/rows.ts';
 import type { Arranger, FrameInput } from '../../src/smoke/frame.ts';
 import type { Light } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
@@ -128,7 +128,7 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
 /** The same as casters whose shadows have no end. */
 function castersOf(puffs: readonly LabPuff[]): Rows {
   const rows = rowsOf(puffs);
-  for (let word = 0; word < rows.look.length; word += 2) rows.look[word] |= 0xffff0000;
+  for (let word = 0; word < rows.look.length; word += LOOK_WORDS) rows.look[word] |= NO_END;
   return rows;
 }
 
