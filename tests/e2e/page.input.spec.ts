@@ -172,7 +172,7 @@ test('V goes through the views of what the picture is made of, and says which', 
   await expect(page.getByText('Unlit: the colours in shadow.')).toBeVisible();
   await page.keyboard.press('v');
   await expect(page.getByText('Ink: black.')).toBeVisible();
-  for (let press = 0; press < 5; ++press) await page.keyboard.press('v');
+  for (let press = 0; press < 6; ++press) await page.keyboard.press('v');
   expect(await ask(page, (stage) => stage.view)).toBeUndefined();
   await expect(page.locator('.legend')).toBeHidden();
 });
