@@ -11,6 +11,7 @@ import { createTransport } from './transport.ts';
 export interface Dock {
   readonly element: HTMLElement;
   toggleGallery(): void;
+  closeGallery(): void;
 }
 
 export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber): Dock {
@@ -21,7 +22,7 @@ export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber): Do
     toggle.setAttribute('aria-expanded', String(isOpen));
   };
   const element = create('div', { class: 'dock' }, createTransport(stage, scrubber, toggle), gallery);
-  const dock = { element, toggleGallery: () => show(gallery.hidden !== false) };
+  const dock = { element, toggleGallery: () => show(gallery.hidden !== false), closeGallery: () => show(false) };
   show(innerHeight >= LEAST_HEIGHT);
   return dock;
 }

@@ -83,7 +83,12 @@ export function buildPage(host: HTMLElement, parts: PageParts): Page {
       panel.querySelector<HTMLElement>('.search-field')!.focus();
     },
     toggleGallery: () => dock.toggleGallery(),
-    toggleGizmos: () => gizmoToggle.setAttribute('aria-pressed', String(gizmos.toggle())),
+    toggleGizmos: () => {
+      const isShown = gizmos.toggle();
+      gizmoToggle.setAttribute('aria-pressed', String(isShown));
+      // On a phone the gallery would lie over some of them.
+      if (isShown && !matchMedia(ROOMY).matches) dock.closeGallery();
+    },
     toggleStatistics: () => statistics.toggle(),
   };
   host.append(
