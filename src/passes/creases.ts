@@ -78,10 +78,13 @@ export class CreasesPass {
 
 /** The seams of a surface with those that follow it, ride on the same rigid and do not grow into it. */
 function seamsBehind(surfaces: readonly SurfaceDescription[], index: number): CreaseEdges[] {
-  const { mesh, rigid, group } = surfaces[index];
+  const { mesh, rigid, part, group } = surfaces[index];
   return surfaces
     .slice(index + 1)
-    .filter((other) => other.inked && other.rigid === rigid && (group === undefined || other.group !== group))
+    .filter(
+      (other) =>
+        other.inked && other.rigid === rigid && other.part === part && (group === undefined || other.group !== group),
+    )
     .map((other) => seamEdges(mesh, other.mesh));
 }
 

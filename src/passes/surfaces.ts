@@ -128,7 +128,7 @@ export class SurfacesPass {
     if (surface.inked) {
       meshes.push(this.mesh(this.hulls, geometry, this.hull(0)));
       const raised = this.mesh(this.hulls, geometry, this.hull(ownPixels));
-      if (surface.rigid === undefined) this.closing.push(raised);
+      if (surface.rigid === undefined && surface.part === undefined) this.closing.push(raised);
       meshes.push(raised);
     }
     this.placed.push(meshes);

@@ -1,6 +1,8 @@
 /** The named presets: each says only what differs from the defaults of the table. */
 import { airplanePresets } from './moods/airplane.ts';
 import { campfirePresets } from './moods/campfire.ts';
+import { cloudscapePresets } from './moods/cloudscape.ts';
+import { geniePresets } from './moods/genie.ts';
 import { lampPresets } from './moods/lamp.ts';
 import type { Preset } from './moods/preset.ts';
 import { rocketPresets } from './moods/rocket.ts';
@@ -18,6 +20,8 @@ export const presets: readonly Preset[] = [
   ...trainPresets,
   ...campfirePresets,
   ...rocketPresets,
+  ...geniePresets,
+  ...cloudscapePresets,
   ...wispPresets,
 ];
 

@@ -104,6 +104,8 @@ export const table: readonly Parameter[] = [
     ['train', 'Steam train'],
     ['campfire', 'Campfire'],
     ['rocket', 'Rocket launch'],
+    ['genie', 'Genie'],
+    ['cloudscape', 'Cloudscape'],
     ['wisp', 'Cup of tea'],
   ]),
   quantity('seed', 'simulation', 'stage', {
@@ -283,6 +285,20 @@ export const table: readonly Parameter[] = [
   ),
   toggle('softColors', 'Soft colours', 'Lets colours by age and heat run into each other; off keeps them apart.', 0),
   color('inkColor', 'Ink', 'Colour of the outlines.', '#1d1720'),
+  ramp(
+    'backdrop',
+    'Own backdrop',
+    "Two colours of what lies behind, from below to above, in the place of the scene's.",
+  ),
+  quantity('style.wash', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.05,
+    default: 0,
+    label: 'Wash',
+    text: 'How far the things of the scene give up their colours for shades of one.',
+  }),
+  color('washColor', 'Wash colour', 'The lightest of those shades.', '#f2ead8'),
   quantity('style.outlineWidth', 'style', 'style', {
     min: 0,
     max: 8,

@@ -39,6 +39,15 @@ export interface CameraShift {
 /** A camera that moves by itself until somebody takes it, by simulated seconds alone: a moment has one picture. */
 export type CameraMove = (seconds: number) => CameraShift;
 
+/** What a moving light adds to its angles, degrees. */
+export interface LightShift {
+  azimuth: number;
+  elevation: number;
+}
+
+/** A light that moves by itself, by simulated seconds alone; what people choose is where it would stand without. */
+export type LightMove = (seconds: number) => LightShift;
+
 /** A rigid that people can move, and the box that its centre stays in, metres. */
 export interface Handle {
   rigid: number;
@@ -100,6 +109,7 @@ export interface Scene {
   /** What differs in a picture that is higher than wide. */
   portrait?: Partial<CameraPose>;
   cameraMove?: CameraMove;
+  lightMove?: LightMove;
   /** What the light's angles and distance are measured from; what the camera looks at where absent. */
   lightCentre?: Vector;
   backdrop?: { top: Color; bottom: Color };

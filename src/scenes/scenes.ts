@@ -15,6 +15,8 @@ export const sceneEntries: Readonly<Record<string, SceneEntry>> = {
   train: { hasRigids: true, load: async () => (await import('./train.ts')).train() },
   campfire: { hasRigids: false, load: async () => (await import('./campfire.ts')).campfire() },
   rocket: { hasRigids: true, load: async () => (await import('./rocket.ts')).rocket() },
+  genie: { hasRigids: true, load: async () => (await import('./genie.ts')).genie() },
+  cloudscape: { hasRigids: false, load: async () => (await import('./cloudscape.ts')).cloudscape() },
   wisp: { hasRigids: false, load: async () => (await import('./wisp.ts')).wisp() },
 };
 

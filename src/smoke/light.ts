@@ -1,6 +1,9 @@
 import { MathUtils, Vector3, Vector4 } from 'three';
 import type { Values } from '../preset/parameter.ts';
 
+/** Of a light that moves by itself, degrees. */
+const LOWEST = 5;
+
 /** What lights the smoke: a sun, whose rays are parallel, or a lamp at a place. World space, metres. */
 export type Light =
   | { readonly kind: 'sun'; /** Unit vector. */ readonly towards: Vector3 }
@@ -11,6 +14,16 @@ export function lightOf(values: Values, centre: Vector3): Light {
   const towards = towardsLight(values['light.azimuth'] as number, values['light.elevation'] as number);
   if (values['light.kind'] !== 'lamp') return { kind: 'sun', towards };
   return { kind: 'lamp', place: towards.multiplyScalar(values['light.distance'] as number).add(centre) };
+}
+
+/** The same values with the light elsewhere; it never sinks to where shadows would have no end. Degrees. */
+export function moved(values: Values, { azimuth, elevation }: { azimuth: number; elevation: number }): Values {
+  const height = (values['light.elevation'] as number) + elevation;
+  return {
+    ...values,
+    'light.azimuth': (values['light.azimuth'] as number) + azimuth,
+    'light.elevation': MathUtils.clamp(height, LOWEST, 90),
+  };
 }
 
 /**

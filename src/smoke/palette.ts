@@ -12,11 +12,22 @@ export interface Toning {
   isBlended?: boolean;
   /** How far the tone of shadow comes back towards the colour where the fill light reaches, 0..1. */
   fill?: number;
+  /** How far shadow lets go of its hue, 0..1. */
+  neutral?: number;
+}
+
+/** How far colours become shades of one, 0..1, and the lightest of these shades. */
+export interface Wash {
+  readonly share: number;
+  readonly color: Color;
 }
 
 // What is multiplied into a colour to shade it: shadows lean to violet, so that they read as cool beside any light.
 const SHADOW: Color = [150, 140, 196];
 const MIDDLE: Color = [214, 202, 232];
+// The same two without a hue, for things that are washed into shades of one colour.
+const GREY: Color = [142, 142, 142];
+const LIGHT_GREY: Color = [206, 206, 206];
 const WHITE: Color = [255, 255, 255];
 
 /**
@@ -30,12 +41,13 @@ export function rampOf(color: Color, toning: Toning): Ramp {
   return isFilled ? { ...ramp, filled: mixed(first, ramp.lit[ramp.lit.length - 1].color, isFilled) } : ramp;
 }
 
-function rampOfTones(color: Color, { tones, shading }: Toning): Ramp {
-  const shadow = { from: 0, color: multiply(color, SHADOW) };
+function rampOfTones(color: Color, { tones, shading, neutral = 0 }: Toning): Ramp {
+  const shadow = { from: 0, color: multiply(color, mixed(SHADOW, GREY, neutral)) };
   const unlit = [shadow];
   if (!shading || tones === 1) return { lit: [{ from: 0, color }], unlit };
   if (tones === 2) return { lit: [shadow, { from: 0.5, color }], unlit };
-  return { lit: [shadow, { from: FIRST_BORDER, color: multiply(color, MIDDLE) }, { from: 0.66, color }], unlit };
+  const middle = multiply(color, mixed(MIDDLE, LIGHT_GREY, neutral));
+  return { lit: [shadow, { from: FIRST_BORDER, color: middle }, { from: 0.66, color }], unlit };
 }
 
 function rampOfStops(color: Color, stops: readonly Tone[], { shading, isBlended }: Toning): Ramp {
@@ -51,8 +63,20 @@ export function turnOf(toning: Toning): number {
 }
 
 /** Surfaces stay shaded where smoke is flat: the edge of a mesh's own shadow follows its triangles and has to lie in shade. */
-export function surfaceToning({ tones }: Toning): Toning {
-  return { tones: tones === 1 ? 2 : tones, shading: true };
+export function surfaceToning({ tones, wash }: Toning & { wash?: Wash }): Toning {
+  return { tones: tones === 1 ? 2 : tones, shading: true, ...(wash?.share && { neutral: wash.share }) };
+}
+
+// Of the wash's colour, what black becomes: dark things stay darker than light ones and yet show their shadow.
+const DARKEST = 0.22;
+
+/** The colour of a surface: its own, or the shade of the wash's colour that is as light as its own. */
+export function washed(color: Color, wash?: Wash): Color {
+  if (!wash) return color;
+  const [red, green, blue] = color;
+  const lightness = (0.3 * red + 0.59 * green + 0.11 * blue) / 255;
+  const shade = mixed([0, 0, 0], wash.color, DARKEST + (1 - DARKEST) * lightness);
+  return mixed(color, shade, wash.share);
 }
 
 /** Whether light and shadow differ even where a puff looks away from the light: its own shadow must not begin on it then. */

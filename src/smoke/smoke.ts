@@ -19,7 +19,7 @@ import { VolumesPass } from '../passes/volumes.ts';
 import { bakedPuffs } from './bakedPuffs.ts';
 import { arrangeFrame, drawFrame, type FrameInput, type FrameReport } from './frame.ts';
 import { bandsOf } from './bands.ts';
-import { plainColorOf, rampOf, smokeColorOf, surfaceToning, turnOf } from './palette.ts';
+import { plainColorOf, rampOf, smokeColorOf, surfaceToning, turnOf, washed } from './palette.ts';
 import { Rivals } from './rivals.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { inkLineOf, type Style } from './style.ts';
@@ -78,12 +78,14 @@ export class SmokeRenderer {
   private readonly puffs: PuffTextures;
   private readonly stopListening: () => void;
   private readonly surfaces: readonly SurfaceDescription[];
+  private readonly backdrop: SmokeOptions['backdrop'];
   private style: Style | undefined;
   private pixelRatio = 0;
 
   constructor(device: Device, { capacity, surfaces, isGuest = false, backdrop, puffs = bakedPuffs() }: SmokeOptions) {
     this.device = device;
     this.surfaces = surfaces;
+    this.backdrop = backdrop;
     this.puffs = new PuffTextures(device.puffs, puffs);
     this.ramps = new RampTexture(FIRST_SURFACE_RAMP + surfaces.length);
     const eye = new Eye();
@@ -132,7 +134,6 @@ export class SmokeRenderer {
     };
     // Told later, three.js would try to delete in the restored context what belonged to the lost one.
     this.stopListening = device.onContext((event) => (event === 'lost' ? this.release() : undefined));
-    if (backdrop) this.passes.backdrop.setColors(backdrop.top, backdrop.bottom);
   }
 
   /**
@@ -190,6 +191,7 @@ export class SmokeRenderer {
     const { body, surfaces, volumes, prismVolumes, mask, resolve } = this.passes;
     const line = inkLineOf(style, pixelRatio);
     this.writeRamps(style);
+    this.paintBackdrop(style);
     body.setInk(line, style.innerLine, style.innerTaper);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
     body.setRim(style.rimColor, style.shading ? style.rim : 0);
@@ -204,6 +206,12 @@ export class SmokeRenderer {
     this.pixelRatio = pixelRatio;
   }
 
+  private paintBackdrop({ backdropColors = [] }: Style): void {
+    if (!this.backdrop) return;
+    const [top, bottom] = [backdropColors.at(-1)?.color, backdropColors.at(0)?.color];
+    this.passes.backdrop.setColors(top ?? this.backdrop.top, bottom ?? this.backdrop.bottom);
+  }
+
   /** Smoke, its tints, the surfaces, then the smoke again for each band of age and temperature. */
   private writeRamps(style: Style): void {
     const surfaces = surfaceToning(style);
@@ -212,7 +220,7 @@ export class SmokeRenderer {
     const ramps = [
       rampOf(plainColorOf(style), style),
       ...style.tints.map((tint) => rampOf(tint, style)),
-      ...this.surfaces.map(({ color }) => rampOf(color, surfaces)),
+      ...this.surfaces.map(({ color }) => rampOf(washed(color, style.wash), surfaces)),
       ...colors.map((color) => rampOf(color, style)),
     ];
     this.ramps.resize(ramps.length);

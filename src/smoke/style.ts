@@ -3,7 +3,7 @@ import type { Color, Tone } from '../device/ramps.ts';
 import type { Gradient } from '../passes/bodies.ts';
 import type { InkLine } from '../passes/ink.ts';
 import type { Values } from '../preset/parameter.ts';
-import { parseColor, parseStops, type Toning } from './palette.ts';
+import { parseColor, parseStops, type Toning, type Wash } from './palette.ts';
 
 /** How puffs become pixels: the product's own way, and three others to compare it with. */
 export type Renderer = 'nailboards' | 'selle' | 'sprites' | 'shadowMap';
@@ -46,6 +46,10 @@ export interface Style extends Toning {
   /** Colours of smoke that an emitter or a collider has tinted. */
   tints: readonly [Color, Color, Color];
   inkColor: Color;
+  /** What lies behind, from below to above, in the place of the scene's; its own where absent or empty. */
+  backdropColors?: readonly Tone[];
+  /** Shades of one colour that surfaces take; their own colours where absent. */
+  wash?: Wash;
 }
 
 /** Reads the style out of flat values that hold every key of the table. */
@@ -80,6 +84,8 @@ export function styleOf(values: Values): Style {
     smokeColor: parseColor(values['style.smokeColor'] as string),
     tints: [tint(values, 1), tint(values, 2), tint(values, 3)],
     inkColor: parseColor(values['style.inkColor'] as string),
+    backdropColors: parseStops(values['style.backdrop'] as string),
+    wash: { share: values['style.wash'] as number, color: parseColor(values['style.washColor'] as string) },
   };
 }
 

@@ -5,7 +5,7 @@ import type { Values } from '../preset/parameter.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import type { Scene } from '../scenes/scene.ts';
 import type { FrameInput, FrameReport } from '../smoke/frame.ts';
-import { lightOf, type Light } from '../smoke/light.ts';
+import { lightOf, moved, type Light } from '../smoke/light.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import { styleOf, type Style } from '../smoke/style.ts';
@@ -19,12 +19,14 @@ export class ShownSmoke {
   private renderer: SmokeRenderer;
   private capacity: number;
   private style: Style;
+  private values: Values;
   private light: Light;
 
   constructor(device: Device, scene: Scene, values: Values) {
     this.device = device;
     this.scene = scene;
     this.style = styleOf(values);
+    this.values = values;
     this.light = this.lightOf(values);
     this.puffs = new LivePuffs(values);
     this.baked = this.puffs.finish();
@@ -39,6 +41,7 @@ export class ShownSmoke {
   /** Goes on with these values. */
   follow(values: Values): void {
     this.style = styleOf(values);
+    this.values = values;
     this.light = this.lightOf(values);
     this.puffs.follow(values);
     if (this.capacity === capacityOf(values)) return;
@@ -71,11 +74,17 @@ export class ShownSmoke {
   }
 
   draw(input: Omit<FrameInput, 'style' | 'light'>): FrameReport {
-    return this.renderer.draw({ ...input, style: this.style, light: this.light });
+    return this.renderer.draw({ ...input, style: this.style, light: this.lightAt(input.time ?? 0) });
   }
 
   dispose(): void {
     this.renderer.dispose();
+  }
+
+  /** @param seconds simulated */
+  private lightAt(seconds: number): Light {
+    const shift = this.scene.lightMove?.(seconds);
+    return shift ? this.lightOf(moved(this.values, shift)) : this.light;
   }
 
   private lightOf(values: Values): Light {

@@ -9,6 +9,7 @@ import {
   smokeColorOf,
   surfaceToning,
   turnOf,
+  washed,
 } from '../../src/smoke/palette.ts';
 
 const CREAM = parseColor('#f6efe2');
@@ -128,5 +129,28 @@ describe('RampTexture', () => {
     expect(texel(lit, 127)).not.toEqual([...CREAM]);
     expect(texel(lit, 128)).toEqual([...CREAM]);
     expect(texel(unlit, 255)).toEqual(texel(lit, 0));
+  });
+});
+
+describe('washed', () => {
+  const wash = { share: 1, color: [200, 100, 50] } as const;
+
+  it('leaves colours alone without a wash, or with none of it', () => {
+    expect(washed(CREAM)).toEqual(CREAM);
+    expect(washed(CREAM, { ...wash, share: 0 })).toEqual(CREAM);
+  });
+
+  it('makes shades of one colour, as light as the colours were', () => {
+    expect(washed([255, 255, 255], wash)).toEqual([200, 100, 50]);
+    const [dark, light] = [washed([60, 20, 20], wash), washed([90, 220, 120], wash)];
+    for (const shade of [dark, light]) expect(shade[0] / shade[1]).toBeCloseTo(2, 1);
+    expect(light[0]).toBeGreaterThan(dark[0] + 60);
+  });
+
+  it('takes the hue from the shadows of surfaces, too', () => {
+    const toning = surfaceToning({ tones: 3, shading: true, wash });
+    const { lit } = rampOf([255, 255, 255], toning);
+    expect(lit).toHaveLength(3);
+    for (const { color } of lit) expect(new Set(color).size).toBe(1);
   });
 });

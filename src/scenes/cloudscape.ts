@@ -1,0 +1,110 @@
+import { cumuli, type Cumulus } from './models/cumulus.ts';
+import { AXLE, hills, sheep, sun, windmill } from './models/meadow.ts';
+import { placement } from './models/place.ts';
+import type { LightMove, Scene, Vector } from './scene.ts';
+
+/** Of the wind, m/s: negative blows to the left. */
+export const WIND = -0.42;
+/** From each cloud to its like that comes after it, metres; the clouds of the start are as many as fit in. */
+const WIDTH = 12.6;
+const CLOUDS: readonly Cumulus[] = [
+  [-4.4, 2.5, -1.6, 1.35],
+  [-0.5, 1.5, 0.2, 1.1],
+  [2.6, 3, -1.2, 1.05],
+  [5.4, 1.3, -2.2, 1.6],
+];
+/** Where the light stands at noon, degrees; the presets begin from there. */
+export const NOON = { azimuth: 0, elevation: 62 } as const;
+/** From one morning to the next, seconds, and how far the sun goes to both sides of noon, degrees. */
+const DAY = 90;
+const SWING = 64;
+/** How much lower it stands at both ends, degrees. */
+const SINK = 24;
+const CENTRE: Vector = [0, 1.2, 0];
+/** How far the sun of this paper theatre hangs to the sides, above the middle, and behind the clouds; metres. */
+const SKY: Vector = [5.6, 2.75, -3];
+const [SAILS, RAYS, FACE] = [0, 1, 2];
+
+/** Clouds drift over a meadow while the sun goes from one side to the other and back. */
+export function cloudscape(): Scene {
+  return {
+    name: 'cloudscape',
+    rig: RIG,
+    rigids: [],
+    rigidNames: [],
+    emissionSurfaces: [cumuli(CLOUDS), cumuli(CLOUDS.map(([x, ...rest]) => [x + WIDTH, ...rest] as const))],
+    surfaces: [...hills(), ...windmill(SAILS), ...sheep(FLOCK), ...sun(RAYS, FACE)],
+    parts: [
+      { pose: (seconds) => placement(AXLE, [0, 0, 0.9 * WIND * seconds]) },
+      { pose: (seconds) => placement(sunPlace(seconds), [0, 0, sunTurn(seconds)]) },
+      { pose: (seconds) => placement(sunPlace(seconds), [0, 0, 0.1 * Math.sin(seconds)]) },
+    ],
+    camera: { target: [0, 1.15, 0], azimuth: 0, elevation: 0.06, distance: 9.6, fieldOfView: 0.58 },
+    portrait: { target: [-0.55, 1.75, 0], distance: 11, leastWidth: 0.38 },
+    cameraMove: (seconds) => ({ azimuth: 0.06 * Math.sin(seconds / 8), elevation: 0.02 * Math.sin(seconds / 5) }),
+    lightMove,
+    lightCentre: CENTRE,
+    backdrop: { top: [86, 158, 216], bottom: [250, 226, 206] },
+  };
+}
+
+/** From the left in the morning to the right and back, lowest at both ends. */
+export const lightMove: LightMove = (seconds) => {
+  const way = -Math.cos((2 * Math.PI * (seconds + 6)) / DAY);
+  return { azimuth: SWING * way, elevation: -SINK * way * way };
+};
+
+/** Where the sun hangs: on the side that the light comes from, as high as it stands. */
+export function sunPlace(seconds: number): Vector {
+  const { azimuth, elevation } = lightMove(seconds);
+  const [aside, height] = [NOON.azimuth + azimuth, NOON.elevation + elevation].map((angle) => (Math.PI * angle) / 180);
+  return [
+    CENTRE[0] + SKY[0] * Math.sin(aside) * Math.cos(height),
+    CENTRE[1] + SKY[1] * Math.sin(height),
+    CENTRE[2] + SKY[2],
+  ];
+}
+
+/** Its rays turn on its way; its bright side stays towards the light. */
+function sunTurn(seconds: number): number {
+  const [x, y] = sunPlace(seconds);
+  return Math.atan2(y - CENTRE[1], x - CENTRE[0]);
+}
+
+const FLOCK = [
+  [[-0.5, -0.95, 1.3], 1],
+  [[0.35, -0.98, 0.7], -1],
+  [[1.5, -1.05, 1.5], -1],
+] as const;
+
+/** Large puffs and small ones on the skins of the clouds, all at once; then those of the clouds that come after them. */
+const RIG: Readonly<Record<string, number>> = {
+  'winds.0.velocity.x': WIND,
+  'buoyancy.acceleration': 0,
+  'gravity.acceleration': 0,
+  'drag.rate': 3,
+  ...clouds(0, 0, { size: 0.66, count: 84 }),
+  ...clouds(1, 0, { size: 0.42, count: 76 }),
+  ...clouds(2, 1, { size: 0.66, count: 84 }),
+  ...clouds(3, 1, { size: 0.42, count: 76 }),
+};
+
+function clouds(
+  emitter: number,
+  surface: number,
+  { size, count }: { size: number; count: number },
+): Record<string, number> {
+  const values = {
+    shape: 8,
+    surface,
+    speed: 0,
+    size,
+    sizeVariation: 0.35,
+    temperature: 0,
+    share: 0,
+    lifetimeVariation: 0.08,
+    'burst.count': count,
+    ...(surface > 0 && { 'envelope.period': WIDTH / -WIND }),
+  };
+  return Object.fromEntries(Object.entries(values).map(([key, value]) => [`emitters.${emitter}.${key}`, value]));
+}
