@@ -21,11 +21,10 @@ export const lampPresets: readonly Preset[] = [
   {
     name: 'lamp-noir',
     label: 'Noir',
-    text: 'One flat tone and heavy ink, as printed in black and white.',
+    text: 'White, one grey and heavy ink, as printed in black and white.',
     values: {
       ...curl,
-      'style.tones': 1,
-      'style.smokeColor': '#fbf7ec',
+      'style.ramp': '0:8b867f,.3:fbf7ec',
       'style.inkColor': '#0b090c',
       'style.outlineWidth': 4,
       'style.innerLine': 0.34,
@@ -125,14 +124,13 @@ export const lampPresets: readonly Preset[] = [
     text: 'Two greys on yellowed paper, as in a comic strip of long ago.',
     values: {
       ...curl,
-      'style.ramp': '0:8d867a,.5:f3ead4',
+      'style.ramp': '0:aaa293,.3:f8f0dc',
       'style.inkColor': '#1d1a18',
       'style.outlineWidth': 2.6,
       'style.inkSwell': 0.7,
       'style.backdrop': '0:e9dfc6,1:f0e7d0',
       'style.wash': 1,
       'style.washColor': '#efe5cd',
-      'light.azimuth': 55,
     },
   },
   {
