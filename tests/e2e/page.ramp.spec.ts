@@ -10,9 +10,11 @@ async function onBar(page: Page, along: number): Promise<{ x: number; y: number 
   return { x: box.x + along * box.width, y: box.y + box.height / 3 };
 }
 
+/** A click waits until the bar has come to rest. */
 async function pressBar(page: Page, along: number): Promise<void> {
-  const { x, y } = await onBar(page, along);
-  await page.mouse.click(x, y);
+  const bar = row(page, KEY).locator('.ramp-bar');
+  const { width, height } = (await bar.boundingBox())!;
+  await bar.click({ position: { x: along * width, y: height / 3 } });
 }
 
 /** Where the stops of the stage's ramp are. */
@@ -35,10 +37,9 @@ test('a ramp is begun, added to, dragged, painted, moved by keys, undone and emp
   await expect(stops).toHaveCount(3);
   await expect.poll(async () => (await places(page))[2]).toBeCloseTo(0.75, 1);
 
-  const from = (await stops.nth(2).boundingBox())!;
-  const to = await onBar(page, 0.9);
-  await page.mouse.move(from.x + from.width / 2, from.y + from.height / 2);
+  await stops.nth(2).hover();
   await page.mouse.down();
+  const to = await onBar(page, 0.9);
   await page.mouse.move(to.x - 5, to.y);
   await page.mouse.move(to.x, to.y);
   await page.mouse.up();
