@@ -63,6 +63,7 @@ test('a mesh becomes the puffs, the link says that it cannot hold it, and drawn 
   await expect(
     page.getByText('A link cannot hold a mesh: who opens it sees drawn puffs instead of cube.obj.'),
   ).toBeVisible();
+  await page.keyboard.press('Escape');
   await page.getByRole('button', { name: 'Back to drawn puffs' }).click();
   await expect(name).toBeHidden();
   await chooser.last().setInputFiles(cubeScene('bar.gltf'));

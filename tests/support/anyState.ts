@@ -47,7 +47,8 @@ function numberIn({ kind, min, max, linkMax = max }: NumberParameter, share: num
   if (share < 0.05) return min;
   if (share < 0.1) return linkMax;
   const number = min + (share - 0.1) * (10 / 9) * (linkMax - min);
-  return kind === 'integer' ? Math.round(number) : number;
+  // Rounding can give -0, which a link writes as 0.
+  return kind === 'integer' ? Math.round(number) + 0 : number;
 }
 
 /** Rising places, the first below 1, in whole thousandths. */

@@ -38,6 +38,7 @@ describe('the layout of rows and views', () => {
         lift: 0.75,
         lifters: [[6, 5, 4, 3, 2, 1]],
         capRange: [-0.5, 0.5],
+        startCaps: { values: new Float32Array([0.25, 0.375]) },
         depth: 1.25,
         solids: { table: new Float32Array([9, 8, 7]), balls: 4, facesEye: true, tolerance: 0.0625, blur: 3 },
       },
@@ -52,7 +53,8 @@ describe('the layout of rows and views', () => {
       [0.125, -4, 50, 2, 0.0625, 3, 1, 0.75, -0.5, 0.5, 1.25],
     ];
     const lifters = [1, 6, 5, 4, 3, 2, 1, ...Array<number>(42).fill(0)];
-    expect([...floats.subarray(VIEW_OFFSETS.reach)]).toEqual([...head, ...coverage, 4, ...lifters, 9, 8, 7]);
+    const tables = [9, 8, 7, 0.25, 0.375];
+    expect([...floats.subarray(VIEW_OFFSETS.reach)]).toEqual([...head, ...coverage, 4, ...lifters, 1, ...tables]);
   });
 
   it('reads of each part of the view what Rust reads', async () => {
