@@ -75,7 +75,7 @@ test('a preset is chosen, and a link of it typed into the address bar is taken u
   await page.keyboard.press('g');
   await page.getByRole('radio', { name: 'Noir' }).check();
   await expectHash(page, '#v=1&preset=lamp-noir');
-  await expectValue(page, 'style.tones', 1);
+  await expectValue(page, 'style.outlineWidth', 4);
   await page.evaluate(() => (location.hash = '#v=1&preset=lamp-ghost&emission.rate=30&bogus=1'));
   await expectValue(page, 'emission.rate', 30);
   await expect(page.getByRole('radio', { name: 'Ghost' })).toBeChecked();
