@@ -61,7 +61,7 @@ test.describe('on a phone', () => {
     await expectScrubbing(page, await fingerOf(page));
     const gallery = page.getByRole('radiogroup', { name: 'Presets' });
     await gallery.getByRole('radio', { name: 'Noir' }).tap();
-    await expect.poll(() => ask(page, (stage) => stage.get()['style.tones'])).toBe(1);
+    await expect.poll(() => ask(page, (stage) => stage.get()['style.outlineWidth'])).toBe(4);
     await expect.poll(() => page.evaluate(() => location.hash)).toBe('#v=1&preset=lamp-noir');
     await page.keyboard.press('ArrowRight');
     await expect(gallery.getByRole('radio', { name: 'Sunset' })).toBeChecked();
