@@ -4,10 +4,9 @@ import { lengthOf, minus, mixed, normalized, type Vector } from './vector.ts';
 
 /**
  * Share of the puff's overall normal in every normal (0..1). At 0 each lobe is lit as a ball of its own and
- * a cluster looks like a bag of marbles; at 1 the lobes vanish in the big form. Where puffs stand close, each lobe that
- * catches the light by itself is cut by its neighbours to a splinter, so it is rather more than half.
+ * a cluster looks like a bag of marbles; at 1 the lobes vanish in the big form.
  */
-export const NORMAL_BLEND = 0.55;
+export const NORMAL_BLEND = 0.38;
 
 /**
  * Reach of the fillet along the creases in particle radii: normals (not positions) turn gradually from one lobe to the
