@@ -1,4 +1,16 @@
+import type { Values } from '../parameter.ts';
 import type { Preset } from './preset.ts';
+
+/** What the smoke of this scene is in every mood. */
+const smoke: Values = {
+  scene: 'airplane',
+  'emission.rate': 120,
+  'emission.lifetime': 5.6,
+  'emission.growthTime': 0.8,
+  'emission.density': '0:1,.8:1,1:0',
+  'forces.turbulence': 0.8,
+  'simulation.maxParticles': 1500,
+};
 
 export const airplanePresets: readonly Preset[] = [
   {
@@ -6,13 +18,7 @@ export const airplanePresets: readonly Preset[] = [
     label: 'Airplane',
     text: 'A little biplane that parts the clouds of the morning; steer it.',
     values: {
-      scene: 'airplane',
-      'emission.rate': 120,
-      'emission.lifetime': 5.6,
-      'emission.growthTime': 0.8,
-      'emission.density': '0:1,.8:1,1:0',
-      'forces.turbulence': 0.8,
-      'simulation.maxParticles': 1500,
+      ...smoke,
       'style.smokeColor': '#fff7ec',
       'style.gradient': 'height',
       'style.gradientColor': '#cfd3ee',
@@ -28,13 +34,7 @@ export const airplanePresets: readonly Preset[] = [
     label: 'Ukiyo-e',
     text: 'Indigo and rice paper, as cut in wood.',
     values: {
-      scene: 'airplane',
-      'emission.rate': 120,
-      'emission.lifetime': 5.6,
-      'emission.growthTime': 0.8,
-      'emission.density': '0:1,.8:1,1:0',
-      'forces.turbulence': 0.8,
-      'simulation.maxParticles': 1500,
+      ...smoke,
       'style.ramp': '0:5f88a4,.42:f3e8cf',
       'style.gradient': 'height',
       'style.gradientColor': '#a8c0c4',

@@ -1,4 +1,17 @@
+import type { Values } from '../parameter.ts';
 import type { Preset } from './preset.ts';
+
+/** What the smoke of this scene is in every mood. */
+const smoke: Values = {
+  scene: 'cloudscape',
+  'emission.rate': 0,
+  'emission.lifetime': 46,
+  'emission.growthTime': 1,
+  'emission.density': '0:1,.9:1,1:0',
+  'forces.turbulence': 0.35,
+  'turbulence.evolution': 0.1,
+  'simulation.maxParticles': 2000,
+};
 
 export const cloudscapePresets: readonly Preset[] = [
   {
@@ -6,14 +19,7 @@ export const cloudscapePresets: readonly Preset[] = [
     label: 'Cloudscape',
     text: 'Clouds drift over a meadow, and the sun goes its way.',
     values: {
-      scene: 'cloudscape',
-      'emission.rate': 0,
-      'emission.lifetime': 46,
-      'emission.growthTime': 1,
-      'emission.density': '0:1,.9:1,1:0',
-      'forces.turbulence': 0.35,
-      'turbulence.evolution': 0.1,
-      'simulation.maxParticles': 2000,
+      ...smoke,
       'style.ramp': '0:bcb8e2,.28:fffaf0',
       'style.innerLine': 0.3,
       'style.gradient': 'height',
@@ -30,14 +36,7 @@ export const cloudscapePresets: readonly Preset[] = [
     label: 'Gouache',
     text: 'Evening clouds in three broad tones, painted without a line.',
     values: {
-      scene: 'cloudscape',
-      'emission.rate': 0,
-      'emission.lifetime': 46,
-      'emission.growthTime': 1,
-      'emission.density': '0:1,.9:1,1:0',
-      'forces.turbulence': 0.35,
-      'turbulence.evolution': 0.1,
-      'simulation.maxParticles': 2000,
+      ...smoke,
       'style.outlines': 0,
       'style.ramp': '0:ac90c8,.3:f4a49c,.6:ffe6b8',
       'style.gradient': 'height',

@@ -1,4 +1,16 @@
+import type { Values } from '../parameter.ts';
 import type { Preset } from './preset.ts';
+
+/** What the smoke of this scene is in every mood. */
+const smoke: Values = {
+  scene: 'genie',
+  'emission.rate': 190,
+  'emission.lifetime': 2,
+  'emission.growthTime': 0.5,
+  'emission.density': '0:1,.7:1,1:0',
+  'forces.turbulence': 0.6,
+  'simulation.maxParticles': 1000,
+};
 
 export const geniePresets: readonly Preset[] = [
   {
@@ -6,13 +18,7 @@ export const geniePresets: readonly Preset[] = [
     label: 'Genie',
     text: 'He is at your service, and made of smoke; lead him anywhere.',
     values: {
-      scene: 'genie',
-      'emission.rate': 190,
-      'emission.lifetime': 2,
-      'emission.growthTime': 0.5,
-      'emission.density': '0:1,.7:1,1:0',
-      'forces.turbulence': 0.6,
-      'simulation.maxParticles': 1000,
+      ...smoke,
       'style.smokeColor': '#8ccbf0',
       'style.inkColor': '#221a3e',
       'style.innerLine': 0.42,
@@ -25,13 +31,7 @@ export const geniePresets: readonly Preset[] = [
     label: 'Sumi-e',
     text: 'Brush and black ink on white paper; the lines tremble.',
     values: {
-      scene: 'genie',
-      'emission.rate': 190,
-      'emission.lifetime': 2,
-      'emission.growthTime': 0.5,
-      'emission.density': '0:1,.7:1,1:0',
-      'forces.turbulence': 0.6,
-      'simulation.maxParticles': 1000,
+      ...smoke,
       'style.ramp': '0:c9c6c0,.36:fbf9f2',
       'style.inkColor': '#17161a',
       'style.outlineWidth': 3.4,

@@ -1,4 +1,16 @@
+import type { Values } from '../parameter.ts';
 import type { Preset } from './preset.ts';
+
+/** What the smoke of this scene is in every mood. */
+const smoke: Values = {
+  scene: 'train',
+  'emission.rate': 75,
+  'emission.lifetime': 6.5,
+  'emission.growthTime': 1.4,
+  'emission.density': '0:1,.45:.85,1:0',
+  'forces.wind.x': -0.1,
+  'simulation.maxParticles': 1000,
+};
 
 export const trainPresets: readonly Preset[] = [
   {
@@ -6,14 +18,8 @@ export const trainPresets: readonly Preset[] = [
     label: 'Steam train',
     text: 'A toy train goes round, a puff for each stroke.',
     values: {
-      scene: 'train',
-      'emission.rate': 75,
-      'emission.lifetime': 6.5,
-      'emission.growthTime': 1.4,
-      'emission.density': '0:1,.45:.85,1:0',
+      ...smoke,
       'forces.turbulence': 1,
-      'forces.wind.x': -0.1,
-      'simulation.maxParticles': 1000,
       'style.smokeColor': '#fffaf0',
       'style.inkColor': '#2a1d2e',
       'light.azimuth': 34,
@@ -25,13 +31,7 @@ export const trainPresets: readonly Preset[] = [
     label: 'Night mail',
     text: 'Moonlight from behind on the last train of the day.',
     values: {
-      scene: 'train',
-      'emission.rate': 75,
-      'emission.lifetime': 6.5,
-      'emission.growthTime': 1.4,
-      'emission.density': '0:1,.45:.85,1:0',
-      'forces.wind.x': -0.1,
-      'simulation.maxParticles': 1000,
+      ...smoke,
       'style.ramp': '0:4a5288,.45:8e9ccc,.75:e8ecff',
       'style.rim': 0.3,
       'style.rimColor': '#f4f0d8',

@@ -1,4 +1,16 @@
+import type { Values } from '../parameter.ts';
 import type { Preset } from './preset.ts';
+
+/** What the smoke of this scene is in every mood. */
+const smoke: Values = {
+  scene: 'wisp',
+  'emission.rate': 18,
+  'emission.lifetime': 4.5,
+  'emission.growthTime': 2.2,
+  'forces.turbulence': 1.2,
+  'turbulence.scale': 0.7,
+  'simulation.maxParticles': 400,
+};
 
 export const wispPresets: readonly Preset[] = [
   {
@@ -6,18 +18,12 @@ export const wispPresets: readonly Preset[] = [
     label: 'Cup of tea',
     text: 'A little steam from a cup that is glad to see you.',
     values: {
-      scene: 'wisp',
-      'emission.rate': 18,
-      'emission.lifetime': 4.5,
-      'emission.growthTime': 2.2,
-      'forces.turbulence': 1.2,
-      'turbulence.scale': 0.7,
+      ...smoke,
       'vortices.0.circulation': -1.6,
       'vortices.0.coreRadius': 0.4,
       'vortices.0.reach': 1.6,
       'vortices.0.position.x': -0.25,
       'vortices.0.position.y': 2.1,
-      'simulation.maxParticles': 400,
       'style.smokeColor': '#fffaf0',
       'light.azimuth': 30,
       'light.elevation': 40,
@@ -28,13 +34,7 @@ export const wispPresets: readonly Preset[] = [
     label: 'Matcha',
     text: 'One green for everything, in three tones and fine lines.',
     values: {
-      scene: 'wisp',
-      'emission.rate': 18,
-      'emission.lifetime': 4.5,
-      'emission.growthTime': 2.2,
-      'forces.turbulence': 1.2,
-      'turbulence.scale': 0.7,
-      'simulation.maxParticles': 400,
+      ...smoke,
       'style.ramp': '0:7fa878,.34:bcd6a4,.7:f2f7dc',
       'style.inkColor': '#24452f',
       'style.outlineWidth': 1.5,
