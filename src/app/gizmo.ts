@@ -1,4 +1,5 @@
 import type { Values } from '../preset/parameter.ts';
+import { DIRECTIONS, type Direction } from './directions.ts';
 import { create } from './dom.ts';
 import type { Changes, Editor } from './editor.ts';
 import { icon, type IconName } from './icons.ts';
@@ -14,23 +15,12 @@ export interface Gizmo {
   /** Where its handle is, CSS pixels from the top left of the overlay; undefined out of sight. */
   place(values: Values): { x: number; y: number } | undefined;
   /** What changes when its handle goes so many CSS pixels to the right, up and towards the viewer. */
-  move(from: Values, way: Way): Changes;
+  move(from: Values, way: Direction): Changes;
 }
-
-export type Way = readonly [right: number, up: number, near: number];
 
 /** Pixels that a press of an arrow key is worth, and with Shift. */
 const NUDGE = 8;
 const LEAP = 40;
-
-const WAYS: Readonly<Record<string, Way>> = {
-  ArrowLeft: [-1, 0, 0],
-  ArrowRight: [1, 0, 0],
-  ArrowUp: [0, 1, 0],
-  ArrowDown: [0, -1, 0],
-  PageUp: [0, 0, -1],
-  PageDown: [0, 0, 1],
-};
 
 /** The handle of a gizmo: dragged by mouse or finger, or moved by arrow keys while it has the focus. */
 export class GizmoHandle {
@@ -97,7 +87,7 @@ export class GizmoHandle {
   }
 
   private press(event: KeyboardEvent): void {
-    const way = WAYS[event.key];
+    const way = DIRECTIONS[event.key];
     if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     // The arrows of the page move its ball.
@@ -106,7 +96,7 @@ export class GizmoHandle {
     this.apply(this.valuesNow(), [pixels * way[0], pixels * way[1], pixels * way[2]]);
   }
 
-  private apply(from: Values, way: Way): void {
+  private apply(from: Values, way: Direction): void {
     this.editor.changeAll(this.gizmo.move(from, way), `gizmo ${this.gizmo.key}`);
   }
 }

@@ -1,3 +1,5 @@
+import { DIRECTIONS } from './directions.ts';
+
 /** What the keys of the page do; the page fills it in. */
 export interface KeyActions {
   togglePlaying(): void;
@@ -25,17 +27,6 @@ export interface KeyActions {
   /** Where the held keys push the ball: right, up, towards the viewer, each -1, 0 or 1. */
   push(right: number, up: number, near: number): void;
 }
-
-type Direction = readonly [right: number, up: number, near: number];
-
-const DIRECTIONS: Readonly<Record<string, Direction>> = {
-  ArrowLeft: [-1, 0, 0],
-  ArrowRight: [1, 0, 0],
-  ArrowUp: [0, 1, 0],
-  ArrowDown: [0, -1, 0],
-  PageUp: [0, 0, -1],
-  PageDown: [0, 0, 1],
-};
 
 const ZOOM_STEP = 1.15;
 

@@ -4,7 +4,8 @@ import { findParameter } from '../preset/table.ts';
 import type { Stage } from '../stage/stage.ts';
 import { clampTo } from './clampTo.ts';
 import type { Changes } from './editor.ts';
-import type { Gizmo, Way } from './gizmo.ts';
+import type { Direction } from './directions.ts';
+import type { Gizmo } from './gizmo.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
 type List = 'emitters' | 'vortices';
@@ -38,7 +39,7 @@ export class PlaceGizmo implements Gizmo {
     return seen && { x: seen.x + x, y: seen.y + y };
   }
 
-  move(from: Values, way: Way): Changes {
+  move(from: Values, way: Direction): Changes {
     return this.at(this.sight().shift(this.positionIn(from), way, this.rigidIn(from)));
   }
 

@@ -2,7 +2,8 @@ import type { Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
 import { clampTo } from './clampTo.ts';
 import type { Changes } from './editor.ts';
-import type { Gizmo, Way } from './gizmo.ts';
+import type { Direction } from './directions.ts';
+import type { Gizmo } from './gizmo.ts';
 import { strings } from './strings.ts';
 
 /** The sky over the picture, as shares of its size: half its width, the horizon, its height, and how its arcs sag. */
@@ -36,7 +37,7 @@ export class SunGizmo implements Gizmo {
     return this.at(this.turnOf(values), Number(values['light.elevation']));
   }
 
-  move(from: Values, [right, up, near]: Way): Changes {
+  move(from: Values, [right, up, near]: Direction): Changes {
     const { width, height } = this.sky();
     const [low, high] = elevations();
     const azimuth = Number(from['light.azimuth']) + (right / (width * SKY.half)) * 180;

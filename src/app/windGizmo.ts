@@ -2,7 +2,8 @@ import type { Values } from '../preset/parameter.ts';
 import type { Stage } from '../stage/stage.ts';
 import { clampTo } from './clampTo.ts';
 import type { Changes } from './editor.ts';
-import type { Gizmo, Way } from './gizmo.ts';
+import type { Direction } from './directions.ts';
+import type { Gizmo } from './gizmo.ts';
 import { strings } from './strings.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
@@ -44,7 +45,7 @@ export class WindGizmo implements Gizmo {
     };
   }
 
-  move(from: Values, [right, up, near]: Way): Changes {
+  move(from: Values, [right, up, near]: Direction): Changes {
     const speed = (pixels: number) => pixels / PIXELS_PER_SPEED;
     const added = this.sight().along([speed(right), speed(up), speed(near)]);
     const velocity = velocityOf(from);
