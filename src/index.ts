@@ -20,6 +20,8 @@ export type { CartoonSmokeOptions, CartoonSmokeStats, CastOptions } from './host
 export type { CollideOptions } from './host/colliders.ts';
 export type { KeyLight } from './host/keyLight.ts';
 export { capsule, type ProxyBall, type ProxyCapsule } from './host/proxies.ts';
+export type { RemoteMethods, RemoteStage, RemoteStageOptions, Thread } from './remote/contract.ts';
+export { openStage } from './remote/openStage.ts';
 export { bakedPuffs } from './smoke/bakedPuffs.ts';
 export type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './stage/contract.ts';
 export type { BlowInput } from './stage/blow.ts';

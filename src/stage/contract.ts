@@ -17,6 +17,8 @@ export interface StageOptions extends DeviceOptions {
    * Always 1 when left out. A picture() is drawn with all pixels.
    */
   quality?: Quality;
+  /** Most frames a second while playing; as many as the screen shows when left out. */
+  frameRate?: number;
   /** What is shown instead of the picture, to see what the passes work with. */
   view?: DebugView;
   /** Whether pictures show what lies behind everything; true when left out. Without it they are transparent there. */

@@ -1,5 +1,9 @@
 import { Clock } from '../sim/clock.ts';
 import { Governor } from './governor.ts';
+import { cancelFrame, requestFrame } from './nextFrame.ts';
+
+/** A frame of a capped loop may come so much earlier than it is due: screens do not keep time to the millisecond. */
+const EARLY_MS = 4;
 
 /** What a loop calls on. */
 export interface FrameTasks {
@@ -15,16 +19,35 @@ export class FrameLoop {
   /** Whether frames are left out, as while a seek goes its way. */
   isHeld = false;
   private readonly tasks: FrameTasks;
-  private readonly governor = new Governor();
+  private readonly governor: Governor;
+  private readonly intervalMs: number;
   private request = 0;
+  private dueAt = 0;
   private isRunning = false;
+  private hasViewers = true;
 
-  constructor(tasks: FrameTasks) {
+  /** @param frameRate most frames a second; as many as the screen shows when left out */
+  constructor(tasks: FrameTasks, frameRate = Infinity) {
     this.tasks = tasks;
+    this.intervalMs = 1000 / frameRate;
+    this.governor = new Governor(this.intervalMs);
   }
 
   get isPlaying(): boolean {
     return this.isRunning;
+  }
+
+  /** Whether anybody can see the frames. While nobody can, none come and no time passes, though it goes on playing. */
+  get isSeen(): boolean {
+    return this.hasViewers;
+  }
+
+  set isSeen(isSeen: boolean) {
+    if (isSeen === this.hasViewers) return;
+    this.hasViewers = isSeen;
+    if (!this.isRunning) return;
+    if (isSeen) this.begin();
+    else this.end();
   }
 
   /** Share of the pixel ratio that frames come in time with. Where pictures must come again the same, it is 1. */
@@ -36,17 +59,14 @@ export class FrameLoop {
   play(): boolean {
     if (this.isRunning) return false;
     this.isRunning = true;
-    this.clock.rest();
-    this.governor.rest();
-    this.request = requestAnimationFrame(this.tick);
+    if (this.hasViewers) this.begin();
     return true;
   }
 
   stop(): boolean {
     if (!this.isRunning) return false;
     this.isRunning = false;
-    cancelAnimationFrame(this.request);
-    this.clock.rest();
+    this.end();
     return true;
   }
 
@@ -55,9 +75,27 @@ export class FrameLoop {
     this.governor.rest();
   }
 
+  private begin(): void {
+    this.clock.rest();
+    this.governor.rest();
+    this.request = requestFrame(this.tick);
+  }
+
+  private end(): void {
+    cancelFrame(this.request);
+    this.clock.rest();
+  }
+
+  private isDue(now: number): boolean {
+    if (now < this.dueAt - EARLY_MS) return false;
+    this.dueAt = Math.max(this.dueAt + this.intervalMs, now);
+    return true;
+  }
+
   private readonly tick = (now: number): void => {
-    if (!this.isRunning) return;
-    this.request = requestAnimationFrame(this.tick);
+    if (!this.isRunning || !this.hasViewers) return;
+    this.request = requestFrame(this.tick);
+    if (!this.isDue(now)) return;
     if (this.isHeld) return this.governor.rest();
     this.governor.tick(now);
     try {

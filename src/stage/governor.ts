@@ -3,6 +3,8 @@ export const SCALES: readonly number[] = [1, 0.84, 0.71, 0.59, 0.5];
 
 /** Milliseconds between frames that are still smooth: those of a 50 Hz screen, and some slack. */
 const BUDGET_MS = 22;
+/** Slack of frames that are meant to come more rarely. */
+const SLACK = 1.3;
 // Programs are compiled and buffers are made in the first frames.
 const WARM_UP_FRAMES = 12;
 // A window ends when it is long enough and holds enough frames for its median to ignore a pause or two.
@@ -24,6 +26,7 @@ const FUTILE_REST_MS = 300_000;
  * as with a slow processor or a screen of 30 Hz, it gives all pixels back.
  */
 export class Governor {
+  private readonly budgetMs: number;
   private level = 0;
   private last: number | undefined;
   private framesToIgnore = WARM_UP_FRAMES;
@@ -36,6 +39,11 @@ export class Governor {
   /** Median of the frames that the way down from full scale began with. */
   private fullScaleMs = 0;
   private restMs = 0;
+
+  /** @param intervalMs shortest time between frames, where somebody wants fewer than the screen shows */
+  constructor(intervalMs = 0) {
+    this.budgetMs = Math.max(BUDGET_MS, SLACK * intervalMs);
+  }
 
   /** Share of the pixel ratio to draw with, one of `SCALES`. */
   get scale(): number {
@@ -67,7 +75,7 @@ export class Governor {
 
   private judge(): void {
     const median = [...this.times].sort((a, b) => a - b)[this.times.length >> 1];
-    if (median > BUDGET_MS) this.fallBehind(median);
+    if (median > this.budgetMs) this.fallBehind(median);
     else this.keepUp();
     this.clearWindow();
   }
@@ -94,7 +102,7 @@ export class Governor {
 
   /** The first lower level that fits the budget if time follows pixels. */
   private levelFor(median: number): number {
-    const wanted = this.scale * Math.sqrt(BUDGET_MS / median);
+    const wanted = this.scale * Math.sqrt(this.budgetMs / median);
     const fitting = SCALES.findIndex((scale, level) => level > this.level && scale <= wanted);
     return fitting < 0 ? SCALES.length - 1 : fitting;
   }

@@ -48,7 +48,8 @@ function drawOn(device: Device): Presenter {
 
 function copyFrom(device: Device, canvas: DeviceCanvas): Presenter {
   const source = device.canvas;
-  if (source instanceof HTMLCanvasElement)
+  // Workers do not know the class of the other kind.
+  if (!('transferToImageBitmap' in source))
     throw new ContextError('A shared device must be created on an OffscreenCanvas.');
   const context = canvas.getContext('bitmaprenderer');
   if (!context) throw new ContextError('This canvas already has another context; give the stage a fresh canvas.');

@@ -19,10 +19,7 @@ import { statsOf } from './stats.ts';
 export class RunningScene {
   readonly picture: Picture;
   readonly listeners = new Listeners<StageEvents>();
-  readonly loop = new FrameLoop({
-    frame: (steps) => this.playOn(steps),
-    fail: (error) => this.fail(error),
-  });
+  readonly loop: FrameLoop;
   private readonly stopListening: () => void;
   private readonly historyBytes: number;
   private opened: OpenedScene;
@@ -30,9 +27,15 @@ export class RunningScene {
   private hands: Gestures;
   private now: Values;
   private hasEnded = false;
+  private isStale = false;
 
-  /** @param historyBytes how much memory states may take that are kept for going back */
-  constructor(presenter: Presenter, opened: OpenedScene, values: Values, historyBytes: number) {
+  /**
+   * @param historyBytes how much memory states may take that are kept for going back
+   * @param frameRate most frames a second
+   */
+  constructor(presenter: Presenter, opened: OpenedScene, values: Values, historyBytes: number, frameRate?: number) {
+    const tasks = { frame: (steps: number) => this.playOn(steps), fail: (error: Error) => this.fail(error) };
+    this.loop = new FrameLoop(tasks, frameRate);
     this.now = values;
     this.historyBytes = historyBytes;
     this.opened = opened;
@@ -201,7 +204,19 @@ export class RunningScene {
     this.listeners.tell('statechange', { playing: this.loop.isPlaying });
   }
 
-  draw(scale = this.nextScale): void {
+  /** Whether anybody can see the pictures. While nobody can, none are drawn; the latest comes when somebody can again. */
+  set isSeen(isSeen: boolean) {
+    this.loop.isSeen = isSeen;
+    if (isSeen && this.isStale) this.draw();
+  }
+
+  draw(): void {
+    this.isStale = !this.loop.isSeen;
+    if (!this.isStale) this.drawNow(this.nextScale);
+  }
+
+  /** Draws though nobody may see it. @param scale share of the pixel ratio */
+  drawNow(scale: number): void {
     if (this.hasEnded) return;
     const { blend } = this.loop.clock;
     const rigids = this.gestures.rigids(blend);

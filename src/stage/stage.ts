@@ -44,7 +44,13 @@ export class Stage {
   constructor(canvas: DeviceCanvas, presenter: Presenter, opened: OpenedScene, options: StageOptions) {
     const values = { ...defaults(), ...options.values };
     this.canvas = canvas;
-    this.#running = new RunningScene(presenter, opened, values, options.historyBytes ?? HISTORY_BYTES);
+    this.#running = new RunningScene(
+      presenter,
+      opened,
+      values,
+      options.historyBytes ?? HISTORY_BYTES,
+      options.frameRate,
+    );
     this.#picture.hasBackground = options.background ?? true;
     this.#picture.quality = options.quality ?? 1;
     this.#picture.view = options.view;
@@ -54,6 +60,18 @@ export class Stage {
 
   get playing(): boolean {
     return this.#running.loop.isPlaying;
+  }
+
+  /**
+   * Whether anybody can see the canvas; true unless somebody says otherwise. While nobody can, nothing is drawn and playing
+   * rests, and whether it plays stays what it was.
+   */
+  get visible(): boolean {
+    return this.#running.loop.isSeen;
+  }
+
+  set visible(isVisible: boolean) {
+    this.#running.isSeen = isVisible;
   }
 
   /** Simulated seconds for each real second, 0 to 2. */
@@ -224,7 +242,7 @@ export class Stage {
     this.#running.requireAlive();
     this.#picture.requireContext();
     this.#picture.smoke.bake();
-    this.#running.draw(1);
+    this.#running.drawNow(1);
     return this.#picture.encode();
   }
 

@@ -7,7 +7,7 @@ import { Project } from '../support/project.ts';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const CONFIG = '.oxlintrc.arrows.json';
-const FOLDERS = 'app element stage host scenes smoke passes instances puffs sim device preset'.split(' ');
+const FOLDERS = 'app element frame remote stage host scenes smoke passes instances puffs sim device preset'.split(' ');
 
 let project: Project;
 beforeEach(() => {
@@ -37,8 +37,10 @@ function lintLine(folder: string, code: string): string[] {
 }
 
 const right: Record<string, string> = {
-  app: 'element stage host scenes smoke passes instances puffs sim device preset',
-  element: 'stage host scenes smoke passes instances puffs sim device preset',
+  app: 'element remote stage host scenes smoke passes instances puffs sim device preset',
+  element: 'remote stage host scenes smoke passes instances puffs sim device preset',
+  frame: 'remote stage scenes smoke passes instances puffs sim device preset',
+  remote: 'stage scenes smoke passes instances puffs sim device preset',
   stage: 'scenes smoke passes instances puffs sim device preset',
   host: 'smoke passes instances puffs sim device preset',
   scenes: 'passes instances puffs sim device preset',
