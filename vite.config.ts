@@ -19,7 +19,7 @@ export default defineConfig({
     ],
   },
   // The simulator's module loads its bindings on demand, which the older worker format cannot.
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [glsl()] },
   build: {
     target: 'es2023',
     sourcemap: true,

@@ -1,4 +1,5 @@
 import type { DeviceCanvas } from '../device/device.ts';
+import { UnsupportedError } from '../preset/errors.ts';
 import { createStage } from '../stage/stage.ts';
 import type { RemoteStage, RemoteStageOptions, Thread } from './contract.ts';
 import { localStage } from './localStage.ts';
@@ -6,6 +7,14 @@ import { SharedDevice } from './sharedDevice.ts';
 
 const FRAME_RATE = 60;
 const shared = new SharedDevice();
+
+/** @throws UnsupportedError when nothing can be drawn on this thread */
+export function demandDrawing(): void {
+  const canBeShown = new OffscreenCanvas(1, 1).getContext('bitmaprenderer');
+  if (!canBeShown) throw new UnsupportedError('This browser cannot bring pictures from one canvas to another.');
+  shared.hold();
+  shared.release();
+}
 
 /**
  * Opens a stage on this thread; all of a thread share one device where that is possible.

@@ -1,6 +1,8 @@
+import { ContextError, UnsupportedError } from '../preset/errors.ts';
 import type { RemoteStage, RemoteStageOptions } from './contract.ts';
 import { followSight } from './followSight.ts';
 import { openHere } from './openHere.ts';
+import { canMoveCanvas, enterWorker, type WorkerPlace } from './openInWorker.ts';
 
 /**
  * Opens a stage in a worker where the browser can and the page allows it, else on this thread, with the same pictures. It
@@ -14,9 +16,31 @@ export async function openStage(
   makeCanvas: () => HTMLCanvasElement,
   options: RemoteStageOptions = {},
 ): Promise<RemoteStage> {
+  const { thread = 'auto', signal } = options;
+  const place = thread === 'main' ? undefined : await placeInWorker(thread);
+  if (place) {
+    if (signal?.aborted) place.leave();
+    signal?.throwIfAborted();
+    const canvas = makeCanvas();
+    try {
+      return following(canvas, await place.open(canvas, options));
+    } catch (error) {
+      if (thread === 'worker' || !(error instanceof UnsupportedError || error instanceof ContextError)) throw error;
+    }
+  }
   const canvas = makeCanvas();
-  const stage = await openHere(canvas, options);
-  return following(canvas, stage);
+  return following(canvas, await openHere(canvas, options));
+}
+
+/** @throws where there has to be a worker and is none */
+async function placeInWorker(thread: 'auto' | 'worker'): Promise<WorkerPlace | undefined> {
+  try {
+    if (!canMoveCanvas()) throw new UnsupportedError('This browser cannot hand a canvas over to a worker.');
+    return await enterWorker();
+  } catch (error) {
+    if (thread === 'worker') throw error;
+    return undefined;
+  }
 }
 
 /** The stage, which rests while nobody can see it. */

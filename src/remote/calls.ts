@@ -1,0 +1,99 @@
+import type { RemoteMethods } from './contract.ts';
+import {
+  blob,
+  bytes,
+  figures,
+  flag,
+  integer,
+  key,
+  list,
+  nothing,
+  number,
+  oneOf,
+  optional,
+  record,
+  text,
+  values,
+  type Check,
+} from './shapes.ts';
+
+/** What may be asked of a stage at once, so that a message cannot keep it busy for ever: ten simulated minutes. */
+const MOST_SECONDS = 600;
+const MOST_STEPS = 60 * MOST_SECONDS;
+const MOST_BYTES = 64 * 1024 * 1024;
+const LARGEST_SIDE = 16_384;
+/** Farther away than anything on a page or in a scene. */
+const FAR = 1e6;
+const MOST_KEYS = 4000;
+
+/** The shapes of what a method takes, by place, and of what it gives. */
+interface Call {
+  readonly takes: readonly Check[];
+  readonly gives: Check;
+}
+
+const seconds: Check = (value) => number(MOST_SECONDS)(value) && (value as number) >= 0;
+const length: Check = (value) => number(LARGEST_SIDE)(value) && (value as number) >= 0;
+const place = number(FAR);
+const pointer = record({
+  type: oneOf('down', 'move', 'up', 'cancel'),
+  id: integer(-(2 ** 31), 2 ** 31),
+  x: place,
+  y: place,
+});
+const blow = record({
+  x: place,
+  y: place,
+  dx: optional(place),
+  dy: optional(place),
+  radius: optional(place),
+  seconds: optional(place),
+});
+const take = record({
+  values,
+  seed: number(2 ** 53),
+  inputs: number(FAR),
+  start: number(2 ** 53),
+  steps: number(2 ** 53),
+  mostParticles: number(2 ** 53),
+  isFresh: flag,
+  isTruncated: flag,
+  toBytes: nothing,
+  bytes: bytes(MOST_BYTES),
+});
+
+function call(takes: readonly Check[], gives: Check = nothing): Call {
+  return { takes, gives };
+}
+
+/** All that can be asked of a stage by a message; nothing else is ever called. */
+export const calls: Readonly<Record<keyof RemoteMethods, Call>> = {
+  play: call([]),
+  pause: call([]),
+  step: call([optional(integer(0, MOST_STEPS))]),
+  seek: call([seconds]),
+  advance: call([seconds]),
+  restart: call([]),
+  enter: call([values]),
+  set: call([values]),
+  unset: call([list(key, MOST_KEYS)]),
+  get: call([], values),
+  picture: call([], blob),
+  save: call([], bytes(MOST_BYTES)),
+  restore: call([bytes(MOST_BYTES)]),
+  take: call([], take),
+  playTake: call([bytes(MOST_BYTES)]),
+  hash: call([], text),
+  stats: call([], figures),
+  resize: call([length, length, optional(number(FAR))]),
+  pointer: call([pointer], oneOf('rigid', null)),
+  blow: call([blow]),
+  steer: call([integer(0, 7), number(FAR)]),
+  nudge: call([record({ dx: optional(place), dy: optional(place), dz: optional(place) })]),
+  orbit: call([place, place]),
+  zoom: call([(value) => number(FAR)(value) && (value as number) > 0]),
+  pan: call([place, place]),
+  resetView: call([]),
+  setBackground: call([flag]),
+  setVisible: call([flag]),
+};

@@ -1,0 +1,53 @@
+import type { RemoteStage, RemoteStageOptions } from './contract.ts';
+import { pageWorker } from './pageWorker.ts';
+import { PortStage } from './portStage.ts';
+import type { Order } from './worker.ts';
+
+/** Whether this browser can hand a canvas over to a worker. */
+export function canMoveCanvas(): boolean {
+  return typeof Worker !== 'undefined' && 'transferControlToOffscreen' in HTMLCanvasElement.prototype;
+}
+
+/** A worker that is there and can draw. */
+export interface WorkerPlace {
+  /**
+   * Opens a stage on a canvas, which then belongs to the worker for ever.
+   * @throws what createStage throws
+   */
+  open(canvas: HTMLCanvasElement, options: RemoteStageOptions): Promise<RemoteStage>;
+  leave(): void;
+}
+
+/** @throws why there is no worker for this page */
+export async function enterWorker(): Promise<WorkerPlace> {
+  let stage: PortStage | undefined;
+  const onFailure = (error: Error) => stage?.fail(error);
+  const worker = await pageWorker.hold(onFailure);
+  const leave = () => pageWorker.release(onFailure);
+  return {
+    leave,
+    async open(canvas, { signal, onProgress, ...options }) {
+      const { port1, port2 } = new MessageChannel();
+      const moved = canvas.transferControlToOffscreen();
+      stage = new PortStage(port1, 'worker', leave, onProgress);
+      worker.postMessage({ canvas: moved, options, port: port2 } satisfies Order, [moved, port2]);
+      await unlessAborted(stage, signal);
+      return stage.face;
+    },
+  };
+}
+
+/** Waits until a stage is there; if it does not come or nobody wants it any more, it is disposed of. */
+export async function unlessAborted(stage: PortStage, signal: AbortSignal | undefined): Promise<void> {
+  const stop = () => void stage.face.dispose();
+  signal?.addEventListener('abort', stop);
+  try {
+    signal?.throwIfAborted();
+    await stage.opened;
+  } catch (error) {
+    await stage.face.dispose();
+    throw signal?.aborted ? signal.reason : error;
+  } finally {
+    signal?.removeEventListener('abort', stop);
+  }
+}

@@ -1,0 +1,52 @@
+/** Errors on their way between threads and pages: by name and words, and the same class again on the other side. */
+import {
+  ContextError,
+  FileError,
+  LoadError,
+  ParameterError,
+  ShapeError,
+  SimulatorError,
+  UnsupportedError,
+} from '../preset/errors.ts';
+import { isPlain, optional, record, text, type Check } from './shapes.ts';
+
+export interface PackedError {
+  readonly name: string;
+  readonly message: string;
+  readonly key?: string;
+  readonly value?: unknown;
+  readonly accepted?: string;
+}
+
+const LONGEST_MESSAGE = 2000;
+const named = { ContextError, FileError, LoadError, ShapeError, SimulatorError, UnsupportedError };
+
+const anything: Check = () => true;
+const isPacked = record({ name: text, message: text, key: optional(text), value: anything, accepted: optional(text) });
+
+export function packError(error: unknown): PackedError {
+  if (error instanceof ParameterError) {
+    const { name, message, key, accepted } = error;
+    return { name, message, key, value: simple(error.value), accepted };
+  }
+  if (!(error instanceof Error)) return { name: 'Error', message: cut(String(error)) };
+  return { name: error.name, message: cut(error.message) };
+}
+
+/** @returns undefined for what is no packed error */
+export function unpackError(packed: unknown): Error | undefined {
+  if (!isPlain(packed) || !isPacked(packed)) return undefined;
+  const { name, message, key, value, accepted } = packed as unknown as PackedError;
+  if (name === 'ParameterError') return new ParameterError(key ?? '', value, accepted ?? '');
+  if (Object.hasOwn(named, name)) return new named[name as keyof typeof named](message);
+  return Object.assign(new Error(message), { name });
+}
+
+/** What certainly can be sent. */
+function simple(value: unknown): unknown {
+  return typeof value === 'number' ? value : cut(String(value));
+}
+
+function cut(message: string): string {
+  return message.slice(0, LONGEST_MESSAGE);
+}

@@ -1,0 +1,120 @@
+import { SimulatorError } from '../preset/errors.ts';
+import type { LoadProgress } from '../sim/load.ts';
+import type { StageEvents } from '../stage/contract.ts';
+import { Listeners } from '../stage/listeners.ts';
+import { calls } from './calls.ts';
+import type { RemoteMethods, RemoteStage, Thread } from './contract.ts';
+import { OPENING, readReply, readTold, type EventName, type Method } from './protocol.ts';
+
+interface Waiting {
+  readonly method: Method;
+  readonly resolve: (value: unknown) => void;
+  readonly reject: (error: Error) => void;
+}
+
+const ended = () => new SimulatorError('This stage was disposed; open a new one.');
+
+/** A stage at the other end of a port. */
+export class PortStage {
+  /** Resolved when the stage says that it is there, rejected when it says why it is not. */
+  readonly opened: Promise<void>;
+  readonly face: RemoteStage;
+  private readonly port: MessagePort;
+  private readonly release: () => void;
+  private readonly onProgress: ((progress: LoadProgress) => void) | undefined;
+  private readonly listeners = new Listeners<StageEvents>();
+  private readonly waiting = new Map<number, Waiting>();
+  private latest = OPENING;
+  private hasEnded = false;
+
+  /** @param release called once, after disposal or failure */
+  constructor(
+    port: MessagePort,
+    thread: Thread,
+    release: () => void = () => {},
+    onProgress?: (progress: LoadProgress) => void,
+  ) {
+    this.port = port;
+    this.release = release;
+    this.onProgress = onProgress;
+    this.opened = new Promise((resolve, reject) => {
+      this.waiting.set(OPENING, { method: 'listen', resolve: () => resolve(), reject });
+    });
+    // Who never asks is not to be told of an unhandled rejection.
+    this.opened.catch(() => undefined);
+    this.face = this.makeFace(thread);
+    port.onmessage = ({ data }) => this.take(data);
+  }
+
+  /** The other side is gone: all that is waited for is refused, and whoever listens is told. */
+  fail(error: Error): void {
+    if (this.hasEnded) return;
+    this.refuseAll(error);
+    this.listeners.tell('error', error);
+  }
+
+  private makeFace(thread: Thread): RemoteStage {
+    const names = Object.keys(calls) as (keyof RemoteMethods)[];
+    const methods = names.map((name) => [name, (...args: unknown[]) => this.call(name, args)]);
+    return {
+      ...(Object.fromEntries(methods) as RemoteMethods),
+      ready: this.opened,
+      thread,
+      on: (event, listener) => this.listen(event, listener),
+      dispose: () => this.dispose(),
+    };
+  }
+
+  private call(method: Method, args: readonly unknown[]): Promise<unknown> {
+    if (this.hasEnded) return Promise.reject(ended());
+    const id = ++this.latest;
+    return new Promise((resolve, reject) => {
+      // First, because what cannot be sent is refused at once and then nobody waits.
+      this.port.postMessage({ id, method, args });
+      this.waiting.set(id, { method, resolve, reject });
+    });
+  }
+
+  private take(message: unknown): void {
+    const reply = readReply(message, (id) => this.waiting.get(id)?.method);
+    if (reply) {
+      const { resolve, reject } = this.waiting.get(reply.id)!;
+      this.waiting.delete(reply.id);
+      return 'thrown' in reply ? reject(reply.thrown) : resolve(reply.value);
+    }
+    const told = readTold(message);
+    if (told?.event === 'progress') this.onProgress?.(told.detail as LoadProgress);
+    else if (told) this.listeners.tell(told.event, told.detail as never);
+  }
+
+  private listen<Name extends EventName>(event: Name, listener: (detail: StageEvents[Name]) => void): () => void {
+    const isFirst = !this.listeners.has(event);
+    const end = this.listeners.add(event, listener);
+    if (isFirst) this.mention('listen', event);
+    return () => {
+      end();
+      if (!this.listeners.has(event)) this.mention('unlisten', event);
+    };
+  }
+
+  /** Of a stage that has ended meanwhile there is nothing to hear. */
+  private mention(method: 'listen' | 'unlisten', event: EventName): void {
+    this.call(method, [event]).catch(() => undefined);
+  }
+
+  private async dispose(): Promise<void> {
+    if (this.hasEnded) return;
+    this.listeners.clear();
+    this.port.postMessage({ id: ++this.latest, method: 'dispose' });
+    this.hasEnded = true;
+    this.refuseAll(ended());
+    // What was sent before still arrives.
+    this.port.close();
+    this.release();
+  }
+
+  private refuseAll(error: Error): void {
+    for (const { reject } of this.waiting.values()) reject(error);
+    this.waiting.clear();
+  }
+}

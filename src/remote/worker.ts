@@ -1,0 +1,46 @@
+/** The worker of a page: all of its stages, on one device. It says first whether it can draw at all. */
+import type { RemoteStageOptions } from './contract.ts';
+import { demandDrawing, openHere } from './openHere.ts';
+import { packError } from './packedErrors.ts';
+import { OPENING, tellOf } from './protocol.ts';
+import { serveStage } from './serveStage.ts';
+
+/** What the page sends for each stage. */
+export interface Order {
+  readonly canvas: OffscreenCanvas;
+  readonly options: RemoteStageOptions;
+  readonly port: MessagePort;
+}
+
+/** What the worker says first. */
+export type Greeting = { readonly greeting: true; readonly error?: unknown };
+
+/** What TypeScript's library of the page lacks. */
+interface WorkerScope {
+  postMessage(message: Greeting): void;
+  addEventListener(type: 'message', listener: (event: MessageEvent<Order>) => void): void;
+}
+
+const worker = self as unknown as WorkerScope;
+
+async function open({ canvas, options, port }: Order): Promise<void> {
+  const onProgress = (progress: unknown) => port.postMessage(tellOf('progress', progress));
+  try {
+    serveStage(port, await openHere(canvas, { ...options, onProgress }, 'worker'));
+    port.postMessage({ id: OPENING });
+  } catch (error) {
+    port.postMessage({ id: OPENING, error: packError(error) });
+  }
+}
+
+function greet(): void {
+  try {
+    demandDrawing();
+    worker.postMessage({ greeting: true });
+  } catch (error) {
+    worker.postMessage({ greeting: true, error: packError(error) });
+  }
+}
+
+worker.addEventListener('message', ({ data }) => void open(data));
+greet();
