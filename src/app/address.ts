@@ -1,7 +1,6 @@
 import { decode, encode, type Decoded } from '../preset/codec.ts';
 import type { Editor } from './editor.ts';
-
-const QUIET_MS = 300;
+import { QUIET_MS } from './gestureEnd.ts';
 
 /** The share link of what the page shows now; the smoke starts anew wherever it is opened. */
 export async function linkTo(editor: Editor): Promise<string> {

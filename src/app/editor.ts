@@ -1,7 +1,7 @@
 import type { State } from '../preset/codec.ts';
 import type { Value, Values } from '../preset/parameter.ts';
 import { defaultPreset, findPreset, presetValues } from '../preset/presets.ts';
-import { table } from '../preset/table.ts';
+import { findParameter, table } from '../preset/table.ts';
 import { History } from './history.ts';
 
 /** What changed: the new values, and undefined for optional ones that went back to what the scene has. */
@@ -67,8 +67,11 @@ export class Editor {
     this.replace({ ...this.current, values: this.base });
   }
 
-  choose(preset: string): void {
-    this.replace({ preset, values: presetValues(findPreset(preset) ?? defaultPreset) });
+  /** Shows a preset. In the same scene people go on looking from where they look. */
+  choose(preset: string, gesture?: string): void {
+    const values = presetValues(findPreset(preset) ?? defaultPreset);
+    const eye = values.scene === this.current.values.scene ? eyeOf(this.current.values) : {};
+    this.replace({ preset, values: { ...eye, ...values } }, gesture);
   }
 
   /** Takes up a whole state, as from a link; it can be undone. */
@@ -105,6 +108,11 @@ export class Editor {
   private tell(changed: Changes): void {
     for (const listener of this.listeners) listener(this.current, changed);
   }
+}
+
+/** Of these values, where the eye is. */
+function eyeOf(values: Values): Values {
+  return Object.fromEntries(Object.entries(values).filter(([key]) => findParameter(key)?.reader === 'camera'));
 }
 
 /** What `after` has otherwise than `before`. */

@@ -73,9 +73,10 @@ function createItem(group: string, label: string, editor: Editor, scene: SceneLi
   const element = create('details', { class: 'group' }, create('summary', {}, label));
   const show = ({ values }: State) => {
     remove.hidden = !canBeRemoved(group, editor, scene);
+    const [base, rig] = [editor.base, scene.rig];
     for (const [parameter, row] of rows) {
-      const scenes = scene.rig[parameter.key] ?? parameter.default;
-      row.show(values[parameter.key] ?? scenes, editor.base[parameter.key] ?? scenes);
+      const scenes = rig[parameter.key] ?? parameter.default;
+      row.show(values[parameter.key] ?? scenes, base[parameter.key] ?? scenes);
     }
   };
   element.addEventListener('toggle', () => {

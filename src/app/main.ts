@@ -11,6 +11,7 @@ import { textButton } from './dom.ts';
 import { Editor } from './editor.ts';
 import { fitStage, pixelRatio, restWhileHidden } from './fit.ts';
 import { toggleFullScreen } from './fullScreen.ts';
+import { GestureEnd } from './gestureEnd.ts';
 import { listenToKeys } from './keyboard.ts';
 import { goToMoment, type Moment } from './moment.ts';
 import { Notices } from './notices.ts';
@@ -121,7 +122,8 @@ function offerToPlay(stage: Stage): void {
 
 function connectInput(stage: Stage, editor: Editor, page: Page, scrubber: Scrubber): void {
   const ball = new BallKeys(stage);
-  new Pointers(stage, canvas);
+  const turnEnd = new GestureEnd(() => editor.settle());
+  new Pointers(stage, canvas, turnEnd);
   listenToKeys({
     ...page,
     togglePlaying: () => togglePlaying(stage),
@@ -132,10 +134,20 @@ function connectInput(stage: Stage, editor: Editor, page: Page, scrubber: Scrubb
     restart: () => stage.restart(),
     undo: () => editor.undo(),
     redo: () => editor.redo(),
-    zoom: (factor) => stage.camera.zoom(factor),
+    zoom: (factor) => {
+      stage.camera.zoom(factor);
+      turnEnd.postpone();
+    },
     push: (right, up, near) => ball.push(right, up, near),
-    turn: (right, up) => stage.camera.orbit(right * TURN_STEP, up * TURN_STEP),
-    resetView: () => stage.camera.reset(),
+    turn: (right, up) => {
+      stage.camera.orbit(right * TURN_STEP, up * TURN_STEP);
+      turnEnd.postpone();
+    },
+    resetView: () => {
+      turnEnd.now();
+      stage.camera.reset();
+      turnEnd.now();
+    },
   });
 }
 

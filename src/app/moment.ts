@@ -18,7 +18,7 @@ export interface Moment {
   readonly take: Uint8Array;
   /** Simulated seconds; the end of the take where left out. */
   readonly seconds?: number;
-  /** What style and light were then, which no take keeps by step. */
+  /** What style, light and camera were then, which no take keeps by step. */
   readonly state: State;
   /** Whether it may ask for whatever the simulator can hold, as a file of one's own may. */
   readonly isTrusted: boolean;
@@ -50,7 +50,7 @@ export async function goToMoment(stage: Stage, moment: Moment, notices: Notices,
     if (take.isTruncated) notices.tell(strings.moment.truncated);
     if (take.values.scene !== stage.get().scene) await stage.enter(take.values);
     stage.playTake(take);
-    stage.set(looksOf(moment.state.values));
+    lookAs(stage, moment.state.values);
     return await wind(stage, moment.seconds ?? take.steps * STEP_SECONDS, notices, host);
   } catch (error) {
     notices.tell(strings.moment.refused((error as Error).message));
@@ -74,9 +74,15 @@ function refusalOf({ isFresh, mostParticles }: Take): string | undefined {
   return mostParticles > most ? strings.moment.tooMany(mostParticles, most) : undefined;
 }
 
-/** What the simulator does not read, and so no take keeps by step. */
+/** Gives a stage what the simulator does not read, and so no take keeps by step. */
+function lookAs(stage: Stage, values: Values): void {
+  const needless = Object.keys(looksOf(stage.get())).filter((key) => values[key] === undefined);
+  stage.unset(needless);
+  stage.set(looksOf(values));
+}
+
 function looksOf(values: Values): Values {
-  const isLook = (key: string) => ['style', 'light'].includes(findParameter(key)!.reader);
+  const isLook = (key: string) => ['style', 'light', 'camera'].includes(findParameter(key)!.reader);
   return Object.fromEntries(Object.entries(values).filter(([key]) => isLook(key)));
 }
 

@@ -29,10 +29,10 @@ export function createPanel(editor: Editor, scene: SceneLists, feet: Feet, close
   explainIn(caption, panel);
   const show = (state: State) => {
     head.show();
-    const base = editor.base;
+    const [base, rig] = [editor.base, scene.rig];
     items.show(state);
     for (const [{ key, default: initial }, row] of rows) {
-      const scenes = scene.rig[key] ?? initial;
+      const scenes = rig[key] ?? initial;
       row.show(state.values[key] ?? scenes, base[key] ?? scenes);
     }
   };

@@ -1,4 +1,5 @@
 import type { Stage } from '../stage/stage.ts';
+import type { GestureEnd } from './gestureEnd.ts';
 
 const TURN_PER_PIXEL = 0.006;
 const ZOOM_PER_PIXEL = 0.0015;
@@ -22,10 +23,13 @@ export class Pointers {
   private readonly canvas: HTMLCanvasElement;
   private readonly loose = new Map<number, Point>();
   private readonly holding = new Set<number>();
+  private readonly turnEnd: GestureEnd;
 
-  constructor(stage: Stage, canvas: HTMLCanvasElement) {
+  /** @param turnEnd told when the view has been turned, shifted or zoomed */
+  constructor(stage: Stage, canvas: HTMLCanvasElement, turnEnd: GestureEnd) {
     this.stage = stage;
     this.canvas = canvas;
+    this.turnEnd = turnEnd;
     canvas.addEventListener('pointerdown', (event) => this.down(event));
     canvas.addEventListener('pointermove', (event) => this.move(event));
     canvas.addEventListener('pointerup', (event) => this.up(event, 'up'));
@@ -41,6 +45,7 @@ export class Pointers {
       this.canvas.classList.add('is-holding');
       return;
     }
+    if (this.loose.size === 0) this.turnEnd.now();
     const does = event.button !== 0 || event.shiftKey ? 'pan' : event.altKey ? 'blow' : 'turn';
     this.loose.set(event.pointerId, { x: event.clientX, y: event.clientY, at: event.timeStamp, does });
   }
@@ -60,7 +65,7 @@ export class Pointers {
   }
 
   private up(event: PointerEvent, type: 'up' | 'cancel'): void {
-    this.loose.delete(event.pointerId);
+    if (this.loose.delete(event.pointerId) && this.loose.size === 0) this.turnEnd.now();
     if (!this.holding.delete(event.pointerId)) return;
     this.forward(type, event);
     this.canvas.classList.toggle('is-holding', this.holding.size > 0);
@@ -70,6 +75,7 @@ export class Pointers {
     event.preventDefault();
     const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * PIXELS_PER_LINE : event.deltaY;
     this.stage.camera.zoom(Math.exp(-pixels * ZOOM_PER_PIXEL));
+    if (this.loose.size === 0) this.turnEnd.postpone();
   }
 
   /** Two fingers: their distance zooms, their common way shifts. */

@@ -13,7 +13,7 @@ export type Value = number | string;
 export type Values = Readonly<Record<string, Value>>;
 
 /** Who acts on a parameter: the simulator takes numbers by the same key, the others read them in TypeScript. */
-export type Reader = 'simulator' | 'style' | 'light' | 'stage';
+export type Reader = 'simulator' | 'style' | 'light' | 'camera' | 'stage';
 
 interface Described {
   /** Flat dotted key, the same in links, attributes (with dashes) and Rust. */
@@ -25,7 +25,7 @@ interface Described {
   /** One sentence: what turning it does. */
   readonly text: string;
   readonly reader: Reader;
-  /** Of a list: without a value of its own it is as the scene has it, so that values need not have the key. */
+  /** Without a value of its own it is as the scene has it, so that values need not have the key. */
   readonly isOptional?: true;
 }
 

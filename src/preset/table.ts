@@ -20,6 +20,7 @@ export const groups: readonly { readonly key: string; readonly label: string; re
   { key: 'emission', label: 'Smoke', advanced: false },
   { key: 'style', label: 'Ink and colour', advanced: false },
   { key: 'light', label: 'Light', advanced: false },
+  { key: 'camera', label: 'Camera', advanced: true },
   { key: 'puff', label: 'Shape of the puffs', advanced: true },
   { key: 'forces', label: 'Forces', advanced: false },
   { key: 'turbulence', label: 'Turbulence', advanced: true },
@@ -68,6 +69,23 @@ function ofScene(
 ): NumberParameter {
   const range = { min: 0, step: 0.05, slider: 'fine' } as const;
   return { ...quantity(key, group, 'simulator', { ...range, ...rest }), isOptional: true };
+}
+
+/** Where the eye is; whatever has no value follows the scene's own eye and its move. */
+function eye(name: string, rest: Quantity): NumberParameter {
+  return { ...quantity(`camera.${name}`, 'camera', 'camera', rest), isOptional: true };
+}
+
+function eyeTarget(axis: 'x' | 'y' | 'z', initial: number): NumberParameter {
+  const range = { min: -50, max: 50, step: 0.05, unit: 'm', slider: 'fine' } as const;
+  const text = { x: "right of the scene's middle", y: 'above the ground', z: "in front of the scene's middle" }[axis];
+  const label = `Looks at ${axis}`;
+  return eye(`target.${axis}`, {
+    ...range,
+    label,
+    text: `How far ${text} the point lies that the camera looks at and circles.`,
+    default: initial,
+  });
 }
 
 function toggle(name: string, label: string, text: string, initial: 0 | 1 = 1): ToggleParameter {
@@ -429,6 +447,37 @@ export const table: readonly Parameter[] = [
     label: 'Distance',
     text: 'How far a lamp stands from the middle of the scene; the sun is as far as ever.',
   }),
+  eye('azimuth', {
+    min: -180,
+    max: 180,
+    step: 1,
+    default: 8.6,
+    unit: '\u00b0',
+    label: 'From',
+    text: 'From where around the scene it is seen: 0 is the front, 90 the right.',
+  }),
+  eye('elevation', {
+    min: -5,
+    max: 88,
+    step: 1,
+    default: 9.2,
+    unit: '\u00b0',
+    label: 'Height of the eye',
+    text: 'How far from above it is seen: 0 is level.',
+  }),
+  eye('distance', {
+    min: 0.3,
+    max: 40,
+    step: 0.1,
+    default: 6.3,
+    unit: 'm',
+    slider: 'fine',
+    label: 'Distance of the eye',
+    text: 'How far the eye is from what it looks at.',
+  }),
+  eyeTarget('x', 0.15),
+  eyeTarget('y', 1.5),
+  eyeTarget('z', 0),
   multiplier('gravity', 'Gravity', 'Pull down on all smoke.'),
   multiplier('buoyancy', 'Buoyancy', 'Lift of warm smoke; it fades as the smoke cools.'),
   multiplier('turbulence', 'Turbulence', 'Small irregular swirls in the air.'),

@@ -1,32 +1,33 @@
 import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from 'three';
-import type { CameraMove, CameraPose, Scene } from '../scenes/scene.ts';
+import type { NumberParameter, Values } from '../preset/parameter.ts';
+import { table } from '../preset/table.ts';
+import type { CameraPose, Scene } from '../scenes/scene.ts';
 
-const LOWEST = MathUtils.degToRad(-5);
-const HIGHEST = MathUtils.degToRad(88);
-const NEAREST = 0.3;
-const FARTHEST = 40;
 /** In a narrow window a scene that says nothing of it still gets this many radians from side to side. */
 const LEAST_WIDTH = 0.56;
+/** What is taken is rounded, so that whoever opens a link to it sees the very same picture. */
+const DECIMALS = { angle: 2, metres: 4 } as const;
 
 type Shot = Pick<Scene, 'camera' | 'portrait' | 'cameraMove'>;
 
+const rows = table.filter((row): row is NumberParameter => row.reader === 'camera');
+
 /**
- * A camera that circles a point; fed with plain numbers, so that it works in a worker. It follows the scene's own move
- * until somebody turns, shifts or zooms it.
+ * A camera that circles a point; fed with plain numbers, so that it works in a worker. Each part of where it is follows
+ * the scene's own eye and move until somebody takes it, by turning, shifting, zooming, or by a value of the table.
  */
 export class OrbitCamera {
   readonly camera = new PerspectiveCamera(40, 1, 0.05, 200);
   private readonly target = new Vector3();
   private readonly place = new Spherical();
   private readonly shot: Shot;
-  private readonly move: CameraMove | undefined;
-  private isTaken = false;
+  private values: Values = {};
   private seconds = 0;
 
-  constructor(shot: Shot) {
+  /** @param values whose `camera.*` say what somebody has taken */
+  constructor(shot: Shot, values: Values = {}) {
     this.shot = shot;
-    this.move = shot.cameraMove;
-    this.reset();
+    this.hold(values);
   }
 
   /** What it looks at. */
@@ -44,81 +45,105 @@ export class OrbitCamera {
     return this.place.theta;
   }
 
+  /** What somebody has taken from the scene, by key of the table. */
+  get held(): Values {
+    return this.values;
+  }
+
+  /** Where the scene wants it now, by every key of the table that is about it. */
+  get wanted(): Values {
+    const { target, azimuth, elevation, distance } = this.scenes();
+    return rounded({
+      ...targetValues(target),
+      'camera.azimuth': turned(MathUtils.radToDeg(azimuth)),
+      'camera.elevation': MathUtils.radToDeg(elevation),
+      'camera.distance': distance,
+    });
+  }
+
+  /** Takes what the `camera.*` of these values say and gives the scene back what they leave out. */
+  hold(values: Values): void {
+    const given = rows.flatMap(({ key }) => (values[key] === undefined ? [] : [[key, values[key]] as const]));
+    this.values = Object.fromEntries(given);
+    this.settle();
+  }
+
   /** Turns about the target, radians. */
   orbit(azimuth: number, elevation: number): void {
-    this.place.theta += azimuth;
-    this.place.phi = MathUtils.clamp(this.place.phi - elevation, Math.PI / 2 - HIGHEST, Math.PI / 2 - LOWEST);
-    this.take();
+    const { theta, phi } = this.place;
+    this.take({
+      'camera.azimuth': turned(MathUtils.radToDeg(theta + azimuth)),
+      'camera.elevation': 90 - MathUtils.radToDeg(phi - elevation),
+    });
   }
 
   /** Comes nearer by a factor above 1. */
   zoom(factor: number): void {
-    this.place.radius = MathUtils.clamp(this.place.radius / factor, NEAREST, FARTHEST);
-    this.take();
+    this.take({ 'camera.distance': this.place.radius / factor });
   }
 
   /** Shifts the target along the picture; the height of the view in pixels says how far a pixel goes. */
   pan(x: number, y: number, heightInPixels: number): void {
     const metres =
       (2 * this.place.radius * Math.tan(MathUtils.degToRad(this.camera.fov) / 2)) / Math.max(heightInPixels, 1);
-    this.target.addScaledVector(new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0), -x * metres);
-    this.target.addScaledVector(new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1), y * metres);
-    this.take();
+    const right = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0);
+    const up = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1);
+    this.take(targetValues(this.centre.addScaledVector(right, -x * metres).addScaledVector(up, y * metres)));
   }
 
-  /** Gives the camera back to the scene. */
-  reset(): void {
-    this.isTaken = false;
-    this.goHome();
-  }
-
-  /** Looks as another camera of the same scene does. */
-  copy(other: OrbitCamera): void {
-    this.target.copy(other.target);
-    this.place.copy(other.place);
-    this.isTaken = other.isTaken;
-    this.seconds = other.seconds;
-    this.apply();
-  }
-
-  /** Goes where the scene wants its camera at a simulated time, unless somebody has taken it. */
+  /** Goes where the scene wants its camera at a simulated time, but for what somebody has taken. */
   follow(seconds: number): void {
     if (seconds === this.seconds) return;
     this.seconds = seconds;
-    if (this.move && !this.isTaken) this.goHome();
+    if (this.shot.cameraMove) this.settle();
   }
 
   /** @param aspect width by height of the picture */
   setAspect(aspect: number): void {
-    const wasPortrait = this.isPortrait;
     this.camera.aspect = aspect;
-    if (wasPortrait !== this.isPortrait && !this.isTaken) this.goHome();
-    else this.apply();
-  }
-
-  private get isPortrait(): boolean {
-    return this.camera.aspect < 1;
+    this.settle();
   }
 
   private get home(): CameraPose {
-    return this.isPortrait ? { ...this.shot.camera, ...this.shot.portrait } : this.shot.camera;
+    return this.camera.aspect < 1 ? { ...this.shot.camera, ...this.shot.portrait } : this.shot.camera;
   }
 
-  private take(): void {
-    this.isTaken = true;
-    this.apply();
+  private take(values: Record<string, number>): void {
+    this.values = { ...this.values, ...rounded(values) };
+    this.settle();
   }
 
-  private goHome(): void {
+  /** Where the scene wants it now; radians. */
+  private scenes(): { target: Vector3; azimuth: number; elevation: number; distance: number } {
     const { target, azimuth, elevation, distance } = this.home;
-    const shift = this.move?.(this.seconds) ?? {};
-    this.target.set(...target).add(new Vector3(...(shift.target ?? [0, 0, 0])));
+    const shift = this.shot.cameraMove?.(this.seconds) ?? {};
+    return {
+      target: new Vector3(...target).add(new Vector3(...(shift.target ?? [0, 0, 0]))),
+      azimuth: azimuth + (shift.azimuth ?? 0),
+      elevation: elevation + (shift.elevation ?? 0),
+      distance: distance * (shift.distance ?? 1),
+    };
+  }
+
+  private settle(): void {
+    const { target, azimuth, elevation, distance } = this.scenes();
+    const { x, y, z } = target;
+    this.target.set(this.taken('target.x') ?? x, this.taken('target.y') ?? y, this.taken('target.z') ?? z);
     this.place.set(
-      distance * (shift.distance ?? 1),
-      Math.PI / 2 - elevation - (shift.elevation ?? 0),
-      azimuth + (shift.azimuth ?? 0),
+      this.taken('distance') ?? distance,
+      Math.PI / 2 - (this.takenAngle('elevation') ?? elevation),
+      this.takenAngle('azimuth') ?? azimuth,
     );
     this.apply();
+  }
+
+  private taken(name: string): number | undefined {
+    return this.values[`camera.${name}`] as number | undefined;
+  }
+
+  private takenAngle(name: string): number | undefined {
+    const degrees = this.taken(name);
+    return degrees === undefined ? undefined : MathUtils.degToRad(degrees);
   }
 
   private apply(): void {
@@ -130,4 +155,25 @@ export class OrbitCamera {
     this.camera.lookAt(this.target);
     this.camera.updateMatrixWorld();
   }
+}
+
+function targetValues({ x, y, z }: Vector3): Record<string, number> {
+  return { 'camera.target.x': x, 'camera.target.y': y, 'camera.target.z': z };
+}
+
+/** The same direction, within half a turn of 0. */
+function turned(degrees: number): number {
+  return MathUtils.euclideanModulo(degrees + 180, 360) - 180;
+}
+
+/** Within the ranges of the table, and short. */
+function rounded(values: Record<string, number>): Values {
+  const taken = rows.filter(({ key }) => values[key] !== undefined);
+  return Object.fromEntries(
+    taken.map(({ key, unit, min, max }) => {
+      const decimals = unit === 'm' ? DECIMALS.metres : DECIMALS.angle;
+      // The addition turns -0 into 0, which is how it would come back from a link.
+      return [key, Number(MathUtils.clamp(values[key], min, max).toFixed(decimals)) + 0];
+    }),
+  );
 }

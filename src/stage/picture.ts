@@ -48,7 +48,7 @@ export class Picture {
 
   constructor(presenter: Presenter, scene: Scene, values: Values) {
     this.presenter = presenter;
-    this.camera = new OrbitCamera(scene);
+    this.camera = new OrbitCamera(scene, values);
     this.shown = new ShownSmoke(presenter.device, scene, values);
   }
 
@@ -111,11 +111,17 @@ export class Picture {
     if (this.isVisible) this.eye.setAspect(this.width / this.height);
   }
 
-  /** Shows another scene from now on, from where it wants to be seen. */
+  /** Goes on with these values. */
+  follow(values: Values): void {
+    this.shown.follow(values);
+    this.camera.hold(values);
+  }
+
+  /** Shows another scene from now on. */
   enter(scene: Scene, values: Values): void {
     this.shown.dispose();
     this.shown = new ShownSmoke(this.presenter.device, scene, values);
-    this.camera = new OrbitCamera(scene);
+    this.camera = new OrbitCamera(scene, values);
     if (this.isVisible) this.camera.setAspect(this.width / this.height);
   }
 

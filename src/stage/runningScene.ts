@@ -8,6 +8,7 @@ import { FrameLoop } from './frameLoop.ts';
 import { Gestures } from './gestures.ts';
 import { Listeners } from './listeners.ts';
 import type { OpenedScene } from './openScene.ts';
+import type { OrbitCamera } from './orbit.ts';
 import { Picture } from './picture.ts';
 import type { Presenter } from './presenter.ts';
 import { advanceTo } from './seek.ts';
@@ -170,7 +171,7 @@ export class RunningScene {
   /** Goes on with these values, which the simulator has already. */
   follow(values: Values): void {
     this.now = values;
-    this.picture.smoke.follow(values);
+    this.picture.follow(values);
     this.tellState();
   }
 
@@ -183,6 +184,15 @@ export class RunningScene {
   show(change: () => void): void {
     change();
     if (!this.loop.isPlaying) this.draw();
+  }
+
+  /** Moves the eye; what is taken of it from the scene are values like all others. */
+  look(move: (eye: OrbitCamera) => void): void {
+    this.show(() => {
+      move(this.picture.eye);
+      this.now = { ...this.now, ...this.picture.eye.held };
+    });
+    this.tellState();
   }
 
   /**

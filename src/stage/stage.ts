@@ -11,7 +11,6 @@ import { bakeAhead } from './bakeAhead.ts';
 import type { BlowInput } from './blow.ts';
 import type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { openScene, type OpenedScene } from './openScene.ts';
-import { OrbitCamera } from './orbit.ts';
 import type { Picture } from './picture.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
 import { RunningScene } from './runningScene.ts';
@@ -26,13 +25,15 @@ export class Stage {
   /** Settled when the first picture stands. */
   readonly ready: Promise<void>;
   readonly canvas: DeviceCanvas;
-  /** Moves the eye; draws anew when paused. Angles in radians, lengths in CSS pixels. */
+  /**
+   * Moves the eye, which sets `camera.*` of what is moved; draws anew when paused. Angles in radians, lengths in CSS
+   * pixels. `reset` gives the eye back to the scene.
+   */
   readonly camera = {
-    orbit: (azimuth: number, elevation: number) =>
-      this.#running.show(() => this.#picture.eye.orbit(azimuth, elevation)),
-    zoom: (factor: number) => this.#running.show(() => this.#picture.eye.zoom(factor)),
-    pan: (x: number, y: number) => this.#running.show(() => this.#picture.eye.pan(x, y, this.#picture.size[1])),
-    reset: () => this.#running.show(() => this.#picture.eye.reset()),
+    orbit: (azimuth: number, elevation: number) => this.#running.look((eye) => eye.orbit(azimuth, elevation)),
+    zoom: (factor: number) => this.#running.look((eye) => eye.zoom(factor)),
+    pan: (x: number, y: number) => this.#running.look((eye) => eye.pan(x, y, this.#picture.size[1])),
+    reset: () => this.#running.unset(Object.keys(this.#picture.eye.held)),
     /** Where the eye stands about the vertical; 0 looks from +z. */
     azimuth: () => this.#picture.eye.azimuth,
   };
@@ -181,7 +182,8 @@ export class Stage {
 
   /**
    * Changes parameters by flat key; all of them, or none when one is refused. A new seed starts over; a new
-   * simulation.maxParticles keeps what lives. What the simulator reads becomes part of the take; style and light do not.
+   * simulation.maxParticles keeps what lives. What the simulator reads becomes part of the take; style, light and camera
+   * do not.
    * Another scene comes by `enter`.
    * @throws ParameterError naming the parameter, the value and what would have been accepted
    */
@@ -194,7 +196,7 @@ export class Stage {
   }
 
   /**
-   * Lets optional parameters, those of lists, go back to what the scene has.
+   * Lets optional parameters, those of lists and of the camera, go back to what the scene has.
    * @throws ParameterError for a key that is not optional
    */
   unset(keys: readonly string[]): void {
@@ -231,7 +233,7 @@ export class Stage {
 
   /** What the scene itself sets of the optional parameters; it holds wherever `get()` has no value. */
   get rig(): Values {
-    return this.#simulation.rig;
+    return { ...this.#simulation.rig, ...this.#picture.eye.wanted };
   }
 
   /**
@@ -254,12 +256,10 @@ export class Stage {
    */
   async copy(canvas: DeviceCanvas, options: Omit<StageOptions, 'values'> = {}): Promise<Stage> {
     this.#running.requireAlive();
-    const [values, state, eye] = [this.get(), this.save(), new OrbitCamera(this.#running.scene)];
-    eye.copy(this.#picture.eye);
+    const [values, state] = [this.get(), this.save()];
     const shapes = this.#picture.smoke.ownShapes;
     const stage = await createStage(canvas, { ...options, values });
     stage.setPuffs(shapes);
-    stage.#picture.eye.copy(eye);
     stage.restore(state);
     return stage;
   }
