@@ -27,7 +27,7 @@ export class SheetGrip {
     element.addEventListener('pointerup', (event) => this.release(event));
     element.addEventListener('pointercancel', (event) => this.release(event));
     element.addEventListener('keydown', (event) => this.press(event));
-    element.addEventListener('click', () => this.toggle());
+    element.addEventListener('click', ({ detail }) => this.toggle(detail === 0));
     this.rest(false);
   }
 
@@ -64,10 +64,11 @@ export class SheetGrip {
     else this.closeAtHalf();
   }
 
-  /** The click that ends a drag is none. */
-  private toggle(): void {
-    if (this.held?.isMoved) this.held = undefined;
-    else this.rest(!this.isFull);
+  /** The click that ends a drag is none; after a finger's drag none comes, so that a key's click must not be taken for it. */
+  private toggle(isByKey: boolean): void {
+    const endsDrag = this.held?.isMoved && !isByKey;
+    this.held = undefined;
+    if (!endsDrag) this.rest(!this.isFull);
   }
 
   private get isFull(): boolean {

@@ -1,0 +1,113 @@
+/** The search of the panel, and the sheet that the panel is on phones. */
+import type { Locator, Page } from '@playwright/test';
+import { expect, test } from '../support/fixtures.ts';
+import { LIGHT, expectValue, open } from './page.ts';
+import { fingerOf, middleOf, mouseOf, type Drag } from './touch.ts';
+
+const panelOf = (page: Page) => page.getByRole('region', { name: 'Parameters' });
+const rowsOf = (page: Page) => panelOf(page).locator('.row').filter({ visible: true });
+const keysOf = (rows: Locator) => rows.evaluateAll((all) => all.map((row) => (row as HTMLElement).dataset.key));
+
+/** What is typed leaves what it speaks of, opens folded groups, and gives all back when it is gone. */
+async function expectSearch(page: Page, enter: (words: string) => Promise<void>): Promise<void> {
+  const field = page.getByRole('searchbox', { name: 'Find a parameter' });
+  const before = await rowsOf(page).count();
+  await enter('wind gust');
+  await expect(field).toHaveValue('wind gust');
+  expect(await keysOf(rowsOf(page))).toEqual(['wind.gusts', 'wind.gustTime']);
+  await expect(panelOf(page).getByRole('status')).toHaveText('2 parameters');
+  await enter('LUMPI');
+  expect(await keysOf(rowsOf(page))).toEqual(['puff.lumpiness']);
+  await page.getByLabel('Lumpiness, exact value').fill('0.1');
+  await expectValue(page, 'puff.lumpiness', 0.1);
+  await enter('no such thing');
+  await expect(rowsOf(page)).toHaveCount(0);
+  await expect(panelOf(page).getByRole('status')).toHaveText('0 parameters');
+  await enter('');
+  await expect(rowsOf(page)).toHaveCount(before);
+}
+
+test('the search finds by words, and gives everything back', async ({ page }) => {
+  await page.setViewportSize({ width: 760, height: 540 });
+  await open(page, `?paused=1${LIGHT}`);
+  await page.keyboard.press('p');
+  await expect(panelOf(page)).toBeHidden();
+  await page.keyboard.press('/');
+  const field = page.getByRole('searchbox', { name: 'Find a parameter' });
+  await expect(field).toBeFocused();
+  await expectSearch(page, async (words) => {
+    await field.press('Control+a');
+    await field.press('Delete');
+    await page.keyboard.type(words);
+  });
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  /** Height of the sheet as a share of the window, once it rests. */
+  const shareOf = async (page: Page) => {
+    const panel = panelOf(page);
+    await panel.evaluate((sheet) => Promise.all(sheet.getAnimations().map(({ finished }) => finished)));
+    return Math.round((100 * (await panel.boundingBox())!.height) / 844);
+  };
+
+  async function openSheet(page: Page) {
+    await open(page, `?paused=1${LIGHT}`);
+    await page.getByRole('button', { name: 'Parameters', exact: true }).tap();
+    await expect(panelOf(page)).toBeVisible();
+    return page.getByRole('button', { name: 'Height of the sheet' });
+  }
+
+  async function expectSheet(page: Page, drag: Drag) {
+    const grip = await openSheet(page);
+    const pull = async (pixels: number) => {
+      const from = await middleOf(page, '.grip');
+      await drag(from, { x: from.x, y: from.y + pixels });
+    };
+    await expect.poll(() => shareOf(page)).toBe(48);
+    await pull(-80);
+    await expect.poll(() => shareOf(page), 'let go near half, it rests there').toBe(48);
+    await pull(-260);
+    await expect.poll(() => shareOf(page)).toBe(88);
+    await expect(grip).toHaveAttribute('aria-expanded', 'true');
+    await pull(330);
+    await expect.poll(() => shareOf(page)).toBe(48);
+    const canvas = (await page.locator('canvas').boundingBox())!;
+    const sheet = (await panelOf(page).boundingBox())!;
+    expect(canvas.y + canvas.height, 'the smoke is in sight above').toBeLessThanOrEqual(sheet.y + 1);
+    await pull(300);
+    await expect(panelOf(page)).toBeHidden();
+  }
+
+  test('a finger pulls the sheet up, down and away', async ({ page }) => {
+    await expectSheet(page, await fingerOf(page));
+  });
+
+  test('so does a mouse', async ({ page }) => {
+    await expectSheet(page, mouseOf(page));
+  });
+
+  test('a tap and keys go from one height to the other', async ({ page }) => {
+    const grip = await openSheet(page);
+    await grip.tap();
+    await expect.poll(() => shareOf(page)).toBe(88);
+    const drag = await fingerOf(page);
+    const from = await middleOf(page, '.grip');
+    await drag(from, { x: from.x, y: from.y + 330 });
+    await expect.poll(() => shareOf(page)).toBe(48);
+    await grip.press('Enter');
+    await expect.poll(() => shareOf(page)).toBe(88);
+    await grip.press('ArrowDown');
+    await expect.poll(() => shareOf(page)).toBe(48);
+    await grip.press('ArrowDown');
+    await expect(panelOf(page)).toBeHidden();
+  });
+
+  test('the search works there as well', async ({ page }) => {
+    await openSheet(page);
+    const field = page.getByRole('searchbox', { name: 'Find a parameter' });
+    await field.tap();
+    await expectSearch(page, (words) => field.fill(words));
+  });
+});
