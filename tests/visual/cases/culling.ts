@@ -1,7 +1,7 @@
 /** Pictures with and without what arrange leaves out: pixels that differ, and pixels whose shadow does. */
 import { OrthographicCamera, PerspectiveCamera, type Camera } from 'three';
-import { defaultPreset, findPreset, presetValues } from '../../../src/preset/presets.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import { defaultPreset, findPreset, presetValues, type Preset } from '../../../src/preset/presets.ts';
+import type { Value, Values } from '../../../src/preset/parameter.ts';
 import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
 import type { FrameInput } from '../../../src/smoke/frame.ts';
 import type { Style } from '../../../src/smoke/style.ts';
@@ -34,7 +34,7 @@ export async function compareScene(
   const comparisons: Comparison[] = [];
   const { draw } = SmokeRenderer.prototype;
   const stage = await createStage(new OffscreenCanvas(WIDTH, HEIGHT), {
-    values: { ...presetValues(findPreset(String(preset)) ?? defaultPreset), ...values },
+    values: { ...presetValues(presetNamed(preset)), ...values },
     width: WIDTH,
     height: HEIGHT,
     pixelRatio: 1,
@@ -54,6 +54,13 @@ export async function compareScene(
     stage.dispose();
   }
   return comparisons;
+}
+
+function presetNamed(name: Value | undefined): Preset {
+  if (name === undefined) return defaultPreset;
+  const preset = findPreset(String(name));
+  if (!preset) throw new Error(`There is no preset ${name}; nothing would be compared.`);
+  return preset;
 }
 
 /** A seeded plume of the bench. */
