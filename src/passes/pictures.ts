@@ -26,12 +26,12 @@ export class SmokePictures {
    */
   take(renderer: WebGLRenderer, { unlit, lit, width, height }: Targets, resolve: ResolvePass, hasDeep: boolean): void {
     for (const target of [this.litTarget, this.unlitTarget]) target.setSize(width, height);
-    resolve.draw(renderer, { unlit, lit }, this.litTarget);
+    resolve.draw(renderer, { unlit, lit, width, height }, this.litTarget);
     // The alpha of unlit is the page's, and 1 wherever there is smoke: read as a mask it leaves nothing lit.
-    resolve.draw(renderer, { unlit, lit: unlit }, this.unlitTarget);
+    resolve.draw(renderer, { unlit, lit: unlit, width, height }, this.unlitTarget);
     if (!hasDeep) return;
     this.deepTarget.setSize(width, height);
-    resolve.drawDeep(renderer, { unlit, lit }, this.deepTarget);
+    resolve.drawDeep(renderer, { unlit, lit, width, height }, this.deepTarget);
   }
 
   dispose(): void {

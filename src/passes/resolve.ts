@@ -1,45 +1,71 @@
-import { Color as ThreeColor, type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
-import fragmentShader from '../../shaders/resolve/resolve.frag';
+import {
+  Color as ThreeColor,
+  NearestFilter,
+  NoColorSpace,
+  WebGLRenderTarget,
+  type Texture,
+  type WebGLRenderer,
+} from 'three';
+import edgesShader from '../../shaders/resolve/edges.frag';
+import tonesShader from '../../shaders/resolve/tones.frag';
 import { FullScreen } from '../device/fullScreen.ts';
 import { writeColor, type Color } from '../device/ramps.ts';
 import type { Targets } from './targets.ts';
 
-/** Chooses lit or unlit by the mask, smooths edges and writes premultiplied colour to the canvas or to a target. */
+/** What a picture is resolved from, and its size in pixels. */
+export type ResolveSources = Pick<Targets, 'unlit' | 'lit' | 'width' | 'height'>;
+
+/**
+ * Chooses lit or unlit by the mask, smooths edges and writes premultiplied colour to the canvas or to a target. In two
+ * draws: the second looks at many tones around a pixel, and finds each chosen already.
+ */
 export class ResolvePass {
+  /** Whether edges are smoothed. */
+  smoothEdges = true;
   private readonly uniforms = {
     unlit: { value: null as Texture | null },
     lit: { value: null as Texture | null },
     deepShadow: { value: new ThreeColor() },
-    smoothEdges: { value: true },
     isAllDeep: { value: false },
+    isLast: { value: false },
   };
-  private readonly triangle = new FullScreen(fragmentShader, this.uniforms);
+  private readonly chosen = new WebGLRenderTarget(1, 1, {
+    colorSpace: NoColorSpace,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    generateMipmaps: false,
+    depthBuffer: false,
+  });
+  private readonly tones = new FullScreen(tonesShader, this.uniforms);
+  private readonly edges = new FullScreen(edgesShader, { tones: { value: this.chosen.texture } });
 
   /** @param color what the colour of shadow is multiplied by where shadow is deep */
   setDeepShadow(color: Color): void {
     writeColor(color, this.uniforms.deepShadow);
   }
 
-  set smoothEdges(smooth: boolean) {
-    this.uniforms.smoothEdges.value = smooth;
-  }
-
   /** Draws as if all of it were in deep shadow. @param output as below */
-  drawDeep(renderer: WebGLRenderer, targets: Pick<Targets, 'unlit' | 'lit'>, output: WebGLRenderTarget | null): void {
+  drawDeep(renderer: WebGLRenderer, sources: ResolveSources, output: WebGLRenderTarget | null): void {
     this.uniforms.isAllDeep.value = true;
-    this.draw(renderer, targets, output);
+    this.draw(renderer, sources, output);
     this.uniforms.isAllDeep.value = false;
   }
 
   /** @param output the target to write, or null for the canvas */
-  draw(renderer: WebGLRenderer, targets: Pick<Targets, 'unlit' | 'lit'>, output: WebGLRenderTarget | null): void {
-    this.uniforms.unlit.value = targets.unlit;
-    this.uniforms.lit.value = targets.lit;
+  draw(renderer: WebGLRenderer, { unlit, lit, width, height }: ResolveSources, output: WebGLRenderTarget | null): void {
+    this.uniforms.unlit.value = unlit;
+    this.uniforms.lit.value = lit;
+    this.uniforms.isLast.value = !this.smoothEdges;
+    if (this.smoothEdges) {
+      this.chosen.setSize(width, height);
+      renderer.setRenderTarget(this.chosen);
+      this.tones.draw(renderer);
+    }
     renderer.setRenderTarget(output);
-    this.triangle.draw(renderer);
+    (this.smoothEdges ? this.edges : this.tones).draw(renderer);
   }
 
   dispose(): void {
-    this.triangle.dispose();
+    for (const part of [this.tones, this.edges, this.chosen]) part.dispose();
   }
 }

@@ -70,7 +70,7 @@ class Filter {
   ): Uint8Array {
     const [unlit, lit] = (['unlit', 'lit'] as const).map((color) => textureOf((x, y) => pixelAt(x, y)[color]));
     this.pass.smoothEdges = smoothEdges;
-    this.pass.draw(this.device.renderer, { unlit, lit }, output);
+    this.pass.draw(this.device.renderer, { unlit, lit, width: SIZE, height: SIZE }, output);
     const pixels = new Uint8Array(4 * SIZE * SIZE);
     if (output) this.device.renderer.readRenderTargetPixels(output, 0, 0, SIZE, SIZE, pixels);
     for (const texture of [unlit, lit]) texture.dispose();
