@@ -1,5 +1,5 @@
 /** A scene of the demo with its simulator, drawn without the edge filter, for any camera: flat colours to reason about. */
-import { PerspectiveCamera, Vector3, type Camera } from 'three';
+import { PerspectiveCamera, Vector3, type Box3, type Camera } from 'three';
 import { createDevice } from '../../src/device/device.ts';
 import type { Values } from '../../src/preset/parameter.ts';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
@@ -22,6 +22,8 @@ export interface SceneChoice {
   height: number;
   /** On top of the scene's own. */
   values?: Values;
+  /** Keeps the parts that move by themselves as they are at the start. */
+  holdsParts?: boolean;
 }
 
 export interface FrameOptions {
@@ -57,7 +59,8 @@ export class SceneLab {
   static async create(name: string, choice: SceneChoice): Promise<SceneLab> {
     const { load, hasRigids } = sceneNamed(name);
     const values = { ...presetValues(findPreset(name)!), ...SMALL, ...choice.values };
-    const [scene, factory] = await Promise.all([load(), loadSimulators({ physics: hasRigids })]);
+    const [loaded, factory] = await Promise.all([load(), loadSimulators({ physics: hasRigids })]);
+    const scene = choice.holdsParts ? withHeldParts(loaded) : loaded;
     return new SceneLab(scene, new Simulation(factory, scene, values, 0), values, choice);
   }
 
@@ -108,6 +111,13 @@ export class SceneLab {
     return camera;
   }
 
+  /** Boxes of the surfaces as they stand after the latest step, world space. */
+  surfaceBoxes(): Box3[] {
+    const { rigids, parts = [] } = this.frame();
+    this.smoke.passes.placeSurfaces(rigids, parts);
+    return this.smoke.passes.surfaces.worldBoxes();
+  }
+
   /** Pixels that a metre spans where it comes nearest to the eye. */
   pixelsPerMetre(nearest: number): number {
     return this.height / (2 * Math.tan(this.scene.camera.fieldOfView / 2) * nearest);
@@ -118,4 +128,8 @@ export class SceneLab {
     this.device.dispose();
     this.simulation.dispose();
   }
+}
+
+function withHeldParts(scene: Scene): Scene {
+  return { ...scene, parts: scene.parts?.map((part) => ({ ...part, pose: () => part.pose(0) })) };
 }

@@ -1,13 +1,16 @@
 /** Whole scenes, picture by picture: nothing may pop as time goes by, nor jump while the camera goes round. */
+import { Vector3, type PerspectiveCamera } from 'three';
 import { readParticles } from '../../bench/support/snapshot.ts';
 import { suddenChange } from '../motion.ts';
 import { SceneLab } from '../sceneLab.ts';
 
 const SIZE = { width: 200, height: 200 };
-/** Nearer to the eye than this nothing of a scene comes, as a share of the camera's distance. */
+/** Nearer to the eye than this nothing of a scene comes while the camera goes round, as a share of its distance. */
 const NEAREST = 0.6;
 /** Pixels on top of the motion: a pixel's own width, and what rounding adds. */
 const SLACK = 2;
+/** How far from its middle the centre of something can be that is still seen, in halves of the picture. */
+const BESIDE = 1.3;
 
 export interface Steadiness {
   /** Pixels of the largest area that appears or goes from one picture to the next, and the picture in which. */
@@ -22,26 +25,32 @@ export interface Steadiness {
   bodies: number;
 }
 
-/** Pictures of successive steps. */
+/** Pictures of successive steps; what turns by itself, such as a propeller, stands still. */
 export async function timePassing(scene: string, fromStep: number, steps: number): Promise<Steadiness> {
-  const lab = await SceneLab.create(scene, SIZE);
+  const lab = await SceneLab.create(scene, { ...SIZE, holdsParts: true });
   lab.step(fromStep);
+  let corners = surfaceCorners(lab);
   const report = await watch(lab, steps, () => {
     lab.step(1);
-    return { camera: lab.camera(), motion: fastest(lab) * lab.pixelsPerMetre(NEAREST * lab.scene.camera.distance) };
+    const [before, camera] = [corners, lab.camera()];
+    corners = surfaceCorners(lab);
+    return { camera, motion: Math.max(longestWay(before, corners, camera), longestWay(...particlePaths(lab), camera)) };
   });
   lab.dispose();
   return report;
 }
 
-/** Pictures a degree apart, with time stopped. */
+/** Pictures a degree apart, with time stopped, from so far that no smoke comes near the eye. */
 export async function orbiting(scene: string, atStep: number, degrees: number): Promise<Steadiness> {
-  const lab = await SceneLab.create(scene, SIZE);
+  const lab = await SceneLab.create(scene, { ...SIZE, holdsParts: true });
   lab.step(atStep);
-  const { azimuth, distance } = lab.scene.camera;
+  const { azimuth, distance: own, target } = lab.scene.camera;
+  const [, particles] = particlePaths(lab);
+  const extent = Math.max(...particles.map((place) => place.distanceTo(new Vector3(...target))));
+  const distance = Math.max(own, extent / (1 - NEAREST));
   const step = Math.PI / 180;
   const report = await watch(lab, degrees, (degree) => ({
-    camera: lab.camera({ azimuth: azimuth + degree * step }),
+    camera: lab.camera({ azimuth: azimuth + degree * step, distance }),
     motion: (1 - NEAREST) * distance * step * lab.pixelsPerMetre(NEAREST * distance),
   }));
   lab.dispose();
@@ -66,8 +75,33 @@ async function watch(lab: SceneLab, pictures: number, next: Next): Promise<Stead
   return report;
 }
 
-/** Metres that the fastest particle moves in a step. */
-function fastest({ simulator }: SceneLab): number {
+/** Where particles were before the latest step, and where they are. */
+function particlePaths({ simulator }: SceneLab): [before: Vector3[], now: Vector3[]] {
   const { x, y, z, px, py, pz } = readParticles(simulator);
-  return x.reduce((most, _, i) => Math.max(most, Math.hypot(x[i] - px[i], y[i] - py[i], z[i] - pz[i])), 0);
+  const placesOf = (xs: Float32Array, ys: Float32Array, zs: Float32Array) =>
+    Array.from(xs, (_, i) => new Vector3(xs[i], ys[i], zs[i]));
+  return [placesOf(px, py, pz), placesOf(x, y, z)];
+}
+
+/** The corners of what stands or rides in a scene. */
+function surfaceCorners(lab: SceneLab): Vector3[] {
+  return lab
+    .surfaceBoxes()
+    .flatMap(({ min, max }) =>
+      Array.from(
+        { length: 8 },
+        (_, corner) => new Vector3(...[0, 1, 2].map((axis) => ((corner >> axis) & 1 ? max : min).getComponent(axis))),
+      ),
+    );
+}
+
+/** Pixels between the pictures of two places of the same thing, for the one of them that is seen and gets on most. */
+function longestWay(before: Vector3[], now: Vector3[], camera: PerspectiveCamera): number {
+  const half = new Vector3(SIZE.width / 2, SIZE.height / 2, 0);
+  const ways = now.map((place, i) => {
+    const [from, to] = [before[i], place].map((one) => one.clone().project(camera));
+    const isSeen = Math.abs(to.x) < BESIDE && Math.abs(to.y) < BESIDE && Math.abs(to.z) < 1;
+    return isSeen ? to.sub(from).setZ(0).multiply(half).length() : 0;
+  });
+  return Math.max(0, ...ways);
 }
