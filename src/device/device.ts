@@ -5,6 +5,12 @@ import { keepsWrittenDepth } from './selfTest.ts';
 
 export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
 
+/** The context went, came back, or has not come back for so long that nobody should wait for it. */
+export type ContextEvent = 'lost' | 'restored' | 'missing';
+
+/** Browsers restore a context within a second or two, if they do. */
+const PATIENCE_MS = 10_000;
+
 export interface DeviceOptions {
   /** Draws as where the self test fails, for tests and to see what that looks like. */
   failsSelfTest?: boolean;
@@ -20,7 +26,8 @@ export class Device {
   /** Whether a depth that fragments write is kept; where it is not, puffs are flat. Found by a small drawing at start. */
   readonly writesDepth: boolean;
   private readonly ownsRenderer: boolean;
-  private readonly listeners = new Set<(event: 'lost' | 'restored') => void>();
+  private readonly listeners = new Set<(event: ContextEvent) => void>();
+  private waiting: ReturnType<typeof setTimeout> | undefined;
   private isDisposed = false;
   private isLost = false;
 
@@ -43,8 +50,8 @@ export class Device {
     return !this.isDisposed && !this.isLost;
   }
 
-  /** Tells when the context goes and when it is back. Returns the function that stops telling. */
-  onContext(listener: (event: 'lost' | 'restored') => void): () => void {
+  /** Tells when the context goes, is back, or is missing for long. Returns the function that stops telling. */
+  onContext(listener: (event: ContextEvent) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
   }
@@ -63,6 +70,7 @@ export class Device {
     this.canvas.removeEventListener('webglcontextlost', this.handleLoss);
     this.canvas.removeEventListener('webglcontextrestored', this.handleRestoration);
     this.listeners.clear();
+    clearTimeout(this.waiting);
     this.puffs.dispose();
     if (!this.ownsRenderer) return;
     this.renderer.dispose();
@@ -74,13 +82,20 @@ export class Device {
     event.preventDefault();
     this.isLost = true;
     this.puffs.dispose();
-    for (const listener of this.listeners) listener('lost');
+    this.tell('lost');
+    clearTimeout(this.waiting);
+    this.waiting = setTimeout(() => this.tell('missing'), PATIENCE_MS);
   };
 
   private readonly handleRestoration = (): void => {
     this.isLost = false;
-    for (const listener of this.listeners) listener('restored');
+    clearTimeout(this.waiting);
+    this.tell('restored');
   };
+
+  private tell(event: ContextEvent): void {
+    for (const listener of this.listeners) listener(event);
+  }
 }
 
 /**

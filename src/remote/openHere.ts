@@ -3,17 +3,14 @@ import { UnsupportedError } from '../preset/errors.ts';
 import { createStage } from '../stage/stage.ts';
 import type { RemoteStage, RemoteStageOptions, Thread } from './contract.ts';
 import { localStage } from './localStage.ts';
-import { SharedDevice } from './sharedDevice.ts';
+import { threadDevice } from './sharedDevice.ts';
 
 const FRAME_RATE = 60;
-const shared = new SharedDevice();
 
-/** @throws UnsupportedError when nothing can be drawn on this thread */
+/** @throws UnsupportedError when nothing can be drawn on this thread but on canvases of the page */
 export function demandDrawing(): void {
-  const canBeShown = new OffscreenCanvas(1, 1).getContext('bitmaprenderer');
-  if (!canBeShown) throw new UnsupportedError('This browser cannot bring pictures from one canvas to another.');
-  shared.hold();
-  shared.release();
+  if (!threadDevice.hold()) throw new UnsupportedError('This browser gives workers no WebGL2 context.');
+  threadDevice.release();
 }
 
 /**
@@ -26,8 +23,8 @@ export async function openHere(
   thread: Thread = 'main',
 ): Promise<RemoteStage> {
   signal?.throwIfAborted();
-  const device = shared.hold();
-  const release = () => device && shared.release();
+  const device = threadDevice.hold();
+  const release = () => device && threadDevice.release();
   const stage = await createStage(canvas, { frameRate: FRAME_RATE, ...options, device }).catch((error) => {
     release();
     throw error;

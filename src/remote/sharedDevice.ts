@@ -11,15 +11,13 @@ export class SharedDevice {
 
   /**
    * The device, which has to be released as often as it was held.
-   * @returns undefined where the browser knows no canvas that is on no page
-   * @throws UnsupportedError when the browser refuses WebGL2
+   * @returns undefined where the browser cannot draw on a canvas that is on no page: each stage then needs one of its own
    */
   hold(): Device | undefined {
-    if (typeof OffscreenCanvas === 'undefined') return undefined;
     clearTimeout(this.farewell);
     if (this.holders === 0 && this.device && !this.device.isUsable) this.end();
-    this.device ??= createDevice(new OffscreenCanvas(1, 1));
-    this.holders += 1;
+    this.device ??= createOffPage();
+    if (this.device) this.holders += 1;
     return this.device;
   }
 
@@ -33,3 +31,16 @@ export class SharedDevice {
     this.device = undefined;
   }
 }
+
+function createOffPage(): Device | undefined {
+  if (typeof OffscreenCanvas === 'undefined' || !new OffscreenCanvas(1, 1).getContext('bitmaprenderer'))
+    return undefined;
+  try {
+    return createDevice(new OffscreenCanvas(1, 1));
+  } catch {
+    return undefined;
+  }
+}
+
+/** That of this thread. */
+export const threadDevice = new SharedDevice();

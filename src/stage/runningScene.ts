@@ -1,4 +1,5 @@
-import { SimulatorError } from '../preset/errors.ts';
+import type { ContextEvent } from '../device/device.ts';
+import { ContextError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
@@ -43,7 +44,7 @@ export class RunningScene {
     this.simulated = new Simulation(opened.factory, opened.scene, values, historyBytes);
     this.picture = new Picture(presenter, opened.scene, values);
     this.hands = new Gestures(this.simulated, this.picture);
-    this.stopListening = presenter.device.onContext((event) => (event === 'restored' ? this.draw() : undefined));
+    this.stopListening = presenter.device.onContext((event) => this.followContext(event));
   }
 
   /** Another one in each scene. */
@@ -249,6 +250,16 @@ export class RunningScene {
     this.simulation.dispose();
     this.picture.dispose();
     this.listeners.clear();
+  }
+
+  private followContext(event: ContextEvent): void {
+    if (event === 'restored') this.draw();
+    if (event === 'missing') {
+      this.listeners.tell(
+        'error',
+        new ContextError('The graphics context was lost and has not come back. Reload the page.'),
+      );
+    }
   }
 
   private playOn(steps: number): void {

@@ -1,6 +1,9 @@
+/** Stages in a worker: the same pictures, one worker and one context for all, and nothing that the page need notice. */
+import type { Worker } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 
 type Cases = typeof import('./embed.cases.ts');
+type Shared = typeof import('../../src/remote/sharedDevice.ts');
 const CASES = '/tests/e2e/embed.cases.ts';
 
 test('a worker draws the same picture as the main thread', async ({ load }) => {
@@ -9,5 +12,105 @@ test('a worker draws the same picture as the main thread', async ({ load }) => {
   expect(report.threads).toEqual(['worker', 'main']);
   expect(report.hashes[0]).toBe(report.hashes[1]);
   expect(report.colors).toBeGreaterThan(20);
-  expect(report).toMatchObject({ differing: 0, differingOnPage: 0, differingShown: 0 });
+  expect(report).toMatchObject({ differing: 0, differingShown: [0, 0] });
 });
+
+test('errors are of the same class and say the same from a worker as from the main thread', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const [worker, main] = await cases.evaluate((module) =>
+    Promise.all([module.refusals('worker'), module.refusals('main')]),
+  );
+  expect(worker).toEqual(main);
+  expect(worker.range).toMatchObject({ name: 'ParameterError', key: 'emission.rate', value: -5, isOurs: true });
+  expect(worker.unknown?.name).toBe('ParameterError');
+  expect(worker.scene?.name).toBe('ParameterError');
+  expect(worker.bytes?.name).toBe('SimulatorError');
+  expect(worker.after?.name).toBe('SimulatorError');
+  expect(worker.isSame).toBe(true);
+});
+
+test('takes and states go to the worker and back', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { hashes, inputs, isOfStart } = await cases.evaluate((module) => module.sendBytes());
+  expect(new Set(hashes).size).toBe(1);
+  expect({ inputs, isOfStart }).toEqual({ inputs: 2, isOfStart: true });
+});
+
+test('a playing stage sends no message unless somebody listens', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const report = await cases.evaluate((module) => module.listen(module.watch()));
+  expect(report.told).toEqual([true, false]);
+  expect(report.silent).toBe(0);
+  expect(report.steps).toBeGreaterThan(0);
+});
+
+test('out of view a stage rests, and what is paused stays paused', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  expect(await cases.evaluate((module) => module.scroll())).toEqual({ away: 0, paused: 0 });
+});
+
+test('a start can be called off at any moment', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  expect(await cases.evaluate((module) => module.abortStarts())).toEqual(['at once', 'soon', 'later']);
+});
+
+test.describe('on a page of their own', () => {
+  test.use({ ownPage: true, allowed: /context lost|context restored|CONTEXT_LOST/i });
+
+  test('stages share one worker, which ends after the last of them', async ({ load, blank }) => {
+    const cases = await load<Cases>(CASES);
+    const seen = await cases.evaluateHandle((module) => module.watch());
+    await cases.evaluate(async (module) => {
+      const opened = await Promise.all([1, 2, 3].map(() => module.open()));
+      for (const { stage } of opened) await stage.dispose();
+      const again = await module.open();
+      await again.stage.step(2);
+      await again.stage.dispose();
+    });
+    expect(await seen.evaluate(({ workers, terminated }) => [workers, terminated])).toEqual([1, 0]);
+    await expect.poll(() => blank.workers().length).toBe(0);
+    expect(await seen.evaluate(({ workers, terminated }) => [workers, terminated])).toEqual([1, 1]);
+    expect(await cases.evaluate(async (module) => (await module.open()).stage.thread)).toBe('worker');
+  });
+
+  test('a lost context brings all stages back', async ({ load, blank }) => {
+    const cases = await load<Cases>(CASES);
+    const opened = await cases.evaluateHandle(async (module) => {
+      const two = await Promise.all([module.open(), module.open()]);
+      for (const { stage } of two) await stage.step(100);
+      return two;
+    });
+    const [worker] = blank.workers();
+    await turnContext(worker, 'loseContext');
+    const refused = await opened.evaluate(([{ stage }]) => stage.picture().catch((error: Error) => error.name));
+    expect(refused).toBe('ContextError');
+    await opened.evaluate(([first, second]) => Promise.all([first.stage.step(50), second.stage.step(50)]));
+    await turnContext(worker, 'restoreContext');
+    const changed = await cases.evaluate(async (module, two) => {
+      const alone = await module.open({ thread: 'main' });
+      await alone.stage.step(150);
+      const expected = await module.pixelsOf(await alone.stage.picture());
+      return Promise.all(two.map(({ canvas }) => module.differingShown(canvas, expected)));
+    }, opened);
+    expect(changed).toEqual([0, 0]);
+  });
+});
+
+/** Takes the context of a worker away or gives it back, and waits until that has happened. */
+async function turnContext(worker: Worker, way: 'loseContext' | 'restoreContext'): Promise<void> {
+  const shared = await worker.evaluateHandle(`import('/src/remote/sharedDevice.ts')`);
+  await worker.evaluate(
+    async ([module, method]) => {
+      const device = (module as Shared).threadDevice.hold()!;
+      const event = method === 'loseContext' ? 'webglcontextlost' : 'webglcontextrestored';
+      const happens = new Promise((resolve) => device.canvas.addEventListener(event, resolve, { once: true }));
+      const kept = globalThis as { losing?: WEBGL_lose_context | null };
+      kept.losing ??= device.renderer.getContext().getExtension('WEBGL_lose_context');
+      kept.losing![method]();
+      await happens;
+      // The browser decides about restoring only after the event's last listener.
+      await new Promise((resolve) => setTimeout(resolve));
+    },
+    [shared, way] as const,
+  );
+}
