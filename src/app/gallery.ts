@@ -13,7 +13,7 @@ const SIZE = { width: 192, height: 128 };
  * arrow keys go along it.
  */
 export function createGallery(editor: Editor): HTMLElement {
-  const inputs = new Map(presets.map((preset) => [preset.name, createInput(preset, editor)]));
+  const inputs = new Map(presets.map((preset) => [preset.name, createInput(preset)]));
   const scenes = [...byScene()].map(([scene, members]) =>
     createScene(
       scene,
@@ -22,12 +22,24 @@ export function createGallery(editor: Editor): HTMLElement {
   );
   const label = { class: 'gallery card', role: 'radiogroup', 'aria-label': strings.gallery.title };
   const element = create('div', label, ...scenes);
+  followChoices(element, editor);
   const show = ({ preset }: State) => {
     for (const [name, input] of inputs) input.checked = name === preset;
   };
   editor.listen(show);
   show(editor.state);
   return element;
+}
+
+/** Each press of a pointer is a choice; all presets that people come past by keys are one, which is undone together. */
+function followChoices(gallery: HTMLElement, editor: Editor): void {
+  let gesture: string | undefined;
+  gallery.addEventListener('pointerdown', () => (gesture = undefined));
+  gallery.addEventListener('keydown', () => (gesture = 'gallery'));
+  gallery.addEventListener('change', ({ target }) => editor.choose((target as HTMLInputElement).value, gesture));
+  gallery.addEventListener('focusout', ({ relatedTarget }) => {
+    if (!gallery.contains(relatedTarget as Node | null)) editor.settle();
+  });
 }
 
 function byScene(): ReadonlyMap<string, Preset[]> {
@@ -47,9 +59,8 @@ function createScene(scene: string, cards: readonly HTMLElement[]): HTMLElement 
   return create('div', { role: 'group', 'aria-label': label }, heading, shelf);
 }
 
-function createInput({ name }: Preset, editor: Editor): HTMLInputElement {
+function createInput({ name }: Preset): HTMLInputElement {
   const input = create('input', { type: 'radio', name: 'preset', value: name });
-  input.addEventListener('change', () => editor.choose(name));
   input.addEventListener('focus', () => input.parentElement!.scrollIntoView({ block: 'nearest', inline: 'nearest' }));
   return input;
 }

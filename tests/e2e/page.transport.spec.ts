@@ -53,6 +53,53 @@ test('the time line goes forth and back by mouse and keys', async ({ page }) => 
   await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(false);
 });
 
+test('a long way along the time line says so, and is stopped by a button or Escape', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  const goFar = () =>
+    page.evaluate(() => {
+      const press = new KeyboardEvent('keydown', { key: ']', bubbles: true });
+      for (let second = 0; second < 400; ++second) document.body.dispatchEvent(press);
+    });
+  const bar = page.getByRole('progressbar', { name: 'On the way to' });
+  await goFar();
+  await expect(bar).toHaveAttribute('aria-label', 'On the way to 400.0 s\u2026');
+  await page.getByRole('button', { name: 'Stop here' }).click();
+  await expect(bar).toHaveCount(0);
+  const stopped = await stepsOf(page);
+  expect(stopped).toBeGreaterThan(0);
+  expect(stopped).toBeLessThan(24_000);
+  await goFar();
+  await expect(bar).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(bar).toHaveCount(0);
+  expect(await stepsOf(page)).toBeLessThan(stopped + 24_000);
+  await expect
+    .poll(async () => (await line(page).inputValue().then(Number)) - (await stepsOf(page)) / 60)
+    .toBeCloseTo(0, 0);
+});
+
+test('presets that people come past by keys are undone together, those that they press one by one', async ({
+  page,
+}) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await page.keyboard.press('g');
+  const chosen = (name: string) => expect(page.getByRole('radio', { name, exact: true })).toBeChecked();
+  const expectPreset = (name: string) =>
+    expect.poll(() => page.evaluate(() => location.hash)).toBe(`#v=1&preset=${name}`);
+  await page.getByRole('radio', { name: 'Noir' }).check();
+  await expectPreset('lamp-noir');
+  for (let press = 0; press < 3; ++press) await page.keyboard.press('ArrowRight');
+  await expect(page.getByRole('radio', { name: 'Noir' })).not.toBeChecked();
+  await page.keyboard.press('Control+z');
+  await chosen('Noir');
+  await page.keyboard.press('Control+z');
+  await chosen('Lamp');
+  await page.getByRole('radio', { name: 'Noir' }).check();
+  await page.getByRole('radio', { name: 'Ghost' }).check();
+  await page.keyboard.press('Control+z');
+  await chosen('Noir');
+});
+
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
