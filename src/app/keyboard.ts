@@ -7,6 +7,8 @@ export interface KeyActions {
   stepBack(): void;
   /** Goes on or back by seconds. */
   shift(seconds: number): void;
+  /** Ends a way along the time line where it has come to. */
+  stopOnWay(): void;
   restart(): void;
   share(): void;
   capture(): void;
@@ -68,6 +70,7 @@ function simpleKeys(actions: KeyActions): Readonly<Record<string, () => void>> {
     ',': () => actions.stepBack(),
     '[': () => actions.shift(-1),
     ']': () => actions.shift(1),
+    Escape: () => actions.stopOnWay(),
     r: () => actions.restart(),
     s: () => actions.share(),
     c: () => actions.capture(),

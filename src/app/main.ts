@@ -13,6 +13,7 @@ import { fitStage, pixelRatio, restWhileHidden } from './fit.ts';
 import { toggleFullScreen } from './fullScreen.ts';
 import { GestureEnd } from './gestureEnd.ts';
 import { listenToKeys } from './keyboard.ts';
+import { tellOfLongWays } from './longWay.ts';
 import { goToMoment, type Moment } from './moment.ts';
 import { Notices } from './notices.ts';
 import { workOffline } from './offline/register.ts';
@@ -55,13 +56,16 @@ async function start(): Promise<void> {
   stage.on('error', refuse);
   if (moment) await arriveAt(moment, stage, editor, notices);
   connectStage(editor, stage, (message) => notices.tell(message));
-  followAddress(editor, (read) => {
+  followAddress(editor, async (read) => {
     tellAll(notices, read);
     const shared = momentOf(read);
+    if (!shared) return;
     // The stage takes up the values with the coming frame: later they would be something that was done to the take.
-    if (shared) requestAnimationFrame(() => void goToMoment(stage, shared, notices, host));
+    await new Promise(requestAnimationFrame);
+    await goToMoment(stage, shared, notices, host);
   });
   const scrubber = new Scrubber(stage);
+  tellOfLongWays(scrubber, host);
   const page = buildPage(host, { editor, stage, notices, scrubber, hasStatistics: environment.hasStatistics });
   connectInput(stage, editor, page, scrubber);
   fitStage(stage, canvas);
@@ -130,6 +134,7 @@ function connectInput(stage: Stage, editor: Editor, page: Page, scrubber: Scrubb
     step: () => takeStep(stage),
     stepBack: () => void scrubber.stepBack(),
     shift: (seconds) => void scrubber.shift(seconds),
+    stopOnWay: () => scrubber.stop(),
     fullScreen: () => void toggleFullScreen(),
     restart: () => stage.restart(),
     undo: () => editor.undo(),

@@ -1,17 +1,39 @@
 import { STEP_SECONDS } from '../sim/clock.ts';
 import type { Stage } from '../stage/stage.ts';
 
+/** A way to one moment; another one for each that people ask for. */
+export interface Way {
+  /** Where it leads, simulated seconds. */
+  readonly goal: number;
+  /** How far it has come, 0 to 1. */
+  share: number;
+}
+
+/** Told of each part of a way; of nothing when it has ended. */
+type WayListener = (way: Way | undefined) => void;
+
 /** Goes to moments as fast as people ask for them: one way at a time, and of several goals the last counts. */
 export class Scrubber {
-  /** Told on the way where the smoke is, in simulated seconds. */
-  onWay: (seconds: number) => void = () => undefined;
   private readonly stage: Stage;
+  private readonly listeners: WayListener[] = [];
+  /** Where people want to be next, and where it is going now. */
   private goal: number | undefined;
+  private heading: number | undefined;
   private controller = new AbortController();
   private isOnWay = false;
 
   constructor(stage: Stage) {
     this.stage = stage;
+  }
+
+  listen(listener: WayListener): void {
+    this.listeners.push(listener);
+  }
+
+  /** Stays where it has come to. */
+  stop(): void {
+    this.goal = undefined;
+    this.controller.abort();
   }
 
   /** Settled when nobody wants to be elsewhere any more. @param seconds simulated; below 0 is the start */
@@ -24,12 +46,14 @@ export class Scrubber {
       while (this.goal !== undefined) await this.approach(this.takeGoal());
     } finally {
       this.isOnWay = false;
+      this.heading = undefined;
+      this.tell(undefined);
     }
   }
 
   /** Goes on or back by so many seconds from where it is, or from where it is going. */
   async shift(seconds: number): Promise<void> {
-    await this.go((this.goal ?? this.stage.stats.time) + seconds);
+    await this.go((this.goal ?? this.heading ?? this.stage.stats.time) + seconds);
   }
 
   /** One step back, then stillness, as a step forward is. */
@@ -40,6 +64,7 @@ export class Scrubber {
 
   private takeGoal(): number {
     const goal = this.goal!;
+    this.heading = goal;
     this.goal = undefined;
     return goal;
   }
@@ -47,10 +72,19 @@ export class Scrubber {
   private async approach(goal: number): Promise<void> {
     this.controller = new AbortController();
     const { signal } = this.controller;
+    const way: Way = { goal, share: 0 };
+    const onProgress = (share: number) => {
+      way.share = share;
+      this.tell(way);
+    };
     try {
-      await this.stage.seek(goal, { signal, onProgress: () => this.onWay(this.stage.stats.time) });
+      await this.stage.seek(goal, { signal, onProgress });
     } catch (error) {
       if (!signal.aborted) throw error;
     }
+  }
+
+  private tell(way: Way | undefined): void {
+    for (const listener of this.listeners) listener(way);
   }
 }

@@ -47,6 +47,7 @@ export const strings = {
     step: 'One step',
     restart: 'Start over',
     timeline: 'Time line',
+    onWay: (seconds: number) => `On the way to ${seconds.toFixed(1)} s\u2026`,
     fullScreen: 'Full screen',
     speed: 'Speed',
     speeds: [
@@ -197,6 +198,7 @@ export const strings = {
       ['Space', 'play or pause'],
       [', and .', 'one step back, one step on'],
       ['[ and ]', 'a second back, a second on'],
+      ['Esc', 'stop on a long way along the time line'],
       ['R', 'start over'],
       ['\u2190 \u2192 \u2191 \u2193', 'move the ball'],
       ['Page Up, Page Down', 'move the ball away, towards you'],

@@ -20,7 +20,7 @@ export function createTimeline(stage: Stage, scrubber: Scrubber): HTMLInputEleme
     line.setAttribute('aria-valuetext', strings.transport.time(line.valueAsNumber));
     fill(seconds);
   };
-  scrubber.onWay = fill;
+  scrubber.listen((way) => way && fill(stage.stats.time));
   stage.on('frame', ({ time }) => show(time));
   line.addEventListener('input', () => void scrubber.go(line.valueAsNumber));
   holdStill(line, stage, (held) => (isHeld = held));
