@@ -17,13 +17,15 @@ async function addressOf(editor: Editor): Promise<string> {
 }
 
 /**
- * Keeps the address bar on what is edited, and edits what somebody puts into the address bar.
- * @param arrive told of what was put there, once the editor has it
+ * Keeps the address bar on what is edited, and edits what somebody puts into the address bar. A moment that was put there
+ * stays until somebody edits.
+ * @param arrive told of what was put there, once the editor has it; settled when the page shows it
  */
-export function followAddress(editor: Editor, arrive: (decoded: Decoded) => void): void {
+export function followAddress(editor: Editor, arrive: (decoded: Decoded) => Promise<void>): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
+  let arriving: Decoded | undefined;
   editor.listen((_state, changed) => {
-    if (Object.keys(changed).length === 0) return;
+    if (arriving?.take || Object.keys(changed).length === 0) return;
     clearTimeout(timer);
     timer = setTimeout(async () => {
       const started = timer;
@@ -34,7 +36,11 @@ export function followAddress(editor: Editor, arrive: (decoded: Decoded) => void
   });
   addEventListener('hashchange', async () => {
     const decoded = await decode(location.hash);
+    clearTimeout(timer);
+    timer = undefined;
+    arriving = decoded;
     editor.load(decoded.state);
-    arrive(decoded);
+    await arrive(decoded);
+    if (arriving === decoded) arriving = undefined;
   });
 }

@@ -56,6 +56,30 @@ test('a take comes to the same hash in another browser, and to an earlier moment
   await context.close();
 });
 
+test('a moment of another scene, put into the address bar, is entered and stays there until somebody edits', async ({
+  page,
+}) => {
+  await open(page, '?paused=1#v=1&preset=wisp&simulation.maxParticles=300');
+  await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
+  await ask(page, (stage) => stage.step(45));
+  const wisp = { moment: await shown(page), link: new URL(await momentLink(page)).hash };
+  await open(page, '?paused=1#v=1&preset=train&simulation.maxParticles=300');
+  await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
+  await ask(page, (stage) => stage.step(30));
+  const train = { moment: await shown(page), link: new URL(await momentLink(page)).hash };
+  // To a scene without rigids, whose simulator is another one, and back.
+  for (const { moment, link } of [wisp, train]) {
+    await page.evaluate((hash) => (location.hash = hash), link);
+    await expect.poll(() => shown(page), { timeout: 30_000 }).toEqual(moment);
+    expect(await page.evaluate(() => location.hash)).toBe(link);
+  }
+  await expect(page.locator('.notice')).toHaveCount(0);
+  await ask(page, (stage) => stage.set({ 'puff.size': 2 }));
+  await expect
+    .poll(() => page.evaluate(() => location.hash))
+    .toBe('#v=1&preset=train&puff.size=2&simulation.maxParticles=300');
+});
+
 test('what nobody touched is a moment by its time alone', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await ask(page, (stage) => stage.step(7));
