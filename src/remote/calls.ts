@@ -82,6 +82,7 @@ export const calls: Readonly<Record<keyof RemoteMethods, Call>> = {
   save: call([], bytes(MOST_BYTES)),
   restore: call([bytes(MOST_BYTES)]),
   take: call([], take),
+  readTake: call([bytes(MOST_BYTES)], take),
   playTake: call([bytes(MOST_BYTES)]),
   hash: call([], text),
   stats: call([], figures),

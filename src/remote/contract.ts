@@ -30,6 +30,8 @@ export interface RemoteMethods {
   save(): Promise<Uint8Array>;
   restore(bytes: Uint8Array): Promise<void>;
   take(): Promise<Take>;
+  /** What a take says of itself, without playing it. */
+  readTake(bytes: Uint8Array): Promise<Take>;
   /** @param bytes of a take */
   playTake(bytes: Uint8Array): Promise<void>;
   /** 16 hexadecimal digits. */

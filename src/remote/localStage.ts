@@ -18,6 +18,7 @@ const methods = {
   save: (stage) => stage.save(),
   restore: (stage, bytes) => stage.restore(bytes),
   take: (stage) => stage.take(),
+  readTake: (stage, bytes) => stage.readTake(bytes),
   playTake: (stage, bytes) => stage.playTake(bytes),
   hash: (stage) => stage.hash(),
   stats: (stage) => stage.stats,

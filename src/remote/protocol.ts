@@ -119,9 +119,12 @@ export function tellOf(event: Told['event'], detail: unknown): Told {
   return { event, detail: event === 'error' ? packError(detail) : detail };
 }
 
+/** Methods that give a take, which has a function and crosses as its bytes. */
+const TAKES: ReadonlySet<Method> = new Set(['take', 'readTake']);
+
 /** A value as it can be sent, and what of it moves instead of being copied. */
 export function packValue(method: Method, value: unknown): { value: unknown; moved: Transferable[] } {
-  if (method === 'take') {
+  if (TAKES.has(method)) {
     const take = value as Take;
     const bytes = take.toBytes();
     return { value: { ...take, toBytes: undefined, bytes }, moved: [bytes.buffer] };
@@ -133,7 +136,7 @@ export function packValue(method: Method, value: unknown): { value: unknown; mov
 }
 
 function unpackValue(method: Method, value: unknown): unknown {
-  if (method !== 'take') return value;
+  if (!TAKES.has(method)) return value;
   const { bytes, ...rest } = value as Omit<Take, 'toBytes'> & { bytes: Uint8Array<ArrayBuffer> };
   return { ...rest, toBytes: () => bytes.slice() } satisfies Take;
 }
