@@ -1,4 +1,6 @@
 /** The library's front door: exports only. Nothing inside imports it. */
+export { CartoonSmokeElement } from './element/cartoonSmokeElement.ts';
+export type { SmokeEvent, SmokeEvents, StateChange } from './element/events.ts';
 export { createDevice, type Device, type DeviceCanvas } from './device/device.ts';
 export {
   ContextError,

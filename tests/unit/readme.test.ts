@@ -1,10 +1,10 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
+import { attributes, cssParts, cssProperties, events, slots } from '../../src/element/documentation.ts';
 import type { Parameter } from '../../src/preset/parameter.ts';
 import { table } from '../../src/preset/table.ts';
 
 const README = new URL('../../README.md', import.meta.url);
-const BLOCK = /(<!-- parameters -->\n)[^]*(\n<!-- \/parameters -->)/;
 
 function range(parameter: Parameter): string {
   switch (parameter.kind) {
@@ -41,11 +41,36 @@ function row(parameter: Parameter, key: string): string {
   return `| \`${name}\` | ${range(parameter)} | ${parameter.default} | ${parameter.text} |`;
 }
 
-it('lists the parameters as the table has them (UPDATE_README=1 writes them anew)', () => {
+/** What the element has besides the parameters. */
+function elementRows(): string[] {
+  const kinds = [
+    ['attribute', attributes],
+    ['event', events],
+    ['slot', slots],
+    ['part', cssParts],
+    ['CSS property', cssProperties],
+  ] as const;
+  return kinds.flatMap(([kind, list]) =>
+    list.map((each) => {
+      const initial = 'default' in each && each.default ? ` (${each.default})` : '';
+      return `| ${kind} | ${each.name ? `\`${each.name}\`` : 'without a name'} | ${each.description}${initial} |`;
+    }),
+  );
+}
+
+const TABLES = [
+  ['parameters', ['| key | range | default | what it does |', '| --- | --- | --- | --- |', ...rows()]],
+  ['element', ['| | name | what it is |', '| --- | --- | --- |', ...elementRows()]],
+] as const;
+
+it.each(TABLES)('lists the %s as they are (UPDATE_README=1 writes them anew)', (name, lines) => {
   const text = readFileSync(README, 'utf8');
-  const expected = ['| key | range | default | what it does |', '| --- | --- | --- | --- |', ...rows()].join('\n');
-  const updated = text.replace(BLOCK, (_, before: string, after: string) => `${before}\n${expected}\n${after}`);
-  expect(text).toMatch(BLOCK);
+  const block = new RegExp(`(<!-- ${name} -->\n)[^]*(<!-- /${name} -->)`);
+  const updated = text.replace(
+    block,
+    (_, before: string, after: string) => `${before}\n${lines.join('\n')}\n\n${after}`,
+  );
+  expect(text).toMatch(block);
   if (process.env.UPDATE_README) writeFileSync(README, updated);
   else expect(text).toBe(updated);
 });

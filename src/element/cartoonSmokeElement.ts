@@ -1,0 +1,199 @@
+import { ContextError, LoadError, type SmokeError } from '../preset/errors.ts';
+import { Deferred } from './deferred.ts';
+import type { SmokeEvents } from './events.ts';
+import { HANDED_ON, type HandedOn } from './methods.ts';
+import { keyOfAttribute } from './names.ts';
+import { whenNear } from './near.ts';
+import { defineProperties, FLAGS, takeUpEarlier, TEXTS } from './properties.ts';
+
+import { quietly } from './quietly.ts';
+import type { Session } from './session.ts';
+import { Shell } from './shell.ts';
+
+/** On a server there are no elements; importing this must not fail there. */
+const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement);
+
+/** Attributes that say what the smoke is, beside the parameters. */
+const OF_WISH: ReadonlySet<string> = new Set(['preset', 'src']);
+
+// eslint-disable-next-line typescript/no-unsafe-declaration-merging -- the methods and properties are made from tables below
+export interface CartoonSmokeElement extends HandedOn {
+  paused: boolean;
+  transparent: boolean;
+  interactive: boolean;
+  preset: string | undefined;
+  src: string | undefined;
+  start: string | undefined;
+  alt: string | undefined;
+  thread: string | undefined;
+  loading: string | undefined;
+  addEventListener<Name extends keyof SmokeEvents>(
+    type: Name,
+    listener: (this: CartoonSmokeElement, event: CustomEvent<SmokeEvents[Name]>) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+}
+
+/**
+ * `<cartoon-smoke preset="lamp" emission-rate="60" paused>`: smoke on any page. Every parameter is an attribute and a
+ * property; the methods of RemoteStage are its own, and wait until the smoke stands. Nothing heavy is fetched until it
+ * nears the viewport, unless `loading="eager"` says so or a method is called.
+ */
+export class CartoonSmokeElement extends Base {
+  static get observedAttributes(): string[] {
+    return [...FLAGS, ...TEXTS, ...keyOfAttribute.keys()];
+  }
+
+  readonly #shell = new Shell(this.attachShadow({ mode: 'open' }));
+  #stopWaiting: (() => void) | undefined;
+  /** Ends what was started, on its way or come to stand. */
+  #start: AbortController | undefined;
+  /** Whether attributes have changed since it was started and before it stood. */
+  #isBehind = false;
+  /** Once its first picture stands. */
+  #session: Session | undefined;
+  #awaited = new Deferred<Session>();
+
+  constructor() {
+    super();
+    this.#shell.button.addEventListener('click', () => (this.playing ? this.pause() : this.play()));
+  }
+
+  /** Settled when the first picture stands; rejects with the error that is told when there will be none. */
+  get ready(): Promise<void> {
+    const ready = this.#awaited.promise.then(() => undefined);
+    quietly(ready);
+    return ready;
+  }
+
+  /** Whether the smoke moves. Out of sight it rests and counts as moving. */
+  get playing(): boolean {
+    return this.#session?.isPlaying ?? false;
+  }
+
+  play(): void {
+    this.paused = false;
+    if (navigator.userActivation?.isActive) this.#session?.consent();
+  }
+
+  pause(): void {
+    this.paused = true;
+  }
+
+  connectedCallback(): void {
+    takeUpEarlier(this);
+    this.#waitOrStart();
+  }
+
+  disconnectedCallback(): void {
+    // Whoever moves it puts it back in the same task.
+    queueMicrotask(() => this.isConnected || this.#end());
+  }
+
+  /** Moving by moveBefore leaves everything as it is. */
+  connectedMoveCallback(): void {}
+
+  adoptedCallback(): void {
+    this.#shell.dress();
+  }
+
+  attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+    if (before === after) return;
+    if (name === 'loading') this.#waitOrStart();
+    else if (!this.#session) this.#isBehind = true;
+    else if (OF_WISH.has(name) || keyOfAttribute.has(name)) this.#session.follow();
+    else this.#session.takeUp(name);
+  }
+
+  /** Starts, if that has not happened yet, and gives the smoke once it stands. */
+  #demand(): Promise<Session> {
+    if (this.isConnected) this.#begin();
+    return this.#awaited.promise;
+  }
+
+  #waitOrStart(): void {
+    if (!this.isConnected || this.#start) return;
+    if (this.loading === 'eager') this.#begin();
+    else this.#stopWaiting ??= whenNear(this.#shell.frame, () => this.#begin());
+  }
+
+  #begin(): void {
+    if (this.#start) return;
+    this.#stopWaiting?.();
+    this.#stopWaiting = undefined;
+    this.#isBehind = false;
+    const { signal } = (this.#start = new AbortController());
+    this.#open(signal).then(
+      (session) => this.#stand(session, signal),
+      (error) => signal.aborted || this.#fail(error),
+    );
+  }
+
+  async #open(signal: AbortSignal): Promise<Session> {
+    const { openSession } = await import('./session.ts').catch((cause) => {
+      throw new LoadError(`The smoke could not be fetched: ${cause.message}`, { cause });
+    });
+    signal.throwIfAborted();
+    return openSession(
+      {
+        element: this,
+        shell: this.#shell,
+        tell: (name, detail) => this.#tell(name, detail),
+        fail: (error) => this.#fail(error),
+      },
+      signal,
+    );
+  }
+
+  #stand(session: Session, signal: AbortSignal): void {
+    if (signal.aborted) return session.dispose();
+    this.#session = session;
+    if (this.#isBehind) session.catchUp();
+    this.#shell.show('smoke');
+    this.#awaited.resolve(session);
+    this.#tell('ready', { thread: session.stage.thread });
+  }
+
+  #fail(error: SmokeError): void {
+    this.#session?.dispose();
+    this.#session = undefined;
+    this.#shell.show('failure');
+    this.#awaited.reject(error);
+    this.#tell('error', { error });
+  }
+
+  #end(): void {
+    this.#stopWaiting?.();
+    this.#stopWaiting = undefined;
+    this.#start?.abort();
+    this.#start = undefined;
+    this.#session?.dispose();
+    this.#session = undefined;
+    this.#shell.show('poster');
+    this.#awaited.reject(new ContextError('The element was taken from the page; it starts anew when it comes back.'));
+    this.#awaited = new Deferred();
+  }
+
+  #tell<Name extends keyof SmokeEvents>(name: Name, detail: SmokeEvents[Name]): void {
+    this.dispatchEvent(new CustomEvent(name, { detail }));
+  }
+
+  static {
+    defineProperties(this.prototype);
+    for (const name of HANDED_ON) {
+      Object.defineProperty(this.prototype, name, {
+        configurable: true,
+        writable: true,
+        value: async function (this: CartoonSmokeElement, ...given: unknown[]) {
+          const { stage } = await this.#demand();
+          return (stage[name] as (...given: unknown[]) => Promise<unknown>)(...given);
+        },
+      });
+    }
+  }
+}

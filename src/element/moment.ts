@@ -1,0 +1,48 @@
+import { notice, type Notice } from '../preset/notice.ts';
+import type { Values } from '../preset/parameter.ts';
+import { findParameter } from '../preset/table.ts';
+import type { RemoteStage } from '../remote/contract.ts';
+import { STEP_SECONDS } from '../sim/clock.ts';
+import type { Take } from '../stage/take.ts';
+
+/** Nobody waits for more on a page that is about something else. */
+const LONGEST_SECONDS = 600;
+
+/**
+ * Does again what was done in a take out of a share link.
+ * @param seconds where to stop; the end of the take when left out
+ * @param values of the link, for what no take keeps: style and light
+ * @returns why it was left out; nothing where it was not
+ */
+export async function goToMoment(
+  stage: RemoteStage,
+  bytes: Uint8Array,
+  seconds: number | undefined,
+  values: Values,
+): Promise<Notice[]> {
+  try {
+    const take = await stage.readTake(bytes);
+    refuseGreed(take);
+    if (take.values.scene !== values.scene) await stage.enter(take.values);
+    await stage.playTake(bytes);
+    await stage.set(looksOf(values));
+    await stage.seek(Math.min(seconds ?? take.steps * STEP_SECONDS, LONGEST_SECONDS));
+    return [];
+  } catch (error) {
+    const tell = () => `The moment in the link cannot be shown: ${(error as Error).message}`;
+    return [notice('damaged', 'take', '', tell)];
+  }
+}
+
+/** @throws Error when the take of a stranger asks for more than links may */
+function refuseGreed({ isFresh, mostParticles }: Take): void {
+  const row = findParameter('simulation.maxParticles');
+  const most = row?.kind === 'integer' ? (row.linkMax ?? row.max) : 0;
+  if (!isFresh) throw new Error('it begins with a saved state.');
+  if (mostParticles > most) throw new Error(`it makes room for ${mostParticles} particles, and links for ${most}.`);
+}
+
+function looksOf(values: Values): Values {
+  const isLook = (key: string) => ['style', 'light'].includes(findParameter(key)!.reader);
+  return Object.fromEntries(Object.entries(values).filter(([key]) => isLook(key)));
+}

@@ -1,0 +1,45 @@
+/**
+ * The names of all parameters as attributes (`emission-rate`) and as properties (`emissionRate`). The table itself, with its
+ * ranges and texts, comes with the smoke; the element that waits for it knows names only, from names.json, which a test
+ * compares with the table.
+ */
+import listed from './names.json' with { type: 'json' };
+
+export interface Name {
+  /** Of the table, such as `emission.rate`. */
+  readonly key: string;
+  readonly attribute: string;
+  readonly property: string;
+  /** Whether its values are words, colours or stops, which stay as they were written; numbers otherwise. */
+  readonly isText: boolean;
+}
+
+const LIST_LIMIT = 8;
+
+/** Every parameter in the order of the table. */
+export const names: readonly Name[] = Object.entries(listed).flatMap(([list, fields]) =>
+  list === ''
+    ? namesOf('', fields)
+    : Array.from({ length: LIST_LIMIT }, (_, index) => namesOf(`${list}.${index}.`, fields)).flat(),
+);
+
+/** The key of each attribute. */
+export const keyOfAttribute: ReadonlyMap<string, string> = new Map(names.map(({ attribute, key }) => [attribute, key]));
+
+/** @param fields keys apart by spaces: `$` behind a text, `.xyz` behind a vector */
+function namesOf(prefix: string, fields: string): Name[] {
+  return fields.split(' ').flatMap((field) => {
+    const isText = field.endsWith('$');
+    const stem = prefix + (isText ? field.slice(0, -1) : field);
+    const keys = stem.endsWith('.xyz') ? ['x', 'y', 'z'].map((axis) => stem.slice(0, -3) + axis) : [stem];
+    return keys.map((key) => ({ key, attribute: attributeOf(key), property: propertyOf(key), isText }));
+  });
+}
+
+function attributeOf(key: string): string {
+  return key.replaceAll('.', '-').replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+}
+
+function propertyOf(key: string): string {
+  return key.replace(/\.(.)/g, (_, letter: string) => letter.toUpperCase());
+}

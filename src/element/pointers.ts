@@ -1,0 +1,115 @@
+import type { RemoteStage } from '../remote/contract.ts';
+import { quietly } from './quietly.ts';
+import type { Shell } from './shell.ts';
+
+const TURN_PER_PIXEL = 0.006;
+const TURN_PER_KEY = Math.PI / 24;
+const ZOOM_PER_PIXEL = 0.01;
+const ZOOM_PER_KEY = 1.15;
+
+/** What a pointer does from its press on; what it took hold of is not known at once, because the stage may be elsewhere. */
+interface Press {
+  x: number;
+  y: number;
+  readonly isHolding: Promise<boolean>;
+}
+
+/** What keys do to the view. */
+const KEYS: Readonly<Record<string, (stage: RemoteStage) => Promise<void>>> = {
+  ArrowLeft: (stage) => stage.orbit(-TURN_PER_KEY, 0),
+  ArrowRight: (stage) => stage.orbit(TURN_PER_KEY, 0),
+  ArrowUp: (stage) => stage.orbit(0, TURN_PER_KEY),
+  ArrowDown: (stage) => stage.orbit(0, -TURN_PER_KEY),
+  '+': (stage) => stage.zoom(1 / ZOOM_PER_KEY),
+  '-': (stage) => stage.zoom(ZOOM_PER_KEY),
+};
+
+/**
+ * Lets people move what can be moved and turn the view, while the element is interactive; pointers and keys are the page's
+ * own otherwise. The wheel stays the page's, which scrolls by it; with Ctrl, as of a pinch, it zooms.
+ */
+export class PointerWays {
+  private readonly stage: RemoteStage;
+  private readonly shell: Shell;
+  private readonly presses = new Map<number, Press>();
+  private listening: AbortController | undefined;
+
+  constructor(stage: RemoteStage, shell: Shell) {
+    this.stage = stage;
+    this.shell = shell;
+  }
+
+  toggle(isInteractive: boolean): void {
+    const { canvas, frame } = this.shell;
+    frame.classList.toggle('interactive', isInteractive);
+    if (!canvas || isInteractive === (this.listening !== undefined)) return;
+    this.listening?.abort();
+    this.listening = undefined;
+    if (isInteractive) this.listen(canvas);
+    else canvas.removeAttribute('tabindex');
+  }
+
+  private listen(canvas: HTMLCanvasElement): void {
+    const { signal } = (this.listening = new AbortController());
+    canvas.tabIndex = 0;
+    canvas.addEventListener('pointerdown', (event) => this.press(event, canvas), { signal });
+    canvas.addEventListener('pointermove', (event) => this.move(event), { signal });
+    canvas.addEventListener('pointerup', (event) => this.release(event, 'up'), { signal });
+    canvas.addEventListener('pointercancel', (event) => this.release(event, 'cancel'), { signal });
+    canvas.addEventListener('wheel', (event) => this.wheel(event), { signal, passive: false });
+    canvas.addEventListener('keydown', (event) => this.key(event), { signal });
+  }
+
+  private press(event: PointerEvent, canvas: HTMLCanvasElement): void {
+    if (event.button !== 0) return;
+    canvas.setPointerCapture(event.pointerId);
+    const asked = this.stage.pointer({ type: 'down', id: event.pointerId, ...placeOf(event) });
+    const isHolding = asked.then(
+      (held) => held === 'rigid',
+      () => false,
+    );
+    this.presses.set(event.pointerId, { x: event.clientX, y: event.clientY, isHolding });
+    quietly(isHolding.then((isHeld) => canvas.classList.toggle('holding', isHeld)));
+  }
+
+  private move(event: PointerEvent): void {
+    const press = this.presses.get(event.pointerId);
+    if (!press) return;
+    const [dx, dy] = [event.clientX - press.x, event.clientY - press.y];
+    Object.assign(press, { x: event.clientX, y: event.clientY });
+    const { stage, presses } = this;
+    const share = 1 / presses.size;
+    const input = { type: 'move', id: event.pointerId, ...placeOf(event) } as const;
+    quietly(
+      press.isHolding.then<unknown>((isHeld) =>
+        isHeld ? stage.pointer(input) : stage.orbit(-dx * share * TURN_PER_PIXEL, dy * share * TURN_PER_PIXEL),
+      ),
+    );
+  }
+
+  private release(event: PointerEvent, type: 'up' | 'cancel'): void {
+    const press = this.presses.get(event.pointerId);
+    this.presses.delete(event.pointerId);
+    const input = { type, id: event.pointerId, ...placeOf(event) } as const;
+    if (press) quietly(press.isHolding.then<unknown>((isHeld) => isHeld && this.stage.pointer(input)));
+    this.shell.canvas?.classList.remove('holding');
+  }
+
+  private wheel(event: WheelEvent): void {
+    if (!event.ctrlKey) return;
+    event.preventDefault();
+    quietly(this.stage.zoom(Math.exp(event.deltaY * ZOOM_PER_PIXEL)));
+  }
+
+  private key(event: KeyboardEvent): void {
+    const act = KEYS[event.key];
+    if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    quietly(act(this.stage));
+  }
+}
+
+/** In CSS pixels from the top left of the canvas, whatever transforms it has on the page. */
+function placeOf({ offsetX, offsetY }: PointerEvent): { x: number; y: number } {
+  return { x: offsetX, y: offsetY };
+}

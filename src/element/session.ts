@@ -1,0 +1,193 @@
+/** The heavy half of an element, fetched when it nears the viewport: everything between its attributes and its stage. */
+import { LoadError, ParameterError, SmokeError } from '../preset/errors.ts';
+import { notice, type Notice } from '../preset/notice.ts';
+import type { Values } from '../preset/parameter.ts';
+import type { RemoteStage } from '../remote/contract.ts';
+import { openStage } from '../remote/openStage.ts';
+import type { SmokeEvents } from './events.ts';
+import { sizeOf, watchSize } from './fit.ts';
+import { goToMoment } from './moment.ts';
+import { calm, Playback } from './playback.ts';
+import { FLAGS } from './properties.ts';
+import { PointerWays } from './pointers.ts';
+import { quietly } from './quietly.ts';
+import type { Shell } from './shell.ts';
+import { readWish, type Wish } from './wish.ts';
+
+/** With reduced motion a still picture is shown; by then smoke has filled its column. */
+const STILL_SECONDS = 4;
+
+/** What a session needs to know of its element. */
+export interface SessionHost {
+  readonly element: HTMLElement;
+  readonly shell: Shell;
+  tell<Name extends keyof SmokeEvents>(name: Name, detail: SmokeEvents[Name]): void;
+  /** The smoke has come to an end by itself. */
+  fail(error: SmokeError): void;
+}
+
+/**
+ * Opens what the attributes ask for, up to its first picture.
+ * @throws SmokeError saying why there can be none; the signal's reason when that aborts
+ */
+export async function openSession(host: SessionHost, signal: AbortSignal): Promise<Session> {
+  const { element, shell } = host;
+  const wish = await readWish(element);
+  signal.throwIfAborted();
+  const stage = await openStage(() => shell.makeCanvas(element.getAttribute('alt')), {
+    values: wish.values,
+    ...sizeOf(shell.frame),
+    quality: 'auto',
+    background: !element.hasAttribute('transparent'),
+    thread: threadOf(element),
+    signal,
+  });
+  try {
+    await stage.ready;
+    const notices = await lead(stage, wish);
+    signal.throwIfAborted();
+    return new Session(host, stage, { ...wish, notices: [...wish.notices, ...notices] });
+  } catch (error) {
+    quietly(stage.dispose());
+    throw error;
+  }
+}
+
+/** An element's smoke while it stands. */
+export class Session {
+  readonly stage: RemoteStage;
+  private readonly host: SessionHost;
+  private readonly playback: Playback;
+  private readonly pointers: PointerWays;
+  private readonly endings: (() => void)[];
+  private wish: Wish;
+  private isBehind = false;
+  private isFollowing = false;
+  private isDisposed = false;
+
+  constructor(host: SessionHost, stage: RemoteStage, wish: Wish) {
+    const { element, shell } = host;
+    this.host = host;
+    this.stage = stage;
+    this.wish = wish;
+    if (wish.isPaused) element.toggleAttribute('paused', true);
+    this.pointers = new PointerWays(stage, shell);
+    this.playback = new Playback(stage, element.hasAttribute('paused'), (state) => this.showPlaying(state));
+    this.endings = [
+      watchSize(shell.frame, ({ width, height, pixelRatio }) => quietly(stage.resize(width, height, pixelRatio))),
+      stage.on('error', (error) => host.fail(asSmokeError(error))),
+    ];
+    this.takeUp('interactive');
+    this.tell(wish.notices);
+  }
+
+  get isPlaying(): boolean {
+    return this.playback.isPlaying;
+  }
+
+  /** An attribute that is no parameter has changed. */
+  takeUp(name: string): void {
+    const { element, shell } = this.host;
+    const isOn = element.hasAttribute(name);
+    if (name === 'alt') shell.describe(element.getAttribute(name));
+    else if (name === 'paused') this.playback.set(isOn);
+    else if (name === 'transparent') quietly(this.stage.setBackground(!isOn));
+    else if (name === 'interactive') this.pointers.toggle(isOn);
+  }
+
+  /** A person asked for motion here and now. */
+  consent(): void {
+    this.playback.consent();
+  }
+
+  /** Parameters have changed: all that changed in one task is taken up at once. */
+  follow(): void {
+    this.isBehind = true;
+    if (!this.isFollowing) quietly(this.followAll());
+  }
+
+  /** Attributes have changed before anybody listened. */
+  catchUp(): void {
+    for (const name of FLAGS) this.takeUp(name);
+    this.takeUp('alt');
+    this.follow();
+  }
+
+  dispose(): void {
+    if (this.isDisposed) return;
+    this.isDisposed = true;
+    this.playback.dispose();
+    this.pointers.toggle(false);
+    for (const end of this.endings) end();
+    quietly(this.stage.dispose());
+  }
+
+  private async followAll(): Promise<void> {
+    this.isFollowing = true;
+    while (this.isBehind && !this.isDisposed) {
+      await Promise.resolve();
+      this.isBehind = false;
+      await this.followWish(await readWish(this.host.element));
+    }
+    this.isFollowing = false;
+  }
+
+  private async followWish(after: Wish): Promise<void> {
+    const before = this.wish;
+    this.wish = after;
+    this.tell(after.notices.filter(({ message }) => !before.notices.some((told) => told.message === message)));
+    try {
+      if (after.values.scene !== before.values.scene) await this.stage.enter(after.values);
+      else await change(this.stage, before.values, after.values);
+      if (after.take && !isSame(after.take, before.take)) this.tell(await lead(this.stage, after));
+    } catch (error) {
+      if (error instanceof ParameterError) this.tell([noticeOf(error)]);
+      else if (!this.isDisposed) this.host.fail(asSmokeError(error));
+    }
+  }
+
+  private showPlaying({ isPlaying, isStill }: { isPlaying: boolean; isStill: boolean }): void {
+    this.host.shell.showPlaying(isPlaying, isStill);
+    this.host.tell('statechange', { playing: isPlaying, notices: [] });
+  }
+
+  private tell(notices: readonly Notice[]): void {
+    if (notices.length > 0) this.host.tell('statechange', { playing: this.isPlaying, notices });
+  }
+}
+
+/** Goes to where the smoke shall begin: the moment that was shared, the start that was asked for, or a still picture. */
+async function lead(stage: RemoteStage, { take, start, values }: Wish): Promise<readonly Notice[]> {
+  if (take) return goToMoment(stage, take, start, values);
+  const seconds = start ?? (calm().matches ? STILL_SECONDS : 0);
+  if (seconds > 0) await stage.seek(seconds);
+  return [];
+}
+
+/** Goes from what was wanted before to what is wanted now, by as little as there is between the two. */
+async function change(stage: RemoteStage, before: Values, after: Values): Promise<void> {
+  const gone = Object.keys(before).filter((key) => !(key in after));
+  const changed = Object.entries(after).filter(([key, value]) => before[key] !== value);
+  if (gone.length > 0) await stage.unset(gone);
+  if (changed.length > 0) await stage.set(Object.fromEntries(changed));
+}
+
+/** What the simulator would not take although the table does, such as one value without another. */
+function noticeOf({ key, value, message }: ParameterError): Notice {
+  return notice('malformed', key, String(value), () => message);
+}
+
+function threadOf(element: Element): 'auto' | 'main' | 'worker' {
+  const thread = element.getAttribute('thread');
+  return thread === 'main' || thread === 'worker' ? thread : 'auto';
+}
+
+function isSame(one: Uint8Array, other: Uint8Array | undefined): boolean {
+  return one.length === other?.length && one.every((byte, index) => byte === other[index]);
+}
+
+/** What went wrong, as one of the library's own errors. */
+export function asSmokeError(error: unknown): SmokeError {
+  if (error instanceof SmokeError) return error;
+  return new LoadError(`The smoke has come to an end: ${(error as Error).message}`, { cause: error });
+}
