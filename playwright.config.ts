@@ -6,6 +6,8 @@ const isLong = Boolean(process.env.TEST_LONG);
 const FOLDERS = '{support,visual,e2e}';
 const LONG = `**/${FOLDERS}/**/*.long.{spec,test}.ts`;
 
+const EMBED = isLong ? '**/e2e/embed.*.long.spec.ts' : '**/e2e/embed.*.spec.ts';
+
 const ignored = isLong ? [] : [LONG];
 
 const { port, browser, flags } = await demandTestServer();
@@ -32,9 +34,12 @@ export default defineConfig<object, WorkerOptions>({
     {
       name: 'pages',
       testMatch: isLong ? '**/e2e/**/*.long.spec.ts' : '**/e2e/**/*.spec.ts',
+      testIgnore: [...ignored, EMBED],
       // Each test meets the page for the first time; the service worker has tests of its own, beside the site's.
       use: { showsBuiltSite: true, serviceWorkers: 'block' },
     },
+    // Pages of other people, with what npm and CDNs would give them.
+    { name: 'embed', testMatch: EMBED, testIgnore: ignored },
   ],
   reporter: 'list',
   use: {

@@ -1,10 +1,10 @@
 /** The built site in dist/, and whether it was built from the sources that lie here. */
 
-import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { Refusal } from '../lib/refusal.mjs';
+import { digestOf } from './sources.mjs';
 
 export const title = 'Site';
 
@@ -26,13 +26,13 @@ const STAMP = '.cache/site.txt';
 /** Whether dist/ holds what a build of the present sources, the WASM included, would write. */
 export function isFresh() {
   if (!existsSync(inRoot('dist/index.html')) || !existsSync(inRoot(STAMP))) return false;
-  return readFileSync(inRoot(STAMP), 'utf8') === digest();
+  return readFileSync(inRoot(STAMP), 'utf8') === digestOf(SOURCES);
 }
 
 /** @param {(line: string) => void} say */
 export async function bring(say) {
   rmSync(inRoot(STAMP), { force: true });
-  const before = digest();
+  const before = digestOf(SOURCES);
   await bundle('vite.config.ts', say);
   await bundle('examples/vite.config.ts', say);
   mkdirSync(inRoot('.cache'), { recursive: true });
@@ -46,26 +46,6 @@ async function bundle(config, say) {
   const { status, output } = await run(process.execPath, [vite, 'build', '--config', inRoot(config)], { onLine: say });
   if (status === 0) return;
   throw new Refusal('The site could not be built: the bundler says why in the lines above.', withoutStack(output));
-}
-
-function digest() {
-  const hash = createHash('sha256');
-  for (const path of SOURCES.flatMap(filesUnder)) {
-    hash
-      .update(`${path}\0`)
-      .update(readFileSync(inRoot(path)))
-      .update('\0');
-  }
-  return hash.digest('hex');
-}
-
-/** @returns {string[]} */
-function filesUnder(/** @type {string} */ path) {
-  if (!existsSync(inRoot(path))) return [];
-  if (!statSync(inRoot(path)).isDirectory()) return [path];
-  return readdirSync(inRoot(path))
-    .sort()
-    .flatMap((name) => filesUnder(`${path}/${name}`));
 }
 
 function withoutStack(/** @type {string} */ output) {

@@ -1,0 +1,80 @@
+/** Bundles the sources into the ES modules of the package and into the script for CDNs. */
+
+import { copyFileSync, mkdirSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { rolldown } from 'rolldown';
+import glsl from 'vite-plugin-glsl';
+import { inRoot } from '../lib/paths.mjs';
+import { sourceModule } from './sourceModule.mjs';
+import { withoutWords } from './withoutWords.mjs';
+
+const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
+const LICENSES =
+  '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors. */';
+const ERRORS = inRoot('src/preset/errors.ts');
+
+/** @type {{ table: import('../../src/preset/parameter.ts').Parameter[] }} */
+const { table } = await sourceModule('src/preset/table.ts');
+
+/**
+ * Writes the modules, split where something is fetched later, without three.js; and the script for CDNs, one file with
+ * three.js in it, which can be named with its hash. The simulator lies beside both.
+ *
+ * @param {string} folder
+ */
+export async function bundleAll(folder) {
+  const input = { index: 'src/index.ts', element: 'src/element/define.ts', errors: 'src/preset/errors.ts' };
+  await bundle(
+    { input: entries(input), external: /^three(\/|$)/, plugins: [await glsl(), withoutWords(table)] },
+    folder,
+  );
+  // By itself, because it has the words of the table; its errors are those of the rest.
+  await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [errorsBeside()] }, folder);
+  const plugins = [await glsl({ minify: true }), withoutWords(table)];
+  const script = { input: entries({ 'cartoon-smoke.min': 'src/element/define.ts' }), plugins };
+  await bundle(script, folder, { codeSplitting: false, postBanner: LICENSES });
+  copyWasm(folder);
+}
+
+/** @param {import('rolldown').InputOptions} input @param {string} folder @param {import('rolldown').OutputOptions} [output] */
+async function bundle(input, folder, output = {}) {
+  const build = await rolldown({ platform: 'browser', onLog, ...input });
+  await build.write({
+    dir: folder,
+    format: 'esm',
+    minify: true,
+    sourcemap: true,
+    entryFileNames: '[name].js',
+    chunkFileNames: '[name].js',
+    ...output,
+  });
+  await build.close();
+}
+
+/** @type {NonNullable<import('rolldown').InputOptions['onLog']>} */
+const onLog = (level, log, handle) => {
+  // Shaders have no source maps, and need none.
+  if (log.code !== 'SOURCEMAP_BROKEN') handle(level, log);
+};
+
+/** @param {Record<string, string>} input */
+function entries(input) {
+  return Object.fromEntries(Object.entries(input).map(([name, path]) => [name, inRoot(path)]));
+}
+
+/** @returns {import('rolldown').Plugin} */
+function errorsBeside() {
+  return {
+    name: 'errors-beside',
+    resolveId: (source, importer) =>
+      importer && join(dirname(importer), source) === ERRORS ? { id: './errors.js', external: true } : undefined,
+  };
+}
+
+/** The simulator is found beside the module that asks for it. @param {string} folder */
+function copyWasm(folder) {
+  for (const file of WASM) {
+    mkdirSync(dirname(join(folder, file)), { recursive: true });
+    copyFileSync(inRoot(`src/sim/${file}`), join(folder, file));
+  }
+}

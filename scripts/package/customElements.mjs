@@ -1,0 +1,73 @@
+/**
+ * The custom-elements manifest (schema 1.0.0), by which editors know tags and attributes. Parameters come from the table;
+ * of lists the first item stands for all eight.
+ */
+
+import { sourceModule } from './sourceModule.mjs';
+
+/**
+ * @typedef {import('../../src/preset/parameter.ts').Parameter} Parameter
+ * @typedef {{ name: string, type: { text: string }, description: string, default?: string }} Described
+ */
+
+/** @type {{ table: Parameter[] }} */
+const { table } = await sourceModule('src/preset/table.ts');
+/** @type {{ names: { key: string, attribute: string, property: string }[] }} */
+const { names } = await sourceModule('src/element/names.ts');
+/** @type {typeof import('../../src/element/documentation.ts')} */
+const { attributes, cssParts, cssProperties, events, methods, slots } =
+  await sourceModule('src/element/documentation.ts');
+
+const MODULE = 'dist/element.js';
+const CLASS = 'CartoonSmokeElement';
+const TAG = 'cartoon-smoke';
+
+export function customElements() {
+  const parameters = table.filter(({ key }) => !/^\w+\.[1-7]\./.test(key)).map(describe);
+  const all = [...attributes.map((each) => ({ ...each, fieldName: each.name })), ...parameters];
+  const declaration = {
+    kind: 'class',
+    name: CLASS,
+    customElement: true,
+    tagName: TAG,
+    description: 'Cartoon smoke. Fetches nothing heavy before it nears the viewport.',
+    superclass: { name: 'HTMLElement', package: 'global:' },
+    attributes: all,
+    members: [
+      ...all.map(({ fieldName, type, description }) => ({ kind: 'field', name: fieldName, type, description })),
+      ...methods.map((method) => ({ kind: 'method', ...method })),
+    ],
+    events,
+    slots,
+    cssParts,
+    cssProperties,
+  };
+  const own = { name: CLASS, module: MODULE };
+  const exported = [
+    { kind: 'js', name: CLASS, declaration: own },
+    { kind: 'custom-element-definition', name: TAG, declaration: own },
+  ];
+  const modules = [{ kind: 'javascript-module', path: MODULE, declarations: [declaration], exports: exported }];
+  return { schemaVersion: '1.0.0', readme: 'README.md', modules };
+}
+
+/** @param {Parameter} row */
+function describe(row) {
+  const name = names.find(({ key }) => key === row.key);
+  const items = /^\w+\.0\./.test(row.key) ? ' Of the first of eight items, 0 to 7.' : '';
+  return {
+    name: name?.attribute ?? row.key,
+    fieldName: name?.property ?? row.key,
+    type: { text: typeOf(row) },
+    default: String(row.default),
+    description: `${row.label}: ${row.text}${items} (${row.key})`,
+  };
+}
+
+/** @param {Parameter} row */
+function typeOf(row) {
+  if (row.kind === 'choice')
+    return row.options.map(({ value }) => JSON.stringify(value).replaceAll('"', "'")).join(' | ');
+  if (row.kind === 'toggle') return '0 | 1';
+  return row.kind === 'number' || row.kind === 'integer' ? 'number' : 'string';
+}

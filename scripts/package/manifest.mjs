@@ -1,0 +1,29 @@
+/** What the package says of itself. */
+
+import { readFileSync } from 'node:fs';
+import { inRoot } from '../lib/paths.mjs';
+
+/** @type {{ name: string, version: string, description: string, license: string, dependencies: { three: string } }} */
+const project = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
+
+/** package.json of the package: what the project's own has beside it is for those who build it. */
+export const manifest = {
+  name: project.name,
+  version: project.version,
+  description: project.description,
+  license: project.license,
+  type: 'module',
+  keywords: ['cartoon', 'smoke', 'clouds', 'particles', 'three', 'webgl2', 'wasm', 'web-component', 'custom-element'],
+  exports: {
+    '.': { types: './types/index.d.ts', default: './dist/index.js' },
+    './element': { types: './types/element/define.d.ts', default: './dist/element.js' },
+    './preset': { types: './types/preset.d.ts', default: './dist/preset.js' },
+    './cartoon-smoke.min.js': './dist/cartoon-smoke.min.js',
+    './custom-elements.json': './custom-elements.json',
+    './package.json': './package.json',
+  },
+  customElements: './custom-elements.json',
+  files: ['dist', 'types', 'custom-elements.json'],
+  sideEffects: ['./dist/element.js', './dist/cartoon-smoke.min.js'],
+  peerDependencies: { three: project.dependencies.three },
+};

@@ -1,0 +1,79 @@
+/** The `test` of pages of other people: they get the package as npm has it, without a bundler. */
+import { fileURLToPath } from 'node:url';
+import type { Page } from '@playwright/test';
+import { expect, test as base } from './fixtures.ts';
+import { script } from './server.ts';
+
+interface PackageScript {
+  isFresh(): boolean;
+  bring(say: () => void): Promise<void>;
+}
+
+export interface Server {
+  readonly address: string;
+  /** Files that were answered so far. */
+  readonly sent: { file: string; bytes: number }[];
+  close(): Promise<void>;
+}
+
+interface ServeScript {
+  serveSite(folder: string, place: string, headers?: Record<string, string>): Promise<Server>;
+}
+
+export interface HostOptions {
+  /** What the page loads; the modules of the package by default, three.js beside them. */
+  script?: string;
+  style?: string;
+  headers?: Record<string, string>;
+}
+
+/** Opens a page with this body; answers when it was loaded. */
+export type OpenHost = (body: string, options?: HostOptions) => Promise<void>;
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+export const MODULES = `
+  <script type="importmap">{ "imports": { "three": "/node_modules/three/build/three.module.js" } }</script>
+  <script type="module" src="/package/dist/element.js"></script>`;
+/** The smallest smoke there is. */
+export const WISP = 'preset="wisp" simulation-max-particles="300" thread="main"';
+
+export const test = base.extend<{ host: OpenHost }, { server: Server }>({
+  server: [
+    // oxlint-disable-next-line no-empty-pattern -- what it needs is no fixture, and the runner reads the pattern
+    async ({}, use) => {
+      const packaged = await script<PackageScript>('setup/package.mjs');
+      if (!packaged.isFresh()) await packaged.bring(() => undefined);
+      const { serveSite } = await script<ServeScript>('site/serve.mjs');
+      const server = await serveSite(ROOT, '/');
+      await use(server);
+      await server.close();
+    },
+    { scope: 'worker', timeout: 300_000 },
+  ],
+  host: async ({ page, server }, use) => {
+    await use(async (body, { script: loaded = MODULES, style = '', headers = {} } = {}) => {
+      server.sent.length = 0;
+      const head = `<meta charset="utf-8"><title>Somebody's page</title><style>${style}</style>${loaded}`;
+      await page.route('**/host.html', (route) =>
+        route.fulfill({ contentType: 'text/html', headers, body: `<!doctype html><html lang="en">${head}${body}` }),
+      );
+      await page.goto(`${server.address}host.html`);
+    });
+  },
+});
+
+export { expect };
+
+/** Settled when the smoke of the first element that fits stands. */
+export async function stands(page: Page, selector = 'cartoon-smoke'): Promise<void> {
+  await page.waitForFunction(
+    async (wanted) => {
+      const element = document.querySelector(wanted) as { ready?: Promise<void> } | null;
+      if (!element?.ready) return false;
+      await element.ready;
+      return true;
+    },
+    selector,
+    { timeout: 60_000 },
+  );
+}
