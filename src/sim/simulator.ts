@@ -96,7 +96,7 @@ export class Simulator {
 
   /**
    * Sends a kinematic rigid to a place, which it reaches in the coming step, or later when it would have to move
-   * faster than 120 m/s. It leaves its path for that; its spin goes on.
+   * faster than 120 m/s. It leaves its path for that; its spin goes on. A dynamic rigid is put there at rest.
    *
    * @param rotation Unit quaternion x, y, z, w; no rotation when left out.
    */

@@ -85,7 +85,7 @@ impl Simulator {
         Err(without_rapier())
     }
 
-    /// Sends a kinematic rigid to a pose: position and quaternion. Seven numbers, since an array would be copied into
+    /// Sends a kinematic rigid to a pose, or puts a dynamic one there: position and quaternion. Seven numbers, since an array would be copied into
     /// memory of its own at each call.
     #[allow(clippy::too_many_arguments, reason = "see above")]
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]

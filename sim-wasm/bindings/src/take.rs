@@ -26,7 +26,7 @@ impl Simulator {
         self.simulator.input_capacity(capacity).map_err(parameter_refusal)
     }
 
-    /// An input: a kinematic rigid is sent to x, y, z and the quaternion x, y, z, w.
+    /// An input: a kinematic rigid is sent to, or a dynamic one put at, x, y, z and the quaternion x, y, z, w.
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = inputPose)]
     pub fn input_pose(&mut self, rigid: u32, pose: &[f64]) -> Result<(), JsValue> {

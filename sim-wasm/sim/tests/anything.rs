@@ -314,6 +314,7 @@ mod rigids {
             stiffness: 30.0,
         };
         let _ = simulator.rigids_mut().drag(0, grab);
+        let _ = simulator.rigids_mut().move_to(1, Pose::at(grab.target));
     }
 
     fn keep_all_in_the_world(cases: u32) {

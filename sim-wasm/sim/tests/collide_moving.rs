@@ -362,3 +362,49 @@ fn a_blade_that_turns_by_most_of_a_turn_in_one_step_hits_all_of_its_ring_and_thr
         );
     }
 }
+
+#[test]
+fn a_dynamic_rigid_is_put_somewhere_at_rest_and_sweeps_nothing_on_its_way() {
+    let mut cloud = Cloud::new(40);
+    let ball = RigidShape::Ball { radius: 0.5 };
+    let index = cloud
+        .rigids
+        .add(rigid(RigidKind::Dynamic, ball, Pose::at(Vector::ZERO)))
+        .unwrap();
+    for k in 0..40 {
+        cloud.push([0.8 + 0.1 * k as f32, -0.2, 0.0], [0.0; 3], 0.01);
+    }
+    (0..30).for_each(|_| cloud.rigids.advance(DT));
+    let place = Pose {
+        position: Vector::new(6.0, 2.0, 0.0),
+        rotation: turned(Vector::Y, 0.5),
+    };
+    cloud.rigids.move_to(index, place).unwrap();
+    cloud.step(0.0);
+    let [start, end] = cloud.rigids.poses().as_chunks::<7>().0 else {
+        panic!("one rigid has two poses");
+    };
+    assert_eq!(start[..3], [6.0, 2.0, 0.0], "its way begins where it was put");
+    let fall = 9.81 * DT * DT;
+    // Rapier takes its steps in parts, in which it falls by less than in one.
+    assert!(
+        end[1] < 2.0 && end[1] > 2.0 - 1.01 * fall,
+        "it falls from rest: {end:?}"
+    );
+    assert!(cloud.particles.sx.iter().all(|speed| *speed == 0.0));
+    let before = cloud.pose(0).position.y;
+    cloud.step(0.0);
+    assert!(cloud.pose(0).position.y < before, "told once, it is put once");
+}
+
+#[test]
+fn what_is_fixed_cannot_be_moved() {
+    let mut rigids = sim::rigids::Rigids::new();
+    let ball = RigidShape::Ball { radius: 0.5 };
+    let index = rigids
+        .add(rigid(RigidKind::Fixed, ball, Pose::at(Vector::ZERO)))
+        .unwrap();
+    let place = Pose::at(Vector::ZERO);
+    assert_eq!(rigids.move_to(index, place).unwrap_err().key, "rigid.index");
+    assert_eq!(rigids.move_to(index + 1, place).unwrap_err().key, "rigid.index");
+}

@@ -17,7 +17,7 @@ fn rich() -> Vec<u8> {
     live.record();
     for (wait, act) in script.iter().chain(&script) {
         steps(&mut live, *wait);
-        if !matches!(act, Act::Move(_) | Act::Drag(..) | Act::Release(_)) {
+        if !matches!(act, Act::Move(..) | Act::Drag(..) | Act::Release(_)) {
             perform(&mut live, act);
         }
     }

@@ -13,12 +13,14 @@ const FASTEST_SPIN: f32 = 720.0;
 
 impl Rigids {
     /// Sends a kinematic rigid to a pose: it is there after the coming step, or after more when its surface would have
-    /// to move faster than [`TOP_SPEED`]. It leaves its path for that; its spin goes on.
+    /// to move faster than [`TOP_SPEED`]. It leaves its path for that; its spin goes on. A dynamic rigid is put there
+    /// instead, at rest and without a way that would sweep smoke along, and moves on from there in the coming step.
     ///
     /// # Errors
-    /// When there is no such rigid or it is not kinematic.
+    /// When there is no such rigid or it is fixed.
     pub fn move_to(&mut self, index: u32, pose: Pose) -> Result<(), ParameterError> {
-        let member = self.kinematic(index)?;
+        self.check_movable(index)?;
+        let member = self.member(index)?;
         member.description.path = None;
         member.guide.track = None;
         member.guide.target = Some(pose);
@@ -59,11 +61,8 @@ impl Rigids {
     /// # Errors
     /// When there is no such rigid or it is fixed.
     pub fn drag(&mut self, index: u32, grab: Grab) -> Result<(), ParameterError> {
+        self.check_movable(index)?;
         let member = self.member(index)?;
-        if member.description.kind == RigidKind::Fixed {
-            let message = format!("rigid {index} is fixed; only kinematic and dynamic rigids can be dragged");
-            return Err(shape_error("rigid.index", f64::from(index), message));
-        }
         member.guide.target = None;
         member.guide.grab = Some(grab);
         Ok(())
@@ -86,8 +85,19 @@ impl Rigids {
     }
 
     fn kinematic(&mut self, index: u32) -> Result<&mut Member, ParameterError> {
-        self.check_kinematic(index)?;
+        let kind = self.kind(index)?;
+        if kind != RigidKind::Kinematic {
+            let message = format!("rigid {index} is not kinematic; only kinematic rigids have a path or a spin");
+            return Err(shape_error("rigid.index", f64::from(index), message));
+        }
         self.member(index)
+    }
+
+    fn kind(&self, index: u32) -> Result<RigidKind, ParameterError> {
+        let member = self.members.get(index as usize);
+        member
+            .map(|member| member.description.kind)
+            .ok_or_else(|| no_such_rigid(index, self.count()))
     }
 
     /// Refuses a rigid that does not exist.
@@ -95,15 +105,12 @@ impl Rigids {
         self.member(index).map(|_| ())
     }
 
-    /// Refuses a rigid that does not exist or cannot be told where to go.
-    pub(crate) fn check_kinematic(&self, index: u32) -> Result<(), ParameterError> {
-        let Some(member) = self.members.get(index as usize) else {
-            return Err(no_such_rigid(index, self.count()));
-        };
-        if member.description.kind == RigidKind::Kinematic {
+    /// Refuses a rigid that does not exist or is fixed.
+    pub(crate) fn check_movable(&self, index: u32) -> Result<(), ParameterError> {
+        if self.kind(index)? != RigidKind::Fixed {
             return Ok(());
         }
-        let message = format!("rigid {index} is not kinematic; only kinematic rigids can be told where to go");
+        let message = format!("rigid {index} is fixed; only kinematic and dynamic rigids can be moved");
         Err(shape_error("rigid.index", f64::from(index), message))
     }
 }

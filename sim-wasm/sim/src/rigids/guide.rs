@@ -16,7 +16,7 @@ pub struct Guide {
     pub velocity: Vector,
     /// How far it has spun (rad), 0..2 pi.
     pub angle: f64,
-    /// Where it was told to go, until it is there.
+    /// Where it was told to go, until it is there; a dynamic rigid is there at once.
     pub target: Option<Pose>,
     pub track: Option<Track>,
     pub grab: Option<Grab>,

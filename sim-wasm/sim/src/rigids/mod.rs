@@ -202,6 +202,7 @@ impl Rigids {
         }
         let time = self.steps as f64 * STEP;
         for (index, member) in self.members.iter_mut().enumerate() {
+            member.put(index, &mut self.world);
             member.lead(index, &mut self.world, time, dt);
         }
         self.world.step(dt);
@@ -300,6 +301,17 @@ impl Member {
             }
             (RigidKind::Dynamic, Some(grab)) => world.pull(index, grab, dt),
             _ => {}
+        }
+    }
+
+    /// Puts a dynamic rigid where it was told to be; its way through the step begins there.
+    fn put(&mut self, index: usize, world: &mut World) {
+        if self.description.kind != RigidKind::Dynamic {
+            return;
+        }
+        if let Some(pose) = self.guide.target.take() {
+            world.put(index, &pose);
+            self.pose = pose;
         }
     }
 }

@@ -74,6 +74,14 @@ impl World {
         self.physics.bodies[handle(index)].set_next_kinematic_position(rapiers(pose));
     }
 
+    /// Puts a dynamic rigid somewhere, at rest and awake.
+    pub fn put(&mut self, index: usize, pose: &Pose) {
+        let body = &mut self.physics.bodies[handle(index)];
+        body.set_position(rapiers(pose), true);
+        body.set_linvel(Vec3::ZERO, true);
+        body.set_angvel(Vec3::ZERO, true);
+    }
+
     /// Draws a point of a dynamic rigid: by the force that gives the point, over `dt` seconds and against gravity, the
     /// velocity that the spring wants, whatever the rigid's mass is. Its swinging about the point is damped.
     pub fn pull(&mut self, index: usize, grab: &Grab, dt: f32) {

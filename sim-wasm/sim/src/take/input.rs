@@ -14,7 +14,7 @@ pub enum Input {
     Set { key: u16, value: f64 },
     /// There is room for another number of particles.
     Resize { capacity: u32 },
-    /// A kinematic rigid is sent to a pose.
+    /// A kinematic rigid is sent to a pose, a dynamic one is put there.
     Move { rigid: u16, pose: QuantisedPose },
     /// A point of a rigid is drawn to a place.
     Drag { rigid: u16, grip: Grip },

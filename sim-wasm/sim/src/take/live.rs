@@ -37,12 +37,13 @@ impl Simulator {
         self.give(Input::Resize { capacity })
     }
 
-    /// A kinematic rigid goes to a pose: x, y, z (m) to the millimetre, and the quaternion x, y, z, w.
+    /// A kinematic rigid goes to a pose, a dynamic one is put there: x, y, z (m) to the millimetre, and the quaternion
+    /// x, y, z, w.
     #[cfg(feature = "rigids")]
     pub fn input_pose(&mut self, rigid: u32, numbers: [f64; 7]) -> Result<(), ParameterError> {
         let pose = super::pose::QuantisedPose::new(numbers)?;
         // A number too large for the log is none of a rigid, and refused as such.
-        self.rigids.check_kinematic(rigid)?;
+        self.rigids.check_movable(rigid)?;
         let rigid = rigid as u16;
         self.give(Input::Move { rigid, pose })
     }

@@ -12,7 +12,7 @@ pub enum Act {
     Resize(u32),
     Steer(u32, f64),
     Blow([f64; 3], [f64; 3], f64, f64),
-    Move([f64; 3]),
+    Move(u32, [f64; 3]),
     Drag(u32, [f64; 3], f64),
     Release(u32),
 }
@@ -36,7 +36,7 @@ pub fn act() -> impl Strategy<Value = Act> {
         1 => (50_u32..600).prop_map(Act::Resize),
         2 => (0_u32..8, -1.0..1.0).prop_map(|(channel, value)| Act::Steer(channel, value)),
         2 => (place(), place(), 0.05..2.0, 0.02..1.0).prop_map(|(at, way, radius, time)| Act::Blow(at, way, radius, time)),
-        2 => place().prop_map(Act::Move),
+        2 => (0_u32..2, place()).prop_map(|(rigid, place)| Act::Move(rigid, place)),
         2 => (0_u32..2, place(), 1.0..100.0).prop_map(|(rigid, place, stiffness)| Act::Drag(rigid, place, stiffness)),
         1 => (0_u32..2).prop_map(Act::Release),
     ]
@@ -56,13 +56,13 @@ pub fn perform(simulator: &mut Simulator, act: &Act) {
             seconds: *seconds,
         }),
         #[cfg(feature = "rigids")]
-        Act::Move([x, y, z]) => simulator.input_pose(0, [*x, *y, *z, 0.0, 0.1, 0.0, 1.0]),
+        Act::Move(rigid, [x, y, z]) => simulator.input_pose(*rigid, [*x, *y, *z, 0.0, 0.1, 0.0, 1.0]),
         #[cfg(feature = "rigids")]
         Act::Drag(rigid, [x, y, z], stiffness) => simulator.input_drag(*rigid, [0.1, 0.0, 0.0, *x, *y, *z, *stiffness]),
         #[cfg(feature = "rigids")]
         Act::Release(rigid) => simulator.input_release(*rigid),
         #[cfg(not(feature = "rigids"))]
-        Act::Move(_) | Act::Drag(..) | Act::Release(_) => Ok(()),
+        Act::Move(..) | Act::Drag(..) | Act::Release(_) => Ok(()),
     }
     .unwrap();
 }
