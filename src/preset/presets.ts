@@ -2,6 +2,7 @@
 import { airplanePresets } from './moods/airplane.ts';
 import { campfirePresets } from './moods/campfire.ts';
 import { cloudscapePresets } from './moods/cloudscape.ts';
+import { dustPresets } from './moods/dust.ts';
 import { geniePresets } from './moods/genie.ts';
 import { lampPresets } from './moods/lamp.ts';
 import type { Preset } from './moods/preset.ts';
@@ -21,6 +22,7 @@ export const presets: readonly Preset[] = [
   ...campfirePresets,
   ...rocketPresets,
   ...geniePresets,
+  ...dustPresets,
   ...cloudscapePresets,
   ...wispPresets,
 ];

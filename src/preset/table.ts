@@ -123,6 +123,7 @@ export const table: readonly Parameter[] = [
     ['campfire', 'Campfire'],
     ['rocket', 'Rocket launch'],
     ['genie', 'Genie'],
+    ['dust', 'Dust'],
     ['cloudscape', 'Cloudscape'],
     ['wisp', 'Cup of tea'],
   ]),

@@ -75,11 +75,24 @@ export interface Moment {
   readonly pose: (rigid: number) => Placement;
 }
 
+/** The same, and what rules need besides. */
+export interface MovingMoment extends Moment {
+  /** Where a rigid was one step earlier. */
+  readonly before: (rigid: number) => Placement;
+}
+
 /**
- * Leads kinematic rigids, step by step: returns where they shall be at the end of the coming step. It keeps nothing
- * itself; what must last from step to step is in the poses that it reads back.
+ * Leads rigids, step by step: returns where kinematic ones shall be at the end of the coming step, and where dynamic
+ * ones shall begin it, at rest. It keeps nothing itself; what must last from step to step is in the poses that it reads
+ * back.
  */
 export type Guide = (moment: Moment) => readonly (Placement & { readonly rigid: number })[];
+
+/**
+ * Simulator values that follow from what the rigids do, by flat key and always for the same keys; set before each step.
+ * As a guide it keeps nothing itself. No take and no link holds what it sets: it is set again.
+ */
+export type Rule = (moment: MovingMoment) => Readonly<Record<string, number>>;
 
 /** Something that moves and that no smoke bumps into, such as a wheel: drawn where its pose says. */
 export interface Part {
@@ -99,6 +112,7 @@ export interface Scene {
   /** What people call them, by their number: emitters and forces can ride on any of them. */
   rigidNames: readonly string[];
   guide?: Guide;
+  rule?: Rule;
   surfaces: readonly SurfaceDescription[];
   /** In the order of the numbers by which surfaces name them. */
   parts?: readonly Part[];

@@ -16,6 +16,7 @@ export const sceneEntries: Readonly<Record<string, SceneEntry>> = {
   campfire: { hasRigids: false, load: async () => (await import('./campfire.ts')).campfire() },
   rocket: { hasRigids: true, load: async () => (await import('./rocket.ts')).rocket() },
   genie: { hasRigids: true, load: async () => (await import('./genie.ts')).genie() },
+  dust: { hasRigids: true, load: async () => (await import('./dust.ts')).dust() },
   cloudscape: { hasRigids: false, load: async () => (await import('./cloudscape.ts')).cloudscape() },
   wisp: { hasRigids: false, load: async () => (await import('./wisp.ts')).wisp() },
 };

@@ -1,7 +1,7 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
-import type { Moment, Scene } from '../scenes/scene.ts';
+import type { MovingMoment, Placement, Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import { POSE_FLOATS } from '../sim/rows.ts';
@@ -107,7 +107,10 @@ export class Simulation {
 
   /** `values` with all that the simulator reads as it is now. */
   valuesIn(values: Values): Values {
-    return valuesIn(this.current, values, this.scene.rig);
+    const { rig, rule } = this.scene;
+    const ruled = Object.keys(rule?.(this.moment()) ?? {});
+    const after = valuesIn(this.current, values, rig);
+    return Object.fromEntries(Object.entries(after).filter(([key]) => key in values || !ruled.includes(key)));
   }
 
   /** Hands on what the simulator reads of `changed`. */
@@ -136,12 +139,15 @@ export class Simulation {
     return this.scene.handle?.steers !== undefined;
   }
 
-  /** Lets go of it as soon as it has come to where it was drawn: let go in a pause, it could not come there otherwise. */
+  /**
+   * Lets go of it as soon as it has come to where it was drawn: let go in a pause, it could not come there otherwise. What
+   * falls when it is let go is let go at once, so that people can throw it.
+   */
   releaseHandle(): void {
-    if (this.heldUntil === Infinity) this.heldUntil = this.current.steps + SETTLING_STEPS;
+    const settling = this.scene.rigids[this.scene.handle!.rigid].kind === 'dynamic' ? 0 : SETTLING_STEPS;
+    if (this.heldUntil === Infinity) this.heldUntil = this.current.steps + settling;
   }
 
-  /** Does something that people did. If a take was being replayed, its rest is dropped. */
   input(act: (simulator: Simulator) => void): void {
     act(this.current);
     this.states.dropFrom(this.current.steps);
@@ -234,24 +240,26 @@ export class Simulation {
     this.resetDrag();
   }
 
-  /** Tells kinematic rigids where the scene wants them after the coming step. What is asked for so is no input. */
+  /** Tells rigids where the scene wants them, and sets what follows from their ways. What is asked for so is no input. */
   private guide(): void {
-    const { guide } = this.scene;
-    if (!guide) return;
-    for (const { rigid, position, rotation } of guide(this.moment())) this.current.moveRigid(rigid, position, rotation);
+    const { guide, rule } = this.scene;
+    if (!guide && !rule) return;
+    const moment = this.moment();
+    for (const { rigid, position, rotation } of guide?.(moment) ?? []) {
+      this.current.moveRigid(rigid, position, rotation);
+    }
+    if (rule) this.current.set(rule(moment));
   }
 
-  private moment(): Moment {
+  private moment(): MovingMoment {
     const { current } = this;
-    const poses = current.rigidPoses(1);
+    const [then, now] = [current.rigidPoses(0), current.rigidPoses(1)];
     return {
       seconds: (current.steps + 1) * STEP_SECONDS,
       dt: STEP_SECONDS,
       control: (channel) => current.control(channel),
-      pose: (rigid) => {
-        const [x, y, z, i, j, k, w] = poses.subarray(POSE_FLOATS * rigid);
-        return { position: [x, y, z], rotation: [i, j, k, w] };
-      },
+      pose: (rigid) => placementIn(now, rigid),
+      before: (rigid) => placementIn(then, rigid),
     };
   }
 
@@ -284,6 +292,11 @@ export class Simulation {
     if (steps % STEPS_BETWEEN_STATES !== 0 || this.states.has(steps)) return;
     this.states.add({ step: steps, bytes: this.current.save() });
   }
+}
+
+function placementIn(poses: Float32Array, rigid: number): Placement {
+  const [x, y, z, i, j, k, w] = poses.subarray(POSE_FLOATS * rigid);
+  return { position: [x, y, z], rotation: [i, j, k, w] };
 }
 
 /** The scene's rig as the table has it: optional parameters only, choices by their names. */

@@ -1,0 +1,24 @@
+import type { Preset } from './preset.ts';
+
+export const dustPresets: readonly Preset[] = [
+  {
+    name: 'dust',
+    label: 'Dust',
+    text: 'What falls raises dust, the more the harder it hits. Throw the red ball, or leave it to the mole.',
+    values: {
+      scene: 'dust',
+      'emission.rate': 5000,
+      'emission.lifetime': 2.1,
+      'emission.growthTime': 0.5,
+      'emission.density': '0:.6,.3:1,.65:.85,1:0',
+      'forces.turbulence': 0.9,
+      'forces.wind.x': 0.12,
+      'simulation.maxParticles': 1500,
+      'style.ramp': '0:d79a6c,.34:f3cf98,.66:fff0cf',
+      'style.inkColor': '#3a2530',
+      'style.innerLine': 0.3,
+      'light.azimuth': -48,
+      'light.elevation': 37,
+    },
+  },
+];

@@ -1,0 +1,89 @@
+/** How much dust rises where things meet the sand: more the harder they hit and the faster they roll. */
+import type { MovingMoment, Placement, Rule, Turn, Vector } from './scene.ts';
+
+/** Something that falls on the sand. */
+export interface Toy {
+  readonly rigid: number;
+  /** Radius of a ball, half of a crate's side; metres. */
+  readonly size: number;
+  readonly isCrate: boolean;
+}
+
+/** The births of one emitter in the coming step. */
+export interface Cloud {
+  puffs: number;
+  at: Vector;
+  /** m/s. */
+  speed: number;
+  radius: number;
+}
+
+/** Puffs that a hit raises at 1 m/s, and the power of the speed that their number goes with. */
+export const BY_HIT = 1.6;
+export const POWER = 1.5;
+/** No hit raises more puffs. */
+export const MOST_PUFFS = 40;
+/** Puffs a step that rolling at 1 m/s raises, and where it begins, m/s. */
+const BY_ROLLING = 0.16;
+const SLOWEST = 0.35;
+/** What comes nearer to the sand than this touches it, metres. */
+const TOUCH = 0.02;
+const GRAVITY = 9.81;
+/** Births a second of all emitters; each has a share of them. The rate of the preset. */
+export const DUST_RATE = 5000;
+
+/** What a toy raises in the coming step. @param radius of the sand about the origin */
+export function cloudOf(toy: Toy, { pose, before, dt }: MovingMoment, radius: number): Cloud {
+  const [now, then] = [pose(toy.rigid), before(toy.rigid)];
+  const [x, , z] = now.position;
+  const low = lowest(toy, now);
+  // As fast as it will be: what falls hits the sand in the coming step.
+  const falls = (lowest(toy, then) - low) / dt + GRAVITY * dt;
+  const rolls = Math.hypot(x - then.position[0], z - then.position[2]) / dt;
+  const isOver = Math.hypot(x, z) < radius;
+  const hits = isOver && low > TOUCH && low - falls * dt <= TOUCH;
+  const isLow = isOver && Math.abs(low) <= TOUCH;
+  const puffs = hits ? hitPuffs(falls) : isLow ? BY_ROLLING * Math.max(0, rolls - SLOWEST) : 0;
+  return { puffs, at: [x, 0.06, z], speed: hits ? falls : 0.4 * rolls, radius: (hits ? 0.7 : 0.3) * toy.size };
+}
+
+/** Puffs of a hit at so many m/s. */
+export function hitPuffs(speed: number): number {
+  return Math.min(BY_HIT * speed ** POWER, MOST_PUFFS);
+}
+
+/** Sets one emitter after the other to a cloud, and the last one, which never smokes, to what is left of all births. */
+export function dustRule(clouds: (moment: MovingMoment) => readonly Cloud[]): Rule {
+  return (moment) => {
+    const all = clouds(moment);
+    const shares = all.map(({ puffs }) => puffs / (DUST_RATE * moment.dt));
+    const rest = Math.max(0, 1 - shares.reduce((sum, share) => sum + share, 0));
+    return Object.fromEntries([
+      ...all.flatMap((cloud, emitter) => emitterValues(emitter, cloud, shares[emitter])),
+      [`emitters.${all.length}.share`, rest],
+    ]);
+  };
+}
+
+function emitterValues(emitter: number, { at, speed, radius }: Cloud, share: number): [string, number][] {
+  const key = `emitters.${emitter}`;
+  return [
+    [`${key}.share`, share],
+    [`${key}.position.x`, at[0]],
+    [`${key}.position.y`, at[1]],
+    [`${key}.position.z`, at[2]],
+    [`${key}.speed`, Math.min(0.3 + 0.32 * speed, 3)],
+    [`${key}.size`, Math.min(0.17 + 0.03 * speed, 0.38)],
+    [`${key}.radius`, radius],
+  ];
+}
+
+/** Height of its lowest point. */
+function lowest({ size, isCrate }: Toy, { position: [, y], rotation }: Placement): number {
+  return y - size * (isCrate ? upShares(rotation) : 1);
+}
+
+/** How far the corner of a cube that points down most lies below its middle, in halves of a side. */
+function upShares([x, y, z, w]: Turn): number {
+  return Math.abs(2 * (x * y + z * w)) + Math.abs(1 - 2 * (x * x + z * z)) + Math.abs(2 * (y * z - x * w));
+}

@@ -1,0 +1,71 @@
+/** Things to drop: a ball with a face, and a wooden crate with one. Metres, about their middles. */
+import type { Color } from '../../device/ramps.ts';
+import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import { ballMesh } from './ball.ts';
+import { friendlyFace } from './face.ts';
+import { lathe } from './lathe.ts';
+import { merged, placed } from './place.ts';
+import { roundedBox } from './roundedBox.ts';
+
+const DARK: Color = [66, 46, 62];
+const CHEEK: Color = [240, 138, 122];
+const WOOD: Color = [214, 152, 92];
+const PLANK: Color = [240, 190, 124];
+
+/** @param rigid that carries it */
+export function jollyBall(rigid: number, radius: number, color: Color, band: Color): SurfaceDescription[] {
+  return [
+    { name: `ball ${rigid}`, mesh: ballMesh(radius), color, casts: true, inked: true, rigid },
+    { name: `band ${rigid}`, mesh: bandMesh(radius), color: band, casts: false, inked: false, rigid },
+    ...face(rigid, 1.05 * radius, radius, radius * 1.01),
+  ];
+}
+
+/**
+ * @param rigid that carries it
+ * @param half of a side
+ */
+export function jollyCrate(rigid: number, half: number): SurfaceDescription[] {
+  const inner = 0.88 * half;
+  const [beam, edge] = [0.16 * half, half - 0.16 * half];
+  const along = (axis: 0 | 1 | 2, u: number, v: number) => {
+    const extents = [beam, beam, beam] as [number, number, number];
+    const at = [u * edge, u * edge, u * edge] as [number, number, number];
+    extents[axis] = half;
+    [at[axis], at[(axis + 2) % 3]] = [0, v * edge];
+    return placed(roundedBox(extents, 0.3 * beam, 3), { at });
+  };
+  const corners = [[-1, -1], [-1, 1], [1, -1], [1, 1]] as const; // prettier-ignore
+  const frame = merged(...([0, 1, 2] as const).flatMap((axis) => corners.map(([u, v]) => along(axis, u, v))));
+  return [
+    {
+      name: `crate ${rigid}`,
+      mesh: roundedBox([inner, inner, inner], 0.04 * half, 3),
+      color: PLANK,
+      casts: true,
+      inked: true,
+      rigid,
+      group: `crate ${rigid}`,
+    },
+    { name: `frame ${rigid}`, mesh: frame, color: WOOD, casts: false, inked: true, rigid, group: `frame ${rigid}` },
+    ...face(rigid, 1.1 * half, 4 * half, inner),
+  ];
+}
+
+/** @param front how far before the middle it lies */
+function face(rigid: number, size: number, radius: number, front: number): SurfaceDescription[] {
+  const { features, cheeks } = friendlyFace(size, radius);
+  const flat = { casts: false, inked: false, rigid };
+  const at = { at: [0, 0, front] } as const;
+  return [
+    { name: `eyes ${rigid}`, mesh: placed(features, at), color: DARK, ...flat },
+    { name: `cheeks ${rigid}`, mesh: placed(cheeks, at), color: CHEEK, ...flat },
+  ];
+}
+
+/** A stripe round a ball, above its face. */
+function bandMesh(radius: number) {
+  const at = (share: number, out: number) => [Math.sqrt(1 - share * share) * radius + out, share * radius] as const;
+  const [low, middle, high] = [at(0.52, 0.006), at(0.66, 0.008), at(0.8, 0.006)];
+  return lathe(40, [[0, low[1]], low], [low, middle, high], [high, [0, high[1]]]);
+}

@@ -1,0 +1,59 @@
+/** What the mole of the desert does: digs to what lies nearest, kicks it up, looks around, and digs on. */
+import { Vector2 } from 'three';
+import { DESERT_RADIUS } from './models/desert.ts';
+import { MOLE_HALF, MOLE_RADIUS } from './models/mole.ts';
+import { placement } from './models/place.ts';
+import type { Guide, Moment, Placement } from './scene.ts';
+
+/** Seconds from one look out to the next, and of them digging, coming out, looking around and going down again. */
+const PERIOD = 3.8;
+const [DIGGING, UP, LOOKING, DOWN] = [1.8, 0.15, 1.1, 0.35];
+/** Heights of the mole's middle, metres. */
+const [HIDDEN, OUT] = [-MOLE_HALF - MOLE_RADIUS - 0.05, 0.24];
+/** m/s. */
+const TOP_SPEED = 2.2;
+/** It comes up a little beyond what it kicks, so that this flies inwards. */
+const BEYOND = 0.14;
+/** What is higher than this lies on nothing that it could dig under. */
+const LYING = 0.9;
+const FARTHEST = DESERT_RADIUS - 0.75;
+
+/** Height of the mole's middle; 0 is the sand. */
+export function moleHeight(seconds: number): number {
+  const since = (seconds % PERIOD) - DIGGING;
+  const share = Math.min(Math.max(since / UP, 0), Math.max((UP + LOOKING + DOWN - since) / DOWN, 0), 1);
+  return HIDDEN + (OUT - HIDDEN) * share * share * (3 - 2 * share);
+}
+
+/** Where it is below the sand before anything fell. */
+export const MOLE_START: Placement = placement([-1.3, HIDDEN, 0.7]);
+
+/**
+ * @param mole its rigid
+ * @param toys rigids that it likes to kick
+ */
+export function moleGuide(mole: number, toys: readonly number[]): Guide {
+  return (moment) => {
+    const { seconds, dt, pose } = moment;
+    const [x, , z] = pose(mole).position;
+    const place = new Vector2(x, z);
+    if (seconds % PERIOD < DIGGING) {
+      const way = goal(moment, place, toys).sub(place);
+      place.add(way.clampLength(0, TOP_SPEED * dt));
+    }
+    const look = 0.5 * Math.sin(2.6 * seconds) - 0.1 * place.x;
+    return [{ rigid: mole, ...placement([place.x, moleHeight(seconds), place.y], [0, look, 0]) }];
+  };
+}
+
+/** Where the nearest toy lies; the middle where none does. */
+function goal({ pose }: Moment, from: Vector2, toys: readonly number[]): Vector2 {
+  const lying = toys
+    .map((toy) => pose(toy).position)
+    .filter(([, y]) => y > 0 && y < LYING)
+    .map(([x, , z]) => new Vector2(x, z))
+    .filter((place) => place.length() < DESERT_RADIUS);
+  lying.sort((a, b) => a.distanceTo(from) - b.distanceTo(from));
+  const nearest = lying[0] ?? new Vector2();
+  return nearest.setLength(nearest.length() + BEYOND).clampLength(0, FARTHEST);
+}
