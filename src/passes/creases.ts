@@ -16,6 +16,7 @@ import fragmentShader from '../../shaders/surfaces/hull.frag';
 import type { Eye } from '../device/eye.ts';
 import { creaseEdges, type CreaseEdges } from './creaseEdges.ts';
 import { InkUniforms, type InkLine } from './ink.ts';
+import { keptFor } from './kept.ts';
 import { seamEdges } from './seamEdges.ts';
 import type { SurfaceDescription } from './surfaces.ts';
 
@@ -41,9 +42,7 @@ export class CreasesPass {
       uniforms: { ...eye.uniforms, ...this.ink.uniforms },
       side: DoubleSide,
     });
-    surfaces.forEach((surface, index) => {
-      if (surface.inked) this.add(index, [creaseEdges(surface.mesh, SHARP), ...seamsBehind(surfaces, index)]);
-    });
+    edgesOf(surfaces).forEach((edges, index) => this.add(index, edges));
   }
 
   /** A line of no width draws none. */
@@ -65,9 +64,9 @@ export class CreasesPass {
     for (const { geometry } of this.meshes.values()) geometry.dispose();
   }
 
-  private add(index: number, edges: readonly CreaseEdges[]): void {
-    if (edges.every(({ count }) => count === 0)) return;
-    const ribbons = new Mesh(ribbonsOf(joined(edges)), this.material);
+  private add(index: number, edges: CreaseEdges): void {
+    if (edges.count === 0) return;
+    const ribbons = new Mesh(ribbonsOf(edges), this.material);
     ribbons.frustumCulled = false;
     ribbons.matrixAutoUpdate = false;
     ribbons.matrixWorldAutoUpdate = false;
@@ -75,6 +74,13 @@ export class CreasesPass {
     this.scene.add(ribbons);
   }
 }
+
+/** The edges that are drawn with each surface. */
+const edgesOf = keptFor((surfaces: readonly SurfaceDescription[]) =>
+  surfaces.map(({ inked, mesh }, index) =>
+    joined(inked ? [creaseEdges(mesh, SHARP), ...seamsBehind(surfaces, index)] : []),
+  ),
+);
 
 /** The seams of a surface with those that follow it, ride on the same rigid and do not grow into it. */
 function seamsBehind(surfaces: readonly SurfaceDescription[], index: number): CreaseEdges[] {

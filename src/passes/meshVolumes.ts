@@ -13,10 +13,13 @@ import vertexShader from '../../shaders/meshVolumes/meshVolumes.vert';
 import type { Eye } from '../device/eye.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { extrude } from './extrusion.ts';
+import { keptFor } from './kept.ts';
 import type { SurfaceDescription } from './surfaces.ts';
 
 /** Depth in metres at which a mesh's volume starts under its lit faces. */
 const INSET = 0.012;
+
+const keptExtrusion = keptFor(extrude);
 
 /**
  * Counts the shadow volumes of closed meshes by depth fail, which holds with the eye inside one. Their many triangles
@@ -51,7 +54,7 @@ export class MeshVolumesPass {
   }
 
   private add(eye: Eye, surface: SurfaceDescription, index: number): void {
-    const { positions, faceNormals, indices, longestEdge } = extrude(surface.mesh);
+    const { positions, faceNormals, indices, longestEdge } = keptExtrusion(surface.mesh);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
     geometry.setAttribute('faceNormal', new BufferAttribute(faceNormals, 3));

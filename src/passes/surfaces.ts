@@ -21,6 +21,7 @@ import type { Eye } from '../device/eye.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
 import { hullNormals, type TriangleMesh } from './extrusion.ts';
 import { InkUniforms, type InkLine } from './ink.ts';
+import { keptFor } from './kept.ts';
 
 /** An ordinary mesh of the scene. */
 export interface SurfaceDescription {
@@ -108,7 +109,7 @@ export class SurfacesPass {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(surface.mesh.positions, 3));
     geometry.setAttribute('normal', new BufferAttribute(surface.mesh.normals, 3));
-    geometry.setAttribute('hullNormal', new BufferAttribute(hullNormals(surface.mesh), 3));
+    geometry.setAttribute('hullNormal', new BufferAttribute(keptHullNormals(surface.mesh), 3));
     geometry.setIndex(new BufferAttribute(surface.mesh.indices, 1));
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
@@ -165,6 +166,8 @@ export class SurfacesPass {
     return mesh;
   }
 }
+
+const keptHullNormals = keptFor(hullNormals);
 
 function boxOf(mesh: TriangleMesh): Box3 {
   return new Box3().setFromArray(mesh.positions);

@@ -102,7 +102,7 @@ export interface Part {
   readonly pose: (seconds: number) => Placement;
 }
 
-/** What a stage needs to set up: plain data, made anew for each stage. */
+/** What a stage needs to set up: plain data, which stages share and none changes. */
 export interface Scene {
   name: string;
   /** Simulator values by flat key: the emitters and forces that the parameters then turn up and down. */

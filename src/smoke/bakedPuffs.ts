@@ -17,6 +17,8 @@ const LAYER_BLUR = 3;
 
 /** Smokes whose puffs are the same object share their textures on a device. */
 const kept = new Kept<BakedPuffs>(8);
+/** Puffs that somebody bakes; who wants the same goes on with them. */
+const begun = new Map<string, Work<BakedPuffs>>();
 const keptBillboards = new Kept<BakedPuffs['billboards']>(4);
 
 /** Puffs as {@link bakingPuffs} makes them, at once; the default ones where no shapes are given. */
@@ -32,9 +34,25 @@ export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES, fronts?: 
  */
 export function* bakingPuffs(shapes: readonly PuffShape[], fronts = PUFF_SHAPES): Work<BakedPuffs> {
   const key = keyOf(shapes) + keyOf(fronts);
-  const puffs = kept.get(key) ?? withFronts(yield* bakingLobes(shapes, FIRST_BORDER), fronts);
-  kept.add(key, puffs);
-  return puffs;
+  for (;;) {
+    const puffs = kept.get(key) ?? workOn(key, () => bakingNew(shapes, fronts));
+    if (puffs) return puffs;
+    yield;
+  }
+}
+
+/** A piece of the work on some puffs, which are kept and given when they are ready. */
+function workOn(key: string, begin: () => Work<BakedPuffs>): BakedPuffs | undefined {
+  const work = begun.get(key) ?? begin();
+  begun.delete(key);
+  const { done, value } = work.next();
+  if (done) kept.add(key, value);
+  else begun.set(key, work);
+  return done ? value : undefined;
+}
+
+function* bakingNew(shapes: readonly PuffShape[], fronts: readonly PuffShape[]): Work<BakedPuffs> {
+  return withFronts(yield* bakingLobes(shapes, FIRST_BORDER), fronts);
 }
 
 /** Billboards are baked when they are first asked for. */

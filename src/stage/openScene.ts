@@ -3,6 +3,10 @@ import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
 import { loadSimulators, type LoadOptions, type SimulatorFactory } from '../sim/load.ts';
 
+/** Scenes that somebody shows: stages of the same scene share its models and all that is made of them. */
+const shown = new Map<string, WeakRef<Scene>>();
+const coming = new Map<string, Promise<Scene>>();
+
 /** A scene and the simulators that it needs. */
 export interface OpenedScene {
   readonly scene: Scene;
@@ -19,9 +23,19 @@ export async function openScene(name: string, onProgress?: LoadOptions['onProgre
   return { scene, factory };
 }
 
-async function fetched(name: string, load: () => Promise<Scene>): Promise<Scene> {
+function fetched(name: string, load: () => Promise<Scene>): Promise<Scene> {
+  const known = shown.get(name)?.deref();
+  if (known) return Promise.resolve(known);
+  const scene = coming.get(name) ?? fetchNew(name, load).finally(() => coming.delete(name));
+  coming.set(name, scene);
+  return scene;
+}
+
+async function fetchNew(name: string, load: () => Promise<Scene>): Promise<Scene> {
   try {
-    return await load();
+    const scene = await load();
+    shown.set(name, new WeakRef(scene));
+    return scene;
   } catch (error) {
     throw new LoadError(`The scene ${name} could not be loaded: ${(error as Error).message}`, { cause: error });
   }

@@ -1,0 +1,56 @@
+/** Many stages on one page. */
+import { open, goesOn, type Opened } from './embed.cases.ts';
+
+const TINY = { width: 32, height: 24 };
+
+/** Counts the WebGL contexts that this thread asks for, from now on. */
+export function countContexts(): { webgl: number } {
+  const count = { webgl: 0 };
+  for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) {
+    const getContext = prototype.getContext as (this: unknown, ...given: unknown[]) => unknown;
+    const counting = function (this: unknown, ...given: unknown[]) {
+      if (given[0] === 'webgl2') count.webgl += 1;
+      return getContext.apply(this, given);
+    };
+    Object.assign(prototype, { getContext: counting });
+  }
+  return count;
+}
+
+/** Stages of the same smoke, some of them out of view, that have come as far as they are told by their numbers. */
+export async function openMany(count: number, inView: number, thread: 'main' | 'worker'): Promise<Opened[]> {
+  document.body.style.cssText = 'display: flow-root; height: 5000px; position: relative';
+  const opened = await Promise.all(Array.from({ length: count }, () => open({ ...TINY, thread })));
+  opened.forEach(({ canvas }, index) => {
+    canvas.style.cssText = `position: absolute; width: 32px; height: 24px; left: ${34 * (index % 10)}px`;
+    canvas.style.top = `${26 * Math.floor(index / 10) + (index < inView ? 0 : 4000)}px`;
+  });
+  for (const { stage } of opened) await stage.step(60);
+  return opened;
+}
+
+/** Plays all until those in view have gone on: which have taken steps. */
+export async function whichGoOn(opened: readonly Opened[], inView: number): Promise<boolean[]> {
+  await Promise.all(opened.map(({ stage }) => stage.play()));
+  // What observers of the page have to say they say with its next frames.
+  for (let frame = 0; frame < 5; ++frame) await new Promise(requestAnimationFrame);
+  const before = await stepsOf(opened);
+  await Promise.all(opened.slice(0, inView).map(({ stage }) => goesOn(stage, 2)));
+  const after = await stepsOf(opened);
+  return after.map((steps, index) => steps > before[index]);
+}
+
+function stepsOf(opened: readonly Opened[]): Promise<number[]> {
+  return Promise.all(opened.map(async ({ stage }) => (await stage.stats()).steps));
+}
+
+/** Makes stages and ends them, one after the other. */
+export async function comeAndGo(rounds: number, thread: 'main' | 'worker'): Promise<void> {
+  for (let round = 0; round < rounds; ++round) {
+    const { stage, canvas } = await open({ ...TINY, thread });
+    await stage.step(2);
+    await stage.play();
+    await stage.dispose();
+    canvas.remove();
+  }
+}

@@ -1,0 +1,64 @@
+/** Two hundred stages that come and go, one after the other, leave nothing behind. */
+import type { Page } from '@playwright/test';
+import { expect, test } from '../support/fixtures.ts';
+
+type ManyCases = typeof import('./embed.many.cases.ts');
+type Shared = typeof import('../../src/remote/sharedDevice.ts');
+type Load = typeof import('../../src/sim/load.ts');
+const SHARED = '/src/remote/sharedDevice.ts';
+const LOAD = '/src/sim/load.ts';
+const [FIRST, MORE] = [20, 180];
+/** Of a heap that is collected: what the engine itself keeps of code and feedback, for each stage. */
+const BYTES_A_STAGE = 3_000;
+
+test.use({ ownPage: true, allowed: /context lost|CONTEXT_LOST/i });
+
+test('the heap of the main thread stays flat, and its context goes', async ({ load, blank }) => {
+  const many = await load<ManyCases>('/tests/e2e/embed.many.cases.ts');
+  const shared = await load<Shared>(SHARED);
+  const comeAndGo = (rounds: number) => many.evaluate((module, count) => module.comeAndGo(count, 'main'), rounds);
+  await comeAndGo(FIRST);
+  const before = await usedBytes(blank);
+  const context = await shared.evaluateHandle(({ threadDevice }) => {
+    const used = threadDevice.hold()!.renderer.getContext();
+    threadDevice.release();
+    return used;
+  });
+  await comeAndGo(MORE);
+  expect((await usedBytes(blank)) - before).toBeLessThan(MORE * BYTES_A_STAGE);
+  await expect.poll(() => context.evaluate((used) => used.isContextLost())).toBe(true);
+});
+
+test('a worker keeps neither textures, geometries, programs nor WASM memory of what is gone', async ({
+  load,
+  blank,
+}) => {
+  const many = await load<ManyCases>('/tests/e2e/embed.many.cases.ts');
+  const comeAndGo = (rounds: number) => many.evaluate((module, count) => module.comeAndGo(count, 'worker'), rounds);
+  await comeAndGo(FIRST);
+  const before = await held(blank);
+  await comeAndGo(MORE);
+  expect(await held(blank)).toEqual(before);
+  await expect.poll(() => blank.workers().length).toBe(0);
+});
+
+async function usedBytes(page: Page): Promise<number> {
+  const session = await page.context().newCDPSession(page);
+  await session.send('HeapProfiler.collectGarbage');
+  const { usedSize } = await session.send('Runtime.getHeapUsage');
+  await session.detach();
+  return usedSize;
+}
+
+/** What the worker's device and simulator hold. */
+async function held(page: Page) {
+  const [worker] = page.workers();
+  const modules = await worker.evaluateHandle(`Promise.all([import('${SHARED}'), import('${LOAD}')])`);
+  return worker.evaluate(async (list) => {
+    const [{ threadDevice }, { loadSimulators }] = list as [Shared, Load];
+    const { info } = threadDevice.hold()!.renderer;
+    threadDevice.release();
+    const { memory } = (await loadSimulators({ physics: false })).module;
+    return { ...info.memory, programs: info.programs?.length, wasm: memory.buffer.byteLength };
+  }, modules);
+}
