@@ -80,11 +80,15 @@ bool isWideStair(ivec2 at, ivec2 corner, vec4 tone) {
 
 // A pixel that touches such a stair with a corner alone. Without it an edge of 45 degrees had one tone on each side.
 vec4 besideStair(ivec2 at, vec4 own) {
-  for (int corner = 0; corner < 4; ++corner) {
+  vec4 gap = max(
+    max(abs(toneAt(at + ivec2(-1, -1)) - own), abs(toneAt(at + ivec2(1, -1)) - own)),
+    max(abs(toneAt(at + ivec2(-1, 1)) - own), abs(toneAt(at + ivec2(1, 1)) - own))
+  );
+  bool isFlat = all(lessThanEqual(gap, vec4(EDGE)));
+  for (int corner = isFlat ? 4 : 0; corner < 4; ++corner) {
     ivec2 towards = ivec2(2 * (corner & 1), corner & 2) - 1;
     vec4 other = toneAt(at + towards);
-    if (alike(other, own)) continue;
-    if (isWideStair(at, towards, other)) return blend(own, other, BESIDE_STAIR);
+    if (!alike(other, own) && isWideStair(at, towards, other)) return blend(own, other, BESIDE_STAIR);
   }
   return own;
 }
