@@ -11,6 +11,9 @@ import { withoutWords } from './withoutWords.mjs';
 const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
 const LICENSES =
   '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors. */';
+const SCRIPT = 'cartoon-smoke.min';
+/** One file. @type {import('rolldown').OutputOptions} */
+const ALONE = { codeSplitting: false, postBanner: LICENSES };
 const ERRORS = inRoot('src/preset/errors.ts');
 
 /** @type {{ table: import('../../src/preset/parameter.ts').Parameter[] }} */
@@ -23,16 +26,16 @@ const { table } = await sourceModule('src/preset/table.ts');
  * @param {string} folder
  */
 export async function bundleAll(folder) {
-  const input = { index: 'src/index.ts', element: 'src/element/define.ts', errors: 'src/preset/errors.ts' };
-  await bundle(
-    { input: entries(input), external: /^three(\/|$)/, plugins: [await glsl(), withoutWords(table)] },
-    folder,
-  );
+  const plugins = [await glsl({ minify: true }), withoutWords(table)];
+  const modules = { index: 'src/index.ts', element: 'src/element/define.ts', errors: 'src/preset/errors.ts' };
+  const external = /^three(\/|$)/;
+  await bundle({ input: entries(modules), external, plugins: [...plugins, workerAt('./worker.js')] }, folder);
+  // With three.js in it: import maps do not reach into workers, and no bundler lets a page and its worker share a file.
+  await bundle({ input: entries({ worker: 'src/remote/worker.ts' }), plugins }, folder, ALONE);
   // By itself, because it has the words of the table; its errors are those of the rest.
   await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [errorsBeside()] }, folder);
-  const plugins = [await glsl({ minify: true }), withoutWords(table)];
-  const script = { input: entries({ 'cartoon-smoke.min': 'src/element/define.ts' }), plugins };
-  await bundle(script, folder, { codeSplitting: false, postBanner: LICENSES });
+  const script = entries({ [SCRIPT]: 'src/element/script.ts' });
+  await bundle({ input: script, plugins: [...plugins, workerAt(`./${SCRIPT}.js`)] }, folder, ALONE);
   copyWasm(folder);
 }
 
@@ -60,6 +63,17 @@ const onLog = (level, log, handle) => {
 /** @param {Record<string, string>} input */
 function entries(input) {
   return Object.fromEntries(Object.entries(input).map(([name, path]) => [name, inRoot(path)]));
+}
+
+/** Names the worker by its file in the package. @param {string} address @returns {import('rolldown').Plugin} */
+function workerAt(address) {
+  return {
+    name: 'worker-at',
+    transform: {
+      filter: { id: /startWorker\.ts$/ },
+      handler: (code) => code.replace("'./worker.ts'", JSON.stringify(address)),
+    },
+  };
 }
 
 /** @returns {import('rolldown').Plugin} */

@@ -18,7 +18,7 @@ export const manifest = {
     '.': { types: './types/index.d.ts', default: './dist/index.js' },
     './element': { types: './types/element/define.d.ts', default: './dist/element.js' },
     './preset': { types: './types/preset.d.ts', default: './dist/preset.js' },
-    './cartoon-smoke.min.js': './dist/cartoon-smoke.min.js',
+    './cartoon-smoke.min.js': { types: './types/element/define.d.ts', default: './dist/cartoon-smoke.min.js' },
     './custom-elements.json': './custom-elements.json',
     './package.json': './package.json',
   },

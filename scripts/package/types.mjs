@@ -1,6 +1,6 @@
 /** Writes the declarations of what the package exports. */
 
-import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
@@ -19,7 +19,9 @@ export async function writeTypes(folder, say) {
   if (status !== 0) throw new Refusal(`The declarations of ${ENTRIES.join(', ')} could not be made.`, output);
   for (const file of GIVEN) {
     mkdirSync(dirname(join(folder, file)), { recursive: true });
-    copyFileSync(inRoot(`src/${file}`), join(folder, file));
+    // Disposal by `using` is newer than what most projects compile for, and nobody outside calls these.
+    const text = readFileSync(inRoot(`src/${file}`), 'utf8').replace(/^\s*\[Symbol\.dispose\].*\n/gm, '');
+    writeFileSync(join(folder, file), text);
   }
   for (const file of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
     if (file.endsWith('.d.ts')) nameBuiltFiles(join(folder, file));

@@ -1,7 +1,6 @@
-import { ContextError, UnsupportedError } from '../preset/errors.ts';
+import { ContextError, LoadError, UnsupportedError } from '../preset/errors.ts';
 import type { RemoteStage, RemoteStageOptions } from './contract.ts';
 import { followSight } from './followSight.ts';
-import { openHere } from './openHere.ts';
 import { canMoveCanvas, enterWorker, type WorkerPlace } from './openInWorker.ts';
 
 /**
@@ -28,8 +27,19 @@ export async function openStage(
       if (thread === 'worker' || !(error instanceof UnsupportedError || error instanceof ContextError)) throw error;
     }
   }
+  const { openHere } = await fetchOwn();
+  signal?.throwIfAborted();
   const canvas = makeCanvas();
   return following(canvas, await openHere(canvas, options));
+}
+
+/** Everything that draws, three.js with it: pages whose smoke runs in a worker never fetch it themselves. */
+async function fetchOwn(): Promise<typeof import('./openHere.ts')> {
+  try {
+    return await import('./openHere.ts');
+  } catch (error) {
+    throw new LoadError(`The smoke could not be fetched: ${(error as Error).message}`, { cause: error });
+  }
 }
 
 /** @throws where there has to be a worker and is none */

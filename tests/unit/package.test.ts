@@ -1,0 +1,82 @@
+/** The npm package, as checkers and servers see it. */
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { publint } from 'publint';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { names } from '../../src/element/names.ts';
+import { table } from '../../src/preset/table.ts';
+
+interface PackageScript {
+  isFresh(): boolean;
+  bring(say: () => void): Promise<void>;
+}
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+const FOLDER = join(ROOT, 'package');
+const packed = mkdtempSync(join(tmpdir(), 'cartoon-smoke-pack-'));
+
+beforeAll(async () => {
+  const script = (await import(pathToFileURL(join(ROOT, 'scripts/setup/package.mjs')).href)) as PackageScript;
+  if (!script.isFresh()) await script.bring(() => undefined);
+}, 300_000);
+afterAll(() => rmSync(packed, { recursive: true }));
+
+it('has exports and files as npm and bundlers want them', async () => {
+  const { messages } = await publint({ pkgDir: FOLDER, pack: 'npm' });
+  expect(messages).toEqual([]);
+}, 60_000);
+
+it('has types for each way of resolving modules', () => {
+  const npm = ['pack', '--silent', '--pack-destination', packed];
+  execFileSync('npm', npm, { cwd: FOLDER, stdio: ['ignore', 'ignore', 'ignore'] });
+  const [archive] = readdirSync(packed);
+  const checker = join(ROOT, 'node_modules/@arethetypeswrong/cli/dist/index.js');
+  const check = () =>
+    execFileSync(process.execPath, [checker, join(packed, archive), '--profile', 'esm-only', '--quiet']);
+  expect(check).not.toThrow();
+}, 120_000);
+
+it.each(['index', 'element', 'preset'])('can import %s where there is no page', (name) => {
+  const address = pathToFileURL(join(FOLDER, `dist/${name}.js`)).href;
+  const program = `import(${JSON.stringify(address)}).then((module) => console.log(Object.keys(module).length))`;
+  const said = execFileSync(process.execPath, ['--eval', program], { cwd: ROOT, encoding: 'utf8' });
+  expect(Number(said)).toBeGreaterThan(0);
+});
+
+it('has a source map for each module, and no words of the table in what widgets fetch', () => {
+  const files = readdirSync(join(FOLDER, 'dist'));
+  const modules = files.filter((file) => file.endsWith('.js'));
+  expect(modules.filter((file) => !files.includes(`${file}.map`))).toEqual([]);
+  const { text } = table.find(({ key }) => key === 'emission.rate')!;
+  const wordy = modules.filter((file) => readFileSync(join(FOLDER, 'dist', file), 'utf8').includes(text));
+  expect(wordy).toEqual(['preset.js']);
+});
+
+it('says the same of ranges and defaults without words', async () => {
+  const script = pathToFileURL(join(ROOT, 'scripts/package/withoutWords.mjs')).href;
+  const { withoutWords } = (await import(script)) as {
+    withoutWords(rows: typeof table): { load(id: string): { code: string } };
+  };
+  const { code } = withoutWords(table).load(join(ROOT, 'src/preset/table.ts'));
+  const rows = JSON.parse(/\[\.\.\.(\[.*\]), \.\.\.list/.exec(code)![1]) as object[];
+  const single = table.filter(({ key }) => !/^\w+\.\d\./.test(key));
+  expect(rows).toHaveLength(single.length);
+  rows.forEach((row, index) => {
+    const { options, ...rest } = row as { options?: { value: unknown }[] };
+    expect(single[index]).toMatchObject(rest);
+    const whole = single[index];
+    expect(options?.map(({ value }) => value)).toEqual(
+      whole.kind === 'choice' ? whole.options.map(({ value }) => value) : undefined,
+    );
+  });
+});
+
+it('has a manifest of the element with all parameters', () => {
+  const manifest = JSON.parse(readFileSync(join(FOLDER, 'custom-elements.json'), 'utf8'));
+  const attributes = new Set(manifest.modules[0].declarations[0].attributes.map(({ name }: { name: string }) => name));
+  const missing = names.filter(({ key, attribute }) => !/^\w+\.[1-7]\./.test(key) && !attributes.has(attribute));
+  expect(missing).toEqual([]);
+});
