@@ -61,7 +61,11 @@ export class CartoonSmokeElement extends Base {
 
   constructor() {
     super();
-    this.#shell.button.addEventListener('click', () => (this.playing ? this.pause() : this.play()));
+    this.#shell.button.addEventListener('click', () => {
+      if (this.playing) return this.pause();
+      this.paused = false;
+      this.#session?.consent();
+    });
   }
 
   /** Settled when the first picture stands; rejects with the error that is told when there will be none. */

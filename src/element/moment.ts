@@ -11,7 +11,7 @@ const LONGEST_SECONDS = 600;
 /**
  * Does again what was done in a take out of a share link.
  * @param seconds where to stop; the end of the take when left out
- * @param values of the link, for what no take keeps: style and light
+ * @param values of the link, for what no take keeps: style, light and camera
  * @returns why it was left out; nothing where it was not
  */
 export async function goToMoment(
@@ -43,6 +43,6 @@ function refuseGreed({ isFresh, mostParticles }: Take): void {
 }
 
 function looksOf(values: Values): Values {
-  const isLook = (key: string) => ['style', 'light'].includes(findParameter(key)!.reader);
+  const isLook = (key: string) => ['style', 'light', 'camera'].includes(findParameter(key)!.reader);
   return Object.fromEntries(Object.entries(values).filter(([key]) => isLook(key)));
 }

@@ -1,131 +1,85 @@
-/** Pages and networks that refuse: each ends in smoke on another way, or in an error of a named class. */
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/fixtures.ts';
-import { loadModule } from '../support/modules.ts';
+import { expect, test } from '../support/embed.ts';
 
-type Cases = typeof import('./embed.cases.ts');
-type Shared = typeof import('../../src/remote/sharedDevice.ts');
+/** What a page does with smoke that fails, from before the element is upgraded. */
+const failing = (thread: string, rest = '') => `
+  <cartoon-smoke preset="wisp" thread="${thread}" ${rest} style="width: 200px; height: 150px">
+    <svg slot="poster" id="poster" viewBox="0 0 4 3"><rect width="4" height="3" fill="teal" /></svg>
+    <p id="fallback">No smoke today</p>
+  </cartoon-smoke>
+  <script>
+    window.failure = new Promise((resolve) => {
+      document.querySelector('cartoon-smoke').addEventListener('error', ({ detail }) => resolve(detail.error.name + ': ' + detail.error.message));
+    });
+  </script>`;
 
-// Source modules, on pages of their own; the browser itself tells on the console what it forbids.
-test.use({
-  showsBuiltSite: false,
-  allowed: /Content Security|TrustedScriptURL|Trusted Type|404|WebAssembly|context lost/i,
-});
+function failure(page: Page): Promise<string> {
+  return page.evaluate(() => Reflect.get(window, 'failure') as Promise<string>);
+}
 
-/** Opens two stages on a page: where they run, how many canvases and workers that took, and what they show. */
-async function openTwo(page: Page) {
-  const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
-  return cases.evaluate(async (module) => {
-    const seen = module.watch();
-    const opened = [await module.open(), await module.open()];
-    await opened[1].stage.step(60);
-    const colors = await module.colorsShown(opened[1].canvas);
-    return { threads: opened.map(({ stage }) => stage.thread), workers: seen.workers, colors };
+async function expectPoster(page: Page): Promise<void> {
+  await expect(page.locator('#poster')).toBeVisible();
+  await expect(page.locator('#fallback')).toBeVisible();
+  await expect(page.getByRole('button')).toHaveCount(0);
+}
+
+// The browser itself tells of answers that are errors.
+test.use({ allowed: /Failed to load resource|Refused to compile|violates the following Content Security Policy/ });
+
+const WASM = '**/bindings_bg.wasm';
+const FAULTS: Record<string, (page: Page) => Promise<unknown>> = {
+  missing: (page) => page.route(WASM, (route) => route.fulfill({ status: 404 })),
+  'cut off': (page) =>
+    page.route(WASM, async (route) => {
+      const body = await (await route.fetch()).body();
+      await route.fulfill({ contentType: 'application/wasm', body: body.subarray(0, body.length / 2) });
+    }),
+  'a page instead': (page) =>
+    page.route(WASM, (route) => route.fulfill({ contentType: 'text/html', body: '<h1>Hello</h1>' })),
+  'out of reach': (page) => page.route(WASM, (route) => route.abort()),
+};
+
+for (const [fault, provoke] of Object.entries(FAULTS)) {
+  test(`a simulator that is ${fault} leaves the poster and tells a LoadError`, async ({ page, host }) => {
+    await provoke(page);
+    await host(failing('main'));
+    expect(await failure(page)).toMatch(/^LoadError: /);
+    await expectPoster(page);
   });
 }
 
-/** @param policy Content-Security-Policy of the page */
-async function openUnder(page: Page, policy = ''): Promise<void> {
-  await page.goto(`/tests/support/blank.html?${new URLSearchParams({ policy })}`);
-}
-
-async function expectMain(page: Page, workers: number): Promise<void> {
-  const report = await openTwo(page);
-  expect(report.threads).toEqual(['main', 'main']);
-  expect(report.workers, 'workers tried').toBe(workers);
-  expect(report.colors).toBeGreaterThan(10);
-}
-
-test('a page that forbids workers has its smoke on the main thread, and they are not tried again', async ({ page }) => {
-  await openUnder(page, "worker-src 'none'");
-  await expectMain(page, 1);
+test('a worker whose simulator is missing tells the same', async ({ page, host }) => {
+  await page.context().route(WASM, (route) => route.fulfill({ status: 404 }));
+  await host(failing('auto'));
+  expect(await failure(page)).toMatch(/^LoadError: /);
+  await expectPoster(page);
 });
 
-test('required Trusted Types allow the worker by the policy cartoon-smoke', async ({ page }) => {
-  await openUnder(page, "require-trusted-types-for 'script'; trusted-types cartoon-smoke");
-  const report = await openTwo(page);
-  expect(report.threads).toEqual(['worker', 'worker']);
-  expect(report.colors).toBeGreaterThan(10);
+test('smoke that cannot be fetched leaves the poster and tells a LoadError', async ({ page, host }) => {
+  await page.route('**/session.js', (route) => route.abort());
+  await host(failing('main'));
+  expect(await failure(page)).toMatch(/^LoadError: /);
+  await expectPoster(page);
 });
 
-test('required Trusted Types without our policy leave the main thread', async ({ page }) => {
-  await openUnder(page, "require-trusted-types-for 'script'; trusted-types 'none'");
-  await expectMain(page, 0);
+test('a page whose rules forbid WebAssembly has the poster', async ({ page, host }) => {
+  const rules = "script-src 'self' 'unsafe-inline'; worker-src 'self'";
+  await host(failing('main'), { headers: { 'content-security-policy': rules } });
+  expect(await failure(page)).toMatch(/^(LoadError|UnsupportedError): /);
+  await expectPoster(page);
 });
 
-test('a worker whose file is not there leaves the main thread', async ({ page }) => {
-  await page.route('**/remote/worker.ts*', (route) => route.fulfill({ status: 404 }));
-  await openUnder(page);
-  await expectMain(page, 1);
-});
-
-test('a worker without WebGL2 leaves the main thread, with a canvas that can be drawn on', async ({ page }) => {
-  await page.route('**/remote/worker.ts*', async (route) => {
-    const response = await route.fetch();
-    const body = `OffscreenCanvas.prototype.getContext = () => null;\n${await response.text()}`;
-    await route.fulfill({ response, body });
-  });
-  await openUnder(page);
-  await expectMain(page, 1);
-});
-
-test('a browser without canvases that are on no page has its smoke on the main thread', async ({ page }) => {
+test('a browser without WebGL 2 has the poster', async ({ page, host }) => {
   await page.addInitScript(() => {
-    delete (globalThis as { OffscreenCanvas?: unknown }).OffscreenCanvas;
-    delete (HTMLCanvasElement.prototype as { transferControlToOffscreen?: unknown }).transferControlToOffscreen;
+    for (const Canvas of [HTMLCanvasElement, OffscreenCanvas]) Canvas.prototype.getContext = () => null;
   });
-  await openUnder(page);
-  await expectMain(page, 0);
+  await host(failing('main'));
+  expect(await failure(page)).toMatch(/^UnsupportedError: /);
+  await expectPoster(page);
 });
 
-for (const [what, answer] of [
-  ['not there', { status: 404 }],
-  ['of another kind', { contentType: 'text/html', body: '<p>Welcome' }],
-  ['cut short', { contentType: 'application/wasm', body: Buffer.from([0, 97, 115, 109, 1, 0, 0, 0, 1]) }],
-] as const) {
-  test(`WASM that is ${what} is a LoadError in the worker and on the main thread`, async ({ page }) => {
-    await page.route('**/*.wasm*', (route) => route.fulfill(answer));
-    await openUnder(page);
-    const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
-    const errors = await cases.evaluate(async (module) => [
-      await module.thrownBy(() => module.open({ thread: 'worker' })),
-      await module.thrownBy(() => module.open({ thread: 'main' })),
-      await module.thrownBy(() => module.open()),
-    ]);
-    for (const error of errors) {
-      expect(error?.name).toBe('LoadError');
-      expect(error?.message).toContain('.wasm');
-    }
-  });
-}
-
-test('WASM that the page forbids is a LoadError on the main thread', async ({ page }) => {
-  await openUnder(page, "script-src 'self'; worker-src 'none'");
-  const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
-  expect((await cases.evaluate((module) => module.thrownBy(() => module.open())))?.name).toBe('LoadError');
-});
-
-test('a context that does not come back is told as a ContextError, once, and may still come back', async ({ page }) => {
-  await openUnder(page);
-  const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
-  const shared = await loadModule<Shared>(page, '/src/remote/sharedDevice.ts');
-  const told = await cases.evaluateHandle(async (module) => {
-    const errors: string[] = [];
-    const { stage } = await module.open({ thread: 'main' });
-    stage.on('error', ({ name }) => errors.push(name));
-    return errors;
-  });
-  await page.clock.install();
-  const losing = await shared.evaluateHandle(({ threadDevice }) => {
-    const extension = threadDevice.hold()!.renderer.getContext().getExtension('WEBGL_lose_context')!;
-    extension.loseContext();
-    return extension;
-  });
-  await expect.poll(() => shared.evaluate(({ threadDevice }) => threadDevice.hold()!.isUsable)).toBe(false);
-  await page.clock.fastForward(9_000);
-  expect(await told.jsonValue()).toEqual([]);
-  await page.clock.fastForward(60_000);
-  expect(await told.jsonValue()).toEqual(['ContextError']);
-  await losing.evaluate((extension) => extension.restoreContext());
-  await expect.poll(() => shared.evaluate(({ threadDevice }) => threadDevice.hold()!.isUsable)).toBe(true);
+test('before it stands, and without JavaScript, the poster has the place of the smoke', async ({ page, host }) => {
+  await host(failing('main'), { script: '' });
+  await expect(page.locator('#poster')).toBeVisible();
+  await expect(page.locator('#fallback')).toBeVisible();
 });

@@ -1,0 +1,109 @@
+import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
+import { expect, stands, test, WISP } from '../support/embed.ts';
+
+const BOX = 'style="width: 200px; height: 150px"';
+
+test.describe('with less motion asked for', () => {
+  test.use({ contextOptions: { reducedMotion: 'reduce' } });
+
+  test('shows one still picture with smoke in it, until somebody plays', async ({ page, host }) => {
+    // What tests run in a page counts as done by a person.
+    await page.addInitScript(() => Object.defineProperty(navigator, 'userActivation', { value: { isActive: false } }));
+    await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
+    await stands(page);
+    const smoke = page.locator('cartoon-smoke');
+    const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
+    expect(await steps()).toBe(240);
+    // A page that plays by itself is not a person.
+    await smoke.evaluate((element: CartoonSmokeElement) => element.play());
+    expect(await smoke.evaluate((element: CartoonSmokeElement) => element.playing)).toBe(false);
+    expect(await steps()).toBe(240);
+    await page.getByRole('button', { name: 'Play smoke' }).click();
+    await expect.poll(steps).toBeGreaterThan(240);
+    await expect(page.getByRole('button', { name: 'Pause smoke' })).toBeVisible();
+  });
+});
+
+test('has a button that pauses, by keys too, and what it paused stays paused out of sight and back', async ({
+  page,
+  host,
+}) => {
+  await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke><div style="height: 3000px"></div>`);
+  await stands(page);
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  const smoke = page.locator('cartoon-smoke');
+  await expect(smoke).toHaveAttribute('paused');
+  await page.mouse.wheel(0, 2000);
+  await page.mouse.wheel(0, -2000);
+  await expect(page.getByRole('button', { name: 'Play smoke' })).toBeInViewport();
+  const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
+  const before = await steps();
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  expect(await steps()).toBe(before);
+});
+
+test('rests out of sight, and goes on in sight', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke><div style="height: 3000px"></div>`);
+  await stands(page);
+  const smoke = page.locator('cartoon-smoke');
+  const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
+  const standsStill = async () => {
+    const before = await steps();
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    return (await steps()) === before;
+  };
+  await page.mouse.wheel(0, 2000);
+  await expect.poll(standsStill).toBe(true);
+  expect(await smoke.evaluate((element: CartoonSmokeElement) => element.playing)).toBe(true);
+  const before = await steps();
+  await page.mouse.wheel(0, -2000);
+  await expect.poll(steps).toBeGreaterThan(before);
+});
+
+test('survives nothing, a shadow tree, a dialog and a table cell', async ({ page, host }) => {
+  await host(`<div id="box" style="width: 200px; height: 150px"><cartoon-smoke ${WISP} paused start="1" style="height: 100%"></cartoon-smoke></div>
+    <dialog></dialog><table><tr><td></td></tr></table><div id="tree"></div>`);
+  await stands(page);
+  const sized = (width: string, height: string) =>
+    page.evaluate(
+      ([w, h]) => Object.assign(document.querySelector<HTMLElement>('#box')!.style, { width: w, height: h }),
+      [width, height],
+    );
+  const smoke = page.locator('cartoon-smoke');
+  const before = await smoke.screenshot();
+  await sized('0', '0');
+  await smoke.evaluate((element: CartoonSmokeElement) => element.step(0));
+  await sized('200px', '150px');
+  await expect.poll(async () => before.equals(await smoke.screenshot())).toBe(true);
+  const kept = await smoke.evaluate(async (element: CartoonSmokeElement) => {
+    const root = document.querySelector('#tree')!.attachShadow({ mode: 'open' });
+    const dialog = document.querySelector('dialog')!;
+    const widths = [];
+    for (const place of [root, dialog, document.querySelector('td')!]) {
+      place.append(element);
+      dialog.showModal();
+      widths.push(Math.round(element.getBoundingClientRect().width));
+      dialog.close();
+    }
+    return { widths, steps: (await element.stats()).steps };
+  });
+  expect(kept.steps).toBe(60);
+  for (const width of kept.widths) expect(width).toBeGreaterThan(100);
+});
+
+test('keeps its box and its button on a page that unsets everything, turns and blurs', async ({ page, host }) => {
+  await host(
+    `<main style="transform: rotate(2deg) scale(.9); filter: hue-rotate(20deg)"><div style="width: 320px"><cartoon-smoke ${WISP} paused></cartoon-smoke></div></main>`,
+    { style: '* { all: unset !important }' },
+  );
+  await stands(page);
+  const box = await page.locator('cartoon-smoke').evaluate((element) => {
+    const canvas = element.shadowRoot!.querySelector('canvas')!.getBoundingClientRect();
+    return { ratio: canvas.width / canvas.height, width: canvas.width };
+  });
+  expect(box.width).toBeGreaterThan(250);
+  expect(box.ratio).toBeCloseTo(16 / 9, 1);
+  await page.getByRole('button', { name: 'Play smoke' }).click();
+  await expect(page.getByRole('button', { name: 'Pause smoke' })).toBeVisible();
+});
