@@ -23,6 +23,7 @@ export type { CollideOptions } from './host/colliders.ts';
 export type { KeyLight } from './host/keyLight.ts';
 export { capsule, type ProxyBall, type ProxyCapsule } from './host/proxies.ts';
 export type { RemoteMethods, RemoteStage, RemoteStageOptions, Thread } from './remote/contract.ts';
+export { connectFrame, type ConnectOptions } from './remote/connectFrame.ts';
 export { openStage } from './remote/openStage.ts';
 export { bakedPuffs } from './smoke/bakedPuffs.ts';
 export type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './stage/contract.ts';

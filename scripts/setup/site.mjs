@@ -4,6 +4,8 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { Refusal } from '../lib/refusal.mjs';
+import { buildFrame } from '../site/frame.mjs';
+import { writeOembed } from '../site/oembed.mjs';
 import { digestOf } from './sources.mjs';
 
 export const title = 'Site';
@@ -15,6 +17,7 @@ const SOURCES = [
   'package-lock.json',
   'paper.html',
   'public',
+  'scripts/package',
   'scripts/site',
   'shaders',
   'src',
@@ -35,6 +38,8 @@ export async function bring(say) {
   const before = digestOf(SOURCES);
   await bundle('vite.config.ts', say);
   await bundle('examples/vite.config.ts', say);
+  await buildFrame(inRoot('dist'));
+  await writeOembed(inRoot('dist'), process.env.CARTOON_SMOKE_BASE || undefined);
   mkdirSync(inRoot('.cache'), { recursive: true });
   // Sources that were edited meanwhile may or may not be in: then no stamp matches, and the next call builds again.
   writeFileSync(inRoot(STAMP), before);

@@ -1,13 +1,20 @@
 /** Code for pages of other people that shall show this smoke. */
 
-const [WIDTH, HEIGHT] = [640, 360];
+/** CSS pixels. */
+export const FRAME = { width: 640, height: 360 };
 
-/** A frame without controls around a share link. @param title for screen readers */
+/** A frame around what a share link shows, without the page. @param title for screen readers */
 export function frameCode(link: string, title: string): string {
   const address = new URL(link);
-  address.searchParams.set('ui', '0');
-  const attributes = `src="${quoted(address.href)}" title="${quoted(title)}" width="${WIDTH}" height="${HEIGHT}"`;
-  return `<iframe ${attributes} loading="lazy" style="border: 0"></iframe>`;
+  address.pathname = address.pathname.replace(/[^/]*$/, 'embed.html');
+  address.searchParams.delete('ui');
+  return frameOf(address.href, title);
+}
+
+/** @param address of embed.html with its query and hash */
+export function frameOf(address: string, title: string): string {
+  const attributes = `src="${quoted(address)}" title="${quoted(title)}" width="${FRAME.width}" height="${FRAME.height}"`;
+  return `<iframe ${attributes} loading="lazy" referrerpolicy="no-referrer" style="border: 0"></iframe>`;
 }
 
 /** The element of the package, for pages that have it. */

@@ -1,5 +1,6 @@
 import { ContextError, LoadError, type SmokeError } from '../preset/errors.ts';
 import { Deferred } from './deferred.ts';
+import type { RemoteStage } from '../remote/contract.ts';
 import type { SmokeEvents } from './events.ts';
 import { HANDED_ON, type HandedOn } from './methods.ts';
 import { keyOfAttribute } from './names.ts';
@@ -73,6 +74,13 @@ export class CartoonSmokeElement extends Base {
     const ready = this.#awaited.promise.then(() => undefined);
     quietly(ready);
     return ready;
+  }
+
+  /** The stage, for its events. Who asks does not wait for the viewport; rejects with the error that is told. */
+  get stage(): Promise<RemoteStage> {
+    const stage = this.#demand().then((session) => session.stage);
+    quietly(stage);
+    return stage;
   }
 
   /** Whether the smoke moves. Out of sight it rests and counts as moving. */

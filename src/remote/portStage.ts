@@ -53,6 +53,13 @@ export class PortStage {
     this.listeners.tell('error', error);
   }
 
+  /** Ends this connection, and leaves the stage as it is. */
+  abandon(): void {
+    this.hasEnded = true;
+    this.refuseAll(ended());
+    this.port.close();
+  }
+
   private makeFace(thread: Thread): RemoteStage {
     const names = Object.keys(calls) as (keyof RemoteMethods)[];
     const methods = names.map((name) => [name, (...args: unknown[]) => this.call(name, args)]);
@@ -106,10 +113,8 @@ export class PortStage {
     if (this.hasEnded) return;
     this.listeners.clear();
     this.port.postMessage({ id: ++this.latest, method: 'dispose' });
-    this.hasEnded = true;
-    this.refuseAll(ended());
     // What was sent before still arrives.
-    this.port.close();
+    this.abandon();
     this.release();
   }
 

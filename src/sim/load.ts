@@ -59,6 +59,16 @@ class Loading {
 
 const loadings = new Map<boolean, Loading>();
 
+/** Gives the bytes of a variant. */
+export type WasmSource = (physics: boolean) => Promise<BufferSource>;
+
+let wasmSource: WasmSource | undefined;
+
+/** Takes the WASM of this page from somewhere else than its own address, from the next loading on. */
+export function takeWasmFrom(source: WasmSource): void {
+  wasmSource = source;
+}
+
 /**
  * Loads a variant of the simulator, or gives the one that is loaded already. After a failure the next call tries anew.
  *
@@ -127,16 +137,24 @@ function requireSimd(): void {
 }
 
 async function load(physics: boolean, given: BufferSource | undefined, report: Listener): Promise<SimulatorFactory> {
-  const address = wasmAddress(physics);
   try {
-    const compiled = given ? WebAssembly.compile(given) : compileFrom(address, report);
-    const [bindings, module] = await Promise.all([importBindings(physics), compiled]);
+    const [bindings, module] = await Promise.all([importBindings(physics), compile(physics, given, report)]);
     const instance = bindings.initSync({ module });
     return new SimulatorFactory({ bindings, memory: instance.memory });
   } catch (error) {
+    const place = wasmSource ? 'where this page has it from' : wasmAddress(physics).href;
     const reason = error instanceof Error ? error.message : String(error);
-    throw new LoadError(`The simulator could not be loaded from ${address.href}: ${reason}`, { cause: error });
+    throw new LoadError(`The simulator could not be loaded from ${place}: ${reason}`, { cause: error });
   }
+}
+
+async function compile(
+  physics: boolean,
+  given: BufferSource | undefined,
+  report: Listener,
+): Promise<WebAssembly.Module> {
+  const bytes = given ?? (await wasmSource?.(physics));
+  return bytes ? WebAssembly.compile(bytes) : compileFrom(wasmAddress(physics), report);
 }
 
 /** Spelt out for each variant, because bundlers only find addresses that are written so. */

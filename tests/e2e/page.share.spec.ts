@@ -53,7 +53,9 @@ test('the sheet copies link and code, shows a QR code, and goes by keyboard', as
   await sheet(page).getByRole('button', { name: 'Copy', exact: true }).first().click();
   await expect
     .poll(copied)
-    .toMatch(/^<iframe src="[^"]+\/\?paused=1&amp;t=0.5&amp;ui=0#v=1&amp;preset=lamp&amp;[^"]+" title="Cartoon Smoke"/);
+    .toMatch(
+      /^<iframe src="[^"]+\/embed\.html\?paused=1&amp;t=0.5#v=1&amp;preset=lamp&amp;[^"]+" title="Cartoon Smoke"/,
+    );
   expect(await sheet(page).getByLabel('The element').inputValue()).toMatch(
     /^<cartoon-smoke src="[^"<>]+"><\/cartoon-smoke>$/,
   );

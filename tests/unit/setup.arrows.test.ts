@@ -39,7 +39,7 @@ function lintLine(folder: string, code: string): string[] {
 const right: Record<string, string> = {
   app: 'element remote stage host scenes smoke passes instances puffs sim device preset',
   element: 'remote stage host scenes smoke passes instances puffs sim device preset',
-  frame: 'remote stage scenes smoke passes instances puffs sim device preset',
+  frame: 'element remote stage scenes smoke passes instances puffs sim device preset',
   remote: 'stage scenes smoke passes instances puffs sim device preset',
   stage: 'scenes smoke passes instances puffs sim device preset',
   host: 'smoke passes instances puffs sim device preset',

@@ -1,0 +1,63 @@
+/**
+ * `embed.html` with its script: everything in one classic script, the simulator's core too, and the physics in a second one
+ * that comes on demand. In a sandbox without an origin a page can fetch scripts of this kind and nothing else.
+ */
+
+import { createHash } from 'node:crypto';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { deflateRawSync } from 'node:zlib';
+import { rolldown } from 'rolldown';
+import glsl from 'vite-plugin-glsl';
+import { inRoot } from '../lib/paths.mjs';
+import { sourceModule } from '../package/sourceModule.mjs';
+import { withoutWords } from '../package/withoutWords.mjs';
+
+const ENTRY = '<script type="module" src="./src/frame/frame.ts"></script>';
+
+/** Writes the page and its scripts. @param {string} folder of a site that is built already */
+export async function buildFrame(folder) {
+  const physics = writeScript(folder, 'embed-physics', `bringPhysics(${JSON.stringify(packed('physics'))});\n`);
+  const script = writeScript(folder, 'embed', await scriptOf(physics));
+  const page = readFileSync(inRoot('embed.html'), 'utf8');
+  if (!page.includes(ENTRY)) throw new Error(`embed.html lacks ${ENTRY}.`);
+  writeFileSync(join(folder, 'embed.html'), page.replace(ENTRY, `<script defer src="./${script}"></script>`));
+}
+
+/** @param {string} physics address of the script that brings it */
+async function scriptOf(physics) {
+  /** @type {{ table: import('../../src/preset/parameter.ts').Parameter[] }} */
+  const { table } = await sourceModule('src/preset/table.ts');
+  const define = { CORE_WASM: JSON.stringify(packed('core')), PHYSICS_SCRIPT: JSON.stringify(`./${physics}`) };
+  const build = await rolldown({
+    input: inRoot('src/frame/frame.ts'),
+    platform: 'browser',
+    plugins: [glsl({ minify: true }), withoutWords(table)],
+    transform: { define },
+    onLog,
+  });
+  const { output } = await build.generate({ format: 'iife', codeSplitting: false, minify: true });
+  await build.close();
+  return output[0].code;
+}
+
+/** @type {NonNullable<import('rolldown').InputOptions['onLog']>} */
+const onLog = (level, log, handle) => {
+  // Addresses beside a module are for pages that fetch: this one has all it needs inside.
+  if (log.code !== 'EMPTY_IMPORT_META' && log.code !== 'SOURCEMAP_BROKEN') handle(level, log);
+};
+
+/** The WASM of a variant, deflated, in base64url. @param {'core' | 'physics'} variant */
+function packed(variant) {
+  const bytes = readFileSync(inRoot(`src/sim/wasm/${variant}/bindings_bg.wasm`));
+  return deflateRawSync(bytes, { level: 9 }).toString('base64url');
+}
+
+/** Under a name that changes with the content. @param {string} folder @param {string} name @param {string} code */
+function writeScript(folder, name, code) {
+  const hash = createHash('sha256').update(code).digest('base64url').slice(0, 8);
+  const path = `assets/${name}-${hash}.js`;
+  mkdirSync(join(folder, 'assets'), { recursive: true });
+  writeFileSync(join(folder, path), code);
+  return path;
+}

@@ -1,0 +1,40 @@
+import type { RemoteStage } from '../remote/contract.ts';
+import { isWord, say } from '../remote/knock.ts';
+import { packError } from '../remote/packedErrors.ts';
+import { OPENING } from '../remote/protocol.ts';
+import { serveStage } from '../remote/serveStage.ts';
+
+/** A page that knocks more often than that is not heard any more. */
+const MOST_CONNECTIONS = 16;
+
+/**
+ * Lets the page around this frame have the stage.
+ * @param allowed the one origin that may, as `?origin=` says; undefined lets any, empty none
+ * @param whenStanding asks for the smoke and is settled when its first picture stands
+ */
+export function answerHost(
+  stage: RemoteStage,
+  allowed: string | undefined,
+  whenStanding: () => Promise<unknown>,
+): void {
+  if (window.parent === window || allowed === '') return;
+  let connections = 0;
+  window.addEventListener('message', ({ source, origin, data, ports }) => {
+    if (source !== window.parent || (allowed !== undefined && origin !== allowed)) return;
+    if (!isWord(data, 'connect') || ports.length !== 1 || ++connections > MOST_CONNECTIONS) return;
+    const [port] = ports;
+    serveStage(port, stage);
+    whenStanding().then(
+      () => port.postMessage({ id: OPENING }),
+      (error) => port.postMessage({ id: OPENING, error: packError(error) }),
+    );
+  });
+  window.parent.postMessage(say('here'), allowed ?? '*');
+}
+
+/** The origin that a query names, such as `?origin=https://example.org`; empty, for nobody, where it is no address. */
+export function originOf(search: string): string | undefined {
+  const given = new URLSearchParams(search).get('origin');
+  if (given === null) return undefined;
+  return URL.canParse(given) ? new URL(given).origin : '';
+}

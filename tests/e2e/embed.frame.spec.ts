@@ -1,0 +1,133 @@
+/** Smoke in a frame of another origin, as strictly sandboxed as frames can be. */
+import { readFileSync } from 'node:fs';
+import { expect, test } from '../support/fixtures.ts';
+
+// The site as it is published: its frame is one script.
+test.use({ showsBuiltSite: true });
+
+type Cases = typeof import('./embed.cases.ts');
+type FrameCases = typeof import('./embed.frame.cases.ts');
+const FRAMES = '/tests/e2e/embed.frame.cases.ts';
+const SANDBOX = 'allow-scripts';
+const WISP = '?paused=1#v=1&preset=wisp&simulation.maxParticles=300';
+
+test('a frame without an origin needs scripts alone, and shows what a stage on this page shows', async ({
+  load,
+  blank,
+  baseURL,
+}) => {
+  const fetched: string[] = [];
+  const note = (request: { url(): string }) => fetched.push(new URL(request.url()).pathname);
+  const frames = await load<FrameCases>(FRAMES);
+  const cases = await load<Cases>('/tests/e2e/embed.cases.ts');
+  blank.on('request', note);
+  const framed = await frames.evaluateHandle((module, [url, sandbox]) => module.connect(url, sandbox), [
+    `${baseURL}/embed.html${WISP}`,
+    SANDBOX,
+  ] as const);
+  blank.off('request', note);
+  expect(fetched.filter((path) => !/embed\.(html|css)$|favicon\.svg$|assets\/embed-[\w-]{8}\.js$/.test(path))).toEqual(
+    [],
+  );
+  const report = await cases.evaluate(async (module, { stage }) => {
+    const here = await module.open({ thread: 'main' });
+    for (const each of [stage, here.stage]) await each.step(90);
+    const pictures = await Promise.all([stage, here.stage].map(async (each) => module.pixelsOf(await each.picture())));
+    const hashes = [await stage.hash(), await here.stage.hash()];
+    await here.stage.dispose();
+    return {
+      thread: stage.thread,
+      hashes,
+      changed: module.differing(pictures[0], pictures[1]),
+      colors: new Set(pictures[0]).size,
+    };
+  }, framed);
+  expect(report.thread).toBe('frame');
+  expect(report.hashes[0]).toBe(report.hashes[1]);
+  expect(report.colors).toBeGreaterThan(20);
+  expect(report.changed).toBe(0);
+});
+
+test('plays, tells, refuses and ends as any stage does', async ({ load, baseURL }) => {
+  const frames = await load<FrameCases>(FRAMES);
+  const cases = await load<Cases>('/tests/e2e/embed.cases.ts');
+  const framed = await frames.evaluateHandle((module, [url, sandbox]) => module.connect(url, sandbox), [
+    `${baseURL}/embed.html${WISP}`,
+    SANDBOX,
+  ] as const);
+  const report = await cases.evaluate(async (module, { stage, frame }) => {
+    const told: boolean[] = [];
+    stage.on('statechange', ({ playing }) => told.push(playing));
+    await stage.play();
+    await module.goesOn(stage, 2);
+    await stage.pause();
+    await stage.get();
+    const refused = await module.thrownBy(() => stage.set({ 'emission.rate': -5 }));
+    await stage.set({ 'emission.rate': 50 });
+    const rate = (await stage.get())['emission.rate'];
+    const hasEnded = new Promise<string>((resolve) => stage.on('error', ({ name }) => resolve(name)));
+    frame.src = frame.src.replace('paused=1', 'paused=true');
+    const ended = await hasEnded;
+    await stage.dispose();
+    return { told, refused, rate, ended, after: (await module.thrownBy(() => stage.play()))?.name };
+  }, framed);
+  expect(report.told.slice(0, 2)).toEqual([true, false]);
+  expect(report.refused).toMatchObject({ name: 'ParameterError', key: 'emission.rate', value: -5, isOurs: true });
+  expect(report).toMatchObject({ rate: 50, ended: 'SimulatorError', after: 'SimulatorError' });
+});
+
+test('goes by hash and query as the demo does, and brings the physics only where they are needed', async ({
+  load,
+  blank,
+  baseURL,
+}) => {
+  const physics: string[] = [];
+  blank.on('request', (request) => request.url().includes('embed-physics') && physics.push(request.url()));
+  const frames = await load<FrameCases>(FRAMES);
+  const address = `${baseURL}/embed.html?paused=1&t=0.5`;
+  const framed = await frames.evaluateHandle((module, [url, sandbox]) => module.connect(url, sandbox), [
+    `${address}#v=1&preset=wisp&simulation.maxParticles=300&seed=7`,
+    SANDBOX,
+  ] as const);
+  const before = await frames.evaluate((module, { stage }) => module.stateOf(stage), framed);
+  expect(before).toMatchObject({ steps: 30, values: { scene: 'wisp', seed: 7 } });
+  expect(physics).toEqual([]);
+  await framed.evaluate(
+    ({ frame }, url) => (frame.src = url),
+    `${address}#v=1&preset=lamp&simulation.maxParticles=300`,
+  );
+  await expect.poll(() => framed.evaluate(async ({ stage }) => (await stage.get()).scene)).toBe('lamp');
+  expect(physics).toHaveLength(1);
+});
+
+test('only the origin that the address names may have the stage', async ({ load, baseURL }) => {
+  const frames = await load<FrameCases>(FRAMES);
+  const origin = await frames.evaluate(() => location.origin);
+  const letsIn = (query: string) =>
+    frames.evaluate((module, url) => module.letsIn(url), `${baseURL}/embed.html?${query}${WISP.slice(1)}`);
+  expect(await letsIn(`origin=${origin}&`)).toBe(true);
+  const strangers = ['https://example.org', 'null', '*'].map((other) => letsIn(`origin=${other}&`));
+  expect(await Promise.all(strangers)).toEqual([false, false, false]);
+});
+
+test('five thousand hostile messages change nothing and raise nothing', async ({ load, baseURL }) => {
+  const frames = await load<FrameCases>(FRAMES);
+  const framed = await frames.evaluateHandle((module, [url, sandbox]) => module.connect(url, sandbox), [
+    `${baseURL}/embed.html${WISP}`,
+    SANDBOX,
+  ] as const);
+  await framed.evaluate(({ stage }) => stage.step(30));
+  const before = await frames.evaluate((module, { stage }) => module.stateOf(stage), framed);
+  const report = await frames.evaluate((module, { frame }) => module.attack(frame, 5_000), framed);
+  expect(report).toEqual({ accepted: 0, sent: 5_000 });
+  expect(await frames.evaluate((module, { stage }) => module.stateOf(stage), framed)).toEqual(before);
+});
+
+test('each preset of the gallery has an oEmbed answer', () => {
+  const answer = JSON.parse(readFileSync(new URL('../../dist/oembed/wisp.json', import.meta.url), 'utf8')) as object;
+  expect(answer).toMatchObject({ version: '1.0', type: 'rich', width: 640, height: 360 });
+  expect(answer).toHaveProperty(
+    'html',
+    expect.stringMatching(/^<iframe src="[^"]*embed\.html#v=1&amp;preset=wisp" title="/),
+  );
+});
