@@ -4,12 +4,27 @@ import type { LabPicture } from './lab.ts';
 /** Steps of a channel that nobody sees as an edge: by so much lines fade and backdrops differ from row to row. */
 const UNSEEN = 10;
 
+/** What counts as one area of change. */
+export interface Explained {
+  /** What was so near before may have moved here, pixels. */
+  reach: number;
+  /**
+   * As wide a strip, pixels, may come from behind an edge that moves, in a colour that was seen nowhere before. Lines of ink
+   * are as thin and may not: they count however thin they are.
+   */
+  strip?: { width: number; ink: number };
+}
+
 /**
  * Areas of one picture whose colour the other has nowhere within `reach` pixels of them. The border is left out as far as
  * that reaches: what is seen there may come from beyond the picture, or go there.
  * @returns pixels of all of them, and of the largest connected one
  */
-export function unexplained(a: LabPicture, b: LabPicture, reach: number): { all: number; largest: number } {
+export function unexplained(
+  a: LabPicture,
+  b: LabPicture,
+  { reach, strip }: Explained,
+): { all: number; largest: number } {
   const [from, to] = [a, b].map(({ pixels }) => new Uint32Array(pixels.buffer));
   const sudden = new Set<number>();
   for (let y = reach; y < a.height - reach; y++) {
@@ -18,12 +33,15 @@ export function unexplained(a: LabPicture, b: LabPicture, reach: number): { all:
       if (from[pixel] !== to[pixel] && !occursNear(from[pixel], to, pixel, reach, a.width)) sudden.add(pixel);
     }
   }
-  return { all: sudden.size, largest: largestArea(sudden, a.width) };
+  const areas = areasOf(sudden, a.width).map((area) =>
+    strip ? withoutStrips(area, from, strip, a.width) : area.length,
+  );
+  return { all: areas.reduce((sum, area) => sum + area, 0), largest: Math.max(0, ...areas) };
 }
 
 /** As {@link unexplained}, both ways: what comes is as sudden as what goes. */
-export function suddenChange(a: LabPicture, b: LabPicture, reach: number): { all: number; largest: number } {
-  const [gone, come] = [unexplained(a, b, reach), unexplained(b, a, reach)];
+export function suddenChange(a: LabPicture, b: LabPicture, explained: Explained): { all: number; largest: number } {
+  const [gone, come] = [unexplained(a, b, explained), unexplained(b, a, explained)];
   return { all: Math.max(gone.all, come.all), largest: Math.max(gone.largest, come.largest) };
 }
 
@@ -39,10 +57,10 @@ function looksAlike(one: number, other: number): boolean {
   return [0, 8, 16, 24].every((bits) => Math.abs(((one >>> bits) & 255) - ((other >>> bits) & 255)) <= UNSEEN);
 }
 
-/** Pixels of the largest area that hangs together, over corners too. */
-function largestArea(pixels: Set<number>, width: number): number {
+/** Areas that hang together, over corners too. */
+function areasOf(pixels: Set<number>, width: number): number[][] {
   const left = new Set(pixels);
-  let largest = 0;
+  const areas: number[][] = [];
   for (const seed of pixels) {
     if (!left.delete(seed)) continue;
     const area = [seed];
@@ -51,7 +69,20 @@ function largestArea(pixels: Set<number>, width: number): number {
         if (left.delete(pixel + step)) area.push(pixel + step);
       }
     }
-    largest = Math.max(largest, area.length);
+    areas.push(area);
   }
-  return largest;
+  return areas;
+}
+
+/** Pixels of an area, or those of its ink alone where all of it is a thin strip. */
+function withoutStrips(
+  area: number[],
+  colors: Uint32Array,
+  strip: { width: number; ink: number },
+  row: number,
+): number {
+  const own = new Set(area);
+  const steps = Array.from({ length: strip.width + 1 }, (_, step) => step);
+  const isBroad = area.some((corner) => steps.every((y) => steps.every((x) => own.has(corner + y * row + x))));
+  return isBroad ? area.length : area.filter((pixel) => looksAlike(colors[pixel], strip.ink)).length;
 }

@@ -68,6 +68,12 @@ export class SceneLab {
     return this.simulation.simulator;
   }
 
+  /** The colour of lines as it stands in pictures. */
+  get ink(): number {
+    const [red, green, blue] = this.style.inkColor;
+    return (255 << 24) | (blue << 16) | (green << 8) | red;
+  }
+
   step(steps: number): void {
     this.simulation.advance(steps);
   }

@@ -28,7 +28,7 @@ export function orbit(what: 'puff' | 'cluster', steps = 360): OrbitReport {
   for (let degree = 1; degree <= steps; degree++) {
     const now = lab.draw({ ...scene, camera: cameraAt(degree) });
     const reach = Math.ceil(report.motion) + 1;
-    const sudden = suddenChange(before, now, reach).all;
+    const sudden = suddenChange(before, now, { reach }).all;
     if (sudden > report.largest) Object.assign(report, { largest: sudden, at: degree });
     report.painted = Math.min(report.painted, now.pixels.filter((value, i) => i % 4 === 3 && value > 0).length);
     before = now;

@@ -30,7 +30,7 @@ export async function timePassing(scene: string, fromStep: number, steps: number
   const lab = await SceneLab.create(scene, { ...SIZE, holdsParts: true });
   lab.step(fromStep);
   let corners = surfaceCorners(lab);
-  const report = await watch(lab, steps, () => {
+  const report = await watch(lab, lab.camera(), steps, () => {
     lab.step(1);
     const [before, camera] = [corners, lab.camera()];
     corners = surfaceCorners(lab);
@@ -49,7 +49,7 @@ export async function orbiting(scene: string, atStep: number, degrees: number): 
   const extent = Math.max(...particles.map((place) => place.distanceTo(new Vector3(...target))));
   const distance = Math.max(own, extent / (1 - NEAREST));
   const step = Math.PI / 180;
-  const report = await watch(lab, degrees, (degree) => ({
+  const report = await watch(lab, lab.camera({ distance }), degrees, (degree) => ({
     camera: lab.camera({ azimuth: azimuth + degree * step, distance }),
     motion: (1 - NEAREST) * distance * step * lab.pixelsPerMetre(NEAREST * distance),
   }));
@@ -57,15 +57,16 @@ export async function orbiting(scene: string, atStep: number, degrees: number): 
   return report;
 }
 
-type Next = (picture: number) => { camera: ReturnType<SceneLab['camera']>; motion: number };
+type Next = (picture: number) => { camera: PerspectiveCamera; motion: number };
 
-async function watch(lab: SceneLab, pictures: number, next: Next): Promise<Steadiness> {
+async function watch(lab: SceneLab, first: PerspectiveCamera, pictures: number, next: Next): Promise<Steadiness> {
   const report: Steadiness = { largest: 0, at: 0, all: 0, motion: 0, pictures, bodies: Infinity };
-  let before = lab.draw();
+  let before = lab.draw({ camera: first });
   for (let picture = 1; picture <= pictures; picture++) {
     const { camera, motion } = next(picture);
     const now = lab.draw({ camera });
-    const { all, largest } = suddenChange(before, now, Math.ceil(motion) + SLACK);
+    const strip = { width: Math.ceil(motion), ink: lab.ink };
+    const { all, largest } = suddenChange(before, now, { reach: Math.ceil(motion) + SLACK, strip });
     if (largest > report.largest) Object.assign(report, { largest, at: picture });
     report.all = Math.max(report.all, all);
     report.motion = Math.max(report.motion, motion);
