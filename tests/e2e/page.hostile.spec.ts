@@ -76,3 +76,13 @@ test('script in every text value leaves the values as they were', async ({ page 
   const values = await ask(page, (stage) => stage.get());
   expect(Object.values(values).filter((value) => String(value).includes('ran'))).toEqual([]);
 });
+
+test('the worst opens a page of its own as well', async ({ page }) => {
+  const [long, , bomb, zeros] = await hostileLinks();
+  for (const { link, told } of [long, bomb, zeros]) {
+    await open(page, `?paused=1${SMALL}${link}`);
+    await expect(page.locator('.notices')).toContainText(told);
+    expect(await ask(page, (stage) => (stage.step(1), stage.stats.steps))).toBe(1);
+    expect(await traces(page)).toEqual(NOTHING);
+  }
+});

@@ -1,0 +1,108 @@
+/** Every row of the table at both ends of what a link may ask for, tried on the stage of the page. */
+import type { Page } from '@playwright/test';
+import type { Parameter, Value, Values } from '../../src/preset/parameter.ts';
+import { table } from '../../src/preset/table.ts';
+
+/** Of one row, or of all rows of an item. */
+export interface Trial {
+  readonly name: string;
+  readonly low: Values;
+  readonly high: Values;
+}
+
+/** What a row needs beside it to show in the picture. */
+const COMPANIONS: readonly (readonly [key: RegExp, values: Values])[] = [
+  [/^style\.(shadowDepth|deepShadow)$/, { 'style.shadowSteps': 2, 'style.shadowDepth': 2 }],
+  [/^style\.rampBlend$/, { 'style.ramp': '0:000000,1:ffffff' }],
+  [/^style\.rimColor$/, { 'style.rim': 1 }],
+  [/^style\.washColor$/, { 'style.wash': 1 }],
+  [/^style\.softColors$/, { 'style.ageRamp': '0:000000,1:ffffff' }],
+  [/^style\.gradient(Color|Bottom|Top)$/, { 'style.gradient': 'height' }],
+  [/^light\.distance$/, { 'light.kind': 'lamp' }],
+];
+
+const ENDS: Record<Exclude<Parameter['kind'], 'number' | 'integer' | 'choice'>, readonly [Value, Value]> = {
+  toggle: [0, 1],
+  color: ['#000000', '#ffffff'],
+  curve: ['0:1,1:0', '0:0,.125:.5,.25:1,.375:.5,.5:1,.625:.25,.75:1,1:1'],
+  ramp: ['', '0:ff0000,.1:00ff00,.2:0000ff,.3:ff00ff,.4:00ffff,.5:ffff00,1:ffffff'],
+};
+
+function endsOf(row: Parameter): readonly [Value, Value] {
+  if (row.kind === 'choice') return [row.options[0].value, row.options.at(-1)!.value];
+  if (row.kind === 'number' || row.kind === 'integer') return [row.min, row.linkMax ?? row.max];
+  return ENDS[row.kind];
+}
+
+/** All rows at once at one of their ends. @param end 0 for the lower */
+export function valuesAt(rows: readonly Parameter[], end: 0 | 1): Values {
+  const companions = COMPANIONS.filter(([key]) => rows.some((row) => key.test(row.key))).map(([, values]) => values);
+  return Object.assign({}, ...companions, Object.fromEntries(rows.map((row) => [row.key, endsOf(row)[end]]))) as Values;
+}
+
+const rowsOf = (readers: readonly Parameter['reader'][]) =>
+  table.filter(({ reader, key }) => readers.includes(reader) && key !== 'scene');
+const isLaterItem = ({ key }: Parameter) => /^\w+\.[1-7]\./.test(key);
+
+/** Each row by itself; of the items of a list, which are alike, the first only. */
+export function singleTrials(...readers: Parameter['reader'][]): Trial[] {
+  return rowsOf(readers)
+    .filter((row) => !isLaterItem(row))
+    .map((row) => ({ name: row.key, low: valuesAt([row], 0), high: valuesAt([row], 1) }));
+}
+
+/** The other items of each list, all rows of one at once. */
+export function itemTrials(): Trial[] {
+  const items = new Map<string, Parameter[]>();
+  for (const row of rowsOf(['simulator']).filter(isLaterItem)) {
+    items.set(row.group, [...(items.get(row.group) ?? []), row]);
+  }
+  return [...items].map(([name, rows]) => ({ name, low: valuesAt(rows, 0), high: valuesAt(rows, 1) }));
+}
+
+/**
+ * Names of the trials whose two ends lead to the same state of the simulator. A state that was saved is taken up again,
+ * which is refused where it holds a number that is not finite.
+ */
+export function withoutEffectOnState(page: Page, trials: readonly Trial[]): Promise<string[]> {
+  return page.evaluate((list) => {
+    const stage = window.cartoonSmoke!;
+    // Nobody sees the pictures.
+    stage.resize(0, 0);
+    const room = Number(stage.get()['simulation.maxParticles']);
+    const start = stage.save();
+    const after = (values: Record<string, string | number>) => {
+      stage.set({ 'simulation.maxParticles': room });
+      stage.restore(start);
+      stage.set(values);
+      stage.step(1);
+      const now = stage.get();
+      const lost = Object.keys(values).filter((key) => now[key] !== values[key]);
+      if (lost.length > 0) throw new Error(`The stage did not keep ${lost.join()}`);
+      const state = stage.save();
+      stage.restore(state);
+      return `${stage.hash()} ${state.join()}`;
+    };
+    return list.filter(({ low, high }) => after(low) === after(high)).map(({ name }) => name);
+  }, trials);
+}
+
+/** Names of the trials after which the picture is the same at both ends, and as it was. */
+export function withoutEffectOnPicture(page: Page, trials: readonly Trial[]): Promise<string[]> {
+  return page.evaluate((list) => {
+    const stage = window.cartoonSmoke!;
+    const { canvas } = stage;
+    const context = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', { willReadFrequently: true })!;
+    const before = stage.get();
+    const draw = (values: Record<string, string | number>) => {
+      // In a pause the picture is drawn at once, and can be read in the same task.
+      stage.set({ ...before, ...values });
+      context.clearRect(0, 0, canvas.width, canvas.height);
+      context.drawImage(canvas, 0, 0);
+      stage.unset(Object.keys(values).filter((key) => !(key in before)));
+      return context.getImageData(0, 0, canvas.width, canvas.height).data.join();
+    };
+    const usual = draw({});
+    return list.filter(({ low, high }) => new Set([usual, draw(low), draw(high)]).size === 1).map(({ name }) => name);
+  }, trials);
+}

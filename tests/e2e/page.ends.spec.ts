@@ -1,0 +1,63 @@
+/** Every row of the table at both ends of what a link may ask for: something changes, and nothing breaks. */
+import { table } from '../../src/preset/table.ts';
+import { expect, test } from '../support/fixtures.ts';
+import { itemTrials, singleTrials, valuesAt, withoutEffectOnPicture, withoutEffectOnState } from './ends.ts';
+import { ask, open } from './page.ts';
+
+test.use({ viewport: { width: 96, height: 72 } });
+
+const SMALL = '#v=1&preset=lamp&emission.rate=40&simulation.maxParticles=120';
+
+test('what the simulator reads changes its state', async ({ page }) => {
+  await open(page, `?paused=1&ui=0${SMALL}`);
+  await ask(page, (stage) => stage.step(60));
+  expect(await withoutEffectOnState(page, singleTrials('simulator', 'stage'))).toEqual([]);
+});
+
+test('so do all items of its lists, each as a whole', async ({ page }) => {
+  await open(page, `?paused=1&ui=0${SMALL}`);
+  await ask(page, (stage) => stage.step(60));
+  expect(await withoutEffectOnState(page, itemTrials())).toEqual([]);
+});
+
+test('all at once at their ends leave the simulator alive, without NaN', async ({ page }) => {
+  await open(page, `?paused=1&ui=0${SMALL}`);
+  const rows = table.filter(({ reader }) => reader === 'simulator');
+  const states = await page.evaluate(
+    (all) => {
+      const stage = window.cartoonSmoke!;
+      stage.resize(0, 0);
+      return all.map((values) => {
+        stage.restart();
+        stage.step(30);
+        stage.set(values);
+        stage.step(30);
+        const { alive, waiting, steps } = stage.stats;
+        // Taking up a state is refused where it holds a number that is not finite.
+        stage.restore(stage.save());
+        return { figures: [alive, waiting, steps].every(Number.isFinite), hash: stage.hash() };
+      });
+    },
+    [valuesAt(rows, 0), valuesAt(rows, 1)],
+  );
+  for (const { figures, hash } of states) {
+    expect(figures).toBe(true);
+    expect(hash).toMatch(/^[0-9a-f]{16}$/);
+  }
+  expect(states[0].hash).not.toBe(states[1].hash);
+});
+
+test('what style, light and camera read changes the picture', async ({ page }) => {
+  await open(page, `?paused=1&ui=0${SMALL}`);
+  await ask(page, (stage) => {
+    stage.resize(96, 72, 1);
+    stage.set({ 'camera.distance': 4.5 });
+    for (const tint of [1, 2, 3]) {
+      stage.set({ 'emitters.0.tint': tint });
+      stage.step(15);
+    }
+    stage.set({ 'emitters.0.tint': 0 });
+    stage.step(110);
+  });
+  expect(await withoutEffectOnPicture(page, singleTrials('style', 'light', 'camera'))).toEqual([]);
+});
