@@ -1,21 +1,39 @@
+import type { Stage } from '../stage/stage.ts';
 import { create, textButton } from './dom.ts';
 import { strings } from './strings.ts';
 
-/** The sheet of everything that pointer and keys can do. */
-export function createHelp(): HTMLDialogElement {
-  const { title, pointer, keys, paper, close } = strings.help;
-  const list = create('dl', {}, ...[...pointer, ...keys].flatMap(([what, does]) => describe(what, does)));
-  const button = textButton('loud', close, () => sheet.close());
-  const link = create('p', {}, create('a', { href: './paper.html' }, paper));
-  const heading = create('h2', { id: 'help-title' }, title);
-  const sheet = create('dialog', { class: 'sheet card', 'aria-labelledby': 'help-title' }, heading, list, link, button);
-  return sheet;
+/** The sheet of everything that pointer and keys can do in the scene that is shown. */
+export class Help {
+  readonly element: HTMLDialogElement;
+  private readonly stage: Stage;
+  private readonly list = create('dl', {});
+
+  constructor(stage: Stage) {
+    const { title, paper, close } = strings.help;
+    this.stage = stage;
+    const button = textButton('loud', close, () => this.element.close());
+    const link = create('p', {}, create('a', { href: './paper.html' }, paper));
+    const heading = create('h2', { id: 'help-title' }, title);
+    const attributes = { class: 'sheet card', 'aria-labelledby': 'help-title' };
+    this.element = create('dialog', attributes, heading, this.list, link, button);
+  }
+
+  /** Opens the sheet, or closes it when it is open. */
+  toggle(): void {
+    if (this.element.open) return this.element.close();
+    this.list.replaceChildren(...rows(this.stage).flatMap(([what, does]) => describe(what, does)));
+    this.element.showModal();
+  }
 }
 
-/** Opens the sheet, or closes it when it is open. */
-export function toggleHelp(sheet: HTMLDialogElement): void {
-  if (sheet.open) sheet.close();
-  else sheet.showModal();
+type Row = readonly [what: string, does: string];
+
+function rows(stage: Stage): readonly Row[] {
+  const { hand, arrows, depth, drops, pointer, keys } = strings.help;
+  const held = strings.scenes[String(stage.get().scene)]?.hand;
+  const drag: Row[] = held ? [[hand(held.thing), held.does]] : [];
+  const move: Row[] = held ? [arrows(held.thing), depth(held.thing)] : [];
+  return [...drag, ...pointer, ...(stage.dropCount > 0 ? drops : []), ...move, ...keys];
 }
 
 function describe(what: string, does: string): HTMLElement[] {

@@ -18,6 +18,8 @@ export interface KeyActions {
   toggleGallery(): void;
   toggleGizmos(): void;
   toggleStatistics(): void;
+  /** Drops something into the smoke. */
+  drop(): void;
   fullScreen(): void;
   nextView(): void;
   undo(): void;
@@ -26,7 +28,7 @@ export interface KeyActions {
   zoom(factor: number): void;
   /** Turns the view: right and up, in steps. */
   turn(right: number, up: number): void;
-  /** Where the held keys push the ball: right, up, towards the viewer, each -1, 0 or 1. */
+  /** Where the held keys push what people can move: right, up, towards the viewer, each -1, 0 or 1. */
   push(right: number, up: number, near: number): void;
 }
 
@@ -80,6 +82,7 @@ function simpleKeys(actions: KeyActions): Readonly<Record<string, () => void>> {
     g: () => actions.toggleGallery(),
     h: () => actions.toggleGizmos(),
     i: () => actions.toggleStatistics(),
+    d: () => actions.drop(),
     f: () => actions.fullScreen(),
     '?': () => actions.help(),
     '0': () => actions.resetView(),

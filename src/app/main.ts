@@ -7,6 +7,7 @@ import { createStage, type Stage } from '../stage/stage.ts';
 import { followAddress } from './address.ts';
 import { BallKeys } from './ball.ts';
 import { connectStage } from './connect.ts';
+import { describeScene } from './describeScene.ts';
 import { textButton } from './dom.ts';
 import { Editor } from './editor.ts';
 import { fitStage, pixelRatio, restWhileHidden } from './fit.ts';
@@ -66,8 +67,9 @@ async function start(): Promise<void> {
   });
   const scrubber = new Scrubber(stage);
   tellOfLongWays(scrubber, host);
-  const page = buildPage(host, { editor, stage, notices, scrubber, hasStatistics: environment.hasStatistics });
+  const page = buildPage(host, { editor, stage, canvas, notices, scrubber, hasStatistics: environment.hasStatistics });
   connectInput(stage, editor, page, scrubber);
+  describeScene(stage, canvas);
   fitStage(stage, canvas);
   restWhileHidden(stage);
   await begin(stage, moment ? { ...environment, time: 0 } : environment, notices);
@@ -85,7 +87,7 @@ async function arriveAt(moment: Moment, stage: Stage, editor: Editor, notices: N
 }
 
 async function load(editor: Editor, { quality, view }: Environment): Promise<Stage> {
-  const progress = new Progress(strings.progress.loading);
+  const progress = new Progress(strings.scenes[String(editor.state.values.scene)].loading);
   host.append(progress.element);
   try {
     return await createStage(canvas, {

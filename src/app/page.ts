@@ -3,10 +3,11 @@ import { CaptureButton } from './capture/button.ts';
 import { createDock } from './dock.ts';
 import { create, iconButton } from './dom.ts';
 import { acceptDrops } from './drops.ts';
+import { DropThings } from './dropThings.ts';
 import type { Editor } from './editor.ts';
 import { SmokeFiles } from './files.ts';
 import { Gizmos } from './gizmos.ts';
-import { createHelp, toggleHelp } from './help.ts';
+import { Help } from './help.ts';
 import { icon } from './icons.ts';
 import type { Notices } from './notices.ts';
 import { OwnPresets } from './ownPresets.ts';
@@ -29,6 +30,7 @@ export interface Page {
   toggleGallery(): void;
   toggleGizmos(): void;
   toggleStatistics(): void;
+  drop(): void;
 }
 
 /** On a phone the panel covers half of the smoke, so it starts closed there. */
@@ -38,6 +40,8 @@ const ROOMY = '(min-width: 701px) and (min-height: 501px)';
 export interface PageParts {
   readonly editor: Editor;
   readonly stage: Stage;
+  /** On which the stage draws. */
+  readonly canvas: HTMLCanvasElement;
   readonly notices: Notices;
   readonly scrubber: Scrubber;
   /** Whether statistics are shown from the start. */
@@ -47,7 +51,7 @@ export interface PageParts {
 /** Puts the controls over the canvas. @param host the element that holds them */
 export function buildPage(host: HTMLElement, parts: PageParts): Page {
   const { editor, stage, notices, scrubber } = parts;
-  const help = createHelp();
+  const help = new Help(stage);
   const captureButton = new CaptureButton(stage, host, notices);
   const views = new Views(stage);
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
@@ -61,7 +65,8 @@ export function buildPage(host: HTMLElement, parts: PageParts): Page {
     page.togglePanel();
     toggle.focus();
   });
-  const dock = createDock(editor, stage, scrubber);
+  const things = new DropThings(stage, parts.canvas);
+  const dock = createDock(editor, stage, scrubber, things.element);
   const gizmos = new Gizmos(editor, stage);
   const gizmoToggle = iconButton('icon-button', strings.gizmos.title, icon('handles'), () => page.toggleGizmos());
   gizmoToggle.setAttribute('aria-pressed', 'false');
@@ -75,7 +80,7 @@ export function buildPage(host: HTMLElement, parts: PageParts): Page {
   const page: Page = {
     share: () => void sheet.open(ownShape.name),
     capture: () => captureButton.press(),
-    help: () => toggleHelp(help),
+    help: () => help.toggle(),
     nextView: () => views.next(),
     togglePanel: () => showPanel(panel.hidden !== false),
     search: () => {
@@ -90,13 +95,14 @@ export function buildPage(host: HTMLElement, parts: PageParts): Page {
       if (isShown && !matchMedia(ROOMY).matches) dock.closeGallery();
     },
     toggleStatistics: () => statistics.toggle(),
+    drop: () => things.here(),
   };
   host.append(
     gizmos.element,
     createHeader(page, captureButton.element, gizmoToggle, toggle),
     dock.element,
     panel,
-    help,
+    help.element,
     sheet.element,
     views.element,
     statistics.element,

@@ -1,6 +1,51 @@
+/** What the page says of a scene. */
+interface SceneWords {
+  /** While it comes. */
+  readonly loading: string;
+  /** What its picture shows. */
+  readonly picture: string;
+  /** What people can move in it, and what for. */
+  readonly hand?: { readonly thing: string; readonly does: string };
+}
+
+const scenes: Readonly<Record<string, SceneWords>> = {
+  lamp: {
+    loading: 'Rubbing the lamp\u2026',
+    picture: 'A magic oil lamp that breathes cartoon smoke.',
+    hand: { thing: 'the ball', does: 'push it through the smoke' },
+  },
+  airplane: {
+    loading: 'Turning the propeller\u2026',
+    picture: 'A toy airplane that parts the clouds.',
+    hand: { thing: 'the airplane', does: 'steer it through the clouds' },
+  },
+  train: {
+    loading: 'Shovelling coal\u2026',
+    picture: 'A toy train that goes round an island under its own smoke.',
+  },
+  campfire: { loading: 'Gathering wood\u2026', picture: 'A campfire at night, and a marshmallow.' },
+  rocket: { loading: 'Counting down\u2026', picture: 'A toy rocket that takes off in a ring of smoke.' },
+  genie: {
+    loading: 'Rubbing the lamp\u2026',
+    picture: 'A genie of smoke above his lamp.',
+    hand: { thing: 'the genie', does: 'call him to another place' },
+  },
+  dust: {
+    loading: 'Waking the mole\u2026',
+    picture: 'A piece of desert where balls and a crate raise dust, and a mole kicks them up.',
+    hand: { thing: 'the red ball', does: 'throw it: let go while it moves' },
+  },
+  cloudscape: { loading: 'Gathering clouds\u2026', picture: 'Clouds that drift over a meadow.' },
+  wisp: { loading: 'Boiling water\u2026', picture: 'A cup of tea that steams.' },
+};
+
 /** All words of the page in one place, so that somebody can translate them. Labels of parameters are in the table. */
 export const strings = {
   title: 'Cartoon Smoke',
+  scenes,
+  picture: (picture: string, thing?: string) =>
+    thing ? `${picture} Drag ${thing}, or move it with the arrow keys.` : picture,
+  drop: 'Drop a ball or a crate',
   panel: {
     title: 'Parameters',
     open: 'Parameters',
@@ -187,8 +232,14 @@ export const strings = {
     title: 'Play with smoke',
     paper: 'How it follows the paper of 2006',
     close: 'Close',
+    hand: (thing: string) => `Drag ${thing}`,
+    arrows: (thing: string) => ['\u2190 \u2192 \u2191 \u2193', `move ${thing}`] as const,
+    depth: (thing: string) => ['Page Up, Page Down', `move ${thing} away, towards you`] as const,
+    drops: [
+      ['Double click or double tap', 'drop a ball or a crate there'],
+      ['D', 'drop one where the pointer is'],
+    ],
     pointer: [
-      ['Drag the ball', 'push it through the smoke'],
       ['Drag elsewhere', 'look from another side'],
       ['Alt + drag elsewhere', 'blow into the smoke'],
       ['Wheel or pinch', 'come nearer, go farther'],
@@ -200,8 +251,6 @@ export const strings = {
       ['[ and ]', 'a second back, a second on'],
       ['Esc', 'stop on a long way along the time line'],
       ['R', 'start over'],
-      ['\u2190 \u2192 \u2191 \u2193', 'move the ball'],
-      ['Page Up, Page Down', 'move the ball away, towards you'],
       ['Shift + \u2190 \u2192 \u2191 \u2193', 'look from another side'],
       ['+ \u2212', 'come nearer, go farther'],
       ['0', 'back to the first view'],
@@ -220,7 +269,6 @@ export const strings = {
     ],
   },
   progress: {
-    loading: 'Rubbing the lamp\u2026',
     winding: (seconds: number) => `Winding forward to ${Number(seconds.toFixed(1))} s\u2026`,
     cancel: 'Stop here',
     cancelled: (seconds: number) => `Stopped at ${seconds.toFixed(1)} s.`,
@@ -246,7 +294,7 @@ export const strings = {
       advice: ['Reload the page.', 'Close other pages that draw in 3D: browsers allow only a few at once.'],
     },
     other: {
-      title: 'The lamp went out',
+      title: 'The smoke went out',
       advice: [
         'Reload the page.',
         'If it happens again with this link, try the page without what stands behind # in the address.',

@@ -11,15 +11,21 @@ const READOUT_MS = 100;
 
 /**
  * Play, pause, step, start over, a line to go back and forth on, the simulated time, speed and full screen.
- * @param last a button behind all others
+ * @param more buttons behind all others
  */
-export function createTransport(stage: Stage, scrubber: Scrubber, last: HTMLElement): HTMLElement {
+export function createTransport(stage: Stage, scrubber: Scrubber, ...more: HTMLElement[]): HTMLElement {
   const { title, restart, step } = strings.transport;
   const restartButton = iconButton('icon-button', restart, icon('restart'), () => stage.restart());
   const stepButton = iconButton('icon-button', step, icon('step'), () => takeStep(stage));
   const bar = create('div', { class: 'transport card', role: 'group', 'aria-label': title });
   bar.append(restartButton, createPlayButton(stage), stepButton);
-  bar.append(createTimeline(stage, scrubber), createReadout(stage), createSpeed(stage), createFullScreenButton(), last);
+  bar.append(
+    createTimeline(stage, scrubber),
+    createReadout(stage),
+    createSpeed(stage),
+    createFullScreenButton(),
+    ...more,
+  );
   return bar;
 }
 

@@ -21,6 +21,7 @@ export const HANDED_ON = [
   'pointer',
   'blow',
   'steer',
+  'drop',
   'nudge',
   'orbit',
   'zoom',

@@ -50,9 +50,12 @@ export class CreasesPass {
     this.ink.set(line);
   }
 
-  /** Puts a surface where its rigid is. */
-  place(surface: number, worldFromModel: Matrix4): void {
-    this.meshes.get(surface)?.matrixWorld.copy(worldFromModel);
+  /** Puts a surface where its rigid is, in sight or not. */
+  place(surface: number, worldFromModel: Matrix4, isVisible = true): void {
+    const ribbons = this.meshes.get(surface);
+    if (!ribbons) return;
+    ribbons.matrixWorld.copy(worldFromModel);
+    ribbons.visible = isVisible;
   }
 
   draw(renderer: WebGLRenderer): void {

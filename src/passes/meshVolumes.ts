@@ -37,9 +37,12 @@ export class MeshVolumesPass {
     });
   }
 
-  /** Puts a surface where its rigid is. */
-  place(surface: number, worldFromModel: Matrix4): void {
-    this.meshes.get(surface)?.matrixWorld.copy(worldFromModel);
+  /** Puts a surface where its rigid is, in sight or not. */
+  place(surface: number, worldFromModel: Matrix4, isVisible = true): void {
+    const mesh = this.meshes.get(surface);
+    if (!mesh) return;
+    mesh.matrixWorld.copy(worldFromModel);
+    mesh.visible = isVisible;
   }
 
   draw(renderer: WebGLRenderer): void {

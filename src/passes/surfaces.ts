@@ -76,21 +76,27 @@ export class SurfacesPass {
     for (const hull of this.closing) hull.visible = !hasSeams;
   }
 
-  /** Puts a surface where its rigid is. */
-  place(surface: number, worldFromModel: Matrix4): void {
-    for (const mesh of this.placed[surface]) mesh.matrixWorld.copy(worldFromModel);
+  /** Puts a surface where its rigid is, in sight or not. */
+  place(surface: number, worldFromModel: Matrix4, isVisible = true): void {
+    for (const mesh of this.placed[surface]) {
+      mesh.matrixWorld.copy(worldFromModel);
+      mesh.visible = isVisible;
+    }
   }
 
-  /** The box of all surfaces in world space, empty if there are none. */
+  /** The box of all surfaces that are in sight, in world space; empty if there are none. */
   bounds(into: Box3): Box3 {
     into.makeEmpty();
     for (const box of this.worldBoxes()) into.union(box);
     return into;
   }
 
-  /** The box of each surface in world space. */
+  /** The box of each surface that is in sight, in world space. */
   worldBoxes(): Box3[] {
-    return this.boxes.map((local, surface) => local.clone().applyMatrix4(this.placed[surface][0].matrixWorld));
+    return this.boxes.flatMap((local, surface) => {
+      const [{ visible, matrixWorld }] = this.placed[surface];
+      return visible ? [local.clone().applyMatrix4(matrixWorld)] : [];
+    });
   }
 
   draw(renderer: WebGLRenderer): void {

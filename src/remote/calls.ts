@@ -89,6 +89,7 @@ export const calls: Readonly<Record<keyof RemoteMethods, Call>> = {
   resize: call([length, length, optional(number(FAR))]),
   pointer: call([pointer], oneOf('rigid', null)),
   blow: call([blow]),
+  drop: call([place, place], flag),
   steer: call([integer(0, 7), number(FAR)]),
   nudge: call([record({ dx: optional(place), dy: optional(place), dz: optional(place) })]),
   orbit: call([place, place]),

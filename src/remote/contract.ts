@@ -42,6 +42,8 @@ export interface RemoteMethods {
   pointer(input: PointerInput): Promise<'rigid' | null>;
   blow(input: BlowInput): Promise<void>;
   steer(channel: number, value: number): Promise<void>;
+  /** Drops a ball or a crate at a place of the picture, CSS pixels; whether there was one. */
+  drop(x: number, y: number): Promise<boolean>;
   /** Moves the rigid that people can move, by metres. */
   nudge(by: { dx?: number; dy?: number; dz?: number }): Promise<void>;
   /** Turns the eye about what it looks at, by radians. */

@@ -25,6 +25,7 @@ const methods = {
   resize: (stage, width, height, pixelRatio) => stage.resize(width, height, pixelRatio),
   pointer: (stage, input) => stage.pointer(input),
   blow: (stage, input) => stage.blow(input),
+  drop: (stage, x, y) => stage.drop(x, y),
   steer: (stage, channel, value) => stage.steer(channel, value),
   nudge: (stage, by) => stage.nudge(by),
   orbit: (stage, azimuth, elevation) => stage.camera.orbit(azimuth, elevation),

@@ -52,30 +52,36 @@ export function hitPuffs(speed: number): number {
   return Math.min(BY_HIT * speed ** POWER, MOST_PUFFS);
 }
 
-/** Sets one emitter after the other to a cloud, and the last one, which never smokes, to what is left of all births. */
-export function dustRule(clouds: (moment: MovingMoment) => readonly Cloud[]): Rule {
-  return (moment) => {
-    const all = clouds(moment);
-    const shares = all.map(({ puffs }) => puffs / (DUST_RATE * moment.dt));
-    const rest = Math.max(0, 1 - shares.reduce((sum, share) => sum + share, 0));
-    return Object.fromEntries([
-      ...all.flatMap((cloud, emitter) => emitterValues(emitter, cloud, shares[emitter])),
-      [`emitters.${all.length}.share`, rest],
-    ]);
+/**
+ * Sets one emitter after the other to a cloud, and the one behind the last, which never smokes, to what is left of all
+ * births.
+ * @param count of clouds
+ */
+export function dustRule(count: number, clouds: (moment: MovingMoment) => readonly Cloud[]): Rule {
+  const numbers = Array.from({ length: count }, (_, emitter) => emitter);
+  return {
+    keys: [...numbers.flatMap(emitterKeys), `emitters.${count}.share`],
+    values: (moment) => {
+      const all = clouds(moment);
+      const shares = all.map(({ puffs }) => puffs / (DUST_RATE * moment.dt));
+      const rest = Math.max(0, 1 - shares.reduce((sum, share) => sum + share, 0));
+      const values = all.flatMap((cloud, emitter) => emitterValues(emitter, cloud, shares[emitter]));
+      return Object.fromEntries([...values, [`emitters.${count}.share`, rest]]);
+    },
   };
 }
 
+const KEYS = ['share', 'position.x', 'position.y', 'position.z', 'speed', 'size', 'radius'];
+
+function emitterKeys(emitter: number): string[] {
+  return KEYS.map((key) => `emitters.${emitter}.${key}`);
+}
+
+/** Where it smokes does not matter while it does not. */
 function emitterValues(emitter: number, { at, speed, radius }: Cloud, share: number): [string, number][] {
-  const key = `emitters.${emitter}`;
-  return [
-    [`${key}.share`, share],
-    [`${key}.position.x`, at[0]],
-    [`${key}.position.y`, at[1]],
-    [`${key}.position.z`, at[2]],
-    [`${key}.speed`, Math.min(0.3 + 0.32 * speed, 3)],
-    [`${key}.size`, Math.min(0.17 + 0.03 * speed, 0.38)],
-    [`${key}.radius`, radius],
-  ];
+  const values = [share, ...at, Math.min(0.3 + 0.32 * speed, 3), Math.min(0.17 + 0.03 * speed, 0.38), radius];
+  const keys = emitterKeys(emitter);
+  return (share > 0 ? values : [0]).map((value, index) => [keys[index], value]);
 }
 
 /** Height of its lowest point. */

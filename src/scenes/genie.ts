@@ -44,6 +44,10 @@ export function genie(): Scene {
     surfaces: [...lamp(), ...rug(), ...genieModel(GENIE, HAND)],
     parts: PARTS,
     handle: HANDLE,
+    ground: [
+      { shape: { type: 'cylinder', halfHeight: 0.3, radius: RUG }, position: [0, -0.3, 0] },
+      { shape: { type: 'ball', radius: 0.36 }, position: [LAMP[0], 0.2, LAMP[2]] },
+    ],
     camera: { target: [0, 1.8, 0], azimuth: 0.1, elevation: 0.1, distance: 7.4, fieldOfView: 0.58 },
     portrait: { target: [-0.05, 1.6, 0], distance: 7.6, leastWidth: 0.4 },
     cameraMove: (seconds) => ({ azimuth: 0.18 * Math.sin(seconds / 5), elevation: 0.05 * Math.sin(seconds / 3.3) }),

@@ -24,6 +24,10 @@ export function rocket(): Scene {
     rigidNames: ['Rocket'],
     guide: ({ seconds }) => [{ rigid: ROCKET, ...flight(seconds) }],
     surfaces: [...island(3.2, [232, 196, 138], [180, 124, 100]), ...launchPad(), ...rocketModel(ROCKET)],
+    ground: [
+      { shape: { type: 'cylinder', halfHeight: 0.3, radius: 3.15 }, position: [0, -0.3, 0] },
+      { shape: { type: 'cuboid', halfExtents: [0.26, 1.15, 0.26] }, position: [-1.05, 1.15, -0.3] },
+    ],
     camera: { target: [0, 1.3, 0], azimuth: 0.22, elevation: 0.2, distance: 10.6, fieldOfView: 0.6 },
     portrait: { target: [0, 1.9, 0], distance: 12.4, leastWidth: 0.53 },
     cameraMove: (seconds) => ({

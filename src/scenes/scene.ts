@@ -1,7 +1,7 @@
 import type { Color } from '../device/ramps.ts';
 import type { TriangleMesh } from '../passes/extrusion.ts';
 import type { SurfaceDescription } from '../passes/surfaces.ts';
-import type { RigidDescription } from '../sim/rigid.ts';
+import type { RigidDescription, RigidPart } from '../sim/rigid.ts';
 
 export type Vector = readonly [x: number, y: number, z: number];
 /** A unit quaternion. */
@@ -88,11 +88,13 @@ export interface MovingMoment extends Moment {
  */
 export type Guide = (moment: Moment) => readonly (Placement & { readonly rigid: number })[];
 
-/**
- * Simulator values that follow from what the rigids do, by flat key and always for the same keys; set before each step.
- * As a guide it keeps nothing itself. No take and no link holds what it sets: it is set again.
- */
-export type Rule = (moment: MovingMoment) => Readonly<Record<string, number>>;
+/** Simulator values that follow from what the rigids do. No take and no link holds them: they are set again. */
+export interface Rule {
+  /** Of all values that it ever sets. */
+  readonly keys: readonly string[];
+  /** What to set before the coming step, by flat key. As a guide it keeps nothing itself. */
+  readonly values: (moment: MovingMoment) => Readonly<Record<string, number>>;
+}
 
 /** Something that moves and that no smoke bumps into, such as a wheel: drawn where its pose says. */
 export interface Part {
@@ -119,6 +121,10 @@ export interface Scene {
   /** Meshes that emitters smoke from, in the order of their numbers; none of them is drawn. */
   emissionSurfaces?: readonly Pick<TriangleMesh, 'positions' | 'indices'>[];
   handle?: Handle;
+  /** Rigids that people can drop into it; where absent, those that `drops.ts` brings along. */
+  drops?: readonly number[];
+  /** What dropped things fall on besides the rigids of the scene. */
+  ground?: readonly RigidPart[];
   camera: CameraPose;
   /** What differs in a picture that is higher than wide. */
   portrait?: Partial<CameraPose>;

@@ -38,6 +38,13 @@ export function train(): Scene {
       ...wagon(BLUE, [92, 152, 204], { color: [236, 140, 160], heaps: SWEETS }),
     ],
     parts: PARTS,
+    ground: [
+      { shape: { type: 'cylinder', halfHeight: 0.3, radius: 3.05 }, position: [0, -0.3, 0] },
+      ...TREES.map(([x, z, height]) => ({
+        shape: { type: 'ball', radius: 0.33 * height } as const,
+        position: [x, 0.6 * height, z] as const,
+      })),
+    ],
     camera: { target: [0, 0.95, 0], azimuth: 0.12, elevation: 0.36, distance: 10, fieldOfView: 0.58 },
     portrait: { target: [0, 0.95, 0], elevation: 0.5, distance: 12.5, leastWidth: 0.5 },
     cameraMove: (seconds) => ({ azimuth: 0.4 * Math.sin(seconds / 9), elevation: 0.05 * Math.sin(seconds / 5) }),

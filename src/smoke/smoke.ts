@@ -63,6 +63,8 @@ export interface SmokeOptions {
   puffs?: BakedPuffs;
 }
 
+/** What has fallen lower is in no picture, metres. */
+const OUT_OF_SIGHT = -60;
 const TINTS = 3;
 // The shaders count the tints from 1 on.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
@@ -129,7 +131,8 @@ export class SmokeRenderer {
         surfaces.forEach(({ rigid, part }, surface) => {
           if (rigid === undefined && part === undefined) return;
           const transform = part === undefined ? rigids[rigid!] : parts[part];
-          for (const pass of [surfacesPass, creases, meshVolumes]) pass.place(surface, transform);
+          const isVisible = transform.elements[13] > OUT_OF_SIGHT;
+          for (const pass of [surfacesPass, creases, meshVolumes]) pass.place(surface, transform, isVisible);
         }),
     };
     // Told later, three.js would try to delete in the restored context what belonged to the lost one.

@@ -1,4 +1,4 @@
-import { Vector3, type Matrix4 } from 'three';
+import { Plane, Ray, Vector3, type Camera, type Matrix4, type Vector2 } from 'three';
 import { blowOf, type BlowInput } from './blow.ts';
 import type { PointerInput } from './contract.ts';
 import type { Picture } from './picture.ts';
@@ -54,6 +54,14 @@ export class Gestures {
     this.simulation.input((simulator) => simulator.inputBlow(blow));
   }
 
+  /** Lets a thing fall from a place of the picture, CSS pixels; whether there was one. */
+  drop(x: number, y: number): boolean {
+    if (this.simulation.dropCount === 0 || !this.picture.isVisible) return false;
+    const { camera, centre } = this.picture.eye;
+    this.simulation.drop(placeBefore(this.picture.deviceCoordinates(x, y), camera, centre));
+    return true;
+  }
+
   /** From now on the rigid is shown where it was put, though the spring will bring it there only in the next steps. */
   showMoved(): void {
     this.movedWhilePaused = true;
@@ -71,4 +79,12 @@ export class Gestures {
     if (this.movedWhilePaused) simulation.handleTransform().setPosition(simulation.drag!.target);
     return rigids;
   }
+}
+
+/** Where the ray through a place of the picture meets the plane through a point that faces the eye. */
+function placeBefore(at: Vector2, camera: Camera, point: Vector3): Vector3 {
+  const eye = new Vector3().setFromMatrixPosition(camera.matrixWorld);
+  const ray = new Ray(eye, new Vector3(at.x, at.y, 0.5).unproject(camera).sub(eye).normalize());
+  const plane = new Plane().setFromNormalAndCoplanarPoint(camera.getWorldDirection(new Vector3()), point);
+  return ray.intersectPlane(plane, new Vector3()) ?? point;
 }

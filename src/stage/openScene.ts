@@ -19,8 +19,18 @@ export interface OpenedScene {
  */
 export async function openScene(name: string, onProgress?: LoadOptions['onProgress']): Promise<OpenedScene> {
   const { hasRigids, load } = sceneNamed(name);
-  const [scene, factory] = await Promise.all([fetched(name, load), loadSimulators({ physics: hasRigids, onProgress })]);
+  const whole = hasRigids ? () => withThings(load) : load;
+  const [scene, factory] = await Promise.all([
+    fetched(name, whole),
+    loadSimulators({ physics: hasRigids, onProgress }),
+  ]);
   return { scene, factory };
+}
+
+/** Where there is physics, things can be dropped. */
+async function withThings(load: () => Promise<Scene>): Promise<Scene> {
+  const [scene, { withDrops }] = await Promise.all([load(), import('../scenes/drops.ts')]);
+  return withDrops(scene);
 }
 
 function fetched(name: string, load: () => Promise<Scene>): Promise<Scene> {

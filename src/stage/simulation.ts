@@ -8,6 +8,7 @@ import { POSE_FLOATS } from '../sim/rows.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import type { View } from '../sim/view.ts';
 import { Drag } from './drag.ts';
+import { Dropped, TUMBLED } from './dropped.ts';
 import { simulatorValues, valueOf, valuesIn } from '../sim/simulatorValues.ts';
 import { PlacedParts } from './parts.ts';
 import { KeptStates } from './states.ts';
@@ -45,6 +46,7 @@ export class Simulation {
   private current: Simulator;
   private start: Values;
   private inputsSeen = 0;
+  private readonly dropped: Dropped;
   /** Steps after which the spring lets go of the rigid that people move: undefined while it does not hold it. */
   private heldUntil: number | undefined;
 
@@ -55,6 +57,7 @@ export class Simulation {
     this.rig = rigValues(scene);
     this.matrices = scene.rigids.map(() => new Matrix4());
     this.placedParts = new PlacedParts(scene.parts);
+    this.dropped = new Dropped(scene);
     this.states = new KeptStates(historyBytes);
     this.current = this.create(values);
     this.start = values;
@@ -108,9 +111,8 @@ export class Simulation {
   /** `values` with all that the simulator reads as it is now. */
   valuesIn(values: Values): Values {
     const { rig, rule } = this.scene;
-    const ruled = Object.keys(rule?.(this.moment()) ?? {});
     const after = valuesIn(this.current, values, rig);
-    return Object.fromEntries(Object.entries(after).filter(([key]) => key in values || !ruled.includes(key)));
+    return Object.fromEntries(Object.entries(after).filter(([key]) => key in values || !rule?.keys.includes(key)));
   }
 
   /** Hands on what the simulator reads of `changed`. */
@@ -148,6 +150,22 @@ export class Simulation {
     if (this.heldUntil === Infinity) this.heldUntil = this.current.steps + settling;
   }
 
+  /** How many things can be dropped; 0 where there is nothing. */
+  get dropCount(): number {
+    return this.dropped.count;
+  }
+
+  /** Lets a thing fall from a place, metres: the free one that is farthest from there. Those that wait are very far. */
+  drop(place: Vector3): void {
+    const from = this.dropped.above(place);
+    const held = this.heldUntil === undefined ? undefined : this.scene.handle!.rigid;
+    const rigid = this.dropped.next(from, this.current.rigidPoses(1), held);
+    if (rigid === undefined) return;
+    this.input((simulator) => simulator.inputPose(rigid, from.toArray(), TUMBLED));
+    this.dropped.put(rigid, from);
+  }
+
+  /** Does something that people did. If a take was being replayed, its rest is dropped. */
   input(act: (simulator: Simulator) => void): void {
     act(this.current);
     this.states.dropFrom(this.current.steps);
@@ -167,6 +185,7 @@ export class Simulation {
     const started = performance.now();
     for (let taken = 0; taken < steps; ++taken) {
       this.letGoWhenSettled();
+      this.dropped.clear();
       this.guide();
       this.current.step();
       this.keepState();
@@ -205,6 +224,7 @@ export class Simulation {
       const at = POSE_FLOATS * rigid;
       matrix.compose(place.fromArray(poses, at), turn.fromArray(poses, at + 3), UNSCALED);
     });
+    this.dropped.show(this.matrices);
     return this.matrices;
   }
 
@@ -248,7 +268,7 @@ export class Simulation {
     for (const { rigid, position, rotation } of guide?.(moment) ?? []) {
       this.current.moveRigid(rigid, position, rotation);
     }
-    if (rule) this.current.set(rule(moment));
+    if (rule) this.current.set(rule.values(moment));
   }
 
   private moment(): MovingMoment {
@@ -282,6 +302,7 @@ export class Simulation {
   private resetDrag(): void {
     const { handle } = this.scene;
     this.heldUntil = undefined;
+    this.dropped.clear();
     if (!handle) return;
     this.drag = new Drag(handle);
     this.drag.target.fromArray(this.current.rigidPoses(1), POSE_FLOATS * handle.rigid);

@@ -323,6 +323,23 @@ export class Stage {
     this.#running.gestures.blow(input);
   }
 
+  /** How many things can be dropped into this scene; 0 where it has no physics. */
+  get dropCount(): number {
+    return this.#simulation.dropCount;
+  }
+
+  /**
+   * Drops a ball or a crate into the scene at a place of the picture, CSS pixels from the top left; it falls from there
+   * with the coming step. When all have been dropped, the one comes again that is farthest from there.
+   * @returns whether there was anything to drop
+   */
+  drop(x: number, y: number): boolean {
+    this.#running.requireAlive();
+    let hasDropped = false;
+    this.#running.show(() => (hasDropped = this.#running.gestures.drop(x, y)));
+    return hasDropped;
+  }
+
   /**
    * Steers what a scene has put on a channel.
    * @param channel 0 to 7

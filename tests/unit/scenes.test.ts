@@ -1,5 +1,6 @@
 /** What holds for every scene: that it fits the list of scenes, can be built, and goes the same way every time. */
 import { beforeAll, describe, expect, test } from 'vitest';
+import { strings } from '../../src/app/strings.ts';
 import { findPreset, presets, presetValues } from '../../src/preset/presets.ts';
 import { findParameter } from '../../src/preset/table.ts';
 import { extrude, type TriangleMesh } from '../../src/passes/extrusion.ts';
@@ -43,6 +44,7 @@ describe.each(NAMES)('%s', (name) => {
     expect(scene.name).toBe(name);
     expect(scene.rigids.length > 0).toBe(hasRigids);
     expect(scene.rigidNames).toHaveLength(scene.rigids.length);
+    expect(strings.scenes[name].hand !== undefined, 'the page says what to drag').toBe(scene.handle !== undefined);
   });
 
   test('has surfaces that are closed, wound outwards, and carried by what there is', () => {

@@ -27,7 +27,7 @@ export function jollyBall(rigid: number, radius: number, color: Color, band: Col
  */
 export function jollyCrate(rigid: number, half: number): SurfaceDescription[] {
   const inner = 0.88 * half;
-  const [beam, edge] = [0.16 * half, half - 0.16 * half];
+  const [beam, edge] = [0.15 * half, half - 0.15 * half];
   const along = (axis: 0 | 1 | 2, u: number, v: number) => {
     const extents = [beam, beam, beam] as [number, number, number];
     const at = [u * edge, u * edge, u * edge] as [number, number, number];
