@@ -49,7 +49,8 @@ test('the gallery leads through every scene, and each of them smokes', async ({ 
   await page.keyboard.press('g');
   for (const [scene, { hasRigids }] of Object.entries(sceneEntries)) {
     await choose(page, scene);
-    await expect.poll(() => ask(page, (stage) => [stage.get().scene, stage.stats.steps])).toEqual([scene, 0]);
+    const shown = () => ask(page, (stage) => [stage.get().scene, stage.stats.steps]);
+    await expect.poll(shown, { timeout: 60_000 }).toEqual([scene, 0]);
     await ask(page, (stage) => stage.seek(1.5));
     expect(await ask(page, (stage) => stage.stats.bodiesDrawn), scene).toBeGreaterThan(0);
     await expect(page.getByRole('button', { name: 'Drop a ball' })).toBeVisible({ visible: hasRigids });
