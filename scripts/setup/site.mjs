@@ -4,8 +4,6 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { Refusal } from '../lib/refusal.mjs';
-import { buildFrame } from '../site/frame.mjs';
-import { writeOembed } from '../site/oembed.mjs';
 import { digestOf } from './sources.mjs';
 
 export const title = 'Site';
@@ -38,6 +36,9 @@ export async function bring(say) {
   const before = digestOf(SOURCES);
   await bundle('vite.config.ts', say);
   await bundle('examples/vite.config.ts', say);
+  // Only here are there packages for certain.
+  const { buildFrame } = await import('../site/frame.mjs');
+  const { writeOembed } = await import('../site/oembed.mjs');
   await buildFrame(inRoot('dist'));
   await writeOembed(inRoot('dist'), process.env.CARTOON_SMOKE_BASE || undefined);
   mkdirSync(inRoot('.cache'), { recursive: true });
