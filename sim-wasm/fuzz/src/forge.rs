@@ -1,19 +1,39 @@
 //! Envelopes as the simulator writes them, around anything.
 
+use std::sync::OnceLock;
+
 use sim::hash::Hash;
 
-/// Formats of this version; `seeds` finds out when they are others.
-pub const SAVE_VERSION: u32 = 2;
-pub const TAKE_VERSION: u32 = 1;
+use crate::running::lively;
+
 /// Kind, version and checksum.
 pub const ENVELOPE_BYTES: usize = 16;
+const KIND_AND_VERSION_BYTES: usize = 8;
 
-/// `body` behind kind, version and a checksum that holds.
-pub fn sealed(kind: &[u8; 4], version: u32, body: &[u8]) -> Vec<u8> {
+/// What begins an envelope: its kind and the version that the simulator writes at present.
+pub type Head = [u8; KIND_AND_VERSION_BYTES];
+
+/// The head of saved simulations.
+pub fn save() -> &'static Head {
+    static HEAD: OnceLock<Head> = OnceLock::new();
+    HEAD.get_or_init(|| head_of(&lively().save()))
+}
+
+/// The head of takes.
+pub fn take() -> &'static Head {
+    static HEAD: OnceLock<Head> = OnceLock::new();
+    HEAD.get_or_init(|| head_of(&lively().take("").expect("it records")))
+}
+
+/// `body` behind a head and a checksum that holds.
+pub fn sealed(head: &Head, body: &[u8]) -> Vec<u8> {
     let mut hash = Hash::new();
     let (words, rest) = body.as_chunks::<4>();
     words.iter().for_each(|word| hash.word(u32::from_le_bytes(*word)));
     hash.bytes(rest);
-    let checksum = hash.finish().to_le_bytes();
-    [kind.as_slice(), &version.to_le_bytes(), &checksum, body].concat()
+    [head.as_slice(), &hash.finish().to_le_bytes(), body].concat()
+}
+
+fn head_of(bytes: &[u8]) -> Head {
+    *bytes.first_chunk().expect("an envelope has a head")
 }

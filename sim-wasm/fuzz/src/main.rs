@@ -20,9 +20,9 @@ fuzz_target!(
         match choice % 5 {
             0 => running.configure(rest),
             1 => running.restore(rest),
-            2 => running.restore(&forge::sealed(b"smok", forge::SAVE_VERSION, rest)),
+            2 => running.restore(&forge::sealed(forge::save(), rest)),
             3 => running.replay(rest),
-            _ => running.replay(&forge::sealed(b"take", forge::TAKE_VERSION, rest)),
+            _ => running.replay(&forge::sealed(forge::take(), rest)),
         }
     })
 );

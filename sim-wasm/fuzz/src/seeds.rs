@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::forge::{ENVELOPE_BYTES, SAVE_VERSION, TAKE_VERSION, sealed};
+use crate::forge::{self, ENVELOPE_BYTES};
 use crate::running::lively;
 
 /// Writes them to the folder that FUZZ_SEEDS names and ends the program; does nothing where it names none.
@@ -15,11 +15,8 @@ pub fn write_if_asked() {
     let take = simulator.take("a note").expect("it records");
     for (name, first, bytes) in [("save", 1, simulator.save()), ("take", 3, take)] {
         let body = &bytes[ENVELOPE_BYTES..];
-        let again = if first == 1 {
-            sealed(b"smok", SAVE_VERSION, body)
-        } else {
-            sealed(b"take", TAKE_VERSION, body)
-        };
+        let head = if first == 1 { forge::save() } else { forge::take() };
+        let again = forge::sealed(head, body);
         assert!(again == bytes, "the forger writes another format than the simulator");
         write(&folder, name, first, &bytes);
         write(&folder, &format!("{name}-body"), first + 1, body);
