@@ -1,0 +1,110 @@
+/** Pages and browsers that refuse something: smoke comes on another way, or an error of a named class says why not. */
+import type { Page } from '@playwright/test';
+import { expect, test } from '../support/fixtures.ts';
+import { loadModule } from '../support/modules.ts';
+
+type Cases = typeof import('./embed.cases.ts');
+type Shared = typeof import('../../src/remote/sharedDevice.ts');
+
+// Source modules, on pages of their own; the browser itself tells on the console what it forbids.
+test.use({
+  showsBuiltSite: false,
+  allowed: /Content Security|TrustedScriptURL|Trusted Type|404|WebAssembly|context lost/i,
+});
+
+/** Opens two stages on a page: where they run, how many canvases and workers that took, and what they show. */
+async function openTwo(page: Page) {
+  const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
+  return cases.evaluate(async (module) => {
+    const seen = module.watch();
+    const opened = [await module.open(), await module.open()];
+    await opened[1].stage.step(60);
+    const colors = await module.colorsShown(opened[1].canvas);
+    return { threads: opened.map(({ stage }) => stage.thread), workers: seen.workers, colors };
+  });
+}
+
+/** @param policy Content-Security-Policy of the page */
+async function openUnder(page: Page, policy = ''): Promise<void> {
+  await page.goto(`/tests/support/blank.html?${new URLSearchParams({ policy })}`);
+}
+
+async function expectMain(page: Page, workers: number): Promise<void> {
+  const report = await openTwo(page);
+  expect(report.threads).toEqual(['main', 'main']);
+  expect(report.workers, 'workers tried').toBe(workers);
+  expect(report.colors).toBeGreaterThan(10);
+}
+
+test('a page that forbids workers has its smoke on the main thread, and they are not tried again', async ({ page }) => {
+  await openUnder(page, "worker-src 'none'");
+  await expectMain(page, 1);
+});
+
+test('required Trusted Types allow the worker by the policy cartoon-smoke', async ({ page }) => {
+  await openUnder(page, "require-trusted-types-for 'script'; trusted-types cartoon-smoke");
+  const report = await openTwo(page);
+  expect(report.threads).toEqual(['worker', 'worker']);
+  expect(report.colors).toBeGreaterThan(10);
+});
+
+test('required Trusted Types without our policy leave the main thread', async ({ page }) => {
+  await openUnder(page, "require-trusted-types-for 'script'; trusted-types 'none'");
+  await expectMain(page, 0);
+});
+
+test('a worker whose file is not there leaves the main thread', async ({ page }) => {
+  await page.route('**/remote/worker.ts*', (route) => route.fulfill({ status: 404 }));
+  await openUnder(page);
+  await expectMain(page, 1);
+});
+
+test('a worker without WebGL2 leaves the main thread, with a canvas that can be drawn on', async ({ page }) => {
+  await page.route('**/remote/worker.ts*', async (route) => {
+    const response = await route.fetch();
+    const body = `OffscreenCanvas.prototype.getContext = () => null;\n${await response.text()}`;
+    await route.fulfill({ response, body });
+  });
+  await openUnder(page);
+  await expectMain(page, 1);
+});
+
+test('a browser without canvases that are on no page has its smoke on the main thread', async ({ page }) => {
+  await page.addInitScript(() => {
+    delete (globalThis as { OffscreenCanvas?: unknown }).OffscreenCanvas;
+    delete (HTMLCanvasElement.prototype as { transferControlToOffscreen?: unknown }).transferControlToOffscreen;
+  });
+  await openUnder(page);
+  await expectMain(page, 0);
+});
+
+test('WASM that the page forbids is a LoadError on the main thread', async ({ page }) => {
+  await openUnder(page, "script-src 'self'; worker-src 'none'");
+  const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
+  expect((await cases.evaluate((module) => module.thrownBy(() => module.open())))?.name).toBe('LoadError');
+});
+
+test('a context that does not come back is told as a ContextError, once, and may still come back', async ({ page }) => {
+  await openUnder(page);
+  const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
+  const shared = await loadModule<Shared>(page, '/src/remote/sharedDevice.ts');
+  const told = await cases.evaluateHandle(async (module) => {
+    const errors: string[] = [];
+    const { stage } = await module.open({ thread: 'main' });
+    stage.on('error', ({ name }) => errors.push(name));
+    return errors;
+  });
+  await page.clock.install();
+  const losing = await shared.evaluateHandle(({ threadDevice }) => {
+    const extension = threadDevice.hold()!.renderer.getContext().getExtension('WEBGL_lose_context')!;
+    extension.loseContext();
+    return extension;
+  });
+  await expect.poll(() => shared.evaluate(({ threadDevice }) => threadDevice.hold()!.isUsable)).toBe(false);
+  await page.clock.fastForward(9_000);
+  expect(await told.jsonValue()).toEqual([]);
+  await page.clock.fastForward(60_000);
+  expect(await told.jsonValue()).toEqual(['ContextError']);
+  await losing.evaluate((extension) => extension.restoreContext());
+  await expect.poll(() => shared.evaluate(({ threadDevice }) => threadDevice.hold()!.isUsable)).toBe(true);
+});
