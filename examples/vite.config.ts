@@ -2,6 +2,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig, mergeConfig } from 'vite';
 import site from '../vite.config.ts';
 
+const PAGES = ['three', 'react', 'landing'];
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
 
 /**
@@ -14,7 +15,7 @@ export default defineConfig(() => {
     publicDir: false,
     build: { emptyOutDir: false, assetsDir: 'examples/assets' },
   });
-  config.build.rolldownOptions = { input: ['examples/three/index.html', 'examples/react/index.html'] };
+  config.build.rolldownOptions = { input: PAGES.map((name) => `examples/${name}/index.html`) };
   config.plugins = config.plugins?.filter((plugin: { name?: string }) => plugin.name !== 'service-worker');
   return config;
 });

@@ -24,7 +24,7 @@ const TAG = 'cartoon-smoke';
 
 export function customElements() {
   const parameters = table.filter(({ key }) => !/^\w+\.[1-7]\./.test(key)).map(describe);
-  const all = [...attributes.map((each) => ({ ...each, fieldName: each.name })), ...parameters];
+  const all = [...attributes.map((each) => ({ ...each, fieldName: camelCase(each.name) })), ...parameters];
   const declaration = {
     kind: 'class',
     name: CLASS,
@@ -49,6 +49,10 @@ export function customElements() {
   ];
   const modules = [{ kind: 'javascript-module', path: MODULE, declarations: [declaration], exports: exported }];
   return { schemaVersion: '1.0.0', readme: 'README.md', modules };
+}
+
+function camelCase(/** @type {string} */ name) {
+  return name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
 }
 
 /** @param {Parameter} row */

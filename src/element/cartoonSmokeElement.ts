@@ -28,6 +28,9 @@ export interface CartoonSmokeElement extends HandedOn {
   alt: string | undefined;
   thread: string | undefined;
   loading: string | undefined;
+  collide: string | undefined;
+  emitFrom: string | undefined;
+  emitOn: string | undefined;
   addEventListener<Name extends keyof SmokeEvents>(
     type: Name,
     listener: (this: CartoonSmokeElement, event: CustomEvent<SmokeEvents[Name]>) => unknown,

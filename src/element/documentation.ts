@@ -15,6 +15,24 @@ export const attributes = [
   { name: 'start', type: { text: 'number' }, description: 'Simulated seconds before the first picture, 0 to 600.' },
   { name: 'alt', type: string, description: 'What screen readers say; empty where the smoke is ornament.' },
   {
+    name: 'collide',
+    type: string,
+    description:
+      'A CSS selector: smoke flows around the boxes of the first eight elements that it fits, wherever they go.',
+  },
+  {
+    name: 'emit-from',
+    type: string,
+    description:
+      'A CSS selector: smoke rises from the first eight elements that it fits. The preset `air` has nothing else.',
+  },
+  {
+    name: 'emit-on',
+    type: { text: "'always' | 'hover' | 'click'" },
+    default: 'always',
+    description: 'When smoke rises from them; `hover` is under the keyboard, too.',
+  },
+  {
     name: 'loading',
     type: { text: "'lazy' | 'eager'" },
     default: 'lazy',

@@ -27,6 +27,7 @@ export const HANDED_ON = [
   'zoom',
   'pan',
   'resetView',
+  'plane',
 ] as const satisfies readonly (keyof RemoteMethods)[];
 
 export type HandedOn = Pick<RemoteMethods, (typeof HANDED_ON)[number]>;

@@ -15,11 +15,14 @@ export class Playback {
   private isPaused: boolean;
   private isConsented = false;
 
-  /** @param tell told at once, and whenever playing begins or ends as people understand it: out of sight it goes on */
+  /** @param tell told when it begins, and whenever playing begins or ends as people understand it: out of sight it goes on */
   constructor(stage: RemoteStage, isPaused: boolean, tell: Playback['tell']) {
     this.stage = stage;
     this.tell = tell;
     this.isPaused = isPaused;
+  }
+
+  begin(): void {
     this.calm.addEventListener('change', this.update);
     this.update();
   }

@@ -2,7 +2,9 @@ import { names } from './names.ts';
 
 /** Attributes besides the parameters. */
 export const FLAGS = ['paused', 'transparent', 'interactive'] as const;
-export const TEXTS = ['preset', 'src', 'start', 'alt', 'thread', 'loading'] as const;
+/** Those about things of the page in the smoke. */
+export const OF_PAGE: readonly string[] = ['collide', 'emit-from', 'emit-on'];
+export const TEXTS = ['preset', 'src', 'start', 'alt', 'thread', 'loading', ...OF_PAGE];
 
 /** Values as properties take them; without one the attribute goes, and the preset decides. */
 type Given = number | string | boolean | null | undefined;
@@ -10,7 +12,7 @@ type Given = number | string | boolean | null | undefined;
 /** Gives a class of elements a property for each attribute; what is set there stands in the attribute, and the other way round. */
 export function defineProperties(prototype: HTMLElement): void {
   const flags = FLAGS.map((name) => [name, flag(name)]);
-  const texts = TEXTS.map((name) => [name, parameter(name, true)]);
+  const texts = TEXTS.map((name) => [camelCase(name), parameter(name, true)]);
   const parameters = names.map(({ property, attribute, isText }) => [property, parameter(attribute, isText)]);
   Object.defineProperties(prototype, Object.fromEntries([...flags, ...texts, ...parameters]));
 }
@@ -22,6 +24,10 @@ export function takeUpEarlier(element: HTMLElement): void {
     Reflect.deleteProperty(element, name);
     Reflect.set(element, name, value);
   }
+}
+
+function camelCase(name: string): string {
+  return name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
 }
 
 function flag(name: string): PropertyDescriptor {

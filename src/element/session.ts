@@ -1,14 +1,15 @@
 /** The heavy half of an element, fetched when it nears the viewport: everything between its attributes and its stage. */
 import { LoadError, ParameterError, SmokeError } from '../preset/errors.ts';
 import { notice, type Notice } from '../preset/notice.ts';
-import type { Values } from '../preset/parameter.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { openStage } from '../remote/openStage.ts';
+import { change } from './change.ts';
 import type { SmokeEvents } from './events.ts';
 import { sizeOf, watchSize } from './fit.ts';
 import { goToMoment } from './moment.ts';
+import type { OnPage } from './onPage.ts';
 import { calm, Playback } from './playback.ts';
-import { FLAGS } from './properties.ts';
+import { FLAGS, OF_PAGE } from './properties.ts';
 import { PointerWays } from './pointers.ts';
 import { quietly } from './quietly.ts';
 import type { Shell } from './shell.ts';
@@ -42,13 +43,13 @@ export async function openSession(host: SessionHost, signal: AbortSignal): Promi
     thread: threadOf(element),
     signal,
   });
+  const session = new Session(host, stage, wish);
   try {
-    await stage.ready;
-    const notices = await lead(stage, wish);
+    await session.begin();
     signal.throwIfAborted();
-    return new Session(host, stage, { ...wish, notices: [...wish.notices, ...notices] });
+    return session;
   } catch (error) {
-    quietly(stage.dispose());
+    session.dispose();
     throw error;
   }
 }
@@ -61,6 +62,8 @@ export class Session {
   private readonly pointers: PointerWays;
   private readonly endings: (() => void)[];
   private wish: Wish;
+  /** While the page has things in the smoke. */
+  private onPage: OnPage | undefined;
   private isBehind = false;
   private isFollowing = false;
   private isDisposed = false;
@@ -77,8 +80,17 @@ export class Session {
       watchSize(shell.frame, ({ width, height, pixelRatio }) => quietly(stage.resize(width, height, pixelRatio))),
       stage.on('error', (error) => host.fail(asSmokeError(error))),
     ];
+  }
+
+  /** Goes to where the smoke shall begin, with what the page has in it, and plays if it shall. */
+  async begin(): Promise<void> {
+    await this.stage.ready;
+    await this.lookAtPage();
+    const notices = await lead(this.stage, this.wish);
+    if (this.isDisposed) return;
     this.takeUp('interactive');
-    this.tell(wish.notices);
+    this.playback.begin();
+    this.tell([...this.wish.notices, ...notices]);
   }
 
   get isPlaying(): boolean {
@@ -93,6 +105,7 @@ export class Session {
     else if (name === 'paused') this.playback.set(isOn);
     else if (name === 'transparent') quietly(this.stage.setBackground(!isOn));
     else if (name === 'interactive') this.pointers.toggle(isOn);
+    else if (OF_PAGE.includes(name)) quietly(this.lookAtPage());
   }
 
   /** A person asked for motion here and now. */
@@ -108,8 +121,7 @@ export class Session {
 
   /** Attributes have changed before anybody listened. */
   catchUp(): void {
-    for (const name of FLAGS) this.takeUp(name);
-    this.takeUp('alt');
+    for (const name of [...FLAGS, 'alt', 'collide']) this.takeUp(name);
     this.follow();
   }
 
@@ -117,6 +129,7 @@ export class Session {
     if (this.isDisposed) return;
     this.isDisposed = true;
     this.playback.dispose();
+    this.onPage?.dispose();
     this.pointers.toggle(false);
     for (const end of this.endings) end();
     quietly(this.stage.dispose());
@@ -137,13 +150,41 @@ export class Session {
     this.wish = after;
     this.tell(after.notices.filter(({ message }) => !before.notices.some((told) => told.message === message)));
     try {
-      if (after.values.scene !== before.values.scene) await this.stage.enter(after.values);
+      if (after.values.scene !== before.values.scene) await this.enter(after);
       else await change(this.stage, before.values, after.values);
       if (after.take && !isSame(after.take, before.take)) this.tell(await lead(this.stage, after));
     } catch (error) {
       if (error instanceof ParameterError) this.tell([noticeOf(error)]);
       else if (!this.isDisposed) this.host.fail(asSmokeError(error));
     }
+  }
+
+  private async enter({ values }: Wish): Promise<void> {
+    await this.stage.enter(values);
+    this.onPage?.forget();
+  }
+
+  /** Puts things of the page into the smoke, or looks at them again, or takes them out. */
+  private async lookAtPage(): Promise<void> {
+    const { element, shell } = this.host;
+    const hasThings = () => ['collide', 'emit-from'].some((name) => element.hasAttribute(name));
+    if (!hasThings()) return this.leavePage();
+    if (this.onPage) return this.onPage.measure();
+    const { OnPage } = await import('./onPage.ts');
+    if (this.isDisposed || this.onPage || !hasThings()) return;
+    const values = () => this.wish.values;
+    this.onPage = new OnPage(this.stage, {
+      element,
+      frame: shell.frame,
+      values,
+      tell: (notices) => this.tell(notices),
+    });
+    await this.onPage.begin();
+  }
+
+  private leavePage(): void {
+    this.onPage?.dispose();
+    this.onPage = undefined;
   }
 
   private showPlaying({ isPlaying, isStill }: { isPlaying: boolean; isStill: boolean }): void {
@@ -162,14 +203,6 @@ async function lead(stage: RemoteStage, { take, start, values }: Wish): Promise<
   const seconds = start ?? (calm().matches ? STILL_SECONDS : 0);
   if (seconds > 0) await stage.seek(seconds);
   return [];
-}
-
-/** Goes from what was wanted before to what is wanted now, by as little as there is between the two. */
-async function change(stage: RemoteStage, before: Values, after: Values): Promise<void> {
-  const gone = Object.keys(before).filter((key) => !(key in after));
-  const changed = Object.entries(after).filter(([key, value]) => before[key] !== value);
-  if (gone.length > 0) await stage.unset(gone);
-  if (changed.length > 0) await stage.set(Object.fromEntries(changed));
 }
 
 /** What the simulator would not take although the table does, such as one value without another. */

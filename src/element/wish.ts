@@ -5,6 +5,7 @@ import type { Values } from '../preset/parameter.ts';
 import { defaultPreset, findPreset, presetValues } from '../preset/presets.ts';
 import { findParameter } from '../preset/table.ts';
 import { readText } from '../preset/values.ts';
+import { EMIT_ON } from './emitterSwitch.ts';
 import { keyOfAttribute } from './names.ts';
 
 /** What an element asks for by its attributes. */
@@ -24,6 +25,7 @@ export interface Wish {
 const CHOICES = [
   ['thread', ['auto', 'main', 'worker']],
   ['loading', ['lazy', 'eager']],
+  ['emit-on', EMIT_ON],
 ] as const;
 
 /**

@@ -1,4 +1,5 @@
 /** The named presets: each says only what differs from the defaults of the table. */
+import { airPresets } from './moods/air.ts';
 import { airplanePresets } from './moods/airplane.ts';
 import { campfirePresets } from './moods/campfire.ts';
 import { cloudscapePresets } from './moods/cloudscape.ts';
@@ -25,6 +26,7 @@ export const presets: readonly Preset[] = [
   ...dustPresets,
   ...cloudscapePresets,
   ...wispPresets,
+  ...airPresets,
 ];
 
 const byName: ReadonlyMap<string, Preset> = new Map(presets.map((preset) => [preset.name, preset]));

@@ -126,6 +126,7 @@ export const table: readonly Parameter[] = [
     ['dust', 'Dust'],
     ['cloudscape', 'Cloudscape'],
     ['wisp', 'Cup of tea'],
+    ['air', 'Open air'],
   ]),
   quantity('seed', 'simulation', 'stage', {
     kind: 'integer',

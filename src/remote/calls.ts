@@ -62,6 +62,9 @@ const take = record({
   bytes: bytes(MOST_BYTES),
 });
 
+const vector = list(place, 3);
+const plane = record({ middle: vector, right: vector, up: vector });
+
 function call(takes: readonly Check[], gives: Check = nothing): Call {
   return { takes, gives };
 }
@@ -96,6 +99,7 @@ export const calls: Readonly<Record<keyof RemoteMethods, Call>> = {
   zoom: call([(value) => number(FAR)(value) && (value as number) > 0]),
   pan: call([place, place]),
   resetView: call([]),
+  plane: call([], plane),
   setBackground: call([flag]),
   setVisible: call([flag]),
 };

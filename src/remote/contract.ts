@@ -1,6 +1,7 @@
 import type { Values } from '../preset/parameter.ts';
 import type { BlowInput } from '../stage/blow.ts';
 import type { PointerInput, StageEvents, StageOptions, StageStats } from '../stage/contract.ts';
+import type { ScenePlane } from '../stage/sight.ts';
 import type { Take } from '../stage/take.ts';
 
 /** Where a stage runs: on the page's own thread, in a worker, or in a page inside a frame. */
@@ -53,6 +54,8 @@ export interface RemoteMethods {
   /** @param x, y in CSS pixels */
   pan(x: number, y: number): Promise<void>;
   resetView(): Promise<void>;
+  /** Where places of the picture are in the scene: for things of the page that smoke shall meet. */
+  plane(): Promise<ScenePlane>;
   /** Whether pictures show what lies behind everything; they are transparent there if not. */
   setBackground(isShown: boolean): Promise<void>;
   /** Whether anybody can see the canvas: while nobody can, nothing is drawn. What is paused stays paused. */

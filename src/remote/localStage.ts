@@ -32,6 +32,7 @@ const methods = {
   zoom: (stage, factor) => stage.camera.zoom(factor),
   pan: (stage, x, y) => stage.camera.pan(x, y),
   resetView: (stage) => stage.camera.reset(),
+  plane: (stage) => stage.sight.plane,
   setBackground: (stage, isShown) => void (stage.background = isShown),
   setVisible: (stage, isVisible) => void (stage.visible = isVisible),
 } satisfies {

@@ -25,6 +25,8 @@ export interface CameraPose {
   fieldOfView: number;
   /** However narrow the window, so much is seen from side to side. */
   leastWidth?: number;
+  /** In the place of the distance: a metre is so many CSS pixels, so that smoke is as large in small pictures as in large. */
+  pixelsPerMetre?: number;
 }
 
 /** What a moving camera adds to its pose: radians, and metres for the target. */

@@ -19,6 +19,7 @@ export const sceneEntries: Readonly<Record<string, SceneEntry>> = {
   dust: { hasRigids: true, load: async () => (await import('./dust.ts')).dust() },
   cloudscape: { hasRigids: false, load: async () => (await import('./cloudscape.ts')).cloudscape() },
   wisp: { hasRigids: false, load: async () => (await import('./wisp.ts')).wisp() },
+  air: { hasRigids: false, load: async () => (await import('./air.ts')).air() },
 };
 
 /** @throws ParameterError when there is no scene of that name */

@@ -23,6 +23,7 @@ export class OrbitCamera {
   private readonly shot: Shot;
   private values: Values = {};
   private seconds = 0;
+  private height = 1;
 
   /** @param values whose `camera.*` say what somebody has taken */
   constructor(shot: Shot, values: Values = {}) {
@@ -98,14 +99,17 @@ export class OrbitCamera {
     if (this.shot.cameraMove) this.settle();
   }
 
-  /** @param aspect width by height of the picture */
-  setAspect(aspect: number): void {
-    this.camera.aspect = aspect;
+  /** @param width, height of the picture in CSS pixels */
+  setSize(width: number, height: number): void {
+    this.camera.aspect = width / height;
+    this.height = height;
     this.settle();
   }
 
   private get home(): CameraPose {
-    return this.camera.aspect < 1 ? { ...this.shot.camera, ...this.shot.portrait } : this.shot.camera;
+    const pose = this.camera.aspect < 1 ? { ...this.shot.camera, ...this.shot.portrait } : this.shot.camera;
+    if (!pose.pixelsPerMetre) return pose;
+    return { ...pose, distance: this.height / pose.pixelsPerMetre / (2 * Math.tan(pose.fieldOfView / 2)) };
   }
 
   private take(values: Record<string, number>): void {

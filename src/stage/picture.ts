@@ -108,7 +108,7 @@ export class Picture {
     this.pixelRatio = MathUtils.clamp(pixelRatio, 0.1, LARGEST_PIXEL_RATIO);
     this.width = Math.round(width * this.pixelRatio);
     this.height = Math.round(height * this.pixelRatio);
-    if (this.isVisible) this.eye.setAspect(this.width / this.height);
+    if (this.isVisible) this.eye.setSize(this.width, this.height);
   }
 
   /** Goes on with these values. */
@@ -122,7 +122,7 @@ export class Picture {
     this.shown.dispose();
     this.shown = new ShownSmoke(this.presenter.device, scene, values);
     this.camera = new OrbitCamera(scene, values);
-    if (this.isVisible) this.camera.setAspect(this.width / this.height);
+    if (this.isVisible) this.camera.setSize(this.width, this.height);
   }
 
   /** A place in CSS pixels from the top left, in normalised device coordinates: -1 to 1, y up. */

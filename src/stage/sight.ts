@@ -9,6 +9,17 @@ export interface PicturePlace {
 }
 
 /**
+ * The plane through what the eye looks at, across its view: a place of the picture, counted in CSS pixels from its middle,
+ * lies there at middle + x right + y up. Metres.
+ */
+export interface ScenePlane {
+  readonly middle: Vector;
+  /** One CSS pixel to the right, and one upwards. */
+  readonly right: Vector;
+  readonly up: Vector;
+}
+
+/**
  * Ways between places of the scene, metres, and of its picture. Places may be meant in the space of a rigid, by its
  * number; -1 is the world's.
  */
@@ -34,6 +45,13 @@ export class Sight {
     const [width, height] = this.picture.size;
     const { x, y } = point.project(this.picture.eye.camera);
     return { x: ((x + 1) / 2) * width, y: ((1 - y) / 2) * height };
+  }
+
+  /** What things of a page are put on. */
+  get plane(): ScenePlane {
+    const { centre } = this;
+    const from = (place: Vector): Vector => [place[0] - centre[0], place[1] - centre[1], place[2] - centre[2]];
+    return { middle: centre, right: from(this.shift(centre, [1, 0, 0])), up: from(this.shift(centre, [0, 1, 0])) };
   }
 
   /** A place that lies so many CSS pixels to the right, up and towards the eye, in the space that it came in. */

@@ -105,7 +105,7 @@ describe('what nobody holds', () => {
 
   it('is composed anew for a picture higher than wide', () => {
     const eye = new OrbitCamera({ ...STILL, portrait: { distance: 9 } }, { 'camera.azimuth': 90 });
-    eye.setAspect(0.5);
+    eye.setSize(0.5, 1);
     expect([eye.distance, eye.azimuth]).toEqual([9, Math.PI / 2]);
   });
 });

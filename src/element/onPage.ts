@@ -1,0 +1,160 @@
+/** Things of the page in the smoke: boxes that it flows around (`collide`), and elements that it rises from (`emit-from`). */
+import { notice, type Notice } from '../preset/notice.ts';
+import type { Values } from '../preset/parameter.ts';
+import type { RemoteStage } from '../remote/contract.ts';
+import type { ScenePlane } from '../stage/sight.ts';
+import { change } from './change.ts';
+import { Deferred } from './deferred.ts';
+import { EmitterSwitch } from './emitterSwitch.ts';
+import { colliderValues, curlValues, emitterValues, MOST, placeOnPlane, type Place } from './pageValues.ts';
+import { quietly } from './quietly.ts';
+import { watchLayout } from './watchLayout.ts';
+
+interface OnPageHost {
+  readonly element: HTMLElement;
+  /** The box of the smoke. */
+  readonly frame: HTMLElement;
+  /** What the smoke is without things of the page. */
+  readonly values: () => Values;
+  readonly tell: (notices: readonly Notice[]) => void;
+}
+
+export class OnPage {
+  private readonly stage: RemoteStage;
+  private readonly host: OnPageHost;
+  private readonly stopWatching: () => void;
+  private readonly emitters: EmitterSwitch;
+  private obstacles: Element[] = [];
+  private given: Values = {};
+  private told = '';
+  private isMeasuring = false;
+  private isBehind = false;
+  private hasEnded = false;
+  private readonly hasBegun = new Deferred<void>();
+
+  constructor(stage: RemoteStage, host: OnPageHost) {
+    this.stage = stage;
+    this.host = host;
+    this.emitters = new EmitterSwitch(() => this.measure());
+    this.stopWatching = watchLayout(host.frame, () => this.measure());
+  }
+
+  /** Settled when things of the page are in the smoke for the first time. */
+  async begin(): Promise<void> {
+    await this.holdView();
+    this.measure();
+    await this.hasBegun.promise;
+  }
+
+  /** The smoke has lost what it was given, as by another scene. */
+  forget(): void {
+    this.given = {};
+    quietly(this.holdView());
+    this.measure();
+  }
+
+  /** Looks where everything is, soon: not more than once at a time. */
+  measure(): void {
+    this.isBehind = true;
+    if (!this.isMeasuring) quietly(this.measureAll());
+  }
+
+  /** Takes the things of the page out of the smoke again. */
+  dispose(): void {
+    this.hasEnded = true;
+    this.stopWatching();
+    this.emitters.dispose();
+    quietly(change(this.stage, this.given, this.restored()));
+  }
+
+  /** A view that turned by itself would leave the things behind: it stays as it is until somebody turns it. */
+  private async holdView(): Promise<void> {
+    await this.stage.orbit(0, 0);
+    await this.stage.zoom(1);
+    await this.stage.pan(0, 0);
+  }
+
+  private async measureAll(): Promise<void> {
+    this.isMeasuring = true;
+    try {
+      while (this.isBehind && !this.hasEnded) {
+        this.isBehind = false;
+        await this.measureOnce();
+        this.hasBegun.resolve();
+        await new Promise(requestAnimationFrame);
+      }
+    } finally {
+      this.hasBegun.resolve();
+      this.isMeasuring = false;
+    }
+  }
+
+  private async measureOnce(): Promise<void> {
+    this.find();
+    const values = this.valuesOn(await this.stage.plane());
+    if (this.hasEnded) return;
+    const before = this.given;
+    this.given = values;
+    await change(this.stage, before, { ...this.restored(values, before), ...values });
+  }
+
+  private find(): void {
+    const notices: Notice[] = [];
+    this.obstacles = this.matches('collide', notices);
+    this.emitters.attach(this.matches('emit-from', notices), this.host.element.getAttribute('emit-on') ?? 'always');
+    const told = notices.map(({ message }) => message).join();
+    if (told !== this.told && notices.length > 0) this.host.tell(notices);
+    this.told = told;
+  }
+
+  private matches(attribute: string, notices: Notice[]): Element[] {
+    const selector = this.host.element.getAttribute(attribute);
+    if (selector === null) return [];
+    try {
+      const root = this.host.element.getRootNode() as ParentNode;
+      const found = [...root.querySelectorAll(selector)].filter((each) => each !== this.host.element);
+      const tell = () => `${attribute} fits ${found.length} elements; the first ${MOST} count.`;
+      if (found.length > MOST) notices.push(notice('outOfRange', attribute, selector, tell));
+      return found.slice(0, MOST);
+    } catch {
+      const tell = (given: string) => `${attribute} cannot be ${given}: it takes a CSS selector.`;
+      notices.push(notice('malformed', attribute, selector, tell));
+      return [];
+    }
+  }
+
+  private valuesOn(plane: ScenePlane): Values {
+    const frame = this.host.frame.getBoundingClientRect();
+    const scale = this.host.frame.clientWidth / Math.max(frame.width, 1);
+    const place = (element: Element): Place => placeOnPlane(element.getBoundingClientRect(), frame, scale, plane);
+    const own = this.host.values();
+    const obstacles = this.obstacles.filter(isShown).map(place);
+    const emitters = this.emitters.attached.filter(isShown);
+    return {
+      ...colliderValues(obstacles, plane),
+      ...curlValues(obstacles, plane, vorticesOf(own)),
+      ...emitterValues(
+        emitters.map((element) => ({ place: place(element), isOn: this.emitters.isOn(element) })),
+        Number(own['emission.rate']),
+      ),
+    };
+  }
+
+  /** What the attributes say of the keys that were given before and are not now. */
+  private restored(now: Values = {}, before: Values = this.given): Values {
+    const own = this.host.values();
+    const gone = Object.keys(before).filter((key) => !(key in now) && own[key] !== undefined);
+    return Object.fromEntries(gone.map((key) => [key, own[key]]));
+  }
+}
+
+/** How many vortices the attributes have already. */
+function vorticesOf(values: Values): number {
+  const used = Object.keys(values).flatMap((key) => /^vortices\.(\d)\./.exec(key)?.[1] ?? []);
+  return used.length === 0 ? 0 : 1 + Math.max(...used.map(Number));
+}
+
+function isShown(element: Element): boolean {
+  const { width, height } = element.getBoundingClientRect();
+  return width > 0 && height > 0;
+}

@@ -1,0 +1,51 @@
+import type { Scene } from './scene.ts';
+
+/** As many as the simulator takes: whoever puts smoke on a page says which of them smoke, and where. */
+const EMITTERS = 8;
+
+/** Nothing but smoke, seen straight from the front: for pages, where what stands in it are things of the page. */
+export function air(): Scene {
+  return {
+    name: 'air',
+    rig: RIG,
+    rigids: [],
+    rigidNames: [],
+    surfaces: [],
+    camera: {
+      target: [0, 0, 0],
+      azimuth: 0,
+      elevation: 0,
+      distance: 12,
+      fieldOfView: 0.3,
+      leastWidth: 0.01,
+      pixelsPerMetre: 150,
+    },
+    backdrop: { top: [154, 196, 214], bottom: [246, 226, 198] },
+  };
+}
+
+/** All emitters are alike; only the first one smokes until somebody gives others a share. */
+const RIG: Readonly<Record<string, number>> = {
+  ...Object.assign({}, ...Array.from({ length: EMITTERS }, (_, index) => emitter(index))),
+  'buoyancy.acceleration': 0.9,
+  'buoyancy.coolingTime': 4,
+  'drag.rate': 1.5,
+};
+
+function emitter(index: number): Record<string, number> {
+  const own = {
+    shape: 1,
+    'position.y': -1.4,
+    'direction.y': 1,
+    radius: 0.12,
+    speed: 0.3,
+    speedVariation: 0.3,
+    spread: 0.35,
+    size: 0.26,
+    sizeVariation: 0.35,
+    lifetimeVariation: 0.25,
+    temperature: 1,
+    share: index === 0 ? 1 : 0,
+  };
+  return Object.fromEntries(Object.entries(own).map(([key, value]) => [`emitters.${index}.${key}`, value]));
+}

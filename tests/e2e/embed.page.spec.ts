@@ -1,0 +1,115 @@
+import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
+import { expect, stands, test } from '../support/embed.ts';
+
+/** Smoke over a page of 600 by 450 pixels: 150 of them are a metre. */
+const AIR = `preset="air" simulation-max-particles="300" thread="main" transparent
+  style="position: absolute; left: 20px; top: 10px; width: 600px; height: 450px"`;
+const box = (id: string, left: number, top: number, width: number, height: number) =>
+  `<button id="${id}" style="position: absolute; box-sizing: border-box; left: ${left}px; top: ${top}px; width: ${width}px; height: ${height}px"></button>`;
+
+type Numbers = Record<string, number | string | undefined>;
+
+test('boxes of the page stand in the smoke where they stand on the page, and go where they go', async ({
+  page,
+  host,
+}) => {
+  await host(`<cartoon-smoke ${AIR} paused collide="button"></cartoon-smoke>${box('a', 170, 85, 300, 75)}`);
+  await stands(page);
+  const values = () =>
+    page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => smoke.get()) as Promise<Numbers>;
+  const place = async () => {
+    const now = await values();
+    const names = ['position.x', 'position.y', 'halfExtents.x', 'halfExtents.y'];
+    return names.map((name) => Number(now[`colliders.0.${name}`] ?? NaN).toFixed(2));
+  };
+  // The middle of the smoke is at 320, 235; that of the box at 320, 122.5.
+  await expect.poll(place).toEqual(['0.00', '0.75', '1.00', '0.25']);
+  await page.evaluate(() =>
+    Object.assign(document.querySelector<HTMLElement>('#a')!.style, { left: '95px', top: '235px' }),
+  );
+  await expect.poll(place).toEqual(['-0.50', '-0.25', '1.00', '0.25']);
+  await page.locator('cartoon-smoke').evaluate((smoke) => smoke.removeAttribute('collide'));
+  await expect
+    .poll(async () => Object.keys(await values()).filter((key) => /^(colliders|vortices)\./.test(key)))
+    .toEqual([]);
+});
+
+test('a smoke that stays while the page scrolls sees its boxes go by', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${AIR.replace('absolute', 'fixed')} paused collide="button"></cartoon-smoke>
+    ${box('a', 170, 85, 300, 75)}<div style="height: 3000px"></div>`);
+  await stands(page);
+  const height = async () => {
+    const values = (await page
+      .locator('cartoon-smoke')
+      .evaluate((smoke: CartoonSmokeElement) => smoke.get())) as Numbers;
+    return values['colliders.0.position.y'];
+  };
+  expect(await height()).toBeCloseTo(0.75, 2);
+  await page.mouse.wheel(0, 150);
+  await expect.poll(height).toBeCloseTo(1.75, 2);
+});
+
+test('no smoke is drawn where a box of the page stands, and some is around it', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${AIR} paused start="5" collide="button" emit-from="#fire"></cartoon-smoke>
+    ${box('a', 260, 160, 120, 60)}<i id="fire" style="position: absolute; left: 300px; top: 420px; width: 40px; height: 10px"></i>`);
+  await stands(page);
+  const covered = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
+    const picture = await createImageBitmap(await smoke.picture());
+    const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d')!;
+    context.drawImage(picture, 0, 0);
+    const share = (x: number, y: number, width: number, height: number) => {
+      const { data } = context.getImageData(x, y, width, height);
+      return data.filter((value, index) => index % 4 === 3 && value > 0).length / (width * height);
+    };
+    // Puffs may stand over its edge by their radius: their middles may not.
+    return { within: share(280, 175, 40, 10), below: share(200, 220, 200, 190) };
+  });
+  expect(covered.within).toBe(0);
+  expect(covered.below).toBeGreaterThan(0.1);
+});
+
+test('smoke rises from what is hovered, what the keyboard is on, and from nothing else', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${AIR} emit-from="button" emit-on="hover"></cartoon-smoke>
+    ${box('a', 60, 380, 100, 40)}${box('b', 400, 380, 100, 40)}`);
+  await stands(page);
+  const smoke = page.locator('cartoon-smoke');
+  const values = () => smoke.evaluate((element: CartoonSmokeElement) => element.get()) as Promise<Numbers>;
+  const alive = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).alive;
+  expect((await values())['emission.rate']).toBe(0);
+  expect(await alive()).toBe(0);
+  await page.hover('#b');
+  await expect.poll(alive).toBeGreaterThan(2);
+  expect(await values()).toMatchObject({ 'emitters.0.share': 0, 'emitters.1.share': 1, 'emission.rate': 16 });
+  await page.mouse.move(320, 100);
+  await expect.poll(async () => (await values())['emission.rate']).toBe(0);
+  await page.focus('#a');
+  await expect.poll(values).toMatchObject({ 'emitters.0.share': 1, 'emitters.1.share': 0, 'emission.rate': 16 });
+});
+
+test('a click lets smoke rise for a moment, and reaches what was clicked', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${AIR} emit-from="button" emit-on="click"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
+    <script>document.querySelector('button').onclick = () => (window.clicked = true);</script>`);
+  await stands(page);
+  await page.click('#a');
+  const alive = () =>
+    page.locator('cartoon-smoke').evaluate(async (element: CartoonSmokeElement) => (await element.stats()).alive);
+  const rate = () =>
+    page
+      .locator('cartoon-smoke')
+      .evaluate(async (element: CartoonSmokeElement) => (await element.get())['emission.rate']);
+  await expect.poll(alive).toBeGreaterThan(0);
+  await expect.poll(rate).toBe(0);
+  expect(await page.evaluate(() => Reflect.get(window, 'clicked'))).toBe(true);
+});
+
+test('a selector that is none is told, and changes nothing', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${AIR} paused collide="!!"></cartoon-smoke><script>
+    window.notices = [];
+    document.querySelector('cartoon-smoke').addEventListener('statechange', ({ detail }) => window.notices.push(...detail.notices));
+  </script>`);
+  await stands(page);
+  const told = await page.evaluate(() =>
+    (Reflect.get(window, 'notices') as { message: string }[]).map(({ message }) => message),
+  );
+  expect(told.join()).toContain('takes a CSS selector');
+});

@@ -1,0 +1,37 @@
+/** Open air: whatever box a page puts into it, no smoke gets in, and smoke is of one size in pictures of all sizes. */
+import { expect, test } from 'vitest';
+import { colliderValues, curlValues } from '../../src/element/pageValues.ts';
+import { findPreset, presetValues } from '../../src/preset/presets.ts';
+import { air } from '../../src/scenes/air.ts';
+import { simulatorValues } from '../../src/sim/simulatorValues.ts';
+import { OrbitCamera } from '../../src/stage/orbit.ts';
+import { readParticles } from '../bench/support/snapshot.ts';
+import { loadVariant } from './simWasm.ts';
+
+const PLANE = { middle: [0, 0, 0], right: [0.01, 0, 0], up: [0, 0.01, 0] } as const;
+const BOX = { middle: [0, 0, 0], top: [0, 0.15, 0], halfWidth: 0.4, halfHeight: 0.15 } as const;
+
+test('smoke goes around a box above its emitter, and gets past it', async () => {
+  const factory = await loadVariant('core');
+  const simulator = factory.create({ capacity: 600, seed: 3 });
+  const things = { ...colliderValues([BOX], PLANE), ...curlValues([BOX], PLANE, 0) };
+  simulator.set({ ...air().rig, ...simulatorValues({ ...presetValues(findPreset('air')!), ...things }) });
+  simulator.step(480);
+  const { x, y } = readParticles(simulator);
+  const isWithin = (_: number, index: number) =>
+    Math.abs(x[index]) < BOX.halfWidth - 0.01 && Math.abs(y[index]) < BOX.halfHeight - 0.01;
+  expect([...x].filter(isWithin)).toEqual([]);
+  expect([...y].filter((height) => height > BOX.halfHeight).length).toBeGreaterThan(2);
+  simulator.dispose();
+});
+
+test.each([
+  [800, 600],
+  [300, 900],
+  [1600, 200],
+])('a metre is 150 pixels in a picture of %i by %i', (width, height) => {
+  const eye = new OrbitCamera(air());
+  eye.setSize(width, height);
+  const metres = 2 * eye.distance * Math.tan((eye.camera.fov * Math.PI) / 360);
+  expect(height / metres).toBeCloseTo(150, 3);
+});
