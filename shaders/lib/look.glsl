@@ -8,7 +8,7 @@ float ageOf(uvec2 look) {
   return float(look.x >> 16u) / 65535.0;
 }
 
-// Of a caster instead: how many radii behind its centre its shadow may end, because others go on.
+// Of a caster instead: how many radii behind its centre its shadow may end, because others go on or nothing is left there.
 float endOf(uvec2 look) {
   uint end = look.x >> 16u;
   return end == 0xffffu ? 1e9 : float(end) / 256.0;

@@ -23,8 +23,6 @@ uniform float reach;
 in vec2 corner;
 in vec4 place;
 in uvec2 look;
-// Metres from the centre to where the shadow has left all that it could fall on.
-in float end;
 
 // View space in the frame of the volume, which begins at the middle of its start: two axes across the way of the light,
 // then the way; all in puff radii. Its first two axes and its origin, and as fourth components the volume's length, its
@@ -85,7 +83,7 @@ float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
 // How far beyond the centre the volume has left everything that could receive it, metres; 0 where it holds the light.
 float exitOf(float ball, float growth) {
   vec3 travel = -towardsLightFrom(lightInWorld, place.xyz);
-  float exit = min(end, exitFromBox(place.xyz, travel, receiversMin, receiversMax, ball, ball * growth));
+  float exit = exitFromBox(place.xyz, travel, receiversMin, receiversMax, ball, ball * growth);
   if (lightInWorld.w == 0.0) return exit;
   float way = length(place.xyz - lightInWorld.xyz);
   return way > ball ? min(exit, farthestCorner(lightInWorld.xyz, receiversMin, receiversMax) - way) : 0.0;

@@ -2,7 +2,7 @@ import type { WebGLRenderer } from 'three';
 import type { Device } from '../device/device.ts';
 import type { Eye } from '../device/eye.ts';
 import { PuffTextures } from '../device/puffTextures.ts';
-import { Casters, FRONT_AND_BACK } from '../instances/instances.ts';
+import { FRONT_AND_BACK, Instances } from '../instances/instances.ts';
 import { VolumesPass } from '../passes/volumes.ts';
 import { ParameterError } from '../preset/errors.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
@@ -21,9 +21,10 @@ const TURN = 0;
 export class BallVolumes {
   private readonly balls: BallAt[] = [];
   private readonly puffs: PuffTextures;
-  private readonly rows = new Casters(MOST_BALLS, FRONT_AND_BACK);
+  private readonly rows = new Instances(MOST_BALLS, FRONT_AND_BACK);
   private readonly volumes: VolumesPass;
   private readonly place = new Float32Array(4 * MOST_BALLS);
+  // They may fall on anything of the stranger's scene.
   private readonly look = new Uint32Array(LOOK_WORDS * MOST_BALLS).map((_, word) =>
     word % LOOK_WORDS === 0 ? NO_END : 0,
   );
@@ -44,8 +45,6 @@ export class BallVolumes {
   draw(renderer: WebGLRenderer): void {
     if (this.balls.length === 0) return;
     this.rows.fill(this.rowsNow());
-    // They may fall on anything of the stranger's scene.
-    this.rows.fillEnds((ends) => ends.fill(Infinity));
     this.volumes.draw(renderer);
   }
 

@@ -1,6 +1,9 @@
 import { BufferAttribute, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry } from 'three';
 import type { Rows } from '../sim/rows.ts';
 
+/** Packed words of a row; see shaders/lib/look.glsl. */
+const LOOK_WORDS = 2;
+
 /** Corners of the quads that a pass draws for each row; `index` makes triangles of them. */
 export interface Footprint {
   corners: readonly number[];
@@ -34,7 +37,7 @@ export class Instances {
   /** @param capacity the most rows it will ever hold: buffers are made once */
   constructor(capacity: number, footprint: Footprint) {
     this.place = new InstancedBufferAttribute(new Float32Array(4 * capacity), 4);
-    this.look = new InstancedBufferAttribute(new Uint32Array(2 * capacity), 2);
+    this.look = new InstancedBufferAttribute(new Uint32Array(LOOK_WORDS * capacity), LOOK_WORDS);
     this.place.setUsage(DynamicDrawUsage);
     this.look.setUsage(DynamicDrawUsage);
     this.geometry.setIndex([...footprint.index]);
@@ -53,6 +56,11 @@ export class Instances {
     return (this.place.array as Float32Array).subarray(0, 4 * this.count);
   }
 
+  /** The packed words of each row. */
+  protected get looks(): Uint32Array {
+    return this.look.array as Uint32Array;
+  }
+
   /** Metres; 0 where there are no rows. */
   get meanRadius(): number {
     let sum = 0;
@@ -63,7 +71,7 @@ export class Instances {
   /** Copies the rows and marks only them for upload. */
   fill(rows: Rows): void {
     copyPrefix(this.place, rows.place, 4 * rows.count);
-    copyPrefix(this.look, rows.look, 2 * rows.count);
+    copyPrefix(this.look, rows.look, LOOK_WORDS * rows.count);
     this.geometry.instanceCount = rows.count;
   }
 
@@ -72,21 +80,31 @@ export class Instances {
   }
 }
 
-/** Rows of casters, each with where its shadow may end. */
+/** Parts of a radius in which the upper half of a caster's first word tells where its shadow may end. */
+const END_STEPS = 256;
+
+/** Rows of casters, whose look tells where their shadows may end. */
 export class Casters extends Instances {
-  private readonly end: InstancedBufferAttribute;
+  private readonly ends: Float32Array;
 
   constructor(capacity: number, footprint: Footprint) {
     super(capacity, footprint);
-    this.end = new InstancedBufferAttribute(new Float32Array(capacity), 1);
-    this.end.setUsage(DynamicDrawUsage);
-    this.geometry.setAttribute('end', this.end);
+    this.ends = new Float32Array(capacity);
   }
 
-  /** @param write sets for each row how far behind its centre its shadow may end, metres */
-  fillEnds(write: (ends: Float32Array) => void): void {
-    write((this.end.array as Float32Array).subarray(0, this.count));
-    markPrefix(this.end, this.count);
+  /**
+   * Lets shadows of the rows that were just filled in end earlier; those that do already stay.
+   * @param write sets for each row how far behind its centre its shadow may end, metres
+   */
+  shorten(write: (ends: Float32Array) => void): void {
+    const { places, looks, count } = this;
+    const ends = this.ends.subarray(0, count);
+    write(ends);
+    for (let row = 0; row < count; row++) {
+      const end = Math.max(0, Math.ceil((END_STEPS * ends[row]) / places[4 * row + 3]));
+      const word = looks[LOOK_WORDS * row];
+      if (end < word >>> 16) looks[LOOK_WORDS * row] = (end << 16) | (word & 0xffff);
+    }
   }
 }
 

@@ -123,15 +123,14 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
   const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];
   if (throwsShadow) {
     casters.fill(input.simulator.arrange(lightView(passes, input, receivers)));
-    casters.fillEnds((ends) => endShadows(passes, input, ends));
+    if (eye.isLitBySun) casters.shorten((ends) => endShadows(passes, input, ends));
   }
   const arrangeMs = performance.now() - started;
   return { bodiesDrawn: bodies.count, castersDrawn: throwsShadow ? casters.count : 0, arrangeMs };
 }
 
-/** Ends each shadow behind all that it could fall on. Those of a lamp end at the box of all receivers. */
+/** Where each shadow of the sun has all behind it that it could fall on. Those of a lamp end at the box of all receivers. */
 function endShadows({ eye, casters, bodies, surfaces, ...passes }: SmokePasses, input: FrameInput, ends: Float32Array) {
-  if (!eye.isLitBySun) return void ends.fill(Infinity);
   const { reach } = passes.extentsOf(input.style.form);
   const boxes = surfaces.worldBoxes();
   if (input.receivers) boxes.push(input.receivers);

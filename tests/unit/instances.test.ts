@@ -1,0 +1,31 @@
+import { expect, test } from 'vitest';
+import { Casters, ONE_QUAD } from '../../src/instances/instances.ts';
+
+const ROLL = 0x1234;
+
+/** Rows of casters with a radius of half a metre, whose shadows end so many 256ths of it behind them. */
+function castersEnding(...ends: number[]): Casters {
+  const casters = new Casters(8, ONE_QUAD);
+  casters.fill({
+    count: ends.length,
+    place: Float32Array.from({ length: 4 * ends.length }, () => 0.5),
+    look: Uint32Array.from(ends.flatMap((end) => [((end << 16) | ROLL) >>> 0, 7])),
+  });
+  return casters;
+}
+
+function wordsOf(casters: Casters): number[] {
+  return Array.from(casters.geometry.getAttribute('look').array.slice(0, 2 * casters.count));
+}
+
+test('a shadow ends where it is told in metres, rounded up to what a row can hold', () => {
+  const casters = castersEnding(0xffff, 0xffff, 0xffff);
+  casters.shorten((ends) => ends.set([1, 1.0001, 1e6]));
+  expect(wordsOf(casters)).toEqual([(512 << 16) | ROLL, 7, (513 << 16) | ROLL, 7, 0xffff0000 + ROLL, 7]);
+});
+
+test('a shadow that ends earlier already stays, and one with nothing behind it ends at its centre', () => {
+  const casters = castersEnding(100, 600);
+  casters.shorten((ends) => ends.set([1, -3]));
+  expect(wordsOf(casters)).toEqual([(100 << 16) | ROLL, 7, ROLL, 7]);
+});
