@@ -16,9 +16,10 @@ const SINGLE_FILES = [
   'bindings/Cargo.toml',
   'rust-toolchain.toml',
   'sim/Cargo.toml',
+  'world/Cargo.toml',
   'xtask/Cargo.toml',
 ];
-const FOLDERS = ['bindings/src', 'sim/src', 'xtask/src'];
+const FOLDERS = ['bindings/src', 'sim/src', 'world/src', 'xtask/src'];
 const VARIANTS = ['core', 'physics'];
 const FILES = ['bindings.js', 'bindings.d.ts', 'bindings_bg.wasm'];
 

@@ -17,7 +17,7 @@ use crate::take::touch::Touch;
 use crate::vortex_particles::VortexParticles;
 
 const KIND: &[u8; 4] = b"smok";
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 const NAME: &str = "saved simulation";
 
 /// A part of the state that can be written and read.

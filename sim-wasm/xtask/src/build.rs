@@ -10,6 +10,8 @@ use wasm_bindgen_cli_support::Bindgen;
 use crate::places::Places;
 
 const TARGET: &str = "wasm32-unknown-unknown";
+/// See `Cargo.toml`.
+const PROFILE: &str = "wasm";
 
 /// One build of the bindings.
 pub struct Variant {
@@ -34,7 +36,7 @@ pub const VARIANTS: &[Variant] = &[
     Variant {
         name: "physics",
         features: &["rigids"],
-        flags: &[],
+        flags: CALLS_ARE_CHEAP,
     },
 ];
 
@@ -42,7 +44,7 @@ pub const VARIANTS: &[Variant] = &[
 pub const BENCH: Variant = Variant {
     name: "bench",
     features: &["bench"],
-    flags: &[],
+    flags: CALLS_ARE_CHEAP,
 };
 
 /// The generated files of a variant, without which it has to be built again.
@@ -58,7 +60,7 @@ pub const FILES: &[&str] = &["bindings.js", "bindings.d.ts", "bindings_bg.wasm"]
 pub fn build(variant: &Variant, places: &Places, output: &Path) -> Result<u64> {
     let target = places.workspace.join("target").join("wasm");
     compile(variant, places, &target)?;
-    let module = target.join(TARGET).join("release").join("bindings.wasm");
+    let module = target.join(TARGET).join(PROFILE).join("bindings.wasm");
     let folder = output.join(variant.name);
     bind(&module, &folder)?;
     let size = fs::metadata(folder.join("bindings_bg.wasm"))?.len();
@@ -69,7 +71,7 @@ fn compile(variant: &Variant, places: &Places, target: &PathBuf) -> Result<()> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let status = Command::new(cargo)
         .current_dir(&places.workspace)
-        .args(["build", "--package", "bindings", "--release", "--locked"])
+        .args(["build", "--package", "bindings", "--profile", PROFILE, "--locked"])
         .args(["--target", TARGET])
         .arg("--target-dir")
         .arg(target)

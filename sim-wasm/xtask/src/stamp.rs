@@ -21,9 +21,10 @@ const SINGLE_FILES: &[&str] = &[
     "bindings/Cargo.toml",
     "rust-toolchain.toml",
     "sim/Cargo.toml",
+    "world/Cargo.toml",
     "xtask/Cargo.toml",
 ];
-const FOLDERS: &[&str] = &["bindings/src", "sim/src", "xtask/src"];
+const FOLDERS: &[&str] = &["bindings/src", "sim/src", "world/src", "xtask/src"];
 const STAMP: &str = "stamp.txt";
 
 /// The digest of the sources under `workspace`, as 64 hexadecimal digits.

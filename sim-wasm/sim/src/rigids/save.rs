@@ -1,8 +1,6 @@
 //! Rigids as bytes, by postcard: descriptions, poses and targets of ours, and Rapier's world as it is, so that what
 //! is taken up again goes on to the same hash.
 
-use rapier3d::prelude::PhysicsWorld;
-
 use super::description::{RigidDescription, pose_of};
 use super::grab::Grab;
 use super::guide::Guide;
@@ -16,9 +14,10 @@ use crate::hash::Hash;
 type SavedRigid = (Vec<f32>, Vec<f32>, Vec<u32>, Vec<f32>);
 /// What leads a rigid: base, velocity, angle, target, grab.
 type SavedGuide = ([f32; 7], [f32; 3], f64, Option<[f32; 7]>, Option<[f32; 7]>);
-type Saved = (u64, Vec<SavedRigid>, Vec<f32>, Vec<SavedGuide>, PhysicsWorld);
+/// Steps, rigids, poses, guides, and the world as the crate `world` writes it.
+type Saved = (u64, Vec<SavedRigid>, Vec<f32>, Vec<SavedGuide>, Vec<u8>);
 /// The same, borrowed, which is all that writing needs.
-type SavedRef<'a> = (u64, Vec<SavedRigid>, &'a [f32], Vec<SavedGuide>, &'a PhysicsWorld);
+type SavedRef<'a> = (u64, Vec<SavedRigid>, &'a [f32], Vec<SavedGuide>, Vec<u8>);
 
 const DIGEST_BYTES: usize = 8;
 
@@ -30,7 +29,7 @@ impl Rigids {
         }
         let rigids = self.members.iter().map(saved).collect();
         let guides = self.members.iter().map(|member| saved_guide(&member.guide)).collect();
-        let state: SavedRef = (self.steps, rigids, &self.poses, guides, self.world.physics());
+        let state: SavedRef = (self.steps, rigids, &self.poses, guides, self.world.to_bytes());
         let mut bytes = postcard::to_allocvec(&state).expect("memory takes every byte");
         bytes.extend_from_slice(&digest(&bytes));
         bytes
@@ -56,11 +55,12 @@ impl Rigids {
 
     fn of_saved((steps, rigids, poses, guides, physics): Saved) -> Result<Self, RestoreError> {
         let count = rigids.len();
-        if poses.len() != count * POSE_PAIR_FLOATS || guides.len() != count || physics.bodies.len() != count {
+        let world = World::from_bytes(&physics).ok_or_else(corrupt)?;
+        if poses.len() != count * POSE_PAIR_FLOATS || guides.len() != count || world.count() != count {
             return Err(corrupt());
         }
         let mut restored = Self::new();
-        restored.world = World::of(physics);
+        restored.world = world;
         for (rigid, guide) in rigids.iter().zip(guides) {
             let description = described(rigid)?;
             let forms = forms::forms_of(&description).map_err(|error| RestoreError::new(error.message))?;

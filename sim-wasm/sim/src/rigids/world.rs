@@ -156,15 +156,25 @@ impl World {
         &self.physics.bodies[handle(index)]
     }
 
-    /// The whole of it for a save: contacts and their history too, without which a pile of rigids would go on
-    /// differently.
+    /// How many rigids are in it.
+    pub fn count(&self) -> usize {
+        self.physics.bodies.len()
+    }
+
+    /// What Rapier itself has, to compare with.
+    #[cfg(feature = "bench")]
     pub fn physics(&self) -> &PhysicsWorld {
         &self.physics
     }
 
-    /// A world as it was saved.
-    pub fn of(physics: PhysicsWorld) -> Self {
-        Self { physics }
+    /// The whole of it for a save.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        world::to_bytes(&self.physics)
+    }
+
+    /// A world as it was saved; none of other bytes.
+    pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        world::from_bytes(bytes).map(|physics| Self { physics })
     }
 }
 
