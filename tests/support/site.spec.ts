@@ -5,42 +5,22 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { expect, test } from './fixtures.ts';
-import { script } from './server.ts';
-
-interface SiteServer {
-  address: string;
-  sent: { file: string; bytes: number }[];
-  close(): Promise<void>;
-}
-interface SiteScript {
-  isFresh(): boolean;
-  bring(say: () => void): Promise<void>;
-}
-interface ServeScript {
-  serveSite(folder: string, place: string, headers?: Record<string, string>): Promise<SiteServer>;
-}
+import { demandSite, serveStrictly, type SiteServer } from './plainHost.ts';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
-const PLACE = '/some/where/';
-const STRICT = {
-  'content-security-policy':
-    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:",
-};
 const WISP = '#v=1&preset=wisp&simulation.maxParticles=500';
-const { serveSite } = await script<ServeScript>('site/serve.mjs');
 
 let folder: string;
 let server: SiteServer;
 
 test.beforeAll(async () => {
   test.setTimeout(300_000);
-  const site = await script<SiteScript>('setup/site.mjs');
-  if (!site.isFresh()) await site.bring(() => {});
+  await demandSite();
 });
 test.beforeEach(async () => {
   folder = mkdtempSync(join(tmpdir(), 'cartoon-smoke-site-'));
   cpSync(join(ROOT, 'dist'), folder, { recursive: true });
-  server = await serveSite(folder, PLACE, STRICT);
+  server = await serveStrictly(folder);
 });
 test.afterEach(async () => {
   await server.close();
@@ -56,7 +36,7 @@ test('runs from any folder, because its addresses are relative', async ({ page }
 });
 
 /** Kilobytes of JavaScript and WASM, as they come over the wire, that may come before the first smoke. */
-const LIMITS = { wisp: 400 };
+const LIMITS = { wisp: 400, lamp: 900 };
 
 for (const [preset, limit] of Object.entries(LIMITS)) {
   test(`${preset} fetches at most ${limit} kB of code before its first smoke`, async ({ page }) => {

@@ -8,6 +8,7 @@ use anyhow::{Context, Result, bail};
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::places::Places;
+use crate::trim::trim;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 /// See `Cargo.toml`.
@@ -18,8 +19,7 @@ pub struct Variant {
     /// Also the name of the folder that it is written to.
     pub name: &'static str,
     features: &'static [&'static str],
-    /// What rustc is told besides `.cargo/config.toml`.
-    flags: &'static [&'static str],
+    has_rapier: bool,
 }
 
 /// Set-up code is called, not copied to each place that needs it: a tenth of the module. The loops over particles name
@@ -31,12 +31,12 @@ pub const VARIANTS: &[Variant] = &[
     Variant {
         name: "core",
         features: &[],
-        flags: CALLS_ARE_CHEAP,
+        has_rapier: false,
     },
     Variant {
         name: "physics",
         features: &["rigids"],
-        flags: CALLS_ARE_CHEAP,
+        has_rapier: true,
     },
 ];
 
@@ -44,7 +44,7 @@ pub const VARIANTS: &[Variant] = &[
 pub const BENCH: Variant = Variant {
     name: "bench",
     features: &["bench"],
-    flags: CALLS_ARE_CHEAP,
+    has_rapier: true,
 };
 
 /// The generated files of a variant, without which it has to be built again.
@@ -62,7 +62,8 @@ pub fn build(variant: &Variant, places: &Places, output: &Path) -> Result<u64> {
     compile(variant, places, &target)?;
     let module = target.join(TARGET).join(PROFILE).join("bindings.wasm");
     let folder = output.join(variant.name);
-    bind(&module, &folder)?;
+    let bytes = fs::read(&module).with_context(|| format!("{} cannot be read", module.display()))?;
+    bind(if variant.has_rapier { trim(&bytes)? } else { bytes }, &folder)?;
     let size = fs::metadata(folder.join("bindings_bg.wasm"))?.len();
     Ok(size)
 }
@@ -75,7 +76,7 @@ fn compile(variant: &Variant, places: &Places, target: &PathBuf) -> Result<()> {
         .args(["--target", TARGET])
         .arg("--target-dir")
         .arg(target)
-        .args(["--config", &format!("target.{TARGET}.rustflags={:?}", variant.flags)])
+        .args(["--config", &format!("target.{TARGET}.rustflags={CALLS_ARE_CHEAP:?}")])
         .args(["--features", &variant.features.join(",")])
         .status()
         .context("cargo cannot be started")?;
@@ -85,14 +86,14 @@ fn compile(variant: &Variant, places: &Places, target: &PathBuf) -> Result<()> {
     Ok(())
 }
 
-fn bind(module: &Path, folder: &Path) -> Result<()> {
+fn bind(module: Vec<u8>, folder: &Path) -> Result<()> {
     Bindgen::new()
-        .input_path(module)
+        .input_bytes("bindings", module)
         .web(true)?
         .typescript(true)
         .omit_default_module_path(true)
         .remove_name_section(true)
         .remove_producers_section(true)
         .generate(folder)
-        .with_context(|| format!("wasm-bindgen refused {}", module.display()))
+        .with_context(|| format!("wasm-bindgen refused what goes to {}", folder.display()))
 }

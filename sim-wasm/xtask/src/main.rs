@@ -7,6 +7,7 @@
 mod build;
 mod places;
 mod stamp;
+mod trim;
 
 use std::process::ExitCode;
 

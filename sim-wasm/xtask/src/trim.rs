@@ -1,0 +1,80 @@
+//! Takes out of a module what Rapier runs only where there are soft bodies or multibodies. No rigid of ours is one, which
+//! the linker cannot know: it is an eighth of the module.
+
+use anyhow::{Result, bail};
+use walrus::{FunctionBuilder, FunctionId, FunctionKind, LocalFunction, Module};
+
+/// Parts of the names of what is called with one soft body, one of its constraints or one multibody in hand. It traps
+/// should it ever run, so that nothing goes on wrongly.
+const CALLED_WITH_ONE: &[&str] = &[
+    "soft_body..soft_body..SoftBody$GT$",
+    "SoftBodySet$GT$4tear",
+    "SoftBodySet$GT$13split_cluster",
+    "soft_body14collision_mesh",
+    "soft_body17soft_body_builder",
+    "soft_body17soft_body_cluster",
+    "soft_constraint23soft_element_constraint",
+    "SoftConstraintsSet$GT$22solve_color_constraint",
+    "SoftConstraintsSet$GT$19solve_contact_chunk",
+    "soft_contact_assembly_edge_contacts",
+    "soft_contact_assembly_vertex_contacts",
+    "soft_contact_assembly_volume_constraints",
+    "soft_contacts_classify",
+    "soft_contacts_edge_pass",
+    "soft_contacts_vertex_pass",
+    "soft_contacts_volume",
+    "9multibody9Multibody",
+];
+
+/// Called in each step, and back at once where no soft body is awake.
+const RETURNS_AT_ONCE: &[&str] = &["SoftConstraintsSet$GT$17assemble_contacts17h"];
+
+/// A module without them.
+///
+/// # Errors
+/// When the bytes are no module, or when none of its functions has one of the names: after a change of Rapier or of the
+/// compiler the lists want to be looked at.
+pub fn trim(bytes: &[u8]) -> Result<Vec<u8>> {
+    let mut module = Module::from_buffer(bytes)?;
+    for part in CALLED_WITH_ONE {
+        empty(&mut module, part, |body| {
+            body.unreachable();
+        })?;
+    }
+    for part in RETURNS_AT_ONCE {
+        empty(&mut module, part, |_| ())?;
+    }
+    walrus::passes::gc::run(&mut module);
+    Ok(module.emit_wasm())
+}
+
+/// Gives each function with this part in its name another body.
+fn empty(module: &mut Module, part: &str, fill: impl Fn(&mut walrus::InstrSeqBuilder)) -> Result<()> {
+    let found: Vec<FunctionId> = module
+        .funcs
+        .iter_local()
+        .filter(|(id, _)| {
+            let name = module.funcs.get(*id).name.as_deref().unwrap_or_default();
+            name.contains(part) && !name.contains("drop_in_place")
+        })
+        .map(|(id, _)| id)
+        .collect();
+    if found.is_empty() {
+        bail!("no function has {part} in its name; see xtask/src/trim.rs");
+    }
+    for id in found {
+        let body = body_like(module, id, &fill);
+        module.funcs.get_mut(id).kind = FunctionKind::Local(body);
+    }
+    Ok(())
+}
+
+/// Another function of the same type.
+fn body_like(module: &mut Module, id: FunctionId, fill: impl Fn(&mut walrus::InstrSeqBuilder)) -> LocalFunction {
+    let ty = module.types.get(module.funcs.get(id).ty());
+    let (parameters, results) = (ty.params().to_vec(), ty.results().to_vec());
+    let arguments = parameters.iter().map(|ty| module.locals.add(*ty)).collect();
+    let mut builder = FunctionBuilder::new(&mut module.types, &parameters, &results);
+    fill(&mut builder.func_body());
+    builder.local_func(arguments)
+}

@@ -1,0 +1,35 @@
+/** A plain web host for tests of the built site: from a folder deep inside, packed by gzip, under a strict policy. */
+import { script } from './server.ts';
+
+export interface SiteServer {
+  /** Of the site's folder, ending with a slash. */
+  address: string;
+  /** What was answered so far: bytes over the wire, without headers. */
+  sent: { file: string; bytes: number }[];
+  close(): Promise<void>;
+}
+
+interface SiteScript {
+  isFresh(): boolean;
+  bring(say: () => void): Promise<void>;
+}
+interface ServeScript {
+  serveSite(folder: string, place: string, headers?: Record<string, string>): Promise<SiteServer>;
+}
+
+const PLACE = '/some/where/';
+const STRICT = {
+  'content-security-policy':
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:",
+};
+
+/** Builds dist/ anew where sources have changed. */
+export async function demandSite(): Promise<void> {
+  const site = await script<SiteScript>('setup/site.mjs');
+  if (!site.isFresh()) await site.bring(() => {});
+}
+
+export async function serveStrictly(folder: string): Promise<SiteServer> {
+  const { serveSite } = await script<ServeScript>('site/serve.mjs');
+  return serveSite(folder, PLACE, STRICT);
+}
