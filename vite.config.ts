@@ -1,12 +1,13 @@
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
+import { addresses } from './scripts/site/addresses.ts';
 import { preloads } from './scripts/site/preloads.ts';
 import { serviceWorker } from './scripts/site/serviceWorker.ts';
 
 /** The demo site: relative addresses, so that it works from any folder of any host. */
 export default defineConfig({
   base: './',
-  plugins: [glsl(), preloads('/src/app/main.ts'), serviceWorker()],
+  plugins: [glsl(), addresses(process.env.CARTOON_SMOKE_BASE), preloads('/src/app/main.ts'), serviceWorker()],
   // Found too late otherwise, by a module that only a test imports or that comes on demand, and the page would reload.
   optimizeDeps: {
     include: [

@@ -1,14 +1,21 @@
-/** `npm run build`: writes the demo page to dist/ as a static site that works from any folder of any host. */
+/**
+ * `npm run build [-- --out FOLDER]`: writes the demo page to dist/ as a static site that works from any folder of any host.
+ * CARTOON_SMOKE_BASE is the address that it will be published at, where whole addresses are wanted.
+ */
 
+import { resolve } from 'node:path';
 import { readArguments } from './lib/arguments.mjs';
 import { conclude } from './lib/refusal.mjs';
 import { PAGE, setUp } from './setup/setup.mjs';
 import * as site from './setup/site.mjs';
 import { withProgress } from './lib/progress.mjs';
+import { publishedAt } from './site/published.mjs';
 
 await conclude(async () => {
-  readArguments({}, 'npm run build');
+  const { values } = readArguments({ out: { type: 'string' } }, 'npm run build -- [--out FOLDER]');
+  publishedAt();
   await setUp(PAGE);
-  await withProgress(site.title, site.bring);
-  console.log('The site is in dist/.');
+  const { out } = values;
+  await withProgress(site.title, out ? (say) => site.build(resolve(out), say) : site.bring);
+  console.log(`The site is in ${out ?? 'dist/'}.`);
 });

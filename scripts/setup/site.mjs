@@ -4,6 +4,7 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { Refusal } from '../lib/refusal.mjs';
+import { publishedAt } from '../site/published.mjs';
 import { digestOf } from './sources.mjs';
 
 export const title = 'Site';
@@ -27,31 +28,46 @@ const STAMP = '.cache/site.txt';
 /** Whether dist/ holds what a build of the present sources, the WASM included, would write. */
 export function isFresh() {
   if (!existsSync(inRoot('dist/index.html')) || !existsSync(inRoot(STAMP))) return false;
-  return readFileSync(inRoot(STAMP), 'utf8') === digestOf(SOURCES);
+  return readFileSync(inRoot(STAMP), 'utf8') === digest();
 }
 
 /** @param {(line: string) => void} say */
 export async function bring(say) {
   rmSync(inRoot(STAMP), { force: true });
-  const before = digestOf(SOURCES);
-  await bundle('vite.config.ts', say);
-  await bundle('examples/vite.config.ts', say);
-  // Only here are there packages for certain.
-  const { buildFrame } = await import('../site/frame.mjs');
-  const { writeOembed } = await import('../site/oembed.mjs');
-  await buildFrame(inRoot('dist'));
-  await writeOembed(inRoot('dist'), process.env.CARTOON_SMOKE_BASE || undefined);
+  const before = digest();
+  await build(inRoot('dist'), say);
   mkdirSync(inRoot('.cache'), { recursive: true });
   // Sources that were edited meanwhile may or may not be in: then no stamp matches, and the next call builds again.
   writeFileSync(inRoot(STAMP), before);
 }
 
-/** @param {string} config @param {(line: string) => void} say */
-async function bundle(config, say) {
+/**
+ * Writes the site to another folder than dist/, which stays as it is.
+ *
+ * @param {string} folder @param {(line: string) => void} say
+ */
+export async function build(folder, say) {
+  await bundle('vite.config.ts', folder, say);
+  await bundle('examples/vite.config.ts', folder, say);
+  // Only here are there packages for certain.
+  const { buildFrame } = await import('../site/frame.mjs');
+  const { writeOembed } = await import('../site/oembed.mjs');
+  await buildFrame(folder);
+  await writeOembed(folder, publishedAt());
+}
+
+/** @param {string} config @param {string} folder @param {(line: string) => void} say */
+async function bundle(config, folder, say) {
   const vite = inRoot('node_modules/vite/bin/vite.js');
-  const { status, output } = await run(process.execPath, [vite, 'build', '--config', inRoot(config)], { onLine: say });
+  const parameters = [vite, 'build', '--config', inRoot(config), '--outDir', folder];
+  const environment = { CARTOON_SMOKE_BASE: publishedAt() ?? '' };
+  const { status, output } = await run(process.execPath, parameters, { environment, onLine: say });
   if (status === 0) return;
   throw new Refusal('The site could not be built: the bundler says why in the lines above.', withoutStack(output));
+}
+
+function digest() {
+  return `${digestOf(SOURCES)} ${publishedAt() ?? ''}`;
 }
 
 function withoutStack(/** @type {string} */ output) {

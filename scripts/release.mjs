@@ -1,0 +1,34 @@
+/** `npm run release:check -- TAG`: whether a tag, the version of the package and the changelog say the same. */
+
+import { readFileSync } from 'node:fs';
+import { readArguments } from './lib/arguments.mjs';
+import { inRoot } from './lib/paths.mjs';
+import { conclude, Refusal } from './lib/refusal.mjs';
+
+const USAGE = 'npm run release:check -- TAG';
+
+await conclude(async () => {
+  const { positionals } = readArguments({}, USAGE);
+  if (positionals.length !== 1) throw new Refusal(`Name one tag. Usage: ${USAGE}`);
+  const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
+  demandTag(positionals[0], version);
+  demandNotes(version);
+  console.log(`Version ${version} can be released.`);
+});
+
+function demandTag(/** @type {string} */ tag, /** @type {string} */ version) {
+  if (tag === `v${version}`) return;
+  throw new Refusal(
+    `The tag is ${tag}, but package.json has version ${version}: tag v${version}, or change the version.`,
+  );
+}
+
+/** Somebody who updates wants to know what for. */
+function demandNotes(/** @type {string} */ version) {
+  const sections = readFileSync(inRoot('CHANGELOG.md'), 'utf8').split(/^## /m).slice(1);
+  const notes = sections.find((section) => section.split(/\s/, 1)[0] === version);
+  if (notes && /^- /m.test(notes)) return;
+  throw new Refusal(
+    `CHANGELOG.md says nothing about ${version}: give what is under Unreleased the heading ${version}.`,
+  );
+}
