@@ -74,7 +74,11 @@ export class Device {
     this.puffs.dispose();
     if (!this.ownsRenderer) return;
     this.renderer.dispose();
-    this.renderer.forceContextLoss();
+    if (!this.isLost) return this.renderer.forceContextLoss();
+    // A lost context cannot be given back before the browser restores it.
+    const context = this.renderer.getContext();
+    const giveBack = () => context.getExtension('WEBGL_lose_context')?.loseContext();
+    this.canvas.addEventListener('webglcontextrestored', giveBack, { once: true });
   }
 
   private readonly handleLoss = (event: Event): void => {

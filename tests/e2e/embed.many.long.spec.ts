@@ -8,8 +8,8 @@ type Load = typeof import('../../src/sim/load.ts');
 const SHARED = '/src/remote/sharedDevice.ts';
 const LOAD = '/src/sim/load.ts';
 const [FIRST, MORE] = [20, 180];
-/** Of a heap that is collected: what the engine itself keeps of code and feedback, for each stage. */
-const BYTES_A_STAGE = 3_000;
+/** The engine keeps some code and feedback; stages that were kept would take twice as much. */
+const SLACK_BYTES = 1_000_000;
 
 test.use({ ownPage: true, allowed: /context lost|CONTEXT_LOST/i });
 
@@ -25,7 +25,7 @@ test('the heap of the main thread stays flat, and its context goes', async ({ lo
     return used;
   });
   await comeAndGo(MORE);
-  expect((await usedBytes(blank)) - before).toBeLessThan(MORE * BYTES_A_STAGE);
+  expect((await usedBytes(blank)) - before).toBeLessThan(SLACK_BYTES);
   await expect.poll(() => context.evaluate((used) => used.isContextLost())).toBe(true);
 });
 
@@ -38,7 +38,10 @@ test('a worker keeps neither textures, geometries, programs nor WASM memory of w
   await comeAndGo(FIRST);
   const before = await held(blank);
   await comeAndGo(MORE);
-  expect(await held(blank)).toEqual(before);
+  const after = await held(blank);
+  expect({ ...after, wasm: 0 }).toEqual({ ...before, wasm: 0 });
+  // The next stage may come before the one before it has gone; a leak of all would be four times as much.
+  expect(after.wasm - before.wasm).toBeLessThan(1024 * 1024);
   await expect.poll(() => blank.workers().length).toBe(0);
 });
 

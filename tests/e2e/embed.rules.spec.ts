@@ -108,3 +108,26 @@ test('a context that does not come back is told as a ContextError, once, and may
   await losing.evaluate((extension) => extension.restoreContext());
   await expect.poll(() => shared.evaluate(({ threadDevice }) => threadDevice.hold()!.isUsable)).toBe(true);
 });
+
+test('a device that ended while its context was lost gives it back as soon as that comes', async ({ page }) => {
+  await openUnder(page);
+  const devices = await loadModule<typeof import('../../src/device/device.ts')>(page, '/src/device/device.ts');
+  const isLost = await devices.evaluate(async ({ createDevice }) => {
+    const device = createDevice(new OffscreenCanvas(1, 1));
+    const context = device.renderer.getContext();
+    const losing = context.getExtension('WEBGL_lose_context')!;
+    const happens = (event: string) =>
+      new Promise((resolve) => device.canvas.addEventListener(event, resolve, { once: true }));
+    const lost = happens('webglcontextlost');
+    losing.loseContext();
+    await lost;
+    // The browser decides about restoring only after the event's last listener.
+    await new Promise((resolve) => setTimeout(resolve));
+    device.dispose();
+    const restored = happens('webglcontextrestored');
+    losing.restoreContext();
+    await restored;
+    return context.isContextLost();
+  });
+  expect(isLost).toBe(true);
+});
