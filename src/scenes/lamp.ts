@@ -4,7 +4,7 @@ import type { RigidDescription } from '../sim/rigid.ts';
 import { ballMesh } from './models/ball.ts';
 import { lampModel, type LampModel, type LampRole } from './models/lamp.ts';
 import { tableMesh } from './models/table.ts';
-import type { Scene } from './scene.ts';
+import type { CameraShift, Scene } from './scene.ts';
 
 const BALL = 0;
 const BALL_RADIUS = 0.26;
@@ -38,8 +38,17 @@ export function lamp(): Scene {
       max: [2.2, 3.4, 1.6],
     },
     camera: { target: [0.15, 1.5, 0], azimuth: 0.15, elevation: 0.16, distance: 6.3, fieldOfView: 0.58 },
+    cameraMove: swing,
     backdrop: { top: [43, 45, 92], bottom: [214, 110, 122] },
   };
+}
+
+/** The column stands by then: before it does, all eyes are on how it grows. */
+const STANDS = 7;
+
+function swing(seconds: number): CameraShift {
+  const since = Math.max(0, seconds - STANDS);
+  return { azimuth: 0.12 * (Math.cos(since / 7) - 1), elevation: 0.025 * (1 - Math.cos(since / 4.5)) };
 }
 
 function rigids({ collision }: LampModel): RigidDescription[] {
