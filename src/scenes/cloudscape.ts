@@ -40,7 +40,7 @@ export function cloudscape(): Scene {
       { pose: (seconds) => placement(sunPlace(seconds), [0, 0, 0.1 * Math.sin(seconds)]) },
     ],
     camera: { target: [0, 1.15, 0], azimuth: 0, elevation: 0.06, distance: 9.6, fieldOfView: 0.58 },
-    portrait: { target: [-0.55, 1.75, 0], distance: 11, leastWidth: 0.38 },
+    portrait: { target: [-0.7, 0.75, 0], distance: 11, leastWidth: 0.44 },
     cameraMove: (seconds) => ({ azimuth: 0.06 * Math.sin(seconds / 8), elevation: 0.02 * Math.sin(seconds / 5) }),
     lightMove,
     lightCentre: CENTRE,

@@ -19,10 +19,10 @@ export interface Cloud {
 }
 
 /** Puffs that a hit raises at 1 m/s, and the power of the speed that their number goes with. */
-export const BY_HIT = 1.6;
+export const BY_HIT = 1.3;
 export const POWER = 1.5;
 /** No hit raises more puffs. */
-export const MOST_PUFFS = 40;
+export const MOST_PUFFS = 32;
 /** Puffs a step that rolling at 1 m/s raises, and where it begins, m/s. */
 const BY_ROLLING = 0.16;
 const SLOWEST = 0.35;

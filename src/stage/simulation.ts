@@ -49,6 +49,7 @@ export class Simulation {
   private readonly dropped: Dropped;
   /** Steps after which the spring lets go of the rigid that people move: undefined while it does not hold it. */
   private heldUntil: number | undefined;
+  private heldFrom = 0;
 
   /** @param historyBytes how much memory states may take that are kept for going back */
   constructor(factory: SimulatorFactory, scene: Scene, values: Values, historyBytes: number) {
@@ -133,6 +134,7 @@ export class Simulation {
     if (this.scene.handle!.steers) return this.steerHandle(drag);
     const [anchor, grip] = [drag.anchor.toArray(), drag.grip.toArray()];
     this.input((simulator) => simulator.inputDrag(this.scene.handle!.rigid, anchor, grip));
+    if (this.heldUntil !== Infinity) this.heldFrom = this.current.steps;
     this.heldUntil = Infinity;
   }
 
@@ -143,11 +145,12 @@ export class Simulation {
 
   /**
    * Lets go of it as soon as it has come to where it was drawn: let go in a pause, it could not come there otherwise. What
-   * falls when it is let go is let go at once, so that people can throw it.
+   * falls when it is let go is let go at once unless it has not moved yet, so that people can throw it.
    */
   releaseHandle(): void {
-    const settling = this.scene.rigids[this.scene.handle!.rigid].kind === 'dynamic' ? 0 : SETTLING_STEPS;
-    if (this.heldUntil === Infinity) this.heldUntil = this.current.steps + settling;
+    const { steps } = this.current;
+    const isThrown = this.scene.rigids[this.scene.handle!.rigid].kind === 'dynamic' && steps > this.heldFrom;
+    if (this.heldUntil === Infinity) this.heldUntil = steps + (isThrown ? 0 : SETTLING_STEPS);
   }
 
   /** How many things can be dropped; 0 where there is nothing. */

@@ -114,6 +114,20 @@ test('what people throw flies on', () => {
   simulation.dispose();
 });
 
+test('what was drawn somewhere in a pause comes there before it falls', () => {
+  const simulation = alone(BALL, [0, 0.42, 0]);
+  simulation.advance(10);
+  simulation.drag!.target.set(1, 2, 0);
+  simulation.dragHandle();
+  simulation.releaseHandle();
+  simulation.advance(29);
+  const [x, y] = simulation.simulator.rigidPoses(1);
+  expect(Math.hypot(x - 1, y - 2)).toBeLessThan(0.05);
+  simulation.advance(30);
+  expect(simulation.simulator.rigidPoses(1)[1]).toBeLessThan(1.5);
+  simulation.dispose();
+});
+
 test('the mole never rests for long: within a minute it kicks each toy, and what falls off comes again', () => {
   const simulation = new Simulation(factory, dust(), preset, 1e6);
   const kicked = new Set<number>();

@@ -8,7 +8,7 @@ export const dustPresets: readonly Preset[] = [
     values: {
       scene: 'dust',
       'emission.rate': 5000,
-      'emission.lifetime': 2.1,
+      'emission.lifetime': 1.9,
       'emission.growthTime': 0.5,
       'emission.density': '0:.6,.3:1,.65:.85,1:0',
       'forces.turbulence': 0.9,
