@@ -37,6 +37,7 @@ const scenes: Readonly<Record<string, SceneWords>> = {
   },
   cloudscape: { loading: 'Gathering clouds\u2026', picture: 'Clouds that drift over a meadow.' },
   wisp: { loading: 'Boiling water\u2026', picture: 'A cup of tea that steams.' },
+  air: { loading: 'Taking a breath\u2026', picture: 'Nothing but smoke.' },
 };
 
 /** All words of the page in one place, so that somebody can translate them. Labels of parameters are in the table. */
