@@ -1,6 +1,16 @@
 /** Smoke in a frame of another origin, as strictly sandboxed as frames can be. */
 import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { expect, test } from '../support/fixtures.ts';
+import { script } from '../support/server.ts';
+
+interface ServeScript {
+  serveSite(
+    folder: string,
+    place: string,
+    headers: Record<string, string>,
+  ): Promise<{ address: string; close(): Promise<void> }>;
+}
 
 // The site as it is published: its frame is one script.
 test.use({ showsBuiltSite: true });
@@ -121,6 +131,23 @@ test('five thousand hostile messages change nothing and raise nothing', async ({
   const report = await frames.evaluate((module, { frame }) => module.attack(frame, 5_000), framed);
   expect(report).toEqual({ accepted: 0, sent: 5_000 });
   expect(await frames.evaluate((module, { stage }) => module.stateOf(stage), framed)).toEqual(before);
+});
+
+test('works from a host with a strict Content-Security-Policy', async ({ load }) => {
+  const { serveSite } = await script<ServeScript>('site/serve.mjs');
+  const folder = fileURLToPath(new URL('../../dist', import.meta.url));
+  const policy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'";
+  const server = await serveSite(folder, '/deep/inside/', { 'content-security-policy': policy });
+  const frames = await load<FrameCases>(FRAMES);
+  const steps = await frames.evaluate(
+    async (module, [url, sandbox]) => {
+      const { stage } = await module.connect(url, sandbox);
+      return (await module.stateOf(stage)).steps;
+    },
+    [`${server.address}embed.html?t=0.5&${WISP.slice(1)}`, SANDBOX] as const,
+  );
+  expect(steps).toBe(30);
+  await server.close();
 });
 
 test('each preset of the gallery has an oEmbed answer', () => {

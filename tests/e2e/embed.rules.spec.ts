@@ -131,3 +131,27 @@ test('a device that ended while its context was lost gives it back as soon as th
   });
   expect(isLost).toBe(true);
 });
+
+test('a context that is lost in mid-start has its smoke when it comes back', async ({ page }) => {
+  await openUnder(page);
+  const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
+  const shared = await loadModule<Shared>(page, '/src/remote/sharedDevice.ts');
+  const differing = await cases.evaluate(async (module, { threadDevice }) => {
+    const device = threadDevice.hold()!;
+    const losing = device.renderer.getContext().getExtension('WEBGL_lose_context')!;
+    const happens = (event: string) =>
+      new Promise((resolve) => device.canvas.addEventListener(event, resolve, { once: true }));
+    const opening = module.open({ thread: 'main' });
+    const lost = happens('webglcontextlost');
+    losing.loseContext();
+    await lost;
+    const { stage, canvas } = await opening;
+    await stage.step(60);
+    losing.restoreContext();
+    await happens('webglcontextrestored');
+    const other = await module.open({ thread: 'main' });
+    await other.stage.step(60);
+    return module.differingShown(canvas, await module.pixelsOf(await other.stage.picture()));
+  }, shared);
+  expect(differing).toBe(0);
+});

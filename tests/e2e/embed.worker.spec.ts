@@ -73,7 +73,30 @@ test.describe('on a page of their own', () => {
     expect(await cases.evaluate(async (module) => (await module.open()).stage.thread)).toBe('worker');
   });
 
-  test('a lost context brings all stages back', async ({ load, blank }) => {
+  test('what fails in the worker is told to its stages and not to the page', async ({ load, blank }) => {
+    const cases = await load<Cases>(CASES);
+    const told = await cases.evaluateHandle(async (module) => {
+      const { stage } = await module.open();
+      const error = new Promise<Error>((resolve) => stage.on('error', resolve));
+      // Listening is asked for by a message, and this one comes after it.
+      await stage.get();
+      return { error };
+    });
+    await blank.workers()[0].evaluate(
+      () =>
+        void setTimeout(() => {
+          throw new Error('out of order');
+        }),
+    );
+    const { name, message } = await told.evaluate(async ({ error }) => {
+      const { name: its, message: words } = await error;
+      return { name: its, message: words };
+    });
+    expect(name).toBe('SimulatorError');
+    expect(message).toContain('out of order');
+  });
+
+  test('a context that is lost twice brings all stages back', async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
     const opened = await cases.evaluateHandle(async (module) => {
       const two = await Promise.all([module.open(), module.open()]);
@@ -81,6 +104,8 @@ test.describe('on a page of their own', () => {
       return two;
     });
     const [worker] = blank.workers();
+    await turnContext(worker, 'loseContext');
+    await turnContext(worker, 'restoreContext');
     await turnContext(worker, 'loseContext');
     const refused = await opened.evaluate(([{ stage }]) => stage.picture().catch((error: Error) => error.name));
     expect(refused).toBe('ContextError');
