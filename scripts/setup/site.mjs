@@ -51,9 +51,11 @@ export async function build(folder, say) {
   await bundle('examples/vite.config.ts', folder, say);
   // Only here are there packages for certain.
   const { buildFrame } = await import('../site/frame.mjs');
+  const { writeLicenses } = await import('../site/licenses.mjs');
   const { writeOembed } = await import('../site/oembed.mjs');
   await buildFrame(folder);
   await writeOembed(folder, publishedAt());
+  await writeLicenses(folder);
 }
 
 /** @param {string} config @param {string} folder @param {(line: string) => void} say */

@@ -9,13 +9,18 @@ export class Help {
   private readonly list = create('dl', {});
 
   constructor(stage: Stage) {
-    const { title, paper, close } = strings.help;
+    const { title, paper, licenses, close } = strings.help;
     this.stage = stage;
     const button = textButton('loud', close, () => this.element.close());
-    const link = create('p', {}, create('a', { href: './paper.html' }, paper));
+    const links = create(
+      'p',
+      { class: 'help-links' },
+      create('a', { href: './paper.html' }, paper),
+      create('a', { href: './third-party-licenses.txt' }, licenses),
+    );
     const heading = create('h2', { id: 'help-title' }, title);
     const attributes = { class: 'sheet card', 'aria-labelledby': 'help-title' };
-    this.element = create('dialog', attributes, heading, this.list, link, button);
+    this.element = create('dialog', attributes, heading, this.list, links, button);
   }
 
   /** Opens the sheet, or closes it when it is open. */

@@ -232,6 +232,7 @@ export const strings = {
     button: 'Help',
     title: 'Play with smoke',
     paper: 'How it follows the paper of 2006',
+    licenses: 'Whose work is in it',
     close: 'Close',
     hand: (thing: string) => `Drag ${thing}`,
     arrows: (thing: string) => ['\u2190 \u2192 \u2191 \u2193', `move ${thing}`] as const,

@@ -35,6 +35,20 @@ test('runs from any folder, because its addresses are relative', async ({ page }
   expect(missing).toEqual([]);
 });
 
+test('says whose work it holds, under which licence, and where the source of it is', async ({ page }) => {
+  await page.goto(`${server.address}?paused=1${WISP}`);
+  await page.getByRole('button', { name: 'Help' }).click();
+  const link = page.getByRole('link', { name: 'Whose work is in it' });
+  const answer = await page.request.get(new URL((await link.getAttribute('href'))!, server.address).href);
+  const text = await answer.text();
+  // Bundled, fetched on demand, of an example, and linked into the WASM.
+  for (const name of ['three', 'mediabunny', 'gifenc', 'react-dom', 'rapier3d', 'glam']) {
+    expect(text).toMatch(new RegExp(`^${name} \\d+\\.\\d+\\.\\d+ \\([^\n]+\\)\nhttps://`, 'm'));
+  }
+  expect(text).toContain('(MPL-2.0)\nhttps://github.com/Vanilagy/mediabunny.git');
+  expect(text).toContain('Mozilla Public License Version 2.0');
+});
+
 /** Kilobytes of JavaScript and WASM, as they come over the wire, that may come before the first smoke. */
 const LIMITS = { wisp: 400, lamp: 900 };
 

@@ -1,0 +1,95 @@
+/** Whose work the site holds besides ours, with their licences: `third-party-licenses.txt`. */
+
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join, resolve, sep } from 'node:path';
+import { Refusal } from '../lib/refusal.mjs';
+import { cargo } from '../setup/toolchain.mjs';
+
+export const FILE = 'third-party-licenses.txt';
+
+const LICENCE_FILE = /^(licen[cs]e|notice|copying)([-_.].*)?$/i;
+const WASM = ['-p', 'bindings', '--features', 'rigids', '--target', 'wasm32-unknown-unknown'];
+
+/**
+ * @typedef {object} Work
+ * @property {string} name
+ * @property {string} version
+ * @property {string} license SPDX expression
+ * @property {string} source where its source code can be had
+ * @property {string} folder
+ */
+
+/** @param {string} folder of the built site, with its source maps, which tell what was bundled */
+export async function writeLicenses(folder) {
+  const works = [...packagesIn(folder), ...(await crates())].sort((a, b) => a.name.localeCompare(b.name, 'en'));
+  writeFileSync(join(folder, FILE), `${[INTRODUCTION, ...works.map(describe)].join('\n\n')}\n`);
+}
+
+const INTRODUCTION = `Cartoon Smoke holds work of others, under their licences. Nothing of it was changed but for being bundled and
+minified; the source code of each can be had where its entry says.`;
+
+/** @param {string} folder @returns {Work[]} */
+function packagesIn(folder) {
+  const maps = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.map'));
+  const folders = new Set(maps.flatMap((name) => packageFolders(join(folder, name))));
+  return [...folders].map((place) => {
+    const { name, version, license, repository } = JSON.parse(readFileSync(join(place, 'package.json'), 'utf8'));
+    const address = typeof repository === 'string' ? repository : repository?.url;
+    const source = address?.includes('://') ? address : `https://www.npmjs.com/package/${name}`;
+    return { name, version, license, source: source.replace(/^git(\+\w+)?:/, 'https:'), folder: place };
+  });
+}
+
+/** Folders of the packages that a source map names. @param {string} map */
+function packageFolders(map) {
+  /** @type {{ sources: string[] }} */
+  const { sources } = JSON.parse(readFileSync(map, 'utf8'));
+  const paths = sources.map((source) => resolve(dirname(map), source).split(sep).join('/'));
+  return paths.flatMap((path) => /^.*\/node_modules\/(@[^/]+\/)?[^/]+(?=\/)/.exec(path)?.[0] ?? []);
+}
+
+/** What is linked into the WASM. @returns {Promise<Work[]>} */
+async function crates() {
+  const tree = await ask([
+    'tree',
+    ...WASM,
+    '-e',
+    'normal,no-proc-macro',
+    '--prefix',
+    'none',
+    '--format',
+    '{p}|{l}|{r}',
+  ]);
+  const described = await ask(['metadata', '--format-version', '1', '--all-features']);
+  /** @type {{ packages: { name: string, version: string, manifest_path: string }[] }} */
+  const { packages } = JSON.parse(described.find((line) => line.startsWith('{')) ?? '{"packages":[]}');
+  const lines = new Set(tree.filter((line) => line.includes('|')).map((line) => line.replace(/ \(\*\)$/, '')));
+  return [...lines].flatMap((line) => {
+    const [, name, version, ours, license, source] = /^(\S+) v(\S+)( \(.+\))?\|(.*)\|(.*)$/.exec(line) ?? [];
+    const found = packages.find((each) => each.name === name && each.version === version);
+    return ours || !found ? [] : [{ name, version, license, source, folder: dirname(found.manifest_path) }];
+  });
+}
+
+/** @param {string[]} parameters */
+async function ask(parameters) {
+  const { status, output } = await cargo([...parameters, '--locked']);
+  if (status !== 0) throw new Refusal('Cargo could not say what is linked into the WASM.', output);
+  return output.split('\n');
+}
+
+/** @param {Work} work */
+function describe({ name, version, license, source, folder }) {
+  const texts = licenceFiles(folder, license).map((file) => readFileSync(join(folder, file), 'utf8').trim());
+  const none = `Its package holds no text of its licence: https://spdx.org/licenses/ has it under the name above.`;
+  return ['-'.repeat(80), `${name} ${version} (${license})\n${source}`, ...(texts.length > 0 ? texts : [none])].join(
+    '\n\n',
+  );
+}
+
+/** Where there is a choice with MIT in it, MIT is chosen. @param {string} folder @param {string} license */
+function licenceFiles(folder, license) {
+  const files = readdirSync(folder).filter((file) => LICENCE_FILE.test(file));
+  const isChoice = /\bMIT\b/.test(license) && /\bOR\b|\//.test(license);
+  return isChoice && files.length > 1 ? files.filter((file) => !/apache|zlib|unlicense/i.test(file)) : files;
+}
