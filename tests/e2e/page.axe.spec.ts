@@ -10,7 +10,7 @@ async function expectNoFaults(page: Page, view: string): Promise<void> {
   expect(faults, view).toEqual([]);
 }
 
-test('axe finds nothing on the page, its panel, its handles and its dialogs', async ({ page }) => {
+test('axe finds nothing on the page, its panel and its handles', async ({ page }) => {
   await page.setViewportSize({ width: 800, height: 610 });
   await open(page, `?paused=1&stats=1${LIGHT}&bogus=1`);
   await expectNoFaults(page, 'panel, gallery, statistics and a message');
@@ -18,8 +18,26 @@ test('axe finds nothing on the page, its panel, its handles and its dialogs', as
   await page.keyboard.press('h');
   await page.getByRole('button', { name: 'Add a vortex' }).click();
   await expectNoFaults(page, 'the other groups and the handles');
+});
+
+test('axe finds nothing on help, and on the sheets to share and to capture', async ({ page }) => {
+  await page.setViewportSize({ width: 800, height: 610 });
+  await open(page, `?paused=1${LIGHT}`);
   await page.keyboard.press('?');
   await expectNoFaults(page, 'help');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('s');
+  const shared = page.getByRole('dialog', { name: 'Share this smoke' });
+  await expect(shared.getByRole('img', { name: 'QR code of the link' })).toBeVisible();
+  await shared.getByText('Put it on a page of yours').click();
+  await expectNoFaults(page, 'share');
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('c');
+  const captures = page.getByRole('dialog', { name: 'Capture the smoke' });
+  for (const format of ['png', 'zip']) {
+    await captures.getByLabel('As').selectOption(format);
+    await expectNoFaults(page, `capture as ${format}`);
+  }
 });
 
 test.describe('on a phone', () => {
@@ -30,6 +48,10 @@ test.describe('on a phone', () => {
     await expectNoFaults(page, 'page');
     await page.getByRole('button', { name: 'Parameters', exact: true }).tap();
     await expectNoFaults(page, 'sheet');
+    await page.getByRole('button', { name: 'Close the parameters' }).tap();
+    await page.getByRole('button', { name: 'Capture' }).tap();
+    await expect(page.getByRole('dialog', { name: 'Capture the smoke' })).toBeVisible();
+    await expectNoFaults(page, 'capture');
   });
 });
 

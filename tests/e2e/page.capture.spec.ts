@@ -1,0 +1,116 @@
+/** Captures, ordered from the sheet by its fields and taken as the downloads that they are. */
+import type { Download, Page } from '@playwright/test';
+import { expect, test } from '../support/fixtures.ts';
+import { ask, LIGHT, open } from './page.ts';
+
+test.use({ viewport: { width: 400, height: 300 } });
+
+const sheet = (page: Page) => page.getByRole('dialog', { name: 'Capture the smoke' });
+const press = (page: Page) => sheet(page).getByRole('button', { name: 'Capture', exact: true }).click();
+
+async function openSheet(page: Page): Promise<string> {
+  await open(page, `?paused=1${LIGHT}`);
+  await ask(page, (stage) => stage.step(60));
+  await page.keyboard.press('c');
+  await expect(sheet(page)).toBeVisible();
+  return ask(page, (stage) => stage.hash());
+}
+
+async function bytesOf(file: Download): Promise<number[]> {
+  const chunks: Buffer[] = [];
+  for await (const chunk of await file.createReadStream()) chunks.push(chunk as Buffer);
+  return Array.from(Buffer.concat(chunks));
+}
+
+async function captured(page: Page): Promise<{ name: string; bytes: number[] }> {
+  const [file] = await Promise.all([page.waitForEvent('download', { timeout: 60_000 }), press(page)]);
+  await expect(sheet(page).getByRole('status')).toContainText(`Saved ${file.suggestedFilename()}`);
+  return { name: file.suggestedFilename(), bytes: await bytesOf(file) };
+}
+
+test('the sheet gives a picture as large as was asked for, with holes where nothing is', async ({ page }) => {
+  const hash = await openSheet(page);
+  await sheet(page).getByLabel('Pixels').selectOption('2');
+  await sheet(page).getByLabel('With background').uncheck();
+  await expect(sheet(page).getByText('800 × 600 pixels.')).toBeVisible();
+  const { name, bytes } = await captured(page);
+  expect(name).toBe('lamp-1.00s.png');
+  const picture = await page.evaluate(async (given) => {
+    const image = await createImageBitmap(new Blob([Uint8Array.from(given)]));
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    const opaque = data.filter((value, at) => at % 4 === 3 && value === 255).length;
+    return { size: [image.width, image.height], corner: data[3], opaque: opaque / (data.length / 4) };
+  }, bytes);
+  expect(picture).toMatchObject({ size: [800, 600], corner: 0 });
+  expect(picture.opaque).toBeGreaterThan(0.05);
+  await page.keyboard.press('Escape');
+  expect(await ask(page, (stage) => [stage.hash(), stage.playing])).toEqual([hash, false]);
+});
+
+test('a video from the sheet has its frames, and neighbours differ', async ({ page }) => {
+  const hash = await openSheet(page);
+  await sheet(page).getByLabel('As').selectOption('webm');
+  await sheet(page).getByLabel('Seconds').fill('0.5');
+  await sheet(page).getByLabel('Frames').selectOption('12');
+  await expect(sheet(page).getByText('6 frames of 400 × 300 pixels.')).toBeVisible();
+  const { name, bytes } = await captured(page);
+  expect(name).toBe('lamp-1.00s.webm');
+  const moves = await page.evaluate(async (given) => {
+    const video = document.createElement('video');
+    video.src = URL.createObjectURL(new Blob([Uint8Array.from(given)], { type: 'video/webm' }));
+    const told = (event: string) => new Promise((resolve) => video.addEventListener(event, resolve, { once: true }));
+    await told('loadeddata');
+    const context = new OffscreenCanvas(400, 300).getContext('2d')!;
+    const frames: Uint8ClampedArray[] = [];
+    for (let frame = 0; frame < Math.round(12 * video.duration); ++frame) {
+      const arrived = told('seeked');
+      video.currentTime = (frame + 0.5) / 12;
+      await arrived;
+      context.drawImage(video, 0, 0);
+      frames.push(context.getImageData(0, 0, 400, 300).data);
+    }
+    return frames
+      .slice(1)
+      .map((data, at) => data.filter((value, byte) => Math.abs(value - frames[at][byte]) > 24).length);
+  }, bytes);
+  expect(moves).toHaveLength(5);
+  for (const moved of moves) expect(moved).toBeGreaterThan(50);
+  expect(await ask(page, (stage) => stage.hash())).toBe(hash);
+});
+
+test('a long clip is stopped by its button, and by closing the sheet', async ({ page }) => {
+  const hash = await openSheet(page);
+  await sheet(page).getByLabel('As').selectOption('gif');
+  await sheet(page).getByLabel('Seconds').fill('60');
+  await press(page);
+  await expect(sheet(page).getByRole('progressbar', { name: 'Drawing frame by frame' })).toBeVisible();
+  await sheet(page).getByRole('button', { name: 'Stop here' }).click();
+  await expect(sheet(page).getByText('Stopped. The smoke is as it was.')).toBeVisible();
+  await press(page);
+  await expect(sheet(page).getByRole('progressbar', { name: 'Drawing frame by frame' })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(sheet(page)).toBeHidden();
+  await page.keyboard.press('c');
+  await expect(sheet(page).getByLabel('As')).toBeEnabled();
+  expect(await ask(page, (stage) => stage.hash())).toBe(hash);
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test('a finger finds the whole sheet in reach', async ({ page }) => {
+    await open(page, `?paused=1${LIGHT}`);
+    await page.getByRole('button', { name: 'Capture' }).tap();
+    await sheet(page).getByLabel('As').selectOption('zip');
+    for (const button of await sheet(page).getByRole('button').all()) {
+      const box = (await button.boundingBox())!;
+      expect(box.x).toBeGreaterThanOrEqual(0);
+      expect(box.x + box.width).toBeLessThanOrEqual(390);
+      expect(box.y + box.height).toBeLessThanOrEqual(844);
+    }
+    await sheet(page).getByRole('button', { name: 'Close' }).tap();
+    await expect(sheet(page)).toBeHidden();
+  });
+});
