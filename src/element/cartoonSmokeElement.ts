@@ -1,4 +1,5 @@
 import { ContextError, LoadError, type SmokeError } from '../preset/errors.ts';
+import { asSmokeError } from './asSmokeError.ts';
 import { Deferred } from './deferred.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import type { SmokeEvents } from './events.ts';
@@ -145,7 +146,7 @@ export class CartoonSmokeElement extends Base {
     const { signal } = (this.#start = new AbortController());
     this.#open(signal).then(
       (session) => this.#stand(session, signal),
-      (error) => signal.aborted || this.#fail(error),
+      (error) => signal.aborted || this.#fail(asSmokeError(error)),
     );
   }
 

@@ -1,8 +1,9 @@
 /** The heavy half of an element, fetched when it nears the viewport: everything between its attributes and its stage. */
-import { LoadError, ParameterError, SmokeError } from '../preset/errors.ts';
+import { ParameterError, type SmokeError } from '../preset/errors.ts';
 import { notice, type Notice } from '../preset/notice.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { openStage } from '../remote/openStage.ts';
+import { asSmokeError } from './asSmokeError.ts';
 import { change } from './change.ts';
 import type { SmokeEvents } from './events.ts';
 import { sizeOf, watchSize } from './fit.ts';
@@ -217,10 +218,4 @@ function threadOf(element: Element): 'auto' | 'main' | 'worker' {
 
 function isSame(one: Uint8Array, other: Uint8Array | undefined): boolean {
   return one.length === other?.length && one.every((byte, index) => byte === other[index]);
-}
-
-/** What went wrong, as one of the library's own errors. */
-export function asSmokeError(error: unknown): SmokeError {
-  if (error instanceof SmokeError) return error;
-  return new LoadError(`The smoke has come to an end: ${(error as Error).message}`, { cause: error });
 }

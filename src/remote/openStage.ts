@@ -1,7 +1,7 @@
 import { ContextError, LoadError, UnsupportedError } from '../preset/errors.ts';
 import type { RemoteStage, RemoteStageOptions } from './contract.ts';
 import { followSight } from './followSight.ts';
-import { canMoveCanvas, enterWorker, type WorkerPlace } from './openInWorker.ts';
+import type { WorkerPlace } from './openInWorker.ts';
 
 /**
  * Opens a stage in a worker where the browser can and the page allows it, else on this thread, with the same pictures. It
@@ -45,6 +45,7 @@ async function fetchOwn(): Promise<typeof import('./openHere.ts')> {
 /** @throws where there has to be a worker and is none */
 async function placeInWorker(thread: 'auto' | 'worker'): Promise<WorkerPlace | undefined> {
   try {
+    const { canMoveCanvas, enterWorker } = await import('./openInWorker.ts');
     if (!canMoveCanvas()) throw new UnsupportedError('This browser cannot hand a canvas over to a worker.');
     return await enterWorker();
   } catch (error) {

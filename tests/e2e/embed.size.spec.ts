@@ -1,0 +1,66 @@
+/**
+ * What pages fetch for `<cartoon-smoke preset="wisp">`, in kilobytes over the wire (gzip -9). The limits are what holds
+ * today; the goals are printed beside them.
+ */
+import { expect, stands, test, type Server } from '../support/embed.ts';
+
+interface Figure {
+  readonly name: string;
+  readonly kB: number;
+  readonly limit: number;
+  readonly goal?: number;
+}
+
+function fetched(server: Server, isCounted: (file: string) => boolean): number {
+  const files = new Map(server.sent.map(({ file, bytes }) => [file, bytes]));
+  return [...files].reduce((sum, [file, bytes]) => sum + (isCounted(file) ? bytes : 0), 0) / 1000;
+}
+
+const isScript = (file: string) => file.endsWith('.js');
+const isThree = (file: string) => file.includes('node_modules/three');
+
+function judge(figures: readonly Figure[]): void {
+  for (const { name, kB, limit, goal } of figures) {
+    const said = `${name}: ${kB.toFixed(1)} kB${goal === undefined ? '' : `, goal ${goal}`}`;
+    process.stdout.write(`${said}\n`);
+    expect(kB, said).toBeLessThan(limit);
+  }
+}
+
+test('on the main thread, beside the three.js of the page', async ({ page, host, server }) => {
+  await host('<cartoon-smoke preset="wisp" thread="main" paused></cartoon-smoke>');
+  await stands(page);
+  judge([
+    { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 82, goal: 60 },
+    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 126 },
+  ]);
+  const names = server.sent.map(({ file }) => file).join(' ');
+  for (const rarity of ['lamp', 'train', 'physics', 'onPage', 'worker', 'preset.js'])
+    expect(names).not.toContain(rarity);
+});
+
+test('in a worker, which brings its own three.js', async ({ page, host, server }) => {
+  await host('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>');
+  await stands(page);
+  const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
+  judge([
+    { name: 'page', kB: fetched(server, own), limit: 25 },
+    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 220 },
+  ]);
+  expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
+});
+
+test('by the one file for CDNs, three.js included', async ({ page, host, server }) => {
+  const script = '<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>';
+  await host('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
+  await stands(page);
+  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 240, goal: 230 }]);
+  expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
+});
+
+test('with rigids, the other simulator in the place of the small one', async ({ page, host, server }) => {
+  await host('<cartoon-smoke preset="lamp" simulation-max-particles="300" paused></cartoon-smoke>');
+  await stands(page);
+  judge([{ name: 'embed.physicsKb', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 1015, goal: 560 }]);
+  expect(server.sent.map(({ file }) => file).join()).not.toContain('core/bindings_bg.wasm');
+});
