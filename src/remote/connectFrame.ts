@@ -30,7 +30,7 @@ export async function connectFrame(
     return tries.at(-1)!;
   };
   try {
-    const stage = await firstOpened(frame, knock, hearing.signal, signal);
+    const stage = await firstOpened(frame, knock, signal);
     for (const other of tries) if (other !== stage) other.abandon();
     whenHeard(frame, hearing.signal, () => stage.fail(new SimulatorError('The frame was loaded anew; connect again.')));
     return stage.face;
@@ -45,7 +45,6 @@ export async function connectFrame(
 function firstOpened(
   frame: HTMLIFrameElement,
   knock: () => PortStage,
-  hearing: AbortSignal,
   signal: AbortSignal | undefined,
 ): Promise<PortStage> {
   return new Promise((resolve, reject) => {
@@ -62,7 +61,7 @@ function firstOpened(
       );
     };
     signal?.addEventListener('abort', () => settle(() => reject(signal.reason)), { signal: heard.signal });
-    whenHeard(frame, AbortSignal.any([hearing, heard.signal]), wait);
+    whenHeard(frame, heard.signal, wait);
     wait();
   });
 }
