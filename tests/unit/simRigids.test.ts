@@ -50,6 +50,22 @@ describe('rigids', () => {
     simulator.dispose();
   });
 
+  it('of every shape fall on every shape, so fast that they must be caught between two steps', async () => {
+    const simulator = await create();
+    SHAPES.forEach((falling, row) =>
+      SHAPES.forEach((lying, column) => {
+        const [x, z] = [10 * column, 10 * row];
+        simulator.addRigid({ kind: 'fixed', shape: lying, position: [x, 0, z] });
+        simulator.addRigid({ kind: 'dynamic', shape: falling, position: [x, 30, z] });
+      }),
+    );
+    // 30 m take 2.5 s; at their end they move by 0.4 m a step.
+    simulator.step(160);
+    const poses = simulator.rigidPoses(1);
+    expect(poses.every(Number.isFinite)).toBe(true);
+    simulator.dispose();
+  });
+
   it('are refused by the name of what is wrong, and none is added', async () => {
     const simulator = await create();
     const mesh = (indices: number[], vertices = TETRAHEDRON): RigidShape => ({ type: 'trimesh', vertices, indices });

@@ -1,11 +1,11 @@
-//! Takes out of a module what Rapier runs only where there are soft bodies or multibodies. No rigid of ours is one, which
-//! the linker cannot know: it is an eighth of the module.
+//! Takes out of a module what Rapier runs only where there are soft bodies, multibodies or shapes that nobody can ask for.
+//! The linker cannot know that there are none: it is a sixth of the module.
 
 use anyhow::{Result, bail};
 use walrus::{FunctionBuilder, FunctionId, FunctionKind, LocalFunction, Module};
 
-/// Parts of the names of what is called with one soft body, one of its constraints or one multibody in hand. It traps
-/// should it ever run, so that nothing goes on wrongly.
+/// Parts of the names of what is called with one soft body, one of its constraints, one multibody or one such shape in
+/// hand. It traps should it ever run, so that nothing goes on wrongly.
 const CALLED_WITH_ONE: &[&str] = &[
     "soft_body..soft_body..SoftBody$GT$",
     "SoftBodySet$GT$4tear",
@@ -24,10 +24,25 @@ const CALLED_WITH_ONE: &[&str] = &[
     "soft_contacts_vertex_pass",
     "soft_contacts_volume",
     "9multibody9Multibody",
+    "contact_heightfield_shape",
+    "contact_manifolds_heightfield",
+    "contact_manifolds_voxels",
+    "heightfield3..HeightField",
+    "12heightfield311HeightField",
+    "point_round_shape",
+    "polyline..Polyline",
+    "ray_round_shape",
+    "shape_cast_heightfield",
+    "shape_cast_voxels",
+    "voxels..Voxels",
+    "6voxels6Voxels",
 ];
 
 /// Called in each step, and back at once where no soft body is awake.
 const RETURNS_AT_ONCE: &[&str] = &["SoftConstraintsSet$GT$17assemble_contacts17h"];
+
+/// Smaller functions stay: the compiler keeps one for all that do the same, under any of their names. Instructions.
+const LEAST_SIZE: u64 = 100;
 
 /// A module without them.
 ///
@@ -48,14 +63,14 @@ pub fn trim(bytes: &[u8]) -> Result<Vec<u8>> {
     Ok(module.emit_wasm())
 }
 
-/// Gives each function with this part in its name another body.
+/// Gives each larger function with this part in its name another body.
 fn empty(module: &mut Module, part: &str, fill: impl Fn(&mut walrus::InstrSeqBuilder)) -> Result<()> {
     let found: Vec<FunctionId> = module
         .funcs
         .iter_local()
-        .filter(|(id, _)| {
+        .filter(|(id, function)| {
             let name = module.funcs.get(*id).name.as_deref().unwrap_or_default();
-            name.contains(part) && !name.contains("drop_in_place")
+            name.contains(part) && !name.contains("drop_in_place") && function.size() >= LEAST_SIZE
         })
         .map(|(id, _)| id)
         .collect();
