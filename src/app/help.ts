@@ -18,8 +18,9 @@ export class Help {
       create('a', { href: './paper.html' }, paper),
       create('a', { href: './third-party-licenses.txt' }, licenses),
     );
-    const heading = create('h2', { id: 'help-title' }, title);
-    const attributes = { class: 'sheet card', 'aria-labelledby': 'help-title' };
+    // Else the first link has the focus when the sheet opens, far below its beginning.
+    const heading = create('h2', { id: 'help-title', tabindex: -1, autofocus: true }, title);
+    const attributes = { class: 'sheet card help', 'aria-labelledby': 'help-title' };
     this.element = create('dialog', attributes, heading, this.list, links, button);
   }
 

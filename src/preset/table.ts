@@ -455,7 +455,7 @@ export const table: readonly Parameter[] = [
     step: 1,
     default: 8.6,
     unit: '\u00b0',
-    label: 'From',
+    label: 'Seen from',
     text: 'From where around the scene it is seen: 0 is the front, 90 the right.',
   }),
   eye('elevation', {
@@ -464,7 +464,7 @@ export const table: readonly Parameter[] = [
     step: 1,
     default: 9.2,
     unit: '\u00b0',
-    label: 'Height of the eye',
+    label: 'Eye height',
     text: 'How far from above it is seen: 0 is level.',
   }),
   eye('distance', {
@@ -474,7 +474,7 @@ export const table: readonly Parameter[] = [
     default: 6.3,
     unit: 'm',
     slider: 'fine',
-    label: 'Distance of the eye',
+    label: 'Eye distance',
     text: 'How far the eye is from what it looks at.',
   }),
   eyeTarget('x', 0.15),

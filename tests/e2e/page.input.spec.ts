@@ -99,6 +99,7 @@ test('keys play, step and open the help sheet, but leave typing alone', async ({
   expect(await ask(page, (stage) => stage.playing)).toBe(false);
   await page.keyboard.press('?');
   await expect(page.getByRole('dialog', { name: 'Play with smoke' })).toBeVisible();
+  await expect(page.getByRole('heading', { name: 'Play with smoke' })).toBeInViewport();
   await page.keyboard.press('Escape');
   await page.keyboard.press('r');
   expect(await steps()).toBe(0);
