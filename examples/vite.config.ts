@@ -2,7 +2,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig, mergeConfig } from 'vite';
 import site from '../vite.config.ts';
 
-const PAGES = ['three', 'react', 'landing'];
+const PAGES = ['three', 'react', 'landing', 'article'];
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
 
 /**

@@ -53,7 +53,7 @@ export const test = base.extend<{ host: OpenHost }, { server: Server }>({
   host: async ({ page, server }, use) => {
     await use(async (body, { script: loaded = MODULES, style = '', headers = {} } = {}) => {
       server.sent.length = 0;
-      const head = `<meta charset="utf-8"><title>Somebody's page</title><style>${style}</style>${loaded}`;
+      const head = `<meta charset="utf-8"><title>Somebody's page</title>${style && `<style>${style}</style>`}${loaded}`;
       await page.route('**/host.html', (route) =>
         route.fulfill({ contentType: 'text/html', headers, body: `<!doctype html><html lang="en">${head}${body}` }),
       );

@@ -1,0 +1,106 @@
+import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
+import { names } from '../../src/element/names.ts';
+import { expect, MODULES, stands, test, WISP } from '../support/embed.ts';
+
+const OWN = [
+  'preset',
+  'src',
+  'start',
+  'alt',
+  'thread',
+  'loading',
+  'collide',
+  'emit-from',
+  'emit-on',
+  'paused',
+  'transparent',
+  'interactive',
+];
+const SCRIPT = `javascript:document.body.remove()`;
+const VALUES = ['', '0', '1', '-1', '1e308', 'NaN', '-Infinity', '\u0000', '9'.repeat(400), 'lamp', 'box', '#ffffff', '*', 'html', '::before', '#v=1&preset=fog&take=AAAA', '#v=1&z=AAAA', `<img src=x onerror="${SCRIPT}">`, SCRIPT, '__proto__', '0:1,1:0', '0:333344,1:ffffff', '{}', '\ud800', 'constructor']; // prettier-ignore
+
+test('5,000 hostile attributes change nothing outside of the element, and the smoke goes on', async ({
+  page,
+  host,
+}) => {
+  const lines: string[] = [];
+  page.on('console', (message) => lines.push(message.text()));
+  await host(`<p id="neighbour">Somebody's text</p>
+    <cartoon-smoke ${WISP} paused style="width: 64px; height: 48px"></cartoon-smoke>`);
+  await stands(page);
+  const report = await page.evaluate(
+    async ({ attributes, values, own }) => {
+      const smoke = document.querySelector('cartoon-smoke')!;
+      const failures: string[] = [];
+      smoke.addEventListener('error', ({ detail }) => failures.push(detail.error.message));
+      const before = document.body.innerHTML.replace(/<cartoon-smoke[^]*/, '');
+      // A linear congruence, so that a failure comes again.
+      let state = 7;
+      const pick = <Item>(list: readonly Item[]): Item => {
+        state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+        return list[state % list.length];
+      };
+      for (let round = 0; round < 50; round++) {
+        for (let count = 0; count < 100; count++) {
+          const name = pick(pick([own, attributes, attributes, attributes]));
+          // Scenes with rigids would be fetched: those have tests of their own.
+          if (name === 'scene' || name === 'preset' || name === 'src') continue;
+          if (pick([0, 1, 1, 1])) smoke.setAttribute(name, pick(values));
+          else smoke.removeAttribute(name);
+        }
+        smoke.setAttribute('preset', 'wisp');
+        await new Promise((resolve) => setTimeout(resolve));
+      }
+      for (const name of smoke.getAttributeNames())
+        if (!['style', 'thread'].includes(name)) smoke.removeAttribute(name);
+      Object.assign(smoke, { preset: 'wisp', paused: true, emissionRate: 41 });
+      const deadline = performance.now() + 20_000;
+      let rate: unknown;
+      while (rate !== 41 && performance.now() < deadline)
+        rate = (await (smoke as CartoonSmokeElement).get())['emission.rate'];
+      return { failures, rate, isSame: before === document.body.innerHTML.replace(/<cartoon-smoke[^]*/, '') };
+    },
+    { attributes: names.map(({ attribute }) => attribute), values: VALUES, own: OWN },
+  );
+  expect(report).toEqual({ failures: [], rate: 41, isSame: true });
+  expect(lines).toEqual([]);
+});
+
+for (const link of [
+  '#v=1&z=AAAA',
+  '#v=1&take=AAAA&preset=wisp',
+  'https://[',
+  `#preset=${'x'.repeat(70_000)}`,
+  SCRIPT,
+  '#v=9&preset=wisp&simulation.maxParticles=1e9',
+]) {
+  test(`a link such as ${link.slice(0, 40)} shows something that works, and says so`, async ({ page, host }) => {
+    await host(`<cartoon-smoke paused scene="wisp" thread="main" simulation-max-particles="300" style="width: 64px; height: 48px"></cartoon-smoke>
+      <script>
+        window.notices = [];
+        document.querySelector('cartoon-smoke').addEventListener('statechange', ({ detail }) => window.notices.push(...detail.notices));
+        document.querySelector('cartoon-smoke').setAttribute('src', ${JSON.stringify(link)});
+      </script>`);
+    await stands(page);
+    const told = await page.evaluate(() => (Reflect.get(window, 'notices') as unknown[]).length);
+    // A script that is taken for a link has no hash, and so nothing to complain of.
+    expect(told).toBeGreaterThan(link === SCRIPT ? -1 : 0);
+  });
+}
+
+test('works under a strict policy, in a worker', async ({ page, host }) => {
+  const rules =
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' 'sha256-HASH'; worker-src 'self'; connect-src 'self'; style-src 'self'";
+  const { createHash } = await import('node:crypto');
+  const map = /<script type="importmap">(.*?)<\/script>/.exec(MODULES)![1];
+  const hash = createHash('sha256').update(map).digest('base64');
+  await host(`<cartoon-smoke preset="wisp" simulation-max-particles="300" paused></cartoon-smoke>`, {
+    style: '',
+    headers: { 'content-security-policy': rules.replace('HASH', hash) },
+  });
+  await stands(page);
+  const writesDepth = await page.evaluate(
+    async () => (await (document.querySelector('cartoon-smoke') as CartoonSmokeElement).stats()).writesDepth,
+  );
+  expect(writesDepth).toBe(true);
+});
