@@ -1,12 +1,15 @@
 /** Whose work the site holds besides ours, with their licences: `third-party-licenses.txt`. */
 
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { dirname, join, resolve, sep } from 'node:path';
+import { dirname, join } from 'node:path';
+import { inRoot } from '../lib/paths.mjs';
 import { Refusal } from '../lib/refusal.mjs';
 import { cargo } from '../setup/toolchain.mjs';
 
 export const FILE = 'third-party-licenses.txt';
 
+/** The innermost one that a path goes through. */
+const PACKAGE = /node_modules\/(.*\/node_modules\/)?(@[^/]+\/)?[^/]+(?=\/)/;
 const LICENCE_FILE = /^(licen[cs]e|notice|copying)([-_.].*)?$/i;
 const WASM = ['-p', 'bindings', '--features', 'rigids', '--target', 'wasm32-unknown-unknown'];
 
@@ -25,8 +28,8 @@ export async function writeLicenses(folder) {
   writeFileSync(join(folder, FILE), `${[INTRODUCTION, ...works.map(describe)].join('\n\n')}\n`);
 }
 
-const INTRODUCTION = `Cartoon Smoke holds work of others, under their licences. Nothing of it was changed but for being bundled and
-minified; the source code of each can be had where its entry says.`;
+const INTRODUCTION = `Cartoon Smoke holds work of others, under their licences. Nothing of it was changed but for being bundled,
+minified, and freed of what is never run; the source code of each can be had where its entry says.`;
 
 /** @param {string} folder @returns {Work[]} */
 function packagesIn(folder) {
@@ -40,12 +43,11 @@ function packagesIn(folder) {
   });
 }
 
-/** Folders of the packages that a source map names. @param {string} map */
+/** Folders of the packages that a source map names, wherever the site is written to. @param {string} map */
 function packageFolders(map) {
   /** @type {{ sources: string[] }} */
   const { sources } = JSON.parse(readFileSync(map, 'utf8'));
-  const paths = sources.map((source) => resolve(dirname(map), source).split(sep).join('/'));
-  return paths.flatMap((path) => /^.*\/node_modules\/(@[^/]+\/)?[^/]+(?=\/)/.exec(path)?.[0] ?? []);
+  return sources.flatMap((source) => PACKAGE.exec(source)?.[0] ?? []).map(inRoot);
 }
 
 /** What is linked into the WASM. @returns {Promise<Work[]>} */
