@@ -2,6 +2,7 @@ import { expect, test } from 'vitest';
 import { bakeLobes, bakingLobes } from '../../src/puffs/bakeLobes.ts';
 import { Kept } from '../../src/puffs/kept.ts';
 import { DEFAULT_DESIGN, designedShapes } from '../../src/puffs/lobeShapes.ts';
+import { bakingPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { finished, workedFor, type Work } from '../../src/puffs/work.ts';
 
 function* counted(pieces: number, done: number[]): Work<string> {
@@ -29,6 +30,22 @@ test('puffs baked in pieces are those that are baked at once', () => {
   while (!(baked = workedFor(work, 0))) pieces++;
   expect(pieces).toBeGreaterThan(60);
   expect(baked).toEqual(bakeLobes(shapes, 0.3));
+});
+
+test('who wants puffs that somebody is baking goes on with them', () => {
+  const works = [1, 2].map(() => bakingPuffs(designedShapes({ ...DEFAULT_DESIGN, seed: 8 }, 1)));
+  const alone = bakingLobes(designedShapes({ ...DEFAULT_DESIGN, seed: 9 }, 1), 0.3);
+  let pieces = 0;
+  while (!workedFor(alone, 0)) pieces++;
+  const baked: unknown[] = [undefined, undefined];
+  let rounds = 0;
+  for (; baked.includes(undefined) && rounds < pieces; rounds++) {
+    works.forEach((work, index) => (baked[index] ??= workedFor(work, 0)));
+  }
+  // Two at work need half as many rounds as one.
+  expect(rounds).toBeLessThan(0.6 * pieces);
+  expect(baked[0]).toBeDefined();
+  expect(baked[0]).toBe(baked[1]);
 });
 
 test('one variation more bakes only that one', () => {
