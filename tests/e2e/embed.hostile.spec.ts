@@ -1,4 +1,3 @@
-import type {} from '../../src/element/define.ts';
 import { names } from '../../src/element/names.ts';
 import { expect, MODULES, stands, test, WISP } from '../support/embed.ts';
 
