@@ -4,15 +4,18 @@ import type { Rows } from '../../src/sim/rows.ts';
 
 const ROLL = 0x1234;
 
-/** Rows of casters with a radius of half a metre, whose shadows end so many 256ths of it behind them. */
-function castersEnding(...ends: number[]): Casters {
-  const casters = new Casters(8, ONE_QUAD);
-  const rows: Rows = {
+/** Rows with a radius of half a metre, whose shadows end so many 256ths of it behind them. */
+function rowsEnding(ends: number[]): Rows {
+  return {
     count: ends.length,
     place: Float32Array.from({ length: 4 * ends.length }, () => 0.5),
     look: Uint32Array.from(ends.flatMap((end) => [((end << 16) | ROLL) >>> 0, 7])),
   };
-  casters.fill(rows);
+}
+
+function castersEnding(...ends: number[]): Casters {
+  const casters = new Casters(8, ONE_QUAD);
+  casters.fill(rowsEnding(ends));
   return casters;
 }
 
