@@ -61,6 +61,6 @@ test('by the one file for CDNs, three.js included', async ({ page, host, server 
 test('with rigids, the other simulator in the place of the small one', async ({ page, host, server }) => {
   await host('<cartoon-smoke preset="lamp" simulation-max-particles="300" paused></cartoon-smoke>');
   await stands(page);
-  judge([{ name: 'embed.physicsKb', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 1015, goal: 560 }]);
+  judge([{ name: 'embed.physicsKb', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 560, goal: 560 }]);
   expect(server.sent.map(({ file }) => file).join()).not.toContain('core/bindings_bg.wasm');
 });

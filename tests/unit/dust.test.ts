@@ -154,3 +154,15 @@ test('no link holds what the rule sets', () => {
   expect(Object.keys(simulation.valuesIn(preset)).filter((key) => key.startsWith('emitters.'))).toEqual([]);
   simulation.dispose();
 });
+
+test('ten seconds of its smoke fit into the simulator', () => {
+  const simulation = new Simulation(factory, dust(), preset, 1e6);
+  let most = 0;
+  for (let step = 0; step < 600; step++) {
+    simulation.advance(1);
+    expect(simulation.simulator.waiting).toBe(0);
+    most = Math.max(most, simulation.simulator.alive);
+  }
+  expect(most).toBeGreaterThan(100);
+  simulation.dispose();
+});
