@@ -76,7 +76,9 @@ export const lampPresets: readonly Preset[] = [
       ...curl,
       'emission.rate': 34,
       'style.ramp': '0:c06a62,.3:e6ae94,.62:ffffff',
-      'style.heatRamp': '0:57525f,.2:8c4a45,.32:e0552b,.5:f9a53a,.68:fff0a8',
+      'style.heatRamp':
+        '0:57525f,.15:57525f,.2:8c4a45,.28:8c4a45,.32:e0552b,.46:e0552b,.52:f9a53a,.64:f9a53a,.7:fff0a8',
+      'style.softColors': 1,
       'style.inkColor': '#1c0f14',
       'buoyancy.coolingTime': 2.2,
       'buoyancy.acceleration': 1.7,

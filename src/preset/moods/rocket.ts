@@ -13,7 +13,10 @@ export const rocketPresets: readonly Preset[] = [
       'emission.density': '0:.55,.3:1,.6:.85,1:0',
       'forces.turbulence': 1,
       'simulation.maxParticles': 1500,
-      'style.heatRamp': '0:fff8ec,.1:f6d9b4,.22:f6a050,.5:f9c24c,.8:fff0b4',
+      // Flat tones that run into each other for a moment, so that no puff turns at once.
+      'style.heatRamp':
+        '0:fff8ec,.08:fff8ec,.12:f6d9b4,.2:f6d9b4,.25:f6a050,.46:f6a050,.53:f9c24c,.76:f9c24c,.83:fff0b4',
+      'style.softColors': 1,
       'style.inkColor': '#2a1a26',
       'style.innerLine': 0.24,
       'light.azimuth': 44,
