@@ -1,4 +1,5 @@
-import { NearestFilter, NoColorSpace, WebGLRenderTarget, type Texture, type WebGLRenderer } from 'three';
+import type { Texture, WebGLRenderer } from 'three';
+import { pictureTarget } from '../device/pictureTarget.ts';
 import type { ResolvePass } from './resolve.ts';
 import type { Targets } from './targets.ts';
 
@@ -39,14 +40,4 @@ export class SmokePictures {
     this.unlitTarget.dispose();
     this.deepTarget.dispose();
   }
-}
-
-function pictureTarget(): WebGLRenderTarget {
-  return new WebGLRenderTarget(1, 1, {
-    colorSpace: NoColorSpace,
-    minFilter: NearestFilter,
-    magFilter: NearestFilter,
-    generateMipmaps: false,
-    depthBuffer: false,
-  });
 }

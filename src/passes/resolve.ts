@@ -1,14 +1,8 @@
-import {
-  Color as ThreeColor,
-  NearestFilter,
-  NoColorSpace,
-  WebGLRenderTarget,
-  type Texture,
-  type WebGLRenderer,
-} from 'three';
+import { Color as ThreeColor, type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 import edgesShader from '../../shaders/resolve/edges.frag';
 import tonesShader from '../../shaders/resolve/tones.frag';
 import { FullScreen } from '../device/fullScreen.ts';
+import { pictureTarget } from '../device/pictureTarget.ts';
 import { writeColor, type Color } from '../device/ramps.ts';
 import type { Targets } from './targets.ts';
 
@@ -29,13 +23,7 @@ export class ResolvePass {
     isAllDeep: { value: false },
     isLast: { value: false },
   };
-  private readonly chosen = new WebGLRenderTarget(1, 1, {
-    colorSpace: NoColorSpace,
-    minFilter: NearestFilter,
-    magFilter: NearestFilter,
-    generateMipmaps: false,
-    depthBuffer: false,
-  });
+  private readonly chosen = pictureTarget();
   private readonly tones = new FullScreen(tonesShader, this.uniforms);
   private readonly edges = new FullScreen(edgesShader, { tones: { value: this.chosen.texture } });
 

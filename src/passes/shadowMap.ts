@@ -1,10 +1,9 @@
 import {
   Box3,
   Matrix4,
-  NearestFilter,
   OrthographicCamera,
   Sphere,
-  WebGLRenderTarget,
+  type WebGLRenderTarget,
   type BufferGeometry,
   type Camera,
   type Texture,
@@ -14,6 +13,7 @@ import applyFragmentShader from '../../shaders/shadowMap/apply.frag';
 import shadowedFragmentShader from '../../shaders/shadowMap/shadowed.frag';
 import { Eye } from '../device/eye.ts';
 import { ADDS, FullScreen } from '../device/fullScreen.ts';
+import { pictureTarget } from '../device/pictureTarget.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import type { RampTexture } from '../device/ramps.ts';
 import { BodiesPass } from './bodies.ts';
@@ -64,11 +64,7 @@ export class ShadowMapPass {
     this.surfaces = new SurfacesPass(this.lightEye, ramps, firstSurface, casting);
     this.body.setInk(NO_INK, 0, 0);
     this.surfaces.setInk(NO_INK, false);
-    this.shadowed = new WebGLRenderTarget(1, 1, {
-      minFilter: NearestFilter,
-      magFilter: NearestFilter,
-      depthBuffer: false,
-    });
+    this.shadowed = pictureTarget();
     this.uniforms = {
       clipFromView: eye.uniforms.clipFromView,
       viewport: eye.uniforms.viewport,
