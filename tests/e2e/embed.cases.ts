@@ -15,8 +15,11 @@ export interface Opened {
   made: number;
 }
 
-/** A small wisp on the page. */
-export async function open(options: RemoteStageOptions = {}): Promise<Opened> {
+/** A small wisp on the page. Its canvas is told of before anybody draws on it. */
+export async function open(
+  options: RemoteStageOptions = {},
+  onCanvas?: (canvas: HTMLCanvasElement) => void,
+): Promise<Opened> {
   const made: HTMLCanvasElement[] = [];
   const makeCanvas = () => {
     made.at(-1)?.remove();
@@ -24,6 +27,7 @@ export async function open(options: RemoteStageOptions = {}): Promise<Opened> {
     canvas.style.cssText = `width: ${WIDTH}px; height: ${HEIGHT}px`;
     document.body.append(canvas);
     made.push(canvas);
+    onCanvas?.(canvas);
     return canvas;
   };
   const stage = await openStage(makeCanvas, {
@@ -210,14 +214,17 @@ export async function scroll() {
   return { away, paused };
 }
 
-/** Starts that are called off at different moments; how each ended. */
+/** Starts that are called off before they begin, before there is a worker, and once the worker has its order; how each ended. */
 export async function abortStarts() {
-  const controllers = [0, 1, 30].map(() => new AbortController());
-  const starts = controllers.map(({ signal }) => open({ signal }).then(String, String));
+  const controllers = [0, 1, 2].map(() => new AbortController());
+  const [atOnce, soon, later] = controllers.map(({ signal }) => signal);
   controllers[0].abort('at once');
-  await new Promise((resolve) => setTimeout(resolve));
+  const starts = [
+    open({ signal: atOnce }),
+    open({ signal: soon }),
+    // The order goes out in the task that makes the canvas, and no answer can come before that ends.
+    open({ signal: later }, () => queueMicrotask(() => controllers[2].abort('later'))),
+  ];
   controllers[1].abort('soon');
-  await new Promise((resolve) => setTimeout(resolve, 30));
-  controllers[2].abort('later');
-  return Promise.all(starts);
+  return Promise.all(starts.map((start) => start.then(String, String)));
 }

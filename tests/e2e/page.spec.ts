@@ -11,12 +11,15 @@ test('smoke appears and goes on', async ({ page }) => {
 });
 
 test('loading shows how far it is', async ({ page }) => {
+  let letGo: () => void = () => undefined;
+  const seen = new Promise<void>((resolve) => (letGo = resolve));
   await page.route('**/*.wasm*', async (route) => {
-    await new Promise((resolve) => setTimeout(resolve, 1500));
+    await seen;
     await route.continue();
   });
-  await page.goto(`/?paused=1${LIGHT}`);
+  await page.goto(`/?paused=1${LIGHT}`, { waitUntil: 'commit' });
   await expect(page.getByRole('progressbar', { name: 'Rubbing the lamp' })).toBeVisible();
+  letGo();
   await page.waitForFunction(() => window.cartoonSmoke !== undefined);
   await expect(page.getByRole('progressbar')).toHaveCount(0);
 });
