@@ -34,8 +34,13 @@ export async function bundleAll(folder) {
   await bundle({ input: entries({ worker: 'src/remote/worker.ts' }), plugins }, folder, ALONE);
   // By itself, because it has the words of the table; its errors are those of the rest.
   await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [errorsBeside()] }, folder);
-  const script = entries({ [SCRIPT]: 'src/element/script.ts' });
-  await bundle({ input: script, plugins: [...plugins, workerAt(`./${SCRIPT}.js`)] }, folder, ALONE);
+  await bundleScript(folder);
+}
+
+/** Writes the script for CDNs alone, with the simulator beside it. @param {string} folder */
+export async function bundleScript(folder) {
+  const plugins = [await glsl({ minify: true }), withoutWords(table), workerAt(`./${SCRIPT}.js`)];
+  await bundle({ input: entries({ [SCRIPT]: 'src/element/script.ts' }), plugins }, folder, ALONE);
   copyWasm(folder);
 }
 

@@ -47,9 +47,12 @@ export async function bring(say) {
  * @param {string} folder @param {(line: string) => void} say
  */
 export async function build(folder, say) {
-  await bundle('vite.config.ts', folder, say);
-  await bundle('examples/vite.config.ts', folder, say);
   // Only here are there packages for certain.
+  const { buildElementScript } = await import('../site/elementScript.mjs');
+  const script = await buildElementScript();
+  await bundle('vite.config.ts', folder, say, script);
+  await bundle('examples/vite.config.ts', folder, say);
+  script.copyTo(folder);
   const { buildFrame } = await import('../site/frame.mjs');
   const { writeLicenses } = await import('../site/licenses.mjs');
   const { writeOembed } = await import('../site/oembed.mjs');
@@ -58,11 +61,19 @@ export async function build(folder, say) {
   await writeLicenses(folder);
 }
 
-/** @param {string} config @param {string} folder @param {(line: string) => void} say */
-async function bundle(config, folder, say) {
+/**
+ * @param {string} config @param {string} folder @param {(line: string) => void} say
+ * @param {import('../site/elementScript.mjs').ElementScript} [script] that the page's code for the element names
+ */
+async function bundle(config, folder, say, script) {
   const vite = inRoot('node_modules/vite/bin/vite.js');
   const parameters = [vite, 'build', '--config', inRoot(config), '--outDir', folder];
-  const environment = { CARTOON_SMOKE_BASE: publishedAt() ?? '' };
+  const base = publishedAt() ?? '';
+  const environment = {
+    CARTOON_SMOKE_BASE: base,
+    VITE_ELEMENT_SCRIPT: script ? base + script.path : '',
+    VITE_ELEMENT_INTEGRITY: script?.integrity ?? '',
+  };
   const { status, output } = await run(process.execPath, parameters, { environment, onLine: say });
   if (status === 0) return;
   throw new Refusal('The site could not be built: the bundler says why in the lines above.', withoutStack(output));

@@ -17,9 +17,21 @@ export function frameOf(address: string, title: string): string {
   return `<iframe ${attributes} loading="lazy" referrerpolicy="no-referrer" style="border: 0"></iframe>`;
 }
 
-/** The element of the package, for pages that have it. */
-export function elementCode(link: string): string {
-  return `<cartoon-smoke src="${quoted(link)}"></cartoon-smoke>`;
+/** The script that makes `<cartoon-smoke>` an element. */
+export interface ElementScript {
+  /** Whole address. */
+  readonly address: string;
+  /** Hash of its content: a browser runs nothing else. */
+  readonly integrity: string;
+}
+
+/** The element, with the script that it needs unless the page has the package. */
+export function elementCode(link: string, script?: ElementScript): string {
+  const element = `<cartoon-smoke src="${quoted(link)}"></cartoon-smoke>`;
+  if (!script) return element;
+  const { address, integrity } = script;
+  const attributes = `src="${quoted(address)}" integrity="${quoted(integrity)}" crossorigin="anonymous"`;
+  return `<script type="module" ${attributes}></script>\n${element}`;
 }
 
 /** As it must stand in an attribute. */

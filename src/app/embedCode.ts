@@ -1,5 +1,5 @@
 import { create, textButton } from './dom.ts';
-import { elementCode, frameCode } from './embed.ts';
+import { elementCode, frameCode, type ElementScript } from './embed.ts';
 import { strings } from './strings.ts';
 
 const words = strings.share;
@@ -16,9 +16,16 @@ export function createEmbed(copy: (text: string) => void): { element: HTMLElemen
       element.hidden = link === undefined;
       if (link === undefined) return;
       frame.field.value = frameCode(link, strings.title);
-      component.field.value = elementCode(link);
+      component.field.value = elementCode(link, publishedScript());
     },
   };
+}
+
+/** The copy that lies in the built site, at the address where the site is published; the development server has none. */
+function publishedScript(): ElementScript | undefined {
+  const path = import.meta.env.VITE_ELEMENT_SCRIPT as string | undefined;
+  const integrity = import.meta.env.VITE_ELEMENT_INTEGRITY as string;
+  return path ? { address: new URL(path, document.baseURI).href, integrity } : undefined;
 }
 
 function createSnippet(name: string, copy: (text: string) => void) {

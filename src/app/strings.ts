@@ -127,7 +127,7 @@ export const strings = {
     scan: 'Scan to open on a phone',
     embed: 'Put it on a page of yours',
     frame: 'A frame without controls',
-    element: 'The element, where a page has cartoon-smoke/element',
+    element: 'The element with its script',
     copyCode: 'Copy',
   },
   own: {

@@ -57,7 +57,7 @@ test('the sheet copies link and code, shows a QR code, and goes by keyboard', as
       /^<iframe src="[^"]+\/embed\.html\?paused=1&amp;t=0.5#v=1&amp;preset=lamp&amp;[^"]+" title="Cartoon Smoke"/,
     );
   expect(await sheet(page).getByLabel('The element').inputValue()).toMatch(
-    /^<cartoon-smoke src="[^"<>]+"><\/cartoon-smoke>$/,
+    /^<script type="module" [^<>]+><\/script>\n<cartoon-smoke src="[^"<>]+"><\/cartoon-smoke>$/,
   );
   await page.keyboard.press('Escape');
   await expect(sheet(page)).toBeHidden();

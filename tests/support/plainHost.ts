@@ -33,3 +33,9 @@ export async function serveStrictly(folder: string): Promise<SiteServer> {
   const { serveSite } = await script<ServeScript>('site/serve.mjs');
   return serveSite(folder, PLACE, STRICT);
 }
+
+/** As hosts of static files do that let every page fetch them. */
+export async function serveOpenly(folder: string): Promise<SiteServer> {
+  const { serveSite } = await script<ServeScript>('site/serve.mjs');
+  return serveSite(folder, PLACE, { 'access-control-allow-origin': '*' });
+}
