@@ -13,6 +13,7 @@ uniform float distanceRange;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
 uniform vec3 inkColor;
+uniform float inkPixels;
 uniform float inkSwell;
 uniform float innerTaper;
 uniform float boil;
@@ -66,7 +67,7 @@ void main() {
   normal = normalize(normal);
   float viewZ = centreZ + (shape.a - 0.5) * 2.0 * pad * radius;
   bool isInk = isRing || isSeam(clipFromView, viewZ, normal, pixel, linePixels);
-  float ink = isInk ? inkShare(linePixels) : 0.0;
+  float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
   vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
   Shades shades = shade(normal, towardsLight, ramps, material, gradient, rim);
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);

@@ -12,6 +12,7 @@ uniform mat4 clipFromView;
 uniform vec2 viewport;
 uniform vec4 lightInView;
 uniform vec3 inkColor;
+uniform float inkPixels;
 uniform float inkSwell;
 uniform float innerTaper;
 uniform float boil;
@@ -119,7 +120,7 @@ void main() {
 #else
   bool isInk = isRing || isSeam(clipFromView, viewZ, normal, pixel, linePixels);
 #endif
-  float ink = isInk ? inkShare(linePixels) : 0.0;
+  float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
   normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
 
   vec3 gradient = mix(gradientFactor, vec3(1.0), clamp(pointAndGradient.z, 0.0, 1.0));

@@ -28,9 +28,11 @@ float boiling(vec2 outward, float phase, float boil) {
   return 1.0 - boil * (0.25 + 0.125 * (sin(3.0 * turn + phase) + sin(8.0 * turn - 2.7 * phase)));
 }
 
-// Under a pixel a line would break into dots; there it goes over into the colour of its smoke.
-float inkShare(float width) {
-  return smoothstep(0.5, 1.0, width);
+// How much of a line is ink and how much the colour of its smoke. Under a pixel a line would break into dots. Beside a
+// puff that dies it pales from a radius of three full widths on, over many pictures: it would go at once if only its
+// width told it to.
+float inkShare(float width, float fullWidth, float radius) {
+  return smoothstep(0.5, 1.0, width) * smoothstep(1.5, 3.0, radius / max(fullWidth, 1e-6));
 }
 
 // How much deeper than at the silhouette a line lies `outside` pixels beyond it: the farther out the deeper, so that a

@@ -22,7 +22,7 @@ for (const form of ['lobes', 'billboards'] as const) {
     });
   }
 
-  test(`${form}: a line narrows beside small puffs and goes`, async ({ load }) => {
+  test(`${form}: a line narrows and pales beside small puffs and goes`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const lines = [1, 2].flatMap((pixelRatio) =>
       [9, 12, 15, 40, 70].map((distance) => ({
@@ -35,9 +35,11 @@ for (const form of ['lobes', 'billboards'] as const) {
     );
     const reports = await cases.evaluate((module, input) => module.measureLines(input), lines);
     expect(reports.filter(({ expectedWidth }) => expectedWidth > 1 && expectedWidth < 4)).toHaveLength(4);
-    for (const { worst, ink, expectedWidth, radius } of reports) {
-      if (expectedWidth > 0.8) expect(worst, `radius ${radius}`).toBeLessThan(SLACK[form]);
+    expect(reports.filter(({ expectedShare }) => expectedShare > 0.1 && expectedShare < 0.9)).toHaveLength(2);
+    for (const { worst, ink, expectedWidth, expectedShare, share, radius } of reports) {
+      if (expectedShare > 0.5) expect(worst, `radius ${radius}`).toBeLessThan(SLACK[form]);
       if (expectedWidth < 0.4) expect(ink, `radius ${radius}`).toBe(0);
+      expect(share, `radius ${radius}`).toBeCloseTo(expectedShare, 2);
     }
   });
 

@@ -98,7 +98,7 @@ impl<'a> Body<'a> {
                 -z
             },
             shade: if is_ink {
-                shade.inked(DVec3::from(self.scene.style.ink_color), ink::share(width))
+                shade.inked(DVec3::from(self.scene.style.ink_color), self.line.share(width))
             } else {
                 shade
             },

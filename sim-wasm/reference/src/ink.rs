@@ -6,6 +6,8 @@ use glam::DVec2;
 pub struct Line {
     /// Where it runs across the light.
     even: f64,
+    /// 0 to 1: how much of it is ink beside a puff of this radius.
+    boldness: f64,
     swell: f64,
     /// Of the unit vector towards the light, what lies in the image plane.
     light: DVec2,
@@ -16,6 +18,7 @@ impl Line {
     pub fn new(full: f64, radius: f64, swell: f64, light: DVec2) -> Self {
         Self {
             even: line_width(full * swell.exp2(), radius) / swell.exp2(),
+            boldness: smooth_step(1.5, 3.0, radius / (full * swell.exp2()).max(1e-6)),
             swell,
             light,
         }
@@ -24,6 +27,12 @@ impl Line {
     /// Width where the silhouette looks in the direction of `outward`.
     pub fn width(&self, outward: DVec2) -> f64 {
         self.even * swelling(outward.normalize_or_zero(), self.light, self.swell)
+    }
+
+    /// How much of it is ink, where it is so wide: under a pixel it goes over into the colour of its smoke, and under half
+    /// a pixel it is gone.
+    pub fn share(&self, width: f64) -> f64 {
+        self.boldness * smooth_step(0.5, 1.0, width)
     }
 
     pub fn widest(&self) -> f64 {
@@ -43,11 +52,6 @@ fn line_width(full: f64, radius: f64) -> f64 {
     } else {
         full * smooth_step(1.0, 3.5, radius / full)
     }
-}
-
-/// Under a pixel a line goes over into the colour of its smoke; under half a pixel it is gone.
-pub fn share(width: f64) -> f64 {
-    smooth_step(0.5, 1.0, width)
 }
 
 /// From 0 at `from` to 1 at `to`, flat at both ends.

@@ -35,14 +35,29 @@ export interface LineReport {
   ink: number;
   expectedWidth: number;
   radius: number;
+  /** 0 to 1: how far the line's colour is from smoke to ink where that differs most from what it should be. */
+  share: number;
+  expectedShare: number;
 }
+
+/** So far within its borders, pixels, a pixel is of the line without doubt, in a form that reads its distances too. */
+const SURELY = 0.5;
 
 const TOWARDS_LIGHT = [0.48, 0.64, 0.6] as const;
 
 /** The width that a line has beside a puff of a radius; all in pixels. The law of shaders/lib/ink.glsl. */
 function lineWidth(fullWidth: number, radius: number): number {
-  const share = Math.min(1, Math.max(0, (radius / fullWidth - 1) / 2.5));
-  return fullWidth * share * share * (3 - 2 * share);
+  return fullWidth * smoothStep(1, 3.5, radius / fullWidth);
+}
+
+/** How much of that is ink. The law of shaders/lib/ink.glsl. */
+function inkShare(width: number, fullWidth: number, radius: number): number {
+  return smoothStep(0.5, 1, width) * smoothStep(1.5, 3, radius / fullWidth);
+}
+
+function smoothStep(from: number, to: number, value: number): number {
+  const t = Math.min(1, Math.max(0, (value - from) / (to - from)));
+  return t * t * (3 - 2 * t);
 }
 
 /** How much wider than even a line is at a place of the image plane about what it surrounds. */
@@ -78,11 +93,13 @@ function measureLine(lab: Lab, line: LineCase, variation: number): LineReport {
   const scene = { width: SIZE, height: SIZE, puffs: [puff], camera: cameraOf(line), towardsLight: TOWARDS_LIGHT };
   const { pixels } = lab.draw({ ...scene, style, pixelRatio, time: (DRAWING + 0.5) / 12 });
   const radius = (SIZE / 2 / Math.tan((FIELD_OF_VIEW / 2) * (Math.PI / 180))) * (RADIUS / distance);
-  const expectedWidth = lineWidth(outlineWidth * pixelRatio * 2 ** inkSwell, radius) / 2 ** inkSwell;
+  const fullWidth = outlineWidth * pixelRatio * 2 ** inkSwell;
+  const expectedWidth = lineWidth(fullWidth, radius) / 2 ** inkSwell;
+  const expectedShare = inkShare(expectedWidth, fullWidth, radius);
   const seen = seenOf(form, variation, seed, roundedRoll(roll));
   const middle =
     form === 'lobes' ? middleOf(turnedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes)) : [0, 0];
-  const report = { worst: 0, ink: 0, expectedWidth, radius };
+  const report = { worst: 0, ink: 0, expectedWidth, radius, share: expectedShare, expectedShare };
   for (let pixel = 0; pixel < SIZE * SIZE; pixel++) {
     const [x, y] = [pixel % SIZE, Math.floor(pixel / SIZE)].map((at) => (at + 0.5 - SIZE / 2) / radius);
     const outside = Math.max(Math.abs(x), Math.abs(y)) < 2 ? seen(x, y).distance * radius : 2 * radius;
@@ -90,6 +107,7 @@ function measureLine(lab: Lab, line: LineCase, variation: number): LineReport {
     if (isInk) report.ink++;
     const [besideX, besideY] = [x - middle[0], y - middle[1]];
     const width = expectedWidth * swelling(inkSwell, besideX, besideY) * trembling(boil, seed, besideX, besideY);
+    if (outside > SURELY && outside < width - SURELY) keepWorstShare(report, shareAt(pixels, pixel));
     if (isInk === (outside > 0 && outside <= width)) continue;
     report.worst = Math.max(report.worst, Math.min(Math.abs(outside), Math.abs(outside - width)));
   }
@@ -105,11 +123,21 @@ function cameraOf({ projection, distance }: LineCase): PerspectiveCamera | Ortho
   return camera;
 }
 
-/** Nearer to ink than to smoke. */
-function isDark(pixels: Uint8Array, pixel: number): boolean {
+function keepWorstShare(report: LineReport, share: number): void {
+  const error = (one: number): number => Math.abs(one - report.expectedShare);
+  if (error(share) > error(report.share)) report.share = share;
+}
+
+/** How far a pixel's colour is from smoke to ink. */
+function shareAt(pixels: Uint8Array, pixel: number): number {
   const [red] = PLAIN_STYLE.inkColor;
   const [smokeRed] = PLAIN_STYLE.smokeColor;
-  return pixels[4 * pixel] < (red + smokeRed) / 2;
+  return (smokeRed - pixels[4 * pixel]) / (smokeRed - red);
+}
+
+/** Nearer to ink than to smoke. */
+function isDark(pixels: Uint8Array, pixel: number): boolean {
+  return shareAt(pixels, pixel) > 0.5;
 }
 
 /** Pixels that a boiling line changes from drawing to drawing, within one, and from a line that does not boil. */
