@@ -97,6 +97,7 @@ async function load(editor: Editor, { quality, view }: Environment): Promise<Sta
       pixelRatio: pixelRatio(),
       quality,
       view,
+      visible: false,
       onProgress: ({ loaded, total }) => progress.show(total === undefined ? undefined : loaded / total),
     });
   } finally {
@@ -104,9 +105,15 @@ async function load(editor: Editor, { quality, view }: Environment): Promise<Sta
   }
 }
 
-/** Winds forward to the first picture, then plays unless the address or the system asks for stillness. */
+/**
+ * Winds forward to the first picture, then plays unless the address or the system asks for stillness. What plays from its
+ * first step shows no picture before there is smoke in it.
+ */
 async function begin(stage: Stage, { paused, time }: Environment, notices: Notices): Promise<void> {
   const lead = time ?? (calm.matches ? STILL_SECONDS : 0);
+  const playsAtOnce = lead === 0 && !calm.matches && !paused;
+  if (playsAtOnce) stage.play();
+  stage.visible = true;
   if (lead > 0 && !(await windForward(stage, lead, host))) {
     notices.mention(strings.progress.cancelled(stage.stats.time));
   }

@@ -21,6 +21,11 @@ export class Clock {
     return this.owed;
   }
 
+  /** Whether the next tick is the first: no time passes until it. */
+  get isResting(): boolean {
+    return this.last === undefined;
+  }
+
   /**
    * @param now milliseconds, as from requestAnimationFrame
    * @returns how many steps to take before drawing

@@ -19,6 +19,8 @@ export interface StageOptions extends DeviceOptions {
   quality?: Quality;
   /** Most frames a second while playing; as many as the screen shows when left out. */
   frameRate?: number;
+  /** Whether anybody can see the canvas, see `Stage.visible`; true when left out. */
+  visible?: boolean;
   /** What is shown instead of the picture, to see what the passes work with. */
   view?: DebugView;
   /** Whether pictures show what lies behind everything; true when left out. Without it they are transparent there. */

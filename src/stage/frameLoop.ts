@@ -98,8 +98,12 @@ export class FrameLoop {
     if (!this.isDue(now)) return;
     if (this.isHeld) return this.governor.rest();
     this.governor.tick(now);
+    const isFirst = this.clock.isResting;
+    const steps = this.clock.tick(now);
+    // No time has passed since playing began: what is shown is right, and drawing it again would hold the next picture up.
+    if (isFirst && steps === 0) return;
     try {
-      this.tasks.frame(this.clock.tick(now));
+      this.tasks.frame(steps);
     } catch (error) {
       this.stop();
       this.tasks.fail(error as Error);

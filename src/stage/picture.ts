@@ -103,12 +103,17 @@ export class Picture {
     return this.presenter.device.writesDepth;
   }
 
-  /** @param width, height in CSS pixels */
-  resize(width: number, height: number, pixelRatio = this.pixelRatio): void {
+  /**
+   * @param width, height in CSS pixels
+   * @returns whether that changed something
+   */
+  resize(width: number, height: number, pixelRatio = this.pixelRatio): boolean {
+    const before = [this.width, this.height, this.pixelRatio];
     this.pixelRatio = MathUtils.clamp(pixelRatio, 0.1, LARGEST_PIXEL_RATIO);
     this.width = Math.round(width * this.pixelRatio);
     this.height = Math.round(height * this.pixelRatio);
     if (this.isVisible) this.eye.setSize(this.width, this.height);
+    return [this.width, this.height, this.pixelRatio].some((value, index) => value !== before[index]);
   }
 
   /** Goes on with these values. */

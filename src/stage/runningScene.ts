@@ -218,7 +218,7 @@ export class RunningScene {
   /** Whether anybody can see the pictures. While nobody can, none are drawn; the latest comes when somebody can again. */
   set isSeen(isSeen: boolean) {
     this.loop.isSeen = isSeen;
-    if (isSeen && this.isStale) this.draw();
+    if (isSeen && this.isStale && !this.loop.isPlaying) this.draw();
   }
 
   draw(): void {

@@ -55,6 +55,7 @@ export class Stage {
     this.#picture.hasBackground = options.background ?? true;
     this.#picture.quality = options.quality ?? 1;
     this.#picture.view = options.view;
+    this.visible = options.visible ?? true;
     this.resize(options.width ?? canvas.width, options.height ?? canvas.height, options.pixelRatio ?? 1);
     this.ready = Promise.resolve();
   }
@@ -358,7 +359,7 @@ export class Stage {
 
   /** @param width, height in CSS pixels; nothing is drawn while one of them is 0 */
   resize(width: number, height: number, pixelRatio?: number): void {
-    this.#picture.resize(width, height, pixelRatio);
+    if (!this.#picture.resize(width, height, pixelRatio)) return;
     this.#running.loop.restGovernor();
     this.#running.draw();
   }
@@ -388,7 +389,7 @@ export class Stage {
 }
 
 /**
- * Sets a scene up on a canvas and draws its first picture; it does not play yet.
+ * Sets a scene up on a canvas and draws its first picture unless nobody can see it; it does not play yet.
  * @throws ParameterError for a value it does not take, LoadError when the simulator or the scene cannot be fetched,
  * UnsupportedError when the browser lacks WebGL2 or WASM SIMD
  */

@@ -54,7 +54,25 @@ test('while nobody can see it no frame is asked for, and it goes on playing', ()
   expect(loop.isPlaying).toBe(true);
   loop.isSeen = true;
   second(60, 2000);
-  expect(frames).toBe(before + 60);
+  // From the first no time has passed.
+  expect(frames).toBe(before + 59);
+});
+
+test('no picture is drawn again before time has passed', () => {
+  const loop = loopOf();
+  loop.play();
+  second(1);
+  expect(frames).toBe(0);
+  second(1, 1000 / 60);
+  expect(frames).toBe(1);
+});
+
+test('where a whole step is owed from the start, it is shown at once', () => {
+  const loop = loopOf();
+  loop.clock.settle();
+  loop.play();
+  second(1);
+  expect(frames).toBe(1);
 });
 
 test('coming into view does not play what was paused, neither before nor meanwhile', () => {

@@ -108,3 +108,8 @@ test('seeking back and forth passes the same moments, with everything that was d
   expect(bytes).toBeGreaterThan(0);
   expect(bytes).toBeLessThanOrEqual(1_000_000);
 });
+
+test('a stage draws nothing that nobody sees, nor the same picture twice', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  expect(await cases.evaluate((module) => module.picturesDrawn())).toEqual([0, 1, 1, 2]);
+});

@@ -223,6 +223,25 @@ export async function governedScales(quality: 'auto' | undefined): Promise<{ pla
   return { played, paused };
 }
 
+/** Pictures that a stage has drawn: made where nobody sees it, seen, given the same size again, given another. */
+export async function picturesDrawn(): Promise<number[]> {
+  const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
+  const size = { width: WIDTH, height: HEIGHT, pixelRatio: 1 };
+  const stage = await createStage(canvas, { ...size, values: SMALL, visible: false });
+  let drawn = stage.stats.renderMs > 0 ? 1 : 0;
+  stage.on('frame', () => (drawn += 1));
+  const counts = [drawn];
+  const act = (action: () => void) => {
+    action();
+    counts.push(drawn);
+  };
+  act(() => (stage.visible = true));
+  act(() => stage.resize(WIDTH, HEIGHT, 1));
+  act(() => stage.resize(WIDTH / 2, HEIGHT, 1));
+  stage.dispose();
+  return counts;
+}
+
 function visibleCanvas(): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   canvas.width = WIDTH;
