@@ -175,7 +175,7 @@ export const strings = {
     notes: {
       png: '',
       svg: 'Flats and ink as paths, in groups; gradients become steps.',
-      gif: 'It starts over when it has ended.',
+      gif: 'It goes on for ever: its end leads to its beginning.',
       webm: 'Every frame is there, however slow this machine is.',
       mp4: 'Every frame is there, however slow this machine is.',
       zip: 'Layers are flats, shadow, ink and depth, a folder each.',

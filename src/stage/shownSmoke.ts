@@ -10,6 +10,9 @@ import { LivePuffs } from '../smoke/livePuffs.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import { styleOf, type Style } from '../smoke/style.ts';
 
+/** Changes what a frame is drawn from; it may add as many particles again as the simulator has room for. */
+export type Retouch = (input: FrameInput) => FrameInput;
+
 /** A scene's smoke as values describe it: its style, its light, its puffs, and how many particles it can draw. */
 export class ShownSmoke {
   private readonly device: Device;
@@ -21,6 +24,7 @@ export class ShownSmoke {
   private style: Style;
   private values: Values;
   private light: Light;
+  private change: Retouch | undefined;
 
   constructor(device: Device, scene: Scene, values: Values) {
     this.device = device;
@@ -73,8 +77,16 @@ export class ShownSmoke {
     this.renderer.setPuffs(puffs);
   }
 
-  draw(input: Omit<FrameInput, 'style' | 'light'>): FrameReport {
-    return this.renderer.draw({ ...input, style: this.style, light: this.lightAt(input.time ?? 0) });
+  draw(given: Omit<FrameInput, 'style' | 'light'>): FrameReport {
+    const input = { ...given, style: this.style, light: this.lightAt(given.time ?? 0) };
+    return this.renderer.draw(this.change ? this.change(input) : input);
+  }
+
+  /** See `Stage.retouch`. */
+  retouch(change: Retouch): void {
+    this.change = change;
+    this.renderer.dispose();
+    this.renderer = this.makeRenderer();
   }
 
   dispose(): void {
@@ -93,7 +105,8 @@ export class ShownSmoke {
   }
 
   private makeRenderer(): SmokeRenderer {
-    return new SmokeRenderer(this.device, { ...this.scene, capacity: this.capacity, puffs: this.baked });
+    const capacity = this.change ? 2 * this.capacity : this.capacity;
+    return new SmokeRenderer(this.device, { ...this.scene, capacity, puffs: this.baked });
   }
 }
 

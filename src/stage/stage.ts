@@ -14,6 +14,7 @@ import { openScene, type OpenedScene } from './openScene.ts';
 import type { Picture } from './picture.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
 import { RunningScene } from './runningScene.ts';
+import type { Retouch } from './shownSmoke.ts';
 import type { Simulation } from './simulation.ts';
 import type { Sight } from './sight.ts';
 import { noteOf, takeOf, type Take } from './take.ts';
@@ -263,6 +264,14 @@ export class Stage {
     stage.setPuffs(shapes);
     stage.restore(state);
     return stage;
+  }
+
+  /**
+   * @internal Changes what each frame is drawn from, from the next one on and until another scene comes: for pictures
+   * that show more than one moment.
+   */
+  retouch(change: Retouch): void {
+    this.#picture.smoke.retouch(change);
   }
 
   /** The simulator's state as bytes. */

@@ -10,11 +10,14 @@ test('a PNG is the picture, also larger with the same flat colours, and transpar
   expect(report).toEqual({ differing: 0, size: [320, 240], foreignFlats: [], alphaOfCorner: 0, isUntouched: true });
 });
 
-test('a GIF has its frames, loops, and keeps flat colours', async ({ load }) => {
-  const { moved, kept, ...report } = await (await load<Cases>(CASES)).evaluate((cases) => cases.gif());
-  expect(report).toEqual({ frameCount: 6, loops: true, isUntouched: true });
-  expect(moved).toBeGreaterThan(50);
+test('a GIF has its frames, keeps flat colours, and its end leads to its beginning', async ({ load }) => {
+  const { moves, jump, kept, ...report } = await (await load<Cases>(CASES)).evaluate((cases) => cases.gif());
+  expect(report).toEqual({ frameCount: 12, loops: true, isUntouched: true });
   expect(kept).toBe(20);
+  for (const moved of moves) expect(moved).toBeGreaterThan(50);
+  const seam = moves.pop()!;
+  expect(seam).toBeLessThanOrEqual(Math.max(...moves));
+  expect(Math.max(...moves)).toBeLessThan(jump);
 });
 
 for (const format of ['webm', 'mp4'] as const) {

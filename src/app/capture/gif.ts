@@ -1,6 +1,7 @@
 import { GIFEncoder } from 'gifenc';
-import { shootClip, type Task } from './clip.ts';
+import type { Task } from './clip.ts';
 import { indexFrame } from './gifPalette.ts';
+import { shootLoop } from './loop.ts';
 import { pixelSize, type Order } from './order.ts';
 import { PixelReader } from './pixels.ts';
 import type { Studio } from './studio.ts';
@@ -9,12 +10,12 @@ const FOREVER = 0;
 /** What was drawn goes before the next frame, or a hole would show it. */
 const RESTORE_BACKGROUND = 2;
 
-/** A GIF that starts over when it has ended. */
+/** A GIF that goes on for ever: its end leads to its beginning. */
 export async function makeGif(studio: Studio, order: Order, task: Task): Promise<Blob> {
   const [width, height] = pixelSize(order);
   const reader = new PixelReader(width, height);
   const encoder = GIFEncoder();
-  await shootClip(studio, order, task, (frame) => {
+  await shootLoop(studio, order, task, (frame) => {
     const { palette, indices, transparent } = indexFrame(reader.read(studio.canvas));
     encoder.writeFrame(indices, width, height, {
       palette,

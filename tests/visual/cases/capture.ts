@@ -70,17 +70,32 @@ export function still() {
 
 export function gif() {
   return untouched(async () => {
-    const bytes = await bytesOf(await captured({ format: 'gif', rate: 12, seconds: 0.5 }));
-    const decoder = new ImageDecoder({ data: bytes, type: 'image/gif' });
-    await decoder.tracks.ready;
-    await decoder.completed;
-    const { frameCount, repetitionCount } = decoder.tracks.selectedTrack!;
-    const first = pixelsOfFrame((await decoder.decode({ frameIndex: 0 })).image);
-    const second = pixelsOfFrame((await decoder.decode({ frameIndex: 1 })).image);
+    const { frames, loops } = await gifOf(await captured({ format: 'gif', rate: 12, seconds: 1 }));
     const shown = await pixelsOf(await (await lamp()).picture());
-    const kept = commonest(shown, 20).filter((color) => commonest(first, 256).includes(color)).length;
-    return { frameCount, loops: repetitionCount === Infinity, moved: differing(first, second), kept };
+    const kept = commonest(shown, 20).filter((color) => commonest(frames[0], 256).includes(color)).length;
+    // The same moments without a way back to the first of them.
+    const straight = Object.values(unzipSync(await bytesOf(await captured({ format: 'zip', rate: 12, seconds: 1 }))));
+    const [first, last] = [await pixelsOfBytes(straight[0]), await pixelsOfBytes(straight.at(-1)!)];
+    return {
+      frameCount: frames.length,
+      loops,
+      kept,
+      moves: frames.map((frame, at) => differing(frame, frames[(at + 1) % frames.length], 24)),
+      jump: differing(first, last, 24),
+    };
   });
+}
+
+async function gifOf(blob: Blob): Promise<{ frames: ImageData[]; loops: boolean }> {
+  const decoder = new ImageDecoder({ data: await bytesOf(blob), type: 'image/gif' });
+  await decoder.tracks.ready;
+  await decoder.completed;
+  const { frameCount, repetitionCount } = decoder.tracks.selectedTrack!;
+  const frames: ImageData[] = [];
+  for (let frameIndex = 0; frameIndex < frameCount; ++frameIndex) {
+    frames.push(pixelsOfFrame((await decoder.decode({ frameIndex })).image));
+  }
+  return { frames, loops: repetitionCount === Infinity };
 }
 
 export function video(format: 'webm' | 'mp4', hasBackground = true) {
@@ -108,7 +123,7 @@ export function sequence(inLayers: boolean) {
     const blob = await captured({ ...order, format: 'zip', hasBackground: false });
     const entries = unzipSync(await bytesOf(blob));
     const names = Object.keys(entries).sort();
-    const pictures = await Promise.all(names.map((name) => pixelsOf(new Blob([entries[name].slice()]))));
+    const pictures = await Promise.all(names.map((name) => pixelsOfBytes(entries[name])));
     const corners = pictures.map(({ data }) => data[3]);
     return { names, corners, composed: inLayers ? await composedError(pictures) : differing(pictures[0], pictures[1]) };
   });
@@ -176,6 +191,10 @@ async function rasterised(svg: string, { width, height }: { width: number; heigh
 async function pixelsOf(blob: Blob): Promise<ImageData> {
   const bitmap = await createImageBitmap(blob);
   return drawn(bitmap, bitmap.width, bitmap.height);
+}
+
+function pixelsOfBytes(bytes: Uint8Array): Promise<ImageData> {
+  return pixelsOf(new Blob([bytes.slice()]));
 }
 
 function pixelsOfFrame(frame: VideoFrame): ImageData {

@@ -1,0 +1,95 @@
+import { MathUtils } from 'three';
+import { LOOK_WORDS, NO_END, PLACE_FLOATS, type Rows } from '../../sim/rows.ts';
+import type { Bounds } from '../../sim/simulator.ts';
+import type { View } from '../../sim/view.ts';
+import type { Arranger } from '../../smoke/frame.ts';
+
+/** Puffs come and go one after the other, by their seeds; each takes this share of the whole time. */
+const ONE_PUFF = 0.4;
+const MOST_SEED = 255;
+
+/** All puffs of a moment and the box around them. */
+export interface KeptSmoke {
+  readonly rows: Rows;
+  readonly bounds: Bounds;
+}
+
+/** All puffs that an arranger has, in arrays of their own. */
+export function keep(smoke: Arranger, view: View): KeptSmoke {
+  const { count, place, look } = smoke.arrange(everything(view));
+  const rows = { count, place: place.slice(0, PLACE_FLOATS * count), look: look.slice(0, LOOK_WORDS * count) };
+  return { rows, bounds: smoke.bounds };
+}
+
+/** Smoke on its way from one moment to another: puffs of the first shrink until they are gone, those of the second swell. */
+export class JoinedSmoke implements Arranger {
+  private readonly from: Arranger;
+  private readonly to: KeptSmoke;
+  private readonly share: number;
+
+  /** @param share of the way, 0 to 1 */
+  constructor(from: Arranger, to: KeptSmoke, share: number) {
+    this.from = from;
+    this.to = to;
+    this.share = share;
+  }
+
+  get bounds(): Bounds {
+    const [a, b] = [this.from.bounds, this.to.bounds];
+    const both = (choose: (...numbers: number[]) => number, side: 'min' | 'max') =>
+      a[side].map((value, axis) => choose(value, b[side][axis])) as Bounds['min'];
+    return {
+      min: both(Math.min, 'min'),
+      max: both(Math.max, 'max'),
+      greatestRadius: Math.max(a.greatestRadius, b.greatestRadius),
+    };
+  }
+
+  /** What puffs hide is not known of smoke that changes so: every puff is there. */
+  arrange(view: View): Rows {
+    const rows = new RowList(view.purpose === 'light');
+    const from = this.from.arrange(everything(view));
+    rows.add(from, (seed) => 1 - this.swelling(seed));
+    rows.add(this.to.rows, (seed) => this.swelling(seed));
+    return rows.rows;
+  }
+
+  /** Share of its radius that a puff of the second moment has. */
+  private swelling(seed: number): number {
+    const begin = (1 - ONE_PUFF) * (seed / MOST_SEED);
+    return MathUtils.smoothstep(this.share, begin, begin + ONE_PUFF);
+  }
+}
+
+/** Rows that are added up from several lists. */
+class RowList {
+  private readonly place: number[] = [];
+  private readonly look: number[] = [];
+  private readonly isForLight: boolean;
+
+  constructor(isForLight: boolean) {
+    this.isForLight = isForLight;
+  }
+
+  get rows(): Rows {
+    const { place, look } = this;
+    return { count: look.length / LOOK_WORDS, place: Float32Array.from(place), look: Uint32Array.from(look) };
+  }
+
+  /** @param scaleOf share of the radius that is left to a row, by its seed */
+  add({ count, place, look }: Rows, scaleOf: (seed: number) => number): void {
+    for (let row = 0; row < count; ++row) {
+      const kind = look[LOOK_WORDS * row + 1];
+      const scale = scaleOf((kind >>> 8) & 0xff);
+      if (scale === 0) continue;
+      const [x, y, z, radius] = place.subarray(PLACE_FLOATS * row);
+      const motion = look[LOOK_WORDS * row];
+      this.place.push(x, y, z, scale * radius);
+      this.look.push(this.isForLight ? (motion & 0xffff) | NO_END : motion, kind);
+    }
+  }
+}
+
+function everything(view: View): View {
+  return { ...view, cull: false, coverage: undefined };
+}

@@ -1,0 +1,37 @@
+import type { FrameInput } from '../../smoke/frame.ts';
+import { shootClip, type Task } from './clip.ts';
+import { frameCount, type Order } from './order.ts';
+import { joined, stillOf, type Still } from './still.ts';
+import type { Studio } from './studio.ts';
+
+/** How long the end takes to turn into the beginning, and which share of the clip at most. */
+const JOIN_SECONDS = 0.75;
+const JOIN_SHARE = 0.5;
+
+/**
+ * Goes through a clip whose last frame leads to its first: what comes before the first frame is kept, and at the end
+ * the smoke turns into it.
+ * @param shoot as of shootClip
+ */
+export async function shootLoop(
+  { stage, ...studio }: Studio,
+  order: Order,
+  task: Task,
+  shoot: (frame: number) => Promise<void> | void,
+): Promise<void> {
+  const count = frameCount(order);
+  const lead = Math.floor(Math.min(JOIN_SECONDS * order.rate, JOIN_SHARE * count));
+  const stills: Still[] = [];
+  let [frame, drawn]: [number, FrameInput | undefined] = [0, undefined];
+  stage.retouch((input) => {
+    drawn = input;
+    const still = stills[frame - count];
+    return still ? joined(input, still, (frame - count + 1) / (lead + 1)) : input;
+  });
+  const whole = { ...order, seconds: (count + lead) / order.rate };
+  await shootClip({ stage, ...studio }, whole, task, async (shot) => {
+    if (shot < lead) stills.push(stillOf(drawn!));
+    else await shoot(shot - lead);
+    frame = shot + 1;
+  });
+}

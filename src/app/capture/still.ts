@@ -1,0 +1,69 @@
+import { MathUtils, Matrix4, Quaternion, Vector3, type Camera } from 'three';
+import type { View } from '../../sim/view.ts';
+import type { FrameInput } from '../../smoke/frame.ts';
+import type { Light } from '../../smoke/light.ts';
+import { JoinedSmoke, keep, type KeptSmoke } from './joinedSmoke.ts';
+
+/** What a frame was drawn from, kept while the stage goes on. */
+export interface Still {
+  readonly smoke: KeptSmoke;
+  readonly camera: Camera;
+  readonly light: Light;
+  readonly rigids: readonly Matrix4[];
+  readonly parts: readonly Matrix4[];
+}
+
+export function stillOf({ simulator, camera, light, rigids, parts = [], blend }: FrameInput): Still {
+  const copies = (matrices: readonly Matrix4[]) => matrices.map((matrix) => matrix.clone());
+  const smoke = keep(simulator, { ...FROM_ANYWHERE, blend });
+  return { smoke, camera: camera.clone(), light, rigids: copies(rigids), parts: copies(parts) };
+}
+
+/**
+ * A frame on its way from one moment to another: smoke dissolves into smoke, and things, eye and light go there.
+ * @param share of the way, 0 to 1
+ */
+export function joined(from: FrameInput, to: Still, share: number): FrameInput {
+  const way = MathUtils.smoothstep(share, 0, 1);
+  const between = (a: readonly Matrix4[], b: readonly Matrix4[]) => a.map((matrix, at) => mixed(matrix, b[at], way));
+  return {
+    ...from,
+    simulator: new JoinedSmoke(from.simulator, to.smoke, share),
+    camera: seenBetween(from.camera, to.camera, way),
+    light: litBetween(from.light, to.light, way),
+    rigids: between(from.rigids, to.rigids),
+    parts: between(from.parts ?? [], to.parts),
+  };
+}
+
+const FROM_ANYWHERE: Omit<View, 'blend'> = {
+  purpose: 'eye',
+  cull: false,
+  pad: 0,
+  clipFromWorld: new Matrix4().elements,
+  direction: [0, 0, -1],
+  reach: 1,
+  receivers: { min: [0, 0, 0], max: [0, 0, 0] },
+};
+
+function seenBetween(from: Camera, to: Camera, way: number): Camera {
+  const camera = from.clone();
+  camera.position.lerp(to.position, way);
+  camera.quaternion.slerp(to.quaternion, way);
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+function litBetween(from: Light, to: Light, way: number): Light {
+  if (from.kind !== 'sun' || to.kind !== 'sun') return from;
+  return { kind: 'sun', towards: from.towards.clone().lerp(to.towards, way).normalize() };
+}
+
+/** Of two places of a thing. */
+function mixed(from: Matrix4, to: Matrix4, way: number): Matrix4 {
+  const [place, turn, size] = [new Vector3(), new Quaternion(), new Vector3()];
+  const [otherPlace, otherTurn] = [new Vector3(), new Quaternion()];
+  from.decompose(place, turn, size);
+  to.decompose(otherPlace, otherTurn, new Vector3());
+  return new Matrix4().compose(place.lerp(otherPlace, way), turn.slerp(otherTurn, way), size);
+}
