@@ -12,6 +12,8 @@ const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.w
 const LICENSES =
   '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors. */';
 const SCRIPT = 'cartoon-smoke.min';
+/** Faults on purpose are for sources only. */
+const BUILT = { 'import.meta.env.DEV': 'false' };
 /** One file. @type {import('rolldown').OutputOptions} */
 const ALONE = { codeSplitting: false, postBanner: LICENSES };
 const ERRORS = inRoot('src/preset/errors.ts');
@@ -46,7 +48,7 @@ export async function bundleScript(folder) {
 
 /** @param {import('rolldown').InputOptions} input @param {string} folder @param {import('rolldown').OutputOptions} [output] */
 async function bundle(input, folder, output = {}) {
-  const build = await rolldown({ platform: 'browser', onLog, ...input });
+  const build = await rolldown({ platform: 'browser', transform: { define: BUILT }, onLog, ...input });
   await build.write({
     dir: folder,
     format: 'esm',

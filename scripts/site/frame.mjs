@@ -28,7 +28,11 @@ export async function buildFrame(folder) {
 async function scriptOf(physics) {
   /** @type {{ table: import('../../src/preset/parameter.ts').Parameter[] }} */
   const { table } = await sourceModule('src/preset/table.ts');
-  const define = { CORE_WASM: JSON.stringify(packed('core')), PHYSICS_SCRIPT: JSON.stringify(`./${physics}`) };
+  const define = {
+    'import.meta.env.DEV': 'false',
+    CORE_WASM: JSON.stringify(packed('core')),
+    PHYSICS_SCRIPT: JSON.stringify(`./${physics}`),
+  };
   const build = await rolldown({
     input: inRoot('src/frame/frame.ts'),
     platform: 'browser',

@@ -5,11 +5,14 @@ import { keepsWrittenDepth } from './selfTest.ts';
 
 export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
 
-/** The context went, came back, or has not come back for so long that nobody should wait for it. */
+/** The context went, came back, or nobody should wait for it any longer. */
 export type ContextEvent = 'lost' | 'restored' | 'missing';
 
 /** Browsers restore a context within a second or two, if they do. */
 const PATIENCE_MS = 10_000;
+/** A context that goes more often than this within two minutes goes by what is drawn, and would go for ever. */
+const MOST_LOSSES = 3;
+const LOSSES_WITHIN_MS = 120_000;
 
 export interface DeviceOptions {
   /** Draws as where the self test fails, for tests and to see what that looks like. */
@@ -30,6 +33,9 @@ export class Device {
   private waiting: ReturnType<typeof setTimeout> | undefined;
   private isDisposed = false;
   private isLost = false;
+  private isMissing = false;
+  /** When the context went, the latest losses. */
+  private losses: number[] = [];
 
   /** @param ownsRenderer whether renderer and context end with this device; those of a stranger stay as they are */
   constructor(renderer: WebGLRenderer, ownsRenderer: boolean, { failsSelfTest = false }: DeviceOptions = {}) {
@@ -47,10 +53,11 @@ export class Device {
 
   /** False while the context is lost and after disposal: nothing can be drawn then. */
   get isUsable(): boolean {
-    return !this.isDisposed && !this.isLost;
+    // The context may be gone already when its event is still to come.
+    return !this.isDisposed && !this.isLost && !this.renderer.getContext().isContextLost();
   }
 
-  /** Tells when the context goes, is back, or is missing for long. Returns the function that stops telling. */
+  /** Tells when the context goes, is back, or is given up. Returns the function that stops telling. */
   onContext(listener: (event: ContextEvent) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -59,8 +66,13 @@ export class Device {
   /** @throws ContextError when nothing can be drawn at present. */
   requireUsable(): void {
     if (this.isDisposed) throw new ContextError('This device was disposed; create a new one.');
-    if (this.isLost)
+    if (!this.isUsable)
       throw new ContextError('The graphics context is lost; drawing goes on when the browser restores it.');
+  }
+
+  /** @throws ContextError when the context was lost and nobody should wait for it; it may still come back. */
+  requireHope(): void {
+    if (this.isMissing) throw new ContextError('The graphics context was lost and has not come back. Reload the page.');
   }
 
   /** Gives back what it holds, the context too if that is its own. May be called again. */
@@ -82,20 +94,28 @@ export class Device {
   }
 
   private readonly handleLoss = (event: Event): void => {
-    // Without this the browser never offers the context again.
-    event.preventDefault();
     this.isLost = true;
     this.puffs.dispose();
     this.tell('lost');
     clearTimeout(this.waiting);
-    this.waiting = setTimeout(() => this.tell('missing'), PATIENCE_MS);
+    const now = performance.now();
+    this.losses = [...this.losses.filter((at) => now - at < LOSSES_WITHIN_MS), now];
+    if (this.losses.length > MOST_LOSSES) return this.giveUp();
+    // Without this the browser never offers the context again.
+    event.preventDefault();
+    this.waiting = setTimeout(() => this.giveUp(), PATIENCE_MS);
   };
 
   private readonly handleRestoration = (): void => {
-    this.isLost = false;
+    this.isLost = this.isMissing = false;
     clearTimeout(this.waiting);
     this.tell('restored');
   };
+
+  private giveUp(): void {
+    this.isMissing = true;
+    this.tell('missing');
+  }
 
   private tell(event: ContextEvent): void {
     for (const listener of this.listeners) listener(event);

@@ -1,4 +1,5 @@
 import { ContextError, LoadError, type SmokeError } from '../preset/errors.ts';
+import type { Fault } from '../device/faults.ts';
 import { asSmokeError } from './asSmokeError.ts';
 import { Deferred } from './deferred.ts';
 import type { RemoteStage } from '../remote/contract.ts';
@@ -44,6 +45,11 @@ export interface CartoonSmokeElement extends HandedOn {
   ): void;
 }
 
+export interface ElementOptions {
+  /** What goes wrong, to try how a page copes. What is built does not heed it. */
+  fault?: Fault;
+}
+
 /**
  * `<cartoon-smoke preset="lamp" emission-rate="60" paused>`: smoke on any page. Every parameter is an attribute and a
  * property; the methods of RemoteStage are its own, and wait until the smoke stands. Nothing heavy is fetched until it
@@ -54,6 +60,7 @@ export class CartoonSmokeElement extends Base {
     return [...FLAGS, ...TEXTS, ...keyOfAttribute.keys()];
   }
 
+  readonly #fault: Fault | undefined;
   readonly #shell = new Shell(this.attachShadow({ mode: 'open' }));
   #stopWaiting: (() => void) | undefined;
   /** Ends what was started, on its way or come to stand. */
@@ -64,8 +71,10 @@ export class CartoonSmokeElement extends Base {
   #session: Session | undefined;
   #awaited = new Deferred<Session>();
 
-  constructor() {
+  /** @param options for those who make an element by hand; @see ElementOptions */
+  constructor({ fault }: ElementOptions = {}) {
     super();
+    this.#fault = fault;
     this.#shell.button.addEventListener('click', () => {
       if (this.playing) return this.pause();
       this.paused = false;
@@ -161,6 +170,7 @@ export class CartoonSmokeElement extends Base {
         shell: this.#shell,
         tell: (name, detail) => this.#tell(name, detail),
         fail: (error) => this.#fail(error),
+        fault: this.#fault,
       },
       signal,
     );

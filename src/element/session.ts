@@ -1,4 +1,5 @@
 /** The heavy half of an element, fetched when it nears the viewport: everything between its attributes and its stage. */
+import type { Fault } from '../device/faults.ts';
 import { ParameterError, type SmokeError } from '../preset/errors.ts';
 import { notice, type Notice } from '../preset/notice.ts';
 import type { RemoteStage } from '../remote/contract.ts';
@@ -26,6 +27,7 @@ export interface SessionHost {
   tell<Name extends keyof SmokeEvents>(name: Name, detail: SmokeEvents[Name]): void;
   /** The smoke has come to an end by itself. */
   fail(error: SmokeError): void;
+  readonly fault: Fault | undefined;
 }
 
 /**
@@ -42,6 +44,7 @@ export async function openSession(host: SessionHost, signal: AbortSignal): Promi
     quality: 'auto',
     background: !element.hasAttribute('transparent'),
     thread: threadOf(element),
+    fault: host.fault,
     signal,
   });
   const session = new Session(host, stage, wish);

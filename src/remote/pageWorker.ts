@@ -1,4 +1,5 @@
 import { LoadError, SimulatorError } from '../preset/errors.ts';
+import { watchHeart } from './heartbeat.ts';
 import type { Greeting } from './worker.ts';
 import { unpackError } from './packedErrors.ts';
 import { startWorker } from './startWorker.ts';
@@ -15,9 +16,11 @@ class PageWorker {
   private holders = new Set<(error: Error) => void>();
   private farewell: ReturnType<typeof setTimeout> | undefined;
   private refusal: Error | undefined;
+  private stopWatching: (() => void) | undefined;
 
   /**
-   * The worker, which has to be released with the same function. Where it could not be had once, it is not tried again.
+   * The worker, which has to be released with the same function. Where it could not be had or failed once, it is not tried
+   * again.
    * @param onFailure told when the worker fails later
    * @throws why it cannot be had
    */
@@ -49,19 +52,25 @@ class PageWorker {
       worker.terminate();
       throw error;
     }
-    worker.onerror = (event) => this.fail(event);
+    worker.onmessage = null;
+    worker.onerror = (event) => {
+      // It is told to the stages, and not to the page as one of its own.
+      event.preventDefault();
+      this.fail(`The worker failed: ${event.message}`);
+    };
+    this.stopWatching = watchHeart(worker, () => this.fail('The worker is gone: it does not answer any more.'));
     this.worker = worker;
     return worker;
   }
 
-  /** An error that nobody expected. It is told to the stages, and not to the page as one of its own. */
-  private fail(event: ErrorEvent): void {
-    event.preventDefault();
-    const error = new SimulatorError(`The worker failed: ${event.message}`);
-    for (const holder of this.holders) holder(error);
+  private fail(message: string): void {
+    this.end();
+    this.refusal = new SimulatorError(message);
+    for (const holder of this.holders) holder(this.refusal);
   }
 
   private end(): void {
+    this.stopWatching?.();
     this.worker?.terminate();
     this.worker = this.starting = undefined;
   }

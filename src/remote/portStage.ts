@@ -25,6 +25,7 @@ export class PortStage {
   private readonly listeners = new Listeners<StageEvents>();
   private readonly waiting = new Map<number, Waiting>();
   private latest = OPENING;
+  private failure: Error | undefined;
   private hasEnded = false;
 
   /** @param release called once, after disposal or failure */
@@ -46,9 +47,10 @@ export class PortStage {
     port.onmessage = ({ data }) => this.take(data);
   }
 
-  /** The other side is gone: all that is waited for is refused, and whoever listens is told. */
+  /** The other side is gone: all that is waited for and all that comes is refused, and whoever listens is told. */
   fail(error: Error): void {
     if (this.hasEnded) return;
+    this.failure = error;
     this.refuseAll(error);
     this.listeners.tell('error', error);
   }
@@ -73,7 +75,7 @@ export class PortStage {
   }
 
   private call(method: Method, args: readonly unknown[]): Promise<unknown> {
-    if (this.hasEnded) return Promise.reject(ended());
+    if (this.hasEnded || this.failure) return Promise.reject(this.failure ?? ended());
     const id = ++this.latest;
     return new Promise((resolve, reject) => {
       // First, because what cannot be sent is refused at once and then nobody waits.

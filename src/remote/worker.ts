@@ -1,5 +1,6 @@
 /** The worker of a page: all of its stages, on one device. It says first whether it can draw at all. */
 import type { RemoteStageOptions } from './contract.ts';
+import { BEAT } from './heartbeat.ts';
 import { demandDrawing, openHere } from './openHere.ts';
 import { packError } from './packedErrors.ts';
 import { OPENING, tellOf } from './protocol.ts';
@@ -17,13 +18,15 @@ export type Greeting = { readonly greeting: true; readonly error?: unknown };
 
 /** What TypeScript's library of the page lacks. */
 interface WorkerScope {
-  postMessage(message: Greeting): void;
-  addEventListener(type: 'message', listener: (event: MessageEvent<Order>) => void): void;
+  postMessage(message: Greeting | typeof BEAT): void;
+  addEventListener(type: 'message', listener: (event: MessageEvent<Order | typeof BEAT>) => void): void;
+  close(): void;
 }
 
 const worker = self as unknown as WorkerScope;
 
 async function open({ canvas, options, port }: Order): Promise<void> {
+  if (import.meta.env.DEV && options.fault === 'workerSilent') return worker.close();
   const onProgress = (progress: unknown) => port.postMessage(tellOf('progress', progress));
   try {
     serveStage(port, await openHere(canvas, { ...options, onProgress }, 'worker'));
@@ -42,5 +45,5 @@ function greet(): void {
   }
 }
 
-worker.addEventListener('message', ({ data }) => void open(data));
+worker.addEventListener('message', ({ data }) => (data === BEAT ? worker.postMessage(BEAT) : void open(data)));
 greet();

@@ -1,4 +1,5 @@
 import type { Device, DeviceOptions } from '../device/device.ts';
+import type { Fault } from '../device/faults.ts';
 import type { DebugView, Quality } from '../preset/environment.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { LoadProgress } from '../sim/load.ts';
@@ -29,6 +30,8 @@ export interface StageOptions extends DeviceOptions {
   historyBytes?: number;
   /** Told how much of what must be fetched has come. */
   onProgress?: (progress: LoadProgress) => void;
+  /** What goes wrong in the start, to try how an application copes. What is built does not heed it. */
+  fault?: Fault;
 }
 
 /** What a stage is doing; figures of the latest frame. */

@@ -141,9 +141,31 @@ export class Picture {
     this.presenter.device.requireUsable();
   }
 
-  /** Draws a moment and shows it; false where nothing can be seen, or while the context is lost. */
-  draw({ simulator, rigids, parts, blend, scale, isPlaying }: Moment): boolean {
-    if (!this.isVisible || !this.presenter.device.isUsable) return false;
+  /** Draws a moment and shows it; false where nothing can be seen, or where the context is lost, even on the way. */
+  draw(moment: Moment): boolean {
+    const { device } = this.presenter;
+    if (!this.isVisible || !device.isUsable) return false;
+    try {
+      this.drawNow(moment);
+      return true;
+    } catch (error) {
+      if (device.isUsable) throw error;
+      return false;
+    }
+  }
+
+  /** What was just drawn as a PNG; must be called in the task that drew it. */
+  encode(): Promise<Blob> {
+    return this.presenter.encode();
+  }
+
+  /** Gives the device back as well, if it is the stage's own. */
+  dispose(): void {
+    this.smoke.dispose();
+    this.presenter.dispose();
+  }
+
+  private drawNow({ simulator, rigids, parts, blend, scale, isPlaying }: Moment): void {
     this.smoke.bake(isPlaying ? BAKING_MS : Infinity);
     this.eye.follow(secondsAt(simulator.steps, blend));
     const started = performance.now();
@@ -167,17 +189,5 @@ export class Picture {
     this.presenter.present();
     this.scale = scale;
     this.renderMs = performance.now() - started;
-    return true;
-  }
-
-  /** What was just drawn as a PNG; must be called in the task that drew it. */
-  encode(): Promise<Blob> {
-    return this.presenter.encode();
-  }
-
-  /** Gives the device back as well, if it is the stage's own. */
-  dispose(): void {
-    this.smoke.dispose();
-    this.presenter.dispose();
   }
 }

@@ -1,5 +1,6 @@
 import { MathUtils } from 'three';
 import type { DeviceCanvas } from '../device/device.ts';
+import type { Fault } from '../device/faults.ts';
 import type { DebugView, Quality } from '../preset/environment.ts';
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
@@ -400,7 +401,8 @@ export class Stage {
 /**
  * Sets a scene up on a canvas and draws its first picture unless nobody can see it; it does not play yet.
  * @throws ParameterError for a value it does not take, LoadError when the simulator or the scene cannot be fetched,
- * UnsupportedError when the browser lacks WebGL2 or WASM SIMD
+ * UnsupportedError when the browser lacks WebGL2 or WASM SIMD, SimulatorError when there is no memory left, ContextError
+ * when the graphics context went meanwhile and has not come back for long
  */
 export async function createStage(canvas: DeviceCanvas, options: StageOptions = {}): Promise<Stage> {
   validate(options.values ?? {});
@@ -408,9 +410,18 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
   const presenter = createPresenter(canvas, options.device, options);
   try {
     const [opened] = await Promise.all([openScene(values.scene as string, options.onProgress), bakeAhead(values)]);
+    if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
+    presenter.device.requireHope();
     return new Stage(canvas, presenter, opened, options);
   } catch (error) {
     presenter.dispose();
     throw error;
   }
+}
+
+/** @see Fault */
+async function provoke(fault: Fault, { device }: Presenter, { factory }: OpenedScene): Promise<void> {
+  const { fill, loseContext } = await import('../device/faults.ts');
+  if (fault === 'outOfMemory') fill(factory.module.memory);
+  if (fault === 'contextLostInStart') loseContext(device);
 }

@@ -1,9 +1,8 @@
 /** Stages in a worker: the same pictures, one worker and one context for all, and nothing that the page need notice. */
-import type { Worker } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
+import { turnContext } from './embed.context.ts';
 
 type Cases = typeof import('./embed.cases.ts');
-type Shared = typeof import('../../src/remote/sharedDevice.ts');
 const CASES = '/tests/e2e/embed.cases.ts';
 
 test('a worker draws the same picture as the main thread', async ({ load }) => {
@@ -120,22 +119,3 @@ test.describe('on a page of their own', () => {
     expect(changed).toEqual([0, 0]);
   });
 });
-
-/** Takes the context of a worker away or gives it back, and waits until that has happened. */
-async function turnContext(worker: Worker, way: 'loseContext' | 'restoreContext'): Promise<void> {
-  const shared = await worker.evaluateHandle(`import('/src/remote/sharedDevice.ts')`);
-  await worker.evaluate(
-    async ([module, method]) => {
-      const device = (module as Shared).threadDevice.hold()!;
-      const event = method === 'loseContext' ? 'webglcontextlost' : 'webglcontextrestored';
-      const happens = new Promise((resolve) => device.canvas.addEventListener(event, resolve, { once: true }));
-      const kept = globalThis as { losing?: WEBGL_lose_context | null };
-      kept.losing ??= device.renderer.getContext().getExtension('WEBGL_lose_context');
-      kept.losing![method]();
-      await happens;
-      // The browser decides about restoring only after the event's last listener.
-      await new Promise((resolve) => setTimeout(resolve));
-    },
-    [shared, way] as const,
-  );
-}

@@ -55,6 +55,15 @@ it('has a source map for each module, and no words of the table in what widgets 
   expect(wordy).toEqual(['preset.js']);
 });
 
+it('knows none of the faults that can be provoked in sources', () => {
+  const faults = [...readFileSync(join(ROOT, 'src/device/faults.ts'), 'utf8').matchAll(/^ \* - `(\w+)`/gm)];
+  expect(faults).toHaveLength(3);
+  const dist = join(FOLDER, 'dist');
+  const built = readdirSync(dist).filter((file) => file.endsWith('.js'));
+  const knows = (file: string, name: string) => readFileSync(join(dist, file), 'utf8').includes(name);
+  expect(built.filter((file) => faults.some(([, name]) => knows(file, name)))).toEqual([]);
+});
+
 it('says the same of ranges and defaults without words', async () => {
   const script = pathToFileURL(join(ROOT, 'scripts/package/withoutWords.mjs')).href;
   const { withoutWords } = (await import(script)) as {

@@ -1,0 +1,27 @@
+import type { Worker } from '@playwright/test';
+
+type Shared = typeof import('../../src/remote/sharedDevice.ts');
+
+/** A page or a worker. */
+type Thread = Pick<Worker, 'evaluate' | 'evaluateHandle'>;
+
+/** Takes the context of a thread away or gives it back, and waits until that has happened. */
+export async function turnContext(thread: Thread, way: 'loseContext' | 'restoreContext'): Promise<void> {
+  const shared = await thread.evaluateHandle(`import('/src/remote/sharedDevice.ts')`);
+  await thread.evaluate(
+    async ([module, method]) => {
+      const { threadDevice } = module as Shared;
+      const device = threadDevice.hold()!;
+      threadDevice.release();
+      const event = method === 'loseContext' ? 'webglcontextlost' : 'webglcontextrestored';
+      const happens = new Promise((resolve) => device.canvas.addEventListener(event, resolve, { once: true }));
+      const kept = globalThis as { losing?: WEBGL_lose_context | null };
+      kept.losing ??= device.renderer.getContext().getExtension('WEBGL_lose_context');
+      kept.losing![method]();
+      await happens;
+      // The browser decides about restoring only after the event's last listener.
+      await new Promise((resolve) => setTimeout(resolve));
+    },
+    [shared, way] as const,
+  );
+}

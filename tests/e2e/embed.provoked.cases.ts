@@ -1,0 +1,36 @@
+/** Elements with faults that only sources know, and what a page sees of them. */
+import type { ElementOptions } from '../../src/element/cartoonSmokeElement.ts';
+import { CartoonSmokeElement } from '../../src/element/define.ts';
+
+export interface Shown {
+  readonly element: CartoonSmokeElement;
+  /** What the element told, by type and by the name of the error. */
+  readonly told: string[];
+}
+
+/** Puts a small wisp with a poster and a fallback on the page. */
+export function show(thread: 'auto' | 'main' | 'worker', options: ElementOptions = {}): Shown {
+  const element = new CartoonSmokeElement(options);
+  Object.assign(element, { preset: 'wisp', simulationMaxParticles: 300, thread, loading: 'eager' });
+  element.style.cssText = 'display: block; width: 160px; height: 120px';
+  element.innerHTML = '<p slot="poster">Poster</p><p>Fallback</p>';
+  const told: string[] = [];
+  element.addEventListener('ready', ({ detail }) => told.push(`ready on ${detail.thread}`));
+  element.addEventListener('error', ({ detail }) => told.push(detail.error.name));
+  document.body.append(element);
+  return { element, told };
+}
+
+/** Whether the poster and the fallback stand in the place of the smoke, and nothing can be played. */
+export function isGivenUp({ element }: Shown): boolean {
+  const [poster, fallback] = [...element.children].map((child) => child.checkVisibility());
+  return poster && fallback && !element.shadowRoot!.querySelector('button')!.checkVisibility();
+}
+
+/** Colours that the element's canvas shows. */
+export async function colorsOf({ element }: Shown): Promise<number> {
+  const bitmap = await createImageBitmap(element.shadowRoot!.querySelector('canvas')!);
+  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+  context.drawImage(bitmap, 0, 0);
+  return new Set(new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
+}
