@@ -52,13 +52,13 @@ export function differing(a: Uint32Array, b: Uint32Array): number {
   return a.reduce((count, pixel, index) => count + (pixel === b[index] ? 0 : 1), Math.abs(a.length - b.length));
 }
 
-/**
- * Pixels of a canvas on the page that differ from what they should be. What a worker draws comes to the page when it can, so
- * it has a hundred frames to come.
- */
+/** What a worker draws comes to the page when it can: so long it has, which no machine needs. */
+const PATIENCE_MS = 60_000;
+
+/** Pixels of a canvas on the page that differ from what they should be, once none does, or nobody waits any longer. */
 export async function differingShown(canvas: HTMLCanvasElement, expected: Uint32Array): Promise<number> {
   let count = Infinity;
-  for (let frame = 0; frame < 100 && count > 0; ++frame) {
+  for (const until = performance.now() + PATIENCE_MS; count > 0 && performance.now() < until;) {
     await new Promise(requestAnimationFrame);
     count = differing(await pixelsOf(canvas), expected);
   }
@@ -68,7 +68,7 @@ export async function differingShown(canvas: HTMLCanvasElement, expected: Uint32
 /** Colours on a canvas of the page, once it shows more than one. */
 export async function colorsShown(canvas: HTMLCanvasElement): Promise<number> {
   let colors = 1;
-  for (let frame = 0; frame < 100 && colors === 1; ++frame) {
+  for (const until = performance.now() + PATIENCE_MS; colors === 1 && performance.now() < until;) {
     await new Promise(requestAnimationFrame);
     colors = new Set(await pixelsOf(canvas)).size;
   }

@@ -24,12 +24,12 @@ export async function connect(address: string, sandbox?: string): Promise<Framed
   return { frame: element, stage: await connectFrame(element) };
 }
 
-/** Whether a frame that is there lets this page in, within some frames of the page. */
-export async function letsIn(address: string): Promise<boolean> {
+/** Whether a frame that is there lets this page in. @param patience milliseconds after which it does not, where it says nothing */
+export async function letsIn(address: string, patience?: number): Promise<boolean> {
   const element = frame(address);
   await new Promise((resolve) => element.addEventListener('load', resolve));
-  const patience = AbortSignal.timeout(3_000);
-  return connectFrame(element, { signal: patience }).then(
+  const signal = patience === undefined ? undefined : AbortSignal.timeout(patience);
+  return connectFrame(element, { signal }).then(
     () => true,
     () => false,
   );

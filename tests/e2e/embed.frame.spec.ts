@@ -113,10 +113,13 @@ test('goes by hash and query as the demo does, and brings the physics only where
 test('only the origin that the address names may have the stage', async ({ load, baseURL }) => {
   const frames = await load<FrameCases>(FRAMES);
   const origin = await frames.evaluate(() => location.origin);
-  const letsIn = (query: string) =>
-    frames.evaluate((module, url) => module.letsIn(url), `${baseURL}/embed.html?${query}${WISP.slice(1)}`);
+  const letsIn = (query: string, patience?: number) =>
+    frames.evaluate((module, given) => module.letsIn(...given), [
+      `${baseURL}/embed.html?${query}${WISP.slice(1)}`,
+      patience,
+    ] as const);
   expect(await letsIn(`origin=${origin}&`)).toBe(true);
-  const strangers = ['https://example.org', 'null', '*'].map((other) => letsIn(`origin=${other}&`));
+  const strangers = ['https://example.org', 'null', '*'].map((other) => letsIn(`origin=${other}&`, 3_000));
   expect(await Promise.all(strangers)).toEqual([false, false, false]);
 });
 

@@ -53,14 +53,13 @@ test('5,000 hostile attributes change nothing outside of the element, and the sm
       for (const name of smoke.getAttributeNames())
         if (!['style', 'thread'].includes(name)) smoke.removeAttribute(name);
       Object.assign(smoke, { preset: 'wisp', paused: true, emissionRate: 41 });
-      const deadline = performance.now() + 20_000;
-      let rate: unknown;
-      while (rate !== 41 && performance.now() < deadline) rate = (await smoke.get())['emission.rate'];
-      return { failures, rate, isSame: before === document.body.innerHTML.replace(/<cartoon-smoke[^]*/, '') };
+      return { failures, isSame: before === document.body.innerHTML.replace(/<cartoon-smoke[^]*/, '') };
     },
     { attributes: names.map(({ attribute }) => attribute), values: VALUES, own: OWN },
   );
-  expect(report).toEqual({ failures: [], rate: 41, isSame: true });
+  expect(report).toEqual({ failures: [], isSame: true });
+  const rate = () => page.evaluate(async () => (await document.querySelector('cartoon-smoke')!.get())['emission.rate']);
+  await expect.poll(rate).toBe(41);
   expect(lines).toEqual([]);
 });
 

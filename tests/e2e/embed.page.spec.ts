@@ -44,7 +44,7 @@ test('a smoke that stays while the page scrolls sees its boxes go by', async ({ 
       .evaluate((smoke: CartoonSmokeElement) => smoke.get())) as Numbers;
     return values['colliders.0.position.y'];
   };
-  expect(await height()).toBeCloseTo(0.75, 2);
+  await expect.poll(height).toBeCloseTo(0.75, 2);
   await page.mouse.wheel(0, 150);
   await expect.poll(height).toBeCloseTo(1.75, 2);
 });

@@ -94,7 +94,9 @@ test('a context that does not come back is told as a ContextError, once, and may
     stage.on('error', ({ name }) => errors.push(name));
     return errors;
   });
-  await page.clock.install();
+  await page.clock.install({ time: 0 });
+  // From here on time passes only as it is told to.
+  await page.clock.pauseAt(60_000);
   const losing = await shared.evaluateHandle(({ threadDevice }) => {
     const extension = threadDevice.hold()!.renderer.getContext().getExtension('WEBGL_lose_context')!;
     extension.loseContext();

@@ -59,14 +59,16 @@ test.describe('on a page of their own', () => {
   test('stages share one worker, which ends after the last of them', async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
     const seen = await cases.evaluateHandle((module) => module.watch());
-    await cases.evaluate(async (module) => {
+    const counts = await cases.evaluate(async (module, count) => {
       const opened = await Promise.all([1, 2, 3].map(() => module.open()));
       for (const { stage } of opened) await stage.dispose();
       const again = await module.open();
       await again.stage.step(2);
       await again.stage.dispose();
-    });
-    expect(await seen.evaluate(({ workers, terminated }) => [workers, terminated])).toEqual([1, 0]);
+      // At once: it ends by itself some seconds later.
+      return [count.workers, count.terminated];
+    }, seen);
+    expect(counts).toEqual([1, 0]);
     await expect.poll(() => blank.workers().length).toBe(0);
     expect(await seen.evaluate(({ workers, terminated }) => [workers, terminated])).toEqual([1, 1]);
     expect(await cases.evaluate(async (module) => (await module.open()).stage.thread)).toBe('worker');

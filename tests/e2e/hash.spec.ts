@@ -28,7 +28,7 @@ test('the same seed has the same hash natively and in Chromium', async ({ load }
 });
 
 test('takes over the whole parameter table have the same hashes natively and in Chromium', async ({ load }) => {
-  test.setTimeout(300_000);
+  test.setTimeout(1_200_000);
   const takes = await nativeTakes();
   expect(takes.length).toBe(40);
   expect(takes.filter(({ hasRigids }) => hasRigids).length).toBe(20);

@@ -124,7 +124,7 @@ test('this very moment is the same frame, camera too', async ({ page, browser })
   const context = await browser.newContext({ viewport: { width: 400, height: 300 } });
   const other = await context.newPage();
   await open(other, link.slice(link.indexOf('/?') + 1));
-  await expect.poll(() => ask(other, (stage) => stage.stats.steps), { timeout: 30_000 }).toBe(40);
+  await expect.poll(() => ask(other, (stage) => stage.stats.steps)).toBe(40);
   await expect.poll(() => eyeOf(other)).toEqual(await eyeOf(page));
   expect(await viewOf(other)).toEqual(view);
   await context.close();

@@ -23,7 +23,7 @@ async function bytesOf(file: Download): Promise<number[]> {
 }
 
 async function captured(page: Page): Promise<{ name: string; bytes: number[] }> {
-  const [file] = await Promise.all([page.waitForEvent('download', { timeout: 60_000 }), press(page)]);
+  const [file] = await Promise.all([page.waitForEvent('download'), press(page)]);
   await expect(sheet(page).getByRole('status')).toContainText(`Saved ${file.suggestedFilename()}`);
   return { name: file.suggestedFilename(), bytes: await bytesOf(file) };
 }

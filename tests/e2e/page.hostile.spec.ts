@@ -59,7 +59,7 @@ test('each leaves a running page and a notice, asks nobody and runs nothing', as
         document.querySelectorAll<HTMLElement>('.notice button').forEach((button) => button.click());
         location.hash = hash;
       }, `#v=1${link}&emission.rate=20&simulation.maxParticles=100`);
-      await expect(page.locator('.notices')).toContainText(told, { timeout: 15_000 });
+      await expect(page.locator('.notices')).toContainText(told);
       const steps = await ask(page, (stage) => (stage.step(1), stage.stats.steps));
       expect(steps).toBeGreaterThan(0);
       expect(await traces(page)).toEqual(NOTHING);

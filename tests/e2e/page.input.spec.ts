@@ -71,13 +71,10 @@ test('arrow keys move the ball along the picture', async ({ page }) => {
   await page.keyboard.down('ArrowLeft');
   // A held key moves the ball by no more than 9 cm a frame, and a busy machine draws few frames.
   await expect
-    .poll(
-      async () => {
-        await arrive(page);
-        return (await ballPlace(page))!.x;
-      },
-      { timeout: 30_000 },
-    )
+    .poll(async () => {
+      await arrive(page);
+      return (await ballPlace(page))!.x;
+    })
     .toBeLessThan(start.x - 30);
   await page.keyboard.up('ArrowLeft');
   await arrive(page);

@@ -57,7 +57,7 @@ test('a mesh becomes the puffs, the link says that it cannot hold it, and drawn 
   const hash = await ask(page, (stage) => stage.hash());
   await chooser.last().setInputFiles(cubeObject('cube.obj'));
   const name = page.locator('.own-shape-name');
-  await expect(name).toHaveText(/^cube\.obj, [89]\d % alike$/, { timeout: 30_000 });
+  await expect(name).toHaveText(/^cube\.obj, [89]\d % alike$/);
   expect(await ask(page, (stage) => stage.hash())).toBe(hash);
   await page.getByRole('button', { name: 'Share' }).click();
   await expect(
@@ -67,7 +67,7 @@ test('a mesh becomes the puffs, the link says that it cannot hold it, and drawn 
   await page.getByRole('button', { name: 'Back to drawn puffs' }).click();
   await expect(name).toBeHidden();
   await chooser.last().setInputFiles(cubeScene('bar.gltf'));
-  await expect(name).toHaveText(/^bar\.gltf, [789]\d % alike$/, { timeout: 30_000 });
+  await expect(name).toHaveText(/^bar\.gltf, [789]\d % alike$/);
 });
 
 test('what is no closed mesh is refused in words, and the puffs stay', async ({ page }) => {
@@ -77,7 +77,7 @@ test('what is no closed mesh is refused in words, and the puffs stay', async ({ 
   const chooser = page.getByLabel('Use a shape of your own').last();
   const refused = async (file: ReturnType<typeof cubeObject>, words: RegExp) => {
     await chooser.setInputFiles(file);
-    await expect(page.getByText(words)).toBeVisible({ timeout: 30_000 });
+    await expect(page.getByText(words)).toBeVisible();
   };
   await refused(cubeObject('lid.obj', 5), /The mesh is open: 4 of its 17 edges/);
   await refused(cubeObject('empty.obj', 0), /empty/);
@@ -103,5 +103,5 @@ test('a mesh is dropped on the page', async ({ page }) => {
       .querySelector('canvas')!
       .dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
   }, cubeObject('dropped.obj').buffer.toString());
-  await expect(page.locator('.own-shape-name')).toHaveText(/^dropped\.obj/, { timeout: 30_000 });
+  await expect(page.locator('.own-shape-name')).toHaveText(/^dropped\.obj/);
 });

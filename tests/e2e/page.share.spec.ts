@@ -34,7 +34,7 @@ test('the sheet copies link and code, shows a QR code, and goes by keyboard', as
   page.on('request', (request) => fetched.push(request.url()));
   await open(page, `?paused=1&t=0.5${LIGHT}`);
   const before = new Set(fetched);
-  await expect.poll(() => ask(page, (stage) => stage.stats.steps), { timeout: 20_000 }).toBe(30);
+  await expect.poll(() => ask(page, (stage) => stage.stats.steps)).toBe(30);
   await page.keyboard.press('s');
   await expect(sheet(page).getByRole('button', { name: 'Copy link' })).toBeFocused();
   await page.keyboard.press('Enter');
@@ -105,9 +105,7 @@ test('a take too long for a link becomes a file, which brings the moment back', 
   expect(file.name).toBe('lamp.take.json');
   await open(page, '?paused=1#v=1&preset=lamp-noir&emission.rate=7');
   await drop(page, file.name, file.text);
-  await expect
-    .poll(() => ask(page, (stage) => [stage.stats.steps, stage.hash()]), { timeout: 30_000 })
-    .toEqual([420, hash]);
+  await expect.poll(() => ask(page, (stage) => [stage.stats.steps, stage.hash()])).toEqual([420, hash]);
   await expectValue(page, 'style.tones', 2);
   await expect(page.locator('.notice')).toHaveCount(0);
 });

@@ -10,7 +10,7 @@ export const LIGHT = '#v=1&preset=lamp&emission.rate=40&simulation.maxParticles=
 export async function open(page: Page, address: string): Promise<void> {
   await page.goto('about:blank');
   await page.goto(`/${address}`);
-  await page.waitForFunction(() => window.cartoonSmoke !== undefined, null, { timeout: 60_000 });
+  await page.waitForFunction(() => window.cartoonSmoke !== undefined);
 }
 
 /** What the stage answers to a question asked in the page. */
@@ -31,9 +31,29 @@ export async function expectHash(page: Page, hash: string): Promise<void> {
   await expect.poll(() => page.evaluate(() => location.hash), { message: 'address bar' }).toBe(hash);
 }
 
+/**
+ * Has the page take a frame for each piece of what it does in pieces, and think that little fits into a piece: a long way
+ * through time then takes minutes on the fastest machine, and can be looked at and stopped. From now on, and on pages that
+ * are opened later.
+ */
+export async function crawl(page: Page): Promise<void> {
+  const slowDown = () => {
+    const { performance, MessagePort: Port } = globalThis;
+    const now = performance.now.bind(performance);
+    let ahead = 0;
+    performance.now = () => now() + (ahead += 10);
+    const post = Reflect.get(Port.prototype, 'postMessage') as (...given: unknown[]) => void;
+    Port.prototype.postMessage = function (this: MessagePort, ...given: unknown[]) {
+      requestAnimationFrame(() => post.apply(this, given));
+    };
+  };
+  await page.addInitScript(slowDown);
+  await page.evaluate(slowDown);
+}
+
 /** Waits until `?t=` has wound the stage forward: the page is open before. @param count of steps, 60 a second */
 export async function expectSteps(page: Page, count: number): Promise<void> {
-  await expect.poll(() => ask(page, (stage) => stage.stats.steps), { message: 'steps', timeout: 30_000 }).toBe(count);
+  await expect.poll(() => ask(page, (stage) => stage.stats.steps), { message: 'steps' }).toBe(count);
 }
 
 /** The row of a parameter in the panel. */

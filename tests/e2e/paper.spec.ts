@@ -3,7 +3,7 @@ import { expect, test } from '../support/fixtures.ts';
 test('the page about the paper draws its figures, and says what is unknown', async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await page.goto('/paper.html');
-  await expect(page.getByRole('status')).toHaveCount(0, { timeout: 60_000 });
+  await expect(page.getByRole('status')).toHaveCount(0);
   await expect(page.locator('#figure-1 img')).toHaveCount(1);
   await expect(page.locator('#figure-3 canvas')).toHaveCount(4);
   await expect(page.locator('#figure-13 img')).toHaveCount(3);
@@ -13,7 +13,7 @@ test('the page about the paper draws its figures, and says what is unknown', asy
 
 test('of the insets, each ramp leaves less smoke in full light than the one before', async ({ page }) => {
   await page.goto('/paper.html');
-  await expect(page.locator('#figure-13 img')).toHaveCount(3, { timeout: 60_000 });
+  await expect(page.locator('#figure-13 img')).toHaveCount(3);
   const [monochrome, twoTone, threeTone] = await page.locator('#figure-13 img').evaluateAll((images) =>
     images.map((image) => {
       const { width, height } = image as HTMLImageElement;

@@ -4,10 +4,10 @@ import { TASK_CATEGORIES, tasksAfter } from '../support/longTasks.ts';
 
 test('at default settings no task takes longer than 200 ms once smoke plays', async ({ page, browser }) => {
   await page.goto('/');
-  await page.waitForFunction(() => window.cartoonSmoke?.playing, null, { timeout: 60_000 });
+  await page.waitForFunction(() => window.cartoonSmoke?.playing);
   await browser.startTracing(page, { categories: TASK_CATEGORIES });
   await page.evaluate(() => performance.mark('plays'));
-  await page.waitForFunction(() => (window.cartoonSmoke?.stats.time ?? 0) > 1, null, { timeout: 60_000 });
+  await page.waitForFunction(() => (window.cartoonSmoke?.stats.time ?? 0) > 1);
   const tasks = tasksAfter('plays', await browser.stopTracing());
   // What draws is among them, but what it costs is paid by another process.
   expect(tasks.length).toBeGreaterThan(100);
@@ -19,7 +19,7 @@ test('nothing is written to the console', async ({ page }) => {
   const lines: string[] = [];
   page.on('console', (message) => lines.push(message.text()));
   await page.goto('/');
-  await page.waitForFunction(() => (window.cartoonSmoke?.stats.bodiesDrawn ?? 0) > 0, null, { timeout: 60_000 });
+  await page.waitForFunction(() => (window.cartoonSmoke?.stats.bodiesDrawn ?? 0) > 0);
   // What Chromium's driver and the tests' own tools say is not the page's doing.
   const own = lines.filter((line) => !/GPU stall due to ReadPixels|Service Worker registration blocked/.test(line));
   expect(own).toEqual([]);

@@ -6,9 +6,6 @@ import { anyState } from '../support/anyState.ts';
 import { expect } from '../support/fixtures.ts';
 import { ask, open } from './page.ts';
 
-/** Another scene has its puffs baked anew, which takes a busy machine long. */
-const ARRIVAL = { timeout: 60_000 };
-
 /** @param seed of the random states, so that two tests may have others */
 export async function expectStatesReturn(page: Page, count: number, seed: number): Promise<void> {
   await open(page, '?paused=1#v=1&preset=lamp&emission.rate=20&simulation.maxParticles=100');
@@ -18,8 +15,8 @@ export async function expectStatesReturn(page: Page, count: number, seed: number
     // As somebody may type it: without the version, which the page writes in front.
     const typed = (await encode(state)).replace('#v=1&', '#');
     await page.evaluate((hash) => (location.hash = hash), typed);
-    await expect.poll(() => ask(page, (stage) => stage.get()), ARRIVAL).toEqual(state.values);
-    await expect.poll(() => page.evaluate(() => location.hash), ARRIVAL).toMatch(/^#v=1&/);
+    await expect.poll(() => ask(page, (stage) => stage.get())).toEqual(state.values);
+    await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#v=1&/);
     // Two deflaters may pack the same text otherwise, so what stands there is compared unpacked.
     expect(await decode(await page.evaluate(() => location.hash))).toEqual({ state, notices: [] });
   }

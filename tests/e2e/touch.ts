@@ -17,6 +17,17 @@ export async function fingerOf(page: Page): Promise<Drag> {
   };
 }
 
+/** Two taps a tenth of a second apart, however long the page takes over the first. */
+export async function doubleTap(page: Page, place: Place): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  const start = Date.now() / 1000;
+  const events = ['touchStart', 'touchEnd', 'touchStart', 'touchEnd'] as const;
+  for (const [index, type] of events.entries()) {
+    const touchPoints = type === 'touchStart' ? [place] : [];
+    await session.send('Input.dispatchTouchEvent', { type, touchPoints, timestamp: start + 0.05 * index });
+  }
+}
+
 /** The same by the mouse. */
 export function mouseOf({ mouse }: Page): Drag {
   return async (from, to) => {

@@ -48,7 +48,7 @@ export const test = base.extend<{ host: OpenHost }, { server: Server }>({
       await use(server);
       await server.close();
     },
-    { scope: 'worker', timeout: 300_000 },
+    { scope: 'worker', timeout: 600_000 },
   ],
   host: async ({ page, server }, use) => {
     await use(async (body, { script: loaded = MODULES, style = '', headers = {} } = {}) => {
@@ -66,14 +66,10 @@ export { expect };
 
 /** Settled when the smoke of the first element that fits stands. */
 export async function stands(page: Page, selector = 'cartoon-smoke'): Promise<void> {
-  await page.waitForFunction(
-    async (wanted) => {
-      const element = document.querySelector(wanted) as { ready?: Promise<void> } | null;
-      if (!element?.ready) return false;
-      await element.ready;
-      return true;
-    },
-    selector,
-    { timeout: 60_000 },
-  );
+  await page.waitForFunction(async (wanted) => {
+    const element = document.querySelector(wanted) as { ready?: Promise<void> } | null;
+    if (!element?.ready) return false;
+    await element.ready;
+    return true;
+  }, selector);
 }

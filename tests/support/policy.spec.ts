@@ -10,7 +10,6 @@ const LIGHT = '#v=1&preset=lamp&emission.rate=40&simulation.maxParticles=500';
 let server: SiteServer;
 
 test.beforeAll(async () => {
-  test.setTimeout(300_000);
   await demandSite();
   server = await serveStrictly(DIST);
 });
@@ -70,7 +69,7 @@ test('sheets for sharing and capture, files and own presets', async ({ page }) =
 
 async function open(page: Page, address: string): Promise<void> {
   await page.goto(server.address + address);
-  await page.waitForFunction(() => window.cartoonSmoke !== undefined, null, { timeout: 60_000 });
+  await page.waitForFunction(() => window.cartoonSmoke !== undefined);
 }
 
 async function savesFile(page: Page, button: string, name: RegExp): Promise<void> {

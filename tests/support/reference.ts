@@ -47,7 +47,7 @@ let program: Promise<string> | undefined;
 
 /** Builds the program ahead of the tests, which takes longer than they may where nothing was built before. */
 export async function buildReference(): Promise<void> {
-  test.setTimeout(600_000);
+  test.setTimeout(1_200_000);
   program ??= build();
   await program;
 }

@@ -14,7 +14,6 @@ let folder: string;
 let server: SiteServer;
 
 test.beforeAll(async () => {
-  test.setTimeout(300_000);
   await demandSite();
 });
 test.beforeEach(async () => {
@@ -94,9 +93,7 @@ test('a new version is offered, takes over when asked to, and leaves nothing of 
 });
 
 async function smokes(page: Page): Promise<void> {
-  await expect
-    .poll(() => page.evaluate(() => window.cartoonSmoke?.stats.alive ?? 0), { timeout: 60_000 })
-    .toBeGreaterThan(0);
+  await expect.poll(() => page.evaluate(() => window.cartoonSmoke?.stats.alive ?? 0)).toBeGreaterThan(0);
 }
 
 /** What the page has fetched so far, relative to its folder. */
@@ -108,7 +105,7 @@ function fetched(page: Page): Promise<string[]> {
 }
 
 async function isKept(page: Page, file: string): Promise<void> {
-  await expect.poll(async () => (await kept(page)).join(' '), { timeout: 60_000 }).toContain(file);
+  await expect.poll(async () => (await kept(page)).join(' ')).toContain(file);
 }
 
 /** What the service worker has kept. A reload on the way answers with nothing. */
