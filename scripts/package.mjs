@@ -12,8 +12,8 @@ await conclude(async () => {
   readArguments({}, 'npm run package');
   await setUp(PAGE);
   await withProgress(packaged.title, packaged.bring);
-  for (const { file, integrity, kB } of hashes(inRoot(packaged.FOLDER))) {
-    console.log(`${file}: ${kB.toFixed(1)} kB gzip, integrity="${integrity}"`);
+  for (const { file, integrity, kB } of hashes(inRoot(`${packaged.FOLDER}/dist`))) {
+    console.log(`dist/${file}: ${kB.toFixed(1)} kB gzip, integrity="${integrity}"`);
   }
   console.log(`The package is in ${packaged.FOLDER}/.`);
 });

@@ -10,7 +10,7 @@ import { withoutWords } from './withoutWords.mjs';
 
 const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
 const LICENSES =
-  '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors. */';
+  '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors; third-party-licenses.txt beside it has all. */';
 const SCRIPT = 'cartoon-smoke.min';
 /** Faults on purpose are for sources only. */
 const BUILT = { 'import.meta.env.DEV': 'false' };
@@ -22,8 +22,8 @@ const ERRORS = inRoot('src/preset/errors.ts');
 const { table } = await sourceModule('src/preset/table.ts');
 
 /**
- * Writes the modules, split where something is fetched later, without three.js; and the script for CDNs, one file with
- * three.js in it, which can be named with its hash. The simulator lies beside both.
+ * Writes the modules, split where something is fetched later, without three.js; and the script for CDNs. The simulator
+ * lies beside both.
  *
  * @param {string} folder
  */

@@ -15,8 +15,8 @@ export function integrity(path) {
   return `sha384-${createHash('sha384').update(readFileSync(path)).digest('base64')}`;
 }
 
-/** @param {string} folder of the package */
+/** What a CDN is asked for: the script first. @param {string} folder that it lies in */
 export function hashes(folder) {
-  const files = ['dist/cartoon-smoke.min.js', 'dist/wasm/core/bindings_bg.wasm', 'dist/wasm/physics/bindings_bg.wasm'];
+  const files = ['cartoon-smoke.min.js', 'wasm/core/bindings_bg.wasm', 'wasm/physics/bindings_bg.wasm'];
   return files.map((file) => ({ file, integrity: integrity(join(folder, file)), kB: kilobytes(join(folder, file)) }));
 }

@@ -21,14 +21,16 @@ export async function bring(say) {
   rmSync(inRoot(FOLDER), { recursive: true, force: true });
   const before = digestOf(SOURCES);
   // They read the parameter table, and need packages that may not have been there before.
-  const [{ bundleAll }, { writeTypes }, { customElements }, { manifest }] = await Promise.all([
+  const [{ bundleAll }, { writeLicenses }, { writeTypes }, { customElements }, { manifest }] = await Promise.all([
     import('../package/bundle.mjs'),
+    import('../package/licenses.mjs'),
     import('../package/types.mjs'),
     import('../package/customElements.mjs'),
     import('../package/manifest.mjs'),
   ]);
   say('bundling');
   await bundleAll(inRoot(`${FOLDER}/dist`));
+  await writeLicenses(inRoot(`${FOLDER}/dist`));
   say('writing declarations');
   await writeTypes(inRoot(`${FOLDER}/types`), say);
   writeFileSync(inRoot(`${FOLDER}/package.json`), `${JSON.stringify(manifest, null, 2)}\n`);

@@ -54,7 +54,7 @@ export async function build(folder, say) {
   await bundle('examples/vite.config.ts', folder, say);
   script.copyTo(folder);
   const { buildFrame } = await import('../site/frame.mjs');
-  const { writeLicenses } = await import('../site/licenses.mjs');
+  const { writeLicenses } = await import('../package/licenses.mjs');
   const { writeOembed } = await import('../site/oembed.mjs');
   await buildFrame(folder);
   await writeOembed(folder, publishedAt());

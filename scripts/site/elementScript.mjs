@@ -7,6 +7,7 @@ import { cpSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { inRoot } from '../lib/paths.mjs';
 import { bundleScript } from '../package/bundle.mjs';
+import { writeLicenses } from '../package/licenses.mjs';
 import { integrity } from '../package/measure.mjs';
 
 const FILE = 'cartoon-smoke.min.js';
@@ -24,6 +25,7 @@ export async function buildElementScript() {
   const made = inRoot(MADE);
   rmSync(made, { recursive: true, force: true });
   await bundleScript(made);
+  await writeLicenses(made);
   const hash = integrity(join(made, FILE));
   const folder = `element/${nameOf(hash)}`;
   return {

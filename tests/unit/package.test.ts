@@ -83,6 +83,13 @@ it('says the same of ranges and defaults without words', async () => {
   });
 });
 
+it('says whose work is bundled and linked into the simulator, under which licences', () => {
+  const text = readFileSync(join(FOLDER, 'dist/third-party-licenses.txt'), 'utf8');
+  for (const name of ['three', 'rapier3d', 'glam', 'wasm-bindgen']) {
+    expect(text).toMatch(new RegExp(`^${name} \\d+\\.\\d+\\.\\d+ \\([^\n]+\\)\nhttps://`, 'm'));
+  }
+});
+
 it('has a manifest of the element with all parameters', () => {
   const manifest = JSON.parse(readFileSync(join(FOLDER, 'custom-elements.json'), 'utf8'));
   const attributes = new Set(manifest.modules[0].declarations[0].attributes.map(({ name }: { name: string }) => name));
