@@ -10,10 +10,13 @@ const PAD = 0.06;
 const PERIOD = 18;
 export const IGNITION = 1;
 const LIFTOFF = 2;
-/** How long it climbs, and how fast it gains speed: m/s2. It comes down the same way. */
-const CLIMB = 5;
+/** How long it climbs, gaining speed for the first half and losing it for the second: m/s2. It comes down the same way. */
+const CLIMB = 6;
 const THRUST = 1.1;
 const LANDING = PERIOD - 3;
+/** The eye goes this share of its way with it, and stands twice as far away when it is so high, metres. */
+const FOLLOWING = 0.47;
+const FAR_UP = 8.8;
 
 /** A rocket goes up and comes down again; what its engine blows on the ground spreads in a ring. */
 export function rocket(): Scene {
@@ -31,8 +34,9 @@ export function rocket(): Scene {
     camera: { target: [0, 1.3, 0], azimuth: 0.22, elevation: 0.2, distance: 10.6, fieldOfView: 0.6 },
     portrait: { target: [0, 1.9, 0], distance: 12.4, leastWidth: 0.53 },
     cameraMove: (seconds) => ({
-      target: [0, 0.55 * (1 - Math.cos((2 * Math.PI * seconds) / PERIOD)), 0],
+      target: [0, FOLLOWING * height(seconds), 0],
       azimuth: 0.22 * Math.sin(seconds / 6),
+      distance: 1 + height(seconds) / FAR_UP,
     }),
     backdrop: { top: [96, 116, 200], bottom: [255, 196, 180] },
   };
@@ -41,9 +45,10 @@ export function rocket(): Scene {
 /** Height of the rocket above its pad, metres. */
 function height(seconds: number): number {
   const since = seconds % PERIOD;
-  const rising = Math.min(Math.max(since - LIFTOFF, 0), CLIMB);
-  const falling = Math.min(Math.max(LANDING - since, 0), CLIMB);
-  return (THRUST / 2) * Math.min(rising, falling) ** 2;
+  const away = Math.min(since - LIFTOFF, LANDING - since, CLIMB);
+  const top = THRUST * (CLIMB / 2) ** 2;
+  const faster = (THRUST / 2) * Math.max(away, 0) ** 2;
+  return away < CLIMB / 2 ? faster : top - (THRUST / 2) * (CLIMB - away) ** 2;
 }
 
 function flight(seconds: number): Placement {

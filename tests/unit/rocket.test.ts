@@ -1,12 +1,16 @@
 /** The rocket: what its engine blows on the ground spreads in a ring that grows, and nothing goes into the ground. */
+import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import { IGNITION, rocket } from '../../src/scenes/rocket.ts';
+import { OrbitCamera } from '../../src/stage/orbit.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
 import { readParticles } from '../bench/support/snapshot.ts';
 import { loadVariant } from './simWasm.ts';
 
 const STEPS_A_SECOND = 60;
+/** Metres, of the model. */
+const ROCKET_HEIGHT = 1.9;
 const GROUND = rocket().rig['colliders.0.position.y'];
 
 test('the ring of cloud on the ground grows from ignition until the rocket is away, evenly to all sides', async () => {
@@ -31,10 +35,24 @@ test('the ring of cloud on the ground grows from ignition until the rocket is aw
   simulation.dispose();
 });
 
+test('it never leaves the picture, and the ground stays in it', () => {
+  const scene = rocket();
+  const lens = new OrbitCamera(scene);
+  lens.setSize(1440, 900);
+  for (let second = 0; second <= 18; second += 0.25) {
+    lens.follow(second);
+    const [, up] = scene.guide!(momentAt(second))[0].position;
+    for (const height of [0, up, up + ROCKET_HEIGHT]) {
+      expect(Math.abs(new Vector3(0, height, 0).project(lens.camera).y), `${height} m after ${second} s`).toBeLessThan(
+        1,
+      );
+    }
+  }
+});
+
 test('it comes back to where it stood', () => {
   const { guide, rigids } = rocket();
-  const nowhere = { position: [0, 0, 0], rotation: [0, 0, 0, 1] } as const;
-  const at = (seconds: number) => guide!({ seconds, dt: 1 / 60, control: () => 0, pose: () => nowhere })[0].position;
+  const at = (seconds: number) => guide!(momentAt(seconds))[0].position;
   expect(at(1)[1]).toBeCloseTo(rigids[0].position[1], 9);
   expect(at(6)[1]).toBeGreaterThan(6);
   expect(at(17)[1]).toBeCloseTo(at(0)[1], 9);
@@ -43,3 +61,9 @@ test('it comes back to where it stood', () => {
     expect(Math.abs(at((step + 1) / 60)[1] - at(step / 60)[1])).toBeLessThan(6 / 60);
   }
 });
+
+/** What a guide is told of a moment. */
+function momentAt(seconds: number) {
+  const nowhere = { position: [0, 0, 0], rotation: [0, 0, 0, 1] } as const;
+  return { seconds, dt: 1 / 60, control: () => 0, pose: () => nowhere };
+}
