@@ -37,16 +37,17 @@ export function creaseEdges(mesh: TriangleMesh, angle: number): CreaseEdges {
 
 function edgesOf(mesh: TriangleMesh): Iterable<Edge> {
   const welded = weld(mesh.positions);
-  const edges = new Map<string, Edge>();
+  const edges = new Map<number, Edge>();
   for (let at = 0; at < mesh.indices.length; at += 3) {
     const corners = [...mesh.indices.subarray(at, at + 3)];
     const normal = normalOf(mesh.positions, corners);
     if (!normal) continue;
     for (let side = 0; side < 3; ++side) {
       const ends = [corners[side], corners[(side + 1) % 3]] as const;
-      const key = ends.map((vertex) => welded[vertex]).sort((a, b) => a - b);
-      const edge = edges.get(key.join());
-      if (!edge) edges.set(key.join(), { ends, normals: [normal], isSplit: true });
+      const [one, other] = [welded[ends[0]], welded[ends[1]]];
+      const key = Math.min(one, other) * welded.length + Math.max(one, other);
+      const edge = edges.get(key);
+      if (!edge) edges.set(key, { ends, normals: [normal], isSplit: true });
       else join(edge, ends, normal);
     }
   }
@@ -60,8 +61,12 @@ function join(edge: Edge, ends: readonly [number, number], normal: Vector): void
 
 /** The unit normal of a face; none where it has no area. */
 function normalOf(positions: Float32Array, [a, b, c]: readonly number[]): Vector | undefined {
-  const side = (vertex: number, axis: number): number => positions[3 * vertex + axis] - positions[3 * a + axis];
-  const [u, v] = [b, c].map((vertex) => [0, 1, 2].map((axis) => side(vertex, axis)));
+  const side = (vertex: number): Vector => [
+    positions[3 * vertex] - positions[3 * a],
+    positions[3 * vertex + 1] - positions[3 * a + 1],
+    positions[3 * vertex + 2] - positions[3 * a + 2],
+  ];
+  const [u, v] = [side(b), side(c)];
   const cross: Vector = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
   const length = Math.hypot(...cross);
   return length > 1e-12 ? [cross[0] / length, cross[1] / length, cross[2] / length] : undefined;

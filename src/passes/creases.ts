@@ -15,6 +15,7 @@ import creasesVertexShader from '../../shaders/surfaces/creases.vert';
 import fragmentShader from '../../shaders/surfaces/hull.frag';
 import type { Eye } from '../device/eye.ts';
 import { creaseEdges, type CreaseEdges } from './creaseEdges.ts';
+import { inOne, type TriangleMesh } from './extrusion.ts';
 import { InkUniforms, type InkLine } from './ink.ts';
 import { keptFor } from './kept.ts';
 import { seamEdges } from './seamEdges.ts';
@@ -78,11 +79,11 @@ export class CreasesPass {
   }
 }
 
+const keptCreases = keptFor((mesh: TriangleMesh) => creaseEdges(mesh, SHARP));
+
 /** The edges that are drawn with each surface. */
 const edgesOf = keptFor((surfaces: readonly SurfaceDescription[]) =>
-  surfaces.map(({ inked, mesh }, index) =>
-    joined(inked ? [creaseEdges(mesh, SHARP), ...seamsBehind(surfaces, index)] : []),
-  ),
+  surfaces.map(({ inked, mesh }, index) => joined(inked ? [keptCreases(mesh), ...seamsBehind(surfaces, index)] : [])),
 );
 
 /** The seams of a surface with those that follow it, ride on the same rigid and do not grow into it. */
@@ -100,8 +101,8 @@ function seamsBehind(surfaces: readonly SurfaceDescription[], index: number): Cr
 function joined(edges: readonly CreaseEdges[]): CreaseEdges {
   return {
     count: edges.reduce((sum, { count }) => sum + count, 0),
-    ends: new Float32Array(edges.flatMap(({ ends }) => [...ends])),
-    faceNormals: new Float32Array(edges.flatMap(({ faceNormals }) => [...faceNormals])),
+    ends: inOne(edges.map(({ ends }) => ends)),
+    faceNormals: inOne(edges.map(({ faceNormals }) => faceNormals)),
   };
 }
 

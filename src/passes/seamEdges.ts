@@ -1,16 +1,20 @@
 import type { CreaseEdges } from './creaseEdges.ts';
 import type { TriangleMesh } from './extrusion.ts';
+import { keptFor } from './kept.ts';
 
 /** Metres from the plane of a face within which a corner lies on it: what stands on something touches it so. */
 const TOUCHING = 1e-5;
 
 type Vector = readonly [number, number, number];
 
-interface Face {
-  corners: readonly Vector[];
-  normal: Vector;
+interface Box {
   low: Vector;
   high: Vector;
+}
+
+interface Face extends Box {
+  corners: readonly Vector[];
+  normal: Vector;
 }
 
 /**
@@ -19,9 +23,10 @@ interface Face {
  * looks away, close to the silhouette that hides it.
  */
 export function seamEdges(one: TriangleMesh, other: TriangleMesh): CreaseEdges {
-  const others = facesOf(other).sort((a, b) => a.low[0] - b.low[0]);
+  const faces = facesNear(one, keptBox(other));
+  const others = facesNear(other, keptBox(one)).sort((a, b) => a.low[0] - b.low[0]);
   const ends: Vector[] = [];
-  for (const face of facesOf(one)) {
+  for (const face of faces) {
     for (const beside of others) {
       if (beside.low[0] > face.high[0] + TOUCHING) break;
       const seam = comesNear(face, beside) ? meet(face, beside) : undefined;
@@ -32,28 +37,63 @@ export function seamEdges(one: TriangleMesh, other: TriangleMesh): CreaseEdges {
   return { count: ends.length / 2, ends: flat, faceNormals: new Float32Array(flat.length) };
 }
 
-function facesOf({ positions, indices }: TriangleMesh): Face[] {
+const keptBox = keptFor(({ positions }: TriangleMesh): Box => {
+  const low: [number, number, number] = [Infinity, Infinity, Infinity];
+  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
+  for (let at = 0; at < positions.length; at++) {
+    low[at % 3] = Math.min(low[at % 3], positions[at]);
+    high[at % 3] = Math.max(high[at % 3], positions[at]);
+  }
+  return { low, high };
+});
+
+/** Most meshes of a scene share a small part of their room with another, or none. */
+function facesNear({ positions, indices }: TriangleMesh, box: Box): Face[] {
   const faces: Face[] = [];
   for (let at = 0; at < indices.length; at += 3) {
-    const corners = [0, 1, 2].map((corner): Vector => {
-      const first = 3 * indices[at + corner];
-      return [positions[first], positions[first + 1], positions[first + 2]];
-    });
-    const [a, b, c] = corners;
-    const across = cross(between(a, b), between(a, c));
-    const length = Math.hypot(...across);
-    if (length < 1e-12) continue;
-    const normal: Vector = [across[0] / length, across[1] / length, across[2] / length];
-    faces.push({ corners, normal, low: extreme(corners, Math.min), high: extreme(corners, Math.max) });
+    if (!isTriangleNear(positions, indices, at, box)) continue;
+    const face = faceOf(
+      cornerAt(positions, indices[at]),
+      cornerAt(positions, indices[at + 1]),
+      cornerAt(positions, indices[at + 2]),
+    );
+    if (face) faces.push(face);
   }
   return faces;
 }
 
-function extreme([a, b, c]: readonly Vector[], of: (...values: number[]) => number): Vector {
-  return [of(a[0], b[0], c[0]), of(a[1], b[1], c[1]), of(a[2], b[2], c[2])];
+function isTriangleNear(positions: Float32Array, indices: Uint32Array, at: number, { low, high }: Box): boolean {
+  for (let axis = 0; axis < 3; axis++) {
+    const a = positions[3 * indices[at] + axis];
+    const b = positions[3 * indices[at + 1] + axis];
+    const c = positions[3 * indices[at + 2] + axis];
+    if (Math.min(a, b, c) > high[axis] + TOUCHING || low[axis] > Math.max(a, b, c) + TOUCHING) return false;
+  }
+  return true;
 }
 
-function comesNear(a: Face, b: Face): boolean {
+function cornerAt(positions: Float32Array, vertex: number): Vector {
+  return [positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]];
+}
+
+/** None where it has no area. */
+function faceOf(a: Vector, b: Vector, c: Vector): Face | undefined {
+  const [x, y, z] = cross(between(a, b), between(a, c));
+  const length = Math.hypot(x, y, z);
+  if (length < 1e-12) return undefined;
+  const normal: Vector = [x / length, y / length, z / length];
+  return { corners: [a, b, c], normal, low: lowest(a, b, c), high: highest(a, b, c) };
+}
+
+function lowest(a: Vector, b: Vector, c: Vector): Vector {
+  return [Math.min(a[0], b[0], c[0]), Math.min(a[1], b[1], c[1]), Math.min(a[2], b[2], c[2])];
+}
+
+function highest(a: Vector, b: Vector, c: Vector): Vector {
+  return [Math.max(a[0], b[0], c[0]), Math.max(a[1], b[1], c[1]), Math.max(a[2], b[2], c[2])];
+}
+
+function comesNear(a: Box, b: Box): boolean {
   for (let axis = 0; axis < 3; axis++) {
     if (a.low[axis] > b.high[axis] + TOUCHING || b.low[axis] > a.high[axis] + TOUCHING) return false;
   }

@@ -1,7 +1,7 @@
 /** Balls and crates that wait far below any scene until somebody drops them into it. */
 import type { Color } from '../device/ramps.ts';
 import type { RigidDescription } from '../sim/rigid.ts';
-import { jollyBall, jollyCrate } from './models/toys.ts';
+import { ballModel, crateModel, jollyBall, jollyCrate } from './models/toys.ts';
 import type { Scene } from './scene.ts';
 
 /** Metres: radius of the balls, half of a crate's side. */
@@ -27,8 +27,9 @@ export function withDrops(scene: Scene): Scene {
   if (scene.drops) return scene;
   const first = scene.rigids.length;
   const drops = THINGS.map((_, index) => first + index);
+  const [ball, crate] = [ballModel(BALL), crateModel(CRATE)];
   const toys = THINGS.flatMap((colors, index) =>
-    colors ? jollyBall(drops[index], BALL, ...colors) : jollyCrate(drops[index], CRATE),
+    colors ? jollyBall(drops[index], ball, ...colors) : jollyCrate(drops[index], crate),
   );
   return {
     ...scene,

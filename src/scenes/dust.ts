@@ -4,7 +4,7 @@ import { cloudOf, dustRule, type Cloud, type Toy } from './dustRule.ts';
 import { desert, desertRigids, DESERT_RADIUS } from './models/desert.ts';
 import { mole, MOLE_HALF, MOLE_RADIUS } from './models/mole.ts';
 import { placement, turnBy } from './models/place.ts';
-import { jollyBall, jollyCrate } from './models/toys.ts';
+import { ballModel, crateModel, jollyBall, jollyCrate } from './models/toys.ts';
 import { MOLE_START, moleGuide, moleHeight } from './moleGuide.ts';
 import type { Guide, Handle, MovingMoment, Scene, Vector } from './scene.ts';
 
@@ -57,7 +57,7 @@ function toyRigid({ size, isCrate, start }: (typeof TOYS)[number]): RigidDescrip
 }
 
 function toySurfaces({ rigid, size, colors }: (typeof TOYS)[number]): Scene['surfaces'] {
-  return colors ? jollyBall(rigid, size, ...colors) : jollyCrate(rigid, size);
+  return colors ? jollyBall(rigid, ballModel(size), ...colors) : jollyCrate(rigid, crateModel(size));
 }
 
 const MOLE_RIGID: RigidDescription = {

@@ -5,7 +5,7 @@
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { RigidShape } from '../../sim/rigid.ts';
 import { BELLY, COLLAR, CURL, FOOT, GEM, HANDLE, LID, OPENING, SPOUT, SPOUT_PATH } from './lampShape.ts';
-import { planarAxis, pointOn, revolve, type Turning } from './revolve.ts';
+import { circle, planarAxis, revolve, type Turning } from './revolve.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
 
@@ -81,7 +81,8 @@ function collisionPieces(): RigidShape[] {
 function ring(turning: Turning, stretch: number, share: number, corners: number): Vector[] {
   const { curve } = turning.profile[stretch];
   const count = curve(share)[0] === 0 ? 1 : corners;
-  return Array.from({ length: count }, (_, i) => pointOn(turning, curve, share, (2 * Math.PI * i) / corners));
+  const pointAt = circle(turning, curve, share);
+  return Array.from({ length: count }, (_, i) => pointAt((2 * Math.PI * i) / corners));
 }
 
 function hull(points: readonly Vector[]): RigidShape {

@@ -1,5 +1,5 @@
 import { Euler, Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
-import type { TriangleMesh } from '../../passes/extrusion.ts';
+import { inOne, type TriangleMesh } from '../../passes/extrusion.ts';
 import type { Placement, Turn, Vector } from '../scene.ts';
 
 /** How a mesh is put somewhere: scaled, then turned, then moved. */
@@ -31,9 +31,9 @@ export function placed({ positions, normals, indices }: TriangleMesh, { at, turn
 export function merged(...meshes: readonly TriangleMesh[]): TriangleMesh {
   const first = meshes.map((_, index) => meshes.slice(0, index).reduce((sum, m) => sum + m.positions.length / 3, 0));
   return {
-    positions: Float32Array.from(meshes.flatMap(({ positions }) => [...positions])),
-    normals: Float32Array.from(meshes.flatMap(({ normals }) => [...normals])),
-    indices: Uint32Array.from(meshes.flatMap(({ indices }, index) => [...indices].map((i) => i + first[index]))),
+    positions: inOne(meshes.map(({ positions }) => positions)),
+    normals: inOne(meshes.map(({ normals }) => normals)),
+    indices: Uint32Array.from(meshes.flatMap(({ indices }, index) => Array.from(indices, (i) => i + first[index]))),
   };
 }
 
@@ -50,8 +50,7 @@ export function placement(position: Vector = [0, 0, 0], turn: Vector = [0, 0, 0]
 
 function mapped(triples: Float32Array, map: (vector: Vector3) => Vector3): Float32Array {
   const result = new Float32Array(triples.length);
-  for (let from = 0; from < triples.length; from += 3) {
-    map(new Vector3().fromArray(triples, from)).toArray(result, from);
-  }
+  const vector = new Vector3();
+  for (let from = 0; from < triples.length; from += 3) map(vector.fromArray(triples, from)).toArray(result, from);
   return result;
 }

@@ -82,12 +82,12 @@ class Builder {
 
   ring(turning: Turning, curve: Curve, parameter: number, isPole: boolean): Ring {
     const first = this.positions.length / 3;
+    const pointAt = circle(turning, curve, parameter);
+    const normalAt = isPole ? () => poleNormal(turning, curve, parameter) : normalsOn(turning, curve, parameter);
     for (let segment = 0; segment < (isPole ? 1 : turning.segments); segment++) {
       const turn = (2 * Math.PI * segment) / turning.segments;
-      this.positions.push(...pointOn(turning, curve, parameter, turn));
-      this.normals.push(
-        ...(isPole ? poleNormal(turning, curve, parameter) : normalOn(turning, curve, parameter, turn)),
-      );
+      this.positions.push(...pointAt(turn));
+      this.normals.push(...normalAt(turn));
     }
     return { first, isPole };
   }
@@ -111,33 +111,42 @@ class Builder {
   }
 }
 
-/** The point of a turning at a share of one of its curves and at a turn (radians) from `across` towards `side`. */
-export function pointOn({ axis, swell }: Turning, curve: Curve, parameter: number, turn: number): Vector {
+/** What is at a turn (radians) from `across` towards `side`. */
+type ByTurn = (turn: number) => Vector;
+
+/** The points of a turning at a share of one of its curves. */
+export function circle({ axis, swell }: Turning, curve: Curve, parameter: number): ByTurn {
   const [radius, along] = curve(parameter);
   const { origin, across, side } = axis(along);
-  const reach = radius * (swell?.(turn) ?? 1);
-  const [u, v] = [reach * Math.cos(turn), reach * Math.sin(turn)];
-  return [
-    origin[0] + u * across[0] + v * side[0],
-    origin[1] + u * across[1] + v * side[1],
-    origin[2] + u * across[2] + v * side[2],
-  ];
+  return (turn) => {
+    const reach = radius * (swell?.(turn) ?? 1);
+    const [u, v] = [reach * Math.cos(turn), reach * Math.sin(turn)];
+    return [
+      origin[0] + u * across[0] + v * side[0],
+      origin[1] + u * across[1] + v * side[1],
+      origin[2] + u * across[2] + v * side[2],
+    ];
+  };
 }
 
-/** Unit normal from differences along the profile and round the axis, one-sided at a crease. */
-function normalOn(turning: Turning, curve: Curve, parameter: number, turn: number): Vector {
-  const [low, high] = [Math.max(0, parameter - STEP), Math.min(1, parameter + STEP)];
-  const along = minus(pointOn(turning, curve, high, turn), pointOn(turning, curve, low, turn));
-  const round = minus(pointOn(turning, curve, parameter, turn + STEP), pointOn(turning, curve, parameter, turn - STEP));
-  return normalized(cross(along, round));
+/** Unit normals from differences along the profile and round the axis, one-sided at a crease. */
+function normalsOn(turning: Turning, curve: Curve, parameter: number): ByTurn {
+  const lower = circle(turning, curve, Math.max(0, parameter - STEP));
+  const middle = circle(turning, curve, parameter);
+  const higher = circle(turning, curve, Math.min(1, parameter + STEP));
+  return (turn) => {
+    const along = minus(higher(turn), lower(turn));
+    const round = minus(middle(turn + STEP), middle(turn - STEP));
+    return normalized(cross(along, round));
+  };
 }
 
 /** At a pole the normals round it are averaged. */
 function poleNormal(turning: Turning, curve: Curve, parameter: number): Vector {
-  const beside = parameter === 0 ? STEP : 1 - STEP;
+  const normalAt = normalsOn(turning, curve, parameter === 0 ? STEP : 1 - STEP);
   const sum: [number, number, number] = [0, 0, 0];
   for (let segment = 0; segment < turning.segments; segment++) {
-    const normal = normalOn(turning, curve, beside, (2 * Math.PI * segment) / turning.segments);
+    const normal = normalAt((2 * Math.PI * segment) / turning.segments);
     normal.forEach((value, axis) => (sum[axis] += value));
   }
   return normalized(sum);
@@ -152,6 +161,6 @@ function cross(a: Vector, b: Vector): Vector {
 }
 
 function normalized(vector: Vector): Vector {
-  const length = Math.hypot(...vector);
+  const length = Math.hypot(vector[0], vector[1], vector[2]);
   return [vector[0] / length, vector[1] / length, vector[2] / length];
 }

@@ -1,5 +1,6 @@
 /** Things to drop: a ball with a face, and a wooden crate with one. Metres, about their middles. */
 import type { Color } from '../../device/ramps.ts';
+import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
 import { ballMesh } from './ball.ts';
 import { friendlyFace } from './face.ts';
@@ -12,20 +13,15 @@ const CHEEK: Color = [240, 138, 122];
 const WOOD: Color = [214, 152, 92];
 const PLANK: Color = [240, 190, 124];
 
-/** @param rigid that carries it */
-export function jollyBall(rigid: number, radius: number, color: Color, band: Color): SurfaceDescription[] {
-  return [
-    { name: `ball ${rigid}`, mesh: ballMesh(radius), color, casts: true, inked: true, rigid },
-    { name: `band ${rigid}`, mesh: bandMesh(radius), color: band, casts: false, inked: false, rigid },
-    ...face(rigid, 1.05 * radius, radius, radius * 1.01),
-  ];
+/** Meshes of a toy by what they show; those of one model can be shared by any number of toys. */
+export type ToyModel = Readonly<Record<'body' | 'trim' | 'eyes' | 'cheeks', TriangleMesh>>;
+
+export function ballModel(radius: number): ToyModel {
+  return { body: ballMesh(radius), trim: bandMesh(radius), ...face(1.05 * radius, radius, radius * 1.01) };
 }
 
-/**
- * @param rigid that carries it
- * @param half of a side
- */
-export function jollyCrate(rigid: number, half: number): SurfaceDescription[] {
+/** @param half of a side */
+export function crateModel(half: number): ToyModel {
   const inner = 0.88 * half;
   const [beam, edge] = [0.15 * half, half - 0.15 * half];
   const along = (axis: 0 | 1 | 2, u: number, v: number) => {
@@ -37,30 +33,50 @@ export function jollyCrate(rigid: number, half: number): SurfaceDescription[] {
   };
   const corners = [[-1, -1], [-1, 1], [1, -1], [1, 1]] as const; // prettier-ignore
   const frame = merged(...([0, 1, 2] as const).flatMap((axis) => corners.map(([u, v]) => along(axis, u, v))));
+  return {
+    body: roundedBox([inner, inner, inner], 0.04 * half, 3),
+    trim: frame,
+    ...face(1.1 * half, 4 * half, inner),
+  };
+}
+
+/** @param rigid that carries it */
+export function jollyBall(
+  rigid: number,
+  { body, trim, ...features }: ToyModel,
+  color: Color,
+  band: Color,
+): SurfaceDescription[] {
   return [
-    {
-      name: `crate ${rigid}`,
-      mesh: roundedBox([inner, inner, inner], 0.04 * half, 3),
-      color: PLANK,
-      casts: true,
-      inked: true,
-      rigid,
-      group: `crate ${rigid}`,
-    },
-    { name: `frame ${rigid}`, mesh: frame, color: WOOD, casts: false, inked: true, rigid, group: `frame ${rigid}` },
-    ...face(rigid, 1.1 * half, 4 * half, inner),
+    { name: `ball ${rigid}`, mesh: body, color, casts: true, inked: true, rigid },
+    { name: `band ${rigid}`, mesh: trim, color: band, casts: false, inked: false, rigid },
+    ...faceSurfaces(rigid, features),
+  ];
+}
+
+/** @param rigid that carries it */
+export function jollyCrate(rigid: number, { body, trim, ...features }: ToyModel): SurfaceDescription[] {
+  const [crate, frame] = [`crate ${rigid}`, `frame ${rigid}`];
+  return [
+    { name: crate, mesh: body, color: PLANK, casts: true, inked: true, rigid, group: crate },
+    { name: frame, mesh: trim, color: WOOD, casts: false, inked: true, rigid, group: frame },
+    ...faceSurfaces(rigid, features),
+  ];
+}
+
+function faceSurfaces(rigid: number, { eyes, cheeks }: Pick<ToyModel, 'eyes' | 'cheeks'>): SurfaceDescription[] {
+  const flat = { casts: false, inked: false, rigid };
+  return [
+    { name: `eyes ${rigid}`, mesh: eyes, color: DARK, ...flat },
+    { name: `cheeks ${rigid}`, mesh: cheeks, color: CHEEK, ...flat },
   ];
 }
 
 /** @param front how far before the middle it lies */
-function face(rigid: number, size: number, radius: number, front: number): SurfaceDescription[] {
+function face(size: number, radius: number, front: number): Pick<ToyModel, 'eyes' | 'cheeks'> {
   const { features, cheeks } = friendlyFace(size, radius);
-  const flat = { casts: false, inked: false, rigid };
-  const at = { at: [0, 0, front] } as const;
-  return [
-    { name: `eyes ${rigid}`, mesh: placed(features, at), color: DARK, ...flat },
-    { name: `cheeks ${rigid}`, mesh: placed(cheeks, at), color: CHEEK, ...flat },
-  ];
+  const stand = { at: [0, 0, front] } as const;
+  return { eyes: placed(features, stand), cheeks: placed(cheeks, stand) };
 }
 
 /** A stripe round a ball, above its face. */
