@@ -3,7 +3,7 @@ import { PerspectiveCamera, Vector3, type Box3, type Camera } from 'three';
 import { createDevice } from '../../src/device/device.ts';
 import type { Values } from '../../src/preset/parameter.ts';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
-import type { CameraPose, Scene } from '../../src/scenes/scene.ts';
+import type { CameraPose, Part, Scene } from '../../src/scenes/scene.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { loadSimulators } from '../../src/sim/load.ts';
 import type { Simulator } from '../../src/sim/simulator.ts';
@@ -22,8 +22,8 @@ export interface SceneChoice {
   height: number;
   /** On top of the scene's own. */
   values?: Values;
-  /** Keeps the parts that move by themselves as they are at the start. */
-  holdsParts?: boolean;
+  /** Keeps the parts that turn by themselves as they are turned at the start. */
+  holdsTurns?: boolean;
 }
 
 export interface FrameOptions {
@@ -60,7 +60,7 @@ export class SceneLab {
     const { load, hasRigids } = sceneNamed(name);
     const values = { ...presetValues(findPreset(name)!), ...SMALL, ...choice.values };
     const [loaded, factory] = await Promise.all([load(), loadSimulators({ physics: hasRigids })]);
-    const scene = choice.holdsParts ? withHeldParts(loaded) : loaded;
+    const scene = choice.holdsTurns ? withHeldTurns(loaded) : loaded;
     return new SceneLab(scene, new Simulation(factory, scene, values, 0), values, choice);
   }
 
@@ -136,6 +136,10 @@ export class SceneLab {
   }
 }
 
-function withHeldParts(scene: Scene): Scene {
-  return { ...scene, parts: scene.parts?.map((part) => ({ ...part, pose: () => part.pose(0) })) };
+function withHeldTurns(scene: Scene): Scene {
+  const held = ({ pose, ...part }: Part): Part => {
+    const { rotation } = pose(0);
+    return { ...part, pose: (seconds) => ({ position: pose(seconds).position, rotation }) };
+  };
+  return { ...scene, parts: scene.parts?.map(held) };
 }
