@@ -1,0 +1,54 @@
+import type { NumberParameter, Parameter } from '../parameter.ts';
+import { quantity, type Quantity } from './row.ts';
+
+/** From where the scene is seen. */
+export const cameraRows: readonly Parameter[] = [
+  eye('azimuth', {
+    min: -180,
+    max: 180,
+    step: 1,
+    default: 8.6,
+    unit: '\u00b0',
+    label: 'Seen from',
+    text: 'From where around the scene it is seen: 0 is the front, 90 the right.',
+  }),
+  eye('elevation', {
+    min: -5,
+    max: 88,
+    step: 1,
+    default: 9.2,
+    unit: '\u00b0',
+    label: 'Eye height',
+    text: 'How far from above it is seen: 0 is level.',
+  }),
+  eye('distance', {
+    min: 0.3,
+    max: 40,
+    step: 0.1,
+    default: 6.3,
+    unit: 'm',
+    slider: 'fine',
+    label: 'Eye distance',
+    text: 'How far the eye is from what it looks at.',
+  }),
+  eyeTarget('x', 0.15),
+  eyeTarget('y', 1.5),
+  eyeTarget('z', 0),
+];
+
+/** Where the eye is; whatever has no value follows the scene's own eye and its move. */
+function eye(name: string, rest: Quantity): NumberParameter {
+  return { ...quantity(`camera.${name}`, 'camera', 'camera', rest), isOptional: true };
+}
+
+function eyeTarget(axis: 'x' | 'y' | 'z', initial: number): NumberParameter {
+  const range = { min: -50, max: 50, step: 0.05, unit: 'm', slider: 'fine' } as const;
+  const text = { x: "right of the scene's middle", y: 'above the ground', z: "in front of the scene's middle" }[axis];
+  const label = `Looks at ${axis}`;
+  return eye(`target.${axis}`, {
+    ...range,
+    label,
+    text: `How far ${text} the point lies that the camera looks at and circles.`,
+    default: initial,
+  });
+}

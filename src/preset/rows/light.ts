@@ -1,0 +1,48 @@
+import type { Parameter } from '../parameter.ts';
+import { choice, quantity } from './row.ts';
+
+/** Where the light comes from. */
+export const lightRows: readonly Parameter[] = [
+  choice(
+    'light.kind',
+    'light',
+    'light',
+    {
+      label: 'Light',
+      text: 'The sun lights all from one side; a lamp stands in the scene, and shadows spread away from it.',
+      default: 'sun',
+    },
+    [
+      ['sun', 'Sun'],
+      ['lamp', 'Lamp'],
+    ],
+  ),
+  quantity('light.azimuth', 'light', 'light', {
+    min: -180,
+    max: 180,
+    step: 1,
+    default: 40,
+    unit: '\u00b0',
+    label: 'Direction',
+    text: 'Where the light comes from around the scene: 0 is the front, 90 the right.',
+  }),
+  quantity('light.elevation', 'light', 'light', {
+    min: 5,
+    max: 90,
+    step: 1,
+    default: 50,
+    unit: '\u00b0',
+    label: 'Height',
+    text: 'How high the light stands: 90 is straight above.',
+  }),
+  quantity('light.distance', 'light', 'light', {
+    min: 0.5,
+    max: 50,
+    step: 0.1,
+    default: 4,
+    unit: 'm',
+    slider: 'fine',
+    label: 'Distance',
+    text: 'How far a lamp stands from the middle of the scene; the sun is as far as ever.',
+  }),
+];

@@ -1,0 +1,57 @@
+import type { NumberParameter, Parameter } from '../parameter.ts';
+import { choice, quantity } from './row.ts';
+
+/** What puffs look like without their colours. */
+export const puffRows: readonly Parameter[] = [
+  quantity('puff.variations', 'puff', 'simulator', {
+    kind: 'integer',
+    min: 1,
+    max: 32,
+    step: 1,
+    default: 4,
+    slider: 'fine',
+    label: 'Puff shapes',
+    text: 'How many different shapes are mixed; a puff keeps the one it was born with.',
+  }),
+  choice(
+    'puff.form',
+    'puff',
+    'style',
+    {
+      label: 'Puffs',
+      text: 'Lobes are true shapes from every side; billboards are pictures of puffs that turn to the viewer, as in the paper.',
+      default: 'lobes',
+    },
+    [
+      ['lobes', 'Lobes'],
+      ['billboards', 'Billboards'],
+    ],
+  ),
+  knob('lumpiness', 0.8, 'Lumpiness', 'How far lobes stand out of a puff: 0 is nearly a ball, 1 a bunch.'),
+  knob('flatness', 0.2, 'Flatness', 'How much puffs are pressed flat.'),
+  knob('roughness', 0.6, 'Roughness', 'How unequal and how unevenly spread the lobes of a puff are.'),
+  quantity('puff.lobes', 'puff', 'style', {
+    kind: 'integer',
+    min: 5,
+    max: 12,
+    step: 1,
+    default: 10,
+    label: 'Lobes',
+    text: 'How many lobes a puff has; more of them cost time.',
+  }),
+  quantity('puff.seed', 'puff', 'style', {
+    kind: 'integer',
+    min: 0,
+    max: 9999,
+    step: 1,
+    default: 0,
+    label: 'Shapes from',
+    text: 'Each number has shapes of its own; 0 has those that were chosen by hand.',
+  }),
+];
+
+/** What shapes the lobes of puffs. */
+function knob(name: string, initial: number, label: string, text: string): NumberParameter {
+  const range = { min: 0, max: 1, step: 0.01, default: initial } as const;
+  return quantity(`puff.${name}`, 'puff', 'style', { label, text, ...range });
+}

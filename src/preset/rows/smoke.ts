@@ -1,0 +1,63 @@
+import type { Parameter } from '../parameter.ts';
+import { ofScene, quantity } from './row.ts';
+
+/** How much smoke there is, and how its puffs grow and die. */
+export const smokeRows: readonly Parameter[] = [
+  quantity('emission.rate', 'emission', 'simulator', {
+    min: 0,
+    max: 20000,
+    step: 5,
+    default: 28,
+    unit: 'particles/s',
+    slider: 'fine',
+    label: 'Rate',
+    text: 'How many puffs are born each second.',
+  }),
+  quantity('emission.lifetime', 'emission', 'simulator', {
+    min: 0.1,
+    max: 60,
+    step: 0.1,
+    default: 7,
+    unit: 's',
+    slider: 'fine',
+    label: 'Lifetime',
+    text: 'How long a puff lives before it has dissolved.',
+  }),
+  quantity('emission.growthTime', 'emission', 'simulator', {
+    min: 0,
+    max: 30,
+    step: 0.05,
+    default: 2.6,
+    unit: 's',
+    slider: 'fine',
+    label: 'Growth',
+    text: 'How long a young puff takes to swell to full size; 0 is born full, as in the paper.',
+  }),
+  {
+    kind: 'curve',
+    key: 'emission.density',
+    group: 'emission',
+    reader: 'simulator',
+    label: 'Density',
+    text: 'How large a puff is over its life, from birth to death, where it always ends at nothing.',
+    default: '0:1,1:0',
+  },
+  ofScene('emission.entrainment', 'emission', {
+    max: 1,
+    default: 0,
+    slider: 'even',
+    step: 0.01,
+    label: 'Entrainment',
+    text: 'How much puffs swell on their way through the air.',
+  }),
+  quantity('puff.size', 'emission', 'simulator', {
+    min: 0.1,
+    max: 4,
+    step: 0.05,
+    default: 1,
+    unit: '\u00d7',
+    slider: 'fine',
+    label: 'Puff size',
+    text: 'Makes every puff larger or smaller.',
+  }),
+];

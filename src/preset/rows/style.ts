@@ -1,0 +1,191 @@
+import type { ColorParameter, NumberParameter, Parameter, RampParameter, ToggleParameter } from '../parameter.ts';
+import { choice, quantity } from './row.ts';
+
+/** Shadows, tones, colours and ink. */
+export const styleRows: readonly Parameter[] = [
+  toggle('shading', 'Shading', 'Light and shade on the puffs; off leaves them flat.'),
+  toggle('outlines', 'Outlines', 'Ink around the smoke and between its puffs.'),
+  toggle('creases', 'Creases', 'Ink along the sharp edges of surfaces, and where still ones meet.'),
+  toggle('shadows', 'Shadows', 'Smoke shades itself and what stands below it.'),
+  choice(
+    'style.shadowSteps',
+    'style',
+    'style',
+    { label: 'Shadow steps', text: 'Two steps let shadow grow darker where much stands in the light.', default: 1 },
+    [
+      [1, 'One'],
+      [2, 'Two'],
+    ],
+  ),
+  quantity('style.shadowDepth', 'style', 'style', {
+    kind: 'integer',
+    min: 2,
+    max: 100,
+    step: 1,
+    default: 6,
+    label: 'Deep from',
+    text: 'How many puffs and things must shade a place for the second step of shadow.',
+  }),
+  color('deepShadow', 'Deep shadow', 'The colours of shadow are multiplied by this in its second step.', '#a79bc9'),
+  choice(
+    'style.tones',
+    'style',
+    'style',
+    { label: 'Tones', text: 'How many flat tones the light is cut into.', default: 2 },
+    [
+      [1, 'One'],
+      [2, 'Two'],
+      [3, 'Three'],
+    ],
+  ),
+  ramp('ramp', 'Own tones', 'Colours from shadow to full light in the place of the number of tones.'),
+  toggle('rampBlend', 'Blend own tones', 'Lets your own tones run into each other; off keeps them flat.', 0),
+  quantity('style.fill', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.05,
+    default: 0,
+    label: 'Fill light',
+    text: 'A second tone inside the shadow, where a weaker light from the other side would reach.',
+  }),
+  quantity('style.rim', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.02,
+    default: 0,
+    label: 'Rim light',
+    text: 'How broad a bright band runs along edges that look away from the light.',
+  }),
+  color('rimColor', 'Rim', 'Colour of the rim light.', '#fff6d8'),
+  color('smokeColor', 'Smoke', 'Colour of the smoke in full light.', '#f6efe2'),
+  color('tint1', 'Tint 1', 'Colour of smoke that an emitter or an obstacle has given tint 1.', '#f08a5d'),
+  color('tint2', 'Tint 2', 'Colour of smoke that an emitter or an obstacle has given tint 2.', '#7fb2e5'),
+  color('tint3', 'Tint 3', 'Colour of smoke that an emitter or an obstacle has given tint 3.', '#8fcf7a'),
+  ramp('ageRamp', 'Colour by age', 'Colours of the smoke over its life, in the place of its one colour.'),
+  ramp(
+    'heatRamp',
+    'Colour by heat',
+    'Colours of the smoke from cold (0) to temperature 1, such as from smoke to fire.',
+  ),
+  toggle('softColors', 'Soft colours', 'Lets colours by age and heat run into each other; off keeps them apart.', 0),
+  color('inkColor', 'Ink', 'Colour of the outlines.', '#1d1720'),
+  ramp(
+    'backdrop',
+    'Own backdrop',
+    "Two colours of what lies behind, from below to above, in the place of the scene's.",
+  ),
+  quantity('style.wash', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.05,
+    default: 0,
+    label: 'Wash',
+    text: 'How far the things of the scene give up their colours for shades of one.',
+  }),
+  color('washColor', 'Wash colour', 'The lightest of those shades.', '#f2ead8'),
+  quantity('style.outlineWidth', 'style', 'style', {
+    min: 0,
+    max: 8,
+    step: 0.1,
+    default: 2.2,
+    unit: 'px',
+    label: 'Line width',
+    text: 'Width of the outlines in pixels of the page, the same near and far.',
+  }),
+  quantity('style.inkSwell', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.05,
+    default: 0.35,
+    label: 'Line swell',
+    text: 'How much lines swell away from the light and thin towards it; 0 keeps them even.',
+  }),
+  quantity('style.boil', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.05,
+    default: 0,
+    label: 'Line boil',
+    text: 'How much lines tremble, as if each drawing were traced anew, twelve times a second.',
+  }),
+  {
+    ...quantity('style.hold', 'style', 'simulator', {
+      kind: 'integer',
+      min: 1,
+      max: 4,
+      step: 1,
+      default: 1,
+      unit: '/ 24 s',
+      label: 'Hold',
+      text: 'How many frames of film each puff stands still: 1 moves smoothly, 2 to 4 are drawn on twos, threes and fours.',
+    }),
+    isOptional: true,
+  },
+  quantity('style.innerLine', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.02,
+    default: 0.18,
+    unit: 'radii',
+    label: 'Inner lines',
+    text: 'How far one puff must stand before another for ink between them; 0 outlines every puff.',
+  }),
+  quantity('style.innerTaper', 'style', 'style', {
+    min: 0,
+    max: 4,
+    step: 0.1,
+    default: 1,
+    unit: '\u00d7',
+    label: 'Inner taper',
+    text: 'How gradually a line between puffs grows with their distance; 0 gives each its full width at once.',
+  }),
+  choice(
+    'style.gradient',
+    'style',
+    'style',
+    { label: 'Gradient', text: 'Blends towards the second colour.', default: 'none' },
+    [
+      ['none', 'None'],
+      ['puff', 'Over each puff'],
+      ['height', 'By height'],
+      ['screen', 'Up the picture'],
+      ['age', 'By age'],
+    ],
+  ),
+  color('gradientColor', 'Second colour', 'Where the gradient ends.', '#b9a6d8'),
+  height('gradientBottom', 'Gradient from', 'Height at which a gradient by height has the second colour.', 0.9),
+  height('gradientTop', 'Gradient to', 'Height at which a gradient by height has the colour of the smoke.', 3),
+  choice(
+    'style.renderer',
+    'style',
+    'style',
+    {
+      label: 'Renderer',
+      text: 'How smoke is drawn: as here, or as others draw it, to compare.',
+      default: 'nailboards',
+    },
+    [
+      ['nailboards', 'Nailboards'],
+      ['selle', 'Depth lines (Selle 2004)'],
+      ['sprites', 'Soft sprites'],
+      ['shadowMap', 'Shadow map'],
+    ],
+  ),
+];
+
+function toggle(name: string, label: string, text: string, initial: 0 | 1 = 1): ToggleParameter {
+  return { kind: 'toggle', key: `style.${name}`, group: 'style', reader: 'style', label, text, default: initial };
+}
+
+function ramp(name: string, label: string, text: string): RampParameter {
+  return { kind: 'ramp', key: `style.${name}`, group: 'style', reader: 'style', label, text, default: '' };
+}
+
+function color(name: string, label: string, text: string, initial: string): ColorParameter {
+  return { kind: 'color', key: `style.${name}`, group: 'style', reader: 'style', label, text, default: initial };
+}
+
+function height(name: string, label: string, text: string, initial: number): NumberParameter {
+  const range = { min: -100, max: 100, step: 0.05, unit: 'm', slider: 'fine' } as const;
+  return quantity(`style.${name}`, 'style', 'style', { ...range, label, text, default: initial });
+}
