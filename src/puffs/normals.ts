@@ -1,6 +1,6 @@
 /** The direction in which a puff's surface is lit: that of its lobes, softened along creases and towards the whole. */
 import type { Lobe } from './shapes.ts';
-import { lengthOf, minus, mixed, normalized, type Vector } from './vector.ts';
+import { minus, mixed, normalized, type Vector } from './vector.ts';
 
 /**
  * Share of the puff's overall normal in every normal (0..1). At 0 each lobe is lit as a ball of its own and
@@ -38,15 +38,21 @@ export function softNormal(lobes: readonly Lobe[], middle: Vector, p: Vector, bl
 
 /** Direction of the surface at `p`, with those of the other lobes near it mixed in. */
 function filletedNormal(lobes: readonly Lobe[], p: Vector): Vector {
-  let [x, y, z] = [0, 0, 0];
-  for (const { center, radius } of lobes) {
-    const out = minus(p, center);
-    const distance = lengthOf(out);
-    const nearness = Math.max(0, 1 - Math.abs(distance - radius) / CREASE_FILLET);
+  let x = 0;
+  let y = 0;
+  let z = 0;
+  for (let index = 0; index < lobes.length; index++) {
+    const { center, radius } = lobes[index];
+    const dx = p[0] - center[0];
+    const dy = p[1] - center[1];
+    const dz = p[2] - center[2];
+    const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
+    const nearness = 1 - Math.abs(distance - radius) / CREASE_FILLET;
+    if (nearness <= 0) continue;
     const weight = (nearness * nearness) / (distance || 1);
-    x += out[0] * weight;
-    y += out[1] * weight;
-    z += out[2] * weight;
+    x += dx * weight;
+    y += dy * weight;
+    z += dz * weight;
   }
   return normalized([x, y, z]);
 }

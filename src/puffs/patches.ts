@@ -55,11 +55,12 @@ export function surfaceOf(lobes: readonly Lobe[]): Patch[] {
   return lobes.flatMap((lobe) => {
     const boxes: number[][] = [];
     const near = lobes.filter((other) => other === lobe || gapBetween(lobe, other) < CREASE_FILLET);
+    const others = near.filter((other) => other !== lobe);
     const count = Math.ceil((4 * Math.PI * lobe.radius ** 2) / LOBE_SPACING ** 2);
     for (let index = 0; index < count; index++) {
       const out = spherePoint(index, count);
       const p = along(lobe, out);
-      if (isCovered(p, lobe, near)) continue;
+      if (isCovered(p, others)) continue;
       const [nx, ny, nz] = softNormal(near, middle, p);
       (boxes[boxOf(out)] ??= []).push(nx, ny, nz, p[0], p[1], p[2], lengthOf(p));
     }
@@ -76,16 +77,23 @@ function along({ center, radius }: Lobe, out: Vector): Vector {
   return [center[0] + radius * out[0], center[1] + radius * out[1], center[2] + radius * out[2]];
 }
 
-function isCovered(p: Vector, lobe: Lobe, others: readonly Lobe[]): boolean {
-  for (const other of others) {
-    if (other !== lobe && lengthOf(minus(p, other.center)) < other.radius) return true;
+function isCovered(p: Vector, others: readonly Lobe[]): boolean {
+  for (let index = 0; index < others.length; index++) {
+    const { center, radius } = others[index];
+    const x = p[0] - center[0];
+    const y = p[1] - center[1];
+    const z = p[2] - center[2];
+    if (Math.sqrt(x * x + y * y + z * z) < radius) return true;
   }
   return false;
 }
 
 function boxOf([x, y, z]: Vector): number {
-  const place = (at: number): number => Math.min(LOBE_BOXES - 1, Math.floor((at + 1) * 0.5 * LOBE_BOXES));
-  return (place(x) * LOBE_BOXES + place(y)) * LOBE_BOXES + place(z);
+  return (boxAlong(x) * LOBE_BOXES + boxAlong(y)) * LOBE_BOXES + boxAlong(z);
+}
+
+function boxAlong(at: number): number {
+  return Math.min(LOBE_BOXES - 1, Math.floor((at + 1) * 0.5 * LOBE_BOXES));
 }
 
 function pointsIn(layers: PuffLayers, layer: number, firstI: number, firstJ: number): number[] {

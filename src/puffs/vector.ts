@@ -10,7 +10,7 @@ export function minus(a: Vector, b: Vector): Vector {
 }
 
 export function lengthOf(a: Vector): number {
-  return Math.sqrt(dot(a, a));
+  return Math.sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
 }
 
 /** `a + (b - a) * share`. */
@@ -20,7 +20,7 @@ export function mixed(a: Vector, b: Vector, share: number): Vector {
 
 /** The unit vector along `a`; zero stays zero. */
 export function normalized(a: Vector): Vector {
-  const length = lengthOf(a) || 1;
+  const length = Math.sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) || 1;
   return [a[0] / length, a[1] / length, a[2] / length];
 }
 
