@@ -79,23 +79,27 @@ export class CreasesPass {
   }
 }
 
-const keptCreases = keptFor((mesh: TriangleMesh) => creaseEdges(mesh, SHARP));
+export const keptCreases = keptFor((mesh: TriangleMesh) => creaseEdges(mesh, SHARP));
+export const keptSeams = keptFor((one: TriangleMesh) => keptFor((other: TriangleMesh) => seamEdges(one, other)));
 
 /** The edges that are drawn with each surface. */
 const edgesOf = keptFor((surfaces: readonly SurfaceDescription[]) =>
-  surfaces.map(({ inked, mesh }, index) => joined(inked ? [keptCreases(mesh), ...seamsBehind(surfaces, index)] : [])),
+  surfaces.map(({ inked, mesh }, index) =>
+    joined(
+      inked ? [keptCreases(mesh), ...meetingBehind(surfaces, index).map((other) => keptSeams(mesh)(other.mesh))] : [],
+    ),
+  ),
 );
 
-/** The seams of a surface with those that follow it, ride on the same rigid and do not grow into it. */
-function seamsBehind(surfaces: readonly SurfaceDescription[], index: number): CreaseEdges[] {
-  const { mesh, rigid, part, group } = surfaces[index];
+/** What has seams with a surface: inked ones that follow it, ride on the same rigid and do not grow into it. */
+export function meetingBehind(surfaces: readonly SurfaceDescription[], index: number): SurfaceDescription[] {
+  const { rigid, part, group } = surfaces[index];
   return surfaces
     .slice(index + 1)
     .filter(
       (other) =>
         other.inked && other.rigid === rigid && other.part === part && (group === undefined || other.group !== group),
-    )
-    .map((other) => seamEdges(mesh, other.mesh));
+    );
 }
 
 function joined(edges: readonly CreaseEdges[]): CreaseEdges {

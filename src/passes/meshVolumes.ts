@@ -19,7 +19,7 @@ import type { SurfaceDescription } from './surfaces.ts';
 /** Depth in metres at which a mesh's volume starts under its lit faces. */
 const INSET = 0.012;
 
-const keptExtrusion = keptFor(extrude);
+export const keptExtrusion = keptFor(extrude);
 
 /**
  * Counts the shadow volumes of closed meshes by depth fail, which holds with the eye inside one. Their many triangles

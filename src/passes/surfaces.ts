@@ -173,7 +173,7 @@ export class SurfacesPass {
   }
 }
 
-const keptHullNormals = keptFor(hullNormals);
+export const keptHullNormals = keptFor(hullNormals);
 
 function boxOf(mesh: TriangleMesh): Box3 {
   return new Box3().setFromArray(mesh.positions);

@@ -9,6 +9,21 @@ export function finished<Result>(work: Work<Result>): Result {
   }
 }
 
+/** Spent at a time: a page goes on answering in between. */
+const PIECE_MS = 16;
+
+/** Does it while the page goes on: other tasks have their turn when so many milliseconds are over, or with each piece at 0. */
+export async function inPieces<Result>(work: Work<Result>, milliseconds = PIECE_MS): Promise<Result> {
+  for (;;) {
+    const until = performance.now() + milliseconds;
+    do {
+      const { done, value } = work.next();
+      if (done) return value;
+    } while (performance.now() < until);
+    await new Promise((resolve) => setTimeout(resolve));
+  }
+}
+
 /** Goes on for some milliseconds, at least one piece. Undefined while there is more to do. */
 export function workedFor<Result>(work: Work<Result>, milliseconds: number): Result | undefined {
   const until = performance.now() + milliseconds;

@@ -43,7 +43,8 @@ function fetched(name: string, load: () => Promise<Scene>): Promise<Scene> {
 
 async function fetchNew(name: string, load: () => Promise<Scene>): Promise<Scene> {
   try {
-    const scene = await load();
+    const [scene, { prepareSurfaces }] = await Promise.all([load(), import('../smoke/prepareSurfaces.ts')]);
+    await prepareSurfaces(scene.surfaces);
     shown.set(name, new WeakRef(scene));
     return scene;
   } catch (error) {

@@ -178,7 +178,7 @@ export class Stage {
     validate(values);
     const after = { ...defaults(), ...values };
     const entry = (this.#entering = Symbol(String(after.scene)));
-    const opened = await openScene(after.scene as string);
+    const [opened] = await Promise.all([openScene(after.scene as string), bakeAhead(after)]);
     if (this.#running.isDisposed || this.#entering !== entry) return;
     this.#running.enter(opened, after);
   }

@@ -3,7 +3,7 @@ import { bakeLobes, bakingLobes } from '../../src/puffs/bakeLobes.ts';
 import { Kept } from '../../src/puffs/kept.ts';
 import { DEFAULT_DESIGN, designedShapes } from '../../src/puffs/lobeShapes.ts';
 import { bakingPuffs } from '../../src/smoke/bakedPuffs.ts';
-import { finished, workedFor, type Work } from '../../src/puffs/work.ts';
+import { finished, inPieces, workedFor, type Work } from '../../src/puffs/work.ts';
 
 function* counted(pieces: number, done: number[]): Work<string> {
   for (let piece = 0; piece < pieces; piece++) {
@@ -20,6 +20,15 @@ test('work goes on where it was left, and one piece is always done', () => {
   expect(done).toEqual([0]);
   expect(finished(work)).toBe('ready');
   expect(done).toEqual([0, 1]);
+});
+
+test('between pieces all others have their turn', async () => {
+  const done: number[] = [];
+  const turns: number[] = [];
+  const take = (): unknown => (turns.push(done.length), done.length < 4 && setTimeout(take));
+  setTimeout(take);
+  expect(await inPieces(counted(4, done), 0)).toBe('ready');
+  for (const pieces of [1, 2, 3]) expect(turns).toContain(pieces);
 });
 
 test('puffs baked in pieces are those that are baked at once', () => {
