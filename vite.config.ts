@@ -1,5 +1,6 @@
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
+import { withoutShaders } from './scripts/package/withoutShaders.mjs';
 import { addresses } from './scripts/site/addresses.ts';
 import { preloads } from './scripts/site/preloads.ts';
 import { serviceWorker } from './scripts/site/serviceWorker.ts';
@@ -7,7 +8,13 @@ import { serviceWorker } from './scripts/site/serviceWorker.ts';
 /** The demo site: relative addresses, so that it works from any folder of any host. */
 export default defineConfig({
   base: './',
-  plugins: [glsl(), addresses(process.env.CARTOON_SMOKE_BASE), preloads('/src/app/main.ts'), serviceWorker()],
+  plugins: [
+    glsl(),
+    withoutShaders(),
+    addresses(process.env.CARTOON_SMOKE_BASE),
+    preloads('/src/app/main.ts'),
+    serviceWorker(),
+  ],
   // Found too late otherwise, by a module that only a test imports or that comes on demand, and the page would reload.
   optimizeDeps: {
     include: [
@@ -20,7 +27,7 @@ export default defineConfig({
     ],
   },
   // The simulator's module loads its bindings on demand, which the older worker format cannot.
-  worker: { format: 'es', plugins: () => [glsl()] },
+  worker: { format: 'es', plugins: () => [glsl(), withoutShaders()] },
   build: {
     target: 'es2023',
     sourcemap: true,

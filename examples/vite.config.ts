@@ -3,6 +3,8 @@ import { defineConfig, mergeConfig } from 'vite';
 import site from '../vite.config.ts';
 
 const PAGES = ['three', 'react', 'landing', 'article'];
+/** Plugins for the demo page alone; examples draw with materials of three.js, too. */
+const OF_THE_PAGE = ['service-worker', 'without-shaders'];
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
 
 /**
@@ -16,6 +18,6 @@ export default defineConfig(() => {
     build: { emptyOutDir: false, assetsDir: 'examples/assets' },
   });
   config.build.rolldownOptions = { input: PAGES.map((name) => `examples/${name}/index.html`) };
-  config.plugins = config.plugins?.filter((plugin: { name?: string }) => plugin.name !== 'service-worker');
+  config.plugins = config.plugins?.filter(({ name }: { name?: string }) => !OF_THE_PAGE.includes(String(name)));
   return config;
 });

@@ -6,6 +6,7 @@ import { rolldown } from 'rolldown';
 import glsl from 'vite-plugin-glsl';
 import { inRoot } from '../lib/paths.mjs';
 import { sourceModule } from './sourceModule.mjs';
+import { withoutShaders } from './withoutShaders.mjs';
 import { withoutWords } from './withoutWords.mjs';
 
 const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
@@ -28,7 +29,7 @@ const { table } = await sourceModule('src/preset/table.ts');
  * @param {string} folder
  */
 export async function bundleAll(folder) {
-  const plugins = [await glsl({ minify: true }), withoutWords(table)];
+  const plugins = [await glsl({ minify: true }), withoutWords(table), withoutShaders()];
   const modules = { index: 'src/index.ts', element: 'src/element/define.ts', errors: 'src/preset/errors.ts' };
   const external = /^three(\/|$)/;
   await bundle({ input: entries(modules), external, plugins: [...plugins, workerAt('./worker.js')] }, folder);
@@ -41,7 +42,7 @@ export async function bundleAll(folder) {
 
 /** Writes the script for CDNs alone, with the simulator beside it. @param {string} folder */
 export async function bundleScript(folder) {
-  const plugins = [await glsl({ minify: true }), withoutWords(table), workerAt(`./${SCRIPT}.js`)];
+  const plugins = [await glsl({ minify: true }), withoutWords(table), withoutShaders(), workerAt(`./${SCRIPT}.js`)];
   await bundle({ input: entries({ [SCRIPT]: 'src/element/script.ts' }), plugins }, folder, ALONE);
   copyWasm(folder);
 }

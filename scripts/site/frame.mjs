@@ -11,6 +11,7 @@ import { rolldown } from 'rolldown';
 import glsl from 'vite-plugin-glsl';
 import { inRoot } from '../lib/paths.mjs';
 import { sourceModule } from '../package/sourceModule.mjs';
+import { withoutShaders } from '../package/withoutShaders.mjs';
 import { withoutWords } from '../package/withoutWords.mjs';
 
 const ENTRY = '<script type="module" src="./src/frame/frame.ts"></script>';
@@ -36,7 +37,7 @@ async function scriptOf(physics) {
   const build = await rolldown({
     input: inRoot('src/frame/frame.ts'),
     platform: 'browser',
-    plugins: [glsl({ minify: true }), withoutWords(table)],
+    plugins: [glsl({ minify: true }), withoutWords(table), withoutShaders()],
     transform: { define },
     onLog,
   });
