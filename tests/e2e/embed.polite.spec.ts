@@ -61,6 +61,29 @@ test('rests out of sight, and goes on in sight', async ({ page, host }) => {
   await expect.poll(steps).toBeGreaterThan(before);
 });
 
+test('has as many pixels as the screen when the page is zoomed while it plays', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
+  await stands(page);
+  const smoke = page.locator('cartoon-smoke');
+  const size = () =>
+    smoke.evaluate(async (element) => {
+      const canvas = element.shadowRoot!.querySelector('canvas')!;
+      const { width, height } = await createImageBitmap(canvas);
+      return [width, height, canvas.clientWidth];
+    });
+  const session = await page.context().newCDPSession(page);
+  for (const zoom of [1, 2, 1.25]) {
+    // As zooming does it: there are fewer CSS pixels, and each has more of the screen's.
+    const [width, height] = [640 / zoom, 360 / zoom];
+    const metrics = { width, height, mobile: false, deviceScaleFactor: zoom };
+    await session.send('Emulation.setDeviceMetricsOverride', metrics);
+    await expect.poll(size).toEqual([200 * zoom, Math.round(150 * zoom), 200]);
+  }
+  const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
+  const before = await steps();
+  await expect.poll(steps).toBeGreaterThan(before);
+});
+
 test('survives nothing, a shadow tree, a dialog and a table cell', async ({ page, host }) => {
   await host(`<div id="box" style="width: 200px; height: 150px"><cartoon-smoke ${WISP} paused start="1" style="height: 100%"></cartoon-smoke></div>
     <dialog></dialog><table><tr><td></td></tr></table><div id="tree"></div>`);

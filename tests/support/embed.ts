@@ -51,18 +51,26 @@ export const test = base.extend<{ host: OpenHost }, { server: Server }>({
     { scope: 'worker', timeout: 600_000 },
   ],
   host: async ({ page, server }, use) => {
-    await use(async (body, { script: loaded = MODULES, style = '', headers = {} } = {}) => {
-      server.sent.length = 0;
-      const head = `<meta charset="utf-8"><title>Somebody's page</title>${style && `<style>${style}</style>`}${loaded}`;
-      await page.route('**/host.html', (route) =>
-        route.fulfill({ contentType: 'text/html', headers, body: `<!doctype html><html lang="en">${head}${body}` }),
-      );
-      await page.goto(`${server.address}host.html`);
-    });
+    await use((body, options) => openHost(page, server, body, options));
   },
 });
 
 export { expect };
+
+/** Shows a page of somebody else's with this body. */
+export async function openHost(
+  page: Page,
+  server: Server,
+  body: string,
+  { script: loaded = MODULES, style = '', headers = {} }: HostOptions = {},
+): Promise<void> {
+  server.sent.length = 0;
+  const head = `<meta charset="utf-8"><title>Somebody's page</title>${style && `<style>${style}</style>`}${loaded}`;
+  await page.route('**/host.html', (route) =>
+    route.fulfill({ contentType: 'text/html', headers, body: `<!doctype html><html lang="en">${head}${body}` }),
+  );
+  await page.goto(`${server.address}host.html`);
+}
 
 /** Settled when the smoke of the first element that fits stands. */
 export async function stands(page: Page, selector = 'cartoon-smoke'): Promise<void> {

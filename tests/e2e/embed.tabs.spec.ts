@@ -1,0 +1,54 @@
+/** Tabs that are really hidden, by another one that comes to the front. */
+import type { Page } from '@playwright/test';
+import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
+import { expect, openHost, stands, test, WISP } from '../support/embed.ts';
+import { isNow, openTabs, type Tabs } from '../support/tabs.ts';
+
+const BOX = 'style="width: 200px; height: 150px"';
+
+async function turnTo(tabs: Tabs, which: 'page' | 'other'): Promise<void> {
+  await tabs[which].bringToFront();
+  await isNow(tabs.page, which === 'page' ? 'visible' : 'hidden');
+}
+
+function stepsOf(page: Page): Promise<number> {
+  return page.locator('cartoon-smoke').evaluate(async (element: CartoonSmokeElement) => (await element.stats()).steps);
+}
+
+/** Steps while so many pictures of a tab go by that can be seen, once what was said before has been heard. */
+async function stepsWhile(page: Page, seen: Page): Promise<number> {
+  const frames = () =>
+    seen.evaluate(async () => {
+      for (let frame = 0; frame < 20; ++frame) await new Promise(requestAnimationFrame);
+    });
+  await frames();
+  const before = await stepsOf(page);
+  await frames();
+  return (await stepsOf(page)) - before;
+}
+
+for (const thread of ['main', 'worker']) {
+  test(`rests in a hidden tab, goes on in front, and what a person paused stays paused: ${thread}`, async ({
+    playwright,
+    launchOptions,
+    server,
+  }) => {
+    const tabs = await openTabs(playwright, launchOptions);
+    const { page, other } = tabs;
+    await openHost(page, server, `<cartoon-smoke ${WISP.replace('main', thread)} ${BOX}></cartoon-smoke>`);
+    await stands(page);
+    await expect.poll(() => stepsOf(page)).toBeGreaterThan(2);
+    await turnTo(tabs, 'other');
+    expect(await stepsWhile(page, other)).toBe(0);
+    expect(await page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => smoke.playing)).toBe(true);
+    const before = await stepsOf(page);
+    await turnTo(tabs, 'page');
+    await expect.poll(() => stepsOf(page)).toBeGreaterThan(before);
+    await page.getByRole('button', { name: 'Pause smoke' }).click();
+    await turnTo(tabs, 'other');
+    await turnTo(tabs, 'page');
+    expect(await stepsWhile(page, page)).toBe(0);
+    await expect(page.getByRole('button', { name: 'Play smoke' })).toBeVisible();
+    await tabs.close();
+  });
+}
