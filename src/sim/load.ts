@@ -168,9 +168,33 @@ async function importBindings(physics: boolean): Promise<SimulatorModule['bindin
   return physics ? await import('./wasm/physics/bindings.js') : await import('./wasm/core/bindings.js');
 }
 
-/** Compiles while the module comes, where the server names its type; browsers insist on that. */
+/** A download of which nothing has come for so long does not come. */
+const PATIENCE_MS = 60_000;
+
 async function compileFrom(address: URL, report: Listener): Promise<WebAssembly.Module> {
-  const response = await fetch(address);
+  const control = new AbortController();
+  const giveUp = () => control.abort(new Error('nothing has come for a minute.'));
+  let timer: ReturnType<typeof setTimeout> | undefined = setTimeout(giveUp, PATIENCE_MS);
+  const stop = () => {
+    clearTimeout(timer);
+    timer = undefined;
+  };
+  const hear = (progress: LoadProgress) => {
+    report(progress);
+    // What is left to count once all has been compiled is not waited for.
+    if (timer === undefined) return;
+    stop();
+    timer = setTimeout(giveUp, PATIENCE_MS);
+  };
+  try {
+    return await compileAnswer(await fetch(address, { signal: control.signal }), hear);
+  } finally {
+    stop();
+  }
+}
+
+/** Compiles while the module comes, where the server names its type; browsers insist on that. */
+async function compileAnswer(response: Response, report: Listener): Promise<WebAssembly.Module> {
   if (!response.ok) throw new Error(`the server answered ${response.status} ${response.statusText}`.trim());
   // Of a download that breaks off the compiler tells.
   follow(response.clone(), report).catch(() => undefined);

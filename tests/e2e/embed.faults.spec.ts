@@ -28,30 +28,39 @@ test.use({ allowed: /Failed to load resource|Refused to compile|violates the fol
 
 const WASM = '**/bindings_bg.wasm';
 const FAULTS: Record<string, (page: Page) => Promise<unknown>> = {
-  missing: (page) => page.route(WASM, (route) => route.fulfill({ status: 404 })),
+  missing: (page) => page.context().route(WASM, (route) => route.fulfill({ status: 404 })),
   'cut off': (page) =>
-    page.route(WASM, async (route) => {
+    page.context().route(WASM, async (route) => {
       const body = await (await route.fetch()).body();
       await route.fulfill({ contentType: 'application/wasm', body: body.subarray(0, body.length / 2) });
     }),
   'a page instead': (page) =>
-    page.route(WASM, (route) => route.fulfill({ contentType: 'text/html', body: '<h1>Hello</h1>' })),
-  'out of reach': (page) => page.route(WASM, (route) => route.abort()),
+    page.context().route(WASM, (route) => route.fulfill({ contentType: 'text/html', body: '<h1>Hello</h1>' })),
+  'out of reach': (page) => page.context().route(WASM, (route) => route.abort()),
 };
 
 for (const [fault, provoke] of Object.entries(FAULTS)) {
-  test(`a simulator that is ${fault} leaves the poster and tells a LoadError`, async ({ page, host }) => {
-    await provoke(page);
-    await host(failing('main'));
-    expect(await failure(page)).toMatch(/^LoadError: /);
-    await expectPoster(page);
-  });
+  for (const thread of ['main', 'worker']) {
+    test(`a simulator that is ${fault} leaves the poster and tells a LoadError: ${thread}`, async ({ page, host }) => {
+      await provoke(page);
+      await host(failing(thread));
+      expect(await failure(page)).toMatch(/^LoadError: /);
+      await expectPoster(page);
+    });
+  }
 }
 
-test('a worker whose simulator is missing tells the same', async ({ page, host }) => {
-  await page.context().route(WASM, (route) => route.fulfill({ status: 404 }));
-  await host(failing('auto'));
-  expect(await failure(page)).toMatch(/^LoadError: /);
+test('a simulator of which nothing comes is waited for, then told as a LoadError', async ({ page, host }) => {
+  await page.clock.install();
+  const asked = page.waitForRequest(WASM);
+  // Never answered.
+  await page.route(WASM, () => undefined);
+  await host(failing('main'));
+  await asked;
+  await page.clock.fastForward(59_000);
+  expect(await page.evaluate(() => document.querySelector('cartoon-smoke')!.playing)).toBe(false);
+  await page.clock.fastForward(2_000);
+  expect(await failure(page)).toMatch(/^LoadError: .*nothing has come/);
   await expectPoster(page);
 });
 
@@ -78,8 +87,19 @@ test('a browser without WebGL 2 has the poster', async ({ page, host }) => {
   await expectPoster(page);
 });
 
-test('before it stands, and without JavaScript, the poster has the place of the smoke', async ({ page, host }) => {
+test('before it is an element, poster and fallback stand', async ({ page, host }) => {
   await host(failing('main'), { script: '' });
   await expect(page.locator('#poster')).toBeVisible();
   await expect(page.locator('#fallback')).toBeVisible();
+});
+
+test.describe('without JavaScript', () => {
+  test.use({ javaScriptEnabled: false });
+
+  test('poster and fallback stand, and nothing is fetched', async ({ page, host, server }) => {
+    await host(failing('main'));
+    await expect(page.locator('#poster')).toBeVisible();
+    await expect(page.locator('#fallback')).toBeVisible();
+    expect(server.sent).toEqual([]);
+  });
 });
