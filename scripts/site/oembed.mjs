@@ -1,4 +1,7 @@
-/** An oEmbed answer for each preset of the gallery, as a static file: `oembed/lamp.json`. */
+/**
+ * An oEmbed answer for each preset of the gallery, as a static file, `oembed/lamp.json`, and a page by whose address it is
+ * found, `gallery/lamp.html`: what stands behind the # of an address never reaches who asks for it.
+ */
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -19,11 +22,33 @@ export async function writeOembed(folder, base = '../') {
   const { presets } = await sourceModule('src/preset/presets.ts');
   /** @type {Embed} */
   const embed = await sourceModule('src/app/embed.ts');
-  mkdirSync(join(folder, 'oembed'), { recursive: true });
+  for (const name of ['oembed', 'gallery']) mkdirSync(join(folder, name), { recursive: true });
   for (const preset of presets) {
-    const text = JSON.stringify(oembedOf(preset, base, embed), null, 2);
-    writeFileSync(join(folder, 'oembed', `${preset.name}.json`), `${text}\n`);
+    const answer = oembedOf(preset, base, embed);
+    writeFileSync(join(folder, 'oembed', `${preset.name}.json`), `${JSON.stringify(answer, null, 2)}\n`);
+    writeFileSync(join(folder, 'gallery', `${preset.name}.html`), pageOf(preset, base, answer));
   }
+}
+
+/** @param {Preset} preset @param {string} base @param {ReturnType<typeof oembedOf>} answer */
+function pageOf({ name, label }, base, { title, thumbnail_url: picture }) {
+  const { width, height } = PICTURE;
+  return `<!doctype html>
+<html lang="en">
+  <head>
+    <meta charset="utf-8" />
+    <meta name="viewport" content="width=device-width, initial-scale=1" />
+    <title>${title}</title>
+    <link rel="alternate" type="application/json+oembed" href="${base}oembed/${name}.json" title="${title}" />
+    <meta property="og:title" content="${title}" />
+    <meta property="og:image" content="${picture}" />
+    <link rel="icon" href="../favicon.svg" type="image/svg+xml" />
+  </head>
+  <body>
+    <a href="../#v=1&amp;preset=${name}"><img src="../thumbnails/${name}.webp" width="${width}" height="${height}" alt="" /> Play with ${label}</a>
+  </body>
+</html>
+`;
 }
 
 /** Version 1.0, type rich. @param {Preset} preset @param {string} base @param {Embed} embed */

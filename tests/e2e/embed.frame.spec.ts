@@ -153,7 +153,11 @@ test('works from a host with a strict Content-Security-Policy', async ({ load })
   await server.close();
 });
 
-test('each preset of the gallery has an oEmbed answer', () => {
+test('each preset of the gallery has an oEmbed answer, and a page that names it', () => {
+  const page = readFileSync(new URL('../../dist/gallery/wisp.html', import.meta.url), 'utf8');
+  const link = /<link rel="alternate" type="application\/json\+oembed" href="([^"]*)"/.exec(page)![1];
+  expect(new URL(link, 'https://example.org/gallery/wisp.html').pathname).toBe('/oembed/wisp.json');
+  expect(page).toContain('href="../#v=1&amp;preset=wisp"');
   const answer = JSON.parse(readFileSync(new URL('../../dist/oembed/wisp.json', import.meta.url), 'utf8')) as object;
   expect(answer).toMatchObject({ version: '1.0', type: 'rich', width: 640, height: 360 });
   expect(answer).toHaveProperty(
