@@ -28,6 +28,8 @@ export interface CartoonSmokeElement extends HandedOn {
   src: string | undefined;
   start: string | undefined;
   alt: string | undefined;
+  labelPlay: string | undefined;
+  labelPause: string | undefined;
   thread: string | undefined;
   loading: string | undefined;
   collide: string | undefined;

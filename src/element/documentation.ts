@@ -15,10 +15,22 @@ export const attributes = [
   { name: 'start', type: { text: 'number' }, description: 'Simulated seconds before the first picture, 0 to 600.' },
   { name: 'alt', type: string, description: 'What screen readers say; empty where the smoke is ornament.' },
   {
+    name: 'label-play',
+    type: string,
+    default: 'Play smoke',
+    description: 'What the button says to screen readers while it would play.',
+  },
+  {
+    name: 'label-pause',
+    type: string,
+    default: 'Pause smoke',
+    description: 'What it says while it would pause.',
+  },
+  {
     name: 'collide',
     type: string,
     description:
-      'A CSS selector: smoke flows around the boxes of the first eight elements that it fits, wherever they go.',
+      'A CSS selector: smoke flows around the boxes of the first eight elements that it fits, wherever they go, and curls at the ends of the first four.',
   },
   {
     name: 'emit-from',
@@ -66,7 +78,11 @@ export const methods = [
   { name: 'pause', description: 'Pauses, as the button does.' },
   { name: 'seek', description: 'Goes to a simulated time, in seconds.' },
   { name: 'step', description: 'Takes whole steps of 1/60 s.' },
-  { name: 'set', description: 'Changes parameters by flat key, such as `{ "emission.rate": 60 }`.' },
+  {
+    name: 'set',
+    description:
+      'Changes parameters by flat key, such as `{ "emission.rate": 60 }`; refuses what is out of range with a ParameterError.',
+  },
   { name: 'get', description: 'All values by flat key.' },
   { name: 'picture', description: 'The present picture as a PNG.' },
   { name: 'stats', description: 'What the smoke is doing.' },

@@ -135,6 +135,7 @@ export class OnPage {
       ...curlValues(obstacles, plane, vorticesOf(own)),
       ...emitterValues(
         emitters.map((element) => ({ place: place(element), isOn: this.emitters.isOn(element) })),
+        plane,
         Number(own['emission.rate']),
       ),
     };

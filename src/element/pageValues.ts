@@ -42,9 +42,14 @@ export function placeOnPlane(box: Box, frame: Box, scale: number, plane: ScenePl
   };
 }
 
-/** Flat values of so many obstacles, from the first on. */
+/**
+ * Flat values of so many obstacles, from the first on. The simulator turns a box by its upright alone, so its sides do not look
+ * at every eye; it reaches through the plane along the side that looks there most, and its cut with the plane is the
+ * place, wherever the eye stands.
+ */
 export function colliderValues(places: readonly Place[], plane: ScenePlane): Values {
   const axis = unit(plane.up);
+  const [x, , z] = unit(plane.right).map(Math.abs);
   return Object.assign(
     {},
     ...places.map(({ middle, halfWidth, halfHeight }, index) =>
@@ -52,13 +57,17 @@ export function colliderValues(places: readonly Place[], plane: ScenePlane): Val
         shape: 'box',
         ...vector('position', middle),
         ...vector('axis', axis),
-        'halfExtents.x': rounded(Math.max(halfWidth, LEAST_HALF)),
-        'halfExtents.y': rounded(Math.max(halfHeight, LEAST_HALF)),
-        'halfExtents.z': DEPTH,
+        'halfExtents.x': x < z ? DEPTH : halfOf(halfWidth * x),
+        'halfExtents.y': halfOf(halfHeight),
+        'halfExtents.z': x < z ? halfOf(halfWidth * z) : DEPTH,
         friction: 0,
       }),
     ),
   );
+}
+
+function halfOf(metres: number): number {
+  return rounded(Math.max(metres, LEAST_HALF));
 }
 
 /**
@@ -87,20 +96,25 @@ function curls({ middle, halfWidth, halfHeight }: Place, plane: ScenePlane, axis
   );
 }
 
-/** Flat values of so many emitters, each along the top of its place and with its share of the births. */
+/**
+ * Flat values of so many emitters, each along the top of its place and with its share of the births. Emitters do not turn:
+ * where the eye looks slantwise, smoke is born in a strip as wide as the place.
+ */
 export function emitterValues(
   emitters: readonly { readonly place: Place; readonly isOn: boolean }[],
+  plane: ScenePlane,
   rate: number,
 ): Values {
   if (emitters.length === 0) return {};
+  const [x, , z] = unit(plane.right).map(Math.abs);
   const isAnyOn = emitters.some(({ isOn }) => isOn);
   const each = emitters.map(({ place, isOn }, index) =>
     underKey(`emitters.${index}`, {
       shape: 'box',
       ...vector('position', place.top),
-      'extent.x': rounded(place.halfWidth),
+      'extent.x': rounded(Math.max(place.halfWidth * x, SEAM)),
       'extent.y': SEAM,
-      'extent.z': SEAM,
+      'extent.z': rounded(Math.max(place.halfWidth * z, SEAM)),
       // While none of them smokes nothing is born; a share of nothing would be refused.
       share: isOn || !isAnyOn ? 1 : 0,
     }),

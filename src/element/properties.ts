@@ -4,7 +4,9 @@ import { names } from './names.ts';
 export const FLAGS = ['paused', 'transparent', 'interactive'] as const;
 /** Those about things of the page in the smoke. */
 export const OF_PAGE: readonly string[] = ['collide', 'emit-from', 'emit-on'];
-export const TEXTS = ['preset', 'src', 'start', 'alt', 'thread', 'loading', ...OF_PAGE];
+/** What the button says to those who do not see it. */
+export const LABELS: readonly string[] = ['label-play', 'label-pause'];
+export const TEXTS = ['preset', 'src', 'start', 'alt', 'thread', 'loading', ...LABELS, ...OF_PAGE];
 
 /** Values as properties take them; without one the attribute goes, and the preset decides. */
 type Given = number | string | boolean | null | undefined;

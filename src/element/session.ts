@@ -11,7 +11,7 @@ import { sizeOf, watchSize } from './fit.ts';
 import { goToMoment } from './moment.ts';
 import type { OnPage } from './onPage.ts';
 import { calm, Playback } from './playback.ts';
-import { FLAGS, OF_PAGE } from './properties.ts';
+import { FLAGS, LABELS, OF_PAGE } from './properties.ts';
 import { PointerWays } from './pointers.ts';
 import { quietly } from './quietly.ts';
 import type { Shell } from './shell.ts';
@@ -106,6 +106,7 @@ export class Session {
     const { element, shell } = this.host;
     const isOn = element.hasAttribute(name);
     if (name === 'alt') shell.describe(element.getAttribute(name));
+    else if (LABELS.includes(name)) shell.nameButton();
     else if (name === 'paused') this.playback.set(isOn);
     else if (name === 'transparent') quietly(this.stage.setBackground(!isOn));
     else if (name === 'interactive') this.pointers.toggle(isOn);
@@ -125,7 +126,7 @@ export class Session {
 
   /** Attributes have changed before anybody listened. */
   catchUp(): void {
-    for (const name of [...FLAGS, 'alt', 'collide']) this.takeUp(name);
+    for (const name of [...FLAGS, ...LABELS, 'alt', 'collide']) this.takeUp(name);
     this.follow();
   }
 

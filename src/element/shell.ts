@@ -17,6 +17,7 @@ export class Shell {
   private readonly icon = document.createElementNS(SVG, 'path');
   private readonly root: ShadowRoot;
   private shown: HTMLCanvasElement | undefined;
+  private isPlaying = false;
 
   constructor(root: ShadowRoot) {
     this.root = root;
@@ -67,9 +68,18 @@ export class Shell {
 
   /** @param isStill whether nothing moves until somebody plays, so that the button stands out */
   showPlaying(isPlaying: boolean, isStill: boolean): void {
-    this.button.ariaLabel = isPlaying ? 'Pause smoke' : 'Play smoke';
+    this.isPlaying = isPlaying;
+    this.nameButton();
     this.icon.setAttribute('d', isPlaying ? ICONS.pause : ICONS.play);
     this.frame.classList.toggle('still', isStill);
+  }
+
+  /** Names the button as the page wants it, in whatever language. */
+  nameButton(): void {
+    const { host } = this.root;
+    this.button.ariaLabel = this.isPlaying
+      ? (host.getAttribute('label-pause') ?? 'Pause smoke')
+      : (host.getAttribute('label-play') ?? 'Play smoke');
   }
 
   private buildButton(): HTMLButtonElement {

@@ -65,6 +65,21 @@ test('takes what was set before its class was known, and reflects what is set la
   expect(await element.evaluate((smoke: CartoonSmokeElement) => Reflect.get(smoke, 'styleTones'))).toBe(3);
 });
 
+test('refuses what a program asks for out of range, and changes nothing', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${WISP} paused emission-rate="33"></cartoon-smoke>`);
+  await stands(page);
+  const report = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
+    const refused = await smoke.set({ 'emission.rate': -5, 'emission.lifetime': 2 }).then(
+      () => undefined,
+      ({ name, message }: Error) => `${name}: ${message}`,
+    );
+    const { 'emission.rate': rate, 'emission.lifetime': lifetime } = await smoke.get();
+    return { refused, rate, isSame: lifetime !== 2 };
+  });
+  expect(report).toMatchObject({ rate: 33, isSame: true });
+  expect(report.refused).toMatch(/^ParameterError: emission.rate cannot be -5: it takes /);
+});
+
 test('shows the default for what it cannot take, tells it, and leaves the console alone', async ({ page, host }) => {
   const lines: string[] = [];
   page.on('console', (message) => lines.push(message.text()));

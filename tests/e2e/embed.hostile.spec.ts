@@ -6,6 +6,8 @@ const OWN = [
   'src',
   'start',
   'alt',
+  'label-play',
+  'label-pause',
   'thread',
   'loading',
   'collide',

@@ -43,6 +43,20 @@ test('has a button that pauses, by keys too, and what it paused stays paused out
   expect(await steps()).toBe(before);
 });
 
+test('calls its canvas and its button as the page wants, in any language, also later', async ({ page, host }) => {
+  await host(
+    `<cartoon-smoke ${WISP} paused alt="Eine Tasse Tee" label-play="Abspielen" label-pause="Anhalten" ${BOX}></cartoon-smoke>`,
+  );
+  await stands(page);
+  await expect(page.getByRole('img', { name: 'Eine Tasse Tee' })).toBeVisible();
+  await page.getByRole('button', { name: 'Abspielen' }).click();
+  await expect(page.getByRole('button', { name: 'Anhalten' })).toBeVisible();
+  const smoke = page.locator('cartoon-smoke');
+  await smoke.evaluate((element: CartoonSmokeElement) => Object.assign(element, { labelPause: 'Stop', alt: '' }));
+  await expect(page.getByRole('button', { name: 'Stop' })).toBeVisible();
+  await expect(page.getByRole('img')).toHaveCount(0);
+});
+
 test('rests out of sight, and goes on in sight', async ({ page, host }) => {
   await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke><div style="height: 3000px"></div>`);
   await stands(page);

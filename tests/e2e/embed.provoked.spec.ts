@@ -1,5 +1,5 @@
 /** Faults that no page can bring about, and contexts that go, seen through the element: it recovers or gives up, and says so. */
-import type { JSHandle, Page } from '@playwright/test';
+import type { JSHandle } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import type { LoadModule } from '../support/modules.ts';
 import type { Shown } from './embed.provoked.cases.ts';
@@ -17,36 +17,27 @@ async function expectGivenUp(load: LoadModule, shown: JSHandle<Shown>, told: str
   expect(await cases.evaluate((module, one) => module.isGivenUp(one), shown)).toBe(true);
 }
 
-/** Lets time pass for the page's timers, with room for what they ask of others. */
-async function pass(page: Page, seconds: number): Promise<void> {
-  for (let second = 0; second < seconds; second += 10) await page.clock.fastForward(10_000);
-}
-
 for (const thread of ['main', 'worker'] as const) {
   test(`a simulator without memory leaves the poster and tells a SimulatorError: ${thread}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const shown = await cases.evaluateHandle((module, where) => module.show(where, { fault: 'outOfMemory' }), thread);
     await expectGivenUp(load, shown, ['SimulatorError']);
   });
-
-  test(`a context that goes and comes goes on with its smoke, until it goes too often: ${thread}`, async ({
-    load,
-    blank,
-  }) => {
-    const cases = await load<Cases>(CASES);
-    const shown = await cases.evaluateHandle((module, where) => module.show(where), thread);
-    await expect.poll(() => shown.evaluate(({ told }) => told)).toEqual([`ready on ${thread}`]);
-    const owner = thread === 'main' ? blank : blank.workers()[0];
-    for (let loss = 0; loss < 3; ++loss) {
-      await turnContext(owner, 'loseContext');
-      await turnContext(owner, 'restoreContext');
-    }
-    await expect.poll(() => cases.evaluate((module, one) => module.colorsOf(one), shown)).toBeGreaterThan(3);
-    expect(await shown.evaluate(({ told }) => told)).toEqual([`ready on ${thread}`]);
-    await turnContext(owner, 'loseContext');
-    await expectGivenUp(load, shown, [`ready on ${thread}`, 'ContextError']);
-  });
 }
+
+test('a context that goes and comes goes on with its smoke, until it goes too often', async ({ load, blank }) => {
+  const cases = await load<Cases>(CASES);
+  const shown = await cases.evaluateHandle((module) => module.show('main'));
+  await expect.poll(() => shown.evaluate(({ told }) => told)).toEqual(['ready on main']);
+  for (let loss = 0; loss < 3; ++loss) {
+    await turnContext(blank, 'loseContext');
+    await turnContext(blank, 'restoreContext');
+  }
+  await expect.poll(() => cases.evaluate((module, one) => module.colorsOf(one), shown)).toBeGreaterThan(3);
+  expect(await shown.evaluate(({ told }) => told)).toEqual(['ready on main']);
+  await turnContext(blank, 'loseContext');
+  await expectGivenUp(load, shown, ['ready on main', 'ContextError']);
+});
 
 test('a context that is lost in the start and stays away is waited for, then given up', async ({ load, blank }) => {
   await blank.clock.install();
@@ -54,13 +45,13 @@ test('a context that is lost in the start and stays away is waited for, then giv
   const shared = await load<Shared>('/src/remote/sharedDevice.ts');
   const shown = await cases.evaluateHandle((module) => module.show('main', { fault: 'contextLostInStart' }));
   await expect.poll(() => shared.evaluate(({ threadDevice }) => threadDevice.hold()!.isUsable)).toBe(false);
-  await pass(blank, 10);
-  const told = await shown.evaluate(async ({ element, told: names }) => {
-    await element.ready.catch(() => undefined);
-    return names;
-  });
-  // It may have stood blank before it was given up.
-  expect(told.at(-1)).toBe('ContextError');
+  // It may stand blank before it is given up.
+  await expect
+    .poll(async () => {
+      await blank.clock.fastForward(10_000);
+      return shown.evaluate(({ told }) => told.at(-1));
+    })
+    .toBe('ContextError');
   expect(await cases.evaluate((module, one) => module.isGivenUp(one), shown)).toBe(true);
 });
 
