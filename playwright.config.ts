@@ -7,8 +7,13 @@ const FOLDERS = '{support,visual,e2e}';
 const LONG = `**/${FOLDERS}/**/*.long.{spec,test}.ts`;
 
 const EMBED = isLong ? '**/e2e/embed.*.long.spec.ts' : '**/e2e/embed.*.spec.ts';
+const SITE = isLong ? '**/support/*.long.spec.ts' : '**/support/{policy,site,snippet}.spec.ts';
 
 const ignored = isLong ? [] : [LONG];
+// A quarter of the pixels: what is looked at is the page, and where the picture counts tests ask for all.
+const fewPixels = { deviceScaleFactor: 0.5 };
+// Workers that find something missing would all build it.
+const builtFirst = { dependencies: ['built'] };
 
 const { port, browser, flags } = await demandTestServer();
 
@@ -23,23 +28,27 @@ export default defineConfig<object, WorkerOptions>({
   testIgnore: ignored,
   forbidOnly: true,
   retries: 0,
-  // SwiftShader draws with as many threads as there are cores, so that a second worker mostly makes the first one wait.
-  workers: 1,
+  // Most of what a test takes is one thread's work, in the page or beside it: two at a time keep two cores busy. The long
+  // ones have the machine to themselves.
+  workers: isLong ? 1 : 2,
   // Long enough for the slowest of machines: who waits in vain has found a fault, and may as well wait longer.
   timeout: isLong ? 900_000 : 600_000,
   expect: { timeout: 120_000 },
   outputDir: 'test-results',
   projects: [
-    { name: 'modules', testIgnore: [...ignored, '**/e2e/**'] },
+    { name: 'built', testMatch: '**/support/built.setup.ts', testIgnore: [] },
+    { name: 'modules', testIgnore: [...ignored, '**/e2e/**', SITE] },
+    { name: 'site', testMatch: SITE, testIgnore: ignored, ...builtFirst, use: fewPixels },
     {
       name: 'pages',
+      ...builtFirst,
       testMatch: isLong ? '**/e2e/**/*.long.spec.ts' : '**/e2e/**/*.spec.ts',
       testIgnore: [...ignored, EMBED],
       // Each test meets the page for the first time; the service worker has tests of its own, beside the site's.
-      use: { showsBuiltSite: true, serviceWorkers: 'block' },
+      use: { ...fewPixels, showsBuiltSite: true, serviceWorkers: 'block' },
     },
     // Pages of other people, with what npm and CDNs would give them.
-    { name: 'embed', testMatch: EMBED, testIgnore: ignored },
+    { name: 'embed', testMatch: EMBED, testIgnore: ignored, ...builtFirst },
   ],
   reporter: 'list',
   use: {

@@ -1,13 +1,8 @@
+import type { AddressInfo } from 'node:net';
 import { fileURLToPath } from 'node:url';
 import { preview } from 'vite';
-import { findFreePort, script } from './server.ts';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
-
-interface SiteScript {
-  isFresh(): boolean;
-  bring(say: (line: string) => void): Promise<void>;
-}
 
 export interface BuiltSite {
   /** Where it is served, without a slash at the end. */
@@ -15,11 +10,10 @@ export interface BuiltSite {
   stop(): Promise<void>;
 }
 
-/** Serves the site as it is published, built anew where sources have changed: a page loads some files, not hundreds. */
+/** Serves the site as it is published: a page loads some files, not hundreds. */
 export async function serveBuiltSite(): Promise<BuiltSite> {
-  const site = await script<SiteScript>('setup/site.mjs');
-  if (!site.isFresh()) await site.bring(() => {});
-  const port = await findFreePort();
-  const server = await preview({ root, logLevel: 'error', preview: { host: '127.0.0.1', port, strictPort: true } });
+  // Port 0 is any that is free, also where several workers ask at once.
+  const server = await preview({ root, logLevel: 'error', preview: { host: '127.0.0.1', port: 0 } });
+  const { port } = server.httpServer.address() as AddressInfo;
   return { address: `http://localhost:${port}`, stop: () => server.close() };
 }

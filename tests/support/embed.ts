@@ -4,11 +4,6 @@ import type { Page } from '@playwright/test';
 import { expect, test as base } from './fixtures.ts';
 import { script } from './server.ts';
 
-interface PackageScript {
-  isFresh(): boolean;
-  bring(say: () => void): Promise<void>;
-}
-
 export interface Server {
   readonly address: string;
   /** Files that were answered so far. */
@@ -35,20 +30,18 @@ export const MODULES = `
   <script type="importmap">{ "imports": { "three": "/node_modules/three/build/three.module.js" } }</script>
   <script type="module" src="/package/dist/element.js"></script>`;
 /** The smallest smoke there is. */
-export const WISP = 'preset="wisp" simulation-max-particles="300" thread="main"';
+export const WISP = 'preset="wisp" simulation-max-particles="300" puff-variations="1" thread="main"';
 
 export const test = base.extend<{ host: OpenHost }, { server: Server }>({
   server: [
     // oxlint-disable-next-line no-empty-pattern -- what it needs is no fixture, and the runner reads the pattern
     async ({}, use) => {
-      const packaged = await script<PackageScript>('setup/package.mjs');
-      if (!packaged.isFresh()) await packaged.bring(() => undefined);
       const { serveSite } = await script<ServeScript>('site/serve.mjs');
       const server = await serveSite(ROOT, '/');
       await use(server);
       await server.close();
     },
-    { scope: 'worker', timeout: 600_000 },
+    { scope: 'worker' },
   ],
   host: async ({ page, server }, use) => {
     await use((body, options) => openHost(page, server, body, options));

@@ -52,7 +52,7 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
       await use(site?.address);
       await site?.stop();
     },
-    { scope: 'worker', timeout: 600_000 },
+    { scope: 'worker' },
   ],
   baseURL: async ({ baseURL, site }, use) => {
     await use(site ?? baseURL);

@@ -9,10 +9,6 @@ export interface SiteServer {
   close(): Promise<void>;
 }
 
-interface SiteScript {
-  isFresh(): boolean;
-  bring(say: () => void): Promise<void>;
-}
 interface ServeScript {
   serveSite(folder: string, place: string, headers?: Record<string, string>): Promise<SiteServer>;
 }
@@ -22,12 +18,6 @@ const STRICT = {
   'content-security-policy':
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:",
 };
-
-/** Builds dist/ anew where sources have changed. */
-export async function demandSite(): Promise<void> {
-  const site = await script<SiteScript>('setup/site.mjs');
-  if (!site.isFresh()) await site.bring(() => {});
-}
 
 export async function serveStrictly(folder: string): Promise<SiteServer> {
   const { serveSite } = await script<ServeScript>('site/serve.mjs');

@@ -2,15 +2,14 @@
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { expect, test } from './fixtures.ts';
-import { demandSite, serveStrictly, type SiteServer } from './plainHost.ts';
+import { serveStrictly, type SiteServer } from './plainHost.ts';
 
 const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
-const LIGHT = '#v=1&preset=lamp&emission.rate=40&simulation.maxParticles=500';
+const LIGHT = '#v=1&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=500';
 
 let server: SiteServer;
 
 test.beforeAll(async () => {
-  await demandSite();
   server = await serveStrictly(DIST);
 });
 test.afterAll(() => server.close());

@@ -29,7 +29,7 @@ export async function demandTestServer(): Promise<TestServer> {
   return { port: Number(process.env.TEST_PORT), browser, flags: CHROMIUM_FLAGS };
 }
 
-export async function findFreePort(): Promise<number> {
+async function findFreePort(): Promise<number> {
   return (await script<PortScript>('lib/port.mjs')).findFreePort();
 }
 

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { expect, test } from './fixtures.ts';
-import { demandSite, serveStrictly, type SiteServer } from './plainHost.ts';
+import { serveStrictly, type SiteServer } from './plainHost.ts';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const WISP = '#v=1&preset=wisp&simulation.maxParticles=500';
@@ -13,9 +13,6 @@ const WISP = '#v=1&preset=wisp&simulation.maxParticles=500';
 let folder: string;
 let server: SiteServer;
 
-test.beforeAll(async () => {
-  await demandSite();
-});
 test.beforeEach(async () => {
   folder = mkdtempSync(join(tmpdir(), 'cartoon-smoke-site-'));
   cpSync(join(ROOT, 'dist'), folder, { recursive: true });

@@ -6,10 +6,10 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { expect, test } from './fixtures.ts';
-import { demandSite, serveOpenly, type SiteServer } from './plainHost.ts';
+import { serveOpenly, type SiteServer } from './plainHost.ts';
 
 const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
-const LOOK = '#v=1&preset=wisp&simulation.maxParticles=300&style.smokeColor=%23ff2010';
+const LOOK = '#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300&style.smokeColor=%23ff2010';
 
 let server: SiteServer;
 /** Another origin, because of its port. */
@@ -18,8 +18,6 @@ const folder = mkdtempSync(join(tmpdir(), 'cartoon-smoke-elsewhere-'));
 
 test.use({ serviceWorkers: 'block', viewport: { width: 640, height: 480 } });
 test.beforeAll(async () => {
-  test.setTimeout(300_000);
-  await demandSite();
   server = await serveOpenly(DIST);
   elsewhere = await serveOpenly(folder);
 });
