@@ -14,6 +14,26 @@ interface TraceEvent {
 /** What `browser.startTracing` has to record. */
 export const TASK_CATEGORIES = ['toplevel', 'blink.user_timing'];
 
+/** What `work` takes of a processor on which the limits of the tests were found to hold with room to spare. */
+const WORK_MS = 28;
+
+function work(): number {
+  let state = 1;
+  for (let round = 0; round < 20_000_000; round++) state = (Math.imul(state, 1664525) + 1013904223) | 0;
+  return state;
+}
+
+/** How many times as long as there this processor takes for the same work, at least 1. */
+export function slowness(): number {
+  const times = [1, 2, 3, 4].map(() => {
+    const before = process.cpuUsage();
+    work();
+    const { user, system } = process.cpuUsage(before);
+    return (user + system) / 1000;
+  });
+  return Math.max(1, Math.min(...times) / WORK_MS);
+}
+
 /**
  * Milliseconds that the tasks of a page's main thread took of the processor after it marked a moment, the longest first.
  * The processor's time and not the clock's: on a busy machine others' work would count as well.
