@@ -34,6 +34,10 @@ function rust(name, title, features, { long }) {
     'test',
     '--locked',
     '--no-fail-fast',
+    // Not the examples, which clippy compiles, and there are none in the documentation.
+    '--lib',
+    '--bins',
+    '--tests',
     ...packages,
     ...features,
     ...(long ? ['--', '--ignored'] : []),
