@@ -6,7 +6,7 @@ import type { Values } from '../../src/preset/parameter.ts';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 
 const [WIDTH, HEIGHT] = [160, 120];
-const SMALL: Values = { ...presetValues(findPreset('wisp')!), 'simulation.maxParticles': 300 };
+const SMALL: Values = { ...presetValues(findPreset('wisp')!), 'simulation.maxParticles': 300, 'puff.variations': 1 };
 
 export interface Opened {
   stage: RemoteStage;

@@ -19,7 +19,7 @@ type Cases = typeof import('./embed.cases.ts');
 type FrameCases = typeof import('./embed.frame.cases.ts');
 const FRAMES = '/tests/e2e/embed.frame.cases.ts';
 const SANDBOX = 'allow-scripts';
-const WISP = '?paused=1#v=1&preset=wisp&simulation.maxParticles=300';
+const WISP = '?paused=1#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300';
 
 test('a frame without an origin needs scripts alone, and shows what a stage on this page shows', async ({
   load,
@@ -96,7 +96,7 @@ test('goes by hash and query as the demo does, and brings the physics only where
   const frames = await load<FrameCases>(FRAMES);
   const address = `${baseURL}/embed.html?paused=1&t=0.5`;
   const framed = await frames.evaluateHandle((module, [url, sandbox]) => module.connect(url, sandbox), [
-    `${address}#v=1&preset=wisp&simulation.maxParticles=300&seed=7`,
+    `${address}#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300&seed=7`,
     SANDBOX,
   ] as const);
   const before = await frames.evaluate((module, { stage }) => module.stateOf(stage), framed);

@@ -1,6 +1,7 @@
-/** Two hundred stages that come and go, one after the other, leave nothing behind. */
+/** Forty stages at once, and two hundred that come and go, one after the other, and leave nothing behind. */
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
+import { expectMany } from './embed.many.ts';
 
 type ManyCases = typeof import('./embed.many.cases.ts');
 type Shared = typeof import('../../src/remote/sharedDevice.ts');
@@ -12,6 +13,12 @@ const [FIRST, MORE] = [20, 180];
 const SLACK_BYTES = 1_000_000;
 
 test.use({ ownPage: true, allowed: /context lost|CONTEXT_LOST/i });
+
+for (const thread of ['worker', 'main'] as const) {
+  test(`forty stages share a context, and only those in view go on: ${thread}`, async ({ load, blank }) => {
+    await expectMany({ load, blank }, [40, 12], thread);
+  });
+}
 
 test('the heap of the main thread stays flat, and its context goes', async ({ load, blank }) => {
   const many = await load<ManyCases>('/tests/e2e/embed.many.cases.ts');

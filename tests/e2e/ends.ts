@@ -99,7 +99,8 @@ export function withoutEffectOnPicture(page: Page, trials: readonly Trial[]): Pr
       stage.set({ ...before, ...values });
       context.clearRect(0, 0, canvas.width, canvas.height);
       context.drawImage(canvas, 0, 0);
-      stage.unset(Object.keys(values).filter((key) => !(key in before)));
+      const added = Object.keys(values).filter((key) => !(key in before));
+      if (added.length > 0) stage.unset(added);
       return context.getImageData(0, 0, canvas.width, canvas.height).data.join();
     };
     const usual = draw({});

@@ -3,7 +3,7 @@ import type { Download, Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { ask, LIGHT, open } from './page.ts';
 
-test.use({ viewport: { width: 400, height: 300 } });
+test.use({ viewport: { width: 400, height: 300 }, deviceScaleFactor: 1 });
 
 const sheet = (page: Page) => page.getByRole('dialog', { name: 'Capture the smoke' });
 const press = (page: Page) => sheet(page).getByRole('button', { name: 'Capture', exact: true }).click();

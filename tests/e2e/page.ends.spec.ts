@@ -6,12 +6,19 @@ import { ask, open } from './page.ts';
 
 test.use({ viewport: { width: 96, height: 72 } });
 
-const SMALL = '#v=1&preset=lamp&emission.rate=40&simulation.maxParticles=120';
+const SMALL = '#v=1&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=120';
 
 test('what the simulator reads changes its state', async ({ page }) => {
+  await open(page, `?paused=1&ui=0${SMALL.replace('lamp', 'wisp')}`);
+  await ask(page, (stage) => stage.step(60));
+  const trials = singleTrials('simulator', 'stage');
+  // A state without rigids is saved and taken up ten times as fast, and most rows need none.
+  const left = new Set(await withoutEffectOnState(page, trials));
+  expect(left.size).toBeLessThan(trials.length / 4);
   await open(page, `?paused=1&ui=0${SMALL}`);
   await ask(page, (stage) => stage.step(60));
-  expect(await withoutEffectOnState(page, singleTrials('simulator', 'stage'))).toEqual([]);
+  const needing = trials.filter(({ name }) => left.has(name));
+  expect(await withoutEffectOnState(page, needing)).toEqual([]);
 });
 
 test('so do all items of its lists, each as a whole', async ({ page }) => {

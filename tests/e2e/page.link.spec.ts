@@ -12,7 +12,7 @@ test('an edit changes the stage and the link, and the link restores it', async (
   await row(page, 'style.shadows').getByRole('switch').click();
   await row(page, 'style.inkColor').locator('input').fill('#aa0011');
   const hash =
-    '#v=1&preset=lamp&emission.rate=55.5&style.shadows=0&style.tones=3&style.inkColor=aa0011&simulation.maxParticles=500';
+    '#v=1&preset=lamp&emission.rate=55.5&puff.variations=1&style.shadows=0&style.tones=3&style.inkColor=aa0011&simulation.maxParticles=500';
   await expectHash(page, hash);
   // The stage takes edits up with its next frame, which on a busy machine may come after the address bar.
   await expectValue(page, 'style.inkColor', '#aa0011');

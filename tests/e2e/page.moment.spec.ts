@@ -59,11 +59,11 @@ test('a take comes to the same hash in another browser, and to an earlier moment
 test('a moment of another scene, put into the address bar, is entered and stays there until somebody edits', async ({
   page,
 }) => {
-  await open(page, '?paused=1#v=1&preset=wisp&simulation.maxParticles=300');
+  await open(page, '?paused=1#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300');
   await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
   await ask(page, (stage) => stage.step(45));
   const wisp = { moment: await shown(page), link: new URL(await momentLink(page)).hash };
-  await open(page, '?paused=1#v=1&preset=train&simulation.maxParticles=300');
+  await open(page, '?paused=1#v=1&preset=train&puff.variations=1&simulation.maxParticles=300');
   await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
   await ask(page, (stage) => stage.step(30));
   const train = { moment: await shown(page), link: new URL(await momentLink(page)).hash };
@@ -77,7 +77,7 @@ test('a moment of another scene, put into the address bar, is entered and stays 
   await ask(page, (stage) => stage.set({ 'puff.size': 2 }));
   await expect
     .poll(() => page.evaluate(() => location.hash))
-    .toBe('#v=1&preset=train&puff.size=2&simulation.maxParticles=300');
+    .toBe('#v=1&preset=train&puff.size=2&puff.variations=1&simulation.maxParticles=300');
 });
 
 test('what nobody touched is a moment by its time alone', async ({ page }) => {

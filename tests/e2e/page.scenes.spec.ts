@@ -6,8 +6,8 @@ import { doubleTap, fingerOf } from './touch.ts';
 
 test.use({ viewport: { width: 480, height: 320 } });
 
-/** Little smoke, so that SwiftShader has little to draw. */
-const LIGHT = '&emission.rate=20&simulation.maxParticles=300';
+/** Little smoke of one shape, so that SwiftShader has little to draw and the page little to bake. */
+const LIGHT = '&emission.rate=20&puff.variations=1&simulation.maxParticles=300';
 
 /** Addresses of what the page fetches from here on. */
 function fetched(page: Page): string[] {

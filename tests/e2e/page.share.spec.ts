@@ -88,13 +88,15 @@ test('the sheet of the platform is offered where there is one, and copying by ha
 test('a take too long for a link becomes a file, which brings the moment back', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await ask(page, (stage) => {
-    // Each step draws a picture.
-    stage.resize(16, 16, 1);
+    // Each step draws a picture where one is seen.
+    stage.resize(0, 0);
     for (let step = 0; step < 420; step++) {
       for (let channel = 0; channel < 8; channel++) stage.steer(channel, Math.sin(step * step + channel * 7));
-      if (step === 300) stage.blow({ x: 8, y: 8, dx: 3 });
       stage.step(1);
     }
+    stage.resize(16, 16, 1);
+    stage.blow({ x: 8, y: 8, dx: 3 });
+    stage.step(1);
   });
   const hash = await ask(page, (stage) => stage.hash());
   await page.getByRole('button', { name: 'Share' }).click();
@@ -105,7 +107,7 @@ test('a take too long for a link becomes a file, which brings the moment back', 
   expect(file.name).toBe('lamp.take.json');
   await open(page, '?paused=1#v=1&preset=lamp-noir&emission.rate=7');
   await drop(page, file.name, file.text);
-  await expect.poll(() => ask(page, (stage) => [stage.stats.steps, stage.hash()])).toEqual([420, hash]);
+  await expect.poll(() => ask(page, (stage) => [stage.stats.steps, stage.hash()])).toEqual([421, hash]);
   await expectValue(page, 'style.tones', 2);
   await expect(page.locator('.notice')).toHaveCount(0);
 });

@@ -3,8 +3,8 @@ import type { Page } from '@playwright/test';
 import type { Stage } from '../../src/stage/stage.ts';
 import { expect } from '../support/fixtures.ts';
 
-/** Little smoke, so that SwiftShader has little to draw. */
-export const LIGHT = '#v=1&preset=lamp&emission.rate=40&simulation.maxParticles=500';
+/** Little smoke of one shape, so that SwiftShader has little to draw and the page little to bake. */
+export const LIGHT = '#v=1&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=500';
 
 /** Opens the page and waits for its stage. @param address what follows the slash: query and hash */
 export async function open(page: Page, address: string): Promise<void> {

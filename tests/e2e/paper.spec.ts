@@ -1,5 +1,7 @@
 import { expect, test } from '../support/fixtures.ts';
 
+test.use({ deviceScaleFactor: 1 });
+
 test('the page about the paper draws its figures, and says what is unknown', async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await page.goto('/paper.html');

@@ -1,0 +1,34 @@
+/** Many stages on one page: one worker and one context for all, and only those in view draw. */
+import type { Page } from '@playwright/test';
+import { expect } from '../support/fixtures.ts';
+import type { LoadModule } from '../support/modules.ts';
+
+type Cases = typeof import('./embed.cases.ts');
+type ManyCases = typeof import('./embed.many.cases.ts');
+
+/** @param blank a page of its own */
+export async function expectMany(
+  { load, blank }: { load: LoadModule; blank: Page },
+  [count, inView]: readonly [count: number, inView: number],
+  thread: 'main' | 'worker',
+): Promise<void> {
+  const cases = await load<Cases>('/tests/e2e/embed.cases.ts');
+  const many = await load<ManyCases>('/tests/e2e/embed.many.cases.ts');
+  const contexts = await many.evaluateHandle((module) => module.countContexts());
+  const opened = await many.evaluateHandle((module, given) => module.openMany(...given), [
+    count,
+    inView,
+    thread,
+  ] as const);
+  expect(await contexts.jsonValue()).toEqual({ webgl: thread === 'main' ? 1 : 0 });
+  expect(blank.workers().length).toBe(thread === 'main' ? 0 : 1);
+  const going = await many.evaluate((module, [list, seen]) => module.whichGoOn(list, seen), [opened, inView] as const);
+  expect(going).toEqual(Array.from({ length: count }, (_, index) => index < inView));
+  const colors = await cases.evaluate(
+    (module, [list, seen]) => Promise.all(list.slice(0, seen).map(({ canvas }) => module.colorsShown(canvas))),
+    [opened, inView] as const,
+  );
+  expect(Math.min(...colors)).toBeGreaterThan(3);
+  await opened.evaluate((list) => Promise.all(list.map(({ stage }) => stage.dispose())));
+  await expect.poll(() => blank.workers().length).toBe(0);
+}
