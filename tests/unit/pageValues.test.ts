@@ -12,7 +12,7 @@ const EYES = [0, 0.3, Math.PI / 4, 1.2, Math.PI / 2, 2.5, Math.PI, -2].flatMap((
   [0, 0.5, -0.4, 1.4].map((elevation) => [azimuth, elevation] as const),
 );
 
-type Tuple = readonly [number, number, number];
+type Tuple = [number, number, number];
 
 function tuple({ x, y, z }: Vector3): Tuple {
   return [x, y, z];
@@ -28,7 +28,7 @@ function axesOf(azimuth: number, elevation: number): { right: Vector3; up: Vecto
 
 function planeOf({ right, up }: { right: Vector3; up: Vector3 }): ScenePlane {
   const pixel = (way: Vector3) => tuple(way.clone().multiplyScalar(PIXEL));
-  return { middle: tuple(MIDDLE), right: pixel(right) as never, up: pixel(up) as never } as ScenePlane;
+  return { middle: tuple(MIDDLE), right: pixel(right), up: pixel(up) };
 }
 
 test.each(EYES)('an obstacle is as wide and high as its box, from %f and %f', (azimuth, elevation) => {
