@@ -32,6 +32,24 @@ describe('what changes from picture to picture', () => {
   test('lets no line of ink come at once, however thin', () => {
     expect(suddenChange(picture(), picture(rectangle(1, 20, INK)), { reach: REACH, strip }).largest).toBe(20);
   });
+
+  test('leaves out what is no matter of it', () => {
+    const besides = new Set(Array.from({ length: 12 * SIZE }, (_, pixel) => pixel));
+    expect(suddenChange(picture(), picture(rectangle(6, 5, RED)), { reach: REACH, besides }).all).toBe(18);
+  });
+
+  test('lets a line go over into the colour of its smoke where it pales, and nothing else come there', () => {
+    const where = new Uint8Array(SIZE * SIZE).fill(1, 0, 20 * SIZE);
+    const change = (color: number) =>
+      suddenChange(picture(), picture(rectangle(1, 20, color)), { reach: REACH, strip, paling: { where, ink: INK } });
+    const halfInked = 0xff784c28;
+    expect(change(halfInked).all).toBe(0);
+    // The lower half, where no line pales.
+    expect(change(INK).all).toBe(10);
+    expect(
+      suddenChange(picture(), picture(rectangle(6, 5, RED)), { reach: REACH, paling: { where, ink: INK } }).all,
+    ).toBe(30);
+  });
 });
 
 type Paint = (x: number, y: number) => number | undefined;

@@ -13,6 +13,10 @@ export interface Explained {
    * are as thin and may not: they count however thin they are.
    */
   strip?: { width: number; ink: number };
+  /** Where lines go over into the colour of their smoke, by pixels: ink comes and goes by and by there. */
+  paling?: { where: Uint8Array; ink: number };
+  /** Pixels that are no matter of what is looked at. */
+  besides?: ReadonlySet<number>;
 }
 
 /**
@@ -20,23 +24,31 @@ export interface Explained {
  * that reaches: what is seen there may come from beyond the picture, or go there.
  * @returns pixels of all of them, and of the largest connected one
  */
-export function unexplained(
+export function unexplained(a: LabPicture, b: LabPicture, explained: Explained): { all: number; largest: number } {
+  const { strip } = explained;
+  const areas = areasOf(suddenPixels(a, b, explained), a.width).map((area) =>
+    strip ? withoutStrips(area, new Uint32Array(a.pixels.buffer), strip, a.width) : area.length,
+  );
+  return { all: areas.reduce((sum, area) => sum + area, 0), largest: Math.max(0, ...areas) };
+}
+
+/** The pixels of those areas, strips among them. */
+export function suddenPixels(
   a: LabPicture,
   b: LabPicture,
-  { reach, strip }: Explained,
-): { all: number; largest: number } {
+  { reach, paling, besides }: Omit<Explained, 'strip'>,
+): Set<number> {
   const [from, to] = [a, b].map(({ pixels }) => new Uint32Array(pixels.buffer));
   const sudden = new Set<number>();
   for (let y = reach; y < a.height - reach; y++) {
     for (let x = reach; x < a.width - reach; x++) {
       const pixel = y * a.width + x;
-      if (from[pixel] !== to[pixel] && !occursNear(from[pixel], to, pixel, reach, a.width)) sudden.add(pixel);
+      if (from[pixel] === to[pixel] || besides?.has(pixel)) continue;
+      const ink = paling?.where[pixel] ? paling.ink : undefined;
+      if (!occursNear(from[pixel], to, pixel, { reach, ink, width: a.width })) sudden.add(pixel);
     }
   }
-  const areas = areasOf(sudden, a.width).map((area) =>
-    strip ? withoutStrips(area, from, strip, a.width) : area.length,
-  );
-  return { all: areas.reduce((sum, area) => sum + area, 0), largest: Math.max(0, ...areas) };
+  return sudden;
 }
 
 /** As {@link unexplained}, both ways: what comes is as sudden as what goes. */
@@ -45,9 +57,18 @@ export function suddenChange(a: LabPicture, b: LabPicture, explained: Explained)
   return { all: Math.max(gone.all, come.all), largest: Math.max(gone.largest, come.largest) };
 }
 
-function occursNear(color: number, pixels: Uint32Array, pixel: number, reach: number, width: number): boolean {
+interface Search {
+  reach: number;
+  /** What may have come over a colour, in any measure. */
+  ink: number | undefined;
+  width: number;
+}
+
+function occursNear(color: number, pixels: Uint32Array, pixel: number, { reach, ink, width }: Search): boolean {
   for (let row = pixel - reach * width; row <= pixel + reach * width; row += width) {
-    for (let at = row - reach; at <= row + reach; at++) if (looksAlike(pixels[at], color)) return true;
+    for (let at = row - reach; at <= row + reach; at++) {
+      if (looksAlike(pixels[at], color) || (ink !== undefined && isInked(color, pixels[at], ink))) return true;
+    }
   }
   return false;
 }
@@ -55,6 +76,19 @@ function occursNear(color: number, pixels: Uint32Array, pixel: number, reach: nu
 function looksAlike(one: number, other: number): boolean {
   if (one === other) return true;
   return [0, 8, 16, 24].every((bits) => Math.abs(((one >>> bits) & 255) - ((other >>> bits) & 255)) <= UNSEEN);
+}
+
+/** Whether a colour is another with more or less ink over it. */
+function isInked(color: number, plain: number, ink: number): boolean {
+  const [mixed, from, to] = [color, plain, ink].map(channelsOf);
+  const way = to.map((value, channel) => value - from[channel]);
+  const along = way.reduce((sum, step, channel) => sum + step * (mixed[channel] - from[channel]), 0);
+  const share = Math.min(1, Math.max(0, along / Math.max(1, Math.hypot(...way) ** 2)));
+  return from.every((value, channel) => Math.abs(mixed[channel] - value - share * way[channel]) <= UNSEEN);
+}
+
+function channelsOf(color: number): number[] {
+  return [0, 8, 16, 24].map((bits) => (color >>> bits) & 255);
 }
 
 /** Areas that hang together, over corners too. */

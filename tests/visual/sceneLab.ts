@@ -1,18 +1,20 @@
 /** A scene of the demo with its simulator, drawn without the edge filter, for any camera: flat colours to reason about. */
 import { PerspectiveCamera, Vector3, type Box3, type Camera } from 'three';
 import { createDevice } from '../../src/device/device.ts';
+import { widestLine } from '../../src/passes/ink.ts';
 import type { Values } from '../../src/preset/parameter.ts';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import type { CameraPose, Part, Scene } from '../../src/scenes/scene.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { loadSimulators } from '../../src/sim/load.ts';
+import { PLACE_FLOATS } from '../../src/sim/rows.ts';
 import type { Simulator } from '../../src/sim/simulator.ts';
-import type { FrameInput, FrameReport } from '../../src/smoke/frame.ts';
+import type { Arranger, FrameInput, FrameReport } from '../../src/smoke/frame.ts';
 import { lightOf } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
-import { styleOf, type Style } from '../../src/smoke/style.ts';
+import { inkLineOf, styleOf, type Style } from '../../src/smoke/style.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
-import type { LabPicture } from './lab.ts';
+import { rowsOf, type LabPicture } from './lab.ts';
 
 /** Few enough particles for a software renderer. */
 const SMALL: Values = { 'simulation.maxParticles': 800 };
@@ -30,9 +32,16 @@ export interface FrameOptions {
   camera?: Camera;
   /** Leaves out what cannot show. */
   cull?: boolean;
+  /** Leaves out all smoke. */
+  isBare?: boolean;
   /** Between the step before (0) and now (1). */
   blend?: number;
 }
+
+const NO_SMOKE: Arranger = {
+  arrange: () => rowsOf([]),
+  bounds: { min: [0, 0, 0], max: [0, 0, 0], greatestRadius: 0 },
+};
 
 export class SceneLab {
   readonly scene: Scene;
@@ -74,6 +83,21 @@ export class SceneLab {
     return (255 << 24) | (blue << 16) | (green << 8) | red;
   }
 
+  /** Width of lines where they are widest, pixels. */
+  get widestLine(): number {
+    const { pixels, swell } = inkLineOf(this.style, 1);
+    return widestLine(pixels, swell);
+  }
+
+  /** The bodies of the latest picture, metres. */
+  bodies(): { place: Vector3; radius: number }[] {
+    const { count, places } = this.smoke.passes.bodies;
+    return Array.from({ length: count }, (_, row) => ({
+      place: new Vector3().fromArray(places, PLACE_FLOATS * row),
+      radius: places[PLACE_FLOATS * row + 3],
+    }));
+  }
+
   step(steps: number): void {
     this.simulation.advance(steps);
   }
@@ -88,11 +112,11 @@ export class SceneLab {
   }
 
   /** What a picture is drawn from. */
-  frame({ camera = this.camera(), cull = true, blend = 1 }: FrameOptions = {}): FrameInput {
-    const { width, height, values, style, simulator, scene } = this;
+  frame({ camera = this.camera(), cull = true, isBare = false, blend = 1 }: FrameOptions = {}): FrameInput {
+    const { width, height, values, style, scene } = this;
     const rigids = this.simulation.rigids(blend);
     return {
-      simulator,
+      simulator: isBare ? NO_SMOKE : this.simulator,
       camera,
       light: lightOf(values, new Vector3(...(scene.lightCentre ?? scene.camera.target))),
       style,

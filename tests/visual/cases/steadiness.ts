@@ -1,7 +1,8 @@
 /** Whole scenes, picture by picture: nothing may pop as time goes by, nor jump while the camera goes round. */
 import { Vector3, type PerspectiveCamera } from 'three';
 import { readParticles } from '../../bench/support/snapshot.ts';
-import { suddenChange } from '../motion.ts';
+import type { LabPicture } from '../lab.ts';
+import { suddenChange, suddenPixels } from '../motion.ts';
 import { SceneLab } from '../sceneLab.ts';
 
 const SIZE = { width: 200, height: 200 };
@@ -61,19 +62,62 @@ type Next = (picture: number) => { camera: PerspectiveCamera; motion: number };
 
 async function watch(lab: SceneLab, first: PerspectiveCamera, pictures: number, next: Next): Promise<Steadiness> {
   const report: Steadiness = { largest: 0, at: 0, all: 0, motion: 0, pictures, bodies: Infinity };
-  let before = lab.draw({ camera: first });
+  let before = look(lab, first, SLACK);
   for (let picture = 1; picture <= pictures; picture++) {
     const { camera, motion } = next(picture);
-    const now = lab.draw({ camera });
-    const strip = { width: Math.ceil(motion), ink: lab.ink };
-    const { all, largest } = suddenChange(before, now, { reach: Math.ceil(motion) + SLACK, strip });
+    const [reach, strip] = [Math.ceil(motion) + SLACK, { width: Math.ceil(motion), ink: lab.ink }];
+    const now = look(lab, camera, reach);
+    const paling = { where: now.paling.map((isPaling, pixel) => isPaling | before.paling[pixel]), ink: lab.ink };
+    const besides = surfacesAlone(before.bare, now.bare, reach);
+    const { all, largest } = suddenChange(before.picture, now.picture, { reach, strip, paling, besides });
     if (largest > report.largest) Object.assign(report, { largest, at: picture });
     report.all = Math.max(report.all, all);
     report.motion = Math.max(report.motion, motion);
-    report.bodies = Math.min(report.bodies, lab.report!.bodiesDrawn);
+    report.bodies = Math.min(report.bodies, now.bodies);
     before = now;
   }
   return report;
+}
+
+/** A picture with its smoke and without. */
+function look(lab: SceneLab, camera: PerspectiveCamera, reach: number) {
+  const picture = lab.draw({ camera });
+  const bodies = lab.report!.bodiesDrawn;
+  const paling = palingLines(lab, camera, reach);
+  return { picture, bodies, paling, bare: lab.draw({ camera, isBare: true }) };
+}
+
+/** Where surfaces come and go without any smoke, such as one that sinks into another faster than it moves. */
+function surfacesAlone(before: LabPicture, now: LabPicture, reach: number): Set<number> {
+  return new Set([...suddenPixels(before, now, { reach }), ...suddenPixels(now, before, { reach })]);
+}
+
+/**
+ * Pixels about the puffs of the latest picture with a radius of one to three widths of their line: by the law of
+ * shaders/lib/ink.glsl that goes over into smoke there.
+ */
+function palingLines(lab: SceneLab, camera: PerspectiveCamera, reach: number): Uint8Array {
+  const where = new Uint8Array(SIZE.width * SIZE.height);
+  const line = lab.widestLine;
+  for (const { place, radius } of lab.bodies()) {
+    const pixels = (radius * lab.pixelsPerMetre(1)) / -place.clone().applyMatrix4(camera.matrixWorldInverse).z;
+    if (pixels < line || pixels > 3 * line) continue;
+    const { x, y } = place.project(camera);
+    markDisc(where, [(0.5 + x / 2) * SIZE.width, (0.5 + y / 2) * SIZE.height], pixels + line + reach);
+  }
+  return where;
+}
+
+function markDisc(where: Uint8Array, [left, below]: [number, number], radius: number): void {
+  const rows = { first: Math.max(0, Math.floor(below - radius)), last: Math.min(SIZE.height - 1, below + radius) };
+  for (let y = rows.first; y <= rows.last; y++) {
+    const half = Math.sqrt(Math.max(0, radius ** 2 - (y + 0.5 - below) ** 2));
+    where.fill(1, y * SIZE.width + clampColumn(left - half), y * SIZE.width + clampColumn(left + half));
+  }
+}
+
+function clampColumn(x: number): number {
+  return Math.min(SIZE.width, Math.max(0, Math.round(x)));
 }
 
 /** Where particles were before the latest step, and where they are. */
