@@ -14,8 +14,7 @@ export const rocketPresets: readonly Preset[] = [
       'forces.turbulence': 1,
       'simulation.maxParticles': 1500,
       // Flat tones that run into each other for a moment, so that no puff turns at once.
-      'style.heatRamp':
-        '0:fff8ec,.08:fff8ec,.12:f6d9b4,.2:f6d9b4,.25:f6a050,.46:f6a050,.53:f9c24c,.76:f9c24c,.83:fff0b4',
+      'style.heatRamp': '0:fff8ec,.03:fff8ec,.13:f6d9b4,.32:f6a050,.42:f6a050,.52:f9c24c,.58:f9c24c,.95:fff0b4',
       'style.softColors': 1,
       'style.inkColor': '#2a1a26',
       'style.innerLine': 0.24,
