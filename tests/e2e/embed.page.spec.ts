@@ -87,10 +87,14 @@ test('smoke rises from what is hovered, what the keyboard is on, and from nothin
 });
 
 test('a click lets smoke rise for a moment, and reaches what was clicked', async ({ page, host }) => {
+  await page.clock.install();
   await host(`<cartoon-smoke ${AIR} emit-from="button" emit-on="click"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
     <script>document.querySelector('button').onclick = () => (window.clicked = true);</script>`);
   await stands(page);
+  // From here on time passes, and smoke plays, only as far as they are told to.
+  await page.clock.pauseAt(await page.evaluate(() => Date.now() + 1_000));
   await page.click('#a');
+  await page.clock.runFor(250);
   const alive = () =>
     page.locator('cartoon-smoke').evaluate(async (element: CartoonSmokeElement) => (await element.stats()).alive);
   const rate = () =>
@@ -98,6 +102,7 @@ test('a click lets smoke rise for a moment, and reaches what was clicked', async
       .locator('cartoon-smoke')
       .evaluate(async (element: CartoonSmokeElement) => (await element.get())['emission.rate']);
   await expect.poll(alive).toBeGreaterThan(0);
+  await page.clock.fastForward(1_000);
   await expect.poll(rate).toBe(0);
   expect(await page.evaluate(() => Reflect.get(window, 'clicked'))).toBe(true);
 });
