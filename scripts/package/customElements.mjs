@@ -68,8 +68,8 @@ function describe(row) {
   };
 }
 
-/** @param {Parameter} row */
-function typeOf(row) {
+/** As TypeScript writes it. @param {Parameter} row */
+export function typeOf(row) {
   if (row.kind === 'choice')
     return row.options.map(({ value }) => JSON.stringify(value).replaceAll('"', "'")).join(' | ');
   if (row.kind === 'toggle') return '0 | 1';

@@ -17,6 +17,9 @@ export const manifest = {
   exports: {
     '.': { types: './types/index.d.ts', default: './dist/index.js' },
     './element': { types: './types/element/define.d.ts', default: './dist/element.js' },
+    './react': { types: './types/jsx/react.d.ts', default: './dist/element.js' },
+    './preact': { types: './types/jsx/preact.d.ts', default: './dist/element.js' },
+    './solid': { types: './types/jsx/solid.d.ts', default: './dist/element.js' },
     './preset': { types: './types/preset.d.ts', default: './dist/preset.js' },
     './cartoon-smoke.min.js': { types: './types/element/define.d.ts', default: './dist/cartoon-smoke.min.js' },
     './custom-elements.json': './custom-elements.json',

@@ -5,6 +5,7 @@ import { dirname, join } from 'node:path';
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { Refusal } from '../lib/refusal.mjs';
+import { writeElementTypes } from './elementTypes.mjs';
 
 const ENTRIES = ['src/index.ts', 'src/element/define.ts', 'src/preset.ts'];
 /** Declarations that are there already; the compiler only follows them. */
@@ -26,6 +27,7 @@ export async function writeTypes(folder, say) {
   for (const file of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
     if (file.endsWith('.d.ts')) nameBuiltFiles(join(folder, file));
   }
+  writeElementTypes(folder);
 }
 
 /** Sources name each other by `.ts`; what is shipped is named by `.js`. */

@@ -1,0 +1,125 @@
+/** The element in frameworks, in fresh projects: rendered on a server, set and heard in the browser, its markup checked. */
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { bin, expect, expectTitle, expectTypes, PAGE, test } from '../support/freshProject.ts';
+
+const TYPESCRIPT = 'typescript@7';
+/** A second picture sets another value and takes one away; the title tells what the element has by then. */
+const APP = `import 'cartoon-smoke/react';
+import type { CartoonSmokeElement } from 'cartoon-smoke';
+import { useRef, useState } from 'react';
+
+export function Smoke() {
+  const smoke = useRef<CartoonSmokeElement>(null);
+  const [thread, setThread] = useState<string>();
+  if (thread) {
+    requestAnimationFrame(() => {
+      const { paused, emissionRate, simulationMaxParticles } = smoke.current!;
+      document.title = [thread, paused, emissionRate, simulationMaxParticles].join();
+    });
+  }
+  return (
+    <cartoon-smoke
+      ref={smoke}
+      preset="wisp"
+      simulation-max-particles={300}
+      paused={thread !== undefined}
+      emission-rate={thread && 12}
+      style={{ height: 200 }}
+      onready={({ detail }) => setThread(detail.thread)}
+      onerror={({ detail }) => (document.title = detail.error.message)}
+    />
+  );
+}
+`;
+/** Whoever takes over what a server has rendered listens in an effect: React does not attach listeners of events there. */
+const CLIENT = `'use client';
+import 'cartoon-smoke/react';
+import { useEffect, useRef, useState } from 'react';
+
+export function Smoke() {
+  const smoke = useRef(null);
+  const [thread, setThread] = useState();
+  useEffect(() => {
+    smoke.current.stage.then((stage) => setThread(stage.thread));
+  }, []);
+  useEffect(() => {
+    const { paused, emissionRate, simulationMaxParticles } = smoke.current;
+    if (thread) document.title = [thread, paused, emissionRate, simulationMaxParticles].join();
+  }, [thread]);
+  return (
+    <cartoon-smoke
+      ref={smoke}
+      preset="wisp"
+      simulation-max-particles={300}
+      paused={thread !== undefined}
+      emission-rate={thread && 12}
+      style={{ height: 200 }}
+    />
+  );
+}
+`;
+const READY = 'worker,true,12,300';
+
+test('React 19: attributes, properties, events and types', async ({ page, project }) => {
+  const place = project(
+    ['react@19', 'react-dom@19', '@types/react@19', '@types/react-dom@19', 'vite@8', TYPESCRIPT, '@types/three@0.187'],
+    {
+      'index.html': `${PAGE}<div id="root"></div><script type="module" src="/main.tsx"></script>`,
+      'Smoke.tsx': APP,
+      'main.tsx': `import { createRoot } from 'react-dom/client';
+import { Smoke } from './Smoke.js';
+
+createRoot(document.getElementById('root')!).render(<Smoke />);
+`,
+    },
+  );
+  expectTypes(place, { jsx: 'react-jsx' }, ['*.tsx']);
+  bin(place, 'vite/bin/vite.js', 'build');
+  await expectTitle(page, join(place, 'dist'), READY);
+});
+
+test('Next.js: imported on the server, in the page as it leaves the server, and smoke in the browser', async ({
+  page,
+  project,
+}) => {
+  const place = project(['next@16', 'react@19', 'react-dom@19'], {
+    'next.config.mjs': `export default { output: 'export', devIndicators: false };`,
+    'app/layout.jsx': `export default function Layout({ children }) {
+  return <html lang="en"><head><title>Waiting</title><link rel="icon" href="data:," /></head><body>{children}</body></html>;
+}
+`,
+    'app/page.jsx': `import { CartoonSmoke } from 'cartoon-smoke';
+import { presets } from 'cartoon-smoke/preset';
+import { Smoke } from './Smoke.jsx';
+
+export default function Page() {
+  return <main><p>{typeof CartoonSmoke}, {presets.length > 5 ? 'presets' : 'none'}</p><Smoke /></main>;
+}
+`,
+    'app/Smoke.jsx': CLIENT,
+  });
+  bin(place, 'next/dist/bin/next', 'build');
+  const rendered = readFileSync(join(place, 'out/index.html'), 'utf8');
+  expect(rendered).toMatch(/<cartoon-smoke preset="wisp" simulation-max-particles="300"/);
+  await expectTitle(page, join(place, 'out'), READY);
+});
+
+for (const [name, packages, options] of [
+  ['Preact', ['preact@11'], { jsx: 'react-jsx', jsxImportSource: 'preact' }],
+  ['Solid', ['solid-js@1'], { jsx: 'preserve', jsxImportSource: 'solid-js' }],
+] as const) {
+  test(`${name} knows the element, and refuses what it does not take`, ({ project }) => {
+    const entry = name.toLowerCase();
+    const place = project([...packages, TYPESCRIPT, '@types/three@0.187'], {
+      'right.tsx': `import 'cartoon-smoke/${entry}';
+export const smoke = <cartoon-smoke preset="wisp" emission-rate={12} paused onready={({ detail }) => detail.thread} />;
+`,
+      'wrong.tsx': `import 'cartoon-smoke/${entry}';
+export const smoke = <cartoon-smoke emission-rate={{}} />;
+`,
+    });
+    expectTypes(place, options, ['right.tsx']);
+    expect(() => expectTypes(place, options, ['wrong.tsx'])).toThrow('emission-rate');
+  });
+}

@@ -1,0 +1,102 @@
+/** Projects that know nothing of this one, with the package as npm packs it. */
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { Page } from '@playwright/test';
+import { expect, test as base, type Server } from './embed.ts';
+import { script } from './server.ts';
+
+const PACKAGE = fileURLToPath(new URL('../../package', import.meta.url));
+const ELEMENT = '<cartoon-smoke preset="wisp" simulation-max-particles="300" style="height: 200px"></cartoon-smoke>';
+export const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Waiting</title><link rel="icon" href="data:,">`;
+export const PAGE_WITH_ELEMENT = PAGE + ELEMENT;
+/** At its strictest; the declarations of all packages are checked, too. */
+export const STRICT = {
+  strict: true,
+  exactOptionalPropertyTypes: true,
+  noUncheckedIndexedAccess: true,
+  skipLibCheck: false,
+  target: 'es2023',
+  lib: ['es2023', 'dom', 'dom.iterable'],
+  types: [],
+  noEmit: true,
+};
+
+/** Makes a project with these packages beside ours, and gives its folder. */
+type MakeProject = (packages: readonly string[], files: Readonly<Record<string, string>>) => string;
+
+export const test = base.extend<{ project: MakeProject }, { archive: string }>({
+  archive: [
+    async ({ server }, use) => {
+      // The server builds the package first.
+      expect(server.address).toBeTruthy();
+      const folder = mkdtempSync(join(tmpdir(), 'cartoon-smoke-archive-'));
+      execFileSync('npm', ['pack', '--silent', '--pack-destination', folder], { cwd: PACKAGE, stdio: 'ignore' });
+      const [name] = readdirSync(folder);
+      await use(join(folder, name));
+      rmSync(folder, { recursive: true });
+    },
+    { scope: 'worker', timeout: 300_000 },
+  ],
+  project: async ({ archive }, use) => {
+    const place = mkdtempSync(join(tmpdir(), 'cartoon-smoke-project-'));
+    await use((packages, files) => {
+      write(place, { 'package.json': '{ "private": true, "type": "module" }', ...files });
+      const all = [archive, 'three@0.187', ...packages];
+      run(place, 'npm', ['install', '--no-audit', '--no-fund', ...all]);
+      return place;
+    });
+    rmSync(place, { recursive: true });
+  },
+});
+
+export { expect };
+
+function write(place: string, files: Readonly<Record<string, string>>): void {
+  for (const [file, text] of Object.entries(files)) {
+    mkdirSync(dirname(join(place, file)), { recursive: true });
+    writeFileSync(join(place, file), text);
+  }
+}
+
+/** Runs a program of a project's packages; what it prints is the message when it fails. */
+export function bin(place: string, command: string, ...parameters: string[]): void {
+  run(place, process.execPath, [join(place, 'node_modules', command), ...parameters]);
+}
+
+function run(place: string, program: string, parameters: readonly string[]): void {
+  try {
+    execFileSync(program, parameters, {
+      cwd: place,
+      stdio: 'pipe',
+      encoding: 'utf8',
+      env: { ...process.env, CI: '1' },
+    });
+  } catch (error) {
+    const { stdout, stderr } = error as { stdout: string; stderr: string };
+    throw new Error(`${program} ${parameters.join(' ')}\n${stdout}\n${stderr}`, { cause: error });
+  }
+}
+
+/** Type-checks a project by both ways of resolving modules that new ones use. */
+export function expectTypes(place: string, options: object, include: readonly string[]): void {
+  for (const [module, moduleResolution] of [
+    ['nodenext', 'nodenext'],
+    ['esnext', 'bundler'],
+  ]) {
+    const compilerOptions = { ...STRICT, ...options, module, moduleResolution };
+    write(place, { 'tsconfig.json': JSON.stringify({ compilerOptions, include }) });
+    bin(place, 'typescript/bin/tsc', '-p', '.');
+  }
+}
+
+/** Serves what was built, and waits until the page has this title. */
+export async function expectTitle(page: Page, place: string, title: string): Promise<void> {
+  const { serveSite } = await script<{ serveSite(folder: string, place: string): Promise<Server> }>('site/serve.mjs');
+  const server = await serveSite(place, '/');
+  await page.goto(server.address);
+  await expect(page).toHaveTitle(title, { timeout: 60_000 });
+  await server.close();
+}
