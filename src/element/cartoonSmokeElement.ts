@@ -12,6 +12,7 @@ import { defineProperties, FLAGS, takeUpEarlier, TEXTS } from './properties.ts';
 import { quietly } from './quietly.ts';
 import type { Session } from './session.ts';
 import { Shell } from './shell.ts';
+import { version } from './version.ts';
 
 /** On a server there are no elements; importing this must not fail there. */
 const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement);
@@ -58,6 +59,9 @@ export interface ElementOptions {
  * nears the viewport, unless `loading="eager"` says so or a method is called.
  */
 export class CartoonSmokeElement extends Base {
+  /** Of the package: with several on one page, `customElements.get('cartoon-smoke').version` is the one in use. */
+  static readonly version: string = version;
+
   static get observedAttributes(): string[] {
     return [...FLAGS, ...TEXTS, ...keyOfAttribute.keys()];
   }

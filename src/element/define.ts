@@ -1,5 +1,6 @@
 /** Importing this makes `<cartoon-smoke>` an element of the page. Of several versions on one page the first counts. */
 import { CartoonSmokeElement } from './cartoonSmokeElement.ts';
+import type { StateChange } from './events.ts';
 
 declare global {
   interface HTMLElementTagNameMap {
@@ -9,6 +10,24 @@ declare global {
 
 const NAME = 'cartoon-smoke';
 
-if (globalThis.customElements && !customElements.get(NAME)) customElements.define(NAME, CartoonSmokeElement);
+if (globalThis.customElements) {
+  const first = customElements.get(NAME);
+  if (!first) customElements.define(NAME, CartoonSmokeElement);
+  else if (first !== CartoonSmokeElement) tellOfSecond(first);
+}
+
+/** Elements stay what the first version made of them, and whoever listens to them learns that a second one came. */
+function tellOfSecond(first: CustomElementConstructor): void {
+  const given = CartoonSmokeElement.version;
+  const used = (first as Partial<typeof CartoonSmokeElement>).version ?? 'another one';
+  const message = `Version ${given} of cartoon-smoke came second to this page; ${used} is used.`;
+  for (const element of document.querySelectorAll(NAME)) {
+    const detail: StateChange = {
+      playing: element.playing,
+      notices: [{ code: 'otherVersion', key: 'version', given, message }],
+    };
+    element.dispatchEvent(new CustomEvent('statechange', { detail }));
+  }
+}
 
 export { CartoonSmokeElement };

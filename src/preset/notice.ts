@@ -7,6 +7,7 @@ export interface Notice {
     | 'unknownPreset'
     | 'duplicate'
     | 'version'
+    | 'otherVersion'
     | 'migrated'
     | 'damaged'
     | 'tooLong'

@@ -7,6 +7,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { publint } from 'publint';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { names } from '../../src/element/names.ts';
+import { version } from '../../src/element/version.ts';
 import { table } from '../../src/preset/table.ts';
 
 interface PackageScript {
@@ -88,6 +89,11 @@ it('says whose work is bundled and linked into the simulator, under which licenc
   for (const name of ['three', 'rapier3d', 'glam', 'wasm-bindgen']) {
     expect(text).toMatch(new RegExp(`^${name} \\d+\\.\\d+\\.\\d+ \\([^\n]+\\)\nhttps://`, 'm'));
   }
+});
+
+it('has an element that says the version of the package', () => {
+  const { version: ofPackage } = JSON.parse(readFileSync(join(FOLDER, 'package.json'), 'utf8')) as { version: string };
+  expect(version).toBe(ofPackage);
 });
 
 it('has a manifest of the element with all parameters', () => {
