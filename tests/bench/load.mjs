@@ -9,6 +9,7 @@ import { serveSite } from '../../scripts/site/serve.mjs';
 import { CHROMIUM_FLAGS, findBrowser } from '../../scripts/setup/browser.mjs';
 import * as site from '../../scripts/setup/site.mjs';
 import { loadOnce } from './load/firstSmoke.mjs';
+import { spread } from './support/spread.mjs';
 
 /** @typedef {import('../../scripts/bench/table.mjs').Figure} Figure */
 
@@ -51,21 +52,16 @@ function figures(preset, loads) {
   return [
     {
       name: `load.firstSmoke${suffix}`,
+      unit: 'ms',
       ...spread(loads.map((load) => load.firstSmoke)),
       note: `${note}; budget 1500 ms`,
     },
     {
       name: `load.stage${suffix}`,
+      unit: 'ms',
       ...spread(loads.map((load) => load.stageAt)),
       note: 'of that until the stage is there',
     },
     { name: `load.bytes${suffix}`, value: loads[0].bytes / 1000, unit: 'kB', note: 'JavaScript and WASM, gzip' },
   ];
-}
-
-/** @param {number[]} values @returns {Pick<Figure, 'value' | 'unit' | 'range' | 'rounds'>} */
-function spread(values) {
-  const sorted = values.toSorted((a, b) => a - b);
-  const median = (sorted[Math.floor((sorted.length - 1) / 2)] + sorted[Math.ceil((sorted.length - 1) / 2)]) / 2;
-  return { value: median, unit: 'ms', range: [sorted[0], sorted[sorted.length - 1]], rounds: sorted.length };
 }

@@ -1,0 +1,79 @@
+/** The same page five times: with nothing on it, with our element in both ways, and with what others put there. */
+
+import { PEERS, SCRIPTS } from './peers.mjs';
+
+/** Circles of tsParticles: as many as puffs live in the wisp, and they move as it does. */
+export const CIRCLES = 110;
+/** CSS pixels: forty fit into the view. */
+const [WIDTH, HEIGHT] = [160, 96];
+export const VIEW = { width: 1280, height: 720 };
+
+/**
+ * @typedef {object} Contestant
+ * @property {string} name
+ * @property {string} head
+ * @property {(index: number) => string} widget
+ * @property {string} [event] that a widget has when its first picture stands
+ */
+
+/** @type {Contestant[]} */
+export const contestants = [
+  { name: 'nothing', head: '', widget: () => `<div class="widget"></div>` },
+  ours('worker'),
+  ours('main'),
+  {
+    name: 'tsParticles',
+    head: `<script src="/${SCRIPTS.tsParticles}"></script><script>addEventListener('load', ${startParticles.toString()})</script>`,
+    widget: (index) => `<div class="widget" id="particles${index}"></div>`,
+    event: 'stands',
+  },
+  {
+    name: 'modelViewer',
+    head: `<script type="module" src="/${SCRIPTS.modelViewer}"></script>`,
+    widget: () =>
+      `<model-viewer class="widget" src="/${PEERS}/ball.glb" auto-rotate auto-rotate-delay="0" interaction-prompt="none"></model-viewer>`,
+    event: 'load',
+  },
+];
+
+/** @param {'worker' | 'main'} thread @returns {Contestant} */
+function ours(thread) {
+  const map = '{ "imports": { "three": "/node_modules/three/build/three.module.js" } }';
+  return {
+    name: thread,
+    head: `<script type="importmap">${map}</script><script type="module" src="/package/dist/element.js"></script>`,
+    widget: () => `<cartoon-smoke class="widget" preset="wisp" thread="${thread}"></cartoon-smoke>`,
+    event: 'ready',
+  };
+}
+
+/** An article with widgets at its head, and enough below them to scroll them away. @param {Contestant} contestant @param {number} count */
+export function pageOf({ head, widget }, count) {
+  const widgets = Array.from({ length: count }, (_, index) => widget(index)).join('');
+  const text = '<p>Somebody writes about something else, and goes on for long.</p>'.repeat(200);
+  return `<!doctype html><html lang="en"><meta charset="utf-8"><title>An article</title><link rel="icon" href="data:,">
+    <style>.widget { display: inline-block; width: ${WIDTH}px; height: ${HEIGHT}px; margin: 0; vertical-align: top }</style>
+    <script>window.circles = ${CIRCLES}</script>${head}<body style="margin: 0"><div id="widgets" style="font-size: 0">${widgets}</div>${text}`;
+}
+
+/** Runs in the page: soft circles that rise, in every box. */
+async function startParticles() {
+  const { tsParticles, loadSlim, circles } = /** @type {any} */ (window);
+  await loadSlim(tsParticles);
+  const options = {
+    fullScreen: { enable: false },
+    detectRetina: false,
+    fpsLimit: 60,
+    particles: {
+      number: { value: circles },
+      color: { value: '#c8c4cc' },
+      opacity: { value: 0.8 },
+      size: { value: { min: 3, max: 9 } },
+      move: { enable: true, direction: 'top', speed: { min: 0.5, max: 1.5 }, outModes: 'out' },
+    },
+  };
+  for (const { id } of document.querySelectorAll('.widget')) {
+    await tsParticles.load({ id, options });
+    document.getElementById(id)?.dispatchEvent(new CustomEvent('stands'));
+  }
+}

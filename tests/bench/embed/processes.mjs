@@ -1,0 +1,31 @@
+/** What the processes of a browser cost: its page's, in which its worker runs, too, and the one that draws. */
+
+import { readFileSync } from 'node:fs';
+
+const COUNTED = ['renderer', 'GPU'];
+
+/**
+ * @typedef {object} Cost
+ * @property {number} seconds of a processor so far
+ * @property {number | undefined} megabytes of memory of their own; only Linux tells
+ */
+
+/** @param {import('@playwright/test').CDPSession} session with the browser @returns {Promise<Cost>} */
+export async function costOf(session) {
+  const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+  const counted = processInfo.filter(({ type }) => COUNTED.includes(type));
+  const memories = counted.map(({ id }) => memoryOf(id));
+  return {
+    seconds: counted.reduce((sum, { cpuTime }) => sum + cpuTime, 0),
+    megabytes: memories.includes(undefined) ? undefined : memories.reduce((sum, each) => sum + each, 0),
+  };
+}
+
+/** @param {number} id of a process @returns {any} megabytes that no file stands behind; undefined where nobody tells */
+function memoryOf(id) {
+  try {
+    return Number(/^RssAnon:\s+(\d+) kB/m.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1]) / 1000;
+  } catch {
+    return undefined;
+  }
+}

@@ -1,0 +1,123 @@
+/** Figures of what was measured, and what is not the same in them. */
+
+import { spread } from '../support/spread.mjs';
+import { TRIANGLES } from './ball.mjs';
+import { CIRCLES } from './contestants.mjs';
+
+/**
+ * @typedef {import('../../../scripts/bench/table.mjs').Figure} Figure
+ * @typedef {import('./visit.mjs').Window} Window
+ *
+ * @typedef {object} Measured What was found of one contestant with one number of widgets.
+ * @property {string} name
+ * @property {number} count
+ * @property {{ file: string, bytes: number }[]} files as they came over the wire
+ * @property {import('./visit.mjs').Loaded[]} loads
+ * @property {Window[]} seen
+ * @property {Window[]} unseen
+ * @property {number | undefined} megabytes more than the page takes without widgets
+ */
+
+const OURS = 'worker';
+const BUDGET_MS = 0.5;
+
+/** @param {Measured[]} all @returns {Figure[]} */
+export function report(all) {
+  const widgets = all.filter(({ name }) => name !== 'nothing');
+  return [
+    ...filesOf(widgets),
+    ...widgets.flatMap(mainThread),
+    ...all.flatMap(processor),
+    ...widgets.flatMap(arrival),
+    ...widgets.flatMap(memory),
+    ...versus(all, 'tsParticles', 'embed.vsTsParticles', UNEQUAL.tsParticles),
+    ...versus(all, 'modelViewer', 'embed.vsModelViewer', UNEQUAL.modelViewer),
+  ];
+}
+
+const UNEQUAL = {
+  tsParticles: `${CIRCLES} flat discs on a 2D canvas, drawn on the main thread, without shapes, shadows or ink`,
+  modelViewer: `a ball of ${TRIANGLES} triangles that turns, lit by a map, without simulation; on one context as we are`,
+};
+
+/** Ours in a worker has the plain name. @param {string} stem @param {Measured} of */
+function nameOf(stem, { name, count }) {
+  return `embed.${stem}${name === OURS ? '' : `.${name}`}${count === 1 ? '' : `.${count}`}`;
+}
+
+/** @param {Measured[]} all @returns {Figure[]} */
+function filesOf(all) {
+  const single = all.filter(({ count }) => count === 1);
+  return single.flatMap((measured) => [
+    { name: nameOf('bytes', measured), value: total(measured) / 1000, unit: 'kB', note: 'gzip, all files below' },
+    ...measured.files.map(({ file, bytes }) => ({
+      name: nameOf('bytes', measured),
+      value: bytes / 1000,
+      unit: 'kB',
+      note: file,
+    })),
+  ]);
+}
+
+/** @param {Measured} measured */
+function total({ files }) {
+  return files.reduce((sum, { bytes }) => sum + bytes, 0);
+}
+
+/** @param {Measured} measured @returns {Figure[]} */
+function mainThread(measured) {
+  const frames = spread(measured.seen.map((window) => window.frames / window.seconds)).value;
+  const budget = measured.name === OURS ? `; budget ${BUDGET_MS}` : '';
+  const note = `of main thread for each frame drawn, ${frames.toFixed(0)} frames a second${budget}`;
+  return [{ name: nameOf('mainThreadMs', measured), unit: 'ms', ...spread(measured.seen.map(perFrame)), note }];
+}
+
+/** @param {Window} window */
+function perFrame({ mainMs, frames }) {
+  return mainMs / frames;
+}
+
+/** @param {Measured} measured @returns {Figure[]} */
+function processor(measured) {
+  const shares = (/** @type {Window[]} */ windows) => spread(windows.map(({ share }) => 100 * share));
+  const unit = '% of a core';
+  return [
+    { name: nameOf('cpu', measured), unit, ...shares(measured.seen), note: 'in view, page and drawing process' },
+    { name: nameOf('idleCpu', measured), unit, ...shares(measured.unseen), note: 'out of view' },
+  ];
+}
+
+/** @param {Measured} measured @returns {Figure[]} */
+function arrival(measured) {
+  const all = spread(measured.loads.map((load) => load.all)).value;
+  const note =
+    measured.count === 1 ? 'nothing in any cache' : `of one, all ${measured.count} after ${all.toFixed(0)} ms`;
+  return [
+    { name: nameOf('firstSmoke', measured), unit: 'ms', ...spread(measured.loads.map(({ first }) => first)), note },
+  ];
+}
+
+/** @param {Measured} measured @returns {Figure[]} */
+function memory(measured) {
+  if (measured.megabytes === undefined) return [];
+  const value = measured.megabytes / measured.count;
+  return [{ name: nameOf('memory', measured), value, unit: 'MB', note: 'a widget, page and drawing process' }];
+}
+
+/**
+ * Ours divided by theirs, with one widget, round by round.
+ *
+ * @param {Measured[]} all @param {string} other @param {string} name @param {string} unequal @returns {Figure[]}
+ */
+function versus(all, other, name, unequal) {
+  const single = (/** @type {string} */ wanted) => all.find((each) => each.name === wanted && each.count === 1);
+  const [ours, theirs] = [single(OURS), single(other)];
+  if (!ours || !theirs) throw new Error(`${other} was not measured.`);
+  const times = ours.seen.map((window, round) => perFrame(window) / perFrame(theirs.seen[round]));
+  const idle = ours.unseen.map((window, round) => 100 * (window.share - theirs.unseen[round].share));
+  return [
+    { name, unit: '', ...spread(times), note: `main-thread time a frame; theirs: ${unequal}` },
+    { name: `${name}.bytes`, value: total(ours) / total(theirs), unit: '', note: 'all that is fetched, gzip' },
+    { name: `${name}.idleCpu`, unit: '% of a core', ...spread(idle), note: 'ours minus theirs, out of view' },
+  ];
+}
