@@ -5,6 +5,8 @@ import { strings } from './strings.ts';
 
 const [WIDTH, HEIGHT, MARGIN] = [240, 96, 8];
 const STEP = 0.02;
+/** A stop is taken from so far away from its middle: nothing smaller is easily met. */
+const REACH = 12;
 /** Stops do not come nearer to each other than this. */
 const LEAST_GAP = 0.02;
 
@@ -32,18 +34,27 @@ export function createCurve(describedBy: string, label: string, listener: Contro
   drawing.setAttribute('aria-describedby', describedBy);
   let stops: readonly Stop[] = [];
   let held = -1;
+  /** From the pointer to the stop that it holds. */
+  let grip: Stop = { at: 0, value: 0 };
   const change = (next: readonly Stop[]) => listener.change(writeCurve(next));
 
-  plane.addEventListener('pointerdown', (event) => {
-    if (stops.length === MOST_STOPS) return;
+  drawing.addEventListener('pointerdown', (event) => {
     const stop = pointed(drawing, event);
-    const index = stops.findIndex(({ at }) => at > stop.at);
-    held = index < 0 ? stops.length : index;
-    change(moved([...stops.slice(0, held), stop, ...stops.slice(held)], held, stop));
+    held = reached(stops, stop);
+    const { at, value } = stops[held] ?? stop;
+    grip = { at: at - stop.at, value: value - stop.value };
+    if (held < 0) {
+      if (event.target !== plane || stops.length === MOST_STOPS) return;
+      const index = stops.findIndex((other) => other.at > stop.at);
+      held = index < 0 ? stops.length : index;
+      change(moved([...stops.slice(0, held), stop, ...stops.slice(held)], held, stop));
+    }
     drawing.setPointerCapture(event.pointerId);
   });
   drawing.addEventListener('pointermove', (event) => {
-    if (held >= 0) change(moved(stops, held, pointed(drawing, event)));
+    if (held < 0) return;
+    const { at, value } = pointed(drawing, event);
+    change(moved(stops, held, { at: at + grip.at, value: value + grip.value }));
   });
   const release = () => {
     if (held >= 0) listener.settle();
@@ -54,10 +65,6 @@ export function createCurve(describedBy: string, label: string, listener: Contro
 
   const handleOf = (index: number): SVGElement => {
     const handle = createSvg('circle', { class: 'curve-stop', r: 6, tabindex: 0, role: 'button' });
-    handle.addEventListener('pointerdown', (event) => {
-      held = index;
-      drawing.setPointerCapture(event.pointerId);
-    });
     handle.addEventListener('keydown', (event) => {
       const way = ARROWS[event.key];
       const { at, value } = stops[index];
@@ -92,6 +99,13 @@ function pointed(drawing: SVGElement, { clientX, clientY }: PointerEvent): Stop 
   const across = ((clientX - box.left) / box.width) * (WIDTH + 2 * MARGIN) - MARGIN;
   const down = ((clientY - box.top) / box.height) * (HEIGHT + 2 * MARGIN) - MARGIN;
   return { at: across / WIDTH, value: 1 - down / HEIGHT };
+}
+
+/** Number of the stop that a finger beside it means, or -1. */
+function reached(stops: readonly Stop[], { at, value }: Stop): number {
+  const away = stops.map((stop) => Math.hypot((stop.at - at) * WIDTH, (stop.value - value) * HEIGHT));
+  const nearest = away.indexOf(Math.min(...away));
+  return away[nearest] < REACH ? nearest : -1;
 }
 
 /** The stops with one of them moved, between its neighbours and within the plane. */

@@ -90,3 +90,61 @@ test('a link cannot ask for more than 50,000 particles', async ({ page }) => {
   await notice.getByRole('button', { name: 'Dismiss this message' }).click();
   await expect(notice).toHaveCount(0);
 });
+
+test('an old link is brought up to date, and tells so in a live region that was there before', async ({ page }) => {
+  await page.addInitScript(() => {
+    const lengths: number[] = [];
+    Object.assign(window, { lengths });
+    // What stands in a region when it comes is not read aloud.
+    new MutationObserver(() => {
+      const region = document.querySelector('[role=status][aria-label="Messages"]');
+      if (region) lengths.push(region.childElementCount);
+    }).observe(document, { childList: true, subtree: true });
+  });
+  await open(page, '?paused=1#v=0&preset=lamp&simulation.maxParticles=500&density.0.age=0.25&density.0.value=0.5');
+  const messages = page.getByRole('status', { name: 'Messages' });
+  await expect(messages).toContainText('This is an old link: its stops of density are one curve now');
+  expect((await page.evaluate(() => (window as unknown as { lengths: number[] }).lengths))[0]).toBe(0);
+  await expectValue(page, 'emission.density', '.25:.5,1:.5');
+  await page.getByLabel('Puff size, exact value').fill('2');
+  await expectHash(page, '#v=1&preset=lamp&emission.density=.25:.5,1:.5&puff.size=2&simulation.maxParticles=500');
+});
+
+test('a curve is dragged, added to, moved by keys and undone', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  const control = row(page, 'emission.density');
+  const stops = control.locator('.curve-stop');
+  await control.scrollIntoViewIfNeeded();
+  const before = String(await valueOf(page, 'emission.density'));
+  const count = before.split(',').length;
+  const plane = (await control.locator('.curve-plane').boundingBox())!;
+  const onPlane = (at: number, value: number) =>
+    [plane.x + at * plane.width, plane.y + (1 - value) * plane.height] as const;
+  /** How high the stop in the middle is, of one more than there were. */
+  const middle = async () => {
+    const all = String(await valueOf(page, 'emission.density')).split(',');
+    const added = all.map((stop) => stop.split(':').map(Number)).find(([at]) => Math.abs(at - 0.5) < 0.03);
+    return added && all.length === count + 1 ? Math.round(20 * added[1]) / 20 : undefined;
+  };
+  await page.mouse.click(...onPlane(0.5, 0.2));
+  await expect.poll(middle).toBe(0.2);
+  await expect(stops).toHaveCount(count + 1);
+  await page.mouse.move(...onPlane(0.5, 0.2));
+  await page.mouse.down();
+  await page.mouse.move(...onPlane(0.5, 0.7), { steps: 3 });
+  await page.mouse.up();
+  await expect.poll(middle).toBe(0.7);
+  const dragged = String(await valueOf(page, 'emission.density'));
+  await expect.poll(() => page.evaluate(() => location.hash)).toContain(`emission.density=${dragged}`);
+  await page.keyboard.press('Control+z');
+  await expect.poll(middle).toBe(0.2);
+  await page.keyboard.press('Control+Shift+z');
+  await expect.poll(middle).toBe(0.7);
+
+  const added = stops.nth(before.split(',').filter((stop) => Number(stop.split(':')[0]) < 0.5).length);
+  await added.focus();
+  for (let press = 0; press < 5; ++press) await page.keyboard.press('ArrowUp');
+  await expect.poll(middle).toBe(0.8);
+  await page.keyboard.press('Delete');
+  await expectValue(page, 'emission.density', before);
+});
