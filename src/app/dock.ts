@@ -14,15 +14,15 @@ export interface Dock {
   closeGallery(): void;
 }
 
-/** @param drop the button that drops things */
-export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, drop: HTMLElement): Dock {
+/** @param play buttons for what people can do to the smoke */
+export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...play: HTMLElement[]): Dock {
   const gallery = createGallery(editor);
   const toggle = iconButton('icon-button', strings.gallery.toggle, icon('pictures'), () => dock.toggleGallery());
   const show = (isOpen: boolean) => {
     gallery.hidden = !isOpen;
     toggle.setAttribute('aria-expanded', String(isOpen));
   };
-  const element = create('div', { class: 'dock' }, createTransport(stage, scrubber, drop, toggle), gallery);
+  const element = create('div', { class: 'dock' }, createTransport(stage, scrubber, ...play, toggle), gallery);
   const dock = { element, toggleGallery: () => show(gallery.hidden !== false), closeGallery: () => show(false) };
   show(innerHeight >= LEAST_HEIGHT);
   return dock;

@@ -23,12 +23,25 @@ export function createGallery(editor: Editor): HTMLElement {
   const label = { class: 'gallery card', role: 'radiogroup', 'aria-label': strings.gallery.title };
   const element = create('div', label, ...scenes);
   followChoices(element, editor);
+  let shown: string | undefined;
   const show = ({ preset }: State) => {
+    if (preset === shown) return;
+    shown = preset;
     for (const [name, input] of inputs) input.checked = name === preset;
+    const card = inputs.get(preset)?.parentElement;
+    if (card) requestAnimationFrame(() => bringIntoSight(card, element));
   };
   editor.listen(show);
   show(editor.state);
   return element;
+}
+
+/** Moves the strip alone, and not the page. */
+function bringIntoSight(card: HTMLElement, strip: HTMLElement): void {
+  const [at, frame] = [card.getBoundingClientRect(), strip.getBoundingClientRect()];
+  const way = (from: number, to: number, least: number, most: number) =>
+    from < least ? from - least : Math.max(0, to - most);
+  strip.scrollBy(way(at.left, at.right, frame.left, frame.right), way(at.top, at.bottom, frame.top, frame.bottom));
 }
 
 /** Each press of a pointer is a choice; all presets that people come past by keys are one, which is undone together. */

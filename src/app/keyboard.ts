@@ -20,6 +20,8 @@ export interface KeyActions {
   toggleStatistics(): void;
   /** Drops something into the smoke. */
   drop(): void;
+  /** Blows into the smoke. */
+  blow(): void;
   fullScreen(): void;
   nextView(): void;
   undo(): void;
@@ -83,6 +85,7 @@ function simpleKeys(actions: KeyActions): Readonly<Record<string, () => void>> {
     h: () => actions.toggleGizmos(),
     i: () => actions.toggleStatistics(),
     d: () => actions.drop(),
+    b: () => actions.blow(),
     f: () => actions.fullScreen(),
     '?': () => actions.help(),
     '0': () => actions.resetView(),

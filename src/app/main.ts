@@ -23,6 +23,7 @@ import { Pointers } from './pointer.ts';
 import { Progress, windForward } from './progress.ts';
 import { createRefusal } from './refusal.ts';
 import { Scrubber } from './scrubber.ts';
+import { tellOfSlowMachine } from './slowMachine.ts';
 import { strings } from './strings.ts';
 import { takeStep, togglePlaying } from './transport.ts';
 
@@ -49,9 +50,10 @@ async function start(): Promise<void> {
   host.classList.toggle('is-bare', !environment.hasInterface);
   host.append(notices.element);
   const moment = momentOf(decoded, environment);
+  const stage = await load(editor, environment);
+  // Not with the region for messages, or screen readers would take them for what has always stood there.
   tellAll(notices, decoded);
   tellAll(notices, environment);
-  const stage = await load(editor, environment);
   window.cartoonSmoke = stage;
   if (!stage.stats.writesDepth) notices.tell(strings.notices.flat);
   stage.on('error', refuse);
@@ -69,6 +71,7 @@ async function start(): Promise<void> {
   tellOfLongWays(scrubber, host);
   const page = buildPage(host, { editor, stage, canvas, notices, scrubber, hasStatistics: environment.hasStatistics });
   connectInput(stage, editor, page, scrubber);
+  tellOfSlowMachine(stage, notices);
   describeScene(stage, canvas);
   fitStage(stage, canvas);
   restWhileHidden(stage);
@@ -136,7 +139,7 @@ function offerToPlay(stage: Stage): void {
 function connectInput(stage: Stage, editor: Editor, page: Page, scrubber: Scrubber): void {
   const ball = new BallKeys(stage);
   const turnEnd = new GestureEnd(() => editor.settle());
-  new Pointers(stage, canvas, turnEnd);
+  new Pointers(stage, canvas, turnEnd, () => page.dragsBlow);
   listenToKeys({
     ...page,
     togglePlaying: () => togglePlaying(stage),

@@ -26,6 +26,13 @@ export class Notices {
     setTimeout(() => notice.remove(), TRANSIENT_MS);
   }
 
+  /** A message in passing: it lies in nobody's way, not even a pointer's, and goes by itself. */
+  whisper(message: string): void {
+    const text = create('p', { class: 'whisper' }, message);
+    this.element.append(text);
+    setTimeout(() => text.remove(), TRANSIENT_MS);
+  }
+
   /** A message with something to do about it; it stays until that is done or it is dismissed. */
   offer(message: string, action: string, act: () => void): void {
     const button = textButton('quiet', action, () => {

@@ -1,4 +1,6 @@
 import type { Stage } from '../stage/stage.ts';
+import { createBackstage } from './backstage.ts';
+import { Blowing } from './blowing.ts';
 import { CaptureButton } from './capture/button.ts';
 import { createDock } from './dock.ts';
 import { create, iconButton } from './dom.ts';
@@ -31,6 +33,9 @@ export interface Page {
   toggleGizmos(): void;
   toggleStatistics(): void;
   drop(): void;
+  blow(): void;
+  /** Whether drags beside things blow. */
+  readonly dragsBlow: boolean;
 }
 
 /** On a phone the panel covers half of the smoke, so it starts closed there. */
@@ -61,16 +66,18 @@ export function buildPage(host: HTMLElement, parts: PageParts): Page {
   const sheet = new ShareSheet(editor, stage, files);
   acceptDrops(document.body, (file) => void (isJson(file) ? files : ownShape).open(file));
   const own = new OwnPresets(editor, stage, notices, files);
-  const panel = createPanel(editor, stage, { presets: own.element, puff: ownShape.element }, () => {
+  const statistics = createStatistics(stage);
+  const feet = { presets: own.element, puff: ownShape.element, end: createBackstage(stage, statistics) };
+  const panel = createPanel(editor, stage, feet, () => {
     page.togglePanel();
     toggle.focus();
   });
   const things = new DropThings(stage, parts.canvas);
-  const dock = createDock(editor, stage, scrubber, things.element);
+  const blowing = new Blowing(stage, parts.canvas);
+  const dock = createDock(editor, stage, scrubber, blowing.element, things.element);
   const gizmos = new Gizmos(editor, stage);
   const gizmoToggle = iconButton('icon-button', strings.gizmos.title, icon('handles'), () => page.toggleGizmos());
   gizmoToggle.setAttribute('aria-pressed', 'false');
-  const statistics = createStatistics(stage);
   statistics.toggle(parts.hasStatistics);
   const showPanel = (isOpen: boolean) => {
     panel.hidden = !isOpen;
@@ -96,6 +103,10 @@ export function buildPage(host: HTMLElement, parts: PageParts): Page {
     },
     toggleStatistics: () => statistics.toggle(),
     drop: () => things.here(),
+    blow: () => blowing.here(),
+    get dragsBlow() {
+      return blowing.takesDrags;
+    },
   };
   host.append(
     gizmos.element,

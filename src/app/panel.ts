@@ -12,7 +12,7 @@ import { strings } from './strings.ts';
 
 export const PANEL_ID = 'parameters';
 
-/** What stands below the rows of a group, by the group's key, or below the presets. */
+/** What stands below the rows of a group, by the group's key, at the top (`presets`) or at the `end`. */
 type Feet = Readonly<Record<string, HTMLElement>>;
 
 /** The panel of live parameters, made from the table. */
@@ -23,7 +23,7 @@ export function createPanel(editor: Editor, scene: SceneLists, feet: Feet, close
   const caption = create('p', { class: 'caption', 'aria-hidden': 'true' }, strings.panel.caption);
   const items = createItems(editor, scene);
   const scroll = create('div', { class: 'scroll' }, ...(feet.presets ? [feet.presets] : []));
-  scroll.append(...createGroups(rows, feet), items.element);
+  scroll.append(...createGroups(rows, feet), items.element, ...(feet.end ? [feet.end] : []));
   const panel = create('section', { id: PANEL_ID, class: 'panel card', 'aria-label': strings.panel.title });
   panel.append(new SheetGrip(panel, close).element, head.element, createSearch(rows, scroll), scroll, caption);
   explainIn(caption, panel);

@@ -24,12 +24,17 @@ export class Pointers {
   private readonly loose = new Map<number, Point>();
   private readonly holding = new Set<number>();
   private readonly turnEnd: GestureEnd;
+  private readonly blows: () => boolean;
 
-  /** @param turnEnd told when the view has been turned, shifted or zoomed */
-  constructor(stage: Stage, canvas: HTMLCanvasElement, turnEnd: GestureEnd) {
+  /**
+   * @param turnEnd told when the view has been turned, shifted or zoomed
+   * @param blows whether drags blow without a key
+   */
+  constructor(stage: Stage, canvas: HTMLCanvasElement, turnEnd: GestureEnd, blows: () => boolean) {
     this.stage = stage;
     this.canvas = canvas;
     this.turnEnd = turnEnd;
+    this.blows = blows;
     canvas.addEventListener('pointerdown', (event) => this.down(event));
     canvas.addEventListener('pointermove', (event) => this.move(event));
     canvas.addEventListener('pointerup', (event) => this.up(event, 'up'));
@@ -46,7 +51,7 @@ export class Pointers {
       return;
     }
     if (this.loose.size === 0) this.turnEnd.now();
-    const does = event.button !== 0 || event.shiftKey ? 'pan' : event.altKey ? 'blow' : 'turn';
+    const does = event.button !== 0 || event.shiftKey ? 'pan' : event.altKey || this.blows() ? 'blow' : 'turn';
     this.loose.set(event.pointerId, { x: event.clientX, y: event.clientY, at: event.timeStamp, does });
   }
 
@@ -58,8 +63,8 @@ export class Pointers {
     const [dx, dy] = [event.clientX - point.x, event.clientY - point.y];
     const elapsed = event.timeStamp - point.at;
     Object.assign(point, { x: event.clientX, y: event.clientY, at: event.timeStamp });
-    if (point.does === 'blow') this.blow(event, dx, dy, elapsed);
-    else if (this.loose.size > 1) this.pinch(before, dx, dy);
+    if (this.loose.size > 1) this.pinch(before, dx, dy);
+    else if (point.does === 'blow') this.blow(event, dx, dy, elapsed);
     else if (point.does === 'pan') this.stage.camera.pan(dx, dy);
     else this.stage.camera.orbit(-dx * TURN_PER_PIXEL, dy * TURN_PER_PIXEL);
   }

@@ -5,10 +5,19 @@ import { strings } from './strings.ts';
 
 const REFRESH_MS = 250;
 
+export interface Statistics {
+  readonly element: HTMLElement;
+  /** Shows or hides them; the other of both without an argument. */
+  toggle(isShown?: boolean): void;
+  /** Calls back at once, and whenever they are shown or hidden. */
+  onToggle(listener: (isShown: boolean) => void): void;
+}
+
 /** The figures of the stage, for `?stats=1` and on demand. */
-export function createStatistics(stage: Stage): { element: HTMLElement; toggle(isShown?: boolean): void } {
+export function createStatistics(stage: Stage): Statistics {
   const output = create('pre', { class: 'statistics', role: 'region', hidden: true });
   output.setAttribute('aria-label', strings.statistics.title);
+  const listeners: ((isShown: boolean) => void)[] = [];
   let last = Number.NEGATIVE_INFINITY;
   let frames = 0;
   stage.on('frame', (stats) => {
@@ -26,6 +35,11 @@ export function createStatistics(stage: Stage): { element: HTMLElement; toggle(i
       output.hidden = !isShown;
       // In a pause no frame would tell.
       output.textContent = describe(stage.stats, 0);
+      for (const listener of listeners) listener(isShown);
+    },
+    onToggle(listener) {
+      listeners.push(listener);
+      listener(!output.hidden);
     },
   };
 }

@@ -47,6 +47,7 @@ export const strings = {
   picture: (picture: string, thing?: string) =>
     thing ? `${picture} Drag ${thing}, or move it with the arrow keys.` : picture,
   drop: 'Drop a ball or a crate',
+  blow: 'Drags blow into the smoke',
   panel: {
     title: 'Parameters',
     open: 'Parameters',
@@ -216,6 +217,7 @@ export const strings = {
     dismiss: 'Dismiss this message',
     newVersion: 'There is a new version of this page.',
     reload: 'Reload',
+    slow: 'This machine is a little late with so much smoke, so while it plays it is drawn with fewer pixels. A pause shows all of them; fewer puffs, by the rate, are quicker.',
     flat: 'This graphics card does not draw puffs round, so they are flat here and meet in straight lines.',
   },
   views: {
@@ -228,6 +230,21 @@ export const strings = {
     overdraw: 'Polygons drawn at a pixel, hidden or not: black none, red one, then yellow and white.',
     coverage: 'Coverage grid: what lies behind a tinted cell is not drawn; near is bright, far is dark.',
   },
+  backstage: {
+    title: 'Behind the picture',
+    view: 'Shown',
+    picture: 'The picture',
+    names: {
+      lit: 'Lit',
+      unlit: 'Unlit',
+      ink: 'Ink',
+      normals: 'Normals',
+      depth: 'Depth',
+      counts: 'Shadow volumes',
+      overdraw: 'Overdraw',
+      coverage: 'Coverage grid',
+    },
+  },
   help: {
     button: 'Help',
     title: 'Play with smoke',
@@ -237,18 +254,18 @@ export const strings = {
     hand: (thing: string) => `Drag ${thing}`,
     arrows: (thing: string) => ['\u2190 \u2192 \u2191 \u2193', `move ${thing}`] as const,
     depth: (thing: string) => ['Page Up, Page Down', `move ${thing} away, towards you`] as const,
-    drops: [
-      ['Double click or double tap', 'drop a ball or a crate there'],
-      ['D', 'drop one where the pointer is'],
-    ],
+    drops: [['Double click or double tap', 'drop a ball or a crate there']],
+    dropKey: [['D', 'drop a ball or a crate where the pointer is']],
     pointer: [
       ['Drag elsewhere', 'look from another side'],
-      ['Alt + drag elsewhere', 'blow into the smoke'],
+      ['Alt + drag elsewhere', 'blow into the smoke; once the button with the wind is pressed, without Alt'],
       ['Wheel or pinch', 'come nearer, go farther'],
       ['Right button or two fingers', 'shift the view'],
     ],
+    keyboard: 'By the keyboard',
     keys: [
       ['Space', 'play or pause'],
+      ['B', 'blow where the pointer is, or into the middle'],
       [', and .', 'one step back, one step on'],
       ['[ and ]', 'a second back, a second on'],
       ['Esc', 'stop on a long way along the time line'],

@@ -42,7 +42,7 @@ export function dust(): Scene {
     handle: HANDLE,
     drops: TOYS.map(({ rigid }) => rigid),
     camera: { target: [0, 0.75, 0], azimuth: 0.1, elevation: 0.28, distance: 9.4, fieldOfView: 0.56 },
-    portrait: { target: [0, 1.1, 0], elevation: 0.36, distance: 11.5, leastWidth: 0.54 },
+    portrait: { target: [0, 0.55, 0], elevation: 0.36, distance: 11.5, leastWidth: 0.54 },
     cameraMove: (seconds) => ({ azimuth: 0.16 * Math.sin(seconds / 6), elevation: 0.03 * Math.sin(seconds / 4.3) }),
     backdrop: { top: [104, 122, 190], bottom: [255, 196, 148] },
   };
