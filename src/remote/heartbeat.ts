@@ -2,8 +2,8 @@
 export const BEAT = 'beat';
 
 const BEAT_MS = 10_000;
-/** A worker that bakes puffs answers late, on a busy machine by many seconds; one that is gone never does. */
-const MOST_MISSED = 6;
+/** A worker that takes thousands of steps answers late, by a minute on a busy machine; one that is gone never does. */
+const MOST_MISSED = 12;
 
 /**
  * Finds out that a worker is gone: browsers may end one without a word, as for want of memory. Beats are counted and not

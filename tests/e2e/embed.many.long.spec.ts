@@ -4,6 +4,7 @@ import { expect, test } from '../support/fixtures.ts';
 import { expectMany } from './embed.many.ts';
 
 type ManyCases = typeof import('./embed.many.cases.ts');
+type ProvokedCases = typeof import('./embed.provoked.cases.ts');
 type Shared = typeof import('../../src/remote/sharedDevice.ts');
 type Load = typeof import('../../src/sim/load.ts');
 const SHARED = '/src/remote/sharedDevice.ts';
@@ -34,6 +35,16 @@ test('the heap of the main thread stays flat, and its context goes', async ({ lo
   await comeAndGo(MORE);
   expect((await usedBytes(blank)) - before).toBeLessThan(SLACK_BYTES);
   await expect.poll(() => context.evaluate((used) => used.isContextLost())).toBe(true);
+});
+
+test('the heap of a page stays flat while elements come and go', async ({ load, blank }) => {
+  const cases = await load<ProvokedCases>('/tests/e2e/embed.provoked.cases.ts');
+  const comeAndGo = (rounds: number) => cases.evaluate((module, count) => module.comeAndGo(count, 'auto'), rounds);
+  await comeAndGo(FIRST);
+  const before = await usedBytes(blank);
+  await comeAndGo(MORE);
+  expect((await usedBytes(blank)) - before).toBeLessThan(SLACK_BYTES);
+  await expect.poll(() => blank.workers().length).toBe(0);
 });
 
 test('a worker keeps neither textures, geometries, programs nor WASM memory of what is gone', async ({

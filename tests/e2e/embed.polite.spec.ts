@@ -1,3 +1,4 @@
+import { AxeBuilder } from '@axe-core/playwright';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
 import { expect, stands, test, WISP } from '../support/embed.ts';
 
@@ -55,6 +56,13 @@ test('calls its canvas and its button as the page wants, in any language, also l
   await smoke.evaluate((element: CartoonSmokeElement) => Object.assign(element, { labelPause: 'Stop', alt: '' }));
   await expect(page.getByRole('button', { name: 'Stop' })).toBeVisible();
   await expect(page.getByRole('img')).toHaveCount(0);
+});
+
+test('is accessible to those who check it', async ({ page, host }) => {
+  await host(`<main><h1>A page</h1><cartoon-smoke ${WISP} paused ${BOX}></cartoon-smoke></main>`);
+  await stands(page);
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(violations.map(({ id }) => id)).toEqual([]);
 });
 
 test('rests out of sight, and goes on in sight', async ({ page, host }) => {

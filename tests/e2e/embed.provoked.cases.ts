@@ -34,3 +34,14 @@ export async function colorsOf({ element }: Shown): Promise<number> {
   context.drawImage(bitmap, 0, 0);
   return new Set(new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
 }
+
+/** Puts elements on the page and takes them away, one after the other, as soon as they play. */
+export async function comeAndGo(rounds: number, thread: 'auto' | 'main'): Promise<void> {
+  for (let round = 0; round < rounds; ++round) {
+    const { element } = show(thread);
+    await element.ready;
+    element.remove();
+    // It ends in a task of its own, because it may only have been moved.
+    await new Promise((resolve) => setTimeout(resolve));
+  }
+}
