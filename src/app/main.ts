@@ -2,6 +2,7 @@
  * The demo page: a user of the library like any other. Reads the address, sets the stage up, and puts controls over it.
  */
 import { decode, type Decoded } from '../preset/codec.ts';
+import { LoadError } from '../preset/errors.ts';
 import { readEnvironment, type Environment } from '../preset/environment.ts';
 import { createStage, type Stage } from '../stage/stage.ts';
 import { followAddress } from './address.ts';
@@ -56,7 +57,7 @@ async function start(): Promise<void> {
   tellAll(notices, environment);
   window.cartoonSmoke = stage;
   if (!stage.stats.writesDepth) notices.tell(strings.notices.flat);
-  stage.on('error', refuse);
+  stage.on('error', (error) => (error instanceof LoadError ? notices.tell(error.message) : refuse(error)));
   if (moment) await arriveAt(moment, stage, editor, notices);
   connectStage(editor, stage, (message) => notices.tell(message));
   followAddress(editor, async (read) => {

@@ -1,6 +1,6 @@
 /** The heavy half of an element, fetched when it nears the viewport: everything between its attributes and its stage. */
 import type { Fault } from '../device/faults.ts';
-import { ParameterError, type SmokeError } from '../preset/errors.ts';
+import { LoadError, ParameterError, type SmokeError } from '../preset/errors.ts';
 import { notice, type Notice } from '../preset/notice.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { openStage } from '../remote/openStage.ts';
@@ -82,7 +82,10 @@ export class Session {
     this.playback = new Playback(stage, element.hasAttribute('paused'), (state) => this.showPlaying(state));
     this.endings = [
       watchSize(shell.frame, ({ width, height, pixelRatio }) => quietly(stage.resize(width, height, pixelRatio))),
-      stage.on('error', (error) => host.fail(asSmokeError(error))),
+      stage.on('error', (error) => {
+        if (error instanceof LoadError) this.tell([notice('malformed', '', '', () => error.message)]);
+        else host.fail(asSmokeError(error));
+      }),
     ];
   }
 

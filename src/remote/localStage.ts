@@ -2,13 +2,24 @@ import { SimulatorError } from '../preset/errors.ts';
 import type { Stage } from '../stage/stage.ts';
 import type { RemoteMethods, RemoteStage, Thread } from './contract.ts';
 
+/** Who asked for what cannot be had was told; time goes on without it. */
+function completed(stage: Stage): Promise<void> {
+  return stage.complete().catch(() => undefined);
+}
+
 /** What each method does with a stage of this thread. */
 const methods = {
   play: (stage) => stage.play(),
   pause: (stage) => stage.pause(),
-  step: (stage, n) => stage.step(n),
+  step: async (stage, n) => {
+    await completed(stage);
+    stage.step(n);
+  },
   seek: (stage, seconds) => stage.seek(seconds),
-  advance: (stage, seconds) => stage.advance(seconds),
+  advance: async (stage, seconds) => {
+    await completed(stage);
+    stage.advance(seconds);
+  },
   restart: (stage) => stage.restart(),
   enter: (stage, values) => stage.enter(values),
   set: (stage, values) => stage.set(values),

@@ -4,9 +4,8 @@ import type { Rows } from '../sim/rows.ts';
 import type { Bounds } from '../sim/simulator.ts';
 import type { CoverageGrid, View } from '../sim/view.ts';
 import { homogeneous, type Light } from './light.ts';
-import { drawRival, THROWS_SHADOW } from './rivals.ts';
 import type { SmokePasses } from './smoke.ts';
-import type { Style } from './style.ts';
+import { THROWS_SHADOW, type Style } from './style.ts';
 import { eyeView, lightView, shownWithin, smokeBox } from './views.ts';
 
 /** Film is drawn on twos: lines boil at half of 24 frames a second. */
@@ -72,9 +71,9 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   passes.surfaces.draw(renderer);
   passes.creases.draw(renderer);
   passes.surfaceDepth.draw(renderer, targets, input.style.outlines);
-  if (input.style.renderer === 'nailboards' && input.view) drawView(passes, input, input.view);
-  else if (input.style.renderer === 'nailboards') drawNailboards(passes, input);
-  else drawRival[input.style.renderer](passes, input);
+  if (input.style.renderer !== 'nailboards') passes.extras.rivals!.draw(input.style.renderer, passes, input);
+  else if (input.view) drawView(passes, input, input.view);
+  else drawNailboards(passes, input);
   return report;
 }
 
@@ -92,7 +91,8 @@ function drawNailboards(passes: SmokePasses, { style, output }: FrameInput): voi
 
 /** The same as far as the view goes, and then the view. */
 function drawView(passes: SmokePasses, { style, output }: FrameInput, view: DebugView): void {
-  const { renderer, targets, debugViews } = passes;
+  const { renderer, targets } = passes;
+  const debugViews = passes.extras.debugViews!;
   const volumes = passes.prismVolumes ?? passes.volumes;
   if (view === 'normals') debugViews.drawNormals(renderer, passes.body);
   else passes.body.draw(renderer);
@@ -117,7 +117,7 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
 
   const started = performance.now();
   bodies.fill(input.simulator.arrange(eyeView(passes, input)));
-  if (input.view === 'coverage') passes.debugViews.layGrid(input.simulator.coverageGrid);
+  if (input.view === 'coverage') passes.extras.debugViews!.layGrid(input.simulator.coverageGrid);
   const receivers = receiversOf(passes, input);
   eye.receive(receivers);
   const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];

@@ -4,10 +4,10 @@ import { ShadowMapPass, type ShadowMapSources } from '../passes/shadowMap.ts';
 import { SpritesPass } from '../passes/sprites.ts';
 import type { FrameInput } from './frame.ts';
 import type { SmokePasses } from './smoke.ts';
-import type { Renderer } from './style.ts';
+import type { Rival } from './style.ts';
 
 /** What the passes of the rivals draw from. */
-interface RivalSources extends ShadowMapSources {
+export interface RivalSources extends ShadowMapSources {
   readonly bodies: BufferGeometry;
 }
 
@@ -39,6 +39,11 @@ export class Rivals {
     return this.shadowMapPass;
   }
 
+  /** Draws smoke as a rival does, from where the surfaces stand in the targets. */
+  draw(rival: Rival, passes: SmokePasses, input: FrameInput): void {
+    ways[rival](this, passes, input);
+  }
+
   /** Lets go of everything; a pass that is asked for again is made anew. */
   dispose(): void {
     for (const pass of [this.sellePass, this.spritesPass, this.shadowMapPass]) pass?.dispose();
@@ -46,31 +51,23 @@ export class Rivals {
   }
 }
 
-/** Which renderers ask for casters. */
-export const THROWS_SHADOW: Readonly<Record<Renderer, boolean>> = {
-  nailboards: true,
-  selle: false,
-  sprites: false,
-  shadowMap: true,
-};
+type DrawSmoke = (rivals: Rivals, passes: SmokePasses, input: FrameInput) => void;
 
-type DrawSmoke = (passes: SmokePasses, input: FrameInput) => void;
-
-/** The other ways of drawing smoke, for comparison by eye and clock: each from where the surfaces stand in the targets. */
-export const drawRival: Readonly<Record<Exclude<Renderer, 'nailboards'>, DrawSmoke>> = {
-  selle({ renderer, targets, bodies, rivals }, { style, output }) {
+/** The other ways of drawing smoke, for comparison by eye and clock: each from there on. */
+const ways: Readonly<Record<Rival, DrawSmoke>> = {
+  selle(rivals, { renderer, targets, bodies }, { style, output }) {
     const { outlines, innerLine, inkColor } = style;
     rivals.selle.setLines(inkColor, outlines ? innerLine * bodies.meanRadius : Infinity);
     rivals.selle.draw(renderer);
     rivals.selle.drawLines(renderer, targets, output);
   },
 
-  sprites({ renderer, targets, resolve, rivals }, { output }) {
+  sprites(rivals, { renderer, targets, resolve }, { output }) {
     resolve.draw(renderer, targets, output);
     rivals.sprites.draw(renderer, targets, output);
   },
 
-  shadowMap({ renderer, targets, body, resolve, rivals }, { style, rigids, output }) {
+  shadowMap(rivals, { renderer, targets, body, resolve }, { style, rigids, output }) {
     body.draw(renderer);
     if (style.shadows) {
       rivals.shadowMap.setForm(style.form);

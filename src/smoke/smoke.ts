@@ -7,7 +7,6 @@ import { FRONT_AND_BACK, Casters, Instances, ONE_QUAD, TWO_QUADS } from '../inst
 import { BackdropPass } from '../passes/backdrop.ts';
 import { BodiesPass } from '../passes/bodies.ts';
 import { CreasesPass } from '../passes/creases.ts';
-import { DebugViewsPass } from '../passes/debugViews.ts';
 import { MaskPass } from '../passes/mask.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import { PrismVolumesPass } from '../passes/prismVolumes.ts';
@@ -20,7 +19,7 @@ import { bakedPuffs } from './bakedPuffs.ts';
 import { arrangeFrame, drawFrame, type FrameInput, type FrameReport } from './frame.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, turnOf, washed } from './palette.ts';
-import { Rivals } from './rivals.ts';
+import { ExtraPasses, hasExtras } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { inkLineOf, type Style } from './style.ts';
 
@@ -43,8 +42,8 @@ export interface SmokePasses {
   readonly prismVolumes: PrismVolumesPass | undefined;
   readonly mask: MaskPass;
   readonly resolve: ResolvePass;
-  readonly debugViews: DebugViewsPass;
-  readonly rivals: Rivals;
+  /** There is what the input of a frame asks for. */
+  readonly extras: ExtraPasses;
   readonly hasBackdrop: boolean;
   /** How far puffs of a form and their shadows reach. */
   extentsOf(form: PuffForm): PuffExtents;
@@ -83,6 +82,9 @@ export class SmokeRenderer {
   private readonly backdrop: SmokeOptions['backdrop'];
   private style: Style | undefined;
   private pixelRatio = 0;
+  /** A style whose renderer is still on its way, and what is drawn until then. */
+  private asked: Style | undefined;
+  private meanwhile: Style | undefined;
 
   constructor(device: Device, { capacity, surfaces, isGuest = false, backdrop, puffs = bakedPuffs() }: SmokeOptions) {
     this.device = device;
@@ -115,8 +117,7 @@ export class SmokeRenderer {
       prismVolumes: isFlat ? new PrismVolumesPass(eye, this.puffs, casters.geometry) : undefined,
       mask: new MaskPass(),
       resolve: new ResolvePass(),
-      debugViews: new DebugViewsPass(eye),
-      rivals: new Rivals({
+      extras: new ExtraPasses({
         eye,
         puffs: this.puffs,
         ramps: this.ramps,
@@ -140,13 +141,14 @@ export class SmokeRenderer {
   }
 
   /**
-   * Draws one frame.
+   * Draws one frame; without what `fetchExtras` has not brought yet, as nailboards.
    * @throws ContextError when the device has lost its context
    */
   draw(input: FrameInput): FrameReport {
-    this.prepare(input);
+    const drawn = this.withWhatIsHere(input);
+    this.prepare(drawn);
     this.device.renderer.info.reset();
-    return drawFrame(this.passes, input);
+    return drawFrame(this.passes, drawn);
   }
 
   /**
@@ -180,9 +182,16 @@ export class SmokeRenderer {
     passes.surfaceDepth.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
     passes.prismVolumes?.dispose();
-    passes.debugViews.dispose();
-    passes.rivals.dispose();
+    passes.extras.dispose();
     this.ramps.dispose();
+  }
+
+  private withWhatIsHere(input: FrameInput): FrameInput {
+    const { style, view } = input;
+    if (hasExtras({ renderer: style.renderer, view })) return input;
+    if (this.asked !== style) this.meanwhile = { ...style, renderer: 'nailboards' };
+    this.asked = style;
+    return { ...input, style: this.meanwhile!, view: undefined };
   }
 
   private prepare({ style, pixelRatio }: FrameInput): void {

@@ -6,7 +6,16 @@ import type { Values } from '../preset/parameter.ts';
 import { parseColor, parseStops, type Toning, type Wash } from './palette.ts';
 
 /** How puffs become pixels: the product's own way, and three others to compare it with. */
-export type Renderer = 'nailboards' | 'selle' | 'sprites' | 'shadowMap';
+export type Renderer = 'nailboards' | Rival;
+export type Rival = 'selle' | 'sprites' | 'shadowMap';
+
+/** Which renderers ask for casters. */
+export const THROWS_SHADOW: Readonly<Record<Renderer, boolean>> = {
+  nailboards: true,
+  selle: false,
+  sprites: false,
+  shadowMap: true,
+};
 
 /** How smoke is drawn: the paper's four effects, each on or off by itself, and their colours. */
 export interface Style extends Toning {

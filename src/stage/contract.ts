@@ -79,7 +79,7 @@ export interface PointerInput {
 export interface StageEvents {
   /** Playing began or ended, or values or the view changed. */
   statechange: { playing: boolean };
-  /** Something stopped the stage; it says what. */
+  /** Something stopped the stage; it says what. A LoadError stops nothing: what could not be had is left out. */
   error: Error;
   /** A frame was drawn. */
   frame: StageStats;

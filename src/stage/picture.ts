@@ -5,6 +5,7 @@ import type { Values } from '../preset/parameter.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { Simulator } from '../sim/simulator.ts';
+import type { PictureKind } from '../smoke/extraPasses.ts';
 import type { FrameReport } from '../smoke/frame.ts';
 import { OrbitCamera } from './orbit.ts';
 import type { Presenter } from './presenter.ts';
@@ -84,6 +85,11 @@ export class Picture {
       throw new ParameterError('view', view, DEBUG_VIEWS.join(', '));
     }
     this.chosenView = view;
+  }
+
+  /** What decides whether more code is needed. */
+  get kind(): PictureKind {
+    return { renderer: this.shown.rendererName, view: this.chosenView };
   }
 
   get isVisible(): boolean {

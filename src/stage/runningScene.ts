@@ -2,6 +2,7 @@ import type { ContextEvent } from '../device/device.ts';
 import { ContextError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { Scene } from '../scenes/scene.ts';
+import { fetchExtras, hasExtras } from '../smoke/extraPasses.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import type { SeekOptions, StageEvents, StageStats } from './contract.ts';
@@ -30,6 +31,7 @@ export class RunningScene {
   private now: Values;
   private hasEnded = false;
   private isStale = false;
+  private completing: Promise<void> | undefined;
 
   /**
    * @param historyBytes how much memory states may take that are kept for going back
@@ -173,12 +175,34 @@ export class RunningScene {
   follow(values: Values): void {
     this.now = values;
     this.picture.follow(values);
+    this.completeSoon();
     this.tellState();
   }
 
   /** Where a state comes from elsewhere, its particles may have variations that no value has told of. */
   keepVariations(): void {
     this.picture.smoke.keepVariations(this.now, this.simulation.variationsAlive());
+  }
+
+  /**
+   * Fetches what the picture needs as it is asked for and is not here; it comes again with it.
+   * @throws LoadError when it cannot be fetched: nailboards are drawn then
+   */
+  complete(): Promise<void> {
+    this.completing ??= this.fetchMissing().finally(() => (this.completing = undefined));
+    return this.completing;
+  }
+
+  /** The same where nobody waits for it. */
+  completeSoon(): void {
+    if (!hasExtras(this.picture.kind)) this.complete().catch((error: Error) => this.listeners.tell('error', error));
+  }
+
+  private async fetchMissing(): Promise<void> {
+    while (!this.hasEnded && !hasExtras(this.picture.kind)) {
+      await fetchExtras(this.picture.kind);
+      this.show(() => undefined);
+    }
   }
 
   /** Changes what is seen, and shows it unless the next frame does. */

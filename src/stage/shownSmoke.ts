@@ -8,7 +8,7 @@ import type { FrameInput, FrameReport } from '../smoke/frame.ts';
 import { lightOf, moved, type Light } from '../smoke/light.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
-import { styleOf, type Style } from '../smoke/style.ts';
+import { styleOf, type Renderer, type Style } from '../smoke/style.ts';
 
 /** Changes what a frame is drawn from; it may add as many particles again as the simulator has room for. */
 export type Retouch = (input: FrameInput) => FrameInput;
@@ -40,6 +40,11 @@ export class ShownSmoke {
 
   get throwsShadow(): boolean {
     return this.style.shadows;
+  }
+
+  /** By whom smoke is to be drawn. */
+  get rendererName(): Renderer {
+    return this.style.renderer;
   }
 
   /** Goes on with these values. */

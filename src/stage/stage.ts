@@ -8,6 +8,8 @@ import { defaults, requireOptional, validate } from '../preset/values.ts';
 import { demandShapes } from '../puffs/demandShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
+import { fetchExtras, type PictureKind } from '../smoke/extraPasses.ts';
+import type { Renderer } from '../smoke/style.ts';
 import { bakeAhead } from './bakeAhead.ts';
 import type { BlowInput } from './blow.ts';
 import type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
@@ -105,6 +107,7 @@ export class Stage {
   /** @throws ParameterError for a view that there is not */
   set view(view: DebugView | undefined) {
     this.#running.show(() => (this.#picture.view = view));
+    this.#running.completeSoon();
     this.#running.tellState();
   }
 
@@ -136,6 +139,16 @@ export class Stage {
     if (this.#picture.scale !== this.#running.nextScale) this.#running.draw();
   }
 
+  /**
+   * Settled when what the values and the view ask for is drawn: other renderers and views come when they are first asked for, and
+   * nailboards are drawn until then. Pictures and seeking wait for it by themselves.
+   * @throws LoadError when it cannot be fetched; whoever does not ask is told so by an error event, and the stage goes on
+   */
+  complete(): Promise<void> {
+    this.#running.requireAlive();
+    return this.#running.complete();
+  }
+
   /** Takes n whole steps and shows the last one. */
   step(n = 1): void {
     this.#running.requireAlive();
@@ -158,6 +171,8 @@ export class Stage {
    */
   async seek(seconds: number, options: SeekOptions = {}): Promise<void> {
     this.#running.requireAlive();
+    // Who asked for what cannot be had was told; time goes on without it.
+    await this.#running.complete().catch(() => undefined);
     await this.#running.seek(Math.max(0, Math.round(seconds / STEP_SECONDS)), options);
   }
 
@@ -178,7 +193,11 @@ export class Stage {
     validate(values);
     const after = { ...defaults(), ...values };
     const entry = (this.#entering = Symbol(String(after.scene)));
-    const [opened] = await Promise.all([openScene(after.scene as string), bakeAhead(after)]);
+    const [opened] = await Promise.all([
+      openScene(after.scene as string),
+      bakeAhead(after),
+      fetchExtras(kindOf(after, this.view)),
+    ]);
     if (this.#running.isDisposed || this.#entering !== entry) return;
     this.#running.enter(opened, after);
   }
@@ -245,6 +264,7 @@ export class Stage {
    */
   async picture(): Promise<Blob> {
     this.#running.requireAlive();
+    await this.#running.complete();
     this.#picture.requireContext();
     this.#picture.smoke.bake();
     this.#running.drawNow(1);
@@ -398,6 +418,10 @@ export class Stage {
   }
 }
 
+function kindOf(values: Values, view: DebugView | undefined): PictureKind {
+  return { renderer: values['style.renderer'] as Renderer, view };
+}
+
 /**
  * Sets a scene up on a canvas and draws its first picture unless nobody can see it; it does not play yet.
  * @throws ParameterError for a value it does not take, LoadError when the simulator or the scene cannot be fetched,
@@ -409,7 +433,11 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
   const values = { ...defaults(), ...options.values };
   const presenter = createPresenter(canvas, options.device, options);
   try {
-    const [opened] = await Promise.all([openScene(values.scene as string, options.onProgress), bakeAhead(values)]);
+    const [opened] = await Promise.all([
+      openScene(values.scene as string, options.onProgress),
+      bakeAhead(values),
+      fetchExtras(kindOf(values, options.view)),
+    ]);
     if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
     presenter.device.requireHope();
     return new Stage(canvas, presenter, opened, options);

@@ -31,11 +31,11 @@ test('on the main thread, beside the three.js of the page', async ({ page, host,
   await host('<cartoon-smoke preset="wisp" thread="main" paused></cartoon-smoke>');
   await stands(page);
   judge([
-    { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 82, goal: 60 },
+    { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 81, goal: 60 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 126 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
-  for (const rarity of ['lamp', 'train', 'physics', 'onPage', 'worker', 'preset.js'])
+  for (const rarity of ['lamp', 'train', 'physics', 'onPage', 'worker', 'preset.js', 'rivals', 'debugViews'])
     expect(names).not.toContain(rarity);
 });
 
@@ -45,7 +45,7 @@ test('in a worker, which brings its own three.js', async ({ page, host, server }
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
     { name: 'page', kB: fetched(server, own), limit: 25 },
-    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 220 },
+    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 200 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
 });
@@ -54,7 +54,7 @@ test('by the one file for CDNs, three.js included', async ({ page, host, server 
   const script = '<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>';
   await host('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
   await stands(page);
-  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 240, goal: 230 }]);
+  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 230, goal: 230 }]);
   expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
 });
 

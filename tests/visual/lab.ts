@@ -19,10 +19,14 @@ import type { DebugView } from '../../src/preset/environment.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { PuffShape } from '../../src/puffs/shapes.ts';
 import { LOOK_WORDS, NO_END, type Rows } from '../../src/sim/rows.ts';
+import { fetchExtras } from '../../src/smoke/extraPasses.ts';
 import type { Arranger, FrameInput } from '../../src/smoke/frame.ts';
 import type { Light } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import type { Style } from '../../src/smoke/style.ts';
+
+// Pictures are read at once: all that draws them is fetched before.
+await fetchExtras({ renderer: 'selle', view: 'normals' });
 
 /** A particle as a test sees it; lengths in metres, roll in radians, age as a fraction of the lifetime. */
 export interface LabPuff {

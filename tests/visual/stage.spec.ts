@@ -113,3 +113,25 @@ test('a stage draws nothing that nobody sees, nor the same picture twice', async
   const cases = await load<Cases>(CASES);
   expect(await cases.evaluate((module) => module.picturesDrawn())).toEqual([0, 1, 1, 2]);
 });
+
+test.describe('of a renderer that is not here yet', () => {
+  test.use({ ownPage: true, allowed: /ERR_FAILED/ });
+
+  test('the code is fetched while nailboards go on; it is then the one from the start', async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const { atOnce, later, fromStart } = await cases.evaluate((module) => module.lateRenderer());
+    expect(atOnce).toBe(0);
+    expect(later).toBeGreaterThan(100);
+    expect(fromStart).toBe(0);
+  });
+
+  test('people are told when it cannot be fetched, and nailboards go on', async ({ load, blank }) => {
+    const cases = await load<Cases>(CASES);
+    await blank.route('**/src/smoke/rivals.ts*', (route) => route.abort());
+    const { told, thrown, steps, drawn } = await cases.evaluate((module) => module.lostRenderer());
+    expect(told[0]).toContain('LoadError: The renderer selle could not be loaded');
+    expect(thrown).toBe('LoadError');
+    expect(steps).toBe(60);
+    expect(drawn).toBeGreaterThan(0);
+  });
+});

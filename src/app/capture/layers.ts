@@ -26,7 +26,7 @@ export class LayerCamera {
       ['flats', this.flats()],
       ['shadow', this.shadow()],
       ['ink', this.ink()],
-      ['depth', this.depth()],
+      ['depth', await this.depth()],
     ] as const;
     const pictures: (readonly [Layer, Blob])[] = [];
     for (const [layer, pixels] of layers) pictures.push([layer, await this.reader.encode(pixels)]);
@@ -61,9 +61,10 @@ export class LayerCamera {
     return white;
   }
 
-  private depth(): ImageData {
+  private async depth(): Promise<ImageData> {
     const { stage, canvas } = this.studio;
     stage.view = 'depth';
+    await stage.complete();
     const pixels = this.reader.read(canvas);
     stage.view = undefined;
     return pixels;
