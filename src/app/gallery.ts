@@ -36,11 +36,14 @@ export function createGallery(editor: Editor): HTMLElement {
   return element;
 }
 
+/** Around the chosen card, pixels. */
+const ROOM = 14;
+
 /** Moves the strip alone, and not the page. */
 function bringIntoSight(card: HTMLElement, strip: HTMLElement): void {
   const [at, frame] = [card.getBoundingClientRect(), strip.getBoundingClientRect()];
   const way = (from: number, to: number, least: number, most: number) =>
-    from < least ? from - least : Math.max(0, to - most);
+    from < least + ROOM ? from - least - ROOM : Math.max(0, to + ROOM - most);
   strip.scrollBy(way(at.left, at.right, frame.left, frame.right), way(at.top, at.bottom, frame.top, frame.bottom));
 }
 
