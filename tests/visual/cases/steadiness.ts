@@ -22,7 +22,7 @@ export interface Steadiness {
   /** Greatest motion that was allowed for, pixels. */
   motion: number;
   pictures: number;
-  /** Fewest bodies in a picture. */
+  /** In a picture, on average: a rocket that is not lit has none. */
   bodies: number;
 }
 
@@ -61,7 +61,7 @@ export async function orbiting(scene: string, atStep: number, degrees: number): 
 type Next = (picture: number) => { camera: PerspectiveCamera; motion: number };
 
 async function watch(lab: SceneLab, first: PerspectiveCamera, pictures: number, next: Next): Promise<Steadiness> {
-  const report: Steadiness = { largest: 0, at: 0, all: 0, motion: 0, pictures, bodies: Infinity };
+  const report: Steadiness = { largest: 0, at: 0, all: 0, motion: 0, pictures, bodies: 0 };
   let before = look(lab, first, SLACK);
   for (let picture = 1; picture <= pictures; picture++) {
     const { camera, motion } = next(picture);
@@ -73,7 +73,7 @@ async function watch(lab: SceneLab, first: PerspectiveCamera, pictures: number, 
     if (largest > report.largest) Object.assign(report, { largest, at: picture });
     report.all = Math.max(report.all, all);
     report.motion = Math.max(report.motion, motion);
-    report.bodies = Math.min(report.bodies, now.bodies);
+    report.bodies += now.bodies / pictures;
     before = now;
   }
   return report;
