@@ -106,7 +106,7 @@ test('has as many pixels as the screen when the page is zoomed while it plays', 
   await expect.poll(steps).toBeGreaterThan(before);
 });
 
-test('survives nothing, a shadow tree, a dialog and a table cell', async ({ page, host }) => {
+test('survives nothing, being hidden, a shadow tree, a dialog and a table cell', async ({ page, host }) => {
   await host(`<div id="box" style="width: 200px; height: 150px"><cartoon-smoke ${WISP} paused start="1" style="height: 100%"></cartoon-smoke></div>
     <dialog></dialog><table><tr><td></td></tr></table><div id="tree"></div>`);
   await stands(page);
@@ -120,6 +120,11 @@ test('survives nothing, a shadow tree, a dialog and a table cell', async ({ page
   await sized('0', '0');
   await smoke.evaluate((element: CartoonSmokeElement) => element.step(0));
   await sized('200px', '150px');
+  await expect.poll(async () => before.equals(await smoke.screenshot())).toBe(true);
+  await smoke.evaluate((element: CartoonSmokeElement) => (element.hidden = true));
+  await expect(smoke).toBeHidden();
+  await smoke.evaluate((element: CartoonSmokeElement) => element.step(0));
+  await smoke.evaluate((element: CartoonSmokeElement) => (element.hidden = false));
   await expect.poll(async () => before.equals(await smoke.screenshot())).toBe(true);
   const kept = await smoke.evaluate(async (element: CartoonSmokeElement) => {
     const root = document.querySelector('#tree')!.attachShadow({ mode: 'open' });
