@@ -8,7 +8,9 @@ import { costOf } from './processes.mjs';
 
 const SETTLING_MS = 500;
 const RESTING_TRIES = 6;
-const PATIENCE_MS = 60_000;
+/** With what is drawn slowly, and with what was not drawn yet. */
+const PATIENCE_MS = 20_000;
+const GREATER_PATIENCE_MS = 120_000;
 
 /**
  * @typedef {object} Window
@@ -59,7 +61,7 @@ export class Visit {
   }
 
   /**
-   * With the widgets in view: until so many frames were drawn, and so long at least.
+   * With the widgets in view: until so many frames were drawn, so long at least, and on a slow machine not much longer.
    *
    * @param {number} frames @param {number} ms @returns {Promise<Window>}
    */
@@ -99,10 +101,13 @@ export class Visit {
   async waitForFrames(wanted, ms = SETTLING_MS) {
     const begin = performance.now();
     const first = await this.frames();
+    let drawn = 0;
+    const lasted = () => performance.now() - begin;
     do {
       await pause(ms);
-      if (performance.now() - begin > PATIENCE_MS) throw new Error(`${this.page?.url()} draws too slowly.`);
-    } while (this.isAnimated && (await this.frames()) - first < wanted);
+      drawn = (await this.frames()) - first;
+    } while (this.isAnimated && drawn < wanted && lasted() < (drawn > 0 ? PATIENCE_MS : GREATER_PATIENCE_MS));
+    if (this.isAnimated && drawn === 0) throw new Error(`${this.page?.url()} draws nothing.`);
   }
 
   /** @param {0 | 1} end of the page */
