@@ -64,6 +64,21 @@ test('Alt and the mouse beside the ball blow, and the take blows again', async (
   expect(await hashAt90()).toBe(blown);
 });
 
+test('B blows into the middle without any pointer, and the smoke goes another way', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await ask(page, (stage) => stage.step(60));
+  await page.keyboard.press('b');
+  const inputs = () => ask(page, (stage) => stage.take().inputs);
+  await expect.poll(inputs).toBe(1);
+  await ask(page, (stage) => stage.step(20));
+  const blown = await ask(page, (stage) => stage.hash());
+  await ask(page, (stage) => {
+    stage.restart();
+    stage.step(80);
+  });
+  expect(await ask(page, (stage) => stage.hash())).not.toBe(blown);
+});
+
 test('arrow keys move the ball along the picture', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await arrive(page);
