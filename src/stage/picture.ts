@@ -118,7 +118,7 @@ export class Picture {
     this.pixelRatio = MathUtils.clamp(pixelRatio, 0.1, LARGEST_PIXEL_RATIO);
     this.width = Math.round(width * this.pixelRatio);
     this.height = Math.round(height * this.pixelRatio);
-    if (this.isVisible) this.eye.setSize(this.width, this.height);
+    if (this.isVisible) this.eye.setSize(...this.size);
     return [this.width, this.height, this.pixelRatio].some((value, index) => value !== before[index]);
   }
 
@@ -133,7 +133,7 @@ export class Picture {
     this.shown.dispose();
     this.shown = new ShownSmoke(this.presenter.device, scene, values);
     this.camera = new OrbitCamera(scene, values);
-    if (this.isVisible) this.camera.setSize(this.width, this.height);
+    if (this.isVisible) this.camera.setSize(...this.size);
   }
 
   /** A place in CSS pixels from the top left, in normalised device coordinates: -1 to 1, y up. */

@@ -109,6 +109,11 @@ test('seeking back and forth passes the same moments, with everything that was d
   expect(bytes).toBeLessThanOrEqual(1_000_000);
 });
 
+test('open air is as large on the page on every screen', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  for (const metres of await cases.evaluate((module) => module.airPerPixel())) expect(metres).toBeCloseTo(1 / 150, 6);
+});
+
 test('a stage draws nothing that nobody sees, nor the same picture twice', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   expect(await cases.evaluate((module) => module.picturesDrawn())).toEqual([0, 1, 1, 2]);

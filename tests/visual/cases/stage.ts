@@ -1,7 +1,7 @@
 /** Stages as a page makes them: their pictures, their clocks and their ends. */
 import { createDevice, type Device } from '../../../src/device/device.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
-import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
+import { defaultPreset, findPreset, presetValues } from '../../../src/preset/presets.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
 import { EVERYTHING } from '../../support/everything.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
@@ -22,6 +22,26 @@ export async function lampPicture(seconds: number): Promise<Blob> {
   const picture = await stage.picture();
   stage.dispose();
   return picture;
+}
+
+/** Metres of the open air to a CSS pixel, on screens of different sharpness, before and after another scene. */
+export async function airPerPixel(): Promise<number[]> {
+  const values = { ...presetValues(findPreset('air')!), 'simulation.maxParticles': 100 };
+  const metres: number[] = [];
+  for (const pixelRatio of [0.5, 1, 2]) {
+    const stage = await createStage(new OffscreenCanvas(WIDTH, HEIGHT), {
+      values,
+      width: WIDTH,
+      height: HEIGHT,
+      pixelRatio,
+    });
+    metres.push(stage.sight.plane.up[1]);
+    await stage.enter({ ...values, scene: 'wisp' });
+    await stage.enter(values);
+    metres.push(stage.sight.plane.up[1]);
+    stage.dispose();
+  }
+  return metres;
 }
 
 /** Colours in a picture, and the pixels of its commonest one: a blank picture has a single colour. */
