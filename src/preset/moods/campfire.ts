@@ -9,7 +9,7 @@ export const campfirePresets: readonly Preset[] = [
       scene: 'campfire',
       'emission.rate': 70,
       'emission.lifetime': 4.4,
-      'emission.growthTime': 0.15,
+      'emission.growthTime': 0.35,
       'emission.density': '0:1,.1:.8,.22:.5,.32:.5,.55:1,1:0',
       'forces.turbulence': 1.5,
       'forces.wind.x': 0.12,
