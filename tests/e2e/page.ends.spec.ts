@@ -66,5 +66,11 @@ test('what style, light and camera read changes the picture', async ({ page }) =
     stage.set({ 'emitters.0.tint': 0 });
     stage.step(110);
   });
+  await ask(page, async (stage) => {
+    // The other renderers come together, when the first of them is asked for; from then on each shows at once.
+    stage.set({ 'style.renderer': 'selle' });
+    await stage.complete();
+    stage.set({ 'style.renderer': 'nailboards' });
+  });
   expect(await withoutEffectOnPicture(page, singleTrials('style', 'light', 'camera'))).toEqual([]);
 });
