@@ -57,6 +57,17 @@ export interface View {
   coverage?: CoverageView;
 }
 
+/** A view of everything that lives, from nowhere: what it hides or where it lies plays no part. */
+export const ALL_THAT_LIVES: Omit<View, 'blend'> = {
+  purpose: 'eye',
+  cull: false,
+  pad: 0,
+  clipFromWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+  direction: [0, 0, -1],
+  reach: 1,
+  receivers: { min: [0, 0, 0], max: [0, 0, 0] },
+};
+
 /** By what it is certain that a body is hidden, or that a caster's shadow is there already. */
 export interface CoverageView {
   /** How many covers make certain: 1, or up to 16 where counts matter; 0 leaves nothing out. */

@@ -6,7 +6,7 @@ import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import { POSE_FLOATS } from '../sim/rows.ts';
 import type { Simulator } from '../sim/simulator.ts';
-import type { View } from '../sim/view.ts';
+import { ALL_THAT_LIVES } from '../sim/view.ts';
 import { Drag } from './drag.ts';
 import { Dropped, TUMBLED } from './dropped.ts';
 import { simulatorValues, valueOf, valuesIn } from '../sim/simulatorValues.ts';
@@ -18,18 +18,6 @@ const UNSCALED = new Vector3(1, 1, 1);
 const STEPS_BETWEEN_STATES = 60;
 /** After so many steps the spring has brought the rigid to where it was let go, but for a 10,000th of the way. */
 const SETTLING_STEPS = 30;
-
-/** A view of all that lives. */
-const ALL: View = {
-  purpose: 'eye',
-  blend: 1,
-  cull: false,
-  pad: 0,
-  clipFromWorld: new Matrix4().elements,
-  direction: [0, 0, -1],
-  reach: 1,
-  receivers: { min: [0, 0, 0], max: [0, 0, 0] },
-};
 
 /** A scene's simulator, set up from its rig and the values, with its past and the rigid that people move. */
 export class Simulation {
@@ -213,7 +201,7 @@ export class Simulation {
 
   /** One more than the highest variation that a living particle has; 0 where none lives. */
   variationsAlive(): number {
-    const { count, look } = this.current.arrange(ALL);
+    const { count, look } = this.current.arrange({ ...ALL_THAT_LIVES, blend: 1 });
     let variations = 0;
     for (let row = 0; row < count; row++) variations = Math.max(variations, 1 + (look[2 * row + 1] & 0xff));
     return variations;

@@ -1,5 +1,5 @@
 import { MathUtils, Matrix4, Quaternion, Vector3, type Camera } from 'three';
-import type { View } from '../../sim/view.ts';
+import { ALL_THAT_LIVES } from '../../sim/view.ts';
 import type { FrameInput } from '../../smoke/frame.ts';
 import type { Light } from '../../smoke/light.ts';
 import { JoinedSmoke, keep, type KeptSmoke } from './joinedSmoke.ts';
@@ -15,7 +15,7 @@ export interface Still {
 
 export function stillOf({ simulator, camera, light, rigids, parts = [], blend }: FrameInput): Still {
   const copies = (matrices: readonly Matrix4[]) => matrices.map((matrix) => matrix.clone());
-  const smoke = keep(simulator, { ...FROM_ANYWHERE, blend });
+  const smoke = keep(simulator, { ...ALL_THAT_LIVES, blend });
   return { smoke, camera: camera.clone(), light, rigids: copies(rigids), parts: copies(parts) };
 }
 
@@ -35,16 +35,6 @@ export function joined(from: FrameInput, to: Still, share: number): FrameInput {
     parts: between(from.parts ?? [], to.parts),
   };
 }
-
-const FROM_ANYWHERE: Omit<View, 'blend'> = {
-  purpose: 'eye',
-  cull: false,
-  pad: 0,
-  clipFromWorld: new Matrix4().elements,
-  direction: [0, 0, -1],
-  reach: 1,
-  receivers: { min: [0, 0, 0], max: [0, 0, 0] },
-};
 
 function seenBetween(from: Camera, to: Camera, way: number): Camera {
   const camera = from.clone();
