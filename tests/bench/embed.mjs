@@ -13,7 +13,6 @@ import { contestants, pageOf } from './embed/contestants.mjs';
 import { bringPeers, PEERS } from './embed/peers.mjs';
 import { report } from './embed/report.mjs';
 import { Visit } from './embed/visit.mjs';
-import { spread } from './support/spread.mjs';
 
 /** @typedef {import('./embed/contestants.mjs').Contestant} Contestant @typedef {import('./embed/report.mjs').Measured} Measured */
 
@@ -32,7 +31,7 @@ export async function run({ quick, say }) {
   return report(all);
 }
 
-/** A contestant in its browser, with what is found of it. @typedef {{ contestant: Contestant, visit: Visit, found: Omit<Measured, 'emptyShare'> }} Entry */
+/** A contestant in its browser, with what is found of it. @typedef {{ contestant: Contestant, visit: Visit, found: Measured }} Entry */
 
 /**
  * All contestants side by side, each in a browser of its own, and measured in turns: whose turn it is not is out of view.
@@ -57,12 +56,7 @@ async function measure(count, quick, say) {
     for (const { visit } of entries) await visit.end();
   }
   const [{ found: empty }] = entries;
-  const emptyShare = spread(empty.seen.map(({ mainMs, seconds }) => mainMs / 1000 / seconds)).value;
-  return entries.map(({ found }) => ({
-    ...found,
-    emptyShare,
-    megabytes: difference(found.megabytes, empty.megabytes),
-  }));
+  return entries.map(({ found }) => ({ ...found, megabytes: difference(found.megabytes, empty.megabytes) }));
 }
 
 /** @param {Contestant} contestant @param {number} count @returns {Promise<Entry>} */

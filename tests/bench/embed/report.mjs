@@ -14,7 +14,6 @@ import { CIRCLES } from './contestants.mjs';
  * @property {{ file: string, bytes: number }[]} files as they came over the wire
  * @property {import('./visit.mjs').Loaded[]} loads
  * @property {Window[]} seen
- * @property {number} emptyShare of the main thread, that the same page takes without widgets
  * @property {Window[]} unseen
  * @property {number | undefined} megabytes more than the page takes without widgets
  */
@@ -69,23 +68,28 @@ function total({ files }) {
 function mainThread(measured) {
   const frames = spread(measured.seen.map((window) => window.frames / window.seconds)).value;
   const budget = measured.name === OURS ? `; budget ${BUDGET_MS}` : '';
-  const note = `a frame drawn, beyond what the empty page takes; ${frames.toFixed(0)} frames a second${budget}`;
+  const note = `a frame drawn, of all that the page does; ${frames.toFixed(0)} frames a second${budget}`;
   return [{ name: nameOf('mainThreadMs', measured), unit: 'ms', ...spread(perFrame(measured)), note }];
 }
 
-/** Round by round; below zero where noise is all that there is. @param {Measured} measured */
-function perFrame({ seen, emptyShare }) {
-  return seen.map(({ mainMs, seconds, frames }) => (mainMs - 1000 * emptyShare * seconds) / frames);
+/** Round by round. @param {Measured} measured */
+function perFrame({ seen }) {
+  return seen.map(({ mainMs, frames }) => mainMs / frames);
 }
 
 /** @param {Measured} measured @returns {Figure[]} */
 function processor(measured) {
-  const shares = (/** @type {Window[]} */ windows) => spread(windows.map(({ share }) => 100 * share));
+  const shares = (/** @type {Window[]} */ windows) => spread(windows.map(shareOf));
   const unit = '% of a core';
   return [
     { name: nameOf('cpu', measured), unit, ...shares(measured.seen), note: 'in view, page and drawing process' },
     { name: nameOf('idleCpu', measured), unit, ...shares(measured.unseen), note: 'out of view' },
   ];
+}
+
+/** Percents of a core. @param {Window} window */
+function shareOf({ processorSeconds, seconds }) {
+  return (100 * processorSeconds) / seconds;
 }
 
 /** @param {Measured} measured @returns {Figure[]} */
@@ -116,7 +120,7 @@ function versus(all, other, name, unequal) {
   if (!ours || !theirs) throw new Error(`${other} was not measured.`);
   const [ofOurs, ofTheirs] = [perFrame(ours), perFrame(theirs)];
   const times = ofOurs.map((ms, round) => ms / ofTheirs[round]);
-  const idle = ours.unseen.map((window, round) => 100 * (window.share - theirs.unseen[round].share));
+  const idle = ours.unseen.map((window, round) => shareOf(window) - shareOf(theirs.unseen[round]));
   return [
     { name, unit: '', ...spread(times), note: `main-thread time a frame; theirs: ${unequal}` },
     { name: `${name}.bytes`, value: total(ours) / total(theirs), unit: '', note: 'all that is fetched, gzip' },

@@ -7,7 +7,8 @@ import { VIEW } from './contestants.mjs';
 import { costOf } from './processes.mjs';
 
 const SETTLING_MS = 500;
-const RESTING_TRIES = 6;
+/** Of a processor: what a browser takes for itself. */
+const RESTING_SHARE = 0.1;
 /** With what is drawn slowly, and with what was not drawn yet. */
 const PATIENCE_MS = 20_000;
 const GREATER_PATIENCE_MS = 120_000;
@@ -17,7 +18,7 @@ const GREATER_PATIENCE_MS = 120_000;
  * @property {number} seconds
  * @property {number} frames that were begun, whichever thread draws
  * @property {number} mainMs milliseconds of work on the page's main thread
- * @property {number} share of a processor, of the page's process and the one that draws
+ * @property {number} processorSeconds of the page's process and the one that draws
  *
  * @typedef {object} Loaded
  * @property {number} first ms from the navigation to the first picture of a widget
@@ -61,53 +62,52 @@ export class Visit {
   }
 
   /**
-   * With the widgets in view: until so many frames were drawn, so long at least, and on a slow machine not much longer.
+   * With the widgets in view: so long at least, and until so many frames were drawn, and on a slow machine not much longer.
    *
    * @param {number} frames @param {number} ms @returns {Promise<Window>}
    */
   async measureSeen(frames, ms) {
     await this.scroll(0);
-    await this.waitForFrames(1);
-    return this.measure(() => this.waitForFrames(frames, ms));
+    if (this.isAnimated) await this.waitForFrame();
+    const begin = performance.now();
+    let window = await this.measure(ms);
+    while (this.isAnimated && window.frames < frames && performance.now() - begin < PATIENCE_MS)
+      window = together(window, await this.measure(ms));
+    if (this.isAnimated && window.frames === 0) throw new Error(`${this.page?.url()} draws nothing.`);
+    return window;
   }
 
-  /** With the widgets out of view, once they have come to rest. @param {number} ms @returns {Promise<Window>} */
+  /**
+   * With the widgets out of view, once they have come to rest, or have had time enough for it.
+   *
+   * @param {number} ms @returns {Promise<Window>}
+   */
   async measureUnseen(ms) {
     await this.scroll(1);
-    for (let tries = 0; tries < RESTING_TRIES; tries++) {
-      const before = await this.frames();
-      await pause(SETTLING_MS);
-      if ((await this.frames()) === before) break;
-    }
-    return this.measure(() => pause(ms));
+    const begin = performance.now();
+    let window = await this.measure(SETTLING_MS);
+    while (!isAtRest(window) && performance.now() - begin < PATIENCE_MS) window = await this.measure(SETTLING_MS);
+    return this.measure(ms);
   }
 
-  /** @param {() => Promise<void>} wait @returns {Promise<Window>} */
-  async measure(wait) {
-    // What asks the page stands outside of what is measured of it.
+  /** What asks the page for its frames stands outside of what is measured of it. @param {number} ms @returns {Promise<Window>} */
+  async measure(ms) {
     const framesBefore = await this.frames();
     const before = await this.state();
-    await wait();
+    await pause(ms);
     const after = await this.state();
     return {
       seconds: after.seconds - before.seconds,
       frames: (await this.frames()) - framesBefore,
       mainMs: 1000 * (after.taskSeconds - before.taskSeconds),
-      share: (after.cost.seconds - before.cost.seconds) / (after.seconds - before.seconds),
+      processorSeconds: after.cost.seconds - before.cost.seconds,
     };
   }
 
-  /** @param {number} wanted @param {number} [ms] at least */
-  async waitForFrames(wanted, ms = SETTLING_MS) {
+  async waitForFrame() {
     const begin = performance.now();
     const first = await this.frames();
-    let drawn = 0;
-    const lasted = () => performance.now() - begin;
-    do {
-      await pause(ms);
-      drawn = (await this.frames()) - first;
-    } while (this.isAnimated && drawn < wanted && lasted() < (drawn > 0 ? PATIENCE_MS : GREATER_PATIENCE_MS));
-    if (this.isAnimated && drawn === 0) throw new Error(`${this.page?.url()} draws nothing.`);
+    while ((await this.frames()) === first && performance.now() - begin < GREATER_PATIENCE_MS) await pause(SETTLING_MS);
   }
 
   /** @param {0 | 1} end of the page */
@@ -141,6 +141,21 @@ export class Visit {
     if (!this.page) throw new Error('Nothing was loaded.');
     return this.page;
   }
+}
+
+/** @param {Window} one @param {Window} other @returns {Window} */
+function together(one, other) {
+  return {
+    seconds: one.seconds + other.seconds,
+    frames: one.frames + other.frames,
+    mainMs: one.mainMs + other.mainMs,
+    processorSeconds: one.processorSeconds + other.processorSeconds,
+  };
+}
+
+/** The process that draws may still have work when the page asks for no more. @param {Window} window */
+function isAtRest({ seconds, frames, processorSeconds }) {
+  return frames === 0 && processorSeconds < RESTING_SHARE * seconds;
 }
 
 /** Runs in a page before anything of it: notes when widgets stand, and why they do not. @param {string | undefined} event */
