@@ -67,8 +67,9 @@ function total({ files }) {
 /** @param {Measured} measured @returns {Figure[]} */
 function mainThread(measured) {
   const frames = spread(measured.seen.map((window) => window.frames / window.seconds)).value;
-  const budget = measured.name === OURS ? `; budget ${BUDGET_MS}` : '';
-  const note = `a frame drawn, of all that the page does; ${frames.toFixed(0)} frames a second${budget}`;
+  const budget = measured.name === OURS && measured.count === 1 ? `; budget ${BUDGET_MS}` : '';
+  const whose = measured.count === 1 ? '' : ` for all ${measured.count}`;
+  const note = `a frame drawn${whose}, of all that the page does; ${frames.toFixed(1)} frames a second${budget}`;
   return [{ name: nameOf('mainThreadMs', measured), unit: 'ms', ...spread(perFrame(measured)), note }];
 }
 
