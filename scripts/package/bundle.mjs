@@ -3,8 +3,9 @@
 import { copyFileSync, mkdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { rolldown } from 'rolldown';
-import glsl from 'vite-plugin-glsl';
 import { inRoot } from '../lib/paths.mjs';
+import { shortMembers } from './shortMembers.mjs';
+import { shortShaders } from './shortShaders.mjs';
 import { sourceModule } from './sourceModule.mjs';
 import { withoutShaders } from './withoutShaders.mjs';
 import { withoutWords } from './withoutWords.mjs';
@@ -29,7 +30,7 @@ const { table } = await sourceModule('src/preset/table.ts');
  * @param {string} folder
  */
 export async function bundleAll(folder) {
-  const plugins = [await glsl({ minify: true }), withoutWords(table), withoutShaders()];
+  const plugins = await shortening();
   const modules = { index: 'src/index.ts', element: 'src/element/define.ts', errors: 'src/preset/errors.ts' };
   const external = /^three(\/|$)/;
   await bundle({ input: entries(modules), external, plugins: [...plugins, workerAt('./worker.js')] }, folder);
@@ -42,14 +43,20 @@ export async function bundleAll(folder) {
 
 /** Writes the script for CDNs alone, with the simulator beside it. @param {string} folder */
 export async function bundleScript(folder) {
-  const plugins = [await glsl({ minify: true }), withoutWords(table), withoutShaders(), workerAt(`./${SCRIPT}.js`)];
+  const plugins = [...(await shortening()), workerAt(`./${SCRIPT}.js`)];
   await bundle({ input: entries({ [SCRIPT]: 'src/element/script.ts' }), plugins }, folder, ALONE);
   copyWasm(folder);
 }
 
+/** What makes the sources smaller than a minifier can. */
+async function shortening() {
+  return [await shortShaders(), shortMembers(), withoutWords(table), withoutShaders()];
+}
+
 /** @param {import('rolldown').InputOptions} input @param {string} folder @param {import('rolldown').OutputOptions} [output] */
 async function bundle(input, folder, output = {}) {
-  const build = await rolldown({ platform: 'browser', transform: { define: BUILT }, onLog, ...input });
+  const experimental = { nativeMagicString: true };
+  const build = await rolldown({ platform: 'browser', transform: { define: BUILT }, experimental, onLog, ...input });
   await build.write({
     dir: folder,
     format: 'esm',

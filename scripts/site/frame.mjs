@@ -8,8 +8,9 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { deflateRawSync } from 'node:zlib';
 import { rolldown } from 'rolldown';
-import glsl from 'vite-plugin-glsl';
 import { inRoot } from '../lib/paths.mjs';
+import { shortMembers } from '../package/shortMembers.mjs';
+import { shortShaders } from '../package/shortShaders.mjs';
 import { sourceModule } from '../package/sourceModule.mjs';
 import { withoutShaders } from '../package/withoutShaders.mjs';
 import { withoutWords } from '../package/withoutWords.mjs';
@@ -37,7 +38,8 @@ async function scriptOf(physics) {
   const build = await rolldown({
     input: inRoot('src/frame/frame.ts'),
     platform: 'browser',
-    plugins: [glsl({ minify: true }), withoutWords(table), withoutShaders()],
+    plugins: [await shortShaders(), shortMembers(), withoutWords(table), withoutShaders()],
+    experimental: { nativeMagicString: true },
     transform: { define },
     onLog,
   });

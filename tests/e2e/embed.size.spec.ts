@@ -31,7 +31,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, host,
   await host('<cartoon-smoke preset="wisp" thread="main" paused></cartoon-smoke>');
   await stands(page);
   judge([
-    { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 81, goal: 60 },
+    { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 77, goal: 60 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 126 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
@@ -45,7 +45,7 @@ test('in a worker, which brings its own three.js', async ({ page, host, server }
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
     { name: 'page', kB: fetched(server, own), limit: 25 },
-    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 200 },
+    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 192 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
 });

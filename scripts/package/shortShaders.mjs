@@ -1,0 +1,101 @@
+/**
+ * Shaders for pages that somebody else pays for: without comments and white space, and what only they name by a letter or
+ * two. A name is short in all of them alike, so that what crosses from one to another meets, and what they share is
+ * compressed as one. Uniforms, attributes and macros are TypeScript's as well and keep their names.
+ */
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import glsl from 'vite-plugin-glsl';
+import { inRoot } from '../lib/paths.mjs';
+
+/** @typedef {{ file: string, text: string }} Shader */
+
+/** A name where it stands for itself: no component, no part of a number. */
+const NAME = /(?<![\w.])[A-Za-z_]\w*/g;
+const LETTERS = [...'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ'];
+
+/** The plugin that brings shaders, for bundlers. */
+export async function shortShaders() {
+  const names = shortNames(shadersIn('shaders'));
+  return glsl({ minify: true, onComplete: (shader) => shortened(shader, names) });
+}
+
+/** What the plugin's own minifier leaves: zeros that say nothing, and white space beside some operators. */
+const IDLE = /(?<![\w.])0(?=\.\d*[1-9])|(?<=\d\.)0+(?!\w)| (?=[?:%^])|(?<=[?:%^]) /g;
+
+/** @param {string} shader without comments @param {ReadonlyMap<string, string>} names */
+function shortened(shader, names) {
+  return shader.replace(NAME, (name) => names.get(name) ?? name).replace(IDLE, '');
+}
+
+/** @param {string} folder @returns {Shader[]} */
+function shadersIn(folder) {
+  const files = readdirSync(inRoot(folder), { recursive: true, encoding: 'utf8' }).filter((file) => file.includes('.'));
+  return files.map((file) => ({
+    file,
+    text: readFileSync(join(inRoot(folder), file), 'utf8').replace(/\/\/.*|^ *#include.*/gm, ''),
+  }));
+}
+
+/**
+ * Names that are declared in shaders and known nowhere else, the most frequent with the shortest.
+ *
+ * @param {Shader[]} shaders
+ * @returns {Map<string, string>}
+ */
+export function shortNames(shaders) {
+  const counts = countNames(shaders);
+  const kept = keptNames(shaders);
+  const renamed = [...declaredNames(shaders)].filter((name) => name.length > 2 && !kept.has(name));
+  renamed.sort((one, other) => (counts.get(other) ?? 0) - (counts.get(one) ?? 0) || (one < other ? -1 : 1));
+  const free = freeNames(counts);
+  return new Map(renamed.map((name) => [name, /** @type {string} */ (free.next().value)]));
+}
+
+/** @param {Shader[]} shaders */
+function countNames(shaders) {
+  /** @type {Map<string, number>} */
+  const counts = new Map();
+  for (const [name] of found(shaders, NAME)) counts.set(name, (counts.get(name) ?? 0) + 1);
+  return counts;
+}
+
+/** Functions, their parameters, variables and constants. @param {Shader[]} shaders */
+function declaredNames(shaders) {
+  const structs = [...found(shaders, /\bstruct (\w+)/g)].map(([, name]) => name);
+  const type = ['void', 'float', 'u?int', 'bool', '[iub]?vec[234]', 'mat[234]', ...structs].join('|');
+  return new Set([...structs, ...secondsOf(shaders, new RegExp(`\\b(?:${type}) (\\w+)`, 'g'))]);
+}
+
+/** What is known elsewhere: to TypeScript, to a struct, to GLSL, or to a macro that calls it. @param {Shader[]} shaders */
+function keptNames(shaders) {
+  const uniforms = secondsOf(shaders, /\buniform (?:highp )?\w+ (\w+)/g);
+  const attributes = secondsOf(
+    shaders.filter(({ file }) => file.endsWith('.vert')),
+    /^in \w+ (\w+)/gm,
+  );
+  const members = [...found(shaders, /\bstruct \w+ \{([^}]*)/g)].flatMap(([, body]) => body.match(/\w+(?=;)/g) ?? []);
+  const defined = new Set(secondsOf(shaders, /^\w+ (\w+)\(/gm));
+  const called = new Set(secondsOf(shaders, /(?<!^\w+ )\b(\w+)\(/gm));
+  const ofOneSide = [...called]
+    .filter((name) => !defined.has(name))
+    .concat([...defined].filter((name) => !called.has(name)));
+  return new Set([...uniforms, ...attributes, ...members, ...ofOneSide]);
+}
+
+/** @param {Shader[]} shaders @param {RegExp} pattern */
+function secondsOf(shaders, pattern) {
+  return [...found(shaders, pattern)].map(([, name]) => name);
+}
+
+/** @param {Shader[]} shaders @param {RegExp} pattern */
+function* found(shaders, pattern) {
+  for (const { text } of shaders) yield* text.matchAll(pattern);
+}
+
+/** Letters, then pairs of them, that no shader has. @param {ReadonlyMap<string, number>} taken */
+function* freeNames(taken) {
+  const pairs = LETTERS.flatMap((first) => LETTERS.map((second) => first + second));
+  yield* [...LETTERS, ...pairs].filter((name) => !taken.has(name) && !['if', 'in', 'do'].includes(name));
+}
