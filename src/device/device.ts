@@ -1,5 +1,6 @@
 import { WebGLRenderer } from 'three';
 import { ContextError, UnsupportedError } from '../preset/errors.ts';
+import { ProgramsAhead } from './programsAhead.ts';
 import { PuffLibrary } from './puffTextures.ts';
 import { keepsWrittenDepth } from './selfTest.ts';
 
@@ -26,6 +27,7 @@ export interface DeviceOptions {
 export class Device {
   readonly renderer: WebGLRenderer;
   readonly puffs: PuffLibrary;
+  readonly programs = new ProgramsAhead();
   /** Whether a depth that fragments write is kept; where it is not, puffs are flat. Found by a small drawing at start. */
   readonly writesDepth: boolean;
   private readonly ownsRenderer: boolean;
@@ -84,6 +86,7 @@ export class Device {
     this.listeners.clear();
     clearTimeout(this.waiting);
     this.puffs.dispose();
+    this.programs.dispose();
     if (!this.ownsRenderer) return;
     this.renderer.dispose();
     if (!this.isLost) return this.renderer.forceContextLoss();
@@ -96,6 +99,7 @@ export class Device {
   private readonly handleLoss = (event: Event): void => {
     this.isLost = true;
     this.puffs.dispose();
+    this.programs.dispose();
     this.tell('lost');
     clearTimeout(this.waiting);
     const now = performance.now();

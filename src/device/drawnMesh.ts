@@ -22,6 +22,11 @@ export class DrawnMesh<Geometry extends BufferGeometry = BufferGeometry> {
     this.mesh.material = material;
   }
 
+  /** Has its program compiled, and does not wait for it. */
+  compile(renderer: WebGLRenderer): void {
+    renderer.compile(this.scene, this.camera);
+  }
+
   draw(renderer: WebGLRenderer): void {
     renderer.render(this.scene, this.camera);
   }

@@ -52,7 +52,8 @@ export class FullScreen extends DrawnMesh {
   }
 }
 
-function triangle(): BufferGeometry {
+/** One that covers the whole viewport. */
+export function triangle(): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute('corner', new BufferAttribute(new Float32Array([-1, -1, 3, -1, -1, 3]), 2));
   geometry.setDrawRange(0, 3);

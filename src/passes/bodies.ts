@@ -16,6 +16,7 @@ import lobesFragmentShader from '../../shaders/bodies/lobes.frag';
 import lobesVertexShader from '../../shaders/bodies/lobes.vert';
 import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { Eye } from '../device/eye.ts';
+import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
 import { withLobes } from '../device/unroll.ts';
@@ -152,11 +153,7 @@ export class BodiesPass {
     this.puffUniforms.lobeTable.value = lobeTable;
     this.puffUniforms.fillet.value = puffs.fillet;
     this.puffUniforms.blend.value = puffs.blend;
-    return this.materialOf(
-      lobeCount,
-      withLobes(lobesVertexShader, lobeCount),
-      withLobes(lobesFragmentShader, lobeCount),
-    );
+    return this.materialOf(lobeCount, lobeBodyShaders(lobeCount, this.isFlat));
   }
 
   private billboardsMaterial(): RawShaderMaterial {
@@ -165,21 +162,37 @@ export class BodiesPass {
     this.puffUniforms.colorCoverage.value = colorCoverage;
     this.puffUniforms.pad.value = layers.pad;
     this.puffUniforms.distanceRange.value = layers.distanceRange;
-    return this.materialOf(0, billboardsVertexShader, billboardsFragmentShader);
+    return this.materialOf(0, {
+      vertexShader: billboardsVertexShader,
+      fragmentShader: billboardsFragmentShader,
+      defines: definesOf(this.isFlat),
+    });
   }
 
-  private materialOf(lobes: number, vertexShader: string, fragmentShader: string): RawShaderMaterial {
-    const uniforms = this.common;
+  private materialOf(lobes: number, shaders: Shaders): RawShaderMaterial {
+    const { common, isFlat } = this;
     const made = () =>
       new RawShaderMaterial({
+        ...shaders,
         glslVersion: GLSL3,
-        vertexShader,
-        fragmentShader,
-        uniforms,
-        ...(this.isFlat ? { defines: { FLAT: '' }, side: DoubleSide } : {}),
+        uniforms: common,
+        ...(isFlat ? { side: DoubleSide } : {}),
       });
     const material = this.materials.get(lobes) ?? made();
     this.materials.set(lobes, material);
     return material;
   }
+}
+
+/** By which puffs of so many lobes are drawn. */
+export function lobeBodyShaders(lobes: number, isFlat: boolean): Shaders {
+  return {
+    vertexShader: withLobes(lobesVertexShader, lobes),
+    fragmentShader: withLobes(lobesFragmentShader, lobes),
+    defines: definesOf(isFlat),
+  };
+}
+
+function definesOf(isFlat: boolean): Shaders['defines'] {
+  return isFlat ? { FLAT: '' } : {};
 }

@@ -3,6 +3,7 @@ import fragmentShader from '../../shaders/volumes/volumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
 import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { Eye } from '../device/eye.ts';
+import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
@@ -87,12 +88,13 @@ export class VolumesPass {
   }
 
   private materialWith(lobes: number): RawShaderMaterial {
-    return countingMaterial({
-      vertexShader: withLobes(vertexShader, lobes),
-      fragmentShader: withLobes(fragmentShader, lobes),
-      uniforms: this.common,
-    });
+    return countingMaterial({ ...lobeVolumeShaders(lobes), uniforms: this.common });
   }
+}
+
+/** By which the volumes of puffs with so many lobes are drawn. */
+export function lobeVolumeShaders(lobes: number): Shaders {
+  return { vertexShader: withLobes(vertexShader, lobes), fragmentShader: withLobes(fragmentShader, lobes) };
 }
 
 /**

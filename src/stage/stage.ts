@@ -8,6 +8,7 @@ import { defaults, requireOptional, validate } from '../preset/values.ts';
 import { demandShapes } from '../puffs/demandShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
+import { compileAhead } from '../smoke/compileAhead.ts';
 import { fetchExtras, type PictureKind } from '../smoke/extraPasses.ts';
 import type { Renderer } from '../smoke/style.ts';
 import { bakeAhead } from './bakeAhead.ts';
@@ -433,6 +434,7 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
   const values = { ...defaults(), ...options.values };
   const presenter = createPresenter(canvas, options.device, options);
   try {
+    compileAhead(presenter.device, values);
     const [opened] = await Promise.all([
       openScene(values.scene as string, options.onProgress),
       bakeAhead(values),

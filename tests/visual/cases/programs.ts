@@ -1,0 +1,37 @@
+/** Which programs a stage has compiled, and when. */
+import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { createStage } from '../../../src/stage/stage.ts';
+
+/** The shaders of programs in the order in which they were linked. */
+export interface LinkedPrograms {
+  /** Before anything was drawn for anybody to see. */
+  readonly ahead: string[];
+  /** With the first pictures. */
+  readonly drawing: string[];
+}
+
+/** Those of a wisp that nobody sees until it stands. */
+export async function programsOfWisp(lobes: number): Promise<LinkedPrograms> {
+  const linked: string[] = [];
+  const stop = listenToLinks((shaders) => linked.push(shaders));
+  const values = { ...presetValues(findPreset('wisp')!), 'simulation.maxParticles': 100, 'puff.lobes': lobes };
+  const stage = await createStage(new OffscreenCanvas(64, 48), { values, visible: false });
+  const ahead = linked.splice(0);
+  stage.visible = true;
+  stage.step(60);
+  stage.dispose();
+  stop();
+  return { ahead, drawing: linked };
+}
+
+/** Returns the function that ends it. */
+function listenToLinks(listener: (shaders: string) => void): () => void {
+  const { prototype } = WebGL2RenderingContext;
+  const { linkProgram } = prototype;
+  prototype.linkProgram = function (program) {
+    const shaders = this.getAttachedShaders(program) ?? [];
+    listener(shaders.map((shader) => this.getShaderSource(shader)).join('\n'));
+    linkProgram.call(this, program);
+  };
+  return () => (prototype.linkProgram = linkProgram);
+}
