@@ -1,4 +1,5 @@
-import { ContextError, LoadError, type SmokeError } from '../preset/errors.ts';
+import { ContextError, type SmokeError } from '../preset/errors.ts';
+import { fetched } from '../preset/fetched.ts';
 import type { Fault } from '../device/faults.ts';
 import { asSmokeError } from './asSmokeError.ts';
 import { Deferred } from './deferred.ts';
@@ -69,7 +70,7 @@ export class CartoonSmokeElement extends Base {
   readonly #fault: Fault | undefined;
   readonly #shell = new Shell(this.attachShadow({ mode: 'open' }));
   #stopWaiting: (() => void) | undefined;
-  /** Ends what was started, on its way or come to stand. */
+  /** Ends what was started, on its way or come to stand; aborted when it has failed. */
   #start: AbortController | undefined;
   /** Whether attributes have changed since it was started and before it stood. */
   #isBehind = false;
@@ -136,9 +137,22 @@ export class CartoonSmokeElement extends Base {
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
     if (before === after) return;
     if (name === 'loading') this.#waitOrStart();
+    else if (this.#hasFailed) this.#tryAnew(name);
     else if (!this.#session) this.#isBehind = true;
     else if (OF_WISH.has(name) || keyOfAttribute.has(name)) this.#session.follow();
     else this.#session.takeUp(name);
+  }
+
+  /** There is no smoke, or no more; nothing is tried again until the page asks for other smoke or puts the element back. */
+  get #hasFailed(): boolean {
+    return this.#start?.signal.aborted ?? false;
+  }
+
+  /** @param name of the attribute that has changed */
+  #tryAnew(name: string): void {
+    if (!OF_WISH.has(name)) return;
+    this.#end();
+    this.#waitOrStart();
   }
 
   /** Starts, if that has not happened yet, and gives the smoke once it stands. */
@@ -166,9 +180,7 @@ export class CartoonSmokeElement extends Base {
   }
 
   async #open(signal: AbortSignal): Promise<Session> {
-    const { openSession } = await import('./session.ts').catch((cause) => {
-      throw new LoadError(`The smoke could not be fetched: ${cause.message}`, { cause });
-    });
+    const { openSession } = await fetched('The smoke', import('./session.ts'));
     signal.throwIfAborted();
     return openSession(
       {
@@ -192,6 +204,7 @@ export class CartoonSmokeElement extends Base {
   }
 
   #fail(error: SmokeError): void {
+    this.#start?.abort();
     this.#session?.dispose();
     this.#session = undefined;
     this.#shell.show('failure');

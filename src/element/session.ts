@@ -1,6 +1,7 @@
 /** The heavy half of an element, fetched when it nears the viewport: everything between its attributes and its stage. */
 import type { Fault } from '../device/faults.ts';
 import { LoadError, ParameterError, type SmokeError } from '../preset/errors.ts';
+import { fetched } from '../preset/fetched.ts';
 import { notice, type Notice } from '../preset/notice.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { openStage } from '../remote/openStage.ts';
@@ -83,7 +84,7 @@ export class Session {
     this.endings = [
       watchSize(shell.frame, ({ width, height, pixelRatio }) => quietly(stage.resize(width, height, pixelRatio))),
       stage.on('error', (error) => {
-        if (error instanceof LoadError) this.tell([notice('malformed', '', '', () => error.message)]);
+        if (error instanceof LoadError) this.tellOfMissing(error);
         else host.fail(asSmokeError(error));
       }),
     ];
@@ -113,7 +114,7 @@ export class Session {
     else if (name === 'paused') this.playback.set(isOn);
     else if (name === 'transparent') quietly(this.stage.setBackground(!isOn));
     else if (name === 'interactive') this.pointers.toggle(isOn);
-    else if (OF_PAGE.includes(name)) quietly(this.lookAtPage());
+    else if (OF_PAGE.includes(name)) this.lookAtPage().catch((error) => this.tellOfMissing(error));
   }
 
   /** A person asked for motion here and now. */
@@ -178,7 +179,7 @@ export class Session {
     const hasThings = () => ['collide', 'emit-from'].some((name) => element.hasAttribute(name));
     if (!hasThings()) return this.leavePage();
     if (this.onPage) return this.onPage.measure();
-    const { OnPage } = await import('./onPage.ts');
+    const { OnPage } = await fetched('What puts things of the page into smoke', import('./onPage.ts'));
     if (this.isDisposed || this.onPage || !hasThings()) return;
     const values = () => this.wish.values;
     this.onPage = new OnPage(this.stage, {
@@ -198,6 +199,11 @@ export class Session {
   private showPlaying({ isPlaying, isStill }: { isPlaying: boolean; isStill: boolean }): void {
     this.host.shell.showPlaying(isPlaying, isStill);
     this.host.tell('statechange', { playing: isPlaying, notices: [] });
+  }
+
+  /** Something that it can do without could not be fetched; of whatever else goes wrong the stage tells. */
+  private tellOfMissing(error: Error): void {
+    if (error instanceof LoadError) this.tell([notice('malformed', '', '', () => error.message)]);
   }
 
   private tell(notices: readonly Notice[]): void {

@@ -1,4 +1,5 @@
-import { ContextError, LoadError, UnsupportedError } from '../preset/errors.ts';
+import { ContextError, UnsupportedError } from '../preset/errors.ts';
+import { fetched } from '../preset/fetched.ts';
 import type { RemoteStage, RemoteStageOptions } from './contract.ts';
 import { followSight } from './followSight.ts';
 import type { WorkerPlace } from './openInWorker.ts';
@@ -27,25 +28,17 @@ export async function openStage(
       if (thread === 'worker' || !(error instanceof UnsupportedError || error instanceof ContextError)) throw error;
     }
   }
-  const { openHere } = await fetchOwn();
+  // With three.js and all that draws: pages whose smoke runs in a worker never fetch it themselves.
+  const { openHere } = await fetched('The smoke', import('./openHere.ts'));
   signal?.throwIfAborted();
   const canvas = makeCanvas();
   return following(canvas, await openHere(canvas, options));
 }
 
-/** Everything that draws, three.js with it: pages whose smoke runs in a worker never fetch it themselves. */
-async function fetchOwn(): Promise<typeof import('./openHere.ts')> {
-  try {
-    return await import('./openHere.ts');
-  } catch (error) {
-    throw new LoadError(`The smoke could not be fetched: ${(error as Error).message}`, { cause: error });
-  }
-}
-
 /** @throws where there has to be a worker and is none */
 async function placeInWorker(thread: 'auto' | 'worker'): Promise<WorkerPlace | undefined> {
   try {
-    const { canMoveCanvas, enterWorker } = await import('./openInWorker.ts');
+    const { canMoveCanvas, enterWorker } = await fetched('The worker', import('./openInWorker.ts'));
     if (!canMoveCanvas()) throw new UnsupportedError('This browser cannot hand a canvas over to a worker.');
     return await enterWorker();
   } catch (error) {

@@ -2,6 +2,8 @@
  * Fetches and instantiates the WASM of the simulator, once a variant, and makes simulators from it.
  */
 import { LoadError, UnsupportedError } from '../preset/errors.ts';
+import { inTime } from '../preset/fetched.ts';
+import { afterRunning, PATIENCE_MS } from '../preset/patience.ts';
 import type { TakeInfo } from './input.ts';
 import { explainRefusal, isRefusal, Simulator, type SimulatorModule, type SimulatorOptions } from './simulator.ts';
 
@@ -138,7 +140,7 @@ function requireSimd(): void {
 
 async function load(physics: boolean, given: BufferSource | undefined, report: Listener): Promise<SimulatorFactory> {
   try {
-    const [bindings, module] = await Promise.all([importBindings(physics), compile(physics, given, report)]);
+    const [bindings, module] = await Promise.all([inTime(importBindings(physics)), compile(physics, given, report)]);
     const instance = bindings.initSync({ module });
     return new SimulatorFactory({ bindings, memory: instance.memory });
   } catch (error) {
@@ -153,7 +155,7 @@ async function compile(
   given: BufferSource | undefined,
   report: Listener,
 ): Promise<WebAssembly.Module> {
-  const bytes = given ?? (await wasmSource?.(physics));
+  const bytes = given ?? (wasmSource && (await inTime(wasmSource(physics))));
   return bytes ? WebAssembly.compile(bytes) : compileFrom(wasmAddress(physics), report);
 }
 
@@ -168,23 +170,20 @@ async function importBindings(physics: boolean): Promise<SimulatorModule['bindin
   return physics ? await import('./wasm/physics/bindings.js') : await import('./wasm/core/bindings.js');
 }
 
-/** A download of which nothing has come for so long does not come. */
-const PATIENCE_MS = 60_000;
-
 async function compileFrom(address: URL, report: Listener): Promise<WebAssembly.Module> {
   const control = new AbortController();
   const giveUp = () => control.abort(new Error('nothing has come for a minute.'));
-  let timer: ReturnType<typeof setTimeout> | undefined = setTimeout(giveUp, PATIENCE_MS);
+  let stopWaiting: (() => void) | undefined = afterRunning(PATIENCE_MS, giveUp);
   const stop = () => {
-    clearTimeout(timer);
-    timer = undefined;
+    stopWaiting?.();
+    stopWaiting = undefined;
   };
   const hear = (progress: LoadProgress) => {
     report(progress);
     // What is left to count once all has been compiled is not waited for.
-    if (timer === undefined) return;
+    if (!stopWaiting) return;
     stop();
-    timer = setTimeout(giveUp, PATIENCE_MS);
+    stopWaiting = afterRunning(PATIENCE_MS, giveUp);
   };
   try {
     return await compileAnswer(await fetch(address, { signal: control.signal }), hear);

@@ -2,6 +2,7 @@
 import type { DebugViewsPass } from '../passes/debugViews.ts';
 import type { DebugView } from '../preset/environment.ts';
 import { LoadError } from '../preset/errors.ts';
+import { inTime } from '../preset/fetched.ts';
 import type { Rivals, RivalSources } from './rivals.ts';
 import type { Renderer } from './style.ts';
 
@@ -31,8 +32,8 @@ export function hasExtras({ renderer, view }: PictureKind): boolean {
  */
 export async function fetchExtras({ renderer, view }: PictureKind): Promise<void> {
   try {
-    if (renderer !== 'nailboards') here.rivals ??= await imports.rivals();
-    if (view) here.debugViews ??= await imports.debugViews();
+    if (renderer !== 'nailboards') here.rivals ??= await inTime(imports.rivals());
+    if (view) here.debugViews ??= await inTime(imports.debugViews());
   } catch (error) {
     const what = view && !here.debugViews ? `The view ${view}` : `The renderer ${renderer}`;
     const reason = (error as Error).message;

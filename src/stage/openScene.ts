@@ -1,3 +1,4 @@
+import { inTime } from '../preset/fetched.ts';
 import { LoadError } from '../preset/errors.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
@@ -43,7 +44,7 @@ function fetched(name: string, load: () => Promise<Scene>): Promise<Scene> {
 
 async function fetchNew(name: string, load: () => Promise<Scene>): Promise<Scene> {
   try {
-    const [scene, { prepareSurfaces }] = await Promise.all([load(), import('../smoke/prepareSurfaces.ts')]);
+    const [scene, { prepareSurfaces }] = await inTime(Promise.all([load(), import('../smoke/prepareSurfaces.ts')]));
     await prepareSurfaces(scene.surfaces);
     shown.set(name, new WeakRef(scene));
     return scene;

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/embed.ts';
+import { expect, stands, test, WISP } from '../support/embed.ts';
 
 /** What a page does with smoke that fails, from before the element is upgraded. */
 const failing = (thread: string, rest = '') => `
@@ -57,18 +57,64 @@ test('a simulator of which nothing comes is waited for, then told as a LoadError
   await page.route(WASM, () => undefined);
   await host(failing('main'));
   await asked;
-  await page.clock.fastForward(59_000);
-  expect(await page.evaluate(() => document.querySelector('cartoon-smoke')!.playing)).toBe(false);
-  await page.clock.fastForward(2_000);
+  await page.clock.runFor(61_000);
   expect(await failure(page)).toMatch(/^LoadError: .*nothing has come/);
   await expectPoster(page);
 });
 
-test('smoke that cannot be fetched leaves the poster and tells a LoadError', async ({ page, host }) => {
-  await page.route('**/session.js', (route) => route.abort());
+const THINGS = 'collide="p"';
+/** Scripts that are fetched on the way to the first picture, and what else an element needs to want them. */
+const SCRIPTS = { 'session.js': '', 'openHere.js': '', 'wisp.js': '', 'bindings.js': '', 'onPage.js': THINGS };
+
+for (const [file, rest] of Object.entries(SCRIPTS)) {
+  test(`without ${file} there is the poster and a LoadError: at once where it is refused, else within a minute`, async ({
+    page,
+    host,
+  }) => {
+    await page.route(`**/dist/${file}`, (route) => route.abort());
+    await host(failing('main', rest));
+    expect(await failure(page)).toMatch(/^LoadError: /);
+    await expectPoster(page);
+    await page.unroute(`**/dist/${file}`);
+    await page.clock.install();
+    const asked = page.waitForRequest(`**/dist/${file}`);
+    await page.route(`**/dist/${file}`, () => undefined);
+    await host(failing('main', rest));
+    await asked;
+    await page.clock.runFor(61_000);
+    expect(await failure(page)).toMatch(/^LoadError: .*nothing has come for a minute/);
+    await expectPoster(page);
+  });
+}
+
+test('what comes after its minute is there for whoever asks for other smoke', async ({ page, host }) => {
+  await page.clock.install();
+  const asked = page.waitForRequest('**/dist/openHere.js');
+  let answer = () => Promise.resolve();
+  await page.route('**/dist/openHere.js', (route) => void (answer = () => route.continue()));
   await host(failing('main'));
-  expect(await failure(page)).toMatch(/^LoadError: /);
-  await expectPoster(page);
+  await asked;
+  await page.clock.runFor(61_000);
+  await failure(page);
+  await answer();
+  const link = '#preset=wisp&simulation.maxParticles=300&puff.variations=1';
+  await page.evaluate((src) => document.querySelector('cartoon-smoke')!.setAttribute('src', src), link);
+  await stands(page);
+  await expect(page.locator('#poster')).toBeHidden();
+});
+
+test('a worker whose script never comes is given up after half a minute: by itself, smoke goes without it', async ({
+  page,
+  host,
+}) => {
+  await page.clock.install();
+  await page.context().route('**/dist/worker.js', () => undefined);
+  const asked = page.waitForRequest('**/dist/worker.js');
+  await host(`${failing('worker')}<cartoon-smoke id="auto" ${WISP.replace('main', 'auto')}></cartoon-smoke>`);
+  await asked;
+  await page.clock.runFor(31_000);
+  expect(await failure(page)).toMatch(/^LoadError: .*did not answer/);
+  await stands(page, '#auto');
 });
 
 test('a page whose rules forbid WebAssembly has the poster', async ({ page, host }) => {
