@@ -2,28 +2,44 @@
 export const BEAT = 'beat';
 
 const BEAT_MS = 10_000;
-/** A worker that takes thousands of steps answers late, by a minute on a busy machine; one that is gone never does. */
+/** Two minutes: a busy machine answers late, and who is gone never does. */
 const MOST_MISSED = 12;
+/** An hour: so long take as many steps as may be asked for at once, of as many particles as there may be. */
+const MOST_MISSED_AT_WORK = 360;
+
+/** What a worker has to be there for. */
+export interface Watched {
+  readonly worker: Pick<Worker, 'postMessage' | 'addEventListener' | 'removeEventListener'>;
+  /** Whether it was asked for something that leaves no time for an answer. */
+  readonly isAtWork: () => boolean;
+  /** Told once that it does not answer any more. */
+  readonly onGone: () => void;
+}
 
 /**
- * Finds out that a worker is gone: browsers may end one without a word, as for want of memory. Beats are counted and not
- * seconds, because a page that sleeps has no answers either.
- * @param tell told once that it does not answer any more
+ * Finds out that a worker is gone: browsers may end one without a word, as for want of memory. What counts are beats while the
+ * page runs in view, and not seconds: a laptop that sleeps, a hidden tab and a debugger's break have no beats.
  * @returns the function that ends this
  */
-export function watchHeart(worker: Worker, tell: () => void): () => void {
+export function watchHeart({ worker, isAtWork, onGone }: Watched): () => void {
   let missed = 0;
+  /** The latest of them, since it was at work. */
+  let missedIdly = 0;
   const end = () => {
     clearInterval(timer);
     worker.removeEventListener('message', live);
   };
-  const live = () => (missed = 0);
+  const live = () => void (missed = missedIdly = 0);
   const beat = () => {
-    if (missed >= MOST_MISSED) {
+    // Browsers may let the workers of hidden pages rest.
+    if (document.hidden) return live();
+    if (isAtWork()) missedIdly = 0;
+    if (missedIdly >= MOST_MISSED || missed >= MOST_MISSED_AT_WORK) {
       end();
-      return tell();
+      return onGone();
     }
     missed += 1;
+    missedIdly += 1;
     worker.postMessage(BEAT);
   };
   const timer = setInterval(beat, BEAT_MS);

@@ -1,5 +1,5 @@
 import type { RemoteStage, RemoteStageOptions } from './contract.ts';
-import { pageWorker } from './pageWorker.ts';
+import { pageWorker, type Holder } from './pageWorker.ts';
 import { PortStage } from './portStage.ts';
 import type { Order } from './worker.ts';
 
@@ -21,12 +21,22 @@ export interface WorkerPlace {
 /** @throws why there is no worker for this page */
 export async function enterWorker(): Promise<WorkerPlace> {
   let stage: PortStage | undefined;
-  const onFailure = (error: Error) => stage?.fail(error);
-  const worker = await pageWorker.hold(onFailure);
-  const leave = () => pageWorker.release(onFailure);
+  let failure: Error | undefined;
+  const holder: Holder = {
+    get isAtWork() {
+      return stage?.isAtWork ?? false;
+    },
+    fail(error) {
+      failure = error;
+      stage?.fail(error);
+    },
+  };
+  const worker = await pageWorker.hold(holder);
+  const leave = () => pageWorker.release(holder);
   return {
     leave,
     async open(canvas, { signal, onProgress, ...options }) {
+      if (failure) throw failure;
       const { port1, port2 } = new MessageChannel();
       const moved = canvas.transferControlToOffscreen();
       stage = new PortStage(port1, 'worker', leave, onProgress);

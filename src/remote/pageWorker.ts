@@ -1,47 +1,70 @@
 import { LoadError, SimulatorError } from '../preset/errors.ts';
+import { afterRunning } from '../preset/patience.ts';
 import { watchHeart } from './heartbeat.ts';
 import type { Greeting } from './worker.ts';
 import { unpackError } from './packedErrors.ts';
 import { startWorker } from './startWorker.ts';
 
-/** Until then a worker has to have come and said that it can draw. */
+/** Until then a worker has to have come and said that it can draw; time in which the page runs. */
 const GREETING_MS = 30_000;
+/** A worker that ends more often than this ends by what is drawn, and would do so for ever. */
+const MOST_DEATHS = 3;
 /** Who comes back soon, as on a page that moves its widgets about, finds the worker as it was. */
 const GRACE_MS = 5_000;
+
+/** A stage in the worker. */
+export interface Holder {
+  /** Whether it waits for something that takes long. */
+  readonly isAtWork: boolean;
+  /** Told when the worker has ended; it is held no more then. */
+  fail(error: Error): void;
+}
 
 /** The worker that all stages of a page share: started for the first, ended some time after the last. */
 class PageWorker {
   private starting: Promise<Worker> | undefined;
   private worker: Worker | undefined;
-  private holders = new Set<(error: Error) => void>();
+  private holders = new Set<Holder>();
+  private deaths = 0;
   private farewell: ReturnType<typeof setTimeout> | undefined;
   private refusal: Error | undefined;
   private stopWatching: (() => void) | undefined;
 
   /**
-   * The worker, which has to be released with the same function. Where it could not be had or failed once, it is not tried
+   * The worker, which the same holder has to release. Where it could not be had, or has ended three times, it is not tried
    * again.
-   * @param onFailure told when the worker fails later
    * @throws why it cannot be had
    */
-  async hold(onFailure: (error: Error) => void): Promise<Worker> {
+  async hold(holder: Holder): Promise<Worker> {
     if (this.refusal) throw this.refusal;
     clearTimeout(this.farewell);
-    this.holders.add(onFailure);
+    this.holders.add(holder);
     this.starting ??= this.start();
     try {
       return await this.starting;
     } catch (error) {
       this.refusal = error as Error;
-      this.holders.delete(onFailure);
+      this.holders.delete(holder);
       throw error;
     }
   }
 
-  release(onFailure: (error: Error) => void): void {
-    if (this.holders.delete(onFailure) && this.holders.size === 0) {
+  release(holder: Holder): void {
+    if (this.holders.delete(holder) && this.holders.size === 0) {
       this.farewell = setTimeout(() => this.end(), GRACE_MS);
     }
+  }
+
+  /** Tells whoever holds a worker that it is no more. Of one that is not the page's any longer there is nothing to tell. */
+  private lose(worker: Worker, message: string): void {
+    if (worker !== this.worker) return;
+    const error = new SimulatorError(message);
+    const holders = [...this.holders];
+    this.holders.clear();
+    this.end();
+    this.deaths += 1;
+    if (this.deaths >= MOST_DEATHS) this.refusal = error;
+    for (const holder of holders) holder.fail(error);
   }
 
   private async start(): Promise<Worker> {
@@ -56,17 +79,15 @@ class PageWorker {
     worker.onerror = (event) => {
       // It is told to the stages, and not to the page as one of its own.
       event.preventDefault();
-      this.fail(`The worker failed: ${event.message}`);
+      this.lose(worker, `The worker failed: ${event.message}`);
     };
-    this.stopWatching = watchHeart(worker, () => this.fail('The worker is gone: it does not answer any more.'));
+    this.stopWatching = watchHeart({
+      worker,
+      isAtWork: () => [...this.holders].some(({ isAtWork }) => isAtWork),
+      onGone: () => this.lose(worker, 'The worker is gone: it does not answer any more.'),
+    });
     this.worker = worker;
     return worker;
-  }
-
-  private fail(message: string): void {
-    this.end();
-    this.refusal = new SimulatorError(message);
-    for (const holder of this.holders) holder(this.refusal);
   }
 
   private end(): void {
@@ -80,14 +101,14 @@ class PageWorker {
 function greeted(worker: Worker): Promise<void> {
   return new Promise((resolve, reject) => {
     const refuse = (reason: string) => reject(new LoadError(`The worker could not be started: ${reason}`));
-    const timer = setTimeout(() => refuse('it did not answer in time.'), GREETING_MS);
+    const stopWaiting = afterRunning(GREETING_MS, () => refuse('it did not answer in time.'));
     worker.onerror = (event) => {
       event.preventDefault();
-      clearTimeout(timer);
+      stopWaiting();
       refuse(event.message ?? 'the page or the browser does not allow it.');
     };
     worker.onmessage = ({ data }: MessageEvent<Greeting>) => {
-      clearTimeout(timer);
+      stopWaiting();
       const error = unpackError(data.error);
       if (error) reject(error);
       else resolve();

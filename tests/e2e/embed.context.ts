@@ -16,7 +16,8 @@ export async function turnContext(thread: Thread, way: 'loseContext' | 'restoreC
       const event = method === 'loseContext' ? 'webglcontextlost' : 'webglcontextrestored';
       const happens = new Promise((resolve) => device.canvas.addEventListener(event, resolve, { once: true }));
       const kept = globalThis as { losing?: WEBGL_lose_context | null };
-      kept.losing ??= device.renderer.getContext().getExtension('WEBGL_lose_context');
+      // A context that is lost gives no extensions.
+      if (method === 'loseContext') kept.losing = device.renderer.getContext().getExtension('WEBGL_lose_context');
       kept.losing![method]();
       await happens;
       // The browser decides about restoring only after the event's last listener.
@@ -24,4 +25,20 @@ export async function turnContext(thread: Thread, way: 'loseContext' | 'restoreC
     },
     [shared, way] as const,
   );
+}
+
+/**
+ * How long a thread waits for what may take ten seconds or more, such as a context that is to come back: for ever, however slow
+ * the machine is, or not at all. No test can turn the clock of a worker.
+ */
+export async function setPatience(thread: Thread, patience: 'endless' | 'none'): Promise<void> {
+  await thread.evaluate((given) => {
+    const kept = globalThis as { original?: typeof setTimeout };
+    const original = (kept.original ??= globalThis.setTimeout);
+    const wait = (act: () => void, milliseconds = 0) => {
+      if (milliseconds < 10_000) return original(act, milliseconds);
+      return given === 'none' ? original(act) : 0;
+    };
+    Object.assign(globalThis, { setTimeout: wait });
+  }, patience);
 }

@@ -21,6 +21,28 @@ export function show(thread: 'auto' | 'main' | 'worker', options: ElementOptions
   return { element, told };
 }
 
+/** Several of them, beside each other. */
+export function showSome(count: number, thread: 'main' | 'worker'): Shown[] {
+  const shown = Array.from({ length: count }, () => show(thread));
+  for (const { element } of shown) {
+    element.style.cssText = 'display: inline-block; width: 48px; height: 36px';
+    Object.assign(element, { puffVariations: 1 });
+  }
+  return shown;
+}
+
+/** Settled when all of them have gone on, and show smoke. */
+export async function allDraw(shown: readonly Shown[]): Promise<void> {
+  await Promise.all(
+    shown.map(async (one) => {
+      const { steps } = await one.element.stats();
+      while ((await one.element.stats()).steps < steps + 3 || (await colorsOf(one)) < 4) {
+        await new Promise(requestAnimationFrame);
+      }
+    }),
+  );
+}
+
 /** Whether the poster and the fallback stand in the place of the smoke, and nothing can be played. */
 export function isGivenUp({ element }: Shown): boolean {
   const [poster, fallback] = [...element.children].map((child) => child.checkVisibility());

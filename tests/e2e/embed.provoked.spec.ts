@@ -1,9 +1,9 @@
 /** Faults that no page can bring about, and contexts that go, seen through the element: it recovers or gives up, and says so. */
-import type { JSHandle } from '@playwright/test';
+import type { JSHandle, Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import type { LoadModule } from '../support/modules.ts';
 import type { Shown } from './embed.provoked.cases.ts';
-import { turnContext } from './embed.context.ts';
+import { setPatience, turnContext } from './embed.context.ts';
 
 type Cases = typeof import('./embed.provoked.cases.ts');
 type Shared = typeof import('../../src/remote/sharedDevice.ts');
@@ -25,19 +25,46 @@ for (const thread of ['main', 'worker'] as const) {
   });
 }
 
-test('a context that goes and comes goes on with its smoke, until it goes too often', async ({ load, blank }) => {
-  const cases = await load<Cases>(CASES);
-  const shown = await cases.evaluateHandle((module) => module.show('main'));
-  await expect.poll(() => shown.evaluate(({ told }) => told)).toEqual(['ready on main']);
-  for (let loss = 0; loss < 3; ++loss) {
-    await turnContext(blank, 'loseContext');
-    await turnContext(blank, 'restoreContext');
-  }
-  await expect.poll(() => cases.evaluate((module, one) => module.colorsOf(one), shown)).toBeGreaterThan(3);
-  expect(await shown.evaluate(({ told }) => told)).toEqual(['ready on main']);
-  await turnContext(blank, 'loseContext');
-  await expectGivenUp(load, shown, ['ready on main', 'ContextError']);
-});
+for (const thread of ['main', 'worker'] as const) {
+  test(`a context that goes and comes back, twice, brings all smoke back: ${thread}`, async ({ load, blank }) => {
+    const cases = await load<Cases>(CASES);
+    const shown = await cases.evaluateHandle((module, where) => module.showSome(6, where), thread);
+    const told = () => shown.evaluate((all) => all.map((one) => one.told.join()));
+    await expect.poll(told).toEqual(Array(6).fill(`ready on ${thread}`));
+    const drawing = thread === 'main' ? blank : blank.workers()[0];
+    await setPatience(drawing, 'endless');
+    for (let loss = 0; loss < 2; ++loss) {
+      await turnContext(drawing, 'loseContext');
+      await turnContext(drawing, 'restoreContext');
+    }
+    await cases.evaluate((module, all) => module.allDraw(all), shown);
+    expect(await told()).toEqual(Array(6).fill(`ready on ${thread}`));
+  });
+
+  test(`one that goes too often or stays away is given up, until somebody asks for other smoke: ${thread}`, async ({
+    load,
+    blank,
+  }) => {
+    const cases = await load<Cases>(CASES);
+    const shown = await cases.evaluateHandle((module, where) => module.show(where), thread);
+    const told = () => shown.evaluate((one) => one.told);
+    const ready = `ready on ${thread}`;
+    await expect.poll(told).toEqual([ready]);
+    const drawing = thread === 'main' ? blank : blank.workers()[0];
+    await setPatience(drawing, 'endless');
+    for (let loss = 0; loss < 3; ++loss) {
+      await turnContext(drawing, 'loseContext');
+      await turnContext(drawing, 'restoreContext');
+    }
+    await turnContext(drawing, 'loseContext');
+    await expectGivenUp(load, shown, [ready, 'ContextError']);
+    await shown.evaluate(({ element }) => element.setAttribute('src', '#preset=wisp'));
+    await expect.poll(told).toEqual([ready, 'ContextError', ready]);
+    await setPatience(drawing, 'none');
+    await turnContext(drawing, 'loseContext');
+    await expectGivenUp(load, shown, [ready, 'ContextError', ready, 'ContextError']);
+  });
+}
 
 test('a context that is lost in the start and stays away is waited for, then given up', async ({ load, blank }) => {
   await blank.clock.install();
@@ -55,22 +82,61 @@ test('a context that is lost in the start and stays away is waited for, then giv
   expect(await cases.evaluate((module, one) => module.isGivenUp(one), shown)).toBe(true);
 });
 
-test('a worker that ends without a word in the start is noticed, and the next smoke goes without it', async ({
+/** Lets so many times pass after which the page asks whether its worker is there. */
+async function beats(page: Page, count: number): Promise<void> {
+  for (let beat = 0; beat < count; ++beat) await page.clock.fastForward(10_000);
+}
+
+test('a worker that ends in the start is noticed, and the next smoke has a new one', async ({ load, blank }) => {
+  await blank.clock.install();
+  const cases = await load<Cases>(CASES);
+  const shown = await cases.evaluateHandle((module) => module.show('worker', { fault: 'workerSilent' }));
+  await expect.poll(() => shown.evaluate(({ element }) => element.shadowRoot!.querySelector('canvas'))).not.toBeNull();
+  await beats(blank, 5);
+  expect(await shown.evaluate(({ told }) => told)).toEqual([]);
+  await beats(blank, 9);
+  await expectGivenUp(load, shown, ['SimulatorError']);
+  const next = await cases.evaluateHandle((module) => module.show('auto'));
+  await expect.poll(() => next.evaluate(({ told }) => told)).toEqual(['ready on worker']);
+  expect(blank.workers()).toHaveLength(1);
+});
+
+/** Ends the worker of a page, by itself or by an exception, and lets the page find out. */
+async function kill(page: Page, way: 'close' | 'throw'): Promise<void> {
+  await page.workers()[0].evaluate((how) => {
+    setTimeout(() => {
+      if (how === 'close') return globalThis.close();
+      throw new Error('out of order');
+    });
+  }, way);
+  await expect.poll(() => page.workers().length).toBe(0);
+  if (way === 'close') await beats(page, 14);
+}
+
+test('a worker that ends while it plays ends all its smoke, which lives again when it is asked to, three times', async ({
   load,
   blank,
 }) => {
   await blank.clock.install();
   const cases = await load<Cases>(CASES);
-  const shown = await cases.evaluateHandle((module) => module.show('worker', { fault: 'workerSilent' }));
-  await expect.poll(() => blank.workers().length).toBe(1);
-  await expect.poll(() => shown.evaluate(({ element }) => element.shadowRoot!.querySelector('canvas'))).not.toBeNull();
-  const beats = async (count: number) => {
-    for (let beat = 0; beat < count; ++beat) await blank.clock.fastForward(10_000);
-  };
-  await beats(5);
-  expect(await shown.evaluate(({ told }) => told)).toEqual([]);
-  await beats(8);
-  await expectGivenUp(load, shown, ['SimulatorError']);
+  const shown = await cases.evaluateHandle((module) => module.showSome(2, 'worker'));
+  const told = () => shown.evaluate((all) => all.map((one) => one.told.splice(0).join()));
+  for (const way of ['close', 'throw', 'close'] as const) {
+    await expect.poll(() => shown.evaluate((all) => all.every(({ element }) => element.playing))).toBe(true);
+    await cases.evaluate((module, all) => module.allDraw(all), shown);
+    expect(await told()).toEqual(Array(2).fill('ready on worker'));
+    expect(blank.workers()).toHaveLength(1);
+    await kill(blank, way);
+    await expect.poll(() => cases.evaluate((module, all) => all.every(module.isGivenUp), shown)).toBe(true);
+    expect(await told()).toEqual(Array(2).fill('SimulatorError'));
+    await shown.evaluate(([first, second]) => {
+      first.element.setAttribute('src', `#preset=wisp&seed=${Math.random()}`);
+      second.element.remove();
+      setTimeout(() => document.body.append(second.element));
+    });
+  }
+  await expect.poll(told).toEqual(Array(2).fill('SimulatorError'));
+  expect(blank.workers()).toHaveLength(0);
   const next = await cases.evaluateHandle((module) => module.show('auto'));
-  await expect.poll(() => next.evaluate(({ told }) => told)).toEqual(['ready on main']);
+  await expect.poll(() => next.evaluate((one) => one.told)).toEqual(['ready on main']);
 });

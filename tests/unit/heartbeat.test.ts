@@ -1,0 +1,127 @@
+/** A worker that is gone is told from one that had no time to answer, and from a page that did not run meanwhile. */
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { fetched } from '../../src/preset/fetched.ts';
+import { afterRunning } from '../../src/preset/patience.ts';
+import { watchHeart } from '../../src/remote/heartbeat.ts';
+
+const MINUTE = 60_000;
+const page = { hidden: false };
+let isAtWork = false;
+let answers = true;
+let beats = 0;
+const onGone = vi.fn();
+
+/** A worker that answers at once, as long as it answers. */
+function watch(): () => void {
+  const worker = new EventTarget();
+  const postMessage = () => {
+    beats += 1;
+    if (answers) worker.dispatchEvent(new Event('message'));
+  };
+  return watchHeart({ worker: Object.assign(worker, { postMessage }), isAtWork: () => isAtWork, onGone });
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  vi.stubGlobal('document', page);
+  Object.assign(page, { hidden: false });
+  [isAtWork, answers, beats] = [false, true, 0];
+  onGone.mockClear();
+});
+afterEach(() => {
+  vi.useRealTimers();
+  vi.unstubAllGlobals();
+});
+
+test('a worker that answers lives on, and is asked six times a minute', () => {
+  watch();
+  vi.advanceTimersByTime(60 * MINUTE);
+  expect(onGone).not.toHaveBeenCalled();
+  expect(beats).toBe(360);
+});
+
+test('one that falls silent is given up after two minutes, once, and is asked no more', () => {
+  watch();
+  answers = false;
+  vi.advanceTimersByTime(2 * MINUTE);
+  expect(onGone).not.toHaveBeenCalled();
+  vi.advanceTimersByTime(10_000);
+  expect(onGone).toHaveBeenCalledTimes(1);
+  vi.advanceTimersByTime(60 * MINUTE);
+  expect([onGone.mock.calls.length, beats]).toEqual([1, 12]);
+});
+
+test('one that takes steps for long is waited for, and is given up after two minutes of silence without any', () => {
+  watch();
+  [isAtWork, answers] = [true, false];
+  vi.advanceTimersByTime(50 * MINUTE);
+  expect(onGone).not.toHaveBeenCalled();
+  // What it says of its steps may come before what it says to all the beats.
+  isAtWork = false;
+  vi.advanceTimersByTime(MINUTE + 50_000);
+  expect(onGone).not.toHaveBeenCalled();
+  vi.advanceTimersByTime(10_000);
+  expect(onGone).toHaveBeenCalledTimes(1);
+});
+
+test('one that never comes back from its steps is given up after an hour', () => {
+  watch();
+  [isAtWork, answers] = [true, false];
+  vi.advanceTimersByTime(61 * MINUTE);
+  expect(onGone).toHaveBeenCalledTimes(1);
+});
+
+test('a hidden page asks for nothing and gives nothing up', () => {
+  watch();
+  answers = false;
+  vi.advanceTimersByTime(MINUTE);
+  page.hidden = true;
+  vi.advanceTimersByTime(24 * 60 * MINUTE);
+  expect([onGone.mock.calls.length, beats]).toEqual([0, 6]);
+  page.hidden = false;
+  vi.advanceTimersByTime(2 * MINUTE);
+  expect(onGone).not.toHaveBeenCalled();
+});
+
+test('a night in which nothing ran counts as one beat', () => {
+  watch();
+  answers = false;
+  // A laptop that wakes up, or a debugger that goes on: the clock has moved, and each timer is due once.
+  for (let night = 0; night < 10; ++night) {
+    vi.setSystemTime(Date.now() + 8 * 60 * MINUTE);
+    vi.advanceTimersByTime(10_000);
+  }
+  expect(onGone).not.toHaveBeenCalled();
+});
+
+test('who has stopped watching hears nothing', () => {
+  const stop = watch();
+  answers = false;
+  stop();
+  vi.advanceTimersByTime(60 * MINUTE);
+  expect([onGone.mock.calls.length, beats]).toEqual([0, 0]);
+});
+
+test('waiting counts seconds in which the page ran', () => {
+  const late = vi.fn();
+  afterRunning(MINUTE, late);
+  vi.advanceTimersByTime(59_000);
+  vi.setSystemTime(Date.now() + 60 * MINUTE);
+  expect(late).not.toHaveBeenCalled();
+  vi.advanceTimersByTime(1_000);
+  expect(late).toHaveBeenCalledTimes(1);
+  const stop = afterRunning(MINUTE, late);
+  stop();
+  vi.advanceTimersByTime(2 * MINUTE);
+  expect(late).toHaveBeenCalledTimes(1);
+});
+
+test('what is fetched comes, fails as a LoadError, or is given up after a minute, and leaves no timer', async () => {
+  expect(await fetched('It', Promise.resolve(3))).toBe(3);
+  const failed = expect(fetched('It', Promise.reject(new Error('gone')))).rejects;
+  await failed.toMatchObject({ name: 'LoadError', message: 'It could not be fetched: gone' });
+  const silent = fetched('It', new Promise(() => undefined)).catch((error: Error) => `${error.name}: ${error.message}`);
+  vi.advanceTimersByTime(MINUTE);
+  expect(await silent).toBe('LoadError: It could not be fetched: nothing has come for a minute.');
+  expect(vi.getTimerCount()).toBe(0);
+});
