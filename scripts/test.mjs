@@ -3,13 +3,15 @@
  * With --long, what takes too long for that instead; with --update, the screenshot goldens are written anew.
  *
  * All of them run even when one failed. The last line is `N passed, N failed`. What cargo compiles and tests runs beside
- * everything else: its linking keeps one core busy, and the browser rarely two.
+ * everything else, the WASM build included, which it does without: one crate after the other keeps one core busy, and the
+ * browser rarely two.
  */
 
 import { readArguments } from './lib/arguments.mjs';
+import { stopPrograms } from './lib/command.mjs';
 import { withProgress } from './lib/progress.mjs';
 import { conclude, Refusal } from './lib/refusal.mjs';
-import { setUp, TESTS } from './setup/setup.mjs';
+import { setUp, TOOLS, WASM } from './setup/setup.mjs';
 import { CHECKS, LONG_CHECKS } from './test/checks.mjs';
 import { suites } from './test/suites.mjs';
 
@@ -25,19 +27,41 @@ await conclude(async () => {
   );
   const choice = { long: values.long, update: values.update };
   const runners = chooseRunners(choice, positionals);
-  await setUp(TESTS);
-  const lanes = [runners.filter(({ lane }) => lane === 'cargo'), runners.filter(({ lane }) => lane !== 'cargo')];
-  const results = (await Promise.all(lanes.map(runInTurn))).flat();
+  await setUp(TOOLS);
+  const results = await runInLanes(runners);
   const [passed, failed] = [sumOf(results, 'passed'), sumOf(results, 'failed')];
   console.log(`${passed} passed, ${failed} failed`);
   return failed > 0 ? 1 : 0;
 });
 
 /** @param {import('./test/checks.mjs').Runner[]} runners */
-async function runInTurn(runners) {
+async function runInLanes(runners) {
+  const others = runners.filter(({ lane }) => lane !== 'cargo');
+  const stop = new AbortController();
+  const lanes = [
+    runInTurn(
+      runners.filter(({ lane }) => lane === 'cargo'),
+      stop.signal,
+    ),
+    setUp(others.length > 0 ? WASM : []).then(() => runInTurn(others, stop.signal)),
+  ];
+  try {
+    return (await Promise.all(lanes)).flat();
+  } catch (error) {
+    // Without WASM there is nothing to wait for, and why there is none is to be the last that is said.
+    stop.abort();
+    stopPrograms();
+    await Promise.allSettled(lanes);
+    throw error;
+  }
+}
+
+/** @param {import('./test/checks.mjs').Runner[]} runners @param {AbortSignal} signal */
+async function runInTurn(runners, signal) {
   const results = [];
   for (const runner of runners) {
     const result = await withProgress(runner.title, runner.run, summary);
+    if (signal.aborted) break;
     if (result.failed > 0) show(runner.title, result);
     results.push(result);
   }

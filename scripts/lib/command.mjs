@@ -7,15 +7,16 @@ import { root } from './paths.mjs';
 /** @type {Set<import('node:child_process').ChildProcess>} */
 const living = new Set();
 
-process.on('exit', stopAll);
+process.on('exit', stopPrograms);
 for (const signal of /** @type {const} */ (['SIGINT', 'SIGTERM', 'SIGHUP'])) {
   process.once(signal, () => {
-    stopAll();
+    stopPrograms();
     process.exit(130);
   });
 }
 
-function stopAll() {
+/** Ends all programs that are running. */
+export function stopPrograms() {
   for (const child of living) child.kill();
 }
 

@@ -19,6 +19,10 @@ import * as wasm from './wasm.mjs';
 export const PAGE = [packages, toolchain, wasm];
 /** What the tests and the benchmarks need. @type {Component[]} */
 export const TESTS = [...PAGE, browser];
+/** The same in two parts, because what cargo tests needs no WASM. @type {Component[]} */
+export const TOOLS = TESTS.filter((component) => component !== wasm);
+/** @type {Component[]} */
+export const WASM = [wasm];
 /** For pictures that need no simulator. */
 export const PICTURES = [packages, browser];
 

@@ -91,9 +91,14 @@ describe('bench', () => {
 
 describe('test', () => {
   function withSuites(code: string): void {
-    project.write('scripts/setup/setup.mjs', 'export const TESTS = []; export async function setUp() {}');
+    withSetUp('');
     project.write('scripts/test/checks.mjs', 'export const CHECKS = []; export const LONG_CHECKS = [];');
-    project.write('scripts/test/suites.mjs', `export const suites = () => [${code}];`);
+    const run = `import { run } from '../lib/command.mjs';`;
+    project.write('scripts/test/suites.mjs', `${run} export const suites = () => [${code}];`);
+  }
+  function withSetUp(body: string): void {
+    const code = `export const TOOLS = ['tools'], WASM = ['wasm']; export async function setUp(components) { ${body} }`;
+    project.write('scripts/setup/setup.mjs', code);
   }
   const suite = (name: string, result: object) =>
     `{ name: '${name}', title: '${name}', run: async () => (${JSON.stringify({ skipped: 0, output: `said by ${name}`, ...result })}) }`;
@@ -116,6 +121,21 @@ describe('test', () => {
     const { status, output } = project.run('test.mjs');
     expect(status).toBe(0);
     expect(output.trimEnd().split('\n').at(-1)).toBe('2 passed, 0 failed');
+  });
+
+  test('without WASM cargo is stopped, nothing else begins, and only the reason is told', () => {
+    project.write('endless.mjs', `console.log('I run'); setInterval(() => {}, 1e6);`);
+    withSuites(`
+      { name: 'a', title: 'a', lane: 'cargo', run: () => new Promise((end) => {
+        globalThis.hasBegun = new Promise((begun) => run(process.execPath, ['endless.mjs'], { onLine: begun }).then(end));
+      }) },
+      { name: 'b', title: 'b', lane: 'cargo', run: () => console.log('b began') },
+      { name: 'c', title: 'c', run: () => console.log('c began') },
+    `);
+    withSetUp(`if (components.includes('wasm')) { await globalThis.hasBegun; throw new Error('no WASM'); }`);
+    const { status, output, errors } = project.run('test.mjs');
+    expect([status, errors]).toEqual([1, ['no WASM']]);
+    expect(output).not.toMatch(/began|\d passed/);
   });
 
   test('succeeds only when nothing failed', () => {
