@@ -12,6 +12,9 @@ const SITE = isLong ? '**/support/*.long.spec.ts' : '**/support/{policy,site,sni
 const ignored = isLong ? [] : [LONG];
 // A quarter of the pixels: what is looked at is the page, and where the picture counts tests ask for all.
 const fewPixels = { deviceScaleFactor: 0.5 };
+// Letters and boxes, and pixels on their way to be read, are drawn sooner by the page itself than by SwiftShader. What is
+// drawn with WebGL stays as it is.
+const plainCanvases = ['--disable-gpu-rasterization', '--disable-accelerated-2d-canvas'];
 // Workers that find something missing would all build it.
 const builtFirst = { dependencies: ['built'] };
 
@@ -28,9 +31,9 @@ export default defineConfig<object, WorkerOptions>({
   testIgnore: ignored,
   forbidOnly: true,
   retries: 0,
-  // Most of what a test takes is one thread's work, in the page or beside it: two at a time keep two cores busy. The long
-  // ones have the machine to themselves.
-  workers: isLong ? 1 : 2,
+  // Much of what a test takes is waiting for the page to follow, which three at a time fill on two cores. The long ones
+  // have the machine to themselves.
+  workers: isLong ? 1 : 3,
   // Long enough for the slowest of machines: who waits in vain has found a fault, and may as well wait longer.
   timeout: isLong ? 900_000 : 600_000,
   expect: { timeout: 120_000 },
@@ -55,7 +58,7 @@ export default defineConfig<object, WorkerOptions>({
     baseURL: `http://localhost:${port}`,
     viewport: { width: 640, height: 360 },
     deviceScaleFactor: 1,
-    launchOptions: { executablePath: browser, args: flags },
+    launchOptions: { executablePath: browser, args: [...flags, ...plainCanvases] },
   },
   webServer: {
     command: `node node_modules/vite/bin/vite.js --config tests/support/vite.config.ts --port ${port} --strictPort`,

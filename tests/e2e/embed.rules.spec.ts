@@ -7,10 +7,7 @@ type Cases = typeof import('./embed.cases.ts');
 type Shared = typeof import('../../src/remote/sharedDevice.ts');
 
 // Source modules, on pages of their own; the browser itself tells on the console what it forbids.
-test.use({
-  showsBuiltSite: false,
-  allowed: /Content Security|TrustedScriptURL|Trusted Type|404|WebAssembly|context lost/i,
-});
+test.use({ allowed: /Content Security|TrustedScriptURL|Trusted Type|404|WebAssembly|context lost/i });
 
 /** Opens two stages on a page: where they run, how many canvases and workers that took, and what they show. */
 async function openTwo(page: Page) {

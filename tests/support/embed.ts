@@ -1,19 +1,7 @@
 /** The `test` of pages of other people: they get the package as npm has it, without a bundler. */
-import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { expect, test as base } from './fixtures.ts';
-import { script } from './server.ts';
-
-export interface Server {
-  readonly address: string;
-  /** Files that were answered so far. */
-  readonly sent: { file: string; bytes: number }[];
-  close(): Promise<void>;
-}
-
-interface ServeScript {
-  serveSite(folder: string, place: string, headers?: Record<string, string>): Promise<Server>;
-}
+import type { SiteServer as Server } from './plainHost.ts';
 
 export interface HostOptions {
   /** What the page loads; the modules of the package by default, three.js beside them. */
@@ -25,30 +13,19 @@ export interface HostOptions {
 /** Opens a page with this body; answers when it was loaded. */
 export type OpenHost = (body: string, options?: HostOptions) => Promise<void>;
 
-const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 export const MODULES = `
   <script type="importmap">{ "imports": { "three": "/node_modules/three/build/three.module.js" } }</script>
   <script type="module" src="/package/dist/element.js"></script>`;
 /** The smallest smoke there is. */
 export const WISP = 'preset="wisp" simulation-max-particles="300" puff-variations="1" thread="main"';
 
-export const test = base.extend<{ host: OpenHost }, { server: Server }>({
-  server: [
-    // oxlint-disable-next-line no-empty-pattern -- what it needs is no fixture, and the runner reads the pattern
-    async ({}, use) => {
-      const { serveSite } = await script<ServeScript>('site/serve.mjs');
-      const server = await serveSite(ROOT, '/');
-      await use(server);
-      await server.close();
-    },
-    { scope: 'worker' },
-  ],
+export const test = base.extend<{ host: OpenHost }>({
   host: async ({ page, server }, use) => {
     await use((body, options) => openHost(page, server, body, options));
   },
 });
 
-export { expect };
+export { expect, type Server };
 
 /** Shows a page of somebody else's with this body. */
 export async function openHost(

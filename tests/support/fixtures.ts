@@ -7,6 +7,7 @@ import { serveBuiltSite } from './builtSite.ts';
 import { watchComplaints } from './complaints.ts';
 import { KeptPage } from './keptPage.ts';
 import { loadModule, type LoadModule } from './modules.ts';
+import { serveRepository, type SiteServer } from './plainHost.ts';
 
 interface TestFixtures {
   /** Complaints of the page that a test provokes on purpose; any other makes it fail. `test.use({ allowed: /…/ })` */
@@ -30,6 +31,8 @@ interface WorkerFixtures extends WorkerOptions {
   /** The unmasked renderer string of WebGL 2, checked once for each browser that is started. */
   renderer: string;
   kept: KeptPage;
+  /** For pages of other people. It stands here so that their tests and others of the element take turns in one browser. */
+  server: SiteServer;
 }
 
 export const test = base.extend<TestFixtures, WorkerFixtures>({
@@ -62,6 +65,15 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
       const kept = new KeptPage(browser, project.use);
       await use(kept);
       await kept.close();
+    },
+    { scope: 'worker' },
+  ],
+  server: [
+    // oxlint-disable-next-line no-empty-pattern -- what it needs is no fixture, and the runner reads the pattern
+    async ({}, use) => {
+      const server = await serveRepository();
+      await use(server);
+      await server.close();
     },
     { scope: 'worker' },
   ],

@@ -1,11 +1,12 @@
-/** A plain web host for tests of the built site: from a folder deep inside, packed by gzip, under a strict policy. */
+/** Plain web hosts: for the built site from a folder deep inside, packed by gzip, under a strict policy, and for the package. */
+import { fileURLToPath } from 'node:url';
 import { script } from './server.ts';
 
 export interface SiteServer {
-  /** Of the site's folder, ending with a slash. */
-  address: string;
+  /** Of the folder, ending with a slash. */
+  readonly address: string;
   /** What was answered so far: bytes over the wire, without headers. */
-  sent: { file: string; bytes: number }[];
+  readonly sent: { file: string; bytes: number }[];
   close(): Promise<void>;
 }
 
@@ -13,6 +14,7 @@ interface ServeScript {
   serveSite(folder: string, place: string, headers?: Record<string, string>): Promise<SiteServer>;
 }
 
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const PLACE = '/some/where/';
 const STRICT = {
   'content-security-policy':
@@ -28,4 +30,10 @@ export async function serveStrictly(folder: string): Promise<SiteServer> {
 export async function serveOpenly(folder: string): Promise<SiteServer> {
   const { serveSite } = await script<ServeScript>('site/serve.mjs');
   return serveSite(folder, PLACE, { 'access-control-allow-origin': '*' });
+}
+
+/** The whole repository, of which pages of other people load the package as npm has it. */
+export async function serveRepository(): Promise<SiteServer> {
+  const { serveSite } = await script<ServeScript>('site/serve.mjs');
+  return serveSite(ROOT, '/');
 }
