@@ -30,7 +30,7 @@ export const attributes = [
     name: 'collide',
     type: string,
     description:
-      'A CSS selector: smoke flows around the boxes of the first eight elements that it fits, wherever they go, and curls at the ends of the first four.',
+      'A CSS selector: smoke flows around the boxes of the elements that it fits, wherever they go. Eight at once: of more, those in the picture and nearest to where smoke rises, found anew whenever they move; `statechange` tells so. It curls at the ends of the nearest four.',
   },
   {
     name: 'emit-from',

@@ -6,7 +6,8 @@ import type { ScenePlane } from '../stage/sight.ts';
 import { change } from './change.ts';
 import { Deferred } from './deferred.ts';
 import { EmitterSwitch } from './emitterSwitch.ts';
-import { colliderValues, curlValues, emitterValues, MOST, placeOnPlane, type Place } from './pageValues.ts';
+import { nearest, type Box } from './nearest.ts';
+import { colliderValues, curlValues, emitterValues, MOST, mostCurled, placeOnPlane } from './pageValues.ts';
 import { quietly } from './quietly.ts';
 import { watchLayout } from './watchLayout.ts';
 
@@ -100,22 +101,24 @@ export class OnPage {
 
   private find(): void {
     const notices: Notice[] = [];
-    this.obstacles = this.matches('collide', notices);
-    this.emitters.attach(this.matches('emit-from', notices), this.host.element.getAttribute('emit-on') ?? 'always');
+    this.obstacles = this.matches('collide', 'nearest', notices);
+    const emitters = this.matches('emit-from', 'first', notices).slice(0, MOST);
+    this.emitters.attach(emitters, this.host.element.getAttribute('emit-on') ?? 'always');
     const told = notices.map(({ message }) => message).join();
     if (told !== this.told && notices.length > 0) this.host.tell(notices);
     this.told = told;
   }
 
-  private matches(attribute: string, notices: Notice[]): Element[] {
+  /** @param which of too many count */
+  private matches(attribute: string, which: 'first' | 'nearest', notices: Notice[]): Element[] {
     const selector = this.host.element.getAttribute(attribute);
     if (selector === null) return [];
     try {
       const root = this.host.element.getRootNode() as ParentNode;
       const found = [...root.querySelectorAll(selector)].filter((each) => each !== this.host.element);
-      const tell = () => `${attribute} fits ${found.length} elements; the first ${MOST} count.`;
+      const tell = () => `${attribute} fits ${found.length} elements; the ${which} ${MOST} count.`;
       if (found.length > MOST) notices.push(notice('outOfRange', attribute, selector, tell));
-      return found.slice(0, MOST);
+      return found;
     } catch {
       const tell = (given: string) => `${attribute} cannot be ${given}: it takes a CSS selector.`;
       notices.push(notice('malformed', attribute, selector, tell));
@@ -126,15 +129,21 @@ export class OnPage {
   private valuesOn(plane: ScenePlane): Values {
     const frame = this.host.frame.getBoundingClientRect();
     const scale = this.host.frame.clientWidth / Math.max(frame.width, 1);
-    const place = (element: Element): Place => placeOnPlane(element.getBoundingClientRect(), frame, scale, plane);
+    const place = (box: Box) => placeOnPlane(box, frame, scale, plane);
     const own = this.host.values();
-    const obstacles = this.obstacles.filter(isShown).map(place);
-    const emitters = this.emitters.attached.filter(isShown);
+    const emitters = this.emitters.attached
+      .map((element) => ({ box: element.getBoundingClientRect(), isOn: this.emitters.isOn(element) }))
+      .filter(({ box }) => isShown(box));
+    const sources = emitters.map(({ box }) => box);
+    const boxes = this.obstacles.map((element) => element.getBoundingClientRect()).filter(isShown);
+    const followed = nearest(boxes, MOST, frame, sources);
+    const firstVortex = vorticesOf(own);
+    const curled = nearest(followed, mostCurled(firstVortex), frame, sources);
     return {
-      ...colliderValues(obstacles, plane),
-      ...curlValues(obstacles, plane, vorticesOf(own)),
+      ...colliderValues(followed.map(place), plane),
+      ...curlValues(curled.map(place), plane, firstVortex),
       ...emitterValues(
-        emitters.map((element) => ({ place: place(element), isOn: this.emitters.isOn(element) })),
+        emitters.map(({ box, isOn }) => ({ place: place(box), isOn })),
         plane,
         Number(own['emission.rate']),
       ),
@@ -155,7 +164,6 @@ function vorticesOf(values: Values): number {
   return used.length === 0 ? 0 : 1 + Math.max(...used.map(Number));
 }
 
-function isShown(element: Element): boolean {
-  const { width, height } = element.getBoundingClientRect();
+function isShown({ width, height }: Box): boolean {
   return width > 0 && height > 0;
 }

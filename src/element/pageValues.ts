@@ -1,6 +1,7 @@
 /** What boxes on the page are for the simulator: obstacles and emitters in the plane that the eye looks at. */
 import type { Values } from '../preset/parameter.ts';
 import type { ScenePlane } from '../stage/sight.ts';
+import type { Box } from './nearest.ts';
 
 /** Smoke is born behind and before the plane, too: boxes reach through all of it. Metres. */
 const DEPTH = 20;
@@ -8,7 +9,7 @@ const DEPTH = 20;
 const SEAM = 0.02;
 /** How strongly smoke curls around the ends of obstacles: circulation for each metre that it reaches, m/s. */
 const CURL = 1.2;
-/** As many as the simulator has of each list. */
+/** As many as the simulator has of each list: a collider for an obstacle, and two vortices for one that smoke curls at. */
 export const MOST = 8;
 const MILLIMETRE = 1000;
 const LEAST_HALF = 0.001;
@@ -22,8 +23,6 @@ export interface Place {
   readonly halfWidth: number;
   readonly halfHeight: number;
 }
-
-type Box = Pick<DOMRect, 'left' | 'top' | 'width' | 'height'>;
 
 /**
  * @param box on the page
@@ -70,6 +69,11 @@ function halfOf(metres: number): number {
   return rounded(Math.max(metres, LEAST_HALF));
 }
 
+/** How many obstacles smoke can curl at. @param first vortex that is free */
+export function mostCurled(first: number): number {
+  return Math.max(0, Math.floor((MOST - first) / 2));
+}
+
 /**
  * Flat values of vortices at both ends of obstacles, which lead smoke out from under them and curl it around their ends:
  * smoke that only bumped would lie under a headline until it is gone.
@@ -77,7 +81,7 @@ function halfOf(metres: number): number {
  */
 export function curlValues(places: readonly Place[], plane: ScenePlane, first: number): Values {
   const axis = cross(unit(plane.right), unit(plane.up));
-  const led = places.slice(0, Math.max(0, Math.floor((MOST - first) / 2)));
+  const led = places.slice(0, mostCurled(first));
   return Object.assign({}, ...led.flatMap((place, index) => curls(place, plane, axis, first + 2 * index)));
 }
 

@@ -1,3 +1,4 @@
+import type { Page } from '@playwright/test';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
 import { expect, stands, test } from '../support/embed.ts';
 
@@ -6,6 +7,15 @@ const AIR = `preset="air" simulation-max-particles="300" thread="main" transpare
   style="position: absolute; left: 20px; top: 10px; width: 600px; height: 450px"`;
 const box = (id: string, left: number, top: number, width: number, height: number) =>
   `<button id="${id}" style="position: absolute; box-sizing: border-box; left: ${left}px; top: ${top}px; width: ${width}px; height: ${height}px"></button>`;
+
+const NOTICES = `<script>
+  window.notices = [];
+  document.querySelector('cartoon-smoke').addEventListener('statechange', ({ detail }) => window.notices.push(...detail.notices));
+</script>`;
+
+function noticesOf(page: Page): Promise<string[]> {
+  return page.evaluate(() => (Reflect.get(window, 'notices') as { message: string }[]).map(({ message }) => message));
+}
 
 type Numbers = Record<string, number | string | undefined>;
 
@@ -34,19 +44,33 @@ test('boxes of the page stand in the smoke where they stand on the page, and go 
     .toEqual([]);
 });
 
-test('a smoke that stays while the page scrolls sees its boxes go by', async ({ page, host }) => {
+test('a smoke that stays while the page scrolls sees its boxes go by: of many those around it, and it says so', async ({
+  page,
+  host,
+}) => {
+  // One every 200 pixels, from 85 below the top; the middle of the smoke is 235 below.
+  const boxes = Array.from({ length: 12 }, (_, index) => box(`a${index}`, 170, 85 + 200 * index, 300, 75));
   await host(`<cartoon-smoke ${AIR.replace('absolute', 'fixed')} paused collide="button"></cartoon-smoke>
-    ${box('a', 170, 85, 300, 75)}<div style="height: 3000px"></div>`);
+    ${boxes.join('')}<div style="height: 3000px"></div>${NOTICES}`);
   await stands(page);
-  const height = async () => {
+  /** The numbers of the boxes that smoke flows around and those of the boxes that it curls at. */
+  const followed = async (scrolled: number) => {
     const values = (await page
       .locator('cartoon-smoke')
       .evaluate((smoke: CartoonSmokeElement) => smoke.get())) as Numbers;
-    return values['colliders.0.position.y'];
+    const numbers = (list: string, below: number) =>
+      [0, 1, 2, 3, 4, 5, 6, 7].map((item) => {
+        const top = 235 - 150 * (Number(values[`${list}.${item}.position.y`]) + below) - 37.5;
+        return Math.round(((top + scrolled - 85) / 200) * 100) / 100;
+      });
+    return { around: numbers('colliders', 0), curls: numbers('vortices', 0.125) };
   };
-  await expect.poll(height).toBeCloseTo(0.75, 2);
-  await page.mouse.wheel(0, 150);
-  await expect.poll(height).toBeCloseTo(1.75, 2);
+  const first = { around: [0, 1, 2, 3, 4, 5, 6, 7], curls: [0, 0, 1, 1, 2, 2, 3, 3] };
+  await expect.poll(() => followed(0)).toEqual(first);
+  await page.mouse.wheel(0, 1_000);
+  const later = { around: [2, 3, 4, 5, 6, 7, 8, 9], curls: [4, 4, 5, 5, 6, 6, 7, 7] };
+  await expect.poll(() => followed(1_000)).toEqual(later);
+  expect(await noticesOf(page)).toEqual(['collide fits 12 elements; the nearest 8 count.']);
 });
 
 test('no smoke is drawn where a box of the page stands, and some is around it', async ({ page, host }) => {
@@ -142,13 +166,7 @@ test('a click lets smoke rise for a moment, and reaches what was clicked', async
 });
 
 test('a selector that is none is told, and changes nothing', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${AIR} paused collide="!!"></cartoon-smoke><script>
-    window.notices = [];
-    document.querySelector('cartoon-smoke').addEventListener('statechange', ({ detail }) => window.notices.push(...detail.notices));
-  </script>`);
+  await host(`<cartoon-smoke ${AIR} paused collide="!!"></cartoon-smoke>${NOTICES}`);
   await stands(page);
-  const told = await page.evaluate(() =>
-    (Reflect.get(window, 'notices') as { message: string }[]).map(({ message }) => message),
-  );
-  expect(told.join()).toContain('takes a CSS selector');
+  expect((await noticesOf(page)).join()).toContain('takes a CSS selector');
 });
