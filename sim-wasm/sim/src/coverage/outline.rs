@@ -6,6 +6,7 @@ use super::plan::{Bodies, Plan, Shadows, What};
 use super::polygon::Polygon;
 use super::solids::{BALLS_LIMIT, TurnedBalls, Turns};
 use super::{END_STEPS, NO_END, NOTHING_LEFT};
+use crate::clamp::clamped;
 
 /// Single precision: a coordinate is a sum of terms as large as those of the place.
 const ROUNDING: f32 = 2e-6;
@@ -327,7 +328,7 @@ impl Shadows<'_> {
             return [w, 0.0];
         }
         let ray = [eye.right.at(place) / w, eye.up.at(place) / w];
-        let ray = [0, 1].map(|axis: usize| ray[axis].clamp(eye.slopes[axis][0], eye.slopes[axis][1]));
+        let ray = [0, 1].map(|axis: usize| clamped(ray[axis], eye.slopes[axis][0], eye.slopes[axis][1]));
         let slope = -(eye.travel[0] * ray[0] + eye.travel[1] * ray[1]);
         if self.solids.faces_eye {
             return [w, grown * slope.max(0.0)];
