@@ -1,6 +1,7 @@
 /** The element in frameworks, in fresh projects: rendered on a server, set and heard in the browser, its markup checked. */
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { bin, expect, expectTitle, expectTypes, PAGE, test } from '../support/freshProject.ts';
 
 const TYPESCRIPT = 'typescript@7';
@@ -61,6 +62,12 @@ export function Smoke() {
 `;
 const READY = 'worker,true,12,300';
 
+/** What the package's README tells those to do whose page a server renders. */
+function componentOfReadme(): string {
+  const readme = readFileSync(fileURLToPath(new URL('../../scripts/package/README.md', import.meta.url)), 'utf8');
+  return /```jsx\n([^]*?)```/.exec(readme)![1];
+}
+
 test('React 19: attributes, properties, events and types', async ({ page, project }) => {
   const place = project(
     ['react@19', 'react-dom@19', '@types/react@19', '@types/react-dom@19', 'vite@8', TYPESCRIPT, '@types/three@0.187'],
@@ -92,17 +99,23 @@ test('Next.js: imported on the server, in the page as it leaves the server, and 
     'app/page.jsx': `import { CartoonSmoke } from 'cartoon-smoke';
 import { presets } from 'cartoon-smoke/preset';
 import { Smoke } from './Smoke.jsx';
+import { Steam } from './Steam.jsx';
 
 export default function Page() {
-  return <main><p>{typeof CartoonSmoke}, {presets.length > 5 ? 'presets' : 'none'}</p><Smoke /></main>;
+  return <main><p>{typeof CartoonSmoke}, {presets.length > 5 ? 'presets' : 'none'}</p><Smoke /><Steam /></main>;
 }
 `,
     'app/Smoke.jsx': CLIENT,
+    'app/Steam.jsx': componentOfReadme(),
   });
   bin(place, 'next/dist/bin/next', 'build');
   const rendered = readFileSync(join(place, 'out/index.html'), 'utf8');
   expect(rendered).toMatch(/<cartoon-smoke preset="wisp" simulation-max-particles="300"/);
-  await expectTitle(page, join(place, 'out'), READY);
+  await expectTitle(page, join(place, 'out'), READY, async () => {
+    await expect(page.getByText('The smoke is playing.')).toBeVisible();
+    await page.locator('figure').getByRole('button').click();
+    await expect(page.getByText('The smoke is paused.')).toBeVisible();
+  });
 });
 
 for (const [name, packages, options] of [

@@ -92,11 +92,17 @@ export function expectTypes(place: string, options: object, include: readonly st
   }
 }
 
-/** Serves what was built, and waits until the page has this title. */
-export async function expectTitle(page: Page, place: string, title: string): Promise<void> {
+/** Serves what was built, and waits until the page has this title. @param further what else has to hold while it is served */
+export async function expectTitle(
+  page: Page,
+  place: string,
+  title: string,
+  further: () => Promise<void> = async () => {},
+): Promise<void> {
   const { serveSite } = await script<{ serveSite(folder: string, place: string): Promise<Server> }>('site/serve.mjs');
   const server = await serveSite(place, '/');
   await page.goto(server.address);
   await expect(page).toHaveTitle(title, { timeout: 60_000 });
+  await further();
   await server.close();
 }
