@@ -58,6 +58,37 @@ test('calls its canvas and its button as the page wants, in any language, also l
   await expect(page.getByRole('img')).toHaveCount(0);
 });
 
+test('starts far below where the page wants that, or asks for something; its button looks as the page wants', async ({
+  page,
+  host,
+}) => {
+  const parts = `cartoon-smoke::part(button) { border-radius: 3px } cartoon-smoke::part(canvas) { opacity: .5 }
+    cartoon-smoke { --cartoon-smoke-button-size: 50px; --cartoon-smoke-button-inset: 4px;
+      --cartoon-smoke-button-color: rgb(1, 2, 3); --cartoon-smoke-button-background: rgb(4, 5, 6);
+      --cartoon-smoke-focus-color: rgb(7, 8, 9) }`;
+  await host(
+    `<div style="height: 5000px">An article</div>
+    <cartoon-smoke id="eager" loading="eager" ${WISP} paused ${BOX}></cartoon-smoke>
+    <cartoon-smoke id="asked" ${WISP} paused ${BOX}></cartoon-smoke>
+    <cartoon-smoke id="lazy" ${WISP} paused ${BOX}></cartoon-smoke>`,
+    { style: parts },
+  );
+  await stands(page, '#eager');
+  const asked = await page.locator('#asked').evaluate((smoke: CartoonSmokeElement) => smoke.get());
+  expect(asked.scene).toBe('wisp');
+  const canvases = await page.evaluate(() =>
+    [...document.querySelectorAll('cartoon-smoke')].map((smoke) => Boolean(smoke.shadowRoot!.querySelector('canvas'))),
+  );
+  expect(canvases).toEqual([true, true, false]);
+  const looks = await page.locator('#eager').evaluate((smoke) => {
+    const [button, canvas] = ['button', 'canvas'].map((part) => smoke.shadowRoot!.querySelector<HTMLElement>(part)!);
+    button.focus({ focusVisible: true } as FocusOptions);
+    const { width, borderRadius, bottom, color, backgroundColor, outlineColor } = getComputedStyle(button);
+    return [width, borderRadius, bottom, color, backgroundColor, outlineColor, getComputedStyle(canvas).opacity];
+  });
+  expect(looks).toEqual(['50px', '3px', '4px', 'rgb(1, 2, 3)', 'rgb(4, 5, 6)', 'rgb(7, 8, 9)', '0.5']);
+});
+
 test('is accessible to those who check it', async ({ page, host }) => {
   await host(`<main><h1>A page</h1><cartoon-smoke ${WISP} paused ${BOX}></cartoon-smoke></main>`);
   await stands(page);
@@ -81,6 +112,35 @@ test('rests out of sight, and goes on in sight', async ({ page, host }) => {
   const before = await steps();
   await page.mouse.wheel(0, -2000);
   await expect.poll(steps).toBeGreaterThan(before);
+});
+
+test('draws sixty pictures a second on a screen that shows four times as many', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
+  await stands(page);
+  const drawn = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
+    const stage = await smoke.stage;
+    const native = window.requestAnimationFrame;
+    const waiting = new Map<number, FrameRequestCallback>();
+    let latest = 0;
+    window.requestAnimationFrame = (act) => {
+      waiting.set(++latest, act);
+      return latest;
+    };
+    window.cancelAnimationFrame = (request) => waiting.delete(request);
+    while (waiting.size === 0) await new Promise((resolve) => native(resolve));
+    const count = { frames: 0, steps: (await smoke.stats()).steps };
+    stage.on('frame', () => (count.frames += 1));
+    const begin = performance.now() + 1_000;
+    for (let frame = 0; frame < 240; ++frame) {
+      const due = [...waiting.values()];
+      waiting.clear();
+      for (const act of due) act(begin + (frame * 1_000) / 240);
+    }
+    return { ...count, steps: (await smoke.stats()).steps - count.steps };
+  });
+  expect(Math.abs(drawn.frames - 60)).toBeLessThanOrEqual(1);
+  // The time before the first of them counts, too, as far as any does.
+  expect(drawn.steps).toBeGreaterThan(55);
 });
 
 test('has as many pixels as the screen when the page is zoomed while it plays', async ({ page, host }) => {

@@ -1,9 +1,11 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
+import { HANDED_ON } from '../../src/element/methods.ts';
 import { keyOfAttribute, names } from '../../src/element/names.ts';
 import type { Parameter } from '../../src/preset/parameter.ts';
 import { listNames } from '../../src/preset/lists.ts';
 import { table } from '../../src/preset/table.ts';
+import { calls } from '../../src/remote/calls.ts';
 
 const FILE = new URL('../../src/element/names.json', import.meta.url);
 
@@ -48,6 +50,11 @@ it('has each parameter once, in the order of the table', () => {
 it('tells all of them apart as attributes and as properties', () => {
   expect(new Set(names.map(({ property }) => property)).size).toBe(names.length);
   expect(keyOfAttribute.size).toBe(names.length);
+});
+
+it('hands on every method of a stage but those that it does in its own way', () => {
+  const own = Object.keys(calls).filter((name) => !(HANDED_ON as readonly string[]).includes(name));
+  expect(own).toEqual(['play', 'pause', 'resize', 'setBackground', 'setVisible']);
 });
 
 it('writes keys as pages write them', () => {
