@@ -1,12 +1,22 @@
 import { expect, test } from '../support/fixtures.ts';
 import { bytesOf, expectGolden } from '../support/goldens.ts';
+import { expectGone } from './stageEnds.ts';
 
-type Cases = typeof import('./cases/stage.ts');
-const CASES = '/tests/visual/cases/stage.ts';
+type Pictures = typeof import('./cases/stage.ts');
+type Devices = typeof import('./cases/stageDevices.ts');
+type Quality = typeof import('./cases/stageQuality.ts');
+type Renderers = typeof import('./cases/stageRenderers.ts');
+type Times = typeof import('./cases/stageTimes.ts');
+
+const PICTURES = '/tests/visual/cases/stage.ts';
+const DEVICES = '/tests/visual/cases/stageDevices.ts';
+const QUALITY = '/tests/visual/cases/stageQuality.ts';
+const RENDERERS = '/tests/visual/cases/stageRenderers.ts';
+const TIMES = '/tests/visual/cases/stageTimes.ts';
 
 for (const seconds of [1, 3, 6]) {
   test(`the lamp after ${seconds} s`, async ({ load }, testInfo) => {
-    const cases = await load<Cases>(CASES);
+    const cases = await load<Pictures>(PICTURES);
     const picture = await cases.evaluateHandle((module, time) => module.lampPicture(time), seconds);
     const { colors, commonest, pixels } = await cases.evaluate((module, blob) => module.census(blob), picture);
     expect(colors).toBeGreaterThan(50);
@@ -16,7 +26,7 @@ for (const seconds of [1, 3, 6]) {
 }
 
 test('two stages share a device and keep their own pictures', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
+  const cases = await load<Devices>(DEVICES);
   const report = await cases.evaluate((module) => module.shareDevice());
   expect(report.between).toBeGreaterThan(1000);
   expect(report.firstAlone).toBe(0);
@@ -26,7 +36,7 @@ test('two stages share a device and keep their own pictures', async ({ load }) =
 
 for (const which of ['halfQuality', 'halfQualityShared'] as const) {
   test(`fewer pixels change neither canvas, nor flat tones, nor the width of ink: ${which}`, async ({ load }) => {
-    const cases = await load<Cases>(CASES);
+    const cases = await load<Quality>(QUALITY);
     const report = await cases.evaluate((module, name) => module[name](), which);
     expect(report.flat).toBeGreaterThan(2_000);
     expect(report.ink).toBeGreaterThan(50);
@@ -37,13 +47,13 @@ for (const which of ['halfQuality', 'halfQualityShared'] as const) {
 }
 
 test('a stage that may choose draws fewer pixels while it is late, and all of them in a pause', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
+  const cases = await load<Quality>(QUALITY);
   expect(await cases.evaluate((module) => module.governedScales('auto'))).toEqual({ played: [1, 0.59], paused: 1 });
   expect(await cases.evaluate((module) => module.governedScales(undefined))).toEqual({ played: [1], paused: 1 });
 });
 
 test('memory that grows in mid-run keeps drawing', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
+  const cases = await load<Devices>(DEVICES);
   const report = await cases.evaluate((module) => module.growMemory());
   expect(report.grown).toBe(true);
   expect(report.painted).toBeGreaterThan(50);
@@ -54,36 +64,26 @@ test.describe('loss', () => {
   test.use({ allowed: /context lost|context restored|CONTEXT_LOST/i, ownPage: true });
 
   test('a lost context comes back with the simulation unharmed', async ({ load }) => {
-    const cases = await load<Cases>(CASES);
+    const cases = await load<Devices>(DEVICES);
     const report = await cases.evaluate((module) => module.loseContext());
     expect(report).toEqual({ changed: 0, sameHash: true, refused: true });
   });
 
-  test('50 stages leave no live context and no growing heap', async ({ load, blank }) => {
-    const cases = await load<Cases>(CASES);
-    const devTools = await blank.context().newCDPSession(blank);
-    const heap = async () => {
-      await devTools.send('HeapProfiler.collectGarbage');
-      return (await devTools.send('Runtime.getHeapUsage')).usedSize;
-    };
-    const first = await cases.evaluate((module) => module.comeAndGo(25));
-    const before = await heap();
-    const second = await cases.evaluate((module) => module.comeAndGo(25));
-    expect(first.lost + second.lost).toBe(50);
-    expect(second.wasmBytes).toBe(first.wasmBytes);
-    expect((await heap()) - before).toBeLessThan(25 * 20_000);
+  // More than the sixteen contexts that a browser lets live at a time.
+  test('18 stages leave no live context and no growing heap', async ({ load, blank }) => {
+    await expectGone(load, blank, 6);
   });
 });
 
 for (const speed of [1, 0.5, 0.25]) {
   test(`at speed ${speed} on a 60 Hz clock frames are ${speed} steps apart`, async ({ load }) => {
-    const cases = await load<Cases>(CASES);
+    const cases = await load<Times>(TIMES);
     expect(await cases.evaluate((module, value) => module.movementAtSpeed(value), speed)).toBeLessThan(0.02);
   });
 }
 
 test('a take on another stage has the same hashes and the same picture', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
+  const cases = await load<Times>(TIMES);
   const { hashes, rates, inputs, changed } = await cases.evaluate((module) => module.replayTake());
   expect(hashes[1]).toBe(hashes[0]);
   expect(rates).toEqual([rates[0], rates[0], 60]);
@@ -93,7 +93,7 @@ test('a take on another stage has the same hashes and the same picture', async (
 });
 
 test('a ball that a pointer drags goes the same way again in a take', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
+  const cases = await load<Times>(TIMES);
   const { lived, again, still, held } = await cases.evaluate((module) => module.replayDrag());
   expect(held).toEqual(Array<string>(14).fill('rigid'));
   expect(again).toBe(lived);
@@ -101,7 +101,7 @@ test('a ball that a pointer drags goes the same way again in a take', async ({ l
 });
 
 test('seeking back and forth passes the same moments, with everything that was done', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
+  const cases = await load<Times>(TIMES);
   const { straight, again, bytes, rates } = await cases.evaluate((module) => module.seekBack());
   expect(again).toEqual(straight);
   expect(rates).toEqual([40, 80, 120, 160]);
@@ -110,12 +110,12 @@ test('seeking back and forth passes the same moments, with everything that was d
 });
 
 test('open air is as large on the page on every screen', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
+  const cases = await load<Pictures>(PICTURES);
   for (const metres of await cases.evaluate((module) => module.airPerPixel())) expect(metres).toBeCloseTo(1 / 150, 6);
 });
 
 test('a stage draws nothing that nobody sees, nor the same picture twice', async ({ load }) => {
-  const cases = await load<Cases>(CASES);
+  const cases = await load<Pictures>(PICTURES);
   expect(await cases.evaluate((module) => module.picturesDrawn())).toEqual([0, 1, 1, 2]);
 });
 
@@ -123,7 +123,7 @@ test.describe('of a renderer that is not here yet', () => {
   test.use({ ownPage: true, allowed: /ERR_FAILED/ });
 
   test('the code is fetched while nailboards go on; it is then the one from the start', async ({ load }) => {
-    const cases = await load<Cases>(CASES);
+    const cases = await load<Renderers>(RENDERERS);
     const { atOnce, later, fromStart } = await cases.evaluate((module) => module.lateRenderer());
     expect(atOnce).toBe(0);
     expect(later).toBeGreaterThan(100);
@@ -131,7 +131,7 @@ test.describe('of a renderer that is not here yet', () => {
   });
 
   test('people are told when it cannot be fetched, and nailboards go on', async ({ load, blank }) => {
-    const cases = await load<Cases>(CASES);
+    const cases = await load<Renderers>(RENDERERS);
     await blank.route('**/src/smoke/rivals.ts*', (route) => route.abort());
     const { told, thrown, steps, drawn } = await cases.evaluate((module) => module.lostRenderer());
     expect(told[0]).toContain('LoadError: The renderer selle could not be loaded');

@@ -1,0 +1,9 @@
+/** What takes long of stages; stage.spec.ts has the same with fewer. */
+import { test } from '../support/fixtures.ts';
+import { expectGone } from './stageEnds.ts';
+
+test.use({ allowed: /context lost|context restored|CONTEXT_LOST/i, ownPage: true });
+
+test('75 stages leave no live context and no growing heap', async ({ load, blank }) => {
+  await expectGone(load, blank, 25);
+});
