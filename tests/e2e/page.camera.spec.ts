@@ -66,44 +66,44 @@ test('turning, shifting and zooming go into the link, and a second page has the 
   await expect(other.locator('.notice')).toHaveCount(0);
 });
 
-test('a gesture is undone in one step, by mouse, wheel and keys', async ({ page }) => {
+test('a gesture is undone in one step, and moods of a scene keep the view', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  const gestures = [
-    () => mouseOf(page)(NOWHERE, BESIDE),
-    () => burst(page, 'wheel', { deltaY: 60 }),
-    () => burst(page, 'keydown', { key: 'ArrowRight', shiftKey: true }),
-    () => page.keyboard.press('0'),
-  ];
-  const eyes = [await eyeOf(page)];
-  for (const gesture of gestures) {
-    await gesture();
-    await expect.poll(() => eyeOf(page)).not.toEqual(eyes.at(-1));
-    await expectLink(page);
-    eyes.push(await eyeOf(page));
-  }
-  expect(eyes.at(-1)).toEqual({});
-  for (const eye of eyes.slice(0, -1).toReversed()) {
-    await page.keyboard.press('Control+z');
-    await expect.poll(() => eyeOf(page)).toEqual(eye);
-  }
-  await expectHash(page, LIGHT);
-  await page.keyboard.press('Control+Shift+z');
-  await expect.poll(() => eyeOf(page)).toEqual(eyes[1]);
-});
-
-test('moods of a scene are seen from where people look; another scene from its own place', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
-  await ask(page, (stage) => stage.set({ 'camera.azimuth': 90, 'camera.elevation': 0 }));
-  const [x, ahead] = await ask(page, (stage) => [stage.sight.along([0, 0, 1])[0], stage.camera.azimuth()]);
-  expect(x).toBeCloseTo(1, 6);
-  expect(ahead).toBeCloseTo(Math.PI / 2, 6);
-  await page.keyboard.press('g');
-  await page.getByRole('radio', { name: 'Noir' }).check();
-  await expectHash(page, '#v=1&preset=lamp-noir&camera.azimuth=90&camera.elevation=0');
-  await page.getByRole('radio', { name: 'Cup of tea' }).check();
-  await expectValue(page, 'scene', 'wisp');
-  await expectHash(page, '#v=1&preset=wisp');
-  expect(await eyeOf(page)).toEqual({});
+  await test.step('a gesture is undone in one step, by mouse, wheel and keys', async () => {
+    const gestures = [
+      () => mouseOf(page)(NOWHERE, BESIDE),
+      () => burst(page, 'wheel', { deltaY: 60 }),
+      () => burst(page, 'keydown', { key: 'ArrowRight', shiftKey: true }),
+      () => page.keyboard.press('0'),
+    ];
+    const eyes = [await eyeOf(page)];
+    for (const gesture of gestures) {
+      await gesture();
+      await expect.poll(() => eyeOf(page)).not.toEqual(eyes.at(-1));
+      await expectLink(page);
+      eyes.push(await eyeOf(page));
+    }
+    expect(eyes.at(-1)).toEqual({});
+    for (const eye of eyes.slice(0, -1).toReversed()) {
+      await page.keyboard.press('Control+z');
+      await expect.poll(() => eyeOf(page)).toEqual(eye);
+    }
+    await expectHash(page, LIGHT);
+    await page.keyboard.press('Control+Shift+z');
+    await expect.poll(() => eyeOf(page)).toEqual(eyes[1]);
+  });
+  await test.step('moods of a scene are seen from where people look; another scene from its own place', async () => {
+    await ask(page, (stage) => stage.set({ 'camera.azimuth': 90, 'camera.elevation': 0 }));
+    const [x, ahead] = await ask(page, (stage) => [stage.sight.along([0, 0, 1])[0], stage.camera.azimuth()]);
+    expect(x).toBeCloseTo(1, 6);
+    expect(ahead).toBeCloseTo(Math.PI / 2, 6);
+    await page.keyboard.press('g');
+    await page.getByRole('radio', { name: 'Noir' }).check();
+    await expectHash(page, '#v=1&preset=lamp-noir&camera.azimuth=90&camera.elevation=0');
+    await page.getByRole('radio', { name: 'Cup of tea' }).check();
+    await expectValue(page, 'scene', 'wisp');
+    await expectHash(page, '#v=1&preset=wisp');
+    expect(await eyeOf(page)).toEqual({});
+  });
 });
 
 test('this very moment is the same frame, camera too', async ({ page, browser }) => {

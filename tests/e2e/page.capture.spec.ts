@@ -15,8 +15,6 @@ const sheet = (page: Page) => page.getByRole('dialog', { name: 'Capture the smok
 const press = (page: Page) => sheet(page).getByRole('button', { name: 'Capture', exact: true }).click();
 
 async function openSheet(page: Page): Promise<string> {
-  await open(page, `?paused=1${LIGHT}`);
-  await ask(page, (stage) => stage.step(60));
   await page.keyboard.press('c');
   await expect(sheet(page)).toBeVisible();
   return ask(page, (stage) => stage.hash());
@@ -56,56 +54,61 @@ async function captured(page: Page): Promise<{ name: string; bytes: number[] }> 
   return { name: file.suggestedFilename(), bytes: await bytesOf(file) };
 }
 
-test('the sheet gives a picture as large as was asked for, with holes where nothing is', async ({ page }) => {
-  const hash = await openSheet(page);
-  await sheet(page).getByLabel('Pixels').selectOption('2');
-  await sheet(page).getByLabel('With background').uncheck();
-  await expect(sheet(page).getByText('800 × 600 pixels.')).toBeVisible();
-  const { name, bytes } = await captured(page);
-  expect(name).toBe('lamp-1.00s.png');
-  const picture = await page.evaluate(async (given) => {
-    const image = await createImageBitmap(new Blob([Uint8Array.from(given)]));
-    const context = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
-    context.drawImage(image, 0, 0);
-    const { data } = context.getImageData(0, 0, image.width, image.height);
-    const opaque = data.filter((value, at) => at % 4 === 3 && value === 255).length;
-    return { size: [image.width, image.height], corner: data[3], opaque: opaque / (data.length / 4) };
-  }, bytes);
-  expect(picture).toMatchObject({ size: [800, 600], corner: 0 });
-  expect(picture.opaque).toBeGreaterThan(0.05);
-  await page.keyboard.press('Escape');
-  expect(await ask(page, (stage) => [stage.hash(), stage.playing])).toEqual([hash, false]);
-});
-
-test('a video from the sheet has its frames, and neighbours differ', async ({ page }) => {
-  const hash = await openSheet(page);
-  await sheet(page).getByLabel('As').selectOption('webm');
-  await sheet(page).getByLabel('Seconds').fill('0.5');
-  await sheet(page).getByLabel('Frames').selectOption('12');
-  await expect(sheet(page).getByText('6 frames of 400 × 300 pixels.')).toBeVisible();
-  const { name, bytes } = await captured(page);
-  expect(name).toBe('lamp-1.00s.webm');
-  const moves = await movesOf(page, bytes);
-  expect(moves).toHaveLength(5);
-  for (const moved of moves) expect(moved).toBeGreaterThan(50);
-  expect(await ask(page, (stage) => stage.hash())).toBe(hash);
-});
-
-test('a long clip is stopped by its button, and by closing the sheet', async ({ page }) => {
-  const hash = await openSheet(page);
-  await sheet(page).getByLabel('As').selectOption('gif');
-  await sheet(page).getByLabel('Seconds').fill('60');
-  await press(page);
-  await expect(sheet(page).getByRole('progressbar', { name: 'Drawing frame by frame' })).toBeVisible();
-  await sheet(page).getByRole('button', { name: 'Stop here' }).click();
-  await expect(sheet(page).getByText('Stopped. The smoke is as it was.')).toBeVisible();
-  await press(page);
-  await expect(sheet(page).getByRole('progressbar', { name: 'Drawing frame by frame' })).toBeVisible();
-  await page.keyboard.press('Escape');
-  await expect(sheet(page)).toBeHidden();
-  await page.keyboard.press('c');
-  await expect(sheet(page).getByLabel('As')).toBeEnabled();
-  expect(await ask(page, (stage) => stage.hash())).toBe(hash);
+test('captures are ordered from the sheet, and leave the smoke as it is', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await ask(page, (stage) => stage.step(60));
+  await test.step('a video from the sheet has its frames, and neighbours differ', async () => {
+    const hash = await openSheet(page);
+    await sheet(page).getByLabel('As').selectOption('webm');
+    await sheet(page).getByLabel('Seconds').fill('0.5');
+    await sheet(page).getByLabel('Frames').selectOption('12');
+    await expect(sheet(page).getByText('6 frames of 400 × 300 pixels.')).toBeVisible();
+    const { name, bytes } = await captured(page);
+    expect(name).toBe('lamp-1.00s.webm');
+    const moves = await movesOf(page, bytes);
+    expect(moves).toHaveLength(5);
+    for (const moved of moves) expect(moved).toBeGreaterThan(50);
+    expect(await ask(page, (stage) => stage.hash())).toBe(hash);
+    await page.keyboard.press('Escape');
+  });
+  await test.step('a long clip is stopped by its button, and by closing the sheet', async () => {
+    const hash = await openSheet(page);
+    await sheet(page).getByLabel('As').selectOption('gif');
+    await sheet(page).getByLabel('Seconds').fill('60');
+    await press(page);
+    await expect(sheet(page).getByRole('progressbar', { name: 'Drawing frame by frame' })).toBeVisible();
+    await sheet(page).getByRole('button', { name: 'Stop here' }).click();
+    await expect(sheet(page).getByText('Stopped. The smoke is as it was.')).toBeVisible();
+    await press(page);
+    await expect(sheet(page).getByRole('progressbar', { name: 'Drawing frame by frame' })).toBeVisible();
+    await page.keyboard.press('Escape');
+    await expect(sheet(page)).toBeHidden();
+    await page.keyboard.press('c');
+    await expect(sheet(page).getByLabel('As')).toBeEnabled();
+    expect(await ask(page, (stage) => stage.hash())).toBe(hash);
+    await page.keyboard.press('Escape');
+  });
+  await test.step('the sheet gives a picture as large as was asked for, with holes where nothing is', async () => {
+    const hash = await openSheet(page);
+    await sheet(page).getByLabel('As').selectOption('png');
+    await sheet(page).getByLabel('Pixels').selectOption('2');
+    await sheet(page).getByLabel('With background').uncheck();
+    await expect(sheet(page).getByText('800 × 600 pixels.')).toBeVisible();
+    const { name, bytes } = await captured(page);
+    expect(name).toBe('lamp-1.00s.png');
+    const picture = await page.evaluate(async (given) => {
+      const image = await createImageBitmap(new Blob([Uint8Array.from(given)]));
+      const context = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
+      context.drawImage(image, 0, 0);
+      const { data } = context.getImageData(0, 0, image.width, image.height);
+      const opaque = data.filter((value, at) => at % 4 === 3 && value === 255).length;
+      return { size: [image.width, image.height], corner: data[3], opaque: opaque / (data.length / 4) };
+    }, bytes);
+    expect(picture).toMatchObject({ size: [800, 600], corner: 0 });
+    expect(picture.opaque).toBeGreaterThan(0.05);
+    await page.keyboard.press('Escape');
+    expect(await ask(page, (stage) => [stage.hash(), stage.playing])).toEqual([hash, false]);
+  });
 });
 
 test.describe('on a phone', () => {

@@ -1,4 +1,5 @@
 /** Every row of the table at both ends of what a link may ask for: something changes, and nothing breaks. */
+import type { Page } from '@playwright/test';
 import { table } from '../../src/preset/table.ts';
 import { expect, test } from '../support/fixtures.ts';
 import { itemTrials, singleTrials, valuesAt, withoutEffectOnPicture, withoutEffectOnState } from './ends.ts';
@@ -21,14 +22,15 @@ test('what the simulator reads changes its state', async ({ page }) => {
   expect(await withoutEffectOnState(page, needing)).toEqual([]);
 });
 
-test('so do all items of its lists, each as a whole', async ({ page }) => {
+test('so do all items of its lists, each as a whole, and all at once leave the simulator alive', async ({ page }) => {
   await open(page, `?paused=1&ui=0${SMALL}`);
   await ask(page, (stage) => stage.step(60));
   expect(await withoutEffectOnState(page, itemTrials())).toEqual([]);
+  await expectAlive(page);
 });
 
-test('all at once at their ends leave the simulator alive, without NaN', async ({ page }) => {
-  await open(page, `?paused=1&ui=0${SMALL}`);
+/** All at once at their ends leave the simulator alive, without NaN. */
+async function expectAlive(page: Page): Promise<void> {
   const rows = table.filter(({ reader }) => reader === 'simulator');
   const states = await page.evaluate(
     (all) => {
@@ -52,7 +54,7 @@ test('all at once at their ends leave the simulator alive, without NaN', async (
     expect(hash).toMatch(/^[0-9a-f]{16}$/);
   }
   expect(states[0].hash).not.toBe(states[1].hash);
-});
+}
 
 test('what style, light and camera read changes the picture', async ({ page }) => {
   await open(page, `?paused=1&ui=0${SMALL}`);

@@ -10,93 +10,91 @@ async function expectBallAt(page: Page, { x, y }: Place): Promise<void> {
   expect(Math.hypot(ball.x - x, ball.y - y), `ball at ${ball.x}, ${ball.y} instead of ${x}, ${y}`).toBeLessThan(12);
 }
 
-test('the mouse drags the ball, and the simulation knows', async ({ page }) => {
+test('the mouse drags the ball and turns the view beside it, and arrow keys move the ball', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  await arrive(page);
-  const start = (await ballPlace(page))!;
-  await page.mouse.move(start.x, start.y);
-  await page.mouse.down();
-  await page.mouse.move(start.x - 90, start.y - 40, { steps: 4 });
-  await page.mouse.up();
-  await arrive(page);
-  await expectBallAt(page, { x: start.x - 90, y: start.y - 40 });
+  await test.step('beside the ball the mouse turns the view, and 0 brings it back', async () => {
+    await arrive(page);
+    const hash = await ask(page, (stage) => stage.hash());
+    const start = (await ballPlace(page))!;
+    await page.mouse.move(60, 200);
+    await page.mouse.down();
+    await page.mouse.move(240, 150, { steps: 4 });
+    await page.mouse.up();
+    const turned = (await ballPlace(page))!;
+    expect(Math.hypot(turned.x - start.x, turned.y - start.y)).toBeGreaterThan(20);
+    await page.keyboard.press('0');
+    await expectBallAt(page, start);
+    expect(await ask(page, (stage) => stage.hash())).toBe(hash);
+  });
+  await test.step('the mouse drags the ball, and the simulation knows', async () => {
+    await arrive(page);
+    const start = (await ballPlace(page))!;
+    await page.mouse.move(start.x, start.y);
+    await page.mouse.down();
+    await page.mouse.move(start.x - 90, start.y - 40, { steps: 4 });
+    await page.mouse.up();
+    await arrive(page);
+    await expectBallAt(page, { x: start.x - 90, y: start.y - 40 });
+  });
+  await test.step('arrow keys move the ball along the picture', async () => {
+    await arrive(page);
+    const start = (await ballPlace(page))!;
+    await page.keyboard.down('ArrowLeft');
+    // A held key moves the ball by no more than 9 cm a frame, and a busy machine draws few frames.
+    await expect
+      .poll(async () => {
+        await arrive(page);
+        return (await ballPlace(page))!.x;
+      })
+      .toBeLessThan(start.x - 30);
+    await page.keyboard.up('ArrowLeft');
+    await arrive(page);
+    const left = (await ballPlace(page))!;
+    expect(Math.abs(left.y - start.y)).toBeLessThan(12);
+    await arrive(page);
+    await expectBallAt(page, left);
+  });
 });
 
-test('beside the ball the mouse turns the view, and 0 brings it back', async ({ page }) => {
+test('keys and the mouse blow into the smoke', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  await arrive(page);
-  const hash = await ask(page, (stage) => stage.hash());
-  const start = (await ballPlace(page))!;
-  await page.mouse.move(60, 200);
-  await page.mouse.down();
-  await page.mouse.move(240, 150, { steps: 4 });
-  await page.mouse.up();
-  const turned = (await ballPlace(page))!;
-  expect(Math.hypot(turned.x - start.x, turned.y - start.y)).toBeGreaterThan(20);
-  await page.keyboard.press('0');
-  await expectBallAt(page, start);
-  expect(await ask(page, (stage) => stage.hash())).toBe(hash);
-});
-
-test('Alt and the mouse beside the ball blow, and the take blows again', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
-  const hashAt90 = () =>
-    ask(page, async (stage) => {
-      await stage.seek(1.5);
-      return stage.hash();
+  await test.step('B blows into the middle without any pointer, and the smoke goes another way', async () => {
+    await ask(page, (stage) => stage.step(60));
+    await page.keyboard.press('b');
+    const inputs = () => ask(page, (stage) => stage.take().inputs);
+    await expect.poll(inputs).toBe(1);
+    await ask(page, (stage) => stage.step(20));
+    const blown = await ask(page, (stage) => stage.hash());
+    await ask(page, (stage) => {
+      stage.restart();
+      stage.step(80);
     });
-  const still = await hashAt90();
-  await ask(page, (stage) => stage.seek(1));
-  await page.mouse.move(340, 215);
-  await page.keyboard.down('Alt');
-  await page.mouse.down();
-  await page.mouse.move(390, 205, { steps: 4 });
-  await page.mouse.up();
-  await page.keyboard.up('Alt');
-  expect(await ask(page, (stage) => stage.stats.inputs)).toBe(1);
-  const blown = await hashAt90();
-  expect(blown).not.toBe(still);
-  await ask(page, (stage) => {
-    const take = stage.take();
-    stage.restart();
-    stage.playTake(take);
+    expect(await ask(page, (stage) => stage.hash())).not.toBe(blown);
   });
-  expect(await hashAt90()).toBe(blown);
-});
-
-test('B blows into the middle without any pointer, and the smoke goes another way', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
-  await ask(page, (stage) => stage.step(60));
-  await page.keyboard.press('b');
-  const inputs = () => ask(page, (stage) => stage.take().inputs);
-  await expect.poll(inputs).toBe(1);
-  await ask(page, (stage) => stage.step(20));
-  const blown = await ask(page, (stage) => stage.hash());
-  await ask(page, (stage) => {
-    stage.restart();
-    stage.step(80);
+  await test.step('Alt and the mouse beside the ball blow, and the take blows again', async () => {
+    const hashAt90 = () =>
+      ask(page, async (stage) => {
+        await stage.seek(1.5);
+        return stage.hash();
+      });
+    const still = await hashAt90();
+    await ask(page, (stage) => stage.seek(1));
+    await page.mouse.move(340, 215);
+    await page.keyboard.down('Alt');
+    await page.mouse.down();
+    await page.mouse.move(390, 205, { steps: 4 });
+    await page.mouse.up();
+    await page.keyboard.up('Alt');
+    expect(await ask(page, (stage) => stage.stats.inputs)).toBe(1);
+    const blown = await hashAt90();
+    expect(blown).not.toBe(still);
+    await ask(page, (stage) => {
+      const take = stage.take();
+      stage.restart();
+      stage.playTake(take);
+    });
+    expect(await hashAt90()).toBe(blown);
   });
-  expect(await ask(page, (stage) => stage.hash())).not.toBe(blown);
-});
-
-test('arrow keys move the ball along the picture', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
-  await arrive(page);
-  const start = (await ballPlace(page))!;
-  await page.keyboard.down('ArrowLeft');
-  // A held key moves the ball by no more than 9 cm a frame, and a busy machine draws few frames.
-  await expect
-    .poll(async () => {
-      await arrive(page);
-      return (await ballPlace(page))!.x;
-    })
-    .toBeLessThan(start.x - 30);
-  await page.keyboard.up('ArrowLeft');
-  await arrive(page);
-  const left = (await ballPlace(page))!;
-  expect(Math.abs(left.y - start.y)).toBeLessThan(12);
-  await arrive(page);
-  await expectBallAt(page, left);
 });
 
 test('keys play, step and open the help sheet, but leave typing alone', async ({ page }) => {
@@ -126,57 +124,55 @@ test('keys play, step and open the help sheet, but leave typing alone', async ({
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test('a finger drags the ball', async ({ page }) => {
+  test('fingers open the parameters, drag the ball and come nearer', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
-    await arrive(page);
-    const start = (await ballPlace(page))!;
-    const session = await page.context().newCDPSession(page);
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: Place[]) =>
-      session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
-    await touch('touchStart', [start]);
-    await touch('touchMove', [{ x: start.x - 30, y: start.y - 30 }]);
-    await touch('touchMove', [{ x: start.x - 60, y: start.y - 60 }]);
-    await touch('touchEnd', []);
-    await arrive(page);
-    await expectBallAt(page, { x: start.x - 60, y: start.y - 60 });
-  });
-
-  test('two fingers come nearer', async ({ page }) => {
-    await open(page, `?paused=1${LIGHT}`);
-    await page.evaluate(() => {
-      const { camera } = window.cartoonSmoke!;
-      const zoom = camera.zoom;
-      camera.zoom = (factor: number) => {
-        document.body.dataset.zoom = String(Number(document.body.dataset.zoom ?? 1) * factor);
-        zoom(factor);
-      };
+    await test.step('the parameters come as a sheet and leave the smoke in sight', async () => {
+      const panel = page.getByRole('region', { name: 'Parameters' });
+      await expect(panel).toBeHidden();
+      await page.getByRole('button', { name: 'Parameters', exact: true }).tap();
+      await expect(panel).toBeVisible();
+      const sheet = (await panel.boundingBox())!;
+      const canvas = (await page.locator('canvas').boundingBox())!;
+      expect(canvas.y + canvas.height).toBeLessThanOrEqual(sheet.y + 1);
+      expect(sheet.width).toBe(390);
+      await page.getByRole('button', { name: 'Close the parameters' }).tap();
+      await expect(panel).toBeHidden();
     });
-    const session = await page.context().newCDPSession(page);
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: (Place & { id: number })[]) =>
-      session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
-    const pair = (gap: number) => [
-      { x: 195, y: 120 - gap, id: 0 },
-      { x: 195, y: 120 + gap, id: 1 },
-    ];
-    await touch('touchStart', pair(20));
-    await touch('touchMove', pair(30));
-    await touch('touchMove', pair(40));
-    await touch('touchEnd', []);
-    await expect.poll(() => page.evaluate(() => Number(document.body.dataset.zoom))).toBeCloseTo(2, 1);
-  });
-
-  test('the parameters come as a sheet and leave the smoke in sight', async ({ page }) => {
-    await open(page, `?paused=1${LIGHT}`);
-    const panel = page.getByRole('region', { name: 'Parameters' });
-    await expect(panel).toBeHidden();
-    await page.getByRole('button', { name: 'Parameters', exact: true }).tap();
-    await expect(panel).toBeVisible();
-    const sheet = (await panel.boundingBox())!;
-    const canvas = (await page.locator('canvas').boundingBox())!;
-    expect(canvas.y + canvas.height).toBeLessThanOrEqual(sheet.y + 1);
-    expect(sheet.width).toBe(390);
-    await page.getByRole('button', { name: 'Close the parameters' }).tap();
-    await expect(panel).toBeHidden();
+    await test.step('a finger drags the ball', async () => {
+      await arrive(page);
+      const start = (await ballPlace(page))!;
+      const session = await page.context().newCDPSession(page);
+      const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: Place[]) =>
+        session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+      await touch('touchStart', [start]);
+      await touch('touchMove', [{ x: start.x - 30, y: start.y - 30 }]);
+      await touch('touchMove', [{ x: start.x - 60, y: start.y - 60 }]);
+      await touch('touchEnd', []);
+      await arrive(page);
+      await expectBallAt(page, { x: start.x - 60, y: start.y - 60 });
+    });
+    await test.step('two fingers come nearer', async () => {
+      await page.evaluate(() => {
+        const { camera } = window.cartoonSmoke!;
+        const zoom = camera.zoom;
+        camera.zoom = (factor: number) => {
+          document.body.dataset.zoom = String(Number(document.body.dataset.zoom ?? 1) * factor);
+          zoom(factor);
+        };
+      });
+      const session = await page.context().newCDPSession(page);
+      const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: (Place & { id: number })[]) =>
+        session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+      const pair = (gap: number) => [
+        { x: 195, y: 120 - gap, id: 0 },
+        { x: 195, y: 120 + gap, id: 1 },
+      ];
+      await touch('touchStart', pair(20));
+      await touch('touchMove', pair(30));
+      await touch('touchMove', pair(40));
+      await touch('touchEnd', []);
+      await expect.poll(() => page.evaluate(() => Number(document.body.dataset.zoom))).toBeCloseTo(2, 1);
+    });
   });
 });
 

@@ -24,50 +24,85 @@ test('an edit changes the stage and the link, and the link restores it', async (
   await expect(other.locator('.notice')).toHaveCount(0);
 });
 
-test('a slider moves its parameter by keys and by mouse', async ({ page }) => {
+test('sliders, fields and curves set parameters, which are undone and reset', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  const slider = page.getByRole('slider', { name: 'Puff size' });
-  await slider.press('ArrowRight');
-  await expectValue(page, 'puff.size', 1.05);
-  const box = (await slider.boundingBox())!;
-  await page.mouse.click(box.x + box.width - 2, box.y + box.height / 2);
-  await expectValue(page, 'puff.size', 4);
-  await expect(slider).toHaveAttribute('aria-valuetext', '4 ×');
-});
-
-test('what is typed beyond the range goes to its end', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
-  const field = page.getByLabel('Rate, exact value', { exact: true });
-  await field.fill('99999');
-  await expect(field).toHaveAttribute('aria-invalid', 'true');
-  await field.press('Enter');
-  await expectValue(page, 'emission.rate', 20_000);
-  await expect(field).toHaveValue('20000');
-  await field.fill('');
-  await field.press('Enter');
-  await expect(field).toHaveValue('20000');
-});
-
-test('undo, redo, reset one and reset all', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
-  const field = page.getByLabel('Puff size, exact value');
-  for (const text of ['2', '3']) {
-    await field.fill(text);
+  await test.step('a slider moves its parameter by keys and by mouse', async () => {
+    const slider = page.getByRole('slider', { name: 'Puff size' });
+    await slider.press('ArrowRight');
+    await expectValue(page, 'puff.size', 1.05);
+    const box = (await slider.boundingBox())!;
+    await page.mouse.click(box.x + box.width - 2, box.y + box.height / 2);
+    await expectValue(page, 'puff.size', 4);
+    await expect(slider).toHaveAttribute('aria-valuetext', '4 ×');
+  });
+  await test.step('what is typed beyond the range goes to its end', async () => {
+    const field = page.getByLabel('Rate, exact value', { exact: true });
+    await field.fill('99999');
+    await expect(field).toHaveAttribute('aria-invalid', 'true');
     await field.press('Enter');
-  }
-  await page.keyboard.press('Control+z');
-  await expectValue(page, 'puff.size', 2);
-  await page.keyboard.press('Control+Shift+z');
-  await expectValue(page, 'puff.size', 3);
-  await page.getByRole('button', { name: 'Undo' }).click();
-  await expectValue(page, 'puff.size', 2);
-  await page.getByRole('button', { name: 'Reset Puff size' }).click();
-  await expectValue(page, 'puff.size', 1);
-  await page.getByRole('button', { name: 'Reset all' }).click();
-  await expectHash(page, '#v=1&preset=lamp');
-  await expectValue(page, 'simulation.maxParticles', 4000);
-  await page.keyboard.press('Control+z');
-  await expectValue(page, 'simulation.maxParticles', 500);
+    await expectValue(page, 'emission.rate', 20_000);
+    await expect(field).toHaveValue('20000');
+    await field.fill('');
+    await field.press('Enter');
+    await expect(field).toHaveValue('20000');
+  });
+  await test.step('undo, redo, reset one and reset all', async () => {
+    const field = page.getByLabel('Puff size, exact value');
+    for (const text of ['2', '3']) {
+      await field.fill(text);
+      await field.press('Enter');
+    }
+    await page.keyboard.press('Control+z');
+    await expectValue(page, 'puff.size', 2);
+    await page.keyboard.press('Control+Shift+z');
+    await expectValue(page, 'puff.size', 3);
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await expectValue(page, 'puff.size', 2);
+    await page.getByRole('button', { name: 'Reset Puff size' }).click();
+    await expectValue(page, 'puff.size', 1);
+    await page.getByRole('button', { name: 'Reset all' }).click();
+    await expectHash(page, '#v=1&preset=lamp');
+    await expectValue(page, 'simulation.maxParticles', 4000);
+    await page.keyboard.press('Control+z');
+    await expectValue(page, 'simulation.maxParticles', 500);
+  });
+  await test.step('a curve is dragged, added to, moved by keys and undone', async () => {
+    const control = row(page, 'emission.density');
+    const stops = control.locator('.curve-stop');
+    await control.scrollIntoViewIfNeeded();
+    const before = String(await valueOf(page, 'emission.density'));
+    const count = before.split(',').length;
+    const plane = (await control.locator('.curve-plane').boundingBox())!;
+    const onPlane = (at: number, value: number) =>
+      [plane.x + at * plane.width, plane.y + (1 - value) * plane.height] as const;
+    /** How high the stop in the middle is, of one more than there were. */
+    const middle = async () => {
+      const all = String(await valueOf(page, 'emission.density')).split(',');
+      const added = all.map((stop) => stop.split(':').map(Number)).find(([at]) => Math.abs(at - 0.5) < 0.03);
+      return added && all.length === count + 1 ? Math.round(20 * added[1]) / 20 : undefined;
+    };
+    await page.mouse.click(...onPlane(0.5, 0.2));
+    await expect.poll(middle).toBe(0.2);
+    await expect(stops).toHaveCount(count + 1);
+    await page.mouse.move(...onPlane(0.5, 0.2));
+    await page.mouse.down();
+    await page.mouse.move(...onPlane(0.5, 0.7), { steps: 3 });
+    await page.mouse.up();
+    await expect.poll(middle).toBe(0.7);
+    const dragged = String(await valueOf(page, 'emission.density'));
+    await expect.poll(() => page.evaluate(() => location.hash)).toContain(`emission.density=${dragged}`);
+    await page.keyboard.press('Control+z');
+    await expect.poll(middle).toBe(0.2);
+    await page.keyboard.press('Control+Shift+z');
+    await expect.poll(middle).toBe(0.7);
+
+    const added = stops.nth(before.split(',').filter((stop) => Number(stop.split(':')[0]) < 0.5).length);
+    await added.focus();
+    for (let press = 0; press < 5; ++press) await page.keyboard.press('ArrowUp');
+    await expect.poll(middle).toBe(0.8);
+    await page.keyboard.press('Delete');
+    await expectValue(page, 'emission.density', before);
+  });
 });
 
 test('a preset is chosen, and a link of it typed into the address bar is taken up', async ({ page }) => {
@@ -108,43 +143,4 @@ test('an old link is brought up to date, and tells so in a live region that was 
   await expectValue(page, 'emission.density', '.25:.5,1:.5');
   await page.getByLabel('Puff size, exact value').fill('2');
   await expectHash(page, '#v=1&preset=lamp&emission.density=.25:.5,1:.5&puff.size=2&simulation.maxParticles=500');
-});
-
-test('a curve is dragged, added to, moved by keys and undone', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
-  const control = row(page, 'emission.density');
-  const stops = control.locator('.curve-stop');
-  await control.scrollIntoViewIfNeeded();
-  const before = String(await valueOf(page, 'emission.density'));
-  const count = before.split(',').length;
-  const plane = (await control.locator('.curve-plane').boundingBox())!;
-  const onPlane = (at: number, value: number) =>
-    [plane.x + at * plane.width, plane.y + (1 - value) * plane.height] as const;
-  /** How high the stop in the middle is, of one more than there were. */
-  const middle = async () => {
-    const all = String(await valueOf(page, 'emission.density')).split(',');
-    const added = all.map((stop) => stop.split(':').map(Number)).find(([at]) => Math.abs(at - 0.5) < 0.03);
-    return added && all.length === count + 1 ? Math.round(20 * added[1]) / 20 : undefined;
-  };
-  await page.mouse.click(...onPlane(0.5, 0.2));
-  await expect.poll(middle).toBe(0.2);
-  await expect(stops).toHaveCount(count + 1);
-  await page.mouse.move(...onPlane(0.5, 0.2));
-  await page.mouse.down();
-  await page.mouse.move(...onPlane(0.5, 0.7), { steps: 3 });
-  await page.mouse.up();
-  await expect.poll(middle).toBe(0.7);
-  const dragged = String(await valueOf(page, 'emission.density'));
-  await expect.poll(() => page.evaluate(() => location.hash)).toContain(`emission.density=${dragged}`);
-  await page.keyboard.press('Control+z');
-  await expect.poll(middle).toBe(0.2);
-  await page.keyboard.press('Control+Shift+z');
-  await expect.poll(middle).toBe(0.7);
-
-  const added = stops.nth(before.split(',').filter((stop) => Number(stop.split(':')[0]) < 0.5).length);
-  await added.focus();
-  for (let press = 0; press < 5; ++press) await page.keyboard.press('ArrowUp');
-  await expect.poll(middle).toBe(0.8);
-  await page.keyboard.press('Delete');
-  await expectValue(page, 'emission.density', before);
 });

@@ -53,7 +53,6 @@ test.describe('on a phone', () => {
   };
 
   async function openSheet(page: Page) {
-    await open(page, `?paused=1${LIGHT}`);
     await page.getByRole('button', { name: 'Parameters', exact: true }).tap();
     await expect(panelOf(page)).toBeVisible();
     return page.getByRole('button', { name: 'Height of the sheet' });
@@ -80,34 +79,34 @@ test.describe('on a phone', () => {
     await expect(panelOf(page)).toBeHidden();
   }
 
-  test('a finger pulls the sheet up, down and away', async ({ page }) => {
-    await expectSheet(page, await fingerOf(page));
-  });
-
-  test('so does a mouse', async ({ page }) => {
-    await expectSheet(page, mouseOf(page));
-  });
-
-  test('a tap and keys go from one height to the other', async ({ page }) => {
-    const grip = await openSheet(page);
-    await grip.tap();
-    await expect.poll(() => shareOf(page)).toBe(88);
-    const drag = await fingerOf(page);
-    const from = await middleOf(page, '.grip');
-    await drag(from, { x: from.x, y: from.y + 330 });
-    await expect.poll(() => shareOf(page)).toBe(48);
-    await grip.press('Enter');
-    await expect.poll(() => shareOf(page)).toBe(88);
-    await grip.press('ArrowDown');
-    await expect.poll(() => shareOf(page)).toBe(48);
-    await grip.press('ArrowDown');
-    await expect(panelOf(page)).toBeHidden();
-  });
-
-  test('the search works there as well', async ({ page }) => {
-    await openSheet(page);
-    const field = page.getByRole('searchbox', { name: 'Find a parameter' });
-    await field.tap();
-    await expectSearch(page, (words) => field.fill(words));
+  test('the sheet goes up, down and away, and is searched', async ({ page }) => {
+    await open(page, `?paused=1${LIGHT}`);
+    await test.step('a finger pulls the sheet up, down and away', async () => {
+      await expectSheet(page, await fingerOf(page));
+    });
+    await test.step('so does a mouse', async () => {
+      await expectSheet(page, mouseOf(page));
+    });
+    await test.step('a tap and keys go from one height to the other', async () => {
+      const grip = await openSheet(page);
+      await grip.tap();
+      await expect.poll(() => shareOf(page)).toBe(88);
+      const drag = await fingerOf(page);
+      const from = await middleOf(page, '.grip');
+      await drag(from, { x: from.x, y: from.y + 330 });
+      await expect.poll(() => shareOf(page)).toBe(48);
+      await grip.press('Enter');
+      await expect.poll(() => shareOf(page)).toBe(88);
+      await grip.press('ArrowDown');
+      await expect.poll(() => shareOf(page)).toBe(48);
+      await grip.press('ArrowDown');
+      await expect(panelOf(page)).toBeHidden();
+    });
+    await test.step('the search works there as well', async () => {
+      await openSheet(page);
+      const field = page.getByRole('searchbox', { name: 'Find a parameter' });
+      await field.tap();
+      await expectSearch(page, (words) => field.fill(words));
+    });
   });
 });

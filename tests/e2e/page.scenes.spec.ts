@@ -57,26 +57,6 @@ test('the gallery leads through every scene, and each of them smokes', async ({ 
   }
 });
 
-test('another preset brings its scene, the link follows, and undo goes back', async ({ page }) => {
-  await open(page, `?paused=1#v=1&preset=wisp${LIGHT}`);
-  await page.keyboard.press('g');
-  await choose(page, 'campfire');
-  await expectValue(page, 'scene', 'campfire');
-  await expectHash(page, '#v=1&preset=campfire');
-  await ask(page, (stage) => stage.step(30));
-  expect(await ask(page, (stage) => stage.stats.bodiesDrawn)).toBeGreaterThan(10);
-  await page.keyboard.press('Control+z');
-  await expectValue(page, 'scene', 'wisp');
-  expect(await ask(page, (stage) => stage.stats.steps)).toBe(0);
-});
-
-test('a link put into the address bar brings its scene', async ({ page }) => {
-  await open(page, `?paused=1#v=1&preset=wisp${LIGHT}`);
-  await page.evaluate(() => (location.hash = '#v=1&preset=campfire&emission.rate=20'));
-  await expectValue(page, 'scene', 'campfire');
-  await expectValue(page, 'emission.rate', 20);
-});
-
 test('keys steer the airplane, and its take flies the same way again', async ({ page }) => {
   await open(page, `?paused=1#v=1&preset=airplane${LIGHT}`);
   await ask(page, (stage) => stage.step(10));
@@ -152,31 +132,47 @@ test('D drops a thing at the pointer, a link to the moment drops it again, and t
   await expect(help).toContainText('Drag the ball');
 });
 
-test('the help sheet and the label of the picture are those of the scene', async ({ page }) => {
+test('camera, gallery, address bar and help follow the scene', async ({ page }) => {
   await open(page, `?paused=1#v=1&preset=wisp${LIGHT}`);
-  const help = page.getByRole('dialog', { name: 'Play with smoke' });
-  await page.keyboard.press('?');
-  await expect(help).not.toContainText('ball');
-  await page.keyboard.press('Escape');
-  await expect(page.getByRole('img', { name: 'A cup of tea that steams.' })).toBeVisible();
-  await ask(page, (stage) => stage.enter({ scene: 'genie', 'simulation.maxParticles': 300 }));
-  await page.keyboard.press('?');
-  await expect(help).toContainText('Drag the genie');
-  await expect(help).toContainText('move the genie');
-});
-
-test('the camera moves by itself until somebody takes it, and 0 gives it back', async ({ page }) => {
-  await open(page, `?paused=1#v=1&preset=wisp${LIGHT}`);
-  const azimuth = () => ask(page, (stage) => stage.camera.azimuth());
-  const start = await azimuth();
-  await ask(page, (stage) => stage.seek(3));
-  const moved = await azimuth();
-  expect(Math.abs(moved - start)).toBeGreaterThan(0.05);
-  await page.keyboard.press('Shift+ArrowLeft');
-  const taken = await azimuth();
-  await ask(page, (stage) => stage.seek(1));
-  expect(await azimuth()).toBe(taken);
-  await ask(page, (stage) => stage.seek(3));
-  await page.keyboard.press('0');
-  expect(await azimuth()).toBeCloseTo(moved, 9);
+  await test.step('the camera moves by itself until somebody takes it, and 0 gives it back', async () => {
+    const azimuth = () => ask(page, (stage) => stage.camera.azimuth());
+    const start = await azimuth();
+    await ask(page, (stage) => stage.seek(3));
+    const moved = await azimuth();
+    expect(Math.abs(moved - start)).toBeGreaterThan(0.05);
+    await page.keyboard.press('Shift+ArrowLeft');
+    const taken = await azimuth();
+    await ask(page, (stage) => stage.seek(1));
+    expect(await azimuth()).toBe(taken);
+    await ask(page, (stage) => stage.seek(3));
+    await page.keyboard.press('0');
+    expect(await azimuth()).toBeCloseTo(moved, 9);
+  });
+  await test.step('another preset brings its scene, the link follows, and undo goes back', async () => {
+    await page.keyboard.press('g');
+    await choose(page, 'campfire');
+    await expectValue(page, 'scene', 'campfire');
+    await expectHash(page, '#v=1&preset=campfire');
+    await ask(page, (stage) => stage.step(30));
+    expect(await ask(page, (stage) => stage.stats.bodiesDrawn)).toBeGreaterThan(10);
+    await page.keyboard.press('Control+z');
+    await expectValue(page, 'scene', 'wisp');
+    expect(await ask(page, (stage) => stage.stats.steps)).toBe(0);
+  });
+  await test.step('the help sheet and the label of the picture are those of the scene', async () => {
+    const help = page.getByRole('dialog', { name: 'Play with smoke' });
+    await page.keyboard.press('?');
+    await expect(help).not.toContainText('ball');
+    await page.keyboard.press('Escape');
+    await expect(page.getByRole('img', { name: 'A cup of tea that steams.' })).toBeVisible();
+    await ask(page, (stage) => stage.enter({ scene: 'genie', 'simulation.maxParticles': 300 }));
+    await page.keyboard.press('?');
+    await expect(help).toContainText('Drag the genie');
+    await expect(help).toContainText('move the genie');
+  });
+  await test.step('a link put into the address bar brings its scene', async () => {
+    await page.evaluate(() => (location.hash = '#v=1&preset=campfire&emission.rate=20'));
+    await expectValue(page, 'scene', 'campfire');
+    await expectValue(page, 'emission.rate', 20);
+  });
 });

@@ -46,23 +46,43 @@ async function expectScrubbing(page: Page, drag: Drag): Promise<void> {
   expect(await ask(page, (stage) => stage.hash())).toBe(hash);
 }
 
-test('the time line goes forth and back by mouse and keys', async ({ page }) => {
+test('mouse and keys go along the time line and through the presets', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  await expectScrubbing(page, mouseOf(page));
-  const steps = await stepsOf(page);
-  await page.keyboard.press(',');
-  await expect.poll(() => stepsOf(page)).toBe(steps - 1);
-  await page.locator('canvas').focus();
-  await page.keyboard.press('[');
-  await expect.poll(() => stepsOf(page)).toBe(steps - 61);
-  await page.keyboard.press(']');
-  await expect.poll(() => stepsOf(page)).toBe(steps - 1);
-  await page.keyboard.press('i');
-  await expect(page.locator('.statistics')).toContainText('alive');
-  await page.keyboard.press('f');
-  await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(true);
-  await page.keyboard.press('f');
-  await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(false);
+  await test.step('the time line goes forth and back by mouse and keys', async () => {
+    await expectScrubbing(page, mouseOf(page));
+    const steps = await stepsOf(page);
+    await page.keyboard.press(',');
+    await expect.poll(() => stepsOf(page)).toBe(steps - 1);
+    await page.locator('canvas').focus();
+    await page.keyboard.press('[');
+    await expect.poll(() => stepsOf(page)).toBe(steps - 61);
+    await page.keyboard.press(']');
+    await expect.poll(() => stepsOf(page)).toBe(steps - 1);
+    await page.keyboard.press('i');
+    await expect(page.locator('.statistics')).toContainText('alive');
+    await page.keyboard.press('f');
+    await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(true);
+    await page.keyboard.press('f');
+    await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(false);
+  });
+  await test.step('presets that people come past by keys are undone together, those that they press one by one', async () => {
+    await page.keyboard.press('g');
+    const chosen = (name: string) => expect(page.getByRole('radio', { name, exact: true })).toBeChecked();
+    const expectPreset = (name: string) =>
+      expect.poll(() => page.evaluate(() => location.hash)).toBe(`#v=1&preset=${name}`);
+    await page.getByRole('radio', { name: 'Noir' }).check();
+    await expectPreset('lamp-noir');
+    for (let press = 0; press < 3; ++press) await page.keyboard.press('ArrowRight');
+    await expect(page.getByRole('radio', { name: 'Noir' })).not.toBeChecked();
+    await page.keyboard.press('Control+z');
+    await chosen('Noir');
+    await page.keyboard.press('Control+z');
+    await chosen('Lamp');
+    await page.getByRole('radio', { name: 'Noir' }).check();
+    await page.getByRole('radio', { name: 'Ghost' }).check();
+    await page.keyboard.press('Control+z');
+    await chosen('Noir');
+  });
 });
 
 test('a long way along the time line says so, and is stopped by a button or Escape', async ({ page }) => {
@@ -89,28 +109,6 @@ test('a long way along the time line says so, and is stopped by a button or Esca
   await expect
     .poll(async () => (await line(page).inputValue().then(Number)) - (await stepsOf(page)) / 60)
     .toBeCloseTo(0, 0);
-});
-
-test('presets that people come past by keys are undone together, those that they press one by one', async ({
-  page,
-}) => {
-  await open(page, `?paused=1${LIGHT}`);
-  await page.keyboard.press('g');
-  const chosen = (name: string) => expect(page.getByRole('radio', { name, exact: true })).toBeChecked();
-  const expectPreset = (name: string) =>
-    expect.poll(() => page.evaluate(() => location.hash)).toBe(`#v=1&preset=${name}`);
-  await page.getByRole('radio', { name: 'Noir' }).check();
-  await expectPreset('lamp-noir');
-  for (let press = 0; press < 3; ++press) await page.keyboard.press('ArrowRight');
-  await expect(page.getByRole('radio', { name: 'Noir' })).not.toBeChecked();
-  await page.keyboard.press('Control+z');
-  await chosen('Noir');
-  await page.keyboard.press('Control+z');
-  await chosen('Lamp');
-  await page.getByRole('radio', { name: 'Noir' }).check();
-  await page.getByRole('radio', { name: 'Ghost' }).check();
-  await page.keyboard.press('Control+z');
-  await chosen('Noir');
 });
 
 test.describe('on a phone', () => {
