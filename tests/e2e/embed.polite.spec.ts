@@ -82,7 +82,7 @@ test('starts far below where the page wants that, or asks for something; its but
   expect(canvases).toEqual([true, true, false]);
   const looks = await page.locator('#eager').evaluate((smoke) => {
     const [button, canvas] = ['button', 'canvas'].map((part) => smoke.shadowRoot!.querySelector<HTMLElement>(part)!);
-    button.focus({ focusVisible: true } as FocusOptions);
+    button.focus({ focusVisible: true });
     const { width, borderRadius, bottom, color, backgroundColor, outlineColor } = getComputedStyle(button);
     return [width, borderRadius, bottom, color, backgroundColor, outlineColor, getComputedStyle(canvas).opacity];
   });
