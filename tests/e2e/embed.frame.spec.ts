@@ -110,6 +110,26 @@ test('goes by hash and query as the demo does, and brings the physics only where
   expect(physics).toHaveLength(1);
 });
 
+test.describe('without its physics', () => {
+  // The browser itself tells of what it could not fetch.
+  test.use({ allowed: /Failed to load resource/ });
+
+  test('a frame shows its fallback, and tells the page around it a LoadError', async ({ load, blank, baseURL }) => {
+    const frames = await load<FrameCases>(FRAMES);
+    const cases = await load<Cases>('/tests/e2e/embed.cases.ts');
+    await blank.route('**/embed-physics*', (route) => route.abort());
+    const address = `${baseURL}/embed.html?paused=1#v=1&preset=lamp&simulation.maxParticles=300`;
+    const refused = await cases.evaluate(
+      (module, [connecting, url, sandbox]) => module.thrownBy(() => connecting.connect(url, sandbox)),
+      [frames, address, SANDBOX] as const,
+    );
+    await blank.unroute('**/embed-physics*');
+    expect(refused).toMatchObject({ name: 'LoadError', isOurs: true });
+    expect(refused?.message).toContain('could not be fetched');
+    await expect(blank.frameLocator('iframe').locator('cartoon-smoke p')).toBeVisible();
+  });
+});
+
 test('only the origin that the address names may have the stage', async ({ load, baseURL }) => {
   const frames = await load<FrameCases>(FRAMES);
   const origin = await frames.evaluate(() => location.origin);
