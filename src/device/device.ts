@@ -72,6 +72,11 @@ export class Device {
       throw new ContextError('The graphics context is lost; drawing goes on when the browser restores it.');
   }
 
+  /** False once the context was lost and nobody should wait for it; it may still come back. */
+  get hasHope(): boolean {
+    return !this.isMissing;
+  }
+
   /** @throws ContextError when the context was lost and nobody should wait for it; it may still come back. */
   requireHope(): void {
     if (this.isMissing) throw new ContextError('The graphics context was lost and has not come back. Reload the page.');

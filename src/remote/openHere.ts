@@ -9,8 +9,9 @@ const FRAME_RATE = 60;
 
 /** @throws UnsupportedError when nothing can be drawn on this thread but on canvases of the page */
 export function demandDrawing(): void {
-  if (!threadDevice.hold()) throw new UnsupportedError('This browser gives workers no WebGL2 context.');
-  threadDevice.release();
+  const device = threadDevice.hold();
+  if (!device) throw new UnsupportedError('This browser gives workers no WebGL2 context.');
+  threadDevice.release(device);
 }
 
 /**
@@ -24,7 +25,7 @@ export async function openHere(
 ): Promise<RemoteStage> {
   signal?.throwIfAborted();
   const device = threadDevice.hold();
-  const release = () => device && threadDevice.release();
+  const release = () => device && threadDevice.release(device);
   const stage = await createStage(canvas, { frameRate: FRAME_RATE, ...options, device }).catch((error) => {
     release();
     throw error;

@@ -3,10 +3,13 @@ import { createDevice, type Device } from '../device/device.ts';
 /** Who comes back soon, as on a page that moves its widgets about, finds programs compiled and puffs uploaded. */
 const GRACE_MS = 2_000;
 
-/** One device for all stages of a thread, so that their number meets no limit of contexts. */
+/**
+ * One device for all stages of a thread, so that their number meets no limit of contexts. Once its context has been given up,
+ * the next stage has another one; those that stand may still have theirs back.
+ */
 export class SharedDevice {
   private device: Device | undefined;
-  private holders = 0;
+  private readonly holders = new Map<Device, number>();
   private farewell: ReturnType<typeof setTimeout> | undefined;
 
   /**
@@ -15,15 +18,30 @@ export class SharedDevice {
    */
   hold(): Device | undefined {
     clearTimeout(this.farewell);
-    if (this.holders === 0 && this.device && !this.device.isUsable) this.end();
+    this.leaveDead();
     this.device ??= createOffPage();
-    if (this.device) this.holders += 1;
+    if (this.device) this.holders.set(this.device, this.countOf(this.device) + 1);
     return this.device;
   }
 
-  release(): void {
-    this.holders -= 1;
-    if (this.holders === 0) this.farewell = setTimeout(() => this.end(), GRACE_MS);
+  release(device: Device): void {
+    const left = this.countOf(device) - 1;
+    if (left > 0) return void this.holders.set(device, left);
+    this.holders.delete(device);
+    if (device === this.device) this.farewell = setTimeout(() => this.end(), GRACE_MS);
+    else device.dispose();
+  }
+
+  /** Lets go of a device that is of no use to whoever comes next. */
+  private leaveDead(): void {
+    const { device } = this;
+    if (!device) return;
+    if (this.countOf(device) === 0 && !device.isUsable) this.end();
+    else if (!device.hasHope) this.device = undefined;
+  }
+
+  private countOf(device: Device): number {
+    return this.holders.get(device) ?? 0;
   }
 
   private end(): void {

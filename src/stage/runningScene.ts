@@ -32,6 +32,8 @@ export class RunningScene {
   private hasEnded = false;
   private isStale = false;
   private completing: Promise<void> | undefined;
+  /** While nobody waits for the graphics context any longer. */
+  private contextError: ContextError | undefined;
 
   /**
    * @param historyBytes how much memory states may take that are kept for going back
@@ -261,6 +263,13 @@ export class RunningScene {
     if (isDrawn && this.listeners.has('frame')) this.listeners.tell('frame', this.stats);
   }
 
+  /** Who comes to listen to errors when nobody waits for the context any longer is told so, too. */
+  listen<Event extends keyof StageEvents>(event: Event, listener: (detail: StageEvents[Event]) => void): () => void {
+    const error = this.contextError;
+    if (event === 'error' && error) queueMicrotask(() => (listener as (detail: Error) => void)(error));
+    return this.listeners.add(event, listener);
+  }
+
   /** @throws SimulatorError when it was disposed */
   requireAlive(): void {
     if (this.hasEnded) throw new SimulatorError('This stage was disposed; create a new one.');
@@ -277,12 +286,13 @@ export class RunningScene {
   }
 
   private followContext(event: ContextEvent): void {
-    if (event === 'restored') this.draw();
+    if (event === 'restored') {
+      this.contextError = undefined;
+      this.draw();
+    }
     if (event === 'missing') {
-      this.listeners.tell(
-        'error',
-        new ContextError('The graphics context was lost and has not come back. Reload the page.'),
-      );
+      this.contextError = new ContextError('The graphics context was lost and has not come back. Reload the page.');
+      this.listeners.tell('error', this.contextError);
     }
   }
 

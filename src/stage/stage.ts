@@ -127,7 +127,7 @@ export class Stage {
 
   /** Calls back on an event; returns the function that ends it. */
   on<Event extends keyof StageEvents>(event: Event, listener: (detail: StageEvents[Event]) => void): () => void {
-    return this.#running.listeners.add(event, listener);
+    return this.#running.listen(event, listener);
   }
 
   play(): void {

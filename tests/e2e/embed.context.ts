@@ -12,7 +12,7 @@ export async function turnContext(thread: Thread, way: 'loseContext' | 'restoreC
     async ([module, method]) => {
       const { threadDevice } = module as Shared;
       const device = threadDevice.hold()!;
-      threadDevice.release();
+      threadDevice.release(device);
       const event = method === 'loseContext' ? 'webglcontextlost' : 'webglcontextrestored';
       const happens = new Promise((resolve) => device.canvas.addEventListener(event, resolve, { once: true }));
       const kept = globalThis as { losing?: WEBGL_lose_context | null };

@@ -28,9 +28,9 @@ test('the heap of the main thread stays flat, and its context goes', async ({ lo
   await comeAndGo(FIRST);
   const before = await usedBytes(blank);
   const context = await shared.evaluateHandle(({ threadDevice }) => {
-    const used = threadDevice.hold()!.renderer.getContext();
-    threadDevice.release();
-    return used;
+    const device = threadDevice.hold()!;
+    threadDevice.release(device);
+    return device.renderer.getContext();
   });
   await comeAndGo(MORE);
   expect((await usedBytes(blank)) - before).toBeLessThan(SLACK_BYTES);
@@ -77,8 +77,9 @@ async function held(page: Page) {
   const modules = await worker.evaluateHandle(`Promise.all([import('${SHARED}'), import('${LOAD}')])`);
   return worker.evaluate(async (list) => {
     const [{ threadDevice }, { loadSimulators }] = list as [Shared, Load];
-    const { info } = threadDevice.hold()!.renderer;
-    threadDevice.release();
+    const device = threadDevice.hold()!;
+    threadDevice.release(device);
+    const { info } = device.renderer;
     const { memory } = (await loadSimulators({ physics: false })).module;
     return { ...info.memory, programs: info.programs?.length, wasm: memory.buffer.byteLength };
   }, modules);

@@ -6,7 +6,6 @@ import type { Shown } from './embed.provoked.cases.ts';
 import { setPatience, turnContext } from './embed.context.ts';
 
 type Cases = typeof import('./embed.provoked.cases.ts');
-type Shared = typeof import('../../src/remote/sharedDevice.ts');
 const CASES = '/tests/e2e/embed.provoked.cases.ts';
 
 test.use({ ownPage: true, allowed: /context lost|context restored|CONTEXT_LOST/i });
@@ -41,7 +40,7 @@ for (const thread of ['main', 'worker'] as const) {
     expect(await told()).toEqual(Array(6).fill(`ready on ${thread}`));
   });
 
-  test(`one that goes too often or stays away is given up, until somebody asks for other smoke: ${thread}`, async ({
+  test(`one that goes too often, or stays away from a start on, is given up, until other smoke is asked for: ${thread}`, async ({
     load,
     blank,
   }) => {
@@ -60,27 +59,15 @@ for (const thread of ['main', 'worker'] as const) {
     await expectGivenUp(load, shown, [ready, 'ContextError']);
     await shown.evaluate(({ element }) => element.setAttribute('src', '#preset=wisp'));
     await expect.poll(told).toEqual([ready, 'ContextError', ready]);
+    // It goes while the next smoke starts, which may stand blank before it is given up.
     await setPatience(drawing, 'none');
-    await turnContext(drawing, 'loseContext');
+    const options = { fault: 'contextLostInStart' } as const;
+    const late = await cases.evaluateHandle((module, given) => module.show(...given), [thread, options] as const);
+    await expect.poll(() => late.evaluate((one) => one.told.at(-1))).toBe('ContextError');
+    expect(await cases.evaluate((module, one) => module.isGivenUp(one), late)).toBe(true);
     await expectGivenUp(load, shown, [ready, 'ContextError', ready, 'ContextError']);
   });
 }
-
-test('a context that is lost in the start and stays away is waited for, then given up', async ({ load, blank }) => {
-  await blank.clock.install();
-  const cases = await load<Cases>(CASES);
-  const shared = await load<Shared>('/src/remote/sharedDevice.ts');
-  const shown = await cases.evaluateHandle((module) => module.show('main', { fault: 'contextLostInStart' }));
-  await expect.poll(() => shared.evaluate(({ threadDevice }) => threadDevice.hold()!.isUsable)).toBe(false);
-  // It may stand blank before it is given up.
-  await expect
-    .poll(async () => {
-      await blank.clock.fastForward(10_000);
-      return shown.evaluate(({ told }) => told.at(-1));
-    })
-    .toBe('ContextError');
-  expect(await cases.evaluate((module, one) => module.isGivenUp(one), shown)).toBe(true);
-});
 
 /** Lets so many times pass after which the page asks whether its worker is there. */
 async function beats(page: Page, count: number): Promise<void> {
@@ -121,13 +108,14 @@ test('a worker that ends while it plays ends all its smoke, which lives again wh
   const cases = await load<Cases>(CASES);
   const shown = await cases.evaluateHandle((module) => module.showSome(2, 'worker'));
   const told = () => shown.evaluate((all) => all.map((one) => one.told.splice(0).join()));
+  const areGivenUp = () => cases.evaluate((module, all) => all.every(module.isGivenUp), shown);
   for (const way of ['close', 'throw', 'close'] as const) {
     await expect.poll(() => shown.evaluate((all) => all.every(({ element }) => element.playing))).toBe(true);
     await cases.evaluate((module, all) => module.allDraw(all), shown);
     expect(await told()).toEqual(Array(2).fill('ready on worker'));
     expect(blank.workers()).toHaveLength(1);
     await kill(blank, way);
-    await expect.poll(() => cases.evaluate((module, all) => all.every(module.isGivenUp), shown)).toBe(true);
+    await expect.poll(areGivenUp).toBe(true);
     expect(await told()).toEqual(Array(2).fill('SimulatorError'));
     await shown.evaluate(([first, second]) => {
       first.element.setAttribute('src', `#preset=wisp&seed=${Math.random()}`);
@@ -135,7 +123,8 @@ test('a worker that ends while it plays ends all its smoke, which lives again wh
       setTimeout(() => document.body.append(second.element));
     });
   }
-  await expect.poll(told).toEqual(Array(2).fill('SimulatorError'));
+  await expect.poll(areGivenUp).toBe(true);
+  expect(await told()).toEqual(Array(2).fill('SimulatorError'));
   expect(blank.workers()).toHaveLength(0);
   const next = await cases.evaluateHandle((module) => module.show('auto'));
   await expect.poll(() => next.evaluate((one) => one.told)).toEqual(['ready on main']);

@@ -89,23 +89,28 @@ test('a context that does not come back is told as a ContextError, once, and may
     const errors: string[] = [];
     const { stage } = await module.open({ thread: 'main' });
     stage.on('error', ({ name }) => errors.push(name));
-    return errors;
+    return { errors, stage };
   });
   await page.clock.install({ time: 0 });
   // From here on time passes only as it is told to.
   await page.clock.pauseAt(60_000);
-  const losing = await shared.evaluateHandle(({ threadDevice }) => {
-    const extension = threadDevice.hold()!.renderer.getContext().getExtension('WEBGL_lose_context')!;
+  const device = await shared.evaluateHandle(({ threadDevice }) => threadDevice.hold()!);
+  const losing = await device.evaluateHandle(({ renderer }) => {
+    const extension = renderer.getContext().getExtension('WEBGL_lose_context')!;
     extension.loseContext();
     return extension;
   });
-  await expect.poll(() => shared.evaluate(({ threadDevice }) => threadDevice.hold()!.isUsable)).toBe(false);
+  await expect.poll(() => device.evaluate(({ isUsable }) => isUsable)).toBe(false);
   await page.clock.fastForward(9_000);
-  expect(await told.jsonValue()).toEqual([]);
+  expect(await told.evaluate(({ errors }) => errors)).toEqual([]);
   await page.clock.fastForward(60_000);
-  expect(await told.jsonValue()).toEqual(['ContextError']);
+  expect(await told.evaluate(({ errors }) => errors)).toEqual(['ContextError']);
+  const late = await told.evaluate(
+    ({ stage }) => new Promise((resolve) => stage.on('error', ({ name }) => resolve(name))),
+  );
+  expect(late, 'what somebody hears who comes later').toBe('ContextError');
   await losing.evaluate((extension) => extension.restoreContext());
-  await expect.poll(() => shared.evaluate(({ threadDevice }) => threadDevice.hold()!.isUsable)).toBe(true);
+  await expect.poll(() => device.evaluate(({ isUsable }) => isUsable)).toBe(true);
 });
 
 test('a device that ended while its context was lost gives it back as soon as that comes', async ({ page }) => {
