@@ -10,6 +10,12 @@ mod take;
 
 use wasm_bindgen::prelude::*;
 
+/// Steps without physics take no memory, so that it hardly matters how fast this is. It is far smaller than the one of
+/// the standard library.
+#[cfg(target_family = "wasm")]
+#[global_allocator]
+static ALLOCATOR: rlsf::GlobalTlsf = rlsf::GlobalTlsf::new();
+
 /// The layout constants that the web side must share: floats of a place row, words of a look row, floats of a view,
 /// floats of a rigid in the pose array.
 #[wasm_bindgen(js_name = layout)]

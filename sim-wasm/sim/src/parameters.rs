@@ -104,8 +104,23 @@ fn find(key: &str) -> Option<(&'static dyn Section, usize, Slot)> {
         } else {
             (0, rest)
         };
-        Some((section, index, section.find(rest)?))
+        Some((section, index, slot_named(section, rest)?))
     })
+}
+
+/// The parameter of `section` whose key behind name and index is `key`.
+// Through what each section tells of itself, and not in each section, or every one would have its copy of the search.
+fn slot_named(section: &dyn Section, key: &str) -> Option<Slot> {
+    fields(section).enumerate().find_map(|(field, (meta, ends))| {
+        let end = key.strip_prefix(meta.key)?;
+        let part = ends.iter().position(|part| *part == end)?;
+        Some(Slot { field, part })
+    })
+}
+
+/// What there is to say about each parameter of `section`, and the ends of its keys.
+fn fields(section: &dyn Section) -> impl Iterator<Item = (&'static Meta, &'static [&'static str])> {
+    (0..).map_while(|field| section.meta(field))
 }
 
 /// One digit, below the limit of lists.
@@ -118,12 +133,10 @@ fn index(text: &str) -> Option<usize> {
 }
 
 fn for_each_slot(section: &dyn Section, mut visit: impl FnMut(&'static Meta, &'static str, Slot)) {
-    let mut field = 0;
-    while let Some((meta, ends)) = section.meta(field) {
+    for (field, (meta, ends)) in fields(section).enumerate() {
         for (part, end) in ends.iter().enumerate() {
             visit(meta, end, Slot { field, part });
         }
-        field += 1;
     }
 }
 
@@ -168,12 +181,9 @@ pub fn lists_as_json() -> String {
 
 #[cfg(not(target_family = "wasm"))]
 fn list_as_json(section: &dyn Section) -> String {
-    let mut fields = Vec::new();
-    let mut field = 0;
-    while let Some((meta, ends)) = section.meta(field) {
-        fields.push(format!("      {}", field_as_json(section, meta, ends)));
-        field += 1;
-    }
+    let fields: Vec<String> = fields(section)
+        .map(|(meta, ends)| format!("      {}", field_as_json(section, meta, ends)))
+        .collect();
     let (name, label) = (section.name(), section.label());
     let fields = fields.join(",\n");
     format!("  \"{name}\": {{\n    \"label\": \"{label}\",\n    \"fields\": [\n{fields}\n    ]\n  }}")

@@ -23,8 +23,12 @@ pub struct Variant {
 }
 
 /// Set-up code is called, not copied to each place that needs it: a tenth of the module. The loops over particles name
-/// what must be part of them by `inline`, which this leaves alone.
-const CALLS_ARE_CHEAP: &[&str] = &["-Cllvm-args=-inline-threshold=25"];
+/// what must be part of them by `inline`, which this leaves alone. Only short loops are unrolled, and only whole: those
+/// over particles do so much in a round that copies of it gain nothing.
+const WRITTEN_ONCE: &[&str] = &[concat!(
+    "-Cllvm-args=-inline-threshold=25",
+    " -unroll-threshold=60 -unroll-partial-threshold=0 -unroll-runtime=false",
+)];
 
 /// Every build, in the order of building: the small one first, it is what most pages load.
 pub const VARIANTS: &[Variant] = &[
@@ -76,7 +80,7 @@ fn compile(variant: &Variant, places: &Places, target: &PathBuf) -> Result<()> {
         .args(["--target", TARGET])
         .arg("--target-dir")
         .arg(target)
-        .args(["--config", &format!("target.{TARGET}.rustflags={CALLS_ARE_CHEAP:?}")])
+        .args(["--config", &format!("target.{TARGET}.rustflags={WRITTEN_ONCE:?}")])
         .args(["--features", &variant.features.join(",")])
         .status()
         .context("cargo cannot be started")?;

@@ -130,12 +130,6 @@ impl<Item> Field<Item> {
             Place::Vector(of) => &mut of(item)[part],
         }
     }
-
-    /// Which number of it `key` names.
-    pub fn part_named(&self, key: &str) -> Option<usize> {
-        let end = key.strip_prefix(self.meta.key)?;
-        self.parts().iter().position(|part| *part == end)
-    }
 }
 
 /// A parameter that is one number.

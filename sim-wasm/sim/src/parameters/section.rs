@@ -91,9 +91,6 @@ pub trait Section: Sync {
     /// Makes items `0..len` exist, and those beyond too that exist already.
     fn lengthen(&self, parameters: &mut Parameters, len: usize);
 
-    /// The parameter whose key behind name and index is `key`.
-    fn find(&self, key: &str) -> Option<Slot>;
-
     /// What there is to say about parameter number `field`, and the ends of its keys; none beyond the last.
     fn meta(&self, field: usize) -> Option<(&'static Meta, &'static [&'static str])>;
 
@@ -138,10 +135,6 @@ impl<I: Item> Section for Single<I> {
 
     fn lengthen(&self, _parameters: &mut Parameters, _len: usize) {}
 
-    fn find(&self, key: &str) -> Option<Slot> {
-        find::<I>(key)
-    }
-
     fn meta(&self, field: usize) -> Option<(&'static Meta, &'static [&'static str])> {
         meta::<I>(field)
     }
@@ -178,10 +171,6 @@ impl<I: Item> Section for Many<I> {
         list.len = list.len.max(len);
     }
 
-    fn find(&self, key: &str) -> Option<Slot> {
-        find::<I>(key)
-    }
-
     fn meta(&self, field: usize) -> Option<(&'static Meta, &'static [&'static str])> {
         meta::<I>(field)
     }
@@ -202,19 +191,6 @@ fn start<I: Item>(key: &str) -> Option<f64> {
 /// The parameters of a scope that `I` has.
 fn scope_fields<I: Item>() -> &'static [Field<Scope>] {
     if I::default().scope().is_some() { I::SCOPE } else { &[] }
-}
-
-fn find<I: Item>(key: &str) -> Option<Slot> {
-    let own = I::FIELDS.len();
-    find_in(I::FIELDS, key, 0).or_else(|| find_in(scope_fields::<I>(), key, own))
-}
-
-fn find_in<I>(fields: &[Field<I>], key: &str, first: usize) -> Option<Slot> {
-    fields.iter().enumerate().find_map(|(number, field)| {
-        let part = field.part_named(key)?;
-        let field = first + number;
-        Some(Slot { field, part })
-    })
 }
 
 fn meta<I: Item>(field: usize) -> Option<(&'static Meta, &'static [&'static str])> {
