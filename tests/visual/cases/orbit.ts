@@ -19,7 +19,7 @@ export interface OrbitReport {
   motion: number;
 }
 
-export function orbit(what: 'puff' | 'cluster', steps = 360): OrbitReport {
+export function orbit(what: 'puff' | 'cluster', steps: number): OrbitReport {
   const puffs = what === 'puff' ? [PUFF] : cluster();
   const scene: LabScene = { width: SIZE, height: SIZE, puffs, towardsLight: [0.5, 0.8, 0.6] };
   const lab = new Lab(scene);
