@@ -1,5 +1,5 @@
 import { ContextError, type SmokeError } from '../preset/errors.ts';
-import { fetched } from '../preset/fetched.ts';
+import { fetched } from '../preset/patience.ts';
 import type { Fault } from '../device/faults.ts';
 import { asSmokeError } from './asSmokeError.ts';
 import { Deferred } from './deferred.ts';

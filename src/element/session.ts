@@ -1,7 +1,7 @@
 /** The heavy half of an element, fetched when it nears the viewport: everything between its attributes and its stage. */
 import type { Fault } from '../device/faults.ts';
 import { LoadError, ParameterError, type SmokeError } from '../preset/errors.ts';
-import { fetched } from '../preset/fetched.ts';
+import { fetched } from '../preset/patience.ts';
 import { notice, type Notice } from '../preset/notice.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { openStage } from '../remote/openStage.ts';

@@ -1,5 +1,5 @@
 import { ContextError, UnsupportedError } from '../preset/errors.ts';
-import { fetched } from '../preset/fetched.ts';
+import { fetched } from '../preset/patience.ts';
 import type { RemoteStage, RemoteStageOptions } from './contract.ts';
 import { followSight } from './followSight.ts';
 import type { WorkerPlace } from './openInWorker.ts';

@@ -2,8 +2,7 @@
  * Fetches and instantiates the WASM of the simulator, once a variant, and makes simulators from it.
  */
 import { LoadError, UnsupportedError } from '../preset/errors.ts';
-import { inTime } from '../preset/fetched.ts';
-import { afterRunning, PATIENCE_MS } from '../preset/patience.ts';
+import { inTime, whenLate } from '../preset/patience.ts';
 import type { TakeInfo } from './input.ts';
 import { explainRefusal, isRefusal, Simulator, type SimulatorModule, type SimulatorOptions } from './simulator.ts';
 
@@ -172,8 +171,8 @@ async function importBindings(physics: boolean): Promise<SimulatorModule['bindin
 
 async function compileFrom(address: URL, report: Listener): Promise<WebAssembly.Module> {
   const control = new AbortController();
-  const giveUp = () => control.abort(new Error('nothing has come for a minute.'));
-  let stopWaiting: (() => void) | undefined = afterRunning(PATIENCE_MS, giveUp);
+  const giveUp = (error: Error) => control.abort(error);
+  let stopWaiting: (() => void) | undefined = whenLate(giveUp);
   const stop = () => {
     stopWaiting?.();
     stopWaiting = undefined;
@@ -183,7 +182,7 @@ async function compileFrom(address: URL, report: Listener): Promise<WebAssembly.
     // What is left to count once all has been compiled is not waited for.
     if (!stopWaiting) return;
     stop();
-    stopWaiting = afterRunning(PATIENCE_MS, giveUp);
+    stopWaiting = whenLate(giveUp);
   };
   try {
     return await compileAnswer(await fetch(address, { signal: control.signal }), hear);

@@ -2,7 +2,7 @@
 import type { DebugViewsPass } from '../passes/debugViews.ts';
 import type { DebugView } from '../preset/environment.ts';
 import { LoadError } from '../preset/errors.ts';
-import { inTime } from '../preset/fetched.ts';
+import { inTime } from '../preset/patience.ts';
 import type { Rivals, RivalSources } from './rivals.ts';
 import type { Renderer } from './style.ts';
 

@@ -1,5 +1,5 @@
-import { inTime } from '../preset/fetched.ts';
 import { LoadError } from '../preset/errors.ts';
+import { inTime } from '../preset/patience.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
 import { loadSimulators, type LoadOptions, type SimulatorFactory } from '../sim/load.ts';

@@ -49,7 +49,7 @@ test('fetches nothing heavy before its figures near, shifts nothing, and holds t
   // The observer of the viewport has its say with the first pictures.
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
   const early = server.sent.map(({ file }) => file.split('/').at(-1)).filter((file) => /js|wasm/.test(file!));
-  expect(new Set(early)).toEqual(new Set(['cartoonSmokeElement.js', 'element.js', 'errors.js', 'patience.js']));
+  expect(new Set(early)).toEqual(new Set(['cartoonSmokeElement.js', 'element.js', 'errors.js']));
   const { shift, blocking } = await costOf(page);
   process.stdout.write(`embed.blockingMs: ${(blocking - without.blocking).toFixed(0)} ms added to an article\n`);
   expect(shift).toBe(0);

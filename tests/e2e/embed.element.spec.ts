@@ -42,7 +42,7 @@ test('fetches nothing but itself until the viewport nears, and then shifts nothi
     </script>`);
   await page.waitForFunction(() => customElements.get('cartoon-smoke') && document.readyState === 'complete');
   const before = new Set(server.sent.map(({ file }) => file.split('/').at(-1)));
-  expect(before).toEqual(new Set(['cartoonSmokeElement.js', 'element.js', 'errors.js', 'patience.js']));
+  expect(before).toEqual(new Set(['cartoonSmokeElement.js', 'element.js', 'errors.js']));
   expect(server.sent.reduce((sum, { bytes }) => sum + bytes, 0)).toBeLessThan(6_000);
   await page.mouse.wheel(0, 3500);
   await stands(page);

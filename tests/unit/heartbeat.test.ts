@@ -1,7 +1,6 @@
 /** A worker that is gone is told from one that had no time to answer, and from a page that did not run meanwhile. */
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { fetched } from '../../src/preset/fetched.ts';
-import { afterRunning } from '../../src/preset/patience.ts';
+import { afterRunning, fetched } from '../../src/preset/patience.ts';
 import { watchHeart } from '../../src/remote/heartbeat.ts';
 
 const MINUTE = 60_000;
