@@ -79,7 +79,7 @@ export class Device {
 
   /** @throws ContextError when the context was lost and nobody should wait for it; it may still come back. */
   requireHope(): void {
-    if (this.isMissing) throw new ContextError('The graphics context was lost and has not come back. Reload the page.');
+    if (this.isMissing) throw missingContext();
   }
 
   /** Gives back what it holds, the context too if that is its own. May be called again. */
@@ -129,6 +129,11 @@ export class Device {
   private tell(event: ContextEvent): void {
     for (const listener of this.listeners) listener(event);
   }
+}
+
+/** What is told of a context that nobody should wait for. */
+export function missingContext(): ContextError {
+  return new ContextError('The graphics context was lost and has not come back. Reload the page.');
 }
 
 /**

@@ -179,7 +179,7 @@ export class Session {
     const hasThings = () => ['collide', 'emit-from'].some((name) => element.hasAttribute(name));
     if (!hasThings()) return this.leavePage();
     if (this.onPage) return this.onPage.measure();
-    const { OnPage } = await fetched('What puts things of the page into smoke', import('./onPage.ts'));
+    const { OnPage } = await fetched('The page in the smoke', import('./onPage.ts'));
     if (this.isDisposed || this.onPage || !hasThings()) return;
     const values = () => this.wish.values;
     this.onPage = new OnPage(this.stage, {

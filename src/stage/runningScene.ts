@@ -1,5 +1,5 @@
-import type { ContextEvent } from '../device/device.ts';
-import { ContextError, SimulatorError } from '../preset/errors.ts';
+import { missingContext, type ContextEvent } from '../device/device.ts';
+import { SimulatorError, type ContextError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { fetchExtras, hasExtras } from '../smoke/extraPasses.ts';
@@ -291,7 +291,7 @@ export class RunningScene {
       this.draw();
     }
     if (event === 'missing') {
-      this.contextError = new ContextError('The graphics context was lost and has not come back. Reload the page.');
+      this.contextError = missingContext();
       this.listeners.tell('error', this.contextError);
     }
   }
