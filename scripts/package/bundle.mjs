@@ -14,10 +14,30 @@ const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.w
 const LICENSES =
   '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors; third-party-licenses.txt beside it has all. */';
 const SCRIPT = 'cartoon-smoke.min';
-/** Faults on purpose are for sources only. */
-const BUILT = { 'import.meta.env.DEV': 'false' };
+/** Faults on purpose are for sources only, and what a field's declaration says is for TypeScript. */
+const TRANSFORM = {
+  define: { 'import.meta.env.DEV': 'false' },
+  typescript: { removeClassFieldsWithoutInitializer: true },
+};
 /** One file. @type {import('rolldown').OutputOptions} */
 const ALONE = { codeSplitting: false, postBanner: LICENSES };
+/**
+ * What is fetched together is one file, which is compressed as one: what waits for the viewport, what every smoke needs of the
+ * table, wherever it runs, all that draws, and the models that most scenes share.
+ */
+const TOGETHER = [
+  { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
+  { name: 'cartoonSmokeElement', test: /element\/(cartoonSmokeElement|names)\.ts$/, priority: 3 },
+  {
+    name: 'values',
+    test: /src\/(preset\/(table|values|notice|quality)|sim\/clock|stage\/listeners|element\/change|remote\/openStage)\.ts$/,
+    priority: 2,
+  },
+  { name: 'stage', test: /src\/remote\/openHere\.ts$/, priority: 1 },
+  { name: 'models', test: /src\/scenes\/models\/(lathe|place|ball|revolve|spline)\.ts$/ },
+];
+/** @type {import('rolldown').OutputOptions} */
+const SPLIT = { codeSplitting: { groups: TOGETHER } };
 const ERRORS = inRoot('src/preset/errors.ts');
 
 /** @type {{ table: import('../../src/preset/parameter.ts').Parameter[] }} */
@@ -33,7 +53,7 @@ export async function bundleAll(folder) {
   const plugins = await shortening();
   const modules = { index: 'src/index.ts', element: 'src/element/define.ts', errors: 'src/preset/errors.ts' };
   const external = /^three(\/|$)/;
-  await bundle({ input: entries(modules), external, plugins: [...plugins, workerAt('./worker.js')] }, folder);
+  await bundle({ input: entries(modules), external, plugins: [...plugins, workerAt('./worker.js')] }, folder, SPLIT);
   // With three.js in it: import maps do not reach into workers, and no bundler lets a page and its worker share a file.
   await bundle({ input: entries({ worker: 'src/remote/worker.ts' }), plugins }, folder, ALONE);
   // By itself, because it has the words of the table; its errors are those of the rest.
@@ -50,24 +70,35 @@ export async function bundleScript(folder) {
 
 /** What makes the sources smaller than a minifier can. */
 async function shortening() {
-  return [await shortShaders(), shortMembers(), withoutWords(table), withoutShaders()];
+  return [...(await shortShaders()), shortMembers(), withoutWords(table), withoutShaders()];
 }
 
 /** @param {import('rolldown').InputOptions} input @param {string} folder @param {import('rolldown').OutputOptions} [output] */
 async function bundle(input, folder, output = {}) {
   const experimental = { nativeMagicString: true };
-  const build = await rolldown({ platform: 'browser', transform: { define: BUILT }, experimental, onLog, ...input });
+  const build = await rolldown({
+    platform: 'browser',
+    tsconfig: false,
+    transform: TRANSFORM,
+    experimental,
+    onLog,
+    ...input,
+  });
   await build.write({
     dir: folder,
     format: 'esm',
     minify: true,
     sourcemap: true,
     entryFileNames: '[name].js',
-    chunkFileNames: '[name].js',
+    chunkFileNames: chunkName,
     ...output,
   });
   await build.close();
 }
+
+/** Scenes and their presets lie in files of the same name. @type {import('rolldown').OutputOptions['chunkFileNames']} */
+const chunkName = ({ moduleIds }) =>
+  moduleIds.every((id) => id.includes('/moods/')) ? '[name]Presets.js' : '[name].js';
 
 /** @type {NonNullable<import('rolldown').InputOptions['onLog']>} */
 const onLog = (level, log, handle) => {

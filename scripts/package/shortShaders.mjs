@@ -15,11 +15,22 @@ import { inRoot } from '../lib/paths.mjs';
 const NAME = /(?<![\w.])[A-Za-z_]\w*/g;
 const LETTERS = [...'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ'];
 
-/** The plugin that brings shaders, for bundlers. */
+/** The plugins that bring shaders, for bundlers. */
 export async function shortShaders() {
   const names = shortNames(shadersIn('shaders'));
-  return glsl({ minify: true, onComplete: (shader) => shortened(shader, names) });
+  return [await glsl({ minify: true, onComplete: (shader) => shortened(shader, names) }), together];
 }
+
+/** Puts the shaders of a chunk side by side: compression finds again what was said in the last 32 kB. @type {import('rolldown').Plugin} */
+const together = {
+  name: 'shaders-together',
+  renderChunk(code, _chunk, _options, { magicString }) {
+    if (!magicString) throw new Error('Shaders are moved by experimental.nativeMagicString.');
+    for (const { 0: shader, index } of code.matchAll(/^\/\/ shaders\/.*\n.*\n/gm))
+      magicString.move(index, index + shader.length, 0);
+    return { code: magicString };
+  },
+};
 
 /** What the plugin's own minifier leaves: zeros that say nothing, and white space beside some operators. */
 const IDLE = /(?<![\w.])0(?=\.\d*[1-9])|(?<=\d\.)0+(?!\w)| (?=[?:%^])|(?<=[?:%^]) /g;

@@ -33,5 +33,5 @@ export async function writeTypes(folder, say) {
 /** Sources name each other by `.ts`; what is shipped is named by `.js`. */
 function nameBuiltFiles(/** @type {string} */ path) {
   const text = readFileSync(path, 'utf8');
-  writeFileSync(path, text.replace(/((?:from|import) ?\(?'\.{1,2}\/[^']+)\.ts'/g, "$1.js'"));
+  writeFileSync(path, text.replace(/((?:from|import) ?\(?(['"])\.{1,2}\/[^'"]+)\.ts\2/g, '$1.js$2'));
 }

@@ -1,15 +1,18 @@
 /**
  * A plugin for the bundler: the parameter table without its labels and texts, and without what only a panel needs. A
- * widget knows ranges and defaults; nobody reads words there.
+ * widget knows ranges and defaults; nobody reads words there. Keys are among the names that elements know already, and of
+ * lists the first item stands for all.
  */
 
-import { readFileSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
+import { sourceModule } from './sourceModule.mjs';
 
 /** What smoke needs of a row. */
-const KEPT = ['kind', 'key', 'reader', 'isOptional', 'unit', 'min', 'max', 'linkMax', 'default'];
-/** What smoke does not need of a list. */
-const LEFT_OUT = ['label', 'text', 'start'];
+const KEPT = ['kind', 'reader', 'isOptional', 'unit', 'min', 'max', 'linkMax', 'default'];
+const OF_LATER_ITEMS = /^\w+\.[1-7]\./;
+
+/** @type {typeof import('../../src/element/names.ts')} */
+const { names } = await sourceModule('src/element/names.ts');
 
 /**
  * @param {readonly import('../../src/preset/parameter.ts').Parameter[]} table as it is
@@ -18,20 +21,21 @@ const LEFT_OUT = ['label', 'text', 'start'];
 export function withoutWords(table) {
   return {
     name: 'without-words',
-    load(id) {
-      if (id === inRoot('src/preset/table.ts')) return { code: tableModule(table), moduleType: 'js' };
-      if (id === inRoot('src/preset/lists.json')) return { code: listsWithoutWords(), moduleType: 'json' };
-      return undefined;
-    },
+    load: (id) => (id === inRoot('src/preset/table.ts') ? { code: tableModule(table), moduleType: 'js' } : undefined),
   };
 }
 
 /** The module of the table as it would be if rows had no words. @param {readonly { key: string }[]} table */
 function tableModule(table) {
-  const single = table.filter(({ key }) => !/^\w+\.\d\./.test(key)).map(bare);
+  const stray = table.find(({ key }, index) => key !== names[index].key);
+  if (stray) throw new Error(`${stray.key} stands at another place in src/element/names.json.`);
+  const rows = table.filter(({ key }) => !OF_LATER_ITEMS.test(key)).map(bare);
   return `
-    import { listParameters } from './lists.ts';
-    export const table = [...${JSON.stringify(single)}, ...listParameters()];
+    import { names } from '../element/names.ts';
+    const bare = ${JSON.stringify(rows)};
+    const first = names.filter(({ key }) => !${OF_LATER_ITEMS}.test(key));
+    const bareByKey = new Map(first.map(({ key }, index) => [key, bare[index]]));
+    export const table = names.map(({ key }) => ({ ...bareByKey.get(key.replace(/(?<=^\\w+\\.)\\d(?=\\.)/, 0)), key }));
     const rows = new Map(table.map((row) => [row.key, row]));
     export const findParameter = (key) => rows.get(key);`;
 }
@@ -46,9 +50,4 @@ function bare(row) {
 /** @param {{ value: unknown }[]} options */
 function valuesOf(options) {
   return options.map(({ value }) => ({ value }));
-}
-
-function listsWithoutWords() {
-  const text = readFileSync(inRoot('src/preset/lists.json'), 'utf8');
-  return JSON.stringify(JSON.parse(text, (name, value) => (LEFT_OUT.includes(name) ? undefined : value)));
 }

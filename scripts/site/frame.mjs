@@ -38,7 +38,7 @@ async function scriptOf(physics) {
   const build = await rolldown({
     input: inRoot('src/frame/frame.ts'),
     platform: 'browser',
-    plugins: [await shortShaders(), shortMembers(), withoutWords(table), withoutShaders()],
+    plugins: [...(await shortShaders()), shortMembers(), withoutWords(table), withoutShaders()],
     experimental: { nativeMagicString: true },
     transform: { define },
     onLog,
