@@ -26,7 +26,7 @@ const together = {
   name: 'shaders-together',
   renderChunk(code, _chunk, _options, { magicString }) {
     if (!magicString) throw new Error('Shaders are moved by experimental.nativeMagicString.');
-    for (const { 0: shader, index } of code.matchAll(/^\/\/ shaders\/.*\n.*\n/gm))
+    for (const { 0: shader, index } of code.matchAll(/^\/\/ shaders\/.*\nvar [\w$]+ = ".*";\n/gm))
       magicString.move(index, index + shader.length, 0);
     return { code: magicString };
   },

@@ -1,4 +1,4 @@
-import { DEBUG_VIEWS, type DebugView } from '../preset/environment.ts';
+import { DEBUG_VIEWS, type DebugView } from '../preset/quality.ts';
 import type { Stage } from '../stage/stage.ts';
 import { create } from './dom.ts';
 import { strings } from './strings.ts';

@@ -1,20 +1,11 @@
-import {
-  DataArrayTexture,
-  DataTexture,
-  FloatType,
-  HalfFloatType,
-  LinearFilter,
-  LinearMipmapLinearFilter,
-  NearestFilter,
-  RedFormat,
-  RGBAFormat,
-  UnsignedByteType,
-} from 'three';
+import { DataTexture, FloatType, RGBAFormat, type DataArrayTexture } from 'three';
 import type { Casters } from '../puffs/casters.ts';
 import type { LobePuffs } from '../puffs/bakeLobes.ts';
 import type { PuffLayers } from '../puffs/layers.ts';
 import type { PuffSolids } from '../puffs/solids.ts';
 import type { StartCaps } from '../puffs/startCaps.ts';
+import type { BillboardTextures } from './billboardTextures.ts';
+import { capRange, capTexture } from './capTexture.ts';
 import { Shared } from './shared.ts';
 
 /** What a puff is on the screen: lobes met per pixel, or the paper's billboards, baked from one side. */
@@ -27,11 +18,14 @@ export interface BillboardPuffs {
   readonly latestCap: number;
   readonly casters: Casters;
   readonly solids: PuffSolids;
+  /** Makes textures of them; the context decides which filters there are. */
+  texturesFor(context: WebGL2RenderingContext): BillboardTextures;
 }
 
 /** Puffs as plain data in each form. Each may be made when it is first asked for. */
 export interface BakedPuffs {
   readonly lobes: LobePuffs;
+  /** @throws LoadError before anybody has fetched the code of billboards, as a style does that asks for them */
   readonly billboards: BillboardPuffs;
 }
 
@@ -48,7 +42,7 @@ export interface PuffExtents {
 }
 
 /** What all that draws asks of the puffs in one form. */
-interface FormTextures extends PuffExtents {
+export interface FormTextures extends PuffExtents {
   /** See `latestCap` in src/puffs/startCaps.ts. */
   readonly latestCap: number;
   /** A layer for each variation. */
@@ -65,7 +59,7 @@ export class PuffLibrary {
 
   /** @param context decides which filters there are */
   constructor(context: WebGL2RenderingContext) {
-    this.billboards = new Shared((puffs) => new BillboardTextures(context, puffs));
+    this.billboards = new Shared((puffs) => puffs.texturesFor(context));
   }
 
   /** Lets go of what is on the graphics card; what is drawn again is uploaded anew. */
@@ -158,74 +152,4 @@ class LobeTextures implements FormTextures {
     this.lobeTable.dispose();
     this.startCaps.dispose();
   }
-}
-
-/** A layer for each variation. */
-class BillboardTextures implements FormTextures {
-  readonly layers: PuffLayers;
-  readonly normalDepth: DataArrayTexture;
-  readonly colorCoverage: DataArrayTexture;
-  readonly startCaps: DataArrayTexture;
-  readonly latestCap: number;
-  readonly casterTable: DataTexture;
-  readonly casterLobes: number;
-  readonly capRange: readonly [number, number];
-  readonly capTable: StartCaps;
-  readonly solids: PuffSolids;
-
-  constructor(context: WebGL2RenderingContext, { layers, startCaps, latestCap, casters, solids }: BillboardPuffs) {
-    this.layers = layers;
-    this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);
-    this.normalDepth.format = RGBAFormat;
-    this.normalDepth.type = HalfFloatType;
-    // Half floats are filtered everywhere, but only contexts that can draw to them can make their smaller levels.
-    smooth(this.normalDepth, context.getExtension('EXT_color_buffer_float') !== null);
-    this.colorCoverage = new DataArrayTexture(layers.colorCoverage, layers.size, layers.size, layers.count);
-    this.colorCoverage.format = RGBAFormat;
-    this.colorCoverage.type = UnsignedByteType;
-    smooth(this.colorCoverage, true);
-    this.startCaps = capTexture(startCaps);
-    this.latestCap = latestCap;
-    this.casterLobes = casters.lobeCount;
-    this.casterTable = new DataTexture(casters.table, casters.lobeCount, casters.count, RGBAFormat, FloatType);
-    this.casterTable.needsUpdate = true;
-    this.capRange = capRange(startCaps);
-    this.capTable = startCaps;
-    this.solids = solids;
-  }
-
-  /** The relief begins at the centre plane. */
-  readonly depth = 0;
-
-  get reach(): number {
-    return Math.max(...this.layers.figures.map(({ outerRadius, relief }) => Math.max(outerRadius, relief)));
-  }
-
-  dispose(): void {
-    this.normalDepth.dispose();
-    this.colorCoverage.dispose();
-    this.startCaps.dispose();
-    this.casterTable.dispose();
-  }
-}
-
-function capRange({ values }: StartCaps): [number, number] {
-  return values.reduce<[number, number]>(([least, most], cap) => [Math.min(least, cap), Math.max(most, cap)], [0, 0]);
-}
-
-function capTexture({ values, width, height, count }: StartCaps): DataArrayTexture {
-  const texture = new DataArrayTexture(values, width, height, count);
-  texture.format = RedFormat;
-  texture.type = FloatType;
-  texture.minFilter = NearestFilter;
-  texture.magFilter = NearestFilter;
-  texture.needsUpdate = true;
-  return texture;
-}
-
-function smooth(texture: DataArrayTexture, withMipmaps: boolean): void {
-  texture.magFilter = LinearFilter;
-  texture.minFilter = withMipmaps ? LinearMipmapLinearFilter : LinearFilter;
-  texture.generateMipmaps = withMipmaps;
-  texture.needsUpdate = true;
 }

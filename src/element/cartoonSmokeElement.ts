@@ -1,5 +1,4 @@
 import { ContextError, type SmokeError } from '../preset/errors.ts';
-import { fetched } from '../preset/patience.ts';
 import type { Fault } from '../device/faults.ts';
 import { asSmokeError } from './asSmokeError.ts';
 import { Deferred } from './deferred.ts';
@@ -8,8 +7,8 @@ import type { SmokeEvents } from './events.ts';
 import { HANDED_ON, type HandedOn } from './methods.ts';
 import { keyOfAttribute } from './names.ts';
 import { whenNear } from './near.ts';
+import { fetchAhead, part } from './parts.ts';
 import { defineProperties, FLAGS, takeUpEarlier, TEXTS } from './properties.ts';
-
 import { quietly } from './quietly.ts';
 import type { Session } from './session.ts';
 import { Shell } from './shell.ts';
@@ -180,7 +179,8 @@ export class CartoonSmokeElement extends Base {
   }
 
   async #open(signal: AbortSignal): Promise<Session> {
-    const { openSession } = await fetched('The smoke', import('./session.ts'));
+    fetchAhead(this);
+    const { openSession } = await part('session');
     signal.throwIfAborted();
     return openSession(
       {

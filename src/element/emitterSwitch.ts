@@ -1,6 +1,3 @@
-/** When smoke rises from an element of the page. */
-export const EMIT_ON = ['always', 'hover', 'click'] as const;
-
 /** How long a click lets smoke rise. */
 const PUFF_MS = 900;
 

@@ -4,6 +4,8 @@ import { names } from './names.ts';
 export const FLAGS = ['paused', 'transparent', 'interactive'] as const;
 /** Those about things of the page in the smoke. */
 export const OF_PAGE: readonly string[] = ['collide', 'emit-from', 'emit-on'];
+/** When smoke rises from an element of the page. */
+export const EMIT_ON = ['always', 'hover', 'click'] as const;
 /** What the button says to those who do not see it. */
 export const LABELS: readonly string[] = ['label-play', 'label-pause'];
 export const TEXTS = ['preset', 'src', 'start', 'alt', 'thread', 'loading', ...LABELS, ...OF_PAGE];

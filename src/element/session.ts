@@ -1,7 +1,6 @@
 /** The heavy half of an element, fetched when it nears the viewport: everything between its attributes and its stage. */
 import type { Fault } from '../device/faults.ts';
 import { LoadError, ParameterError, type SmokeError } from '../preset/errors.ts';
-import { fetched } from '../preset/patience.ts';
 import { notice, type Notice } from '../preset/notice.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { openStage } from '../remote/openStage.ts';
@@ -9,11 +8,11 @@ import { asSmokeError } from './asSmokeError.ts';
 import { change } from './change.ts';
 import type { SmokeEvents } from './events.ts';
 import { sizeOf, watchSize } from './fit.ts';
-import { goToMoment } from './moment.ts';
 import type { OnPage } from './onPage.ts';
+import { part } from './parts.ts';
 import { calm, Playback } from './playback.ts';
 import { FLAGS, LABELS, OF_PAGE } from './properties.ts';
-import { PointerWays } from './pointers.ts';
+import type { PointerWays } from './pointers.ts';
 import { quietly } from './quietly.ts';
 import type { Shell } from './shell.ts';
 import { readWish, type Wish } from './wish.ts';
@@ -64,9 +63,10 @@ export class Session {
   readonly stage: RemoteStage;
   private readonly host: SessionHost;
   private readonly playback: Playback;
-  private readonly pointers: PointerWays;
   private readonly endings: (() => void)[];
   private wish: Wish;
+  /** Once people could turn the view. */
+  private pointers: PointerWays | undefined;
   /** While the page has things in the smoke. */
   private onPage: OnPage | undefined;
   private isBehind = false;
@@ -79,7 +79,6 @@ export class Session {
     this.stage = stage;
     this.wish = wish;
     if (wish.isPaused) element.toggleAttribute('paused', true);
-    this.pointers = new PointerWays(stage, shell);
     this.playback = new Playback(stage, element.hasAttribute('paused'), (state) => this.showPlaying(state));
     this.endings = [
       watchSize(shell.frame, ({ width, height, pixelRatio }) => quietly(stage.resize(width, height, pixelRatio))),
@@ -96,7 +95,7 @@ export class Session {
     await this.lookAtPage();
     const notices = await lead(this.stage, this.wish);
     if (this.isDisposed) return;
-    this.takeUp('interactive');
+    await this.interact();
     this.playback.begin();
     this.tell([...this.wish.notices, ...notices]);
   }
@@ -113,7 +112,7 @@ export class Session {
     else if (LABELS.includes(name)) shell.nameButton();
     else if (name === 'paused') this.playback.set(isOn);
     else if (name === 'transparent') quietly(this.stage.setBackground(!isOn));
-    else if (name === 'interactive') this.pointers.toggle(isOn);
+    else if (name === 'interactive') quietly(this.interact());
     else if (OF_PAGE.includes(name)) this.lookAtPage().catch((error) => this.tellOfMissing(error));
   }
 
@@ -139,7 +138,7 @@ export class Session {
     this.isDisposed = true;
     this.playback.dispose();
     this.onPage?.dispose();
-    this.pointers.toggle(false);
+    this.pointers?.toggle(false);
     for (const end of this.endings) end();
     quietly(this.stage.dispose());
   }
@@ -149,7 +148,8 @@ export class Session {
     while (this.isBehind && !this.isDisposed) {
       await Promise.resolve();
       this.isBehind = false;
-      await this.followWish(await readWish(this.host.element));
+      const wish = await readWish(this.host.element).catch((error: Error) => this.tellOfMissing(error));
+      if (wish) await this.followWish(wish);
     }
     this.isFollowing = false;
   }
@@ -173,13 +173,23 @@ export class Session {
     this.onPage?.forget();
   }
 
+  /** Lets people move what can be moved and turn the view, or no longer. */
+  private async interact(): Promise<void> {
+    const isWanted = () => !this.isDisposed && this.host.element.hasAttribute('interactive');
+    if (isWanted() && !this.pointers) {
+      const code = await part('pointers').catch((error: Error) => this.tellOfMissing(error));
+      if (code) this.pointers ??= new code.PointerWays(this.stage, this.host.shell);
+    }
+    this.pointers?.toggle(isWanted());
+  }
+
   /** Puts things of the page into the smoke, or looks at them again, or takes them out. */
   private async lookAtPage(): Promise<void> {
     const { element, shell } = this.host;
     const hasThings = () => ['collide', 'emit-from'].some((name) => element.hasAttribute(name));
     if (!hasThings()) return this.leavePage();
     if (this.onPage) return this.onPage.measure();
-    const { OnPage } = await fetched('The page in the smoke', import('./onPage.ts'));
+    const { OnPage } = await part('onPage');
     if (this.isDisposed || this.onPage || !hasThings()) return;
     const values = () => this.wish.values;
     this.onPage = new OnPage(this.stage, {
@@ -213,7 +223,7 @@ export class Session {
 
 /** Goes to where the smoke shall begin: the moment that was shared, the start that was asked for, or a still picture. */
 async function lead(stage: RemoteStage, { take, start, values }: Wish): Promise<readonly Notice[]> {
-  if (take) return goToMoment(stage, take, start, values);
+  if (take) return (await part('moment')).goToMoment(stage, take, start, values);
   const seconds = start ?? (calm().matches ? STILL_SECONDS : 0);
   if (seconds > 0) await stage.seek(seconds);
   return [];

@@ -1,12 +1,11 @@
-import { decode } from '../preset/codec.ts';
-import { readEnvironment } from '../preset/environment.ts';
 import { notice, summarise, type Notice } from '../preset/notice.ts';
 import type { Values } from '../preset/parameter.ts';
-import { defaultPreset, findPreset, presetValues } from '../preset/presets.ts';
+import { fetchPreset, FIRST_PRESET } from '../preset/moods/moods.ts';
 import { findParameter } from '../preset/table.ts';
-import { readText } from '../preset/values.ts';
-import { EMIT_ON } from './emitterSwitch.ts';
+import { presetValues, readText } from '../preset/values.ts';
 import { keyOfAttribute } from './names.ts';
+import { part, presetOf } from './parts.ts';
+import { EMIT_ON } from './properties.ts';
 
 /** What an element asks for by its attributes. */
 export interface Wish {
@@ -30,7 +29,8 @@ const CHOICES = [
 
 /**
  * Reads `src`, `preset`, `start` and the parameters: a link, or else a preset, and over it each parameter by itself.
- * Never rejects. Attributes may ask for no more than links, because on many pages strangers can write them.
+ * Attributes may ask for no more than links, because on many pages strangers can write them.
+ * @throws LoadError when what reads links cannot be fetched
  */
 export async function readWish(element: Element): Promise<Wish> {
   const notices: Notice[] = [];
@@ -48,49 +48,25 @@ export async function readWish(element: Element): Promise<Wish> {
   return {
     ...base,
     values,
-    start: start === null ? base.start : readStart(start, notices),
+    start: start === null ? base.start : (await part('link')).readStart(start, notices),
     notices: summarise(notices),
   };
 }
 
-type Base = Omit<Wish, 'notices'>;
-
 /** What the parameters stand over. */
+export type Base = Omit<Wish, 'notices'>;
+
 async function readBase(element: Element, notices: Notice[]): Promise<Base> {
   const link = element.getAttribute('src');
-  if (link !== null) return readLink(link, element.baseURI, notices);
+  if (link !== null) return (await part('link')).readLink(link, element.baseURI, notices);
   const name = element.getAttribute('preset');
-  // The first preset of a scene has its name, and shows it as it wants to be seen.
-  const preset = findPreset(name ?? element.getAttribute('scene') ?? '');
+  const preset = await presetOf(element);
   if (!preset && name !== null) {
-    const tell = (given: string) => `There is no preset ${given}; \u201c${defaultPreset.name}\u201d is shown.`;
+    const tell = (given: string) => `There is no preset ${given}; \u201c${FIRST_PRESET}\u201d is shown.`;
     notices.push(notice('unknownPreset', 'preset', name, tell));
   }
-  return { values: presetValues(preset ?? defaultPreset), start: undefined, isPaused: false, take: undefined };
-}
-
-async function readLink(link: string, base: string, notices: Notice[]): Promise<Base> {
-  const { hash, search } = addressOf(link, base, notices);
-  const { state, take, notices: ofHash } = await decode(hash);
-  const { time, paused, notices: ofQuery } = readEnvironment(search);
-  notices.push(...ofHash, ...ofQuery);
-  return { values: state.values, start: time, isPaused: paused, take };
-}
-
-function addressOf(link: string, base: string, notices: Notice[]): Pick<URL, 'hash' | 'search'> {
-  try {
-    return new URL(link, base);
-  } catch {
-    notices.push(notice('damaged', 'src', link, (given) => `src cannot be ${given}: it takes a share link.`));
-    return { hash: '', search: '' };
-  }
-}
-
-/** Reads the start as the query of a link is read. */
-function readStart(text: string, notices: Notice[]): number | undefined {
-  const { time, notices: told } = readEnvironment(`?${new URLSearchParams({ t: text })}`);
-  notices.push(...told);
-  return time;
+  const values = presetValues(preset ?? (await fetchPreset(FIRST_PRESET))!);
+  return { values, start: undefined, isPaused: false, take: undefined };
 }
 
 function readChoice(element: Element, name: string, options: readonly string[], notices: Notice[]): void {

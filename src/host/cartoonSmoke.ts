@@ -19,6 +19,7 @@ import { Clock, STEP_SECONDS } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { simulatorValues } from '../sim/simulatorValues.ts';
+import { fetchExtras } from '../smoke/extraPasses.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import type { Style } from '../smoke/style.ts';
@@ -87,20 +88,29 @@ export class CartoonSmoke extends Group {
     requireRenderer(options.renderer);
     requireKeyLight(options.keyLight);
     const values = startValues(options);
-    const factory = await loadSimulators({ physics: options.physics ?? true });
-    const simulator = factory.create({
-      capacity: values['simulation.maxParticles'] as number,
-      seed: values.seed as number,
-    });
-    simulator.set(simulatorValues(values));
-    return new CartoonSmoke(options, values, simulator);
+    const device = borrowDevice(options.renderer);
+    try {
+      const [factory] = await Promise.all([
+        loadSimulators({ physics: options.physics ?? true }),
+        fetchExtras({ ...hostStyle(values), isFlat: !device.writesDepth }),
+      ]);
+      const simulator = factory.create({
+        capacity: values['simulation.maxParticles'] as number,
+        seed: values.seed as number,
+      });
+      simulator.set(simulatorValues(values));
+      return new CartoonSmoke(options, device, values, simulator);
+    } catch (error) {
+      releaseDevice(device);
+      throw error;
+    }
   }
 
-  private constructor(options: CartoonSmokeOptions, values: Values, simulator: Simulator) {
+  private constructor(options: CartoonSmokeOptions, device: Device, values: Values, simulator: Simulator) {
     super();
     this.name = 'CartoonSmoke';
     this.renderOrder = FIRST;
-    this.device = borrowDevice(options.renderer);
+    this.device = device;
     this.keyLight = options.keyLight;
     this.onRelight = options.onRelight ?? (() => {});
     this.hasPhysics = options.physics ?? true;
@@ -160,7 +170,10 @@ export class CartoonSmoke extends Group {
     this.showPuffs(this.puffs.finish());
   }
 
-  /** Changes values by their flat keys: all of them, or none when one is refused, with a ParameterError. */
+  /**
+   * Changes values by their flat keys: all of them, or none when one is refused, with a ParameterError. Billboards come when
+   * they are first asked for; the next update throws a LoadError where they cannot be had.
+   */
   set(values: Values): void {
     this.requireAlive();
     requireChangeable(values);
@@ -168,6 +181,7 @@ export class CartoonSmoke extends Group {
     this.values = { ...this.values, ...values };
     this.style = hostStyle(this.values);
     this.puffs.follow(this.values);
+    fetchExtras(this.style).catch((error: Error) => (this.objection = error));
   }
 
   /** All values that smoke has. */

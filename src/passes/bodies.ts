@@ -10,14 +10,12 @@ import {
   type Texture,
   type WebGLRenderer,
 } from 'three';
-import billboardsFragmentShader from '../../shaders/bodies/billboards.frag';
-import billboardsVertexShader from '../../shaders/bodies/billboards.vert';
 import lobesFragmentShader from '../../shaders/bodies/lobes.frag';
 import lobesVertexShader from '../../shaders/bodies/lobes.vert';
 import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { Eye } from '../device/eye.ts';
 import type { Shaders } from '../device/programsAhead.ts';
-import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
+import type { PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
 import { withLobes } from '../device/unroll.ts';
 import type { SurfaceDepthPass } from './surfaceDepth.ts';
@@ -87,9 +85,12 @@ export class BodiesPass {
     this.rows = new DrawnMesh(rows, this.lobesMaterial());
   }
 
-  /** Chooses how puffs become pixels, and follows other puffs; a form that is not drawn costs nothing. */
-  setForm(form: PuffForm): void {
-    this.rows.material = form === 'lobes' || this.isFlat ? this.lobesMaterial() : this.billboardsMaterial();
+  /**
+   * Chooses how puffs become pixels, and follows other puffs; a form that is not drawn costs nothing.
+   * @param billboards by what they are drawn; lobes are where absent, and where bodies are flat
+   */
+  setForm(billboards?: Shaders): void {
+    this.rows.material = billboards && !this.isFlat ? this.billboardsMaterial(billboards) : this.lobesMaterial();
   }
 
   /**
@@ -156,17 +157,13 @@ export class BodiesPass {
     return this.materialOf(lobeCount, lobeBodyShaders(lobeCount, this.isFlat));
   }
 
-  private billboardsMaterial(): RawShaderMaterial {
+  private billboardsMaterial(shaders: Shaders): RawShaderMaterial {
     const { layers, normalDepth, colorCoverage } = this.puffs.billboards;
     this.puffUniforms.normalDepth.value = normalDepth;
     this.puffUniforms.colorCoverage.value = colorCoverage;
     this.puffUniforms.pad.value = layers.pad;
     this.puffUniforms.distanceRange.value = layers.distanceRange;
-    return this.materialOf(0, {
-      vertexShader: billboardsVertexShader,
-      fragmentShader: billboardsFragmentShader,
-      defines: definesOf(this.isFlat),
-    });
+    return this.materialOf(0, { ...shaders, defines: definesOf(this.isFlat) });
   }
 
   private materialOf(lobes: number, shaders: Shaders): RawShaderMaterial {

@@ -17,7 +17,7 @@ import countsFragmentShader from '../../shaders/debugViews/counts.frag';
 import depthFragmentShader from '../../shaders/debugViews/depth.frag';
 import type { Eye } from '../device/eye.ts';
 import { ADDS, FullScreen } from '../device/fullScreen.ts';
-import type { DebugView } from '../preset/environment.ts';
+import type { DebugView } from '../preset/quality.ts';
 import type { BodiesPass } from './bodies.ts';
 import { GridTexture, type GridOfDepths } from './gridTexture.ts';
 import type { Targets } from './targets.ts';

@@ -14,8 +14,9 @@ import shadowedFragmentShader from '../../shaders/shadowMap/shadowed.frag';
 import { Eye } from '../device/eye.ts';
 import { ADDS, FullScreen } from '../device/fullScreen.ts';
 import { pictureTarget } from '../device/pictureTarget.ts';
-import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
+import type { PuffTextures } from '../device/puffTextures.ts';
 import type { RampTexture } from '../device/ramps.ts';
+import type { Shaders } from '../device/programsAhead.ts';
 import { BodiesPass } from './bodies.ts';
 import type { InkLine } from './ink.ts';
 import { SurfacesPass, type SurfaceDescription } from './surfaces.ts';
@@ -79,8 +80,9 @@ export class ShadowMapPass {
     this.apply = new FullScreen(applyFragmentShader, { shadowed }, ADDS);
   }
 
-  setForm(form: PuffForm): void {
-    this.body.setForm(form);
+  /** @see BodiesPass.setForm */
+  setForm(billboards?: Shaders): void {
+    this.body.setForm(billboards);
   }
 
   /** Puts the surfaces where their rigids are. */

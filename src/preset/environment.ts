@@ -1,14 +1,6 @@
 /** What the query of an address asks of the page, not of the smoke: `?paused=1&t=2.5&ui=0&stats=1&quality=0.75`. */
 import { notice, type Notice } from './notice.ts';
-
-/** How many of the screen's pixels are drawn: a share of the pixel ratio, or what the machine can do in time. */
-export type Quality = 'auto' | number;
-
-/** What can be shown instead of the picture, to see what the passes work with. */
-export const DEBUG_VIEWS = ['lit', 'unlit', 'ink', 'normals', 'depth', 'counts', 'overdraw', 'coverage'] as const;
-export type DebugView = (typeof DEBUG_VIEWS)[number];
-
-export const LOWEST_QUALITY = 0.25;
+import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from './quality.ts';
 
 export interface Environment {
   /** Start without playing. */

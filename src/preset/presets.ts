@@ -10,9 +10,8 @@ import type { Preset } from './moods/preset.ts';
 import { rocketPresets } from './moods/rocket.ts';
 import { trainPresets } from './moods/train.ts';
 import { wispPresets } from './moods/wisp.ts';
-import type { Value } from './parameter.ts';
-import { defaults } from './values.ts';
 
+export { presetValues } from './values.ts';
 export type { Preset };
 
 /** Those of a scene follow each other; the first of them has the scene's name and is how it wants to be seen. */
@@ -37,9 +36,4 @@ export const defaultPreset: Preset = presets[0];
 /** The preset of this name, or undefined. Safe for names from strangers. */
 export function findPreset(name: string): Preset | undefined {
   return byName.get(name);
-}
-
-/** Every key of the table with the preset's value. */
-export function presetValues(preset: Preset): Record<string, Value> {
-  return { ...defaults(), ...preset.values };
 }

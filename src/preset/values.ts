@@ -1,6 +1,7 @@
 /** Values of the table: their defaults, the check for callers, and reading and writing them as text at the edge. */
 import { readCurve } from './curve.ts';
 import { ParameterError } from './errors.ts';
+import type { Preset } from './moods/preset.ts';
 import { notice, type Notice } from './notice.ts';
 import { accepted, type NumberParameter, type Parameter, type Value, type Values } from './parameter.ts';
 import { readRamp } from './ramp.ts';
@@ -13,6 +14,11 @@ const COLOR = /^#[0-9a-f]{6}$/i;
 export function defaults(): Record<string, Value> {
   const needed = table.filter(({ isOptional }) => !isOptional);
   return Object.fromEntries(needed.map((parameter) => [parameter.key, parameter.default]));
+}
+
+/** Every key of the table with the preset's value. */
+export function presetValues(preset: Preset): Record<string, Value> {
+  return { ...defaults(), ...preset.values };
 }
 
 /**

@@ -1,11 +1,10 @@
 /**
  * The surface of a puff as points, gathered in patches with bounds, so that a question about all points ("which lit one
- * lies farthest behind?") needs to look into few patches: of baked layers the visible front, of lobes all of it.
+ * lies farthest behind?") needs to look into few patches.
  */
-import { samplePuff, type PuffLayers, type PuffSample } from './layers.ts';
 import { CREASE_FILLET, middleOf, softNormal } from './normals.ts';
 import type { Lobe } from './shapes.ts';
-import { dot, lengthOf, minus, normalized, spherePoint, type Vector } from './vector.ts';
+import { lengthOf, minus, normalized, spherePoint, type Vector } from './vector.ts';
 
 /** Numbers a point in a patch: normal (unit), position (particle radii), length of the position. */
 export const POINT_STRIDE = 7;
@@ -21,33 +20,10 @@ export interface Patch {
   readonly radius: number;
 }
 
-/** Texels along each side of a patch. */
-const PATCH_TEXELS = 8;
-/** Neighbouring texels whose normals differ by more than this (cosine) are a crease or a rim. */
-const SMOOTH_COSINE = 0.985;
-/** Points between four texels, along x and along y, where the filter turns across a crease. */
-const CREASE_POINTS = 3;
 /** Between the points on lobes, particle radii. */
 const LOBE_SPACING = 0.026;
 /** Boxes along each axis that a lobe's points are gathered in. */
 const LOBE_BOXES = 5;
-
-/** The fronts of all layers. */
-export function frontsOf(layers: PuffLayers): Patch[][] {
-  return Array.from({ length: layers.count }, (_, layer) => frontOf(layers, layer));
-}
-
-/** The front of a layer's puff, dense enough where filtering bends normals between texels. */
-function frontOf(layers: PuffLayers, layer: number): Patch[] {
-  const patches: Patch[] = [];
-  for (let j = 0; j < layers.size - 1; j += PATCH_TEXELS) {
-    for (let i = 0; i < layers.size - 1; i += PATCH_TEXELS) {
-      const points = pointsIn(layers, layer, i, j);
-      if (points.length > 0) patches.push(bounded(Float32Array.from(points)));
-    }
-  }
-  return patches;
-}
 
 /** All of the surface that some eye can see of a puff of lobes. */
 export function surfaceOf(lobes: readonly Lobe[]): Patch[] {
@@ -96,37 +72,8 @@ function boxAlong(at: number): number {
   return Math.min(LOBE_BOXES - 1, Math.floor((at + 1) * 0.5 * LOBE_BOXES));
 }
 
-function pointsIn(layers: PuffLayers, layer: number, firstI: number, firstJ: number): number[] {
-  const { size, pad } = layers;
-  const texel = (2 * pad) / size;
-  const points: number[] = [];
-  for (let j = firstJ; j < Math.min(size - 1, firstJ + PATCH_TEXELS); j++) {
-    for (let i = firstI; i < Math.min(size - 1, firstI + PATCH_TEXELS); i++) {
-      addPoints(layers, layer, (i + 0.5) * texel - pad, (j + 0.5) * texel - pad, points);
-    }
-  }
-  return points;
-}
-
-/** Adds the points between the four texel centres from (x, y) up, as far as they lie on the puff. */
-function addPoints(layers: PuffLayers, layer: number, x: number, y: number, points: number[]): void {
-  const texel = (2 * layers.pad) / layers.size;
-  const corners = [0, 1, 2, 3].map((k) => samplePuff(layers, layer, x + (k & 1) * texel, y + (k >> 1) * texel));
-  if (corners.every(({ distance }) => distance > 0)) return;
-  const steps = isSmooth(corners) ? 1 : CREASE_POINTS;
-  for (let k = 0; k < steps * steps; k++) {
-    const px = x + ((k % steps) + 0.5) * (texel / steps);
-    const py = y + (Math.floor(k / steps) + 0.5) * (texel / steps);
-    const { normal, height, distance } = samplePuff(layers, layer, px, py);
-    if (distance <= texel / 2) points.push(...normal, px, py, height, Math.hypot(px, py, height));
-  }
-}
-
-function isSmooth(corners: readonly PuffSample[]): boolean {
-  return corners.every((a) => corners.every((b) => dot(a.normal, b.normal) > SMOOTH_COSINE));
-}
-
-function bounded(points: Float32Array): Patch {
+/** Puts bounds around points. */
+export function bounded(points: Float32Array): Patch {
   const axis = normalized(mean(points, 0));
   const center = mean(points, 3);
   let cosine = 1;

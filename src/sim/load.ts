@@ -139,9 +139,10 @@ function requireSimd(): void {
 
 async function load(physics: boolean, given: BufferSource | undefined, report: Listener): Promise<SimulatorFactory> {
   try {
-    const [bindings, module] = await Promise.all([inTime(importBindings(physics)), compile(physics, given, report)]);
-    const instance = bindings.initSync({ module });
-    return new SimulatorFactory({ bindings, memory: instance.memory });
+    const code = physics ? import('./physics.ts') : import('./core.ts');
+    const [bindings, module] = await Promise.all([inTime(code), compile(physics, given, report)]);
+    const { memory } = bindings.initSync({ module });
+    return new SimulatorFactory({ bindings, memory });
   } catch (error) {
     const place = wasmSource ? 'where this page has it from' : wasmAddress(physics).href;
     const reason = error instanceof Error ? error.message : String(error);
@@ -163,10 +164,6 @@ function wasmAddress(physics: boolean): URL {
   return physics
     ? new URL('./wasm/physics/bindings_bg.wasm', import.meta.url)
     : new URL('./wasm/core/bindings_bg.wasm', import.meta.url);
-}
-
-async function importBindings(physics: boolean): Promise<SimulatorModule['bindings']> {
-  return physics ? await import('./wasm/physics/bindings.js') : await import('./wasm/core/bindings.js');
 }
 
 async function compileFrom(address: URL, report: Listener): Promise<WebAssembly.Module> {

@@ -2,6 +2,7 @@
  * Rigids as a caller describes them, and as they cross into WASM.
  */
 import { ParameterError } from '../preset/errors.ts';
+import { requireIndices } from './indices.ts';
 import { poseNumbers, type Quaternion, type Triple } from './pose.ts';
 import { pathNumbers, spinNumbers, type RigidPath, type RigidSpin } from './rigidPath.ts';
 
@@ -138,15 +139,5 @@ function dimensionsOf(shape: SingleShape): ArrayLike<number> {
       return [shape.halfHeight, shape.radius];
     default:
       return [];
-  }
-}
-
-/** A typed array would wrap an index such as -1 into one that may exist; such an index is refused here. */
-export function requireIndices(indices: ArrayLike<number>, name: string): void {
-  for (let index = 0; index < indices.length; index++) {
-    const vertex = indices[index];
-    if (!Number.isInteger(vertex) || vertex < 0 || vertex > 0xffffffff) {
-      throw new ParameterError(`${name}.indices.${index}`, vertex, 'the number of a vertex');
-    }
   }
 }

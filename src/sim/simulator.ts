@@ -2,20 +2,25 @@
  * One simulator: the owner of a handle into WASM, of the views on its memory, and of its life.
  */
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
-import type * as Bindings from './wasm/core/bindings.js';
+import type * as Core from './core.ts';
 import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';
-import { jointNumbers, type JointDescription } from './joint.ts';
+import { requireIndices } from './indices.ts';
+import type { JointDescription } from './joint.ts';
 import { poseNumbers } from './pose.ts';
-import { requireIndices, rigidArguments, type RigidDescription } from './rigid.ts';
-import { pathNumbers, spinNumbers, type RigidPath, type RigidSpin } from './rigidPath.ts';
+import type { RigidDescription } from './rigid.ts';
+import type * as RigidNumbers from './rigidNumbers.ts';
+import type { RigidPath, RigidSpin } from './rigidPath.ts';
 import { LOOK_WORDS, PLACE_FLOATS, POSE_FLOATS, RIGID_FLOATS, type Rows } from './rows.ts';
 import { VIEW_FLOATS, viewLength, writeView, type CoverageGrid, type View } from './view.ts';
 
 /** An instantiated module: its functions and its memory. */
 export interface SimulatorModule {
-  readonly bindings: typeof Bindings;
+  readonly bindings: SimulatorBindings;
   readonly memory: WebAssembly.Memory;
 }
+
+/** Of the variant with physics, or of the other. */
+export type SimulatorBindings = typeof Core & { readonly rigidNumbers?: typeof RigidNumbers };
 
 /** What a new simulator is made of. */
 export interface SimulatorOptions {
@@ -50,7 +55,7 @@ interface Refusal {
  */
 export class Simulator {
   readonly #module: SimulatorModule;
-  readonly #handle: Bindings.Simulator;
+  readonly #handle: Core.Simulator;
   #view = new Float32Array(VIEW_FLOATS);
   #stopped: string | undefined;
 
@@ -84,13 +89,13 @@ export class Simulator {
 
   /** Puts a rigid among the particles and returns its index; needs the variant with physics. */
   addRigid(description: RigidDescription): number {
-    const rigid = rigidArguments(description);
+    const rigid = this.#rigids.rigidArguments(description);
     return this.#attempt(() => this.#handle.addRigid(...rigid));
   }
 
   /** Joins two rigids and returns the joint's index. */
   addJoint(description: JointDescription): number {
-    const numbers = jointNumbers(description);
+    const numbers = this.#rigids.jointNumbers(description);
     return this.#attempt(() => this.#handle.addJoint(numbers));
   }
 
@@ -106,13 +111,14 @@ export class Simulator {
 
   /** Gives a kinematic rigid a path by the simulator's time, or takes it away. */
   setPath(index: number, path?: RigidPath): void {
-    const numbers = pathNumbers(path);
+    const numbers = this.#rigids.pathNumbers(path);
     this.#attempt(() => this.#handle.setRigidPath(index, numbers));
   }
 
   /** Lets a kinematic rigid spin on top of all else that moves it, or ends that; it goes on from how it is turned. */
   setSpin(index: number, spin?: RigidSpin): void {
-    this.#attempt(() => this.#handle.setRigidSpin(index, ...spinNumbers(spin)));
+    const numbers = this.#rigids.spinNumbers(spin);
+    this.#attempt(() => this.#handle.setRigidSpin(index, ...numbers));
   }
 
   /**
@@ -370,6 +376,14 @@ export class Simulator {
     // After a fault the handle may still count as borrowed, and freeing it would throw: its memory stays lost.
     if (this.#stopped === undefined) this.#handle.free();
     this.#stopped ??= 'The simulator was disposed.';
+  }
+
+  get #rigids(): typeof RigidNumbers {
+    const { rigidNumbers } = this.#module.bindings;
+    if (rigidNumbers) return rigidNumbers;
+    throw new SimulatorError(
+      'This variant of the simulator has no rigids: load the one with physics, loadSimulators({ physics: true }).',
+    );
   }
 
   #attempt<Result>(action: () => Result): Result {

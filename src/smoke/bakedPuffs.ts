@@ -2,24 +2,15 @@ import type { BakedPuffs } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
 import { bakingLobes } from '../puffs/bakeLobes.ts';
 import { Kept } from '../puffs/kept.ts';
-import { castersOf } from '../puffs/casters.ts';
-import { bakePuffs } from '../puffs/layers.ts';
 import { LOBE_SHAPES } from '../puffs/lobeShapes.ts';
-import { frontsOf } from '../puffs/patches.ts';
-import { PUFF_SHAPES, type PuffShape } from '../puffs/shapes.ts';
-import { solidsOf } from '../puffs/solids.ts';
-import { bakeStartCaps, latestCap } from '../puffs/startCaps.ts';
+import type { PuffShape } from '../puffs/shapes.ts';
 import { finished, type Work } from '../puffs/work.ts';
-
-/** Radii by which facets, texels and their filter move outline and relief, and pixels by which smaller levels do. */
-const LAYER_TOLERANCE = 0.06;
-const LAYER_BLUR = 3;
+import { codeOf } from './extraPasses.ts';
 
 /** Smokes whose puffs are the same object share their textures on a device. */
 const kept = new Kept<BakedPuffs>(8);
 /** Puffs that somebody bakes; who wants the same goes on with them. */
 const begun = new Map<string, Work<BakedPuffs>>();
-const keptBillboards = new Kept<BakedPuffs['billboards']>(4);
 
 /** Puffs as {@link bakingPuffs} makes them, at once; the default ones where no shapes are given. */
 export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES, fronts?: readonly PuffShape[]): BakedPuffs {
@@ -32,8 +23,8 @@ export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES, fronts?: 
  * @param fronts what they are as billboards, from +z; those that were drawn by hand where absent
  * @throws RangeError when a shape has too many lobes
  */
-export function* bakingPuffs(shapes: readonly PuffShape[], fronts = PUFF_SHAPES): Work<BakedPuffs> {
-  const key = keyOf(shapes) + keyOf(fronts);
+export function* bakingPuffs(shapes: readonly PuffShape[], fronts?: readonly PuffShape[]): Work<BakedPuffs> {
+  const key = keyOf(shapes) + keyOf(fronts ?? []);
   for (;;) {
     const puffs = kept.get(key) ?? workOn(key, () => bakingNew(shapes, fronts));
     if (puffs) return puffs;
@@ -51,41 +42,20 @@ function workOn(key: string, begin: () => Work<BakedPuffs>): BakedPuffs | undefi
   return done ? value : undefined;
 }
 
-function* bakingNew(shapes: readonly PuffShape[], fronts: readonly PuffShape[]): Work<BakedPuffs> {
+function* bakingNew(shapes: readonly PuffShape[], fronts?: readonly PuffShape[]): Work<BakedPuffs> {
   return withFronts(yield* bakingLobes(shapes, FIRST_BORDER), fronts);
 }
 
-/** Billboards are baked when they are first asked for. */
-function withFronts(lobes: BakedPuffs['lobes'], fronts: readonly PuffShape[]): BakedPuffs {
+/** Billboards are baked when they are first asked for, by code that `fetchExtras` has brought. */
+function withFronts(lobes: BakedPuffs['lobes'], fronts?: readonly PuffShape[]): BakedPuffs {
   let billboards: BakedPuffs['billboards'] | undefined;
   return {
     lobes,
     get billboards() {
-      billboards ??= billboardsOf(fronts);
+      billboards ??= codeOf('billboards').bakeBillboards(fronts);
       return billboards;
     },
   };
-}
-
-function billboardsOf(fronts: readonly PuffShape[]): BakedPuffs['billboards'] {
-  const found = keptBillboards.get(keyOf(fronts));
-  if (found) return found;
-  const layers = bakePuffs(fronts);
-  const surfaces = frontsOf(layers);
-  const startCaps = bakeStartCaps(surfaces, FIRST_BORDER);
-  const solids = solidsOf(
-    fronts.map(({ lobes }) => lobes),
-    { facesEye: true, tolerance: LAYER_TOLERANCE, blur: LAYER_BLUR },
-  );
-  const billboards = {
-    layers,
-    startCaps,
-    latestCap: latestCap(surfaces.flat()),
-    casters: castersOf(fronts),
-    solids,
-  };
-  keptBillboards.add(keyOf(fronts), billboards);
-  return billboards;
 }
 
 function keyOf(shapes: readonly PuffShape[]): string {

@@ -1,47 +1,78 @@
-/** Passes that few smokes need: their code is fetched when one first does, and is there for the whole thread from then on. */
+/** Code that few smokes need: it is fetched when one first does, and is there for the whole thread from then on. */
+import type { PuffForm } from '../device/puffTextures.ts';
+import type { Shaders } from '../device/programsAhead.ts';
 import type { DebugViewsPass } from '../passes/debugViews.ts';
-import type { DebugView } from '../preset/environment.ts';
+import type { DebugView } from '../preset/quality.ts';
 import { LoadError } from '../preset/errors.ts';
 import { inTime } from '../preset/patience.ts';
 import type { Rivals, RivalSources } from './rivals.ts';
 import type { Renderer } from './style.ts';
 
 const imports = {
+  billboards: () => import('./billboards.ts'),
   rivals: () => import('./rivals.ts'),
   debugViews: () => import('../passes/debugViews.ts'),
+  prismVolumes: () => import('../passes/prismVolumes.ts'),
 };
 
-type Codes = { [Name in keyof typeof imports]: Awaited<ReturnType<(typeof imports)[Name]>> };
+type Name = keyof typeof imports;
+type Codes = { [Each in Name]: Awaited<ReturnType<(typeof imports)[Each]>> };
 
 const here: Partial<Codes> = {};
 
 /** What decides which of them a picture needs. */
 export interface PictureKind {
   readonly renderer: Renderer;
+  readonly form: PuffForm;
   readonly view?: DebugView;
+  /** Whether the device does not keep a depth that fragments write. */
+  readonly isFlat?: boolean;
+}
+
+/** What is fetched for such pictures, and what people call it. */
+function needsOf({ renderer, form, view, isFlat }: PictureKind): Partial<Record<Name, string>> {
+  return {
+    ...(form === 'billboards' && { billboards: 'Billboards' }),
+    ...(renderer !== 'nailboards' && { billboards: `The renderer ${renderer}`, rivals: `The renderer ${renderer}` }),
+    ...(view && { debugViews: `The view ${view}` }),
+    ...(isFlat && { prismVolumes: 'Shadows' }),
+  };
 }
 
 /** Whether all is here that such pictures need. */
-export function hasExtras({ renderer, view }: PictureKind): boolean {
-  return (renderer === 'nailboards' || here.rivals !== undefined) && (!view || here.debugViews !== undefined);
+export function hasExtras(kind: PictureKind): boolean {
+  return missing(kind).length === 0;
 }
 
 /**
  * Fetches what such pictures need and is not here; after a failure the next call tries anew.
  * @throws LoadError when it cannot be fetched
  */
-export async function fetchExtras({ renderer, view }: PictureKind): Promise<void> {
+export async function fetchExtras(kind: PictureKind): Promise<void> {
+  await Promise.all(missing(kind).map(([name, called]) => bring(name, called)));
+}
+
+/** Code that must have come. */
+export function codeOf<Each extends Name>(name: Each): Codes[Each] {
+  const code = here[name];
+  if (!code) throw new LoadError(`The code of ${name} was not fetched.`);
+  return code;
+}
+
+function missing(kind: PictureKind): [Name, string][] {
+  return (Object.entries(needsOf(kind)) as [Name, string][]).filter(([name]) => !here[name]);
+}
+
+async function bring(name: Name, called: string): Promise<void> {
   try {
-    if (renderer !== 'nailboards') here.rivals ??= await inTime(imports.rivals());
-    if (view) here.debugViews ??= await inTime(imports.debugViews());
+    Object.assign(here, { [name]: await inTime<object>(imports[name]()) });
   } catch (error) {
-    const what = view && !here.debugViews ? `The view ${view}` : `The renderer ${renderer}`;
     const reason = (error as Error).message;
-    throw new LoadError(`${what} could not be loaded, nailboards are drawn instead: ${reason}`, { cause: error });
+    throw new LoadError(`${called} could not be loaded, nailboards are drawn instead: ${reason}`, { cause: error });
   }
 }
 
-/** Those of one smoke, each made when it is first asked for; undefined while its code is not here. */
+/** What few smokes draw with, for one of them: each is made when it is first asked for; undefined while its code is not here. */
 export class ExtraPasses {
   private readonly sources: RivalSources;
   private madeRivals: Rivals | undefined;
@@ -59,6 +90,11 @@ export class ExtraPasses {
   get debugViews(): DebugViewsPass | undefined {
     if (here.debugViews) this.madeViews ??= new here.debugViews.DebugViewsPass(this.sources.eye);
     return this.madeViews;
+  }
+
+  /** By what puffs of a form are drawn, unless they are lobes. */
+  billboardsOf(form: PuffForm): Shaders | undefined {
+    return form === 'billboards' ? codeOf('billboards').billboardShaders : undefined;
   }
 
   /** Lets go of everything; a pass that is drawn again makes its own anew. */

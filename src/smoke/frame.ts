@@ -1,5 +1,5 @@
 import { Box3, Vector3, type Camera, type Matrix4, type WebGLRenderTarget } from 'three';
-import type { DebugView } from '../preset/environment.ts';
+import type { DebugView } from '../preset/quality.ts';
 import type { Rows } from '../sim/rows.ts';
 import type { Bounds } from '../sim/simulator.ts';
 import type { CoverageGrid, View } from '../sim/view.ts';

@@ -67,10 +67,10 @@ const ways: Readonly<Record<Rival, DrawSmoke>> = {
     rivals.sprites.draw(renderer, targets, output);
   },
 
-  shadowMap(rivals, { renderer, targets, body, resolve }, { style, rigids, output }) {
+  shadowMap(rivals, { renderer, targets, body, resolve, extras }, { style, rigids, output }) {
     body.draw(renderer);
     if (style.shadows) {
-      rivals.shadowMap.setForm(style.form);
+      rivals.shadowMap.setForm(extras.billboardsOf(style.form));
       rivals.shadowMap.place(rigids);
       rivals.shadowMap.draw(renderer, targets);
     }

@@ -9,7 +9,7 @@ import { BodiesPass } from '../passes/bodies.ts';
 import { CreasesPass } from '../passes/creases.ts';
 import { MaskPass } from '../passes/mask.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
-import { PrismVolumesPass } from '../passes/prismVolumes.ts';
+import type { PrismVolumesPass } from '../passes/prismVolumes.ts';
 import { ResolvePass } from '../passes/resolve.ts';
 import { SurfacesPass, type SurfaceDescription } from '../passes/surfaces.ts';
 import { SurfaceDepthPass } from '../passes/surfaceDepth.ts';
@@ -19,7 +19,7 @@ import { bakedPuffs } from './bakedPuffs.ts';
 import { arrangeFrame, drawFrame, type FrameInput, type FrameReport } from './frame.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, turnOf, washed } from './palette.ts';
-import { ExtraPasses, hasExtras } from './extraPasses.ts';
+import { codeOf, ExtraPasses, hasExtras } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { inkLineOf, type Style } from './style.ts';
 
@@ -114,7 +114,9 @@ export class SmokeRenderer {
       body: new BodiesPass(eye, this.puffs, this.ramps, bodies.geometry, surfaceDepth, isFlat),
       meshVolumes,
       volumes: new VolumesPass(eye, this.puffs, casters.geometry),
-      prismVolumes: isFlat ? new PrismVolumesPass(eye, this.puffs, casters.geometry) : undefined,
+      prismVolumes: isFlat
+        ? new (codeOf('prismVolumes').PrismVolumesPass)(eye, this.puffs, casters.geometry)
+        : undefined,
       mask: new MaskPass(),
       resolve: new ResolvePass(),
       extras: new ExtraPasses({
@@ -141,7 +143,7 @@ export class SmokeRenderer {
   }
 
   /**
-   * Draws one frame; without what `fetchExtras` has not brought yet, as nailboards.
+   * Draws one frame; without what `fetchExtras` has not brought yet, as nailboards of lobes.
    * @throws ContextError when the device has lost its context
    */
   draw(input: FrameInput): FrameReport {
@@ -156,8 +158,9 @@ export class SmokeRenderer {
    * @throws ContextError when the device has lost its context
    */
   arrange(input: FrameInput): FrameReport {
-    this.prepare(input);
-    return arrangeFrame(this.passes, input);
+    const arranged = this.withWhatIsHere(input);
+    this.prepare(arranged);
+    return arrangeFrame(this.passes, arranged);
   }
 
   /** Shows other puffs from the next frame on; particles keep their variation. */
@@ -188,8 +191,8 @@ export class SmokeRenderer {
 
   private withWhatIsHere(input: FrameInput): FrameInput {
     const { style, view } = input;
-    if (hasExtras({ renderer: style.renderer, view })) return input;
-    if (this.asked !== style) this.meanwhile = { ...style, renderer: 'nailboards' };
+    if (hasExtras({ ...style, view })) return input;
+    if (this.asked !== style) this.meanwhile = { ...style, renderer: 'nailboards', form: 'lobes' };
     this.asked = style;
     return { ...input, style: this.meanwhile!, view: undefined };
   }
@@ -200,14 +203,14 @@ export class SmokeRenderer {
   }
 
   private apply(style: Style, pixelRatio: number): void {
-    const { body, surfaces, volumes, prismVolumes, mask, resolve } = this.passes;
+    const { body, surfaces, volumes, prismVolumes, mask, resolve, extras } = this.passes;
     const line = inkLineOf(style, pixelRatio);
     this.writeRamps(style);
     this.paintBackdrop(style);
     body.setInk(line, style.innerLine, style.innerTaper);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
     body.setRim(style.rimColor, style.shading ? style.rim : 0);
-    body.setForm(style.form);
+    body.setForm(extras.billboardsOf(style.form));
     surfaces.setInk(line, style.creases);
     this.passes.creases.setInk(style.creases ? line : { ...line, pixels: 0 });
     volumes.follow(style.form, turnOf(style));

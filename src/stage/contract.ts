@@ -1,6 +1,6 @@
 import type { Device, DeviceOptions } from '../device/device.ts';
 import type { Fault } from '../device/faults.ts';
-import type { DebugView, Quality } from '../preset/environment.ts';
+import type { DebugView, Quality } from '../preset/quality.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { LoadProgress } from '../sim/load.ts';
 

@@ -2,6 +2,7 @@ import { LoadError } from '../preset/errors.ts';
 import { inTime } from '../preset/patience.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
+import { prepareSurfaces } from '../smoke/prepareSurfaces.ts';
 import { loadSimulators, type LoadOptions, type SimulatorFactory } from '../sim/load.ts';
 
 /** Scenes that somebody shows: stages of the same scene share its models and all that is made of them. */
@@ -44,7 +45,7 @@ function fetched(name: string, load: () => Promise<Scene>): Promise<Scene> {
 
 async function fetchNew(name: string, load: () => Promise<Scene>): Promise<Scene> {
   try {
-    const [scene, { prepareSurfaces }] = await inTime(Promise.all([load(), import('../smoke/prepareSurfaces.ts')]));
+    const scene = await inTime(load());
     await prepareSurfaces(scene.surfaces);
     shown.set(name, new WeakRef(scene));
     return scene;

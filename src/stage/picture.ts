@@ -1,5 +1,5 @@
 import { MathUtils, Vector2, type Matrix4 } from 'three';
-import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from '../preset/environment.ts';
+import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from '../preset/quality.ts';
 import { ParameterError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { Scene } from '../scenes/scene.ts';
@@ -89,7 +89,7 @@ export class Picture {
 
   /** What decides whether more code is needed. */
   get kind(): PictureKind {
-    return { renderer: this.shown.rendererName, view: this.chosenView };
+    return { ...this.shown.kind, view: this.chosenView };
   }
 
   get isVisible(): boolean {

@@ -4,11 +4,12 @@ import type { BakedPuffs } from '../device/puffTextures.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import type { Scene } from '../scenes/scene.ts';
+import type { PictureKind } from '../smoke/extraPasses.ts';
 import type { FrameInput, FrameReport } from '../smoke/frame.ts';
 import { lightOf, moved, type Light } from '../smoke/light.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
-import { styleOf, type Renderer, type Style } from '../smoke/style.ts';
+import { styleOf, type Style } from '../smoke/style.ts';
 
 /** Changes what a frame is drawn from; it may add as many particles again as the simulator has room for. */
 export type Retouch = (input: FrameInput) => FrameInput;
@@ -42,9 +43,10 @@ export class ShownSmoke {
     return this.style.shadows;
   }
 
-  /** By whom smoke is to be drawn. */
-  get rendererName(): Renderer {
-    return this.style.renderer;
+  /** How smoke is to be drawn. */
+  get kind(): PictureKind {
+    const { renderer, form } = this.style;
+    return { renderer, form };
   }
 
   /** Goes on with these values. */

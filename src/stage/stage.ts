@@ -1,7 +1,8 @@
 import { MathUtils } from 'three';
 import type { DeviceCanvas } from '../device/device.ts';
 import type { Fault } from '../device/faults.ts';
-import type { DebugView, Quality } from '../preset/environment.ts';
+import type { PuffForm } from '../device/puffTextures.ts';
+import type { DebugView, Quality } from '../preset/quality.ts';
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { defaults, requireOptional, validate } from '../preset/values.ts';
@@ -420,7 +421,7 @@ export class Stage {
 }
 
 function kindOf(values: Values, view: DebugView | undefined): PictureKind {
-  return { renderer: values['style.renderer'] as Renderer, view };
+  return { renderer: values['style.renderer'] as Renderer, form: values['puff.form'] as PuffForm, view };
 }
 
 /**
@@ -438,7 +439,7 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
     const [opened] = await Promise.all([
       openScene(values.scene as string, options.onProgress),
       bakeAhead(values),
-      fetchExtras(kindOf(values, options.view)),
+      fetchExtras({ ...kindOf(values, options.view), isFlat: !presenter.device.writesDepth }),
     ]);
     if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
     presenter.device.requireHope();

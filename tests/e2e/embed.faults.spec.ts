@@ -64,7 +64,16 @@ test('a simulator of which nothing comes is waited for, then told as a LoadError
 
 const THINGS = 'collide="p"';
 /** Scripts that are fetched on the way to the first picture, and what else an element needs to want them. */
-const SCRIPTS = { 'session.js': '', 'openHere.js': '', 'wisp.js': '', 'bindings.js': '', 'onPage.js': THINGS };
+const SCRIPTS = {
+  'session.js': '',
+  'stage.js': '',
+  'wispPresets.js': '',
+  'wisp.js': '',
+  'core.js': '',
+  'link.js': 'src="#preset=wisp"',
+  'onPage.js': THINGS,
+  'billboards.js': 'puff-form="billboards"',
+};
 
 for (const [file, rest] of Object.entries(SCRIPTS)) {
   test(`without ${file} there is the poster and a LoadError: at once where it is refused, else within a minute`, async ({
@@ -81,17 +90,20 @@ for (const [file, rest] of Object.entries(SCRIPTS)) {
     await page.route(`**/dist/${file}`, () => undefined);
     await host(failing('main', rest));
     await asked;
-    await page.clock.runFor(61_000);
-    expect(await failure(page)).toMatch(/^LoadError: .*nothing has come for a minute/);
+    // Some scripts are asked for ahead, and waited for from a later moment on.
+    const known = () =>
+      page.evaluate(() => Promise.race([Reflect.get(window, 'failure') as Promise<string>, Promise.resolve('')]));
+    const told = expect.poll(() => page.clock.runFor(61_000).then(known));
+    await told.toMatch(/^LoadError: .*nothing has come for a minute/);
     await expectPoster(page);
   });
 }
 
 test('what comes after its minute is there for whoever asks for other smoke', async ({ page, host }) => {
   await page.clock.install();
-  const asked = page.waitForRequest('**/dist/openHere.js');
+  const asked = page.waitForRequest('**/dist/stage.js');
   let answer = () => Promise.resolve();
-  await page.route('**/dist/openHere.js', (route) => void (answer = () => route.continue()));
+  await page.route('**/dist/stage.js', (route) => void (answer = () => route.continue()));
   await host(failing('main'));
   await asked;
   await page.clock.runFor(61_000);
@@ -115,6 +127,21 @@ test('a worker whose script never comes is given up after half a minute: by itse
   await page.clock.runFor(31_000);
   expect(await failure(page)).toMatch(/^LoadError: .*did not answer/);
   await stands(page, '#auto');
+});
+
+test('smoke stands without what turns its view, and says so', async ({ page, host }) => {
+  await page.route('**/pointers.js', (route) => route.abort());
+  await host(failing('main', 'interactive paused simulation-max-particles="300"'));
+  const told = page.evaluate(
+    () =>
+      new Promise<string[]>((resolve) => {
+        const hear = ({ detail }: Event & { detail?: { notices: { message: string }[] } }) =>
+          detail!.notices.length > 0 && resolve(detail!.notices.map(({ message }) => message));
+        document.querySelector('cartoon-smoke')!.addEventListener('statechange', hear);
+      }),
+  );
+  expect(await told).toEqual([expect.stringContaining('pointers.js')]);
+  await stands(page);
 });
 
 test('a page whose rules forbid WebAssembly has the poster', async ({ page, host }) => {

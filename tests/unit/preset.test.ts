@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { readEnvironment } from '../../src/preset/environment.ts';
 import { ParameterError } from '../../src/preset/errors.ts';
+import { fetchPreset, FIRST_PRESET } from '../../src/preset/moods/moods.ts';
 import { defaultPreset, findPreset, presets, presetValues } from '../../src/preset/presets.ts';
 import { findParameter, groups, itemGroups, table } from '../../src/preset/table.ts';
 import { defaults, isAccepted, validate } from '../../src/preset/values.ts';
@@ -34,6 +35,19 @@ const PROMISED = [
   'light.azimuth',
   'light.elevation',
 ];
+
+describe('presets that are fetched by themselves', () => {
+  it.each(presets.map(({ name }) => name))('%s is the one that stands among all', async (name) => {
+    expect(await fetchPreset(name)).toBe(findPreset(name));
+  });
+
+  it('are none for any other name, and the first is shown instead', async () => {
+    for (const name of ['', 'nobody', 'wisp-nobody', 'constructor', '__proto__']) {
+      expect(await fetchPreset(name)).toBeUndefined();
+    }
+    expect(defaultPreset.name).toBe(FIRST_PRESET);
+  });
+});
 
 describe('table', () => {
   it('has every promised key, each key once, and a group for each', () => {

@@ -15,7 +15,7 @@ import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { createDevice, Device } from '../../src/device/device.ts';
 import { ADDS, FullScreen } from '../../src/device/fullScreen.ts';
 import type { Color } from '../../src/device/ramps.ts';
-import type { DebugView } from '../../src/preset/environment.ts';
+import type { DebugView } from '../../src/preset/quality.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { PuffShape } from '../../src/puffs/shapes.ts';
 import { LOOK_WORDS, NO_END, type Rows } from '../../src/sim/rows.ts';
@@ -26,7 +26,7 @@ import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import type { Style } from '../../src/smoke/style.ts';
 
 // Pictures are read at once: all that draws them is fetched before.
-await fetchExtras({ renderer: 'selle', view: 'normals' });
+await fetchExtras({ renderer: 'selle', form: 'billboards', view: 'normals', isFlat: true });
 
 /** A particle as a test sees it; lengths in metres, roll in radians, age as a fraction of the lifetime. */
 export interface LabPuff {

@@ -1,7 +1,7 @@
 import type { Values } from '../parameter.ts';
 
 export interface Preset {
-  /** The name in links. */
+  /** The name in links: its scene's, and behind a dash its own. */
   readonly name: string;
   /** The name for people. */
   readonly label: string;

@@ -1,6 +1,7 @@
 /** memory.*: what a particle takes, and that stepping and arranging take nothing. */
 import { loadSimulators, SimulatorFactory } from '../../../src/sim/load.ts';
 import type { Simulator, SimulatorModule } from '../../../src/sim/simulator.ts';
+import * as rigidNumbers from '../../../src/sim/rigidNumbers.ts';
 import type { View } from '../../../src/sim/view.ts';
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { poseAt, seededSwings } from '../sim/obstacles.ts';
@@ -66,7 +67,7 @@ async function freshFactory(number: number): Promise<SimulatorFactory> {
     fetch(`${folder}/bindings_bg.wasm`),
   ]);
   const { memory } = bindings.initSync({ module: await WebAssembly.compile(await response.arrayBuffer()) });
-  return new SimulatorFactory({ bindings, memory });
+  return new SimulatorFactory({ bindings: { ...bindings, rigidNumbers }, memory });
 }
 
 async function perStep(): Promise<Figure[]> {

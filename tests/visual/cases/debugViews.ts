@@ -1,7 +1,7 @@
 /** What the debug views show, against what the lab reads of the same scene. */
 import { OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Vector2, Vector3, type Camera } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
-import type { DebugView } from '../../../src/preset/environment.ts';
+import type { DebugView } from '../../../src/preset/quality.ts';
 import { RenderBench } from '../../bench/render/bench.ts';
 import { eyeView } from '../../../src/smoke/views.ts';
 import { Lab, PLAIN_STYLE, type LabPuff, type LabScene } from '../lab.ts';

@@ -1,0 +1,74 @@
+import {
+  DataArrayTexture,
+  DataTexture,
+  FloatType,
+  HalfFloatType,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  RGBAFormat,
+  UnsignedByteType,
+} from 'three';
+import type { PuffLayers } from '../puffs/layers.ts';
+import type { PuffSolids } from '../puffs/solids.ts';
+import type { StartCaps } from '../puffs/startCaps.ts';
+import { capRange, capTexture } from './capTexture.ts';
+import type { BillboardPuffs, FormTextures } from './puffTextures.ts';
+
+/** Baked billboards: a layer for each variation. */
+export class BillboardTextures implements FormTextures {
+  readonly layers: PuffLayers;
+  readonly normalDepth: DataArrayTexture;
+  readonly colorCoverage: DataArrayTexture;
+  readonly startCaps: DataArrayTexture;
+  readonly latestCap: number;
+  readonly casterTable: DataTexture;
+  readonly casterLobes: number;
+  readonly capRange: readonly [number, number];
+  readonly capTable: StartCaps;
+  readonly solids: PuffSolids;
+
+  constructor(
+    context: WebGL2RenderingContext,
+    { layers, startCaps, latestCap, casters, solids }: Omit<BillboardPuffs, 'texturesFor'>,
+  ) {
+    this.layers = layers;
+    this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);
+    this.normalDepth.format = RGBAFormat;
+    this.normalDepth.type = HalfFloatType;
+    // Half floats are filtered everywhere, but only contexts that can draw to them can make their smaller levels.
+    smooth(this.normalDepth, context.getExtension('EXT_color_buffer_float') !== null);
+    this.colorCoverage = new DataArrayTexture(layers.colorCoverage, layers.size, layers.size, layers.count);
+    this.colorCoverage.format = RGBAFormat;
+    this.colorCoverage.type = UnsignedByteType;
+    smooth(this.colorCoverage, true);
+    this.startCaps = capTexture(startCaps);
+    this.latestCap = latestCap;
+    this.casterLobes = casters.lobeCount;
+    this.casterTable = new DataTexture(casters.table, casters.lobeCount, casters.count, RGBAFormat, FloatType);
+    this.casterTable.needsUpdate = true;
+    this.capRange = capRange(startCaps);
+    this.capTable = startCaps;
+    this.solids = solids;
+  }
+
+  /** The relief begins at the centre plane. */
+  readonly depth = 0;
+
+  get reach(): number {
+    return Math.max(...this.layers.figures.map(({ outerRadius, relief }) => Math.max(outerRadius, relief)));
+  }
+
+  dispose(): void {
+    this.normalDepth.dispose();
+    this.colorCoverage.dispose();
+    this.startCaps.dispose();
+    this.casterTable.dispose();
+  }
+}
+
+function smooth(texture: DataArrayTexture, withMipmaps: boolean): void {
+  texture.magFilter = LinearFilter;
+  texture.minFilter = withMipmaps ? LinearMipmapLinearFilter : LinearFilter;
+  texture.generateMipmaps = withMipmaps;
+  texture.needsUpdate = true;
+}

@@ -1,0 +1,19 @@
+/** Where volumes may begin, as a texture: see `src/puffs/startCaps.ts`. */
+import { DataArrayTexture, FloatType, NearestFilter, RedFormat } from 'three';
+import type { StartCaps } from '../puffs/startCaps.ts';
+
+/** The least and the greatest of all, and 0. */
+export function capRange({ values }: StartCaps): [number, number] {
+  return values.reduce<[number, number]>(([least, most], cap) => [Math.min(least, cap), Math.max(most, cap)], [0, 0]);
+}
+
+/** A layer for each variation. */
+export function capTexture({ values, width, height, count }: StartCaps): DataArrayTexture {
+  const texture = new DataArrayTexture(values, width, height, count);
+  texture.format = RedFormat;
+  texture.type = FloatType;
+  texture.minFilter = NearestFilter;
+  texture.magFilter = NearestFilter;
+  texture.needsUpdate = true;
+  return texture;
+}

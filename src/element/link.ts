@@ -1,0 +1,30 @@
+/** What a share link asks of an element, and moments as links name them. */
+import { decode } from '../preset/codec.ts';
+import { readEnvironment } from '../preset/environment.ts';
+import { notice, type Notice } from '../preset/notice.ts';
+import type { Base } from './wish.ts';
+
+/** Reads `src`. Never rejects. */
+export async function readLink(link: string, base: string, notices: Notice[]): Promise<Base> {
+  const { hash, search } = addressOf(link, base, notices);
+  const { state, take, notices: ofHash } = await decode(hash);
+  const { time, paused, notices: ofQuery } = readEnvironment(search);
+  notices.push(...ofHash, ...ofQuery);
+  return { values: state.values, start: time, isPaused: paused, take };
+}
+
+function addressOf(link: string, base: string, notices: Notice[]): Pick<URL, 'hash' | 'search'> {
+  try {
+    return new URL(link, base);
+  } catch {
+    notices.push(notice('damaged', 'src', link, (given) => `src cannot be ${given}: it takes a share link.`));
+    return { hash: '', search: '' };
+  }
+}
+
+/** Reads the start as the query of a link is read. */
+export function readStart(text: string, notices: Notice[]): number | undefined {
+  const { time, notices: told } = readEnvironment(`?${new URLSearchParams({ t: text })}`);
+  notices.push(...told);
+  return time;
+}

@@ -1,0 +1,49 @@
+/** What an element fetches, and when: nothing of it before it nears the viewport, and of the rest only what it asks for. */
+import { fetched } from '../preset/patience.ts';
+import { fetchPreset, FIRST_PRESET } from '../preset/moods/moods.ts';
+import type { Preset } from '../preset/moods/preset.ts';
+import { quietly } from './quietly.ts';
+
+const parts = {
+  /** Always. */
+  session: () => import('./session.ts'),
+  /** With `src` or `start`. */
+  link: () => import('./link.ts'),
+  /** Where that leads to the moment of a take. */
+  moment: () => import('./moment.ts'),
+  /** With `interactive`. */
+  pointers: () => import('./pointers.ts'),
+  /** With `collide` or `emit-from`. */
+  onPage: () => import('./onPage.ts'),
+};
+
+type Name = keyof typeof parts;
+type Part<Each extends Name> = Awaited<ReturnType<(typeof parts)[Each]>>;
+
+const called: Partial<Record<Name, string>> = {
+  pointers: 'What turns the view',
+  onPage: 'The page in the smoke',
+};
+
+/**
+ * Fetches a part, or gives the one that is here.
+ * @throws LoadError when it cannot be fetched
+ */
+export function part<Each extends Name>(name: Each): Promise<Part<Each>> {
+  return fetched(called[name] ?? 'The smoke', parts[name]() as Promise<Part<Each>>);
+}
+
+/**
+ * Fetches the preset that an element names. The first one of a scene has its name, and shows it as it wants to be seen.
+ * @throws LoadError when it cannot be fetched
+ */
+export function presetOf(element: Element): Promise<Preset | undefined> {
+  return fetchPreset(element.getAttribute('preset') ?? element.getAttribute('scene') ?? FIRST_PRESET);
+}
+
+/** Begins to fetch what the session asks for at once, so that it need not wait. Whoever needs it is told of faults. */
+export function fetchAhead(element: Element): void {
+  const asks = (...names: string[]) => names.some((name) => element.hasAttribute(name));
+  if (!asks('src')) quietly(presetOf(element));
+  if (asks('src', 'start')) quietly(part('link'));
+}
