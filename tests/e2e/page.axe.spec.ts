@@ -1,7 +1,7 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
-import { LIGHT, open } from './page.ts';
+import { closeSheet, LIGHT, open } from './page.ts';
 
 /** What axe finds wrong, in short: the rule and where. */
 async function expectNoFaults(page: Page, view: string): Promise<void> {
@@ -18,20 +18,20 @@ test('axe finds nothing on the page, its sheets, its panel and its handles', asy
   await expectNoFaults(page, 'panel, gallery, statistics and a message');
   await page.keyboard.press('?');
   await expectNoFaults(page, 'help');
-  await page.keyboard.press('Escape');
+  await closeSheet(page);
   await page.keyboard.press('s');
   const shared = page.getByRole('dialog', { name: 'Share this smoke' });
   await expect(shared.getByRole('img', { name: 'QR code of the link' })).toBeVisible();
   await shared.getByText('Put it on a page of yours').click();
   await expectNoFaults(page, 'share');
-  await page.keyboard.press('Escape');
+  await closeSheet(page);
   await page.keyboard.press('c');
   const captures = page.getByRole('dialog', { name: 'Capture the smoke' });
   for (const format of ['png', 'zip']) {
     await captures.getByLabel('As').selectOption(format);
     await expectNoFaults(page, `capture as ${format}`);
   }
-  await page.keyboard.press('Escape');
+  await closeSheet(page);
   await page.evaluate(() => document.querySelectorAll('details').forEach((group) => (group.open = true)));
   await page.keyboard.press('h');
   await page.getByRole('button', { name: 'Add a vortex' }).click();

@@ -2,7 +2,7 @@
 import { fileURLToPath } from 'node:url';
 import type { Download, Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
-import { ask, LIGHT, open } from './page.ts';
+import { ask, closeSheet, LIGHT, open } from './page.ts';
 
 test.use({ viewport: { width: 400, height: 300 }, deviceScaleFactor: 1 });
 
@@ -69,7 +69,7 @@ test('captures are ordered from the sheet, and leave the smoke as it is', async 
     expect(moves).toHaveLength(5);
     for (const moved of moves) expect(moved).toBeGreaterThan(50);
     expect(await ask(page, (stage) => stage.hash())).toBe(hash);
-    await page.keyboard.press('Escape');
+    await closeSheet(page);
   });
   await test.step('a long clip is stopped by its button, and by closing the sheet', async () => {
     const hash = await openSheet(page);
@@ -81,12 +81,11 @@ test('captures are ordered from the sheet, and leave the smoke as it is', async 
     await expect(sheet(page).getByText('Stopped. The smoke is as it was.')).toBeVisible();
     await press(page);
     await expect(sheet(page).getByRole('progressbar', { name: 'Drawing frame by frame' })).toBeVisible();
-    await page.keyboard.press('Escape');
-    await expect(sheet(page)).toBeHidden();
+    await closeSheet(page);
     await page.keyboard.press('c');
     await expect(sheet(page).getByLabel('As')).toBeEnabled();
     expect(await ask(page, (stage) => stage.hash())).toBe(hash);
-    await page.keyboard.press('Escape');
+    await closeSheet(page);
   });
   await test.step('the sheet gives a picture as large as was asked for, with holes where nothing is', async () => {
     const hash = await openSheet(page);
@@ -106,7 +105,7 @@ test('captures are ordered from the sheet, and leave the smoke as it is', async 
     }, bytes);
     expect(picture).toMatchObject({ size: [800, 600], corner: 0 });
     expect(picture.opaque).toBeGreaterThan(0.05);
-    await page.keyboard.press('Escape');
+    await closeSheet(page);
     expect(await ask(page, (stage) => [stage.hash(), stage.playing])).toEqual([hash, false]);
   });
 });

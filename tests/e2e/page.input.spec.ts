@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
-import { ask, ballPlace, LIGHT, open, type Place } from './page.ts';
+import { ask, ballPlace, closeSheet, LIGHT, open, type Place } from './page.ts';
 
 // Long enough for the ball to come after the pointer: its spring leaves a 400th of the way after 20 steps.
 const arrive = (page: Page) => ask(page, (stage) => stage.step(20));
@@ -110,7 +110,7 @@ test('keys play, step and open the help sheet, but leave typing alone', async ({
   await page.keyboard.press('?');
   await expect(page.getByRole('dialog', { name: 'Play with smoke' })).toBeVisible();
   await expect(page.getByRole('heading', { name: 'Play with smoke' })).toBeInViewport();
-  await page.keyboard.press('Escape');
+  await closeSheet(page);
   await page.keyboard.press('r');
   expect(await steps()).toBe(0);
   await page.getByLabel('Puff size, exact value').focus();

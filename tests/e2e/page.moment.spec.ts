@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { packBytes } from '../../src/preset/packing.ts';
 import { expect, test } from '../support/fixtures.ts';
-import { ask, ballPlace, crawl, expectValue, LIGHT, open } from './page.ts';
+import { ask, ballPlace, closeSheet, crawl, expectValue, LIGHT, open } from './page.ts';
 
 test.use({ viewport: { width: 320, height: 240 } });
 
@@ -28,7 +28,7 @@ async function momentLink(page: Page): Promise<string> {
   await expect(sheet.getByRole('button', { name: 'Copy link' })).toBeFocused();
   await sheet.getByRole('radio', { name: 'This very moment' }).check();
   const link = await sheet.getByLabel('Link to this smoke').inputValue();
-  await page.keyboard.press('Escape');
+  await closeSheet(page);
   return link;
 }
 

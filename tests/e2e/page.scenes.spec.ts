@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { sceneEntries } from '../../src/scenes/scenes.ts';
-import { ask, ballPlace, expectHash, expectValue, open, type Place } from './page.ts';
+import { ask, ballPlace, closeSheet, expectHash, expectValue, open, type Place } from './page.ts';
 import { doubleTap, fingerOf } from './touch.ts';
 
 test.use({ viewport: { width: 480, height: 320 } });
@@ -163,7 +163,7 @@ test('camera, gallery, address bar and help follow the scene', async ({ page }) 
     const help = page.getByRole('dialog', { name: 'Play with smoke' });
     await page.keyboard.press('?');
     await expect(help).not.toContainText('ball');
-    await page.keyboard.press('Escape');
+    await closeSheet(page);
     await expect(page.getByRole('img', { name: 'A cup of tea that steams.' })).toBeVisible();
     await ask(page, (stage) => stage.enter({ scene: 'genie', 'simulation.maxParticles': 300 }));
     await page.keyboard.press('?');

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
-import { ask, expectValue, LIGHT, open } from './page.ts';
+import { ask, closeSheet, expectValue, LIGHT, open } from './page.ts';
 
 test.use({ viewport: { width: 760, height: 540 } });
 
@@ -59,8 +59,7 @@ test('the sheet copies link and code, shows a QR code, and goes by keyboard', as
   expect(await sheet(page).getByLabel('The element').inputValue()).toMatch(
     /^<script type="module" [^<>]+><\/script>\n<cartoon-smoke src="[^"<>]+"><\/cartoon-smoke>$/,
   );
-  await page.keyboard.press('Escape');
-  await expect(sheet(page)).toBeHidden();
+  await closeSheet(page);
 });
 
 test('the sheet of the platform is offered where there is one, and copying by hand where nothing else goes', async ({

@@ -56,6 +56,12 @@ export async function expectSteps(page: Page, count: number): Promise<void> {
   await expect.poll(() => ask(page, (stage) => stage.stats.steps), { message: 'steps' }).toBe(count);
 }
 
+/** Closes the sheet that is open. Only when it is gone are keys the page's again, which on a busy machine may take a while. */
+export async function closeSheet(page: Page): Promise<void> {
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('dialog')).toHaveCount(0);
+}
+
 /** The row of a parameter in the panel. */
 export function row(page: Page, key: string) {
   return page.locator(`[data-key="${key}"]`);

@@ -1,6 +1,7 @@
 /** The page whole under a strict Content-Security-Policy: nothing that people do asks for what it forbids. */
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
+import { closeSheet } from '../e2e/page.ts';
 import { expect, test } from './fixtures.ts';
 import { serveStrictly, type SiteServer } from './plainHost.ts';
 
@@ -45,7 +46,7 @@ test('panel, gallery, handles, statistics, views and notices', async ({ page }) 
   await page.getByRole('button', { name: 'Add a vortex' }).click();
   await page.keyboard.press('v');
   await page.keyboard.press('?');
-  await page.keyboard.press('Escape');
+  await closeSheet(page);
   // In a window so low it is closed at first.
   await page.keyboard.press('g');
   await page.getByRole('radio', { name: 'Cup of tea' }).check();
@@ -59,7 +60,7 @@ test('sheets for sharing and capture, files and own presets', async ({ page }) =
   await page.keyboard.press('s');
   await expect(page.getByRole('img', { name: 'QR code of the link' })).toBeVisible();
   await savesFile(page, 'Save as file', /\.json$/);
-  await page.keyboard.press('Escape');
+  await closeSheet(page);
   await page.keyboard.press('c');
   await page.getByRole('combobox', { name: 'Size' }).selectOption('640x360');
   await savesFile(page, 'Capture', /^lamp-0\.50s\.png$/);
