@@ -22,15 +22,15 @@ const TRANSFORM = {
 /** One file. @type {import('rolldown').OutputOptions} */
 const ALONE = { codeSplitting: false, postBanner: LICENSES };
 /**
- * What is fetched together is one file, which is compressed as one: what waits for the viewport, what every smoke needs of the
- * table, wherever it runs, all that draws, and the models that most scenes share.
+ * What is fetched together is one file, which is compressed as one: what waits for the viewport, what stands between an element
+ * and its stage with what every smoke needs of the table, all that draws, and the models that most scenes share.
  */
 const TOGETHER = [
   { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
   { name: 'cartoonSmokeElement', test: /element\/(cartoonSmokeElement|names)\.ts$/, priority: 3 },
   {
-    name: 'values',
-    test: /src\/(preset\/(table|values|notice|quality)|sim\/clock|stage\/listeners|element\/change|remote\/openStage)\.ts$/,
+    name: 'session',
+    test: /src\/(preset\/(table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/openStage|element\/(change|fit|playback|session|wish))\.ts$/,
     priority: 2,
   },
   { name: 'stage', test: /src\/remote\/openHere\.ts$/, priority: 1 },

@@ -1,17 +1,17 @@
 /** Code that few smokes need: it is fetched when one first does, and is there for the whole thread from then on. */
 import type { PuffForm } from '../device/puffTextures.ts';
 import type { Shaders } from '../device/programsAhead.ts';
-import type { DebugViewsPass } from '../passes/debugViews.ts';
 import type { DebugView } from '../preset/quality.ts';
 import { LoadError } from '../preset/errors.ts';
 import { inTime } from '../preset/patience.ts';
+import type { DebugViews } from './debugViews.ts';
 import type { Rivals, RivalSources } from './rivals.ts';
 import type { Renderer } from './style.ts';
 
 const imports = {
   billboards: () => import('./billboards.ts'),
   rivals: () => import('./rivals.ts'),
-  debugViews: () => import('../passes/debugViews.ts'),
+  debugViews: () => import('./debugViews.ts'),
   prismVolumes: () => import('../passes/prismVolumes.ts'),
 };
 
@@ -76,7 +76,7 @@ async function bring(name: Name, called: string): Promise<void> {
 export class ExtraPasses {
   private readonly sources: RivalSources;
   private madeRivals: Rivals | undefined;
-  private madeViews: DebugViewsPass | undefined;
+  private madeViews: DebugViews | undefined;
 
   constructor(sources: RivalSources) {
     this.sources = sources;
@@ -87,8 +87,8 @@ export class ExtraPasses {
     return this.madeRivals;
   }
 
-  get debugViews(): DebugViewsPass | undefined {
-    if (here.debugViews) this.madeViews ??= new here.debugViews.DebugViewsPass(this.sources.eye);
+  get debugViews(): DebugViews | undefined {
+    if (here.debugViews) this.madeViews ??= new here.debugViews.DebugViews(this.sources.eye);
     return this.madeViews;
   }
 

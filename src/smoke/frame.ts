@@ -72,7 +72,7 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   passes.creases.draw(renderer);
   passes.surfaceDepth.draw(renderer, targets, input.style.outlines);
   if (input.style.renderer !== 'nailboards') passes.extras.rivals!.draw(input.style.renderer, passes, input);
-  else if (input.view) drawView(passes, input, input.view);
+  else if (input.view) passes.extras.debugViews!.draw(input.view, passes, input);
   else drawNailboards(passes, input);
   return report;
 }
@@ -87,22 +87,6 @@ function drawNailboards(passes: SmokePasses, { style, output }: FrameInput): voi
     passes.mask.draw(renderer);
   }
   passes.resolve.draw(renderer, targets, output);
-}
-
-/** The same as far as the view goes, and then the view. */
-function drawView(passes: SmokePasses, { style, output }: FrameInput, view: DebugView): void {
-  const { renderer, targets } = passes;
-  const debugViews = passes.extras.debugViews!;
-  const volumes = passes.prismVolumes ?? passes.volumes;
-  if (view === 'normals') debugViews.drawNormals(renderer, passes.body);
-  else passes.body.draw(renderer);
-  if (view === 'counts') {
-    if (style.shadows) passes.meshVolumes.draw(renderer);
-    if (style.shadows) volumes.draw(renderer);
-    debugViews.copyCounts(renderer);
-  }
-  if (view === 'overdraw') debugViews.countOverdraw(renderer, style.shadows ? [passes.body, volumes] : [passes.body]);
-  debugViews.draw(renderer, targets, view, output);
 }
 
 /** The first half of a frame, which draws nothing: arrange(eye) and arrange(light) -> instance buffers. */

@@ -35,7 +35,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, host,
   await host('<cartoon-smoke preset="wisp" thread="main" paused></cartoon-smoke>');
   await stands(page);
   judge([
-    { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 60.8, goal: 60 },
+    { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 60, goal: 60 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 106 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');

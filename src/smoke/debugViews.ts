@@ -1,0 +1,39 @@
+import type { Eye } from '../device/eye.ts';
+import { DebugViewsPass } from '../passes/debugViews.ts';
+import type { DebugView } from '../preset/quality.ts';
+import type { CoverageGrid } from '../sim/view.ts';
+import type { FrameInput } from './frame.ts';
+import type { SmokePasses } from './smoke.ts';
+
+/** Shows what the passes work with instead of the picture. */
+export class DebugViews {
+  private readonly pass: DebugViewsPass;
+
+  constructor(eye: Eye) {
+    this.pass = new DebugViewsPass(eye);
+  }
+
+  /** Takes up the grid by which hidden bodies were found, for the view of it. */
+  layGrid(grid: CoverageGrid | undefined): void {
+    this.pass.layGrid(grid);
+  }
+
+  /** Goes on from where the surfaces stand in the targets: as a frame does as far as the view goes, and then the view. */
+  draw(view: DebugView, passes: SmokePasses, { style, output }: FrameInput): void {
+    const { renderer, targets, body } = passes;
+    const volumes = passes.prismVolumes ?? passes.volumes;
+    if (view === 'normals') this.pass.drawNormals(renderer, body);
+    else body.draw(renderer);
+    if (view === 'counts') {
+      if (style.shadows) passes.meshVolumes.draw(renderer);
+      if (style.shadows) volumes.draw(renderer);
+      this.pass.copyCounts(renderer);
+    }
+    if (view === 'overdraw') this.pass.countOverdraw(renderer, style.shadows ? [body, volumes] : [body]);
+    this.pass.draw(renderer, targets, view, output);
+  }
+
+  dispose(): void {
+    this.pass.dispose();
+  }
+}
