@@ -24,6 +24,7 @@ async function addressOf(editor: Editor): Promise<string> {
 export function followAddress(editor: Editor, arrive: (decoded: Decoded) => Promise<void>): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let arriving: Decoded | undefined;
+  let newest: object;
   editor.listen((_state, changed) => {
     if (arriving?.take || Object.keys(changed).length === 0) return;
     clearTimeout(timer);
@@ -34,10 +35,15 @@ export function followAddress(editor: Editor, arrive: (decoded: Decoded) => Prom
       if (timer === started) history.replaceState(history.state, '', link);
     }, QUIET_MS);
   });
-  addEventListener('hashchange', async () => {
-    const decoded = await decode(location.hash);
+  addEventListener('hashchange', async ({ newURL }) => {
     clearTimeout(timer);
     timer = undefined;
+    // A write that was under way may have replaced the new address before this event came.
+    if (location.href !== newURL) history.replaceState(history.state, '', newURL);
+    const mine = (newest = {});
+    const decoded = await decode(new URL(newURL).hash);
+    // A packed link takes a moment; what was put there since goes before.
+    if (mine !== newest) return;
     arriving = decoded;
     editor.load(decoded.state);
     await arrive(decoded);

@@ -1,3 +1,4 @@
+import { pack } from '../../src/preset/packing.ts';
 import { expect, test } from '../support/fixtures.ts';
 import { ask, expectHash, expectValue, LIGHT, open, row, valueOf } from './page.ts';
 
@@ -115,6 +116,44 @@ test('a preset is chosen, and a link of it typed into the address bar is taken u
   await expectValue(page, 'emission.rate', 30);
   await expect(page.getByRole('radio', { name: 'Ghost' })).toBeChecked();
   await expect(page.getByText('There is no parameter “bogus”')).toBeVisible();
+});
+
+test('a link typed while an edit is written into the address bar is taken up all the same', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await page.evaluate(() => {
+    const edited = location.href;
+    location.hash = '#v=1&preset=lamp-ghost&emission.rate=30&bogus=1';
+    // As the write does that was under way: after the new address, before its event.
+    history.replaceState(history.state, '', edited);
+  });
+  await expectValue(page, 'emission.rate', 30);
+  await expect(page.getByText('There is no parameter “bogus”')).toBeVisible();
+  await expectHash(page, '#v=1&preset=lamp-ghost&emission.rate=30');
+});
+
+test('of two links typed in turn the last one stays, however long the first takes to unpack', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  const packed = `#v=1&z=${await pack('preset=lamp&emission.rate=25')}`;
+  await page.evaluate(
+    async ([first, second]) => {
+      const { prototype } = ReadableStreamDefaultReader;
+      const { read } = prototype;
+      const arrived = new Promise<void>((resolve) => {
+        prototype.read = async function (this: ReadableStreamDefaultReader) {
+          const piece = await read.call(this);
+          await new Promise((proceed) => setTimeout(proceed, 200));
+          if (piece.done) setTimeout(resolve);
+          return piece;
+        } as typeof read;
+      });
+      location.hash = first;
+      location.hash = second;
+      await arrived;
+    },
+    [packed, '#v=1&preset=lamp-ghost&emission.rate=30'],
+  );
+  await expectValue(page, 'emission.rate', 30);
+  await expectHash(page, '#v=1&preset=lamp-ghost&emission.rate=30');
 });
 
 test('a link cannot ask for more than 50,000 particles', async ({ page }) => {
