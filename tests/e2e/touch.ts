@@ -4,16 +4,24 @@ import type { Place } from './page.ts';
 
 export type Drag = (from: Place, to: Place) => Promise<void>;
 
-/** A finger that goes from one place to another; the page must have been opened with touch. */
+/** Seconds at which a finger comes down, is half way there, is there, has come to rest, and lifts. */
+const [DOWN, HALF_WAY, THERE, AT_REST, UP] = [0, 0.1, 0.2, 0.8, 1];
+
+/**
+ * A finger that goes from one place to another; the page must have been opened with touch. It rests before it lifts, a
+ * second ago as browsers are told: to them the first tap soon after a flick stops what was flicked, and clicks nothing.
+ */
 export async function fingerOf(page: Page): Promise<Drag> {
   const session = await page.context().newCDPSession(page);
-  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: Place[]) =>
-    session.send('Input.dispatchTouchEvent', { type, touchPoints });
   return async (from, to) => {
-    await touch('touchStart', [from]);
-    await touch('touchMove', [{ x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 }]);
-    await touch('touchMove', [to]);
-    await touch('touchEnd', []);
+    const start = Date.now() / 1000 - 2;
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', seconds: number, ...touchPoints: Place[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints, timestamp: start + seconds });
+    await touch('touchStart', DOWN, from);
+    await touch('touchMove', HALF_WAY, { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 });
+    await touch('touchMove', THERE, to);
+    await touch('touchMove', AT_REST, to);
+    await touch('touchEnd', UP);
   };
 }
 
