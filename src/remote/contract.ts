@@ -76,7 +76,7 @@ export interface RemoteStage extends RemoteMethods {
   dispose(): Promise<void>;
 }
 
-export interface RemoteStageOptions extends Omit<StageOptions, 'device' | 'failsSelfTest' | 'frameRate'> {
+export interface RemoteStageOptions extends Omit<StageOptions, 'device' | 'failsSelfTest' | 'frameRate' | 'onStep'> {
   /** Where it shall run: in a worker where the browser can and the page allows it, else on this thread, by default. */
   thread?: 'auto' | 'main' | 'worker';
   /** Most frames a second while playing; 60 when left out. */

@@ -4,14 +4,10 @@ export const BEAT = 'beat';
 const BEAT_MS = 10_000;
 /** Two minutes: a busy machine answers late, and who is gone never does. */
 const MOST_MISSED = 12;
-/** An hour: so long take as many steps as may be asked for at once, of as many particles as there may be. */
-const MOST_MISSED_AT_WORK = 360;
 
 /** What a worker has to be there for. */
 export interface Watched {
   readonly worker: Pick<Worker, 'postMessage' | 'addEventListener' | 'removeEventListener'>;
-  /** Whether it was asked for something that leaves no time for an answer. */
-  readonly isAtWork: () => boolean;
   /** Told once that it does not answer any more. */
   readonly onGone: () => void;
 }
@@ -21,28 +17,39 @@ export interface Watched {
  * page runs in view, and not seconds: a laptop that sleeps, a hidden tab and a debugger's break have no beats.
  * @returns the function that ends this
  */
-export function watchHeart({ worker, isAtWork, onGone }: Watched): () => void {
+export function watchHeart({ worker, onGone }: Watched): () => void {
   let missed = 0;
-  /** The latest of them, since it was at work. */
-  let missedIdly = 0;
   const end = () => {
     clearInterval(timer);
     worker.removeEventListener('message', live);
   };
-  const live = () => void (missed = missedIdly = 0);
+  const live = () => void (missed = 0);
   const beat = () => {
     // Browsers may let the workers of hidden pages rest.
     if (document.hidden) return live();
-    if (isAtWork()) missedIdly = 0;
-    if (missedIdly >= MOST_MISSED || missed >= MOST_MISSED_AT_WORK) {
+    if (missed >= MOST_MISSED) {
       end();
       return onGone();
     }
     missed += 1;
-    missedIdly += 1;
     worker.postMessage(BEAT);
   };
   const timer = setInterval(beat, BEAT_MS);
   worker.addEventListener('message', live);
   return end;
+}
+
+/**
+ * Lets a worker say that it lives where it has no time to listen.
+ * @param beat says so
+ * @returns what to call often; it says so now and then
+ */
+export function beatWhile(beat: () => void): () => void {
+  let latest = performance.now();
+  return () => {
+    const now = performance.now();
+    if (now - latest < BEAT_MS) return;
+    latest = now;
+    beat();
+  };
 }

@@ -1,5 +1,6 @@
 import type { DeviceCanvas } from '../device/device.ts';
 import { UnsupportedError } from '../preset/errors.ts';
+import type { StageOptions } from '../stage/contract.ts';
 import { createStage } from '../stage/stage.ts';
 import type { RemoteStage, RemoteStageOptions, Thread } from './contract.ts';
 import { localStage } from './localStage.ts';
@@ -20,7 +21,7 @@ export function demandDrawing(): void {
  */
 export async function openHere(
   canvas: DeviceCanvas,
-  { signal, ...options }: RemoteStageOptions,
+  { signal, ...options }: RemoteStageOptions & Pick<StageOptions, 'onStep'>,
   thread: Thread = 'main',
 ): Promise<RemoteStage> {
   signal?.throwIfAborted();

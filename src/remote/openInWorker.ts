@@ -23,9 +23,6 @@ export async function enterWorker(): Promise<WorkerPlace> {
   let stage: PortStage | undefined;
   let failure: Error | undefined;
   const holder: Holder = {
-    get isAtWork() {
-      return stage?.isAtWork ?? false;
-    },
     fail(error) {
       failure = error;
       stage?.fail(error);

@@ -14,8 +14,6 @@ const GRACE_MS = 5_000;
 
 /** A stage in the worker. */
 export interface Holder {
-  /** Whether it waits for something that takes long. */
-  readonly isAtWork: boolean;
   /** Told when the worker has ended; it is held no more then. */
   fail(error: Error): void;
 }
@@ -83,7 +81,6 @@ class PageWorker {
     };
     this.stopWatching = watchHeart({
       worker,
-      isAtWork: () => [...this.holders].some(({ isAtWork }) => isAtWork),
       onGone: () => this.lose(worker, 'The worker is gone: it does not answer any more.'),
     });
     this.worker = worker;

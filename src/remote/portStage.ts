@@ -12,9 +12,6 @@ interface Waiting {
   readonly reject: (error: Error) => void;
 }
 
-/** They keep a worker from answering for as long as their steps take. */
-const AT_WORK: ReadonlySet<Method> = new Set(['step', 'advance']);
-
 const ended = () => new SimulatorError('This stage was disposed; open a new one.');
 
 /** A stage at the other end of a port. */
@@ -48,11 +45,6 @@ export class PortStage {
     this.opened.catch(() => undefined);
     this.face = this.makeFace(thread);
     port.onmessage = ({ data }) => this.take(data);
-  }
-
-  /** Whether something is waited for during which the other side says nothing. */
-  get isAtWork(): boolean {
-    return [...this.waiting.values()].some(({ method }) => AT_WORK.has(method));
   }
 
   /** The other side is gone: all that is waited for and all that comes is refused, and whoever listens is told. */

@@ -1,6 +1,6 @@
 /** The worker of a page: all of its stages, on one device. It says first whether it can draw at all. */
 import type { RemoteStageOptions } from './contract.ts';
-import { BEAT } from './heartbeat.ts';
+import { BEAT, beatWhile } from './heartbeat.ts';
 import { demandDrawing, openHere } from './openHere.ts';
 import { packError } from './packedErrors.ts';
 import { OPENING, tellOf } from './protocol.ts';
@@ -24,12 +24,15 @@ interface WorkerScope {
 }
 
 const worker = self as unknown as WorkerScope;
+const beat = () => worker.postMessage(BEAT);
+/** Thousands of steps at once leave no time to answer. */
+const onStep = beatWhile(beat);
 
 async function open({ canvas, options, port }: Order): Promise<void> {
   if (import.meta.env.DEV && options.fault === 'workerSilent') return worker.close();
   const onProgress = (progress: unknown) => port.postMessage(tellOf('progress', progress));
   try {
-    serveStage(port, await openHere(canvas, { ...options, onProgress }, 'worker'));
+    serveStage(port, await openHere(canvas, { ...options, onProgress, onStep }, 'worker'));
     port.postMessage({ id: OPENING });
   } catch (error) {
     port.postMessage({ id: OPENING, error: packError(error) });
@@ -45,5 +48,5 @@ function greet(): void {
   }
 }
 
-worker.addEventListener('message', ({ data }) => (data === BEAT ? worker.postMessage(BEAT) : void open(data)));
+worker.addEventListener('message', ({ data }) => (data === BEAT ? beat() : void open(data)));
 greet();

@@ -30,6 +30,8 @@ export interface StageOptions extends DeviceOptions {
   historyBytes?: number;
   /** Told how much of what must be fetched has come. */
   onProgress?: (progress: LoadProgress) => void;
+  /** Told after each step of the simulator, also amid many that were asked for at once. */
+  onStep?: () => void;
   /** What goes wrong in the start, to try how an application copes. What is built does not heed it. */
   fault?: Fault;
 }

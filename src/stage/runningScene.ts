@@ -5,7 +5,7 @@ import type { Scene } from '../scenes/scene.ts';
 import { fetchExtras, hasExtras } from '../smoke/extraPasses.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
-import type { SeekOptions, StageEvents, StageStats } from './contract.ts';
+import type { SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { FrameLoop } from './frameLoop.ts';
 import { Gestures } from './gestures.ts';
 import { Listeners } from './listeners.ts';
@@ -18,13 +18,17 @@ import { Sight } from './sight.ts';
 import { Simulation } from './simulation.ts';
 import { statsOf } from './stats.ts';
 
+const HISTORY_BYTES = 64 * 1024 * 1024;
+
+type RunOptions = Pick<StageOptions, 'frameRate' | 'historyBytes' | 'onStep'>;
+
 /** A scene that runs: its simulation, its picture and its values go on together, and whoever listens is told. */
 export class RunningScene {
   readonly picture: Picture;
   readonly listeners = new Listeners<StageEvents>();
   readonly loop: FrameLoop;
   private readonly stopListening: () => void;
-  private readonly historyBytes: number;
+  private readonly options: RunOptions;
   private opened: OpenedScene;
   private simulated: Simulation;
   private hands: Gestures;
@@ -35,17 +39,13 @@ export class RunningScene {
   /** While nobody waits for the graphics context any longer. */
   private contextError: ContextError | undefined;
 
-  /**
-   * @param historyBytes how much memory states may take that are kept for going back
-   * @param frameRate most frames a second
-   */
-  constructor(presenter: Presenter, opened: OpenedScene, values: Values, historyBytes: number, frameRate?: number) {
+  constructor(presenter: Presenter, opened: OpenedScene, values: Values, options: RunOptions) {
     const tasks = { frame: (steps: number) => this.playOn(steps), fail: (error: Error) => this.fail(error) };
-    this.loop = new FrameLoop(tasks, frameRate);
+    this.loop = new FrameLoop(tasks, options.frameRate);
     this.now = values;
-    this.historyBytes = historyBytes;
+    this.options = options;
     this.opened = opened;
-    this.simulated = new Simulation(opened.factory, opened.scene, values, historyBytes);
+    this.simulated = this.simulate(opened, values);
     this.picture = new Picture(presenter, opened.scene, values);
     this.hands = new Gestures(this.simulated, this.picture);
     this.stopListening = presenter.device.onContext((event) => this.followContext(event));
@@ -105,7 +105,7 @@ export class RunningScene {
 
   advance(steps: number): void {
     if (steps > 0) this.gestures.settle();
-    this.simulation.advance(steps);
+    this.simulation.advance(steps, this.options.onStep);
     this.followLog();
   }
 
@@ -138,7 +138,7 @@ export class RunningScene {
   /** Goes on with another scene, from its first step; see `Stage.enter`. */
   enter(opened: OpenedScene, values: Values): void {
     // First, because it may refuse.
-    const simulation = new Simulation(opened.factory, opened.scene, values, this.historyBytes);
+    const simulation = this.simulate(opened, values);
     this.simulated.dispose();
     this.simulated = simulation;
     this.opened = opened;
@@ -299,6 +299,10 @@ export class RunningScene {
   private playOn(steps: number): void {
     this.advance(steps);
     this.draw();
+  }
+
+  private simulate({ factory, scene }: OpenedScene, values: Values): Simulation {
+    return new Simulation(factory, scene, values, this.options.historyBytes ?? HISTORY_BYTES);
   }
 
   private fail(error: Error): void {

@@ -171,7 +171,8 @@ export class Simulation {
     return hasFollowed;
   }
 
-  advance(steps: number): void {
+  /** @param onStep called after each of the steps */
+  advance(steps: number, onStep?: () => void): void {
     if (steps === 0) return;
     const started = performance.now();
     for (let taken = 0; taken < steps; ++taken) {
@@ -180,6 +181,7 @@ export class Simulation {
       this.guide();
       this.current.step();
       this.keepState();
+      onStep?.();
     }
     this.stepMs = (performance.now() - started) / steps;
   }

@@ -24,8 +24,6 @@ import type { Simulation } from './simulation.ts';
 import type { Sight } from './sight.ts';
 import { noteOf, takeOf, type Take } from './take.ts';
 
-const HISTORY_BYTES = 64 * 1024 * 1024;
-
 /** A running scene on a canvas. Reads no page: sizes, pointers and keys come in as numbers, so that it runs in a worker. */
 export class Stage {
   /** Settled when the first picture stands. */
@@ -51,13 +49,7 @@ export class Stage {
   constructor(canvas: DeviceCanvas, presenter: Presenter, opened: OpenedScene, options: StageOptions) {
     const values = { ...defaults(), ...options.values };
     this.canvas = canvas;
-    this.#running = new RunningScene(
-      presenter,
-      opened,
-      values,
-      options.historyBytes ?? HISTORY_BYTES,
-      options.frameRate,
-    );
+    this.#running = new RunningScene(presenter, opened, values, options);
     this.#picture.hasBackground = options.background ?? true;
     this.#picture.quality = options.quality ?? 1;
     this.#picture.view = options.view;

@@ -97,6 +97,22 @@ test.describe('on a page of their own', () => {
     expect(message).toContain('out of order');
   });
 
+  test('amid many steps a worker says now and then that it lives', async ({ load, blank }) => {
+    const cases = await load<Cases>(CASES);
+    const opened = await cases.evaluateHandle((module) => module.open());
+    const [worker] = blank.workers();
+    const said = await worker.evaluateHandle(() => {
+      const [now, seen] = [performance.now.bind(performance), [] as unknown[]];
+      // Each step takes longer than the ten seconds after which it speaks, and no time.
+      let ahead = 0;
+      performance.now = () => now() + (ahead += 20_000);
+      globalThis.postMessage = (message: unknown) => void seen.push(message);
+      return seen;
+    });
+    await opened.evaluate(({ stage }) => stage.step(20));
+    expect(await said.jsonValue()).toEqual(Array(20).fill('beat'));
+  });
+
   test('a context that is lost twice brings all stages back', async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
     const opened = await cases.evaluateHandle(async (module) => {
