@@ -18,7 +18,7 @@ export { fitPuff, type FitOptions, type FittedPuff } from './puffs/fitPuff.ts';
 export { designedShapes, type PuffDesign } from './puffs/lobeShapes.ts';
 export type { Lobe, PuffShape } from './puffs/shapes.ts';
 export { CartoonSmoke } from './host/cartoonSmoke.ts';
-export type { CartoonSmokeOptions, CartoonSmokeStats, CastOptions } from './host/options.ts';
+export type { CartoonSmokeEvents, CartoonSmokeOptions, CartoonSmokeStats, CastOptions } from './host/options.ts';
 export type { CollideOptions } from './host/colliders.ts';
 export type { KeyLight } from './host/keyLight.ts';
 export { capsule, type ProxyBall, type ProxyCapsule } from './host/proxies.ts';

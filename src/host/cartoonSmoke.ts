@@ -13,13 +13,13 @@ import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
 import { InsertPass } from '../passes/insert.ts';
 import { SmokePictures } from '../passes/pictures.ts';
-import { SimulatorError, UnsupportedError } from '../preset/errors.ts';
+import { SimulatorError, UnsupportedError, type LoadError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { Clock, STEP_SECONDS } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { simulatorValues } from '../sim/simulatorValues.ts';
-import { fetchExtras } from '../smoke/extraPasses.ts';
+import { fetchExtras, hasExtras } from '../smoke/extraPasses.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import type { Style } from '../smoke/style.ts';
@@ -33,6 +33,7 @@ import {
   hostStyle,
   requireChangeable,
   startValues,
+  type CartoonSmokeEvents,
   type CartoonSmokeOptions,
   type CartoonSmokeStats,
   type CastOptions,
@@ -56,9 +57,10 @@ const FIRST = -1e9;
  * renderer.setAnimationLoop(() => { smoke.update(clock.getDelta()); renderer.render(scene, camera); });
  * ```
  *
- * Smoke lives in world space: where this object stands changes nothing.
+ * Smoke lives in world space: where this object stands changes nothing. Its event `error` tells what could not be fetched and
+ * is left out; no such thing is thrown into your frames. See {@link CartoonSmokeEvents}.
  */
-export class CartoonSmoke extends Group {
+export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private readonly device: Device;
   private readonly keyLight: KeyLight;
   private readonly onRelight: (isInShadow: boolean) => void;
@@ -77,12 +79,14 @@ export class CartoonSmoke extends Group {
   private now = 0;
   private isDrawing = false;
   private isDisposed = false;
+  private completing: Promise<void> | undefined;
   private objection: Error | undefined;
   private drawn = { bodiesDrawn: 0, castersDrawn: 0 };
 
   /**
    * @throws UnsupportedError when the renderer lacks something, or the browser does. ParameterError for an unknown preset,
-   * a value out of range, or a light of another kind. LoadError when the simulator cannot be fetched.
+   * a value out of range, or a light of another kind. LoadError when the simulator cannot be fetched, or
+   * billboards that the values ask for.
    */
   static async create(options: CartoonSmokeOptions): Promise<CartoonSmoke> {
     requireRenderer(options.renderer);
@@ -171,17 +175,30 @@ export class CartoonSmoke extends Group {
   }
 
   /**
-   * Changes values by their flat keys: all of them, or none when one is refused, with a ParameterError. Billboards come when
-   * they are first asked for; the next update throws a LoadError where they cannot be had.
+   * Changes values by their flat keys: all of them, or none when one is refused, with a ParameterError. The code of billboards
+   * is fetched when `puff.form` first becomes theirs; until it has come, and where it cannot be had, nailboards of lobes are
+   * drawn. An `error` event tells so once, and no later `set` of other values tries anew: `complete` does, or asking for
+   * billboards again after lobes.
    */
   set(values: Values): void {
     this.requireAlive();
     requireChangeable(values);
+    const { form } = this.style;
     this.simulator.set(simulatorValues(values));
     this.values = { ...this.values, ...values };
     this.style = hostStyle(this.values);
     this.puffs.follow(this.values);
-    fetchExtras(this.style).catch((error: Error) => (this.objection = error));
+    if (this.style.form !== form) this.completeSoon();
+  }
+
+  /**
+   * Settled when the next picture is drawn as the values ask: for whoever records pictures. What could not be fetched is tried
+   * anew.
+   * @throws LoadError when it cannot be fetched: smoke goes on without it
+   */
+  async complete(): Promise<void> {
+    this.requireAlive();
+    await fetchExtras(this.style);
   }
 
   /** All values that smoke has. */
@@ -211,6 +228,17 @@ export class CartoonSmoke extends Group {
     this.release();
     this.passes.casters.dispose();
     releaseDevice(this.device);
+  }
+
+  /** The same where nobody waits for it; what nobody wants any longer is not missed. */
+  private completeSoon(): void {
+    if (hasExtras(this.style)) return;
+    const tell = (error: LoadError) => {
+      if (!this.isDisposed && !hasExtras(this.style)) this.dispatchEvent({ type: 'error', error });
+    };
+    this.completing ??= fetchExtras(this.style)
+      .catch(tell)
+      .finally(() => (this.completing = undefined));
   }
 
   private makePasses(capacity: number): HostPasses {

@@ -1,5 +1,5 @@
-import type { WebGLRenderer } from 'three';
-import { ParameterError } from '../preset/errors.ts';
+import type { Object3DEventMap, WebGLRenderer } from 'three';
+import { ParameterError, type LoadError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { findPreset, presets } from '../preset/presets.ts';
 import { defaults, validate } from '../preset/values.ts';
@@ -21,6 +21,12 @@ export interface CartoonSmokeOptions {
   physics?: boolean;
   /** Told before and after your opaque objects are drawn once more in shadow, for shaders that light themselves. */
   onRelight?: (isInShadow: boolean) => void;
+}
+
+/** What smoke tells, beside what three.js tells of every object: `smoke.addEventListener('error', ({ error }) => {})`. */
+export interface CartoonSmokeEvents extends Object3DEventMap {
+  /** Something could not be fetched, and smoke goes on without it; once each time that values begin to ask for it. */
+  error: { readonly error: LoadError };
 }
 
 /** How an object throws its shadow. */

@@ -1,10 +1,13 @@
+import type { Page, Route } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 
+type Billboards = typeof import('./cases/hostBillboards.ts');
 type Ink = typeof import('./cases/hostInk.ts');
 type Meshes = typeof import('./cases/hostMeshes.ts');
 type Output = typeof import('./cases/hostOutput.ts');
 type Refusals = typeof import('./cases/hostRefusals.ts');
 type Shadow = typeof import('./cases/hostShadow.ts');
+const BILLBOARDS = '/tests/visual/cases/hostBillboards.ts';
 const INK = '/tests/visual/cases/hostInk.ts';
 const MESHES = '/tests/visual/cases/hostMeshes.ts';
 const OUTPUT = '/tests/visual/cases/hostOutput.ts';
@@ -163,5 +166,69 @@ test.describe('refusals', () => {
     expect(said.array).toMatch(/^UnsupportedError: .*ArrayCamera/);
     expect(said.again).toBe('nothing');
     expect(said.disposed).toMatch(/^SimulatorError: .*disposed/);
+  });
+});
+
+test.describe('of billboards that are not here yet', () => {
+  test.use({ ownPage: true, allowed: /ERR_FAILED/ });
+
+  const CODE = '**/src/smoke/billboards.ts*';
+  const refuse = (page: Page) => page.route(CODE, (route) => route.abort());
+  /** The request for it, which waits for its answer. */
+  const held = async (page: Page) => {
+    let take!: (route: Route) => void;
+    const asked = new Promise<Route>((resolve) => (take = resolve));
+    await page.route(CODE, take);
+    return { asked };
+  };
+
+  test('the code is fetched while lobes go on; they are then those from the start', async ({ load, blank }) => {
+    const cases = await load<Billboards>(BILLBOARDS);
+    const request = await held(blank);
+    const asked = await cases.evaluateHandle((module) => module.ask());
+    const route = await request.asked;
+    expect(await cases.evaluate((module, one) => module.frames(one), asked)).toBe(0);
+    await route.continue();
+    await asked.evaluate(({ smoke }) => smoke.complete());
+    expect(await cases.evaluate((module, one) => module.frames(one), asked)).toBeGreaterThan(100);
+    expect(await cases.evaluate((module, one) => module.fromStart(one), asked)).toBe(0);
+    expect(await asked.evaluate(({ told }) => told)).toEqual([]);
+  });
+
+  test('where it cannot be had lobes go on, which is told once and thrown into no frame, until it can', async ({
+    load,
+    blank,
+  }) => {
+    const cases = await load<Billboards>(BILLBOARDS);
+    await refuse(blank);
+    const asked = await cases.evaluateHandle((module) => module.ask());
+    const told = () => asked.evaluate((one) => one.told);
+    const once = [expect.stringMatching(/^LoadError: Billboards could not be loaded/)];
+    await expect.poll(told).toEqual(once);
+    expect(await cases.evaluate((module, one) => module.frames(one), asked)).toBe(0);
+    const thrown = await asked.evaluate(({ smoke }) => smoke.complete().catch((error: Error) => error.name));
+    expect(thrown).toBe('LoadError');
+    // Each frame had the time to try and to tell: who asked just now has waited for as long.
+    expect(await told()).toEqual(once);
+    await asked.evaluate(({ smoke }) => {
+      smoke.set({ 'puff.form': 'lobes' });
+      smoke.set({ 'puff.form': 'billboards' });
+    });
+    await expect.poll(told).toEqual([...once, ...once]);
+    await blank.unroute(CODE);
+    await asked.evaluate(({ smoke }) => smoke.complete());
+    expect(await cases.evaluate((module, one) => module.frames(one), asked)).toBeGreaterThan(100);
+  });
+
+  test('what nobody wants any longer is not missed, and smoke does not begin without', async ({ load, blank }) => {
+    const cases = await load<Billboards>(BILLBOARDS);
+    const request = await held(blank);
+    const asked = await cases.evaluateHandle((module) => module.ask());
+    const route = await request.asked;
+    await asked.evaluate(({ smoke }) => smoke.set({ 'puff.form': 'lobes' }));
+    await refuse(blank);
+    await route.abort();
+    expect(await cases.evaluate((module) => module.beginWith())).toBe('LoadError');
+    expect(await asked.evaluate(({ told }) => told)).toEqual([]);
   });
 });
