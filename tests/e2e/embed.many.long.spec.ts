@@ -1,7 +1,7 @@
 /** Forty stages at once, and two hundred that come and go, one after the other, and leave nothing behind. */
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
-import { expectMany } from './embed.many.ts';
+import { expectBack, expectMany } from './embed.many.ts';
 
 type ManyCases = typeof import('./embed.many.cases.ts');
 type ProvokedCases = typeof import('./embed.provoked.cases.ts');
@@ -20,6 +20,10 @@ for (const thread of ['worker', 'main'] as const) {
     await expectMany({ load, blank }, [40, 12], thread);
   });
 }
+
+test('forty elements draw again after their context has gone, twice', async ({ load, blank }) => {
+  await expectBack({ load, blank }, 40, 'worker');
+});
 
 test('the heap of the main thread stays flat, and its context goes', async ({ load, blank }) => {
   const many = await load<ManyCases>('/tests/e2e/embed.many.cases.ts');

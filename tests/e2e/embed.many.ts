@@ -2,7 +2,9 @@
 import type { Page } from '@playwright/test';
 import { expect } from '../support/fixtures.ts';
 import type { LoadModule } from '../support/modules.ts';
+import { setPatience, turnContext } from './embed.context.ts';
 
+type ProvokedCases = typeof import('./embed.provoked.cases.ts');
 type Cases = typeof import('./embed.cases.ts');
 type ManyCases = typeof import('./embed.many.cases.ts');
 
@@ -31,4 +33,24 @@ export async function expectMany(
   expect(Math.min(...colors)).toBeGreaterThan(3);
   await opened.evaluate((list) => Promise.all(list.map(({ stage }) => stage.dispose())));
   await expect.poll(() => blank.workers().length).toBe(0);
+}
+
+/** Elements whose context goes and comes back, twice: all of them draw on, and none tells of it. */
+export async function expectBack(
+  { load, blank }: { load: LoadModule; blank: Page },
+  count: number,
+  thread: 'main' | 'worker',
+): Promise<void> {
+  const cases = await load<ProvokedCases>('/tests/e2e/embed.provoked.cases.ts');
+  const shown = await cases.evaluateHandle((module, given) => module.showSome(...given), [count, thread] as const);
+  const told = () => shown.evaluate((all) => all.map((one) => one.told.join()));
+  await shown.evaluate((all) => Promise.all(all.map(({ element }) => element.ready)));
+  const drawing = thread === 'main' ? blank : blank.workers()[0];
+  await setPatience(drawing, 'endless');
+  for (let loss = 0; loss < 2; ++loss) {
+    await turnContext(drawing, 'loseContext');
+    await turnContext(drawing, 'restoreContext');
+  }
+  await cases.evaluate((module, all) => module.allDraw(all), shown);
+  expect(await told()).toEqual(Array(count).fill(`ready on ${thread}`));
 }

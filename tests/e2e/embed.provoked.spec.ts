@@ -4,6 +4,7 @@ import { expect, test } from '../support/fixtures.ts';
 import type { LoadModule } from '../support/modules.ts';
 import type { Shown } from './embed.provoked.cases.ts';
 import { setPatience, turnContext } from './embed.context.ts';
+import { expectBack } from './embed.many.ts';
 
 type Cases = typeof import('./embed.provoked.cases.ts');
 const CASES = '/tests/e2e/embed.provoked.cases.ts';
@@ -26,18 +27,7 @@ for (const thread of ['main', 'worker'] as const) {
 
 for (const thread of ['main', 'worker'] as const) {
   test(`a context that goes and comes back, twice, brings all smoke back: ${thread}`, async ({ load, blank }) => {
-    const cases = await load<Cases>(CASES);
-    const shown = await cases.evaluateHandle((module, where) => module.showSome(6, where), thread);
-    const told = () => shown.evaluate((all) => all.map((one) => one.told.join()));
-    await expect.poll(told).toEqual(Array(6).fill(`ready on ${thread}`));
-    const drawing = thread === 'main' ? blank : blank.workers()[0];
-    await setPatience(drawing, 'endless');
-    for (let loss = 0; loss < 2; ++loss) {
-      await turnContext(drawing, 'loseContext');
-      await turnContext(drawing, 'restoreContext');
-    }
-    await cases.evaluate((module, all) => module.allDraw(all), shown);
-    expect(await told()).toEqual(Array(6).fill(`ready on ${thread}`));
+    await expectBack({ load, blank }, 6, thread);
   });
 
   test(`one that goes too often, or stays away from a start on, is given up, until other smoke is asked for: ${thread}`, async ({
