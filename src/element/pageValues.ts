@@ -9,6 +9,8 @@ const DEPTH = 20;
 const SEAM = 0.02;
 /** How strongly smoke curls around the ends of obstacles: circulation for each metre that it reaches, m/s. */
 const CURL = 1.2;
+/** Dying puffs keep off unevenly: along a smooth box they would line up in one straight edge. */
+const ROUGHNESS = 1;
 /** As many as the simulator has of each list: a collider for an obstacle, and two vortices for one that smoke curls at. */
 export const MOST = 8;
 const MILLIMETRE = 1000;
@@ -60,6 +62,7 @@ export function colliderValues(places: readonly Place[], plane: ScenePlane): Val
         'halfExtents.y': halfOf(halfHeight),
         'halfExtents.z': x < z ? halfOf(halfWidth * z) : DEPTH,
         friction: 0,
+        roughness: ROUGHNESS,
       }),
     ),
   );

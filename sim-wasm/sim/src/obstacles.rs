@@ -17,6 +17,7 @@ pub struct Collider {
     pub radius: f64,
     pub restitution: f64,
     pub friction: f64,
+    pub roughness: f64,
     pub action: f64,
     pub tint: f64,
 }
@@ -40,6 +41,10 @@ impl Item for Collider {
             .says("Bounce", "Share of the speed with which smoke comes back."),
         number("friction", "1", SHARE, 0.2, |c: &mut Self| &mut c.friction)
             .says("Friction", "Share of the speed along it that smoke loses."),
+        number("roughness", "1", SHARE, 0.0, |c: &mut Self| &mut c.roughness).says(
+            "Roughness",
+            "How unevenly smoke lies along it: of the size that a puff has lost, the share by which it keeps off at most.",
+        ),
         number("action", "1", [0.0, 2.0], 0.0, |c: &mut Self| &mut c.action)
             .named(&["bounce", "kill", "tint"])
             .says("Touch", "What becomes of smoke that touches it."),
@@ -64,6 +69,7 @@ fn collider(parameters: &Collider) -> AnalyticCollider {
         radius: parameters.radius as f32,
         restitution: parameters.restitution as f32,
         friction: parameters.friction as f32,
+        roughness: parameters.roughness as f32,
         action: Action::from_numbers(parameters.action as u8, parameters.tint as u8),
     }
 }

@@ -19,6 +19,7 @@ const GROUND: AnalyticCollider = AnalyticCollider {
     radius: 0.5,
     restitution: 0.0,
     friction: 0.0,
+    roughness: 0.0,
     action: sim::collide::contact::Action::Bounce,
 };
 
@@ -217,4 +218,48 @@ fn a_particle_that_begins_inside_is_brought_to_the_surface() {
     };
     let probe = fly([0.2, 0.1, 0.0], [0.2, 0.1, 0.0], 0.1, 0.0, &[ball]);
     assert!(near(distance_to(&ball, probe.position), 0.1, 1e-5));
+}
+
+/// Heights at which worn puffs of 0.2 m come to rest on a ground of this roughness, by their seed bytes.
+fn rests(roughness: f32, worn: f32, seeds: &[u32]) -> Vec<f32> {
+    let mut particles = Particles::new(seeds.len());
+    for (i, seed) in seeds.iter().enumerate() {
+        let newborn = Newborn {
+            position: [i as f32, 0.3, 0.0],
+            slip: [0.0; 3],
+            age: worn * LIFETIME,
+            lifetime: LIFETIME,
+            size: 0.2,
+            temperature: 0.0,
+            look: seed << 8 | 0xff_0000,
+        };
+        assert!(particles.push(&newborn));
+        particles.y[i] = 0.01;
+    }
+    let ground = AnalyticCollider { roughness, ..GROUND };
+    let mut scratch = Scratch::new(seeds.len());
+    resolve(
+        &mut particles,
+        &RADII,
+        &[ground],
+        #[cfg(feature = "rigids")]
+        &mut Rigids::new(),
+        DT,
+        &mut scratch,
+    );
+    particles.y[..seeds.len()].to_vec()
+}
+
+#[test]
+fn on_a_rough_surface_each_worn_puff_keeps_its_own_distance() {
+    let seeds = [0, 51, 102, 153, 204, 255];
+    let close = |found: Vec<f32>, expected: [f32; 6]| {
+        let all = found.iter().zip(expected).all(|(a, b)| near(*a, b, 1e-4));
+        assert!(all, "{found:?} is not {expected:?}");
+    };
+    close(rests(0.0, 0.9, &seeds), [0.02; 6]);
+    close(rests(1.0, 0.9, &seeds), [0.02, 0.056, 0.092, 0.128, 0.164, 0.2]);
+    close(rests(0.5, 0.9, &seeds), [0.02, 0.038, 0.056, 0.074, 0.092, 0.11]);
+    // A puff that has lost nothing keeps off no farther than it reaches.
+    close(rests(1.0, 0.0, &seeds), [0.2; 6]);
 }

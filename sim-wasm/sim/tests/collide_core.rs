@@ -29,6 +29,7 @@ fn obstacle<C: Collider + std::fmt::Debug>(shape: C, random: &mut Random, speed:
         material: Material {
             restitution: 0.3,
             friction: 0.2,
+            roughness: 0.0,
             action: sim::collide::contact::Action::Bounce,
         },
         shape,
@@ -49,6 +50,7 @@ fn passed_and_free<C: Collider + std::fmt::Debug>(shape: impl Fn(&mut Random) ->
             to,
             velocity: (to - from) * 60.0,
             radius: 0.05 + 0.04 * random.signed(),
+            margin: 0.0,
             began: 0.0,
         };
         let passes = obstacle.core.is_passed_by(&obstacle.motion, from, to, traveller.radius);

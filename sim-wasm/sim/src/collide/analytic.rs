@@ -35,6 +35,9 @@ pub struct AnalyticCollider {
     pub restitution: f32,
     /// Share of the tangential velocity that is lost, 0..1.
     pub friction: f32,
+    /// How unevenly particles keep off, 0..1: of what a particle has lost of its radius, the share that it keeps off at
+    /// most.
+    pub roughness: f32,
     pub action: Action,
 }
 
@@ -60,6 +63,7 @@ impl AnalyticCollider {
         let material = Material {
             restitution: self.restitution,
             friction: self.friction,
+            roughness: self.roughness,
             action: self.action,
         };
         Obstacle {

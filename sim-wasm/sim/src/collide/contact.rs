@@ -47,6 +47,8 @@ pub struct Material {
     pub restitution: f32,
     /// Share of the tangential velocity that is lost.
     pub friction: f32,
+    /// Share of its margin by which a particle keeps off.
+    pub roughness: f32,
     /// Restitution and friction matter only where particles bounce.
     pub action: Action,
 }
@@ -73,6 +75,8 @@ pub struct Traveller {
     pub velocity: Vector,
     /// Metres.
     pub radius: f32,
+    /// How much farther (m) than its radius it keeps off the roughest surface, its own for each particle.
+    pub margin: f32,
     /// Fraction of the step at which its way began; above 0 for the newborn.
     pub began: f32,
 }
@@ -103,7 +107,7 @@ impl<C: Collider> Obstacle<C> {
         let to = end.local_from_world(traveller.to);
         let from = self.motion.frame(traveller.began).local_from_world(traveller.from);
         let way = (to - from).length() + self.motion.detour(from, to);
-        let radius = traveller.radius;
+        let radius = self.contact_radius(traveller);
         let last = self.shape.nearest(to, radius + way);
         if last.distance >= radius + way {
             return false;
@@ -120,6 +124,12 @@ impl<C: Collider> Obstacle<C> {
         true
     }
 
+    /// Along a smooth surface puffs end in one straight line; of a rough one each keeps its own distance.
+    #[inline]
+    fn contact_radius(&self, traveller: &Traveller) -> f32 {
+        traveller.radius + self.material.roughness * traveller.margin
+    }
+
     /// Follows the way until the sphere touches. A sphere that touches already from the start is followed by a smaller
     /// one that does not, and one that was pushed is only kept from crossing the surface.
     fn trace(&self, traveller: &Traveller, from: Vector, last: &Nearest, way: f32, pass: Pass) -> Option<Hit> {
@@ -128,8 +138,8 @@ impl<C: Collider> Obstacle<C> {
             return None;
         }
         let probe = match pass {
-            Pass::First => lesser(traveller.radius, 0.9 * first.distance),
-            Pass::Again => 0.25 * lesser(traveller.radius, first.distance),
+            Pass::First => lesser(self.contact_radius(traveller), 0.9 * first.distance),
+            Pass::Again => 0.25 * lesser(self.contact_radius(traveller), first.distance),
         };
         if first.distance + last.distance.abs() >= way + 2.0 * probe && last.distance > 0.0 {
             return None;
@@ -213,8 +223,9 @@ impl<C: Collider> Obstacle<C> {
         );
         let rest = self.turned_back(hit.rest, hit.normal, pass);
         let wanted = hit.point + rest;
-        let nearest = self.shape.nearest(wanted, traveller.radius);
-        let lack = greater(traveller.radius - nearest.distance, 0.0);
+        let radius = self.contact_radius(traveller);
+        let nearest = self.shape.nearest(wanted, radius);
+        let lack = greater(radius - nearest.distance, 0.0);
         traveller.to = self.motion.frame(1.0).world_from_local(wanted + nearest.normal * lack);
     }
 

@@ -34,6 +34,8 @@ const PASSES: [Pass; 8] = {
 const MOST_COLLIDERS: usize = 8;
 /// Below this share of a step a newborn's way is too short to tell its velocity.
 const SHORTEST_WAY: f32 = 1e-3;
+/// The greatest seed byte of a particle.
+const MOST_SEED: f32 = 255.0;
 
 /// Memory that [`resolve`] needs, made once; it does not depend on the number of particles.
 #[derive(Debug)]
@@ -134,13 +136,21 @@ fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Tra
         radii.radius(size, age, lifetime),
         radii.radius(size, age + dt, lifetime),
     );
+    // What it has lost it may keep as distance, so that its reach stays that of a full one.
+    let full = radii.undiminished(size, greater(age, 0.0));
     Traveller {
         from,
         to,
         velocity: (to - from) * (1.0 / span),
         radius,
+        margin: greater(full - radius, 0.0) * seed_share(particles.look[i]),
         began,
     }
+}
+
+/// The particle's own number, 0..1.
+fn seed_share(look: u32) -> f32 {
+    (look >> 8 & 0xff) as f32 / MOST_SEED
 }
 
 impl Obstacles<'_> {

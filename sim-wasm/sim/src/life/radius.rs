@@ -57,7 +57,12 @@ impl RadiusLaw {
             None => greater(1.0 - worn, 0.0),
             Some(curve) => curve.density(worn),
         };
-        size * self.puff_size * self.growth(age) * density
+        self.undiminished(size, age) * density
+    }
+
+    /// What the radius (m) would be if density did not fall; `age` is not below 0.
+    pub fn undiminished(&self, size: f32, age: f32) -> f32 {
+        size * self.puff_size * self.growth(age)
     }
 
     /// The same for four particles, to the last bit.

@@ -145,6 +145,7 @@ impl Rigids {
         let material = Material {
             restitution: description.restitution,
             friction: description.friction,
+            roughness: 0.0,
             action: description.action,
         };
         let motion = Motion::resting(pose);
