@@ -1,13 +1,15 @@
 import type { Value } from '../preset/parameter.ts';
 import type { Stage } from '../stage/stage.ts';
 import type { Changes, Editor } from './editor.ts';
+import { enterScene } from './entering.ts';
 
 /**
  * Lets stage and editor follow each other: edits reach the stage once a frame, and values that somebody gives to the
  * stage directly, as from the console, reach the editor.
  * @param tell says what the stage refused
+ * @param host where progress is shown
  */
-export function connectStage(editor: Editor, stage: Stage, tell: (message: string) => void): void {
+export function connectStage(editor: Editor, stage: Stage, tell: (message: string) => void, host: HTMLElement): void {
   let waiting: Changes = {};
   let isFlushing = false;
   const isWaiting = () => Object.keys(waiting).length > 0;
@@ -17,7 +19,7 @@ export function connectStage(editor: Editor, stage: Stage, tell: (message: strin
     isFlushing = true;
     try {
       const isElsewhere = (changes.scene ?? stage.get().scene) !== stage.get().scene;
-      if (isElsewhere) await stage.enter(editor.state.values);
+      if (isElsewhere) await enterScene(stage, editor.state.values, host);
       else apply(changes, stage);
     } catch (error) {
       tell((error as Error).message);

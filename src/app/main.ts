@@ -59,7 +59,7 @@ async function start(): Promise<void> {
   if (!stage.stats.writesDepth) notices.tell(strings.notices.flat);
   stage.on('error', (error) => (error instanceof LoadError ? notices.tell(error.message) : refuse(error)));
   if (moment) await arriveAt(moment, stage, editor, notices);
-  connectStage(editor, stage, (message) => notices.tell(message));
+  connectStage(editor, stage, (message) => notices.tell(message), host);
   followAddress(editor, async (read) => {
     tellAll(notices, read);
     const shared = momentOf(read);
@@ -102,7 +102,7 @@ async function load(editor: Editor, { quality, view }: Environment): Promise<Sta
       quality,
       view,
       visible: false,
-      onProgress: ({ loaded, total }) => progress.show(total === undefined ? undefined : loaded / total),
+      onProgress: progress.follow,
     });
   } finally {
     progress.element.remove();

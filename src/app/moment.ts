@@ -6,6 +6,7 @@ import { findParameter } from '../preset/table.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import type { Stage } from '../stage/stage.ts';
 import type { Take } from '../stage/take.ts';
+import { enterScene } from './entering.ts';
 import type { Notices } from './notices.ts';
 import { windForward } from './progress.ts';
 import { strings } from './strings.ts';
@@ -48,7 +49,7 @@ export async function goToMoment(stage: Stage, moment: Moment, notices: Notices,
     const refusal = moment.isTrusted ? undefined : refusalOf(take);
     if (refusal !== undefined) throw new Error(refusal);
     if (take.isTruncated) notices.tell(strings.moment.truncated);
-    if (take.values.scene !== stage.get().scene) await stage.enter(take.values);
+    if (take.values.scene !== stage.get().scene) await enterScene(stage, take.values, host);
     stage.playTake(take);
     lookAs(stage, moment.state.values);
     return await wind(stage, moment.seconds ?? take.steps * STEP_SECONDS, notices, host);

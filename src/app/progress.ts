@@ -1,3 +1,4 @@
+import type { LoadProgress } from '../sim/load.ts';
 import type { Stage } from '../stage/stage.ts';
 import { create, textButton } from './dom.ts';
 import { strings } from './strings.ts';
@@ -25,6 +26,10 @@ export class Progress {
     if (share === undefined) this.bar.removeAttribute('value');
     else this.bar.value = share;
   }
+
+  /** Shows how far a download is. */
+  readonly follow = ({ loaded, total }: LoadProgress): void =>
+    this.show(total === undefined ? undefined : loaded / total);
 }
 
 /**

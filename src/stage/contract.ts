@@ -63,6 +63,11 @@ export interface StageStats {
   scale: number;
 }
 
+export interface EnterOptions {
+  /** Told how much of what must be fetched has come. */
+  onProgress?: (progress: LoadProgress) => void;
+}
+
 export interface SeekOptions {
   /** Told how far the seek has come, 0 to 1. */
   onProgress?: (share: number) => void;

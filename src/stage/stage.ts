@@ -14,7 +14,7 @@ import { fetchExtras, type PictureKind } from '../smoke/extraPasses.ts';
 import type { Renderer } from '../smoke/style.ts';
 import { bakeAhead } from './bakeAhead.ts';
 import type { BlowInput } from './blow.ts';
-import type { PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
+import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { openScene, type OpenedScene } from './openScene.ts';
 import type { Picture } from './picture.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
@@ -182,13 +182,13 @@ export class Stage {
    * defaults of the table. Of several calls at once the last counts. The old scene goes on until the new one has come.
    * @throws ParameterError for a value it does not take, LoadError when the scene cannot be fetched; nothing has changed then
    */
-  async enter(values: Values): Promise<void> {
+  async enter(values: Values, { onProgress }: EnterOptions = {}): Promise<void> {
     this.#running.requireAlive();
     validate(values);
     const after = { ...defaults(), ...values };
     const entry = (this.#entering = Symbol(String(after.scene)));
     const [opened] = await Promise.all([
-      openScene(after.scene as string),
+      openScene(after.scene as string, onProgress),
       bakeAhead(after),
       fetchExtras(kindOf(after, this.view)),
     ]);

@@ -38,6 +38,17 @@ async function wasmBytes(page: Page, addresses: readonly string[]): Promise<numb
   return page.evaluate(async (address) => (await (await fetch(address)).arrayBuffer()).byteLength, wasm[0]);
 }
 
+/** Lets nothing of that address come until the function that it gives is called. */
+async function hold(page: Page, address: string): Promise<() => void> {
+  let arrive!: () => void;
+  const arrival = new Promise<void>((resolve) => (arrive = resolve));
+  await page.route(address, async (route) => {
+    await arrival;
+    await route.continue();
+  });
+  return arrive;
+}
+
 /** Chooses a preset in the gallery, which low windows hide at first. */
 async function choose(page: Page, preset: string): Promise<void> {
   await page.locator('label', { has: page.locator(`input[name=preset][value=${preset}]`) }).click();
@@ -150,8 +161,14 @@ test('camera, gallery, address bar and help follow the scene', async ({ page }) 
   });
   await test.step('another preset brings its scene, the link follows, and undo goes back', async () => {
     await page.keyboard.press('g');
+    const arrive = await hold(page, '**/campfire*.js');
     await choose(page, 'campfire');
+    await expect(page.getByText('Gathering wood…')).toBeVisible();
+    await ask(page, (stage) => stage.step());
+    expect(await ask(page, (stage) => [stage.get().scene, stage.stats.steps > 0])).toEqual(['wisp', true]);
+    arrive();
     await expectValue(page, 'scene', 'campfire');
+    await expect(page.getByText('Gathering wood…')).toHaveCount(0);
     await expectHash(page, '#v=1&preset=campfire');
     await ask(page, (stage) => stage.step(30));
     expect(await ask(page, (stage) => stage.stats.bodiesDrawn)).toBeGreaterThan(10);
