@@ -44,6 +44,8 @@ export class EmitterSwitch {
     if (this.when === 'hover') {
       for (const type of ['pointerenter', 'focusin']) element.addEventListener(type, turn(Infinity), { signal });
       for (const type of ['pointerleave', 'focusout']) element.addEventListener(type, turn(0), { signal });
+      // Who was there before the smoke came enters no more.
+      if (element.matches(':hover, :focus-within')) this.until.set(element, Infinity);
     }
     if (this.when === 'click') element.addEventListener('click', () => this.puff(element), { signal });
   }

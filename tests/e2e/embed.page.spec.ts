@@ -144,6 +144,21 @@ test('smoke rises from what is hovered, what the keyboard is on, and from nothin
   await expect.poll(values).toMatchObject({ 'emitters.0.share': 1, 'emitters.1.share': 0, 'emission.rate': 16 });
 });
 
+test('smoke rises from what the pointer or the keyboard was on before there was smoke', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${AIR} paused emit-on="hover"></cartoon-smoke>
+    ${['a', 'b', 'c'].map((id, index) => box(id, 60 + 170 * index, 380, 100, 40)).join('')}`);
+  await stands(page);
+  await page.focus('#a');
+  await page.hover('#c');
+  const smoke = page.locator('cartoon-smoke');
+  await smoke.evaluate((element) => element.setAttribute('emit-from', 'button'));
+  const shares = async () => {
+    const values = (await smoke.evaluate((element: CartoonSmokeElement) => element.get())) as Numbers;
+    return [0, 1, 2].map((index) => values[`emitters.${index}.share`]);
+  };
+  await expect.poll(shares).toEqual([1, 0, 1]);
+});
+
 test('a click lets smoke rise for a moment, and reaches what was clicked', async ({ page, host }) => {
   await page.clock.install();
   await host(`<cartoon-smoke ${AIR} emit-from="button" emit-on="click"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
