@@ -1,7 +1,7 @@
 import type { State } from '../preset/codec.ts';
 import type { Value, Values } from '../preset/parameter.ts';
 import { defaultPreset, findPreset, presetValues } from '../preset/presets.ts';
-import { findParameter, table } from '../preset/table.ts';
+import { findParameter } from '../preset/table.ts';
 import { History } from './history.ts';
 
 /** What changed: the new values, and undefined for optional ones that went back to what the scene has. */
@@ -85,22 +85,25 @@ export class Editor {
   }
 
   undo(): void {
-    this.show(this.history.undo(this.current));
+    this.goTo(this.history.undo(this.current));
   }
 
   redo(): void {
-    this.show(this.history.redo(this.current));
+    this.goTo(this.history.redo(this.current));
   }
 
   private replace(next: State, gesture?: string): void {
-    if (next.preset === this.current.preset && isEmpty(differences(this.current.values, next.values))) return;
+    const changed = differences(this.current.values, next.values);
+    if (next.preset === this.current.preset && isEmpty(changed)) return;
     this.history.record(this.current, gesture);
-    this.show(next);
+    this.show(next, changed);
   }
 
-  private show(next: State | undefined): void {
-    if (!next) return;
-    const changed = differences(this.current.values, next.values);
+  private goTo(next: State | undefined): void {
+    if (next) this.show(next, differences(this.current.values, next.values));
+  }
+
+  private show(next: State, changed: Changes): void {
     this.current = next;
     this.tell(changed);
   }
@@ -117,8 +120,9 @@ function eyeOf(values: Values): Values {
 
 /** What `after` has otherwise than `before`. */
 export function differences(before: Values, after: Values): Changes {
-  const keys = table.map(({ key }) => key).filter((key) => before[key] !== after[key]);
-  return Object.fromEntries(keys.map((key) => [key, after[key]]));
+  // States hold a few dozen of the table's thousands of keys.
+  const keys = new Set([...Object.keys(before), ...Object.keys(after)]);
+  return Object.fromEntries([...keys].filter((key) => before[key] !== after[key]).map((key) => [key, after[key]]));
 }
 
 function isEmpty(values: Changes): boolean {

@@ -25,14 +25,18 @@ export function createRow(parameter: Parameter, editor: Editor): Row {
   const hidden = create('span', { id: textId, class: 'read-aloud' }, text);
   const attributes = { class: `row row-${kind}`, 'data-key': key, 'data-text': text };
   const element = create('div', attributes, name, reset, ...control.elements, hidden);
+  let wasIdle: boolean | undefined;
   return {
     element,
     show(value, base) {
       control.show(value);
+      const isIdle = value === base;
+      if (isIdle === wasIdle) return;
+      wasIdle = isIdle;
       // Hidden, not disabled: a page of grey buttons would say nothing about what was changed.
-      reset.classList.toggle('is-idle', value === base);
-      reset.tabIndex = value === base ? -1 : 0;
-      reset.setAttribute('aria-hidden', String(value === base));
+      reset.classList.toggle('is-idle', isIdle);
+      reset.tabIndex = isIdle ? -1 : 0;
+      reset.setAttribute('aria-hidden', String(isIdle));
     },
   };
 }

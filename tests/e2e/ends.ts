@@ -81,9 +81,11 @@ export function withoutEffectOnState(page: Page, trials: readonly Trial[]): Prom
       if (lost.length > 0) throw new Error(`The stage did not keep ${lost.join()}`);
       const state = stage.save();
       stage.restore(state);
-      return `${stage.hash()} ${state.join()}`;
+      return { hash: stage.hash(), state };
     };
-    return list.filter(({ low, high }) => after(low) === after(high)).map(({ name }) => name);
+    const isSame = (a: ReturnType<typeof after>, b: ReturnType<typeof after>) =>
+      a.hash === b.hash && a.state.length === b.state.length && a.state.every((byte, at) => byte === b.state[at]);
+    return list.filter(({ low, high }) => isSame(after(low), after(high))).map(({ name }) => name);
   }, trials);
 }
 

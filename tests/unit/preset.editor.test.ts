@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { Editor, type Changes } from '../../src/app/editor.ts';
 import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from '../../src/app/slider.ts';
 import { defaultState } from '../../src/preset/codec.ts';
-import type { NumberParameter } from '../../src/preset/parameter.ts';
+import type { NumberParameter, Value, Values } from '../../src/preset/parameter.ts';
 import { findParameter, table } from '../../src/preset/table.ts';
 import { isAccepted } from '../../src/preset/values.ts';
 
@@ -23,6 +23,28 @@ describe('Editor', () => {
     editor.change(RATE, 200);
     editor.change(RATE, 200);
     expect(told).toEqual([{ [RATE]: 200 }]);
+  });
+
+  it('tells of an optional value that was taken away, as undefined', () => {
+    const { editor, told } = editing();
+    editor.change('camera.distance', 5);
+    editor.changeAll({ 'camera.distance': undefined });
+    expect(told).toEqual([{ 'camera.distance': 5 }, { 'camera.distance': undefined }]);
+  });
+
+  it('compares what is set, not all rows of the table', () => {
+    const { editor, told } = editing();
+    let reads = 0;
+    const values: Values = { ...editor.state.values, [RATE]: 200 };
+    const counting = new Proxy(values, {
+      get(target, key) {
+        reads += 1;
+        return Reflect.get(target, key) as Value;
+      },
+    });
+    editor.adopt(counting);
+    expect(told).toEqual([{ [RATE]: 200 }]);
+    expect(reads).toBeLessThan(4 * Object.keys(values).length);
   });
 
   it('undoes and redoes', () => {
