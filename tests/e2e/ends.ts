@@ -97,14 +97,19 @@ export function withoutEffectOnPicture(page: Page, trials: readonly Trial[]): Pr
     const context = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', { willReadFrequently: true })!;
     const before = stage.get();
     const draw = (values: Record<string, string | number>) => {
-      // In a pause the picture is drawn at once, and can be read in the same task.
       stage.set({ ...before, ...values });
+      // In a pause a picture that is seen again is drawn at once, and can be read in the same task.
+      stage.visible = true;
       context.clearRect(0, 0, canvas.width, canvas.height);
       context.drawImage(canvas, 0, 0);
+      const pixels = context.getImageData(0, 0, canvas.width, canvas.height).data.join();
+      // What leads to the next picture is not drawn.
+      stage.visible = false;
       const added = Object.keys(values).filter((key) => !(key in before));
       if (added.length > 0) stage.unset(added);
-      return context.getImageData(0, 0, canvas.width, canvas.height).data.join();
+      return pixels;
     };
+    stage.visible = false;
     const usual = draw({});
     return list.filter(({ low, high }) => new Set([usual, draw(low), draw(high)]).size === 1).map(({ name }) => name);
   }, trials);
