@@ -6,6 +6,7 @@ import { rolldown } from 'rolldown';
 import { inRoot } from '../lib/paths.mjs';
 import { shortMembers } from './shortMembers.mjs';
 import { shortShaders } from './shortShaders.mjs';
+import { shortStyles } from './shortStyles.mjs';
 import { sourceModule } from './sourceModule.mjs';
 import { withoutShaders } from './withoutShaders.mjs';
 import { withoutWords } from './withoutWords.mjs';
@@ -70,7 +71,7 @@ export async function bundleScript(folder) {
 
 /** What makes the sources smaller than a minifier can. */
 async function shortening() {
-  return [...(await shortShaders()), shortMembers(), withoutWords(table), withoutShaders()];
+  return [...(await shortShaders()), shortMembers(), shortStyles(), withoutWords(table), withoutShaders()];
 }
 
 /** @param {import('rolldown').InputOptions} input @param {string} folder @param {import('rolldown').OutputOptions} [output] */

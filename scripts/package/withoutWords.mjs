@@ -9,6 +9,8 @@ import { sourceModule } from './sourceModule.mjs';
 
 /** What smoke needs of a row. */
 const KEPT = ['kind', 'reader', 'isOptional', 'unit', 'min', 'max', 'linkMax', 'default'];
+/** What most rows say, and none has to. @type {Record<string, unknown>} */
+const USUAL = { kind: 'number', reader: 'simulator' };
 const OF_LATER_ITEMS = /^\w+\.[1-7]\./;
 
 /** @type {typeof import('../../src/element/names.ts')} */
@@ -34,7 +36,8 @@ function tableModule(table) {
     import { names } from '../element/names.ts';
     const bare = ${JSON.stringify(rows)};
     const first = names.filter(({ key }) => !${OF_LATER_ITEMS}.test(key));
-    const bareByKey = new Map(first.map(({ key }, index) => [key, bare[index]]));
+    const usual = ${JSON.stringify(USUAL)};
+    const bareByKey = new Map(first.map(({ key }, index) => [key, { ...usual, ...bare[index] }]));
     export const table = names.map(({ key }) => ({ ...bareByKey.get(key.replace(/(?<=^\\w+\\.)\\d(?=\\.)/, 0)), key }));
     const rows = new Map(table.map((row) => [row.key, row]));
     export const findParameter = (key) => rows.get(key);`;
@@ -42,7 +45,7 @@ function tableModule(table) {
 
 /** @param {object} row */
 function bare(row) {
-  const kept = Object.entries(row).filter(([name]) => KEPT.includes(name));
+  const kept = Object.entries(row).filter(([name, value]) => KEPT.includes(name) && value !== USUAL[name]);
   const options = 'options' in row ? { options: valuesOf(/** @type {{ value: unknown }[]} */ (row.options)) } : {};
   return { ...Object.fromEntries(kept), ...options };
 }
