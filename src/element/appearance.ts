@@ -7,15 +7,14 @@ export const css = `
 :host([hidden]) { display: none; }
 :host([interactive]) { pointer-events: auto; }
 .frame {
-  position: relative; display: block; block-size: 100%; overflow: hidden; pointer-events: none;
+  position: relative; block-size: 100%; overflow: hidden; pointer-events: none;
   font: 500 14px/1 system-ui, sans-serif; color: var(--cartoon-smoke-button-color, #1d1720);
 }
 .sizer { display: block; inline-size: 100%; block-size: 100%; visibility: hidden; }
 .layer { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; }
-canvas { display: block; pointer-events: none; }
+canvas { pointer-events: none; }
 .interactive canvas { pointer-events: auto; touch-action: none; cursor: grab; }
 .interactive canvas.holding { cursor: grabbing; }
-.poster { display: block; }
 .poster ::slotted(*) { display: block !important; inline-size: 100% !important; block-size: 100% !important; object-fit: cover !important; }
 .fallback { display: none; }
 .failed .fallback { display: block; overflow: auto; pointer-events: auto; }

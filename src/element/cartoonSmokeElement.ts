@@ -18,7 +18,7 @@ import { version } from './version.ts';
 const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement);
 
 /** Attributes that say what the smoke is, beside the parameters. */
-const OF_WISH: ReadonlySet<string> = new Set(['preset', 'src']);
+const OF_WISH: readonly string[] = ['preset', 'src'];
 
 // eslint-disable-next-line typescript/no-unsafe-declaration-merging -- the methods and properties are made from tables below
 export interface CartoonSmokeElement extends HandedOn {
@@ -71,8 +71,10 @@ export class CartoonSmokeElement extends Base {
   #stopWaiting: (() => void) | undefined;
   /** Ends what was started, on its way or come to stand; aborted when it has failed. */
   #start: AbortController | undefined;
-  /** Whether attributes have changed since it was started and before it stood. */
-  #isBehind = false;
+  /** Attributes that have changed since it was started and before it stood. */
+  readonly #changed = new Set<string>();
+  /** Whether a person asked for motion here, though the system may ask for less. */
+  #isConsented = false;
   /** Once its first picture stands. */
   #session: Session | undefined;
   #awaited = new Deferred<Session>();
@@ -81,10 +83,12 @@ export class CartoonSmokeElement extends Base {
   constructor({ fault }: ElementOptions = {}) {
     super();
     this.#fault = fault;
-    this.#shell.button.addEventListener('click', () => {
+    this.#shell.button.addEventListener('click', (event) => {
+      // It may stand in a link of the page.
+      event.preventDefault();
       if (this.playing) return this.pause();
       this.paused = false;
-      this.#session?.consent();
+      this.#consent();
     });
   }
 
@@ -109,7 +113,7 @@ export class CartoonSmokeElement extends Base {
 
   play(): void {
     this.paused = false;
-    if (navigator.userActivation?.isActive) this.#session?.consent();
+    if (navigator.userActivation?.isActive) this.#consent();
   }
 
   pause(): void {
@@ -137,8 +141,8 @@ export class CartoonSmokeElement extends Base {
     if (before === after) return;
     if (name === 'loading') this.#waitOrStart();
     else if (this.#hasFailed) this.#tryAnew(name);
-    else if (!this.#session) this.#isBehind = true;
-    else if (OF_WISH.has(name) || keyOfAttribute.has(name)) this.#session.follow();
+    else if (!this.#session) this.#changed.add(name);
+    else if (OF_WISH.includes(name) || keyOfAttribute.has(name)) this.#session.follow();
     else this.#session.takeUp(name);
   }
 
@@ -149,7 +153,7 @@ export class CartoonSmokeElement extends Base {
 
   /** @param name of the attribute that has changed */
   #tryAnew(name: string): void {
-    if (!OF_WISH.has(name)) return;
+    if (!OF_WISH.includes(name)) return;
     this.#end();
     this.#waitOrStart();
   }
@@ -170,7 +174,7 @@ export class CartoonSmokeElement extends Base {
     if (this.#start) return;
     this.#stopWaiting?.();
     this.#stopWaiting = undefined;
-    this.#isBehind = false;
+    this.#changed.clear();
     const { signal } = (this.#start = new AbortController());
     this.#open(signal).then(
       (session) => this.#stand(session, signal),
@@ -195,18 +199,24 @@ export class CartoonSmokeElement extends Base {
   }
 
   #stand(session: Session, signal: AbortSignal): void {
-    if (signal.aborted) return session.dispose();
+    if (signal.aborted) return;
     this.#session = session;
-    if (this.#isBehind) session.catchUp();
+    if (this.#changed.size > 0) session.catchUp();
+    if (this.#isConsented) session.consent();
     this.#shell.show('smoke');
     this.#awaited.resolve(session);
     this.#tell('ready', { thread: session.stage.thread });
   }
 
   #fail(error: SmokeError): void {
+    // Of what failed on its way the page may want no more by now.
+    const isPast = !this.#session && OF_WISH.some((name) => this.#changed.has(name));
     this.#start?.abort();
-    this.#session?.dispose();
     this.#session = undefined;
+    if (isPast) {
+      this.#start = undefined;
+      return this.#begin();
+    }
     this.#shell.show('failure');
     this.#awaited.reject(error);
     this.#tell('error', { error });
@@ -216,12 +226,16 @@ export class CartoonSmokeElement extends Base {
     this.#stopWaiting?.();
     this.#stopWaiting = undefined;
     this.#start?.abort();
-    this.#start = undefined;
-    this.#session?.dispose();
-    this.#session = undefined;
+    this.#start = this.#session = undefined;
+    this.#isConsented = false;
     this.#shell.show('poster');
     this.#awaited.reject(new ContextError('The element was taken from the page; it starts anew when it comes back.'));
     this.#awaited = new Deferred();
+  }
+
+  #consent(): void {
+    this.#isConsented = true;
+    this.#session?.consent();
   }
 
   #tell<Name extends keyof SmokeEvents>(name: Name, detail: SmokeEvents[Name]): void {

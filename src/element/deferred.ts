@@ -1,3 +1,5 @@
+import { quietly } from './quietly.ts';
+
 /** A promise that is settled from outside. Who waits for it hears of a failure; where nobody waits, nobody does. */
 export class Deferred<Value> {
   resolve!: (value: Value) => void;
@@ -8,7 +10,6 @@ export class Deferred<Value> {
   });
 
   constructor() {
-    // The console of a page is not ours.
-    this.promise.catch(() => undefined);
+    quietly(this.promise);
   }
 }

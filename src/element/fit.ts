@@ -3,6 +3,9 @@ const LARGEST_PIXEL_RATIO = 2;
 // As many as a screen of 4K has: an element may be as large as its page, but is never seen whole then.
 const MOST_PIXELS = 3840 * 2160;
 
+// WebGL guarantees less, but no machine that draws smoke has less.
+const LONGEST_SIDE = 8192;
+
 /** In CSS pixels, and how many pixels make one. */
 export interface Size {
   readonly width: number;
@@ -14,7 +17,8 @@ export interface Size {
 export function sizeOf(element: Element): Size {
   const { clientWidth: width, clientHeight: height } = element;
   const affordable = Math.sqrt(MOST_PIXELS / Math.max(1, width * height));
-  return { width, height, pixelRatio: Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO, affordable) };
+  const possible = LONGEST_SIDE / Math.max(1, width, height);
+  return { width, height, pixelRatio: Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO, affordable, possible) };
 }
 
 /**

@@ -54,6 +54,11 @@ export class OnPage {
     this.measure();
   }
 
+  /** Those of some values that things of the page leave alone. */
+  without(values: Values): Values {
+    return Object.fromEntries(Object.entries(values).filter(([key]) => !(key in this.given)));
+  }
+
   /** Looks where everything is, soon: not more than once at a time. */
   measure(): void {
     this.isBehind = true;
@@ -132,10 +137,14 @@ export class OnPage {
     const place = (box: Box) => placeOnPlane(box, frame, scale, plane);
     const own = this.host.values();
     const emitters = this.emitters.attached
+      .filter(isShown)
       .map((element) => ({ box: element.getBoundingClientRect(), isOn: this.emitters.isOn(element) }))
-      .filter(({ box }) => isShown(box));
+      .filter(({ box }) => hasArea(box));
     const sources = emitters.map(({ box }) => box);
-    const boxes = this.obstacles.map((element) => element.getBoundingClientRect()).filter(isShown);
+    const boxes = this.obstacles
+      .filter(isShown)
+      .map((element) => element.getBoundingClientRect())
+      .filter(hasArea);
     const followed = nearest(boxes, MOST, frame, sources);
     const firstVortex = vorticesOf(own);
     const curled = nearest(followed, mostCurled(firstVortex), frame, sources);
@@ -164,6 +173,11 @@ function vorticesOf(values: Values): number {
   return used.length === 0 ? 0 : 1 + Math.max(...used.map(Number));
 }
 
-function isShown({ width, height }: Box): boolean {
+/** What is folded away, as in closed details, may have a box all the same. */
+function isShown(element: Partial<Element>): boolean {
+  return element.checkVisibility?.() ?? true;
+}
+
+function hasArea({ width, height }: Box): boolean {
   return width > 0 && height > 0;
 }

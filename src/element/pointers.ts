@@ -45,6 +45,7 @@ export class PointerWays {
     if (!canvas || isInteractive === (this.listening !== undefined)) return;
     this.listening?.abort();
     this.listening = undefined;
+    for (const id of this.presses.keys()) this.end(id, { type: 'cancel', x: 0, y: 0 });
     if (isInteractive) this.listen(canvas);
     else canvas.removeAttribute('tabindex');
   }
@@ -75,6 +76,8 @@ export class PointerWays {
   private move(event: PointerEvent): void {
     const press = this.presses.get(event.pointerId);
     if (!press) return;
+    // It was let go where nobody could tell, as while the canvas was moved about the page.
+    if (event.buttons === 0) return this.release(event, 'cancel');
     const [dx, dy] = [event.clientX - press.x, event.clientY - press.y];
     Object.assign(press, { x: event.clientX, y: event.clientY });
     const { stage, presses } = this;
@@ -88,10 +91,13 @@ export class PointerWays {
   }
 
   private release(event: PointerEvent, type: 'up' | 'cancel'): void {
-    const press = this.presses.get(event.pointerId);
-    this.presses.delete(event.pointerId);
-    const input = { type, id: event.pointerId, ...placeOf(event) } as const;
-    if (press) quietly(press.isHolding.then<unknown>((isHeld) => isHeld && this.stage.pointer(input)));
+    this.end(event.pointerId, { type, ...placeOf(event) });
+  }
+
+  private end(id: number, how: { type: 'up' | 'cancel'; x: number; y: number }): void {
+    const press = this.presses.get(id);
+    this.presses.delete(id);
+    if (press) quietly(press.isHolding.then<unknown>((isHeld) => isHeld && this.stage.pointer({ id, ...how })));
     this.shell.canvas?.classList.remove('holding');
   }
 

@@ -2,6 +2,7 @@
 import type { Fault } from '../device/faults.ts';
 import { LoadError, ParameterError, type SmokeError } from '../preset/errors.ts';
 import { notice, type Notice } from '../preset/notice.ts';
+import type { Values } from '../preset/parameter.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { openStage } from '../remote/openStage.ts';
 import { asSmokeError } from './asSmokeError.ts';
@@ -32,7 +33,8 @@ export interface SessionHost {
 
 /**
  * Opens what the attributes ask for, up to its first picture.
- * @throws SmokeError saying why there can be none; the signal's reason when that aborts
+ * @param signal ends it, at any time
+ * @throws SmokeError saying why there can be none, and `signal` has to be aborted then; the signal's reason when that aborts
  */
 export async function openSession(host: SessionHost, signal: AbortSignal): Promise<Session> {
   const { element, shell } = host;
@@ -48,14 +50,12 @@ export async function openSession(host: SessionHost, signal: AbortSignal): Promi
     signal,
   });
   const session = new Session(host, stage, wish);
-  try {
-    await session.begin();
-    signal.throwIfAborted();
-    return session;
-  } catch (error) {
-    session.dispose();
-    throw error;
-  }
+  const end = () => session.dispose();
+  signal.addEventListener('abort', end);
+  if (signal.aborted) end();
+  await session.begin();
+  signal.throwIfAborted();
+  return session;
 }
 
 /** An element's smoke while it stands. */
@@ -94,8 +94,8 @@ export class Session {
     await this.stage.ready;
     await this.lookAtPage();
     const notices = await lead(this.stage, this.wish);
-    if (this.isDisposed) return;
     await this.interact();
+    if (this.isDisposed) return;
     this.playback.begin();
     this.tell([...this.wish.notices, ...notices]);
   }
@@ -157,15 +157,25 @@ export class Session {
   private async followWish(after: Wish): Promise<void> {
     const before = this.wish;
     this.wish = after;
+    if (after.isPaused && !before.isPaused) this.host.element.toggleAttribute('paused', true);
     this.tell(after.notices.filter(({ message }) => !before.notices.some((told) => told.message === message)));
     try {
-      if (after.values.scene !== before.values.scene) await this.enter(after);
-      else await change(this.stage, before.values, after.values);
-      if (after.take && !isSame(after.take, before.take)) this.tell(await lead(this.stage, after));
+      const isOther = after.values.scene !== before.values.scene;
+      if (isOther) await this.enter(after);
+      else await this.changeValues(before.values, after.values);
+      if (isOther || (after.take && !isSame(after.take, before.take))) this.tell(await lead(this.stage, after));
     } catch (error) {
       if (error instanceof ParameterError) this.tell([noticeOf(error)]);
       else if (!this.isDisposed) this.host.fail(asSmokeError(error));
     }
+  }
+
+  /** What the page has in the smoke is the page's to change, and may follow what has changed here. */
+  private async changeValues(before: Values, after: Values): Promise<void> {
+    const { onPage } = this;
+    const own = (values: Values) => onPage?.without(values) ?? values;
+    await change(this.stage, own(before), own(after));
+    onPage?.measure();
   }
 
   private async enter({ values }: Wish): Promise<void> {
@@ -175,12 +185,12 @@ export class Session {
 
   /** Lets people move what can be moved and turn the view, or no longer. */
   private async interact(): Promise<void> {
-    const isWanted = () => !this.isDisposed && this.host.element.hasAttribute('interactive');
-    if (isWanted() && !this.pointers) {
+    const isWanted = () => this.host.element.hasAttribute('interactive');
+    if (!this.isDisposed && isWanted() && !this.pointers) {
       const code = await part('pointers').catch((error: Error) => this.tellOfMissing(error));
       if (code) this.pointers ??= new code.PointerWays(this.stage, this.host.shell);
     }
-    this.pointers?.toggle(isWanted());
+    if (!this.isDisposed) this.pointers?.toggle(isWanted());
   }
 
   /** Puts things of the page into the smoke, or looks at them again, or takes them out. */
@@ -217,7 +227,7 @@ export class Session {
   }
 
   private tell(notices: readonly Notice[]): void {
-    if (notices.length > 0) this.host.tell('statechange', { playing: this.isPlaying, notices });
+    if (notices.length > 0 && !this.isDisposed) this.host.tell('statechange', { playing: this.isPlaying, notices });
   }
 }
 

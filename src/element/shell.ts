@@ -28,9 +28,10 @@ export class Shell {
     root.append(this.frame);
   }
 
-  /** Gives the tree its looks; once more in each document that it comes to. */
+  /** Gives the tree its looks; once more in each document that it comes to. Those of templates have no window, and show nothing. */
   dress(): void {
-    this.root.adoptedStyleSheets = [sheetOf(this.root.ownerDocument)];
+    const { ownerDocument } = this.root;
+    if (ownerDocument.defaultView) this.root.adoptedStyleSheets = [sheetOf(ownerDocument)];
   }
 
   /** Where the smoke is drawn; none before it starts and after it has ended. */
@@ -113,10 +114,11 @@ function layer(name: string, slot?: string): HTMLElement {
   return element;
 }
 
+/** @param owner has a window */
 function sheetOf(owner: Document): CSSStyleSheet {
   let sheet = sheets.get(owner);
   if (!sheet) {
-    sheet = new (owner.defaultView ?? window).CSSStyleSheet();
+    sheet = new owner.defaultView!.CSSStyleSheet();
     sheet.replaceSync(css);
     sheets.set(owner, sheet);
   }

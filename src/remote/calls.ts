@@ -21,7 +21,8 @@ import {
 const MOST_SECONDS = 600;
 const MOST_STEPS = 60 * MOST_SECONDS;
 const MOST_BYTES = 64 * 1024 * 1024;
-const LARGEST_SIDE = 16_384;
+/** Of the box of an element, which may be as long as its page. */
+const LARGEST_SIDE = 65_536;
 /** Farther away than anything on a page or in a scene. */
 const FAR = 1e6;
 const MOST_KEYS = 4000;

@@ -1,4 +1,4 @@
-import { SimulatorError } from '../preset/errors.ts';
+import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { RemoteStage } from './contract.ts';
 import { isWord, say } from './knock.ts';
 import { PortStage } from './portStage.ts';
@@ -14,13 +14,14 @@ export interface ConnectOptions {
  * The stage in a frame that shows `embed.html`, whatever site and sandbox it is in. Waits until its smoke stands, which asks
  * it to start. The size and what is in view are the frame's own affair: `resize` and `setVisible` do nothing. Should
  * the frame load anew, its stage has an error event, and can be connected to again.
- * @throws what createStage throws in the frame; the signal's reason when that aborts
+ * @throws what createStage throws in the frame; ParameterError for an origin that is none; the signal's reason when that aborts
  */
 export async function connectFrame(
   frame: HTMLIFrameElement,
   { origin = '*', signal }: ConnectOptions = {},
 ): Promise<RemoteStage> {
   signal?.throwIfAborted();
+  demandOrigin(origin);
   const hearing = new AbortController();
   const tries: PortStage[] = [];
   const knock = () => {
@@ -38,6 +39,15 @@ export async function connectFrame(
     for (const one of tries) one.abandon();
     hearing.abort();
     throw error;
+  }
+}
+
+/** @throws ParameterError for what `postMessage` would not take, which would throw into the page's events later on */
+function demandOrigin(origin: string): void {
+  try {
+    if (origin !== '*' && origin !== '/') new URL(origin);
+  } catch {
+    throw new ParameterError('origin', origin, "an address such as 'https://example.org', or '*'");
   }
 }
 

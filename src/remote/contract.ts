@@ -38,7 +38,7 @@ export interface RemoteMethods {
   /** 16 hexadecimal digits. */
   hash(): Promise<string>;
   stats(): Promise<StageStats>;
-  /** @param width, height in CSS pixels, at most 16,384 */
+  /** @param width, height in CSS pixels, at most 65,536 */
   resize(width: number, height: number, pixelRatio?: number): Promise<void>;
   pointer(input: PointerInput): Promise<'rigid' | null>;
   blow(input: BlowInput): Promise<void>;

@@ -159,13 +159,46 @@ test('smoke rises from what the pointer or the keyboard was on before there was 
   await expect.poll(shares).toEqual([1, 0, 1]);
 });
 
+test('what the page has in the smoke holds over attributes that change later, until it leaves', async ({
+  page,
+  host,
+}) => {
+  await host(
+    `<cartoon-smoke ${AIR} paused emit-from="#a" emit-on="hover"></cartoon-smoke>${box('a', 60, 380, 100, 40)}`,
+  );
+  await stands(page);
+  const smoke = page.locator('cartoon-smoke');
+  const values = () => smoke.evaluate((element: CartoonSmokeElement) => element.get()) as Promise<Numbers>;
+  const before = await values();
+  expect(before['emission.rate']).toBe(0);
+  const changed = { emissionRate: 50, emitters0PositionX: 3, lightAzimuth: 12 };
+  await smoke.evaluate((element, given) => Object.assign(element, given), changed);
+  await expect.poll(values).toEqual({ ...before, 'light.azimuth': 12 });
+  await smoke.evaluate((element) => element.removeAttribute('emit-from'));
+  await expect.poll(values).toMatchObject({ 'emission.rate': 50, 'emitters.0.position.x': 3, 'light.azimuth': 12 });
+});
+
+test('what is folded away is no obstacle', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${AIR} paused collide="h2"></cartoon-smoke>
+    <details style="position: absolute; left: 170px; top: 85px"><summary>More</summary><h2>A headline</h2></details>`);
+  await stands(page);
+  const smoke = page.locator('cartoon-smoke');
+  const obstacles = async () =>
+    Object.keys(await smoke.evaluate((element: CartoonSmokeElement) => element.get())).filter((key) =>
+      /^colliders\.\d\.shape/.test(key),
+    );
+  expect(await obstacles()).toEqual([]);
+  await page.getByText('More').evaluate((summary) => summary.parentElement!.toggleAttribute('open', true));
+  await expect.poll(obstacles).toEqual(['colliders.0.shape']);
+});
+
 test('a click lets smoke rise for a moment, and reaches what was clicked', async ({ page, host }) => {
   await page.clock.install();
   await host(`<cartoon-smoke ${AIR} emit-from="button" emit-on="click"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
     <script>document.querySelector('button').onclick = () => (window.clicked = true);</script>`);
   await stands(page);
   // From here on time passes, and smoke plays, only as far as they are told to.
-  await page.clock.pauseAt(await page.evaluate(() => Date.now() + 1_000));
+  await page.clock.pauseAt(await page.evaluate(() => Date.now() + 60_000));
   await page.click('#a');
   await page.clock.runFor(250);
   const alive = () =>
