@@ -26,7 +26,14 @@ export type { RemoteMethods, RemoteStage, RemoteStageOptions, Thread } from './r
 export { connectFrame, type ConnectOptions } from './remote/connectFrame.ts';
 export { openStage } from './remote/openStage.ts';
 export { bakedPuffs } from './smoke/bakedPuffs.ts';
-export type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './stage/contract.ts';
+export type {
+  EnterOptions,
+  PointerInput,
+  SeekOptions,
+  StageEvents,
+  StageOptions,
+  StageStats,
+} from './stage/contract.ts';
 export type { BlowInput } from './stage/blow.ts';
 export { createStage, type Stage } from './stage/stage.ts';
 export type { Take } from './stage/take.ts';
