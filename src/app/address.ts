@@ -24,7 +24,7 @@ async function addressOf(editor: Editor): Promise<string> {
 export function followAddress(editor: Editor, arrive: (decoded: Decoded) => Promise<void>): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let arriving: Decoded | undefined;
-  let newest: object;
+  let newest: Promise<Decoded>;
   editor.listen((_state, changed) => {
     if (arriving?.take || Object.keys(changed).length === 0) return;
     clearTimeout(timer);
@@ -40,10 +40,10 @@ export function followAddress(editor: Editor, arrive: (decoded: Decoded) => Prom
     timer = undefined;
     // A write that was under way may have replaced the new address before this event came.
     if (location.href !== newURL) history.replaceState(history.state, '', newURL);
-    const mine = (newest = {});
-    const decoded = await decode(new URL(newURL).hash);
+    const reading = (newest = decode(new URL(newURL).hash));
+    const decoded = await reading;
     // A packed link takes a moment; what was put there since goes before.
-    if (mine !== newest) return;
+    if (reading !== newest) return;
     arriving = decoded;
     editor.load(decoded.state);
     await arrive(decoded);
