@@ -108,8 +108,10 @@ function undoOrRedo(event: KeyboardEvent, actions: KeyActions): void {
 /** Typing belongs to fields, arrows to sliders and choices, the space bar to whatever can be pressed. */
 function belongsToFocus({ target, key }: KeyboardEvent): boolean {
   if (!(target instanceof Element)) return false;
-  // Not by the focus: a dialog that was just closed keeps it for a moment, and a button that is disabled loses it.
+  // Not by the focus: a button that is disabled loses it.
   if (document.querySelector('dialog:modal')) return key !== '?';
+  // A field of a dialog that was just closed keeps the focus until the next frame.
+  if (target.getClientRects().length === 0) return false;
   if (target.matches('select, input:not([type=range], [type=checkbox], [type=color], [type=radio])')) return true;
   if (target.matches('input[type=range], input[type=radio]')) return key === ' ' || key in DIRECTIONS;
   return key === ' ' && target.matches('button, summary, input, a');

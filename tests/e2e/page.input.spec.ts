@@ -185,3 +185,35 @@ test('V goes through the views of what the picture is made of, and says which', 
   expect(await ask(page, (stage) => stage.view)).toBeUndefined();
   await expect(page.locator('.legend')).toBeHidden();
 });
+
+test('keys are the page’s as soon as a sheet is closed, though its field keeps the focus until the next frame', async ({
+  page,
+}) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await page.keyboard.press('c');
+  const sheet = page.getByRole('dialog', { name: 'Capture the smoke' });
+  await expect(sheet.getByLabel('As')).toBeFocused();
+  const focused = await sheet.evaluate((dialog: HTMLDialogElement) => {
+    dialog.close();
+    const { activeElement } = document;
+    activeElement!.dispatchEvent(new KeyboardEvent('keydown', { key: '?', bubbles: true }));
+    return activeElement!.tagName;
+  });
+  expect(focused).toBe('SELECT');
+  await expect(page.getByRole('heading', { name: 'Play with smoke' })).toBeVisible();
+});
+
+test('smoke that played goes on after a sheet that was opened again at once', async ({ page }) => {
+  await open(page, LIGHT);
+  await page.keyboard.press('c');
+  const sheet = page.getByRole('dialog', { name: 'Capture the smoke' });
+  await expect(sheet).toBeVisible();
+  await sheet.evaluate((dialog: HTMLDialogElement) => {
+    dialog.close();
+    document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'c', bubbles: true }));
+  });
+  await expect(sheet).toBeVisible();
+  expect(await ask(page, (stage) => stage.playing)).toBe(false);
+  await closeSheet(page);
+  await expect.poll(() => ask(page, (stage) => stage.playing)).toBe(true);
+});

@@ -15,7 +15,7 @@ export class CaptureDialog {
   private readonly outcome = create('div', { class: 'capture-outcome', role: 'status' });
   private readonly start = create('button', { type: 'submit', class: 'loud' }, strings.capture.start);
   private work: AbortController | undefined;
-  private wasPlaying = false;
+  private wasPlaying: boolean | undefined;
 
   constructor(stage: Stage) {
     this.stage = stage;
@@ -35,7 +35,7 @@ export class CaptureDialog {
 
   open(): void {
     if (this.element.open) return;
-    this.wasPlaying = this.stage.playing;
+    this.wasPlaying ??= this.stage.playing;
     this.stage.pause();
     this.outcome.replaceChildren();
     this.form.measureWindow();
@@ -44,7 +44,10 @@ export class CaptureDialog {
 
   private leave(): void {
     this.work?.abort();
+    // The event comes after the closing, and somebody may have been quicker than it.
+    if (this.element.open) return;
     if (this.wasPlaying) this.stage.play();
+    this.wasPlaying = undefined;
   }
 
   private async run(order: Order): Promise<void> {
