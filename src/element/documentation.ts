@@ -42,7 +42,8 @@ export const attributes = [
     name: 'emit-on',
     type: { text: "'always' | 'hover' | 'click'" },
     default: 'always',
-    description: 'When smoke rises from them; `hover` is under the keyboard, too.',
+    description:
+      'When smoke rises from them; `hover` is under the pointer or the keyboard, and for a moment after a tap.',
   },
   {
     name: 'loading',

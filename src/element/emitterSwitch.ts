@@ -1,10 +1,11 @@
-/** How long a click lets smoke rise. */
+/** How long a click or a tap lets smoke rise. */
 const PUFF_MS = 900;
 
 /** Knows which of the elements that smoke rises from do so now: always, under a pointer or the keyboard, or after a click. */
 export class EmitterSwitch {
   private readonly tell: () => void;
   private readonly until = new Map<Element, number>();
+  private readonly focused = new Set<Element>();
   private readonly listening = new Map<Element, AbortController>();
   private when = '';
 
@@ -18,7 +19,8 @@ export class EmitterSwitch {
   }
 
   isOn(element: Element): boolean {
-    return this.when === 'always' || (this.until.get(element) ?? 0) > performance.now();
+    if (this.when === 'always' || this.focused.has(element)) return true;
+    return (this.until.get(element) ?? 0) > performance.now();
   }
 
   /** @param when one of `EMIT_ON`; what it is not means always */
@@ -37,28 +39,45 @@ export class EmitterSwitch {
     const control = new AbortController();
     const { signal } = control;
     this.listening.set(element, control);
-    const turn = (until: number) => () => {
-      this.until.set(element, until);
-      this.tell();
-    };
-    if (this.when === 'hover') {
-      for (const type of ['pointerenter', 'focusin']) element.addEventListener(type, turn(Infinity), { signal });
-      for (const type of ['pointerleave', 'focusout']) element.addEventListener(type, turn(0), { signal });
-      // Who was there before the smoke came enters no more.
-      if (element.matches(':hover, :focus-within')) this.until.set(element, Infinity);
-    }
-    if (this.when === 'click') element.addEventListener('click', () => this.puff(element), { signal });
+    if (this.when === 'hover') this.followHover(element, signal);
+    if (this.when === 'click') element.addEventListener('click', () => this.rise(element, PUFF_MS), { signal });
   }
 
-  private puff(element: Element): void {
-    this.until.set(element, performance.now() + PUFF_MS);
+  private followHover(element: Element, signal: AbortSignal): void {
+    const on = (type: string, act: (event: Event) => void) => element.addEventListener(type, act, { signal });
+    on('pointerenter', () => this.rise(element, Infinity));
+    // A finger hovers nowhere, and a tap would be over before anything is seen to rise.
+    on('pointerleave', (event) => this.rise(element, (event as PointerEvent).pointerType === 'touch' ? PUFF_MS : 0));
+    on('focusin', () => this.focus(element, isUnderKeyboard(element)));
+    on('focusout', () => this.focus(element, false));
+    // Who was there before the smoke came enters no more.
+    if (element.matches(':hover')) this.until.set(element, Infinity);
+    if (isUnderKeyboard(element)) this.focused.add(element);
+  }
+
+  private rise(element: Element, milliseconds: number): void {
+    this.until.set(element, performance.now() + milliseconds);
     this.tell();
-    setTimeout(this.tell, PUFF_MS + 1);
+    if (milliseconds === PUFF_MS) setTimeout(this.tell, PUFF_MS + 1);
+  }
+
+  private focus(element: Element, isOn: boolean): void {
+    if (isOn) this.focused.add(element);
+    else this.focused.delete(element);
+    this.tell();
   }
 
   private detach(element: Element): void {
     this.listening.get(element)?.abort();
     this.listening.delete(element);
     this.until.delete(element);
+    this.focused.delete(element);
   }
+}
+
+/** What a mouse has clicked keeps the focus, too, but browsers ring only what the keyboard acts on. */
+function isUnderKeyboard(element: Element): boolean {
+  let { activeElement } = element.ownerDocument;
+  while (activeElement?.shadowRoot?.activeElement) ({ activeElement } = activeElement.shadowRoot);
+  return element.matches(':focus-within') && (activeElement?.matches(':focus-visible') ?? false);
 }

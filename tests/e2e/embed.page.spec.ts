@@ -19,6 +19,14 @@ function noticesOf(page: Page): Promise<string[]> {
 
 type Numbers = Record<string, number | string | undefined>;
 
+/** Of each thing of the page, whether smoke rises from it. */
+async function risingOn(page: Page): Promise<boolean[]> {
+  const values = (await page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => smoke.get())) as Numbers;
+  return Object.keys(values)
+    .filter((key) => /^emitters\.\d\.share$/.test(key))
+    .map((key) => values[key] !== 0 && values['emission.rate'] !== 0);
+}
+
 test('boxes of the page stand in the smoke where they stand on the page, and go where they go', async ({
   page,
   host,
@@ -152,11 +160,54 @@ test('smoke rises from what the pointer or the keyboard was on before there was 
   await page.hover('#c');
   const smoke = page.locator('cartoon-smoke');
   await smoke.evaluate((element) => element.setAttribute('emit-from', 'button'));
-  const shares = async () => {
-    const values = (await smoke.evaluate((element: CartoonSmokeElement) => element.get())) as Numbers;
-    return [0, 1, 2].map((index) => values[`emitters.${index}.share`]);
-  };
-  await expect.poll(shares).toEqual([1, 0, 1]);
+  await expect.poll(() => risingOn(page)).toEqual([true, false, true]);
+});
+
+test('what the pointer leaves goes on under the keyboard, and the other way round; what was clicked does not', async ({
+  page,
+  host,
+}) => {
+  await host(`${['a', 'b', 'c'].map((id, index) => box(id, 60 + 170 * index, 380, 100, 40)).join('')}
+    <cartoon-smoke ${AIR} paused emit-from="button" emit-on="hover"></cartoon-smoke>`);
+  await stands(page);
+  const rises = expect.poll(() => risingOn(page));
+  await page.hover('#b');
+  await page.keyboard.press('Tab');
+  await rises.toEqual([true, true, false]);
+  await page.keyboard.press('Tab');
+  await rises.toEqual([false, true, false]);
+  await page.hover('#c');
+  await rises.toEqual([false, true, true]);
+  await page.hover('#b');
+  await rises.toEqual([false, true, false]);
+  await page.keyboard.press('Tab');
+  await rises.toEqual([false, true, true]);
+  await page.click('#a');
+  await rises.toEqual([true, false, false]);
+  await page.mouse.move(320, 100);
+  await rises.toEqual([false, false, false]);
+});
+
+test.describe('by touch', () => {
+  test.use({ hasTouch: true });
+
+  test('a tap on what smoke rises from under a pointer lets it rise for a moment', async ({ page, host }) => {
+    await page.clock.install();
+    await host(`<cartoon-smoke ${AIR} emit-from="button" emit-on="hover"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
+      <script>document.querySelector('button').onclick = () => (window.clicked = true);</script>`);
+    await stands(page);
+    // From here on time passes, and smoke plays, only as far as they are told to.
+    await page.clock.pauseAt(await page.evaluate(() => Date.now() + 60_000));
+    await page.tap('#a');
+    // Last of what browsers make of a tap.
+    await page.waitForFunction(() => Reflect.get(window, 'clicked') === true);
+    await page.clock.runFor(250);
+    const alive = () =>
+      page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => (await smoke.stats()).alive);
+    await expect.poll(alive).toBeGreaterThan(0);
+    await page.clock.fastForward(1_000);
+    await expect.poll(() => risingOn(page)).toEqual([false]);
+  });
 });
 
 test('what the page has in the smoke holds over attributes that change later, until it leaves', async ({
