@@ -12,25 +12,35 @@ import { enterScene } from './entering.ts';
 export function connectStage(editor: Editor, stage: Stage, tell: (message: string) => void, host: HTMLElement): void {
   let waiting: Changes = {};
   let isFlushing = false;
+  // What the editor learns from the stage must not come back to it later: it would undo what a take has set meanwhile.
+  let isAdopting = false;
   const isWaiting = () => Object.keys(waiting).length > 0;
+  const adopt = () => {
+    isAdopting = true;
+    editor.adopt(stage.get());
+    isAdopting = false;
+  };
   const flush = async () => {
     const changes = waiting;
     waiting = {};
     isFlushing = true;
     try {
       const isElsewhere = (changes.scene ?? stage.get().scene) !== stage.get().scene;
-      if (isElsewhere) await enterScene(stage, editor.state.values, host);
-      else apply(changes, stage);
+      if (isElsewhere) {
+        await enterScene(stage, editor.state.values, host);
+      } else {
+        apply(changes, stage);
+        // While edits waited for their frame, the editor heard nothing of what else was done to the stage.
+        adopt();
+      }
     } catch (error) {
       tell((error as Error).message);
-      editor.adopt(stage.get());
+      adopt();
     } finally {
       isFlushing = false;
       if (isWaiting()) requestAnimationFrame(flush);
     }
   };
-  // What the editor learns from the stage must not come back to it later: it would undo what a take has set meanwhile.
-  let isAdopting = false;
   editor.listen((_state, changed) => {
     if (isAdopting) return;
     const wasWaiting = isWaiting();
@@ -38,10 +48,7 @@ export function connectStage(editor: Editor, stage: Stage, tell: (message: strin
     if (!wasWaiting && isWaiting() && !isFlushing) requestAnimationFrame(flush);
   });
   stage.on('statechange', () => {
-    if (isWaiting() || isFlushing) return;
-    isAdopting = true;
-    editor.adopt(stage.get());
-    isAdopting = false;
+    if (!isWaiting() && !isFlushing) adopt();
   });
 }
 

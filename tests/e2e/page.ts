@@ -51,9 +51,13 @@ export async function crawl(page: Page): Promise<void> {
   await page.evaluate(slowDown);
 }
 
-/** Waits until `?t=` has wound the stage forward: the page is open before. @param count of steps, 60 a second */
+/**
+ * Waits until `?t=` or a moment has wound the stage forward, and nothing lies over it any more: the page is open before.
+ * @param count of steps, 60 a second
+ */
 export async function expectSteps(page: Page, count: number): Promise<void> {
-  await expect.poll(() => ask(page, (stage) => stage.stats.steps), { message: 'steps' }).toBe(count);
+  const arrived = () => ask(page, ({ stats }) => (document.querySelector('progress') ? 'on the way' : stats.steps));
+  await expect.poll(arrived, { message: 'steps' }).toBe(count);
 }
 
 /** Closes the sheet that is open. Only when it is gone are keys the page's again, which on a busy machine may take a while. */
@@ -72,11 +76,19 @@ export interface Place {
   y: number;
 }
 
-/** The middle of what can be grabbed, in CSS pixels: found by trying, as a person would. */
+/**
+ * The middle of what can be grabbed, in CSS pixels: found by trying, as a person would, in a picture that has the size
+ * of its canvas, which it gets with the next frame.
+ */
 export function ballPlace(page: Page): Promise<Place | null> {
-  return page.evaluate(() => {
+  return page.evaluate(async () => {
     const stage = window.cartoonSmoke!;
-    const box = document.querySelector('canvas')!.getBoundingClientRect();
+    const canvas = document.querySelector('canvas')!;
+    const box = canvas.getBoundingClientRect();
+    const isFitted = () =>
+      canvas.width === Math.round(canvas.clientWidth * devicePixelRatio) &&
+      canvas.height === Math.round(canvas.clientHeight * devicePixelRatio);
+    while (!isFitted()) await new Promise(requestAnimationFrame);
     const hits: { x: number; y: number }[] = [];
     for (let x = 4; x < box.width; x += 8) {
       for (let y = 4; y < box.height; y += 8) {
