@@ -45,6 +45,7 @@ test.describe('on a phone', () => {
     await open(page, `?paused=1${LIGHT}`);
     await expectNoFaults(page, 'page');
     await page.getByRole('button', { name: 'Parameters', exact: true }).tap();
+    await expect(page.getByRole('region', { name: 'Parameters' })).toBeVisible();
     await expectNoFaults(page, 'sheet');
     await page.getByRole('button', { name: 'Close the parameters' }).tap();
     await page.getByRole('button', { name: 'Capture' }).tap();

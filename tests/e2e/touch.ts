@@ -46,8 +46,10 @@ export function mouseOf({ mouse }: Page): Drag {
   };
 }
 
-/** The middle of what a selector finds. */
+/** The middle of what a selector finds, when it is seen: what a tap shows comes after the tap. */
 export async function middleOf(page: Page, selector: string): Promise<Place> {
-  const box = (await page.locator(selector).boundingBox())!;
+  const found = page.locator(selector);
+  await found.waitFor();
+  const box = (await found.boundingBox())!;
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
