@@ -31,15 +31,17 @@ export async function demandFreePort(port, command) {
   }
 }
 
-/** A port that nobody listens on at the moment. */
-export function findFreePort() {
-  return new Promise((/** @type {(port: number) => void} */ resolve, reject) => {
-    const server = createServer().once('error', reject);
-    server.listen(0, HOST, () => {
-      const address = server.address();
-      server.close(() => resolve(typeof address === 'object' && address ? address.port : 0));
-    });
-  });
+/** Systems give ports above these to whoever asks for any, and to every connection. */
+const [LOWEST, COUNT] = [20_000, 10_000];
+
+/** A port that nobody listens on at the moment, and that nobody is given by chance before it is used. */
+export async function findFreePort() {
+  for (;;) {
+    const port = LOWEST + Math.floor(Math.random() * COUNT);
+    const refusal = await listenOnce(port, HOST);
+    if (refusal === '') return port;
+    if (refusal !== 'EADDRINUSE') throw new Refusal(`No port of this machine can be listened on: ${refusal}.`);
+  }
 }
 
 function listenOnce(/** @type {number} */ port, /** @type {string} */ address) {

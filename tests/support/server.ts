@@ -29,7 +29,8 @@ export async function demandTestServer(): Promise<TestServer> {
   return { port: Number(process.env.TEST_PORT), browser, flags: CHROMIUM_FLAGS };
 }
 
-async function findFreePort(): Promise<number> {
+/** A port that nobody listens on, nor is given to whoever asks for any. */
+export async function findFreePort(): Promise<number> {
   return (await script<PortScript>('lib/port.mjs')).findFreePort();
 }
 

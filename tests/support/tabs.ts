@@ -1,5 +1,6 @@
-import { createServer, type AddressInfo } from 'node:net';
+import { connect } from 'node:net';
 import type { Browser, LaunchOptions, Page, PlaywrightWorkerArgs } from '@playwright/test';
+import { findFreePort } from './server.ts';
 
 /** Two tabs of one window. */
 export interface Tabs {
@@ -16,12 +17,14 @@ export async function openTabs(
   { chromium }: PlaywrightWorkerArgs['playwright'],
   options: LaunchOptions,
 ): Promise<Tabs> {
-  const port = await freePort();
+  const port = await findFreePort();
   const browser = await chromium.launch({
     ...options,
     args: [...(options.args ?? []), `--remote-debugging-port=${port}`],
   });
-  const seen: Browser = await chromium.connectOverCDP(`http://127.0.0.1:${port}`, { noDefaults: true });
+  // The browser listens there some time after it has started.
+  while (!(await listensOn(port)));
+  const seen: Browser = await chromium.connectOverCDP(`http://127.0.0.1:${port}`, { noDefaults: true, timeout: 0 });
   const [context] = seen.contexts();
   const [page, other] = [await context.newPage(), await context.newPage()];
   await page.bringToFront();
@@ -37,11 +40,12 @@ export async function isNow(page: Page, state: DocumentVisibilityState): Promise
   }, state);
 }
 
-function freePort(): Promise<number> {
+function listensOn(port: number): Promise<boolean> {
   return new Promise((resolve) => {
-    const server = createServer().listen(0, '127.0.0.1', () => {
-      const { port } = server.address() as AddressInfo;
-      server.close(() => resolve(port));
+    const socket = connect(port, '127.0.0.1', () => {
+      socket.destroy();
+      resolve(true);
     });
+    socket.once('error', () => setTimeout(() => resolve(false), 20));
   });
 }
