@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
-import { expect, MODULES, test } from '../support/embed.ts';
+import { expect, frames, MODULES, scrollPage, test } from '../support/embed.ts';
 
 const SOURCE = readFileSync(new URL('../../examples/article/index.html', import.meta.url), 'utf8');
 const ARTICLE = /<body>([^]*)<\/body>/.exec(SOURCE)![1].replace(/src="(tea|fire)/g, 'src="/examples/article/$1');
@@ -33,7 +33,7 @@ async function costOf(page: Page): Promise<Cost> {
       while ((await smoke.stats()).steps < goal) await new Promise(requestAnimationFrame);
     });
   }
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await frames(page, 2);
   return page.evaluate(() => Reflect.get(window, 'cost') as Cost);
 }
 
@@ -46,8 +46,8 @@ test('fetches nothing heavy before its figures near, shifts nothing, and holds t
   const without = await costOf(page);
   await host(LONG, { script: `${STYLE}${METER}${MODULES}` });
   await page.waitForFunction(() => customElements.get('cartoon-smoke') && document.readyState === 'complete');
-  // The observer of the viewport has its say with the first pictures.
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  // Once the observer of the viewport has had its say.
+  await scrollPage(page, 0);
   const early = server.sent.map(({ file }) => file.split('/').at(-1)).filter((file) => /js|wasm/.test(file!));
   expect(new Set(early)).toEqual(new Set(['cartoonSmokeElement.js', 'element.js', 'errors.js']));
   const { shift, blocking } = await costOf(page);

@@ -65,10 +65,10 @@ export async function differingShown(canvas: HTMLCanvasElement, expected: Uint32
   return count;
 }
 
-/** Colours on a canvas of the page, once it shows more than one. */
-export async function colorsShown(canvas: HTMLCanvasElement): Promise<number> {
-  let colors = 1;
-  for (const until = performance.now() + PATIENCE_MS; colors === 1 && performance.now() < until;) {
+/** Colours on a canvas of the page, once it shows more than so few: it may show earlier pictures for a while. */
+export async function colorsShown(canvas: HTMLCanvasElement, few: number): Promise<number> {
+  let colors = 0;
+  for (const until = performance.now() + PATIENCE_MS; colors <= few && performance.now() < until;) {
     await new Promise(requestAnimationFrame);
     colors = new Set(await pixelsOf(canvas)).size;
   }
@@ -123,9 +123,16 @@ export async function goesOn(stage: RemoteStage, steps = 5): Promise<void> {
   while ((await stage.stats()).steps < goal) await new Promise(requestAnimationFrame);
 }
 
-/** Steps that a stage takes within so many frames of this page, once it has had time to hear of what came before. */
+/** Settled when whoever observes what is in view has been told how that is now. */
+export async function sightIsTold(): Promise<void> {
+  await new Promise((resolve) => new IntersectionObserver(resolve).observe(document.body));
+  // All observers are told in one task.
+  await new Promise((resolve) => setTimeout(resolve));
+}
+
+/** Steps that a stage takes within so many frames of this page, once it has been told of what came before. */
 export async function stepsWithin(stage: RemoteStage, frames: number): Promise<number> {
-  for (let frame = 0; frame < 10; ++frame) await new Promise(requestAnimationFrame);
+  await sightIsTold();
   const before = (await stage.stats()).steps;
   for (let frame = 0; frame < frames; ++frame) await new Promise(requestAnimationFrame);
   return (await stage.stats()).steps - before;

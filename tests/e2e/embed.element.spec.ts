@@ -1,5 +1,5 @@
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
-import { expect, stands, test, WISP } from '../support/embed.ts';
+import { expect, scrollPage, stands, test, WISP } from '../support/embed.ts';
 
 declare global {
   interface Window {
@@ -44,7 +44,7 @@ test('fetches nothing but itself until the viewport nears, and then shifts nothi
   const before = new Set(server.sent.map(({ file }) => file.split('/').at(-1)));
   expect(before).toEqual(new Set(['cartoonSmokeElement.js', 'element.js', 'errors.js']));
   expect(server.sent.reduce((sum, { bytes }) => sum + bytes, 0)).toBeLessThan(6_000);
-  await page.mouse.wheel(0, 3500);
+  await scrollPage(page, 3500);
   await stands(page);
   expect(await page.evaluate(() => (window as unknown as { shift: number }).shift)).toBe(0);
 });
@@ -131,6 +131,8 @@ test('lets pointers through unless it is interactive', async ({ page, host }) =>
   expect(await below()).toBe('a');
   await page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => (smoke.interactive = true));
   expect(await below()).toBe('cartoon-smoke');
+  // What turns the view is fetched first.
+  await expect(page.locator('cartoon-smoke canvas')).toHaveAttribute('tabindex');
   const azimuth = () => page.locator('cartoon-smoke').screenshot();
   const before = await azimuth();
   await page.mouse.move(150, 60);

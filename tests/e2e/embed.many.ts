@@ -27,7 +27,7 @@ export async function expectMany(
   const going = await many.evaluate((module, [list, seen]) => module.whichGoOn(list, seen), [opened, inView] as const);
   expect(going).toEqual(Array.from({ length: count }, (_, index) => index < inView));
   const colors = await cases.evaluate(
-    (module, [list, seen]) => Promise.all(list.slice(0, seen).map(({ canvas }) => module.colorsShown(canvas))),
+    (module, [list, seen]) => Promise.all(list.slice(0, seen).map(({ canvas }) => module.colorsShown(canvas, 3))),
     [opened, inView] as const,
   );
   expect(Math.min(...colors)).toBeGreaterThan(3);

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
-import { expect, stands, test } from '../support/embed.ts';
+import { expect, scrollPage, stands, test } from '../support/embed.ts';
 
 /** Smoke over a page of 600 by 450 pixels: 150 of them are a metre. */
 const AIR = `preset="air" simulation-max-particles="300" thread="main" transparent
@@ -75,7 +75,7 @@ test('a smoke that stays while the page scrolls sees its boxes go by: of many th
   };
   const first = { around: [0, 1, 2, 3, 4, 5, 6, 7], curls: [0, 0, 1, 1, 2, 2, 3, 3] };
   await expect.poll(() => followed(0)).toEqual(first);
-  await page.mouse.wheel(0, 1_000);
+  await scrollPage(page, 1_000);
   const later = { around: [2, 3, 4, 5, 6, 7, 8, 9], curls: [4, 4, 5, 5, 6, 6, 7, 7] };
   await expect.poll(() => followed(1_000)).toEqual(later);
   expect(await noticesOf(page)).toEqual(['collide fits 12 elements; the nearest 8 count.']);

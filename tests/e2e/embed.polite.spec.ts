@@ -1,6 +1,6 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
-import { expect, stands, test, WISP } from '../support/embed.ts';
+import { expect, frames, scrollPage, stands, test, WISP } from '../support/embed.ts';
 
 const BOX = 'style="width: 200px; height: 150px"';
 
@@ -35,12 +35,12 @@ test('has a button that pauses, by keys too, and what it paused stays paused out
   await page.keyboard.press('Enter');
   const smoke = page.locator('cartoon-smoke');
   await expect(smoke).toHaveAttribute('paused');
-  await page.mouse.wheel(0, 2000);
-  await page.mouse.wheel(0, -2000);
-  await expect(page.getByRole('button', { name: 'Play smoke' })).toBeInViewport();
   const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
   const before = await steps();
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  await scrollPage(page, 2000);
+  await scrollPage(page, 0);
+  await expect(page.getByRole('button', { name: 'Play smoke' })).toBeInViewport();
+  await frames(page, 10);
   expect(await steps()).toBe(before);
 });
 
@@ -101,16 +101,12 @@ test('rests out of sight, and goes on in sight', async ({ page, host }) => {
   await stands(page);
   const smoke = page.locator('cartoon-smoke');
   const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
-  const standsStill = async () => {
-    const before = await steps();
-    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-    return (await steps()) === before;
-  };
-  await page.mouse.wheel(0, 2000);
-  await expect.poll(standsStill).toBe(true);
-  expect(await smoke.evaluate((element: CartoonSmokeElement) => element.playing)).toBe(true);
+  await scrollPage(page, 2000);
   const before = await steps();
-  await page.mouse.wheel(0, -2000);
+  await frames(page, 10);
+  expect(await steps()).toBe(before);
+  expect(await smoke.evaluate((element: CartoonSmokeElement) => element.playing)).toBe(true);
+  await scrollPage(page, 0);
   await expect.poll(steps).toBeGreaterThan(before);
 });
 

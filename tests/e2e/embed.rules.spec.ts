@@ -2,6 +2,7 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { loadModule } from '../support/modules.ts';
+import { setPatience } from './embed.context.ts';
 
 type Cases = typeof import('./embed.cases.ts');
 type Shared = typeof import('../../src/remote/sharedDevice.ts');
@@ -16,7 +17,7 @@ async function openTwo(page: Page) {
     const seen = module.watch();
     const opened = [await module.open(), await module.open()];
     await opened[1].stage.step(60);
-    const colors = await module.colorsShown(opened[1].canvas);
+    const colors = await module.colorsShown(opened[1].canvas, 10);
     return { threads: opened.map(({ stage }) => stage.thread), workers: seen.workers, colors };
   });
 }
@@ -95,12 +96,15 @@ test('a context that does not come back is told as a ContextError, once, and may
   // From here on time passes only as it is told to.
   await page.clock.pauseAt(60_000);
   const device = await shared.evaluateHandle(({ threadDevice }) => threadDevice.hold()!);
-  const losing = await device.evaluateHandle(({ renderer }) => {
+  const losing = await device.evaluateHandle(async ({ canvas, renderer }) => {
     const extension = renderer.getContext().getExtension('WEBGL_lose_context')!;
+    // It is lost at once, and waited for from its event on.
+    const lost = new Promise((resolve) => canvas.addEventListener('webglcontextlost', resolve, { once: true }));
     extension.loseContext();
+    await lost;
     return extension;
   });
-  await expect.poll(() => device.evaluate(({ isUsable }) => isUsable)).toBe(false);
+  expect(await device.evaluate(({ isUsable }) => isUsable)).toBe(false);
   await page.clock.fastForward(9_000);
   expect(await told.evaluate(({ errors }) => errors)).toEqual([]);
   await page.clock.fastForward(60_000);
@@ -138,6 +142,7 @@ test('a device that ended while its context was lost gives it back as soon as th
 
 test('a context that is lost in mid-start has its smoke when it comes back', async ({ page }) => {
   await openUnder(page);
+  await setPatience(page, 'endless');
   const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
   const shared = await loadModule<Shared>(page, '/src/remote/sharedDevice.ts');
   const differing = await cases.evaluate(async (module, { threadDevice }) => {

@@ -42,6 +42,23 @@ export async function openHost(
   await page.goto(`${server.address}host.html`);
 }
 
+/** Scrolls a page, whatever its first frames wait for; settled when whoever observes what is in view has been told. */
+export async function scrollPage(page: Page, top: number): Promise<void> {
+  await page.evaluate(async (y) => {
+    scrollTo(0, y);
+    await new Promise((resolve) => new IntersectionObserver(resolve).observe(document.body));
+    // All observers are told in one task.
+    await new Promise((resolve) => setTimeout(resolve));
+  }, top);
+}
+
+/** Lets a page show so many frames. */
+export async function frames(page: Page, count: number): Promise<void> {
+  await page.evaluate(async (most) => {
+    for (let frame = 0; frame < most; ++frame) await new Promise(requestAnimationFrame);
+  }, count);
+}
+
 /** Settled when the smoke of the first element that fits stands. */
 export async function stands(page: Page, selector = 'cartoon-smoke'): Promise<void> {
   await page.waitForFunction(async (wanted) => {
