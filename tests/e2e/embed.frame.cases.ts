@@ -45,12 +45,14 @@ export async function stateOf(stage: RemoteStage) {
 export async function attack(element: HTMLIFrameElement, count: number): Promise<{ accepted: number; sent: number }> {
   const { port1, port2 } = new MessageChannel();
   const report = { accepted: 0, sent: 0 };
-  let isOpen = () => {};
-  const opened = new Promise<void>((resolve) => (isOpen = resolve));
+  const answered = new Map<number, () => void>();
+  const answerTo = (id: number) => new Promise<void>((resolve) => answered.set(id, resolve));
   port1.onmessage = ({ data }: MessageEvent<{ id: number; error?: unknown }>) => {
-    if (data.id === 0) return isOpen();
-    if (!data.error) report.accepted += 1;
+    const isMeant = answered.get(data.id);
+    if (isMeant) isMeant();
+    else if (!data.error) report.accepted += 1;
   };
+  const opened = answerTo(0);
   element.contentWindow!.postMessage({ cartoonSmoke: 'connect' }, '*', [port2]);
   await opened;
   for (const message of hostileMessages(count, 11)) {
@@ -60,5 +62,8 @@ export async function attack(element: HTMLIFrameElement, count: number): Promise
     // The frame has to have its turn, or everything waits in one heap.
     if (report.sent % 100 === 0) await new Promise((resolve) => setTimeout(resolve));
   }
+  const last = answerTo(77);
+  port1.postMessage({ id: 77, method: 'stats', args: [] });
+  await last;
   return report;
 }

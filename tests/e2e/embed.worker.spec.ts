@@ -1,6 +1,6 @@
 /** Stages in a worker: the same pictures, one worker and one context for all, and nothing that the page need notice. */
 import { expect, test } from '../support/fixtures.ts';
-import { turnContext } from './embed.context.ts';
+import { setPatience, turnContext } from './embed.context.ts';
 
 type Cases = typeof import('./embed.cases.ts');
 const CASES = '/tests/e2e/embed.cases.ts';
@@ -99,6 +99,9 @@ test.describe('on a page of their own', () => {
 
   test('amid many steps a worker says now and then that it lives', async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
+    // What the worker says when the page asks is not meant, and no time passes for the page until it would.
+    await blank.clock.install({ time: 0 });
+    await blank.clock.pauseAt(1_000);
     const opened = await cases.evaluateHandle((module) => module.open());
     const [worker] = blank.workers();
     const said = await worker.evaluateHandle(() => {
@@ -121,6 +124,7 @@ test.describe('on a page of their own', () => {
       return two;
     });
     const [worker] = blank.workers();
+    await setPatience(worker, 'endless');
     await turnContext(worker, 'loseContext');
     await turnContext(worker, 'restoreContext');
     await turnContext(worker, 'loseContext');
