@@ -26,13 +26,19 @@ async function install(offer: Offer): Promise<void> {
 
 function watchForVersions(registration: ServiceWorkerRegistration, offer: Offer): void {
   const offerNew = (waiting: ServiceWorker) => offer(() => takeOver(waiting));
-  if (registration.waiting && registration.active) offerNew(registration.waiting);
-  registration.addEventListener('updatefound', () => {
+  let watched: ServiceWorker | null = null;
+  const watch = () => {
     const coming = registration.installing;
-    coming?.addEventListener('statechange', () => {
+    if (!coming || coming === watched) return;
+    watched = coming;
+    coming.addEventListener('statechange', () => {
       if (coming.state === 'installed' && registration.active) offerNew(coming);
     });
-  });
+  };
+  if (registration.waiting && registration.active) offerNew(registration.waiting);
+  // The browser looks for a new version by itself, and may have found it before anybody could listen.
+  watch();
+  registration.addEventListener('updatefound', watch);
 }
 
 /** Reloads as soon as the new worker answers for this page: before, the old one would answer again. */
