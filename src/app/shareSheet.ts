@@ -48,6 +48,9 @@ export class ShareSheet {
   /** Opens it on what is shown at this very moment. @param mesh name of a mesh that is shown, which no link can hold */
   async open(mesh?: string): Promise<void> {
     if (this.element.open) return;
+    // A link of before, or none, must not be handed out while those of now are still written.
+    this.links = { look: '', moment: '' };
+    this.show(this.what.chosen);
     this.element.showModal();
     const moment = linkToMoment(this.editor.state, this.stage);
     this.links = { look: await linkTo(this.editor), moment: await moment };
@@ -63,15 +66,16 @@ export class ShareSheet {
   private show(what: What): void {
     const link = this.links[what];
     const isTooLong = link.length > LONGEST_LINK;
-    this.field.value = isTooLong ? '' : link;
-    this.field.disabled = this.copy.disabled = this.send.disabled = isTooLong;
-    this.embed.show(isTooLong ? undefined : link);
+    const sent = isTooLong ? '' : link;
+    this.field.value = sent;
+    this.field.disabled = this.copy.disabled = this.send.disabled = sent === '';
+    this.embed.show(sent || undefined);
     this.tell(isTooLong ? words.tooLong(link.length, LONGEST_LINK) : '');
     void this.showCode(link);
   }
 
   private async showCode(link: string): Promise<void> {
-    this.code.hidden = link.length > MOST_QR_CHARACTERS;
+    this.code.hidden = link === '' || link.length > MOST_QR_CHARACTERS;
     if (this.code.hidden) return;
     const picture = await createQr(link, words.code);
     if (link === this.link) this.code.replaceChildren(picture, create('figcaption', {}, words.scan));
