@@ -83,6 +83,8 @@ export class OwnPresets {
     field.addEventListener('keydown', (event) => {
       if (event.key !== 'Enter' && event.key !== 'Escape') return;
       event.stopPropagation();
+      // What else the key does would be done to what has the focus then: Enter would press the card.
+      event.preventDefault();
       finish(event.key === 'Enter');
     });
     field.addEventListener('blur', () => finish(true));
