@@ -111,7 +111,7 @@ test.describe('with fingers', () => {
     await doubleTap(page, { x: 240, y: 70 });
     await expect.poll(inputs).toBe(1);
     await page.getByRole('button', { name: 'Drop a ball' }).tap();
-    expect(await inputs()).toBe(2);
+    await expect.poll(inputs).toBe(2);
   });
 });
 

@@ -15,16 +15,16 @@ test('taps play, and a finger blows', async ({ page }) => {
     const bar = page.getByRole('group', { name: 'Playback' });
     const steps = () => ask(page, (stage) => stage.stats.steps);
     await bar.getByRole('button', { name: 'One step' }).tap();
-    expect(await steps()).toBe(1);
+    await expect.poll(steps).toBe(1);
     await bar.getByRole('button', { name: 'Play' }).tap();
     await expect.poll(steps).toBeGreaterThan(1);
     const isFull = () => page.evaluate(() => document.fullscreenElement !== null);
     await bar.getByRole('button', { name: 'Full screen' }).tap();
     await expect.poll(isFull).toBe(true);
     await bar.getByRole('button', { name: 'Pause' }).tap();
-    expect(await ask(page, (stage) => stage.playing)).toBe(false);
+    await expect.poll(() => ask(page, (stage) => stage.playing)).toBe(false);
     await bar.getByRole('button', { name: 'Start over' }).tap();
-    expect(await steps()).toBe(0);
+    await expect.poll(steps).toBe(0);
     await bar.getByLabel('Speed').selectOption({ label: '½×' });
     expect(await ask(page, (stage) => stage.speed)).toBe(0.5);
     await bar.getByRole('button', { name: 'Full screen' }).tap();
@@ -44,6 +44,7 @@ test('taps play, and a finger blows', async ({ page }) => {
     await expect.poll(() => ask(page, (stage) => stage.stats.inputs)).toBeGreaterThan(0);
     expect(await valueOf(page, 'camera.azimuth')).toBeUndefined();
     await wind.tap();
+    await expect(wind).toHaveAttribute('aria-pressed', 'false');
     await drag(from, to);
     await expect.poll(() => valueOf(page, 'camera.azimuth')).not.toBeUndefined();
   });

@@ -1,7 +1,7 @@
 /** The page whole under a strict Content-Security-Policy: nothing that people do asks for what it forbids. */
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import { closeSheet } from '../e2e/page.ts';
+import { closeSheet, expectSteps } from '../e2e/page.ts';
 import { expect, test } from './fixtures.ts';
 import { serveStrictly, type SiteServer } from './plainHost.ts';
 
@@ -55,6 +55,7 @@ test('panel, gallery, handles, statistics, views and notices', async ({ page }) 
 
 test('sheets for sharing and capture, files and own presets', async ({ page }) => {
   await open(page, `?paused=1&t=0.5${LIGHT}`);
+  await expectSteps(page, 30);
   await page.getByRole('button', { name: 'Keep this look' }).click();
   await expect(page.locator('.own-cards li')).toHaveCount(1);
   await page.keyboard.press('s');
