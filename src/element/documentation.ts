@@ -8,7 +8,12 @@ const string = { text: 'string' };
 
 export const attributes = [
   { name: 'preset', type: string, default: 'lamp', description: 'Name of a preset, such as `wisp`.' },
-  { name: 'src', type: string, description: 'A share link of the demo page; its `t` and `paused` count, too.' },
+  {
+    name: 'src',
+    type: string,
+    description:
+      'A share link of the demo page; its `t` and `paused` count, too. Another one that leads to a moment, by `t`, `start` or what somebody did, begins anew there; one that does not changes smoke of the same scene as it goes on.',
+  },
   { name: 'paused', type: flag, description: 'Does not play. The button in the corner sets and removes it.' },
   { name: 'transparent', type: flag, description: 'Shows the page behind the smoke in the place of a backdrop.' },
   { name: 'interactive', type: flag, description: 'Takes pointers and keys; without it they go to what lies below.' },

@@ -10,7 +10,7 @@ export async function readLink(link: string, base: string, notices: Notice[]): P
   const { state, take, notices: ofHash } = await decode(hash);
   const { time, paused, notices: ofQuery } = readEnvironment(search);
   notices.push(...ofHash, ...ofQuery);
-  return { values: state.values, start: time, isPaused: paused, take };
+  return { link, values: state.values, start: time, isPaused: paused, take };
 }
 
 function addressOf(link: string, base: string, notices: Notice[]): Pick<URL, 'hash' | 'search'> {

@@ -31,7 +31,7 @@ export class OnPage {
   private isMeasuring = false;
   private isBehind = false;
   private hasEnded = false;
-  private readonly hasBegun = new Deferred<void>();
+  private hasBegun = new Deferred<void>();
 
   constructor(stage: RemoteStage, host: OnPageHost) {
     this.stage = stage;
@@ -47,11 +47,12 @@ export class OnPage {
     await this.hasBegun.promise;
   }
 
-  /** The smoke has lost what it was given, as by another scene. */
-  forget(): void {
+  /** The smoke has lost what it was given, as by another scene. Settled when things of the page are in it again. */
+  async beginAnew(): Promise<void> {
     this.given = {};
-    quietly(this.holdView());
-    this.measure();
+    this.hasBegun.resolve();
+    this.hasBegun = new Deferred();
+    await this.begin();
   }
 
   /** Those of some values that things of the page leave alone. */

@@ -160,10 +160,12 @@ export class Session {
     if (after.isPaused && !before.isPaused) this.host.element.toggleAttribute('paused', true);
     this.tell(after.notices.filter(({ message }) => !before.notices.some((told) => told.message === message)));
     try {
-      const isOther = after.values.scene !== before.values.scene;
-      if (isOther) await this.enter(after);
-      else await this.changeValues(before.values, after.values);
-      if (isOther || (after.take && !isSame(after.take, before.take))) this.tell(await lead(this.stage, after));
+      const isOtherLink = after.link !== before.link && namesMoment(after);
+      if (isOtherLink || after.values.scene !== before.values.scene) {
+        await this.stage.enter(after.values);
+        await this.onPage?.beginAnew();
+        this.tell(await lead(this.stage, after));
+      } else await this.changeValues(before.values, after.values);
     } catch (error) {
       if (error instanceof ParameterError) this.tell([noticeOf(error)]);
       else if (!this.isDisposed) this.host.fail(asSmokeError(error));
@@ -176,11 +178,6 @@ export class Session {
     const own = (values: Values) => onPage?.without(values) ?? values;
     await change(this.stage, own(before), own(after));
     onPage?.measure();
-  }
-
-  private async enter({ values }: Wish): Promise<void> {
-    await this.stage.enter(values);
-    this.onPage?.forget();
   }
 
   /** Lets people move what can be moved and turn the view, or no longer. */
@@ -232,11 +229,21 @@ export class Session {
 }
 
 /** Goes to where the smoke shall begin: the moment that was shared, the start that was asked for, or a still picture. */
-async function lead(stage: RemoteStage, { take, start, values }: Wish): Promise<readonly Notice[]> {
+async function lead(stage: RemoteStage, wish: Wish): Promise<readonly Notice[]> {
+  const { take, start, values } = wish;
   if (take) return (await part('moment')).goToMoment(stage, take, start, values);
-  const seconds = start ?? (calm().matches ? STILL_SECONDS : 0);
-  if (seconds > 0) await stage.seek(seconds);
+  const seconds = startOf(wish);
+  if (seconds) await stage.seek(seconds);
   return [];
+}
+
+function startOf({ start }: Wish): number | undefined {
+  return start ?? (calm().matches ? STILL_SECONDS : undefined);
+}
+
+/** Whether its link leads to a moment; any other one changes smoke that goes on. */
+function namesMoment(wish: Wish): boolean {
+  return wish.link !== null && (wish.take ?? startOf(wish)) !== undefined;
 }
 
 /** What the simulator would not take although the table does, such as one value without another. */
@@ -247,8 +254,4 @@ function noticeOf({ key, value, message }: ParameterError): Notice {
 function threadOf(element: Element): 'auto' | 'main' | 'worker' {
   const thread = element.getAttribute('thread');
   return thread === 'main' || thread === 'worker' ? thread : 'auto';
-}
-
-function isSame(one: Uint8Array, other: Uint8Array | undefined): boolean {
-  return one.length === other?.length && one.every((byte, index) => byte === other[index]);
 }

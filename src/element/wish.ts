@@ -9,6 +9,8 @@ import { EMIT_ON } from './properties.ts';
 
 /** What an element asks for by its attributes. */
 export interface Wish {
+  /** The share link as `src` has it. */
+  readonly link: string | null;
   readonly values: Values;
   /** Simulated seconds before the first picture. */
   readonly start: number | undefined;
@@ -66,7 +68,7 @@ async function readBase(element: Element, notices: Notice[]): Promise<Base> {
     notices.push(notice('unknownPreset', 'preset', name, tell));
   }
   const values = presetValues(preset ?? (await fetchPreset(FIRST_PRESET))!);
-  return { values, start: undefined, isPaused: false, take: undefined };
+  return { link, values, start: undefined, isPaused: false, take: undefined };
 }
 
 function readChoice(element: Element, name: string, options: readonly string[], notices: Notice[]): void {

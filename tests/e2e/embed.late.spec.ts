@@ -83,6 +83,35 @@ test('a link that shows something still pauses what plays when it comes later, t
   await expect(smokeOn(page)).not.toHaveAttribute('paused');
 });
 
+test('another link begins anew where it says when, as it would on a fresh element; one that does not say changes what stands', async ({
+  page,
+  host,
+}) => {
+  await host(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke>`);
+  await stands(page);
+  const smoke = smokeOn(page).first();
+  const steps = () => smoke.evaluate(async (element: CartoonSmokeElement) => (await element.stats()).steps);
+  const follow = (link: string) => smoke.evaluate((element: CartoonSmokeElement, src) => (element.src = src), link);
+  await smoke.evaluate((element: CartoonSmokeElement) => element.step(30));
+  await follow('?paused=1&t=4#preset=wisp&emission.rate=30');
+  await expect.poll(steps).toBe(240);
+  const hashes = await smoke.evaluate(async (element) => {
+    const fresh = element.cloneNode() as CartoonSmokeElement;
+    document.body.append(fresh);
+    return Promise.all([element as CartoonSmokeElement, fresh].map((each) => each.hash()));
+  });
+  expect(hashes[0]).toBe(hashes[1]);
+  await smoke.evaluate((element: CartoonSmokeElement) => element.step());
+  await follow('?paused=1#preset=wisp&emission.rate=60');
+  await expect
+    .poll(() => smoke.evaluate(async (element: CartoonSmokeElement) => (await element.get())['emission.rate']))
+    .toBe(60);
+  expect(await steps()).toBe(241);
+  await follow('?t=0#preset=wisp&emission.rate=60');
+  await expect.poll(steps).toBe(0);
+  await expect(smoke).toHaveAttribute('paused');
+});
+
 test('goes through templates and other documents without a word, and looks the same after', async ({ page, host }) => {
   await host(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke><iframe title="Another document"></iframe>`);
   await stands(page);
@@ -183,6 +212,24 @@ test.describe('with less motion asked for', () => {
     await expect.poll(async () => (await valuesOn(page)).scene).toBe('air');
     const steps = () => smokeOn(page).evaluate(async (smoke: CartoonSmokeElement) => (await smoke.stats()).steps);
     await expect.poll(steps).toBe(240);
+  });
+
+  test('a link to a moment shows that one, and another one its composed still, and none of them moves', async ({
+    page,
+    host,
+  }) => {
+    await host(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
+    await stands(page);
+    const steps = () => smokeOn(page).evaluate(async (smoke: CartoonSmokeElement) => (await smoke.stats()).steps);
+    expect(await steps()).toBe(240);
+    for (const [link, goal] of [
+      ['?t=2#preset=wisp', 120],
+      ['#preset=wisp&emission.rate=60', 240],
+    ] as const) {
+      await smokeOn(page).evaluate((smoke: CartoonSmokeElement, src) => (smoke.src = src), link);
+      await expect.poll(steps).toBe(goal);
+    }
+    expect(await smokeOn(page).evaluate((smoke: CartoonSmokeElement) => smoke.playing)).toBe(false);
   });
 
   test('a person who asks for motion while the smoke is on its way has it', async ({ page, host }) => {
