@@ -30,6 +30,11 @@ export class Scrubber {
     this.listeners.push(listener);
   }
 
+  /** Where people want to be, simulated seconds; undefined where nobody is on the way. */
+  get wanted(): number | undefined {
+    return this.goal ?? this.heading;
+  }
+
   /** Stays where it has come to. */
   stop(): void {
     this.goal = undefined;
@@ -53,7 +58,7 @@ export class Scrubber {
 
   /** Goes on or back by so many seconds from where it is, or from where it is going. */
   async shift(seconds: number): Promise<void> {
-    await this.go((this.goal ?? this.heading ?? this.stage.stats.time) + seconds);
+    await this.go((this.wanted ?? this.stage.stats.time) + seconds);
   }
 
   /** One step back, then stillness, as a step forward is. */

@@ -15,12 +15,14 @@ export function createTimeline(stage: Stage, scrubber: Scrubber): HTMLInputEleme
   let isHeld = false;
   const fill = (seconds: number) => line.style.setProperty('--filled', String(seconds / Number(line.max)));
   const show = (seconds: number) => {
-    if (seconds >= Number(line.max)) line.max = String(SPAN_SECONDS * (Math.floor(seconds / SPAN_SECONDS) + 1));
-    if (!isHeld) line.value = String(seconds);
+    const wanted = scrubber.wanted ?? seconds;
+    const last = Math.max(seconds, wanted);
+    if (last >= Number(line.max)) line.max = String(SPAN_SECONDS * (Math.floor(last / SPAN_SECONDS) + 1));
+    if (!isHeld) line.value = String(wanted);
     line.setAttribute('aria-valuetext', strings.transport.time(line.valueAsNumber));
     fill(seconds);
   };
-  scrubber.listen((way) => way && fill(stage.stats.time));
+  scrubber.listen(() => show(stage.stats.time));
   stage.on('frame', ({ time }) => show(time));
   line.addEventListener('input', () => void scrubber.go(line.valueAsNumber));
   holdStill(line, stage, (held) => (isHeld = held));

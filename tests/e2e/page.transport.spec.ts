@@ -65,6 +65,22 @@ test('mouse and keys go along the time line and through the presets', async ({ p
     await page.keyboard.press('f');
     await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(false);
   });
+  await test.step('the knob stays where it was put while the smoke is on its way there', async () => {
+    const knobs = await page.evaluateHandle(() => {
+      const knob = document.querySelector<HTMLInputElement>('input.timeline')!;
+      const seen: number[] = [];
+      window.cartoonSmoke!.on('frame', () => seen.push(knob.valueAsNumber));
+      // The first way is given up in favour of the second, and shows where it has come to.
+      for (const seconds of [9, 4]) {
+        knob.value = String(seconds);
+        knob.dispatchEvent(new Event('input'));
+      }
+      return seen;
+    });
+    await expect.poll(() => stepsOf(page)).toBe(240);
+    await expect.poll(() => knobs.evaluate(({ length }) => length)).toBeGreaterThan(1);
+    expect(await knobs.evaluate((seen) => [...new Set(seen)])).toEqual([4]);
+  });
   await test.step('presets that people come past by keys are undone together, those that they press one by one', async () => {
     await page.keyboard.press('g');
     const chosen = (name: string) => expect(page.getByRole('radio', { name, exact: true })).toBeChecked();
