@@ -21,7 +21,10 @@ async function addressOf(editor: Editor): Promise<string> {
  * stays until somebody edits.
  * @param arrive told of what was put there, once the editor has it; settled when the page shows it
  */
-export function followAddress(editor: Editor, arrive: (decoded: Decoded) => Promise<void>): void {
+export function followAddress(
+  editor: Editor,
+  arrive: (decoded: Decoded, isNewest: () => boolean) => Promise<void>,
+): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let arriving: Decoded | undefined;
   let newest: Promise<Decoded>;
@@ -46,7 +49,7 @@ export function followAddress(editor: Editor, arrive: (decoded: Decoded) => Prom
     if (reading !== newest) return;
     arriving = decoded;
     editor.load(decoded.state);
-    await arrive(decoded);
+    await arrive(decoded, () => arriving === decoded);
     if (arriving === decoded) arriving = undefined;
   });
 }

@@ -8,13 +8,20 @@ import { enterScene } from './entering.ts';
  * stage directly, as from the console, reach the editor.
  * @param tell says what the stage refused
  * @param host where progress is shown
+ * @returns waits until the stage has taken up all edits: what is done to it before, they would undo
  */
-export function connectStage(editor: Editor, stage: Stage, tell: (message: string) => void, host: HTMLElement): void {
+export function connectStage(
+  editor: Editor,
+  stage: Stage,
+  tell: (message: string) => void,
+  host: HTMLElement,
+): () => Promise<void> {
   let waiting: Changes = {};
   let isFlushing = false;
   // What the editor learns from the stage must not come back to it later: it would undo what a take has set meanwhile.
   let isAdopting = false;
   const isWaiting = () => Object.keys(waiting).length > 0;
+  const isBehind = () => isWaiting() || isFlushing;
   const adopt = () => {
     isAdopting = true;
     editor.adopt(stage.get());
@@ -48,8 +55,11 @@ export function connectStage(editor: Editor, stage: Stage, tell: (message: strin
     if (!wasWaiting && isWaiting() && !isFlushing) requestAnimationFrame(flush);
   });
   stage.on('statechange', () => {
-    if (!isWaiting() && !isFlushing) adopt();
+    if (!isBehind()) adopt();
   });
+  return async () => {
+    while (isBehind()) await new Promise(requestAnimationFrame);
+  };
 }
 
 /** Each call draws a picture in a pause: none for nothing. */

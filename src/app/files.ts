@@ -16,18 +16,29 @@ import { strings } from './strings.ts';
 const MOST_BYTES = 32 * 1024 * 1024;
 const SCHEMA = 'smoke-file.schema.json';
 
+/** What files are made of, where they lead, and where what is wrong with them is told. */
+interface FileParts {
+  readonly editor: Editor;
+  readonly stage: Stage;
+  readonly notices: Notices;
+  /** Waits until the stage has taken up all edits. */
+  readonly caughtUp: () => Promise<void>;
+}
+
 /** Writes what the page shows into files, and shows what is in files. */
 export class SmokeFiles {
   private readonly editor: Editor;
   private readonly stage: Stage;
   private readonly notices: Notices;
+  private readonly caughtUp: () => Promise<void>;
   private readonly host: HTMLElement;
 
   /** @param host where progress is shown */
-  constructor(editor: Editor, stage: Stage, notices: Notices, host: HTMLElement) {
+  constructor({ editor, stage, notices, caughtUp }: FileParts, host: HTMLElement) {
     this.editor = editor;
     this.stage = stage;
     this.notices = notices;
+    this.caughtUp = caughtUp;
     this.host = host;
   }
 
@@ -66,8 +77,8 @@ export class SmokeFiles {
   }
 
   private async goTo({ take, seconds }: NonNullable<SmokeFile['moment']>, state: State): Promise<void> {
-    // The stage takes up the values with the coming frame: later they would be something that was done to the take.
-    await new Promise((resolve) => requestAnimationFrame(resolve));
+    // What the stage takes up later would be something that was done to the take.
+    await this.caughtUp();
     await goToMoment(this.stage, { take, seconds, state, isTrusted: true }, this.notices, this.host);
   }
 }

@@ -59,18 +59,18 @@ async function start(): Promise<void> {
   if (!stage.stats.writesDepth) notices.tell(strings.notices.flat);
   stage.on('error', (error) => (error instanceof LoadError ? notices.tell(error.message) : refuse(error)));
   if (moment) await arriveAt(moment, stage, editor, notices);
-  connectStage(editor, stage, (message) => notices.tell(message), host);
-  followAddress(editor, async (read) => {
+  const caughtUp = connectStage(editor, stage, (message) => notices.tell(message), host);
+  followAddress(editor, async (read, isNewest) => {
     tellAll(notices, read);
     const shared = momentOf(read);
     if (!shared) return;
-    // The stage takes up the values with the coming frame: later they would be something that was done to the take.
-    await new Promise(requestAnimationFrame);
-    await goToMoment(stage, shared, notices, host);
+    await caughtUp();
+    if (isNewest()) await goToMoment(stage, shared, notices, host);
   });
   const scrubber = new Scrubber(stage);
   tellOfLongWays(scrubber, host);
-  const page = buildPage(host, { editor, stage, canvas, notices, scrubber, hasStatistics: environment.hasStatistics });
+  const { hasStatistics } = environment;
+  const page = buildPage(host, { editor, stage, canvas, notices, scrubber, caughtUp, hasStatistics });
   connectInput(stage, editor, page, scrubber);
   tellOfSlowMachine(stage, notices);
   describeScene(stage, canvas);

@@ -49,6 +49,8 @@ export interface PageParts {
   readonly canvas: HTMLCanvasElement;
   readonly notices: Notices;
   readonly scrubber: Scrubber;
+  /** Waits until the stage has taken up all edits. */
+  readonly caughtUp: () => Promise<void>;
   /** Whether statistics are shown from the start. */
   readonly hasStatistics: boolean;
 }
@@ -62,7 +64,7 @@ export function buildPage(host: HTMLElement, parts: PageParts): Page {
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
   toggle.setAttribute('aria-controls', PANEL_ID);
   const ownShape = new OwnShape(stage, notices, host);
-  const files = new SmokeFiles(editor, stage, notices, host);
+  const files = new SmokeFiles(parts, host);
   const sheet = new ShareSheet(editor, stage, files);
   acceptDrops(document.body, (file) => void (isJson(file) ? files : ownShape).open(file));
   const own = new OwnPresets(editor, stage, notices, files);

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { packBytes } from '../../src/preset/packing.ts';
 import { expect, test } from '../support/fixtures.ts';
-import { ask, ballPlace, closeSheet, crawl, expectValue, LIGHT, open } from './page.ts';
+import { ask, ballPlace, closeSheet, crawl, expectValue, hold, LIGHT, open } from './page.ts';
 
 test.use({ viewport: { width: 320, height: 240 } });
 
@@ -73,6 +73,18 @@ test('a moment of another scene, put into the address bar, is entered and stays 
     await expect.poll(() => shown(page)).toEqual(moment);
     expect(await page.evaluate(() => location.hash)).toBe(link);
   }
+  await test.step('also where it is put there while another scene is on its way', async () => {
+    const goTo = (hash: string) => page.evaluate((wanted) => (location.hash = wanted), hash);
+    const arrive = await hold(page, '**/campfire*.js');
+    await goTo('#v=1&preset=campfire&puff.variations=1&simulation.maxParticles=300');
+    await expect(page.getByText('Gathering wood…')).toBeVisible();
+    await goTo(train.link);
+    await expect(page.locator('input[name=preset][value=train]')).toBeChecked();
+    arrive();
+    await expect(page.getByText('Gathering wood…')).toHaveCount(0);
+    await expect.poll(() => shown(page)).toEqual(train.moment);
+    expect(await page.evaluate(() => location.hash)).toBe(train.link);
+  });
   await expect(page.locator('.notice')).toHaveCount(0);
   await ask(page, (stage) => stage.set({ 'puff.size': 2 }));
   await expect

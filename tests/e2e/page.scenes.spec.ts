@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { sceneEntries } from '../../src/scenes/scenes.ts';
-import { ask, ballPlace, closeSheet, expectHash, expectValue, open, type Place } from './page.ts';
+import { ask, ballPlace, closeSheet, expectHash, expectValue, hold, open, type Place } from './page.ts';
 import { doubleTap, fingerOf } from './touch.ts';
 
 test.use({ viewport: { width: 480, height: 320 } });
@@ -36,17 +36,6 @@ async function wasmBytes(page: Page, addresses: readonly string[]): Promise<numb
   const wasm = [...new Set(addresses.filter((address) => address.endsWith('.wasm')))];
   expect(wasm).toHaveLength(1);
   return page.evaluate(async (address) => (await (await fetch(address)).arrayBuffer()).byteLength, wasm[0]);
-}
-
-/** Lets nothing of that address come until the function that it gives is called. */
-async function hold(page: Page, address: string): Promise<() => void> {
-  let arrive!: () => void;
-  const arrival = new Promise<void>((resolve) => (arrive = resolve));
-  await page.route(address, async (route) => {
-    await arrival;
-    await route.continue();
-  });
-  return arrive;
 }
 
 /** Chooses a preset in the gallery, which low windows hide at first. */

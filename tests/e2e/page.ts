@@ -66,6 +66,17 @@ export async function closeSheet(page: Page): Promise<void> {
   await expect(page.getByRole('dialog')).toHaveCount(0);
 }
 
+/** Lets nothing of that address come until the function that it gives is called. */
+export async function hold(page: Page, address: string): Promise<() => void> {
+  let arrive!: () => void;
+  const arrival = new Promise<void>((resolve) => (arrive = resolve));
+  await page.route(address, async (route) => {
+    await arrival;
+    await route.continue();
+  });
+  return arrive;
+}
+
 /** The row of a parameter in the panel. */
 export function row(page: Page, key: string) {
   return page.locator(`[data-key="${key}"]`);
