@@ -24,6 +24,15 @@ export async function connect(address: string, sandbox?: string): Promise<Framed
   return { frame: element, stage: await connectFrame(element) };
 }
 
+/** Settled when a frame's pictures are as large as it is: it hears of its size with the pictures of the page around it. */
+export async function isSized({ frame: { width, height }, stage }: Framed): Promise<void> {
+  const size = async () => {
+    const picture = await createImageBitmap(await stage.picture());
+    return [picture.width, picture.height].join();
+  };
+  while ((await size()) !== [width, height].join()) await new Promise(requestAnimationFrame);
+}
+
 /** Whether a frame that is there lets this page in. @param patience milliseconds after which it does not, where it says nothing */
 export async function letsIn(address: string, patience?: number): Promise<boolean> {
   const element = frame(address);

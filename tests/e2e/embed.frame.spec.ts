@@ -39,6 +39,7 @@ test('a frame without an origin needs scripts alone, and shows what a stage on t
   expect(fetched.filter((path) => !/embed\.(html|css)$|favicon\.svg$|assets\/embed-[\w-]{8}\.js$/.test(path))).toEqual(
     [],
   );
+  await frames.evaluate((module, one) => module.isSized(one), framed);
   const report = await cases.evaluate(async (module, { stage }) => {
     const here = await module.open({ thread: 'main' });
     for (const each of [stage, here.stage]) await each.step(90);
