@@ -69,8 +69,11 @@ export class PointerWays {
       (held) => held === 'rigid',
       () => false,
     );
-    this.presses.set(event.pointerId, { x: event.clientX, y: event.clientY, isHolding });
-    quietly(isHolding.then((isHeld) => canvas.classList.toggle('holding', isHeld)));
+    const press = { x: event.clientX, y: event.clientY, isHolding };
+    this.presses.set(event.pointerId, press);
+    // It may be over by the time of the answer.
+    const isOn = () => this.presses.get(event.pointerId) === press;
+    quietly(isHolding.then((isHeld) => canvas.classList.toggle('holding', isHeld && isOn())));
   }
 
   private move(event: PointerEvent): void {

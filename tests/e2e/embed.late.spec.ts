@@ -183,6 +183,28 @@ test('a view that was let go of unseen does not turn with the pointer', async ({
   await page.mouse.up();
 });
 
+test('what is let go of before the answer that it is held is not shown as held', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${WISP} paused interactive ${SIZE}></cartoon-smoke>`);
+  await stands(page);
+  const held = await smokeOn(page).evaluate(async (smoke: CartoonSmokeElement) => {
+    const canvas = smoke.shadowRoot!.querySelector('canvas')!;
+    Object.assign(await smoke.stage, { pointer: async () => 'rigid' });
+    // No browser captures a pointer that there is not.
+    canvas.setPointerCapture = () => undefined;
+    const isHeldAfter = async (...types: string[]) => {
+      for (const type of types) canvas.dispatchEvent(new PointerEvent(type, { pointerId: 7 }));
+      await new Promise((resolve) => setTimeout(resolve));
+      return canvas.matches('.holding');
+    };
+    return [
+      await isHeldAfter('pointerdown', 'pointerup'),
+      await isHeldAfter('pointerdown'),
+      await isHeldAfter('pointerup'),
+    ];
+  });
+  expect(held).toEqual([false, true, false]);
+});
+
 test('an origin that is none is refused at once, and nothing is thrown when the frame comes', async ({
   load,
   blank,
