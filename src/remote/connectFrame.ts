@@ -51,7 +51,7 @@ function demandOrigin(origin: string): void {
   }
 }
 
-/** Knocks at once, and again when the frame says that it is there. */
+/** Knocks at once if there is anybody, and again when the frame says that it is there. */
 function firstOpened(
   frame: HTMLIFrameElement,
   knock: () => PortStage,
@@ -72,8 +72,13 @@ function firstOpened(
     };
     signal?.addEventListener('abort', () => settle(() => reject(signal.reason)), { signal: heard.signal });
     whenHeard(frame, heard.signal, wait);
-    wait();
+    if (!isEmpty(frame)) wait();
   });
+}
+
+/** Whether its page is still on its way: nobody hears a knock, and the console would tell of the origin that it has not. */
+function isEmpty({ contentDocument }: HTMLIFrameElement): boolean {
+  return contentDocument?.URL === 'about:blank';
 }
 
 /** Calls back whenever the page in a frame says that it is there. */

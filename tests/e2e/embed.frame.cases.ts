@@ -19,9 +19,9 @@ export function frame(address: string, sandbox?: string): HTMLIFrameElement {
   return element;
 }
 
-export async function connect(address: string, sandbox?: string): Promise<Framed> {
+export async function connect(address: string, sandbox?: string, origin?: string): Promise<Framed> {
   const element = frame(address, sandbox);
-  return { frame: element, stage: await connectFrame(element) };
+  return { frame: element, stage: await connectFrame(element, { origin }) };
 }
 
 /** Settled when a frame's pictures are as large as it is: it hears of its size with the pictures of the page around it. */

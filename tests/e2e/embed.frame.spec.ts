@@ -1,6 +1,7 @@
 /** Smoke in a frame of another origin, as strictly sandboxed as frames can be. */
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import type { ConsoleMessage } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { script } from '../support/server.ts';
 
@@ -142,6 +143,20 @@ test('only the origin that the address names may have the stage', async ({ load,
   expect(await letsIn(`origin=${origin}&`)).toBe(true);
   const strangers = ['https://example.org', 'null', '*'].map((other) => letsIn(`origin=${other}&`, 3_000));
   expect(await Promise.all(strangers)).toEqual([false, false, false]);
+});
+
+test('a frame of a named origin is waited for without a word on the console', async ({ load, blank, baseURL }) => {
+  const frames = await load<FrameCases>(FRAMES);
+  const lines: string[] = [];
+  const note = (message: ConsoleMessage) => message.type() !== 'debug' && lines.push(message.text());
+  blank.on('console', note);
+  const framed = await frames.evaluateHandle((module, [url, origin]) => module.connect(url, undefined, origin), [
+    `${baseURL}/embed.html${WISP}`,
+    new URL(baseURL!).origin,
+  ] as const);
+  blank.off('console', note);
+  expect(lines).toEqual([]);
+  expect(await framed.evaluate(({ stage }) => stage.thread)).toBe('frame');
 });
 
 test('five thousand hostile messages change nothing and raise nothing', async ({ load, baseURL }) => {
