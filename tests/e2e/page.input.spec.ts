@@ -203,16 +203,26 @@ test('keys are the page’s as soon as a sheet is closed, though its field keeps
   await expect(page.getByRole('heading', { name: 'Play with smoke' })).toBeVisible();
 });
 
-test('smoke that played goes on after a sheet that was opened again at once', async ({ page }) => {
+test('smoke that played goes on after a sheet that was opened again at once, and what was begun there is done', async ({
+  page,
+}) => {
   await open(page, LIGHT);
   await page.keyboard.press('c');
   const sheet = page.getByRole('dialog', { name: 'Capture the smoke' });
   await expect(sheet).toBeVisible();
-  await sheet.evaluate((dialog: HTMLDialogElement) => {
+  // By then the page has heard of the closing.
+  await page.route(/\/png-/, async (route) => {
+    await page.evaluate(() => new Promise(requestAnimationFrame));
+    await route.continue();
+  });
+  await sheet.evaluate(async (dialog: HTMLDialogElement) => {
     dialog.close();
     document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'c', bubbles: true }));
+    // Before the page hears of the closing, which it does with the next frame.
+    while (!dialog.open) await undefined;
+    dialog.querySelector('form')!.requestSubmit();
   });
-  await expect(sheet).toBeVisible();
+  await expect(sheet.getByText('Saved lamp-')).toBeVisible();
   expect(await ask(page, (stage) => stage.playing)).toBe(false);
   await closeSheet(page);
   await expect.poll(() => ask(page, (stage) => stage.playing)).toBe(true);

@@ -35,6 +35,7 @@ export class CaptureDialog {
 
   open(): void {
     if (this.element.open) return;
+    this.work?.abort();
     this.wasPlaying ??= this.stage.playing;
     this.stage.pause();
     this.outcome.replaceChildren();
@@ -43,9 +44,9 @@ export class CaptureDialog {
   }
 
   private leave(): void {
-    this.work?.abort();
-    // The event comes after the closing, and somebody may have been quicker than it.
+    // The event comes with the frame after the closing, and somebody may have been quicker than it.
     if (this.element.open) return;
+    this.work?.abort();
     if (this.wasPlaying) this.stage.play();
     this.wasPlaying = undefined;
   }
