@@ -160,8 +160,9 @@ export class Session {
     if (after.isPaused && !before.isPaused) this.host.element.toggleAttribute('paused', true);
     this.tell(after.notices.filter(({ message }) => !before.notices.some((told) => told.message === message)));
     try {
-      const isOtherLink = after.link !== before.link && namesMoment(after);
-      if (isOtherLink || after.values.scene !== before.values.scene) {
+      // A link that leads to no moment changes smoke that goes on.
+      const isOtherMoment = after.link !== before.link && (after.take ?? startOf(after)) !== undefined;
+      if (isOtherMoment || after.values.scene !== before.values.scene) {
         await this.stage.enter(after.values);
         await this.onPage?.beginAnew();
         this.tell(await lead(this.stage, after));
@@ -239,11 +240,6 @@ async function lead(stage: RemoteStage, wish: Wish): Promise<readonly Notice[]> 
 
 function startOf({ start }: Wish): number | undefined {
   return start ?? (calm().matches ? STILL_SECONDS : undefined);
-}
-
-/** Whether its link leads to a moment; any other one changes smoke that goes on. */
-function namesMoment(wish: Wish): boolean {
-  return wish.link !== null && (wish.take ?? startOf(wish)) !== undefined;
 }
 
 /** What the simulator would not take although the table does, such as one value without another. */

@@ -247,6 +247,8 @@ test.describe('with less motion asked for', () => {
     for (const [link, goal] of [
       ['?t=2#preset=wisp', 120],
       ['#preset=wisp&emission.rate=60', 240],
+      ['?t=1#preset=wisp', 60],
+      [undefined, 240],
     ] as const) {
       await smokeOn(page).evaluate((smoke: CartoonSmokeElement, src) => (smoke.src = src), link);
       await expect.poll(steps).toBe(goal);
