@@ -77,11 +77,6 @@ export class Device {
     return !this.isMissing;
   }
 
-  /** @throws ContextError when the context was lost and nobody should wait for it; it may still come back. */
-  requireHope(): void {
-    if (this.isMissing) throw missingContext();
-  }
-
   /** Gives back what it holds, the context too if that is its own. May be called again. */
   dispose(): void {
     if (this.isDisposed) return;

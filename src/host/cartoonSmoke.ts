@@ -13,13 +13,14 @@ import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
 import { InsertPass } from '../passes/insert.ts';
 import { SmokePictures } from '../passes/pictures.ts';
-import { SimulatorError, UnsupportedError, type LoadError } from '../preset/errors.ts';
+import { SimulatorError, UnsupportedError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { Clock, STEP_SECONDS } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { simulatorValues } from '../sim/simulatorValues.ts';
-import { fetchExtras, hasExtras } from '../smoke/extraPasses.ts';
+import { completionOf, type Completion } from '../smoke/completion.ts';
+import { fetchExtras } from '../smoke/extraPasses.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import type { Style } from '../smoke/style.ts';
@@ -73,13 +74,13 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private readonly receivers = new Box3();
   private readonly viewport = new Vector4();
   private readonly puffs: LivePuffs;
+  private readonly completion: Completion;
   private readonly stopListening: () => void;
   private values: Values;
   private style: Style;
   private now = 0;
   private isDrawing = false;
   private isDisposed = false;
-  private completing: Promise<void> | undefined;
   private objection: Error | undefined;
   private drawn = { bodiesDrawn: 0, castersDrawn: 0 };
 
@@ -125,6 +126,11 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.passes = this.makePasses(values['simulation.maxParticles'] as number);
     this.puffs = new LivePuffs(values);
     this.showPuffs(this.puffs.finish());
+    this.completion = completionOf(
+      () => this.style,
+      () => {},
+      (error) => this.isDisposed || this.dispatchEvent({ type: 'error', error }),
+    );
     this.stopListening = this.device.onContext((event) => (event === 'lost' ? this.release() : undefined));
     this.add(this.makeMarker());
   }
@@ -188,7 +194,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.values = { ...this.values, ...values };
     this.style = hostStyle(this.values);
     this.puffs.follow(this.values);
-    if (this.style.form !== form) this.completeSoon();
+    if (this.style.form !== form) this.completion.begin();
   }
 
   /**
@@ -198,7 +204,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
    */
   async complete(): Promise<void> {
     this.requireAlive();
-    await fetchExtras(this.style);
+    await this.completion.wait();
   }
 
   /** All values that smoke has. */
@@ -228,17 +234,6 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.release();
     this.passes.casters.dispose();
     releaseDevice(this.device);
-  }
-
-  /** The same where nobody waits for it; what nobody wants any longer is not missed. */
-  private completeSoon(): void {
-    if (hasExtras(this.style)) return;
-    const tell = (error: LoadError) => {
-      if (!this.isDisposed && !hasExtras(this.style)) this.dispatchEvent({ type: 'error', error });
-    };
-    this.completing ??= fetchExtras(this.style)
-      .catch(tell)
-      .finally(() => (this.completing = undefined));
   }
 
   private makePasses(capacity: number): HostPasses {

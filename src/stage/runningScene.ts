@@ -1,12 +1,12 @@
-import { missingContext, type ContextEvent } from '../device/device.ts';
-import { SimulatorError, type ContextError } from '../preset/errors.ts';
+import { missingContext, type ContextEvent, type Device } from '../device/device.ts';
+import { SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { Scene } from '../scenes/scene.ts';
-import { fetchExtras, hasExtras } from '../smoke/extraPasses.ts';
+import { completionOf, type Completion } from '../smoke/completion.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import type { SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
-import { FrameLoop } from './frameLoop.ts';
+import { FrameLoop, type FrameTasks } from './frameLoop.ts';
 import { Gestures } from './gestures.ts';
 import { Listeners } from './listeners.ts';
 import type { OpenedScene } from './openScene.ts';
@@ -23,10 +23,13 @@ const HISTORY_BYTES = 64 * 1024 * 1024;
 type RunOptions = Pick<StageOptions, 'frameRate' | 'historyBytes' | 'onStep'>;
 
 /** A scene that runs: its simulation, its picture and its values go on together, and whoever listens is told. */
-export class RunningScene {
+export class RunningScene implements FrameTasks {
   readonly picture: Picture;
   readonly listeners = new Listeners<StageEvents>();
   readonly loop: FrameLoop;
+  /** Of what the picture needs and is not here. */
+  readonly completion: Completion;
+  private readonly device: Device;
   private readonly stopListening: () => void;
   private readonly options: RunOptions;
   private opened: OpenedScene;
@@ -35,20 +38,22 @@ export class RunningScene {
   private now: Values;
   private hasEnded = false;
   private isStale = false;
-  private completing: Promise<void> | undefined;
-  /** While nobody waits for the graphics context any longer. */
-  private contextError: ContextError | undefined;
 
   constructor(presenter: Presenter, opened: OpenedScene, values: Values, options: RunOptions) {
-    const tasks = { frame: (steps: number) => this.playOn(steps), fail: (error: Error) => this.fail(error) };
-    this.loop = new FrameLoop(tasks, options.frameRate);
+    this.loop = new FrameLoop(this, options.frameRate);
     this.now = values;
     this.options = options;
     this.opened = opened;
     this.simulated = this.simulate(opened, values);
     this.picture = new Picture(presenter, opened.scene, values);
     this.hands = new Gestures(this.simulated, this.picture);
-    this.stopListening = presenter.device.onContext((event) => this.followContext(event));
+    this.completion = completionOf(
+      () => this.picture.kind,
+      () => this.show(() => undefined),
+      (error) => this.listeners.tell('error', error),
+    );
+    this.device = presenter.device;
+    this.stopListening = this.device.onContext((event) => this.followContext(event));
   }
 
   /** Another one in each scene. */
@@ -177,34 +182,13 @@ export class RunningScene {
   follow(values: Values): void {
     this.now = values;
     this.picture.follow(values);
-    this.completeSoon();
+    this.completion.begin();
     this.tellState();
   }
 
   /** Where a state comes from elsewhere, its particles may have variations that no value has told of. */
   keepVariations(): void {
     this.picture.smoke.keepVariations(this.now, this.simulation.variationsAlive());
-  }
-
-  /**
-   * Fetches what the picture needs as it is asked for and is not here; it comes again with it.
-   * @throws LoadError when it cannot be fetched: nailboards are drawn then
-   */
-  complete(): Promise<void> {
-    this.completing ??= this.fetchMissing().finally(() => (this.completing = undefined));
-    return this.completing;
-  }
-
-  /** The same where nobody waits for it. */
-  completeSoon(): void {
-    if (!hasExtras(this.picture.kind)) this.complete().catch((error: Error) => this.listeners.tell('error', error));
-  }
-
-  private async fetchMissing(): Promise<void> {
-    while (!this.hasEnded && !hasExtras(this.picture.kind)) {
-      await fetchExtras(this.picture.kind);
-      this.show(() => undefined);
-    }
   }
 
   /** Changes what is seen, and shows it unless the next frame does. */
@@ -265,8 +249,8 @@ export class RunningScene {
 
   /** Who comes to listen to errors when nobody waits for the context any longer is told so, too. */
   listen<Event extends keyof StageEvents>(event: Event, listener: (detail: StageEvents[Event]) => void): () => void {
-    const error = this.contextError;
-    if (event === 'error' && error) queueMicrotask(() => (listener as (detail: Error) => void)(error));
+    if (event === 'error' && !this.device.hasHope)
+      queueMicrotask(() => (listener as (detail: Error) => void)(missingContext()));
     return this.listeners.add(event, listener);
   }
 
@@ -286,17 +270,12 @@ export class RunningScene {
   }
 
   private followContext(event: ContextEvent): void {
-    if (event === 'restored') {
-      this.contextError = undefined;
-      this.draw();
-    }
-    if (event === 'missing') {
-      this.contextError = missingContext();
-      this.listeners.tell('error', this.contextError);
-    }
+    if (event === 'restored') this.draw();
+    if (event === 'missing') this.listeners.tell('error', missingContext());
   }
 
-  private playOn(steps: number): void {
+  /** A frame while it plays. */
+  frame(steps: number): void {
     this.advance(steps);
     this.draw();
   }
@@ -305,7 +284,8 @@ export class RunningScene {
     return new Simulation(factory, scene, values, this.options.historyBytes ?? HISTORY_BYTES);
   }
 
-  private fail(error: Error): void {
+  /** Playing has come to an end by an error. */
+  fail(error: Error): void {
     this.tellState();
     this.listeners.tell('error', error);
   }

@@ -1,5 +1,5 @@
 import { MathUtils } from 'three';
-import type { DeviceCanvas } from '../device/device.ts';
+import { missingContext, type DeviceCanvas } from '../device/device.ts';
 import type { Fault } from '../device/faults.ts';
 import type { PuffForm } from '../device/puffTextures.ts';
 import type { DebugView, Quality } from '../preset/quality.ts';
@@ -43,11 +43,10 @@ export class Stage {
   };
   readonly #running: RunningScene;
   /** The latest call of enter. */
-  #entering: symbol | undefined;
+  #entering: object | undefined;
 
   /** @internal Use createStage. */
-  constructor(canvas: DeviceCanvas, presenter: Presenter, opened: OpenedScene, options: StageOptions) {
-    const values = { ...defaults(), ...options.values };
+  constructor(canvas: DeviceCanvas, presenter: Presenter, opened: OpenedScene, values: Values, options: StageOptions) {
     this.canvas = canvas;
     this.#running = new RunningScene(presenter, opened, values, options);
     this.#picture.hasBackground = options.background ?? true;
@@ -101,7 +100,7 @@ export class Stage {
   /** @throws ParameterError for a view that there is not */
   set view(view: DebugView | undefined) {
     this.#running.show(() => (this.#picture.view = view));
-    this.#running.completeSoon();
+    this.#running.completion.begin();
     this.#running.tellState();
   }
 
@@ -140,7 +139,7 @@ export class Stage {
    */
   complete(): Promise<void> {
     this.#running.requireAlive();
-    return this.#running.complete();
+    return this.#running.completion.wait();
   }
 
   /** Takes n whole steps and shows the last one. */
@@ -166,7 +165,7 @@ export class Stage {
   async seek(seconds: number, options: SeekOptions = {}): Promise<void> {
     this.#running.requireAlive();
     // Who asked for what cannot be had was told; time goes on without it.
-    await this.#running.complete().catch(() => undefined);
+    await this.#running.completion.wait().catch(() => undefined);
     await this.#running.seek(Math.max(0, Math.round(seconds / STEP_SECONDS)), options);
   }
 
@@ -184,9 +183,8 @@ export class Stage {
    */
   async enter(values: Values, { onProgress }: EnterOptions = {}): Promise<void> {
     this.#running.requireAlive();
-    validate(values);
-    const after = { ...defaults(), ...values };
-    const entry = (this.#entering = Symbol(String(after.scene)));
+    const after = withDefaults(values);
+    const entry = (this.#entering = {});
     const [opened] = await Promise.all([
       openScene(after.scene as string, onProgress),
       bakeAhead(after),
@@ -258,7 +256,7 @@ export class Stage {
    */
   async picture(): Promise<Blob> {
     this.#running.requireAlive();
-    await this.#running.complete();
+    await this.#running.completion.wait();
     this.#picture.requireContext();
     this.#picture.smoke.bake();
     this.#running.drawNow(1);
@@ -423,8 +421,7 @@ function kindOf(values: Values, view: DebugView | undefined): PictureKind {
  * when the graphics context went meanwhile and has not come back for long
  */
 export async function createStage(canvas: DeviceCanvas, options: StageOptions = {}): Promise<Stage> {
-  validate(options.values ?? {});
-  const values = { ...defaults(), ...options.values };
+  const values = withDefaults(options.values);
   const presenter = createPresenter(canvas, options.device, options);
   try {
     compileAhead(presenter.device, values);
@@ -434,12 +431,18 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
       fetchExtras({ ...kindOf(values, options.view), isFlat: !presenter.device.writesDepth }),
     ]);
     if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
-    presenter.device.requireHope();
-    return new Stage(canvas, presenter, opened, options);
+    if (!presenter.device.hasHope) throw missingContext();
+    return new Stage(canvas, presenter, opened, values, options);
   } catch (error) {
     presenter.dispose();
     throw error;
   }
+}
+
+/** @throws ParameterError for a value that no parameter takes */
+function withDefaults(values: Values = {}): Values {
+  validate(values);
+  return { ...defaults(), ...values };
 }
 
 /** @see Fault */

@@ -1,0 +1,43 @@
+import type { LoadError } from '../preset/errors.ts';
+import { fetchExtras, hasExtras, type PictureKind } from './extraPasses.ts';
+
+export interface Completion {
+  /**
+   * Settled when the next picture is drawn as it is asked for. What could not be fetched is tried anew.
+   * @throws LoadError when it cannot be fetched
+   */
+  wait(): Promise<void>;
+  /** The same where nobody waits for it; what nobody wants any longer is not missed. */
+  begin(): void;
+}
+
+/**
+ * Brings what pictures need as they are asked for and is not here: all at once, however many wait for it.
+ * @param wanted how pictures are asked for now
+ * @param show told when something has come
+ * @param miss told why something cannot be had, once, where nobody waits for it
+ */
+export function completionOf(
+  wanted: () => PictureKind,
+  show: () => void,
+  miss: (error: LoadError) => void,
+): Completion {
+  let fetching: Promise<void> | undefined;
+  let telling: Promise<void> | undefined;
+  const isComplete = () => hasExtras(wanted());
+  const fetchMissing = async () => {
+    while (!isComplete()) {
+      await fetchExtras(wanted());
+      show();
+    }
+  };
+  const wait = () => (fetching ??= fetchMissing().finally(() => (fetching = undefined)));
+  const tell = (error: LoadError) => (isComplete() ? undefined : miss(error));
+  const begin = () => {
+    if (!isComplete())
+      telling ??= wait()
+        .catch(tell)
+        .finally(() => (telling = undefined));
+  };
+  return { wait, begin };
+}
