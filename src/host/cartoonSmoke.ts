@@ -1,18 +1,6 @@
-import {
-  Box3,
-  Group,
-  NoBlending,
-  Vector2,
-  Vector4,
-  type Camera,
-  type Object3D,
-  type Scene,
-  type WebGLRenderer,
-} from 'three';
+import { Box3, Group, Vector2, Vector4, type Camera, type Object3D, type Scene, type WebGLRenderer } from 'three';
 import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
-import { InsertPass } from '../passes/insert.ts';
-import { SmokePictures } from '../passes/pictures.ts';
 import { SimulatorError, UnsupportedError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { Clock, STEP_SECONDS } from '../sim/clock.ts';
@@ -22,14 +10,14 @@ import { simulatorValues } from '../sim/simulatorValues.ts';
 import { completionOf, type Completion } from '../smoke/completion.ts';
 import { fetchExtras } from '../smoke/extraPasses.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
-import { SmokeRenderer } from '../smoke/smoke.ts';
 import type { Style } from '../smoke/style.ts';
-import { Casters } from './casters.ts';
 import { Colliders, type CollideOptions } from './colliders.ts';
 import { borrowDevice, releaseDevice } from './devices.ts';
 import { Nozzle } from './nozzle.ts';
-import { drawIntoHost, type HostPasses } from './hostFrame.ts';
+import { drawIntoHost } from './hostFrame.ts';
+import { HostPasses } from './hostPasses.ts';
 import { lightFrom, requireKeyLight, type KeyLight } from './keyLight.ts';
+import { markWith } from './marker.ts';
 import {
   hostStyle,
   requireChangeable,
@@ -123,7 +111,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.values = values;
     this.style = hostStyle(values);
     this.colliders = new Colliders(simulator);
-    this.passes = this.makePasses(values['simulation.maxParticles'] as number);
+    this.passes = new HostPasses(device, values['simulation.maxParticles'] as number);
     this.puffs = new LivePuffs(values);
     this.showPuffs(this.puffs.finish());
     this.completion = completionOf(
@@ -131,8 +119,10 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
       () => {},
       (error) => this.isDisposed || this.dispatchEvent({ type: 'error', error }),
     );
-    this.stopListening = this.device.onContext((event) => (event === 'lost' ? this.release() : undefined));
-    this.add(this.makeMarker());
+    this.stopListening = this.device.onContext((event) => (event === 'lost' ? this.passes.release() : undefined));
+    const { unlitMesh } = this.passes.insert;
+    markWith(unlitMesh, (renderer, scene, camera) => this.draw(renderer, scene, camera));
+    this.add(unlitMesh);
   }
 
   /** Lets smoke bump into an object, wherever that goes from now on. See {@link CollideOptions}. */
@@ -230,46 +220,12 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.removeFromParent();
     this.simulator.dispose();
     this.stopListening();
-    this.passes.smoke.dispose();
-    this.release();
-    this.passes.casters.dispose();
+    this.passes.dispose();
     releaseDevice(this.device);
-  }
-
-  private makePasses(capacity: number): HostPasses {
-    const { device } = this;
-    const smoke = new SmokeRenderer(device, { capacity, surfaces: [], isGuest: true });
-    const { eye } = smoke.passes;
-    const casters = new Casters(device, eye);
-    return { smoke, casters, pictures: new SmokePictures(), insert: new InsertPass(eye) };
-  }
-
-  /** Lets go of what is on the device; what is drawn again gets it anew. */
-  private release(): void {
-    this.passes.insert.dispose();
-    this.passes.pictures.dispose();
-    this.passes.casters.release();
   }
 
   private showPuffs(puffs: BakedPuffs | undefined): void {
     if (puffs) this.passes.smoke.setPuffs(puffs);
-  }
-
-  /** The first of a scene's blended objects: when its turn comes, all that is opaque stands. */
-  private makeMarker(): Object3D {
-    const marker = this.passes.insert.unlitMesh;
-    marker.onBeforeRender = (renderer, scene, camera) => {
-      const isDrawn = this.draw(renderer, scene, camera);
-      marker.geometry.setDrawRange(0, isDrawn ? 3 : 0);
-    };
-    marker.onAfterRender = (renderer) => {
-      renderer.clearStencil();
-      renderer.state.buffers.stencil.setTest(false);
-      renderer.state.setBlending(NoBlending);
-    };
-    // It covers the whole view, and nobody means it when pointing at something.
-    marker.raycast = () => {};
-    return marker;
   }
 
   /** Draws all but the marker itself; false where smoke cannot be drawn, which the next update tells. */

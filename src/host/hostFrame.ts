@@ -1,21 +1,10 @@
 import { Vector2, type Camera, type Scene, type WebGLRenderer } from 'three';
-import type { SmokePictures } from '../passes/pictures.ts';
-import type { InsertPass } from '../passes/insert.ts';
 import type { FrameInput, FrameReport } from '../smoke/frame.ts';
-import type { SmokeRenderer } from '../smoke/smoke.ts';
-import type { Casters } from './casters.ts';
+import type { HostPasses } from './hostPasses.ts';
 import type { KeyLight } from './keyLight.ts';
 import { relight } from './relight.ts';
 import { isLinearPicture } from './requirements.ts';
 import { RendererState } from './rendererState.ts';
-
-/** What a frame is drawn with, besides the passes of the smoke. */
-export interface HostPasses {
-  smoke: SmokeRenderer;
-  pictures: SmokePictures;
-  insert: InsertPass;
-  casters: Casters;
-}
 
 /** Into whose picture smoke is drawn. */
 export interface HostView {
