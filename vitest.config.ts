@@ -12,7 +12,9 @@ export default defineConfig({
     exclude: isLong ? [] : [LONG],
     environment: 'node',
     allowOnly: false,
-    testTimeout: isLong ? 600_000 : 30_000,
+    // Long enough for the slowest of machines, as in playwright.config.ts.
+    testTimeout: 600_000,
+    hookTimeout: 600_000,
     passWithNoTests: false,
   },
 });
