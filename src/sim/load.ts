@@ -4,7 +4,8 @@
 import { LoadError, UnsupportedError } from '../preset/errors.ts';
 import { inTime, whenLate } from '../preset/patience.ts';
 import type { TakeInfo } from './input.ts';
-import { explainRefusal, isRefusal, Simulator, type SimulatorModule, type SimulatorOptions } from './simulator.ts';
+import { explainRefusal, isRefusal } from './refusal.ts';
+import { Simulator, type SimulatorModule, type SimulatorOptions } from './simulator.ts';
 
 /** How far a download is; `total` is undefined when the server does not tell. Bytes after decompression. */
 export interface LoadProgress {

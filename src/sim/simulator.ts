@@ -6,7 +6,8 @@ import type * as Core from './core.ts';
 import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';
 import { requireIndices } from './indices.ts';
 import type { JointDescription } from './joint.ts';
-import { poseNumbers } from './pose.ts';
+import { blendPose, poseNumbers } from './pose.ts';
+import { explainRefusal, isRefusal } from './refusal.ts';
 import type { RigidDescription } from './rigid.ts';
 import type * as RigidNumbers from './rigidNumbers.ts';
 import type { RigidPath, RigidSpin } from './rigidPath.ts';
@@ -36,15 +37,6 @@ export interface Bounds {
   max: [number, number, number];
   /** Of the living particles, metres. */
   greatestRadius: number;
-}
-
-/** The refusals of the module, as its Rust side makes them. */
-interface Refusal {
-  key: string;
-  value: number;
-  min: number;
-  max: number;
-  message: string;
 }
 
 /**
@@ -410,36 +402,4 @@ function requireWhole(name: string, value: number): void {
   if (!Number.isInteger(value) || value < 0 || value > 0xffffffff) {
     throw new ParameterError(name, value, 'a whole number from 0 to 4294967295');
   }
-}
-
-export function isRefusal(error: unknown): error is Refusal {
-  return typeof error === 'object' && error !== null && 'key' in error && 'message' in error;
-}
-
-export function explainRefusal(refusal: Refusal): Error {
-  if (refusal.key === '') return new SimulatorError(refusal.message);
-  const ranged = refusal.min <= refusal.max;
-  return new ParameterError(
-    refusal.key,
-    refusal.value,
-    ranged ? `a number from ${refusal.min} to ${refusal.max}` : refusal.message,
-  );
-}
-
-/** Linear in position; the quaternion by the shorter way and brought back to unit length. */
-function blendPose(poses: Float32Array, index: number, blend: number, result: Float32Array): void {
-  const before = index * RIGID_FLOATS;
-  const now = before + POSE_FLOATS;
-  const to = index * POSE_FLOATS;
-  let cosine = 0;
-  for (let part = 3; part < POSE_FLOATS; part++) cosine += poses[before + part] * poses[now + part];
-  const sign = cosine < 0 ? -1 : 1;
-  let square = 0;
-  for (let part = 0; part < POSE_FLOATS; part++) {
-    const end = part < 3 ? poses[now + part] : sign * poses[now + part];
-    result[to + part] = poses[before + part] + (end - poses[before + part]) * blend;
-    if (part >= 3) square += result[to + part] ** 2;
-  }
-  const scale = 1 / Math.sqrt(square);
-  for (let part = 3; part < POSE_FLOATS; part++) result[to + part] *= scale;
 }
