@@ -14,7 +14,8 @@ export interface Watched {
 
 /**
  * Finds out that a worker is gone: browsers may end one without a word, as for want of memory. What counts are beats while the
- * page runs in view, and not seconds: a laptop that sleeps, a hidden tab and a debugger's break have no beats.
+ * page runs in view, and not seconds: a laptop that sleeps, a hidden tab and a debugger's break have no beats. A
+ * worker that is itself held by a debugger for so long is as silent as one that is gone, and is given up.
  * @returns the function that ends this
  */
 export function watchHeart({ worker, onGone }: Watched): () => void {
