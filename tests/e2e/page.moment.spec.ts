@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { packBytes } from '../../src/preset/packing.ts';
 import { expect, test } from '../support/fixtures.ts';
-import { ask, ballPlace, closeSheet, crawl, expectValue, hold, LIGHT, open } from './page.ts';
+import { ask, ballPlace, closeSheet, crawl, expectValue, hold, LIGHT, messagesOf, open } from './page.ts';
 
 test.use({ viewport: { width: 320, height: 240 } });
 
@@ -109,8 +109,9 @@ test('a moment is its time alone while nobody touches it; a long take is done ag
     await crawl(page);
     await page.goto(link);
     await expect(page.getByRole('progressbar', { name: 'Doing again what was done in 66.7 s' })).toBeVisible();
+    const told = await messagesOf(page);
     await page.getByRole('button', { name: 'Stop here' }).click();
-    await expect(page.getByText('Stopped at')).toBeVisible();
+    await expect.poll(told).toEqual([expect.stringContaining('Stopped at')]);
     expect(await ask(page, (stage) => stage.stats.steps)).toBeLessThan(4_000);
   });
 });

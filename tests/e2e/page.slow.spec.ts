@@ -1,5 +1,5 @@
 import { expect, test } from '../support/fixtures.ts';
-import { ask, LIGHT, open } from './page.ts';
+import { ask, LIGHT, messagesOf, open } from './page.ts';
 
 test('a machine that is late is told once, politely, and draws fewer pixels', async ({ page }) => {
   // Frames come when this says, whatever the machine can do.
@@ -12,18 +12,7 @@ test('a machine that is late is told once, politely, and draws fewer pixels', as
   });
   await page.setViewportSize({ width: 200, height: 150 });
   await open(page, LIGHT);
-  // It goes by itself, so that looking now and then could miss it.
-  await page.evaluate(() => {
-    const told: string[] = [];
-    Object.assign(window, { told });
-    const note = (records: MutationRecord[]) => {
-      for (const { addedNodes } of records) for (const node of addedNodes) told.push(node.textContent ?? '');
-    };
-    new MutationObserver(note).observe(document.querySelector('[aria-label="Messages"][role=status]')!, {
-      childList: true,
-    });
-  });
-  const told = () => page.evaluate(() => (window as unknown as { told: string[] }).told);
+  const told = await messagesOf(page);
   await expect.poll(() => ask(page, (stage) => stage.stats.steps)).toBeGreaterThan(60);
   expect(await ask(page, (stage) => stage.stats.scale)).toBe(1);
   expect(await told()).toEqual([]);

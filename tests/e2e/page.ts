@@ -60,6 +60,22 @@ export async function expectSteps(page: Page, count: number): Promise<void> {
   await expect.poll(arrived, { message: 'steps' }).toBe(count);
 }
 
+/** What the page tells people from now on: some of it goes by itself, so that looking now and then could miss it. */
+export async function messagesOf(page: Page): Promise<() => Promise<string[]>> {
+  const told = await page.evaluateHandle(() => {
+    const texts: string[] = [];
+    const note = (node: Node) => {
+      if (node instanceof Element && node.checkVisibility()) texts.push(node.textContent ?? '');
+    };
+    const region = document.querySelector('[aria-label="Messages"][role=status]')!;
+    new MutationObserver((records) => records.forEach(({ addedNodes }) => addedNodes.forEach(note))).observe(region, {
+      childList: true,
+    });
+    return texts;
+  });
+  return () => told.jsonValue();
+}
+
 /** Closes the sheet that is open. Only when it is gone are keys the page's again, which on a busy machine may take a while. */
 export async function closeSheet(page: Page): Promise<void> {
   await page.keyboard.press('Escape');
