@@ -219,7 +219,7 @@ test('smoke that played goes on after a sheet that was opened again at once, and
     dialog.close();
     document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'c', bubbles: true }));
     // Before the page hears of the closing, which it does with the next frame.
-    while (!dialog.open) await undefined;
+    while (!dialog.open) await Promise.resolve();
     dialog.querySelector('form')!.requestSubmit();
   });
   await expect(sheet.getByText('Saved lamp-')).toBeVisible();
