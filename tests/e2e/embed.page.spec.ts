@@ -81,6 +81,30 @@ test('a smoke that stays while the page scrolls sees its boxes go by: of many th
   expect(await noticesOf(page)).toEqual(['collide fits 12 elements; the nearest 8 count.']);
 });
 
+test('a link to a moment finds the page in the smoke all the way there, whether it comes first or later', async ({
+  page,
+  host,
+}) => {
+  const [first, later] = ['?paused=1#preset=air', '?paused=1&t=3#preset=air'];
+  const smoke = page.locator('cartoon-smoke');
+  const show = async (link: string) => {
+    await host(`${box('a', 170, 225, 300, 75)}${box('fire', 220, 420, 200, 10)}
+      <cartoon-smoke ${AIR} src="${link}" collide="#a" emit-from="#fire"></cartoon-smoke>`);
+    await stands(page);
+  };
+  const arrived = async () => {
+    await expect
+      .poll(() => smoke.evaluate(async (element: CartoonSmokeElement) => (await element.stats()).steps))
+      .toBe(180);
+    return smoke.evaluate((element: CartoonSmokeElement) => element.hash());
+  };
+  await show(first);
+  await smoke.evaluate((element: CartoonSmokeElement, link) => (element.src = link), later);
+  const hash = await arrived();
+  await show(later);
+  expect(await arrived()).toBe(hash);
+});
+
 test('no smoke is drawn where a box of the page stands, and some is around it', async ({ page, host }) => {
   await host(`<cartoon-smoke ${AIR} paused start="5" collide="button" emit-from="#fire"></cartoon-smoke>
     ${box('a', 260, 160, 120, 60)}<i id="fire" style="position: absolute; left: 300px; top: 420px; width: 40px; height: 10px"></i>`);
