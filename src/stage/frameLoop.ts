@@ -7,6 +7,8 @@ const EARLY_MS = 4;
 
 /** What a loop calls on. */
 export interface FrameTasks {
+  /** Whether frames before are still being drawn, so that the next one had better come later. */
+  readonly isBehind: boolean;
   /** Takes so many steps, often 0, and shows what is then. */
   frame(steps: number): void;
   /** A frame has failed, and the loop has stopped. */
@@ -95,7 +97,7 @@ export class FrameLoop {
   private readonly tick = (now: number): void => {
     if (!this.isRunning || !this.hasViewers) return;
     this.request = requestFrame(this.tick);
-    if (!this.isDue(now)) return;
+    if (this.tasks.isBehind || !this.isDue(now)) return;
     if (this.isHeld) return this.governor.rest();
     this.governor.tick(now);
     const isFirst = this.clock.isResting;

@@ -1,4 +1,5 @@
 import { missingContext, type ContextEvent, type Device } from '../device/device.ts';
+import { FramesInFlight } from '../device/framesInFlight.ts';
 import { SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { Scene } from '../scenes/scene.ts';
@@ -30,6 +31,7 @@ export class RunningScene implements FrameTasks {
   /** Of what the picture needs and is not here. */
   readonly completion: Completion;
   private readonly device: Device;
+  private readonly inFlight: FramesInFlight;
   private readonly stopListening: () => void;
   private readonly options: RunOptions;
   private opened: OpenedScene;
@@ -53,6 +55,7 @@ export class RunningScene implements FrameTasks {
       (error) => this.listeners.tell('error', error),
     );
     this.device = presenter.device;
+    this.inFlight = new FramesInFlight(this.device);
     this.stopListening = this.device.onContext((event) => this.followContext(event));
   }
 
@@ -270,14 +273,24 @@ export class RunningScene implements FrameTasks {
   }
 
   private followContext(event: ContextEvent): void {
-    if (event === 'restored') this.draw();
+    if (event === 'restored') this.drawAnew();
     if (event === 'missing') this.listeners.tell('error', missingContext());
+  }
+
+  private drawAnew(): void {
+    this.inFlight.clear();
+    this.draw();
+  }
+
+  get isBehind(): boolean {
+    return this.inFlight.isFull;
   }
 
   /** A frame while it plays. */
   frame(steps: number): void {
     this.advance(steps);
     this.draw();
+    this.inFlight.add();
   }
 
   private simulate({ factory, scene }: OpenedScene, values: Values): Simulation {

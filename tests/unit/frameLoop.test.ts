@@ -3,10 +3,13 @@ import { FrameLoop } from '../../src/stage/frameLoop.ts';
 
 let callbacks: ((now: number) => void)[];
 let frames: number;
+let steps: number;
+let isBehind: boolean;
 
 beforeEach(() => {
   callbacks = [];
-  frames = 0;
+  frames = steps = 0;
+  isBehind = false;
   vi.stubGlobal('requestAnimationFrame', (callback: (now: number) => void) => callbacks.push(callback));
   vi.stubGlobal('cancelAnimationFrame', (request: number) => (callbacks[request - 1] = () => {}));
 });
@@ -14,7 +17,13 @@ afterEach(() => vi.unstubAllGlobals());
 
 function loopOf(frameRate?: number): FrameLoop {
   const tasks = {
-    frame: () => void frames++,
+    get isBehind() {
+      return isBehind;
+    },
+    frame: (count: number) => {
+      frames += 1;
+      steps += count;
+    },
     fail: (error: Error) => {
       throw error;
     },
@@ -87,4 +96,18 @@ test('coming into view does not play what was paused, neither before nor meanwhi
   second(60);
   expect(frames).toBe(0);
   expect(loop.isPlaying).toBe(false);
+});
+
+test('while earlier frames are still being drawn none comes, and the next one has the time of all', () => {
+  const loop = loopOf();
+  loop.play();
+  second(60);
+  const [before, taken] = [frames, steps];
+  isBehind = true;
+  for (const now of [1000, 1016, 1033]) second(1, now);
+  expect(frames).toBe(before);
+  isBehind = false;
+  second(1, 1050);
+  expect(frames).toBe(before + 1);
+  expect(steps - taken).toBeGreaterThanOrEqual(3);
 });

@@ -3,12 +3,14 @@ import { bytesOf, expectGolden } from '../support/goldens.ts';
 import { expectGone } from './stageEnds.ts';
 
 type Pictures = typeof import('./cases/stage.ts');
+type Backlog = typeof import('./cases/stageBacklog.ts');
 type Devices = typeof import('./cases/stageDevices.ts');
 type Quality = typeof import('./cases/stageQuality.ts');
 type Renderers = typeof import('./cases/stageRenderers.ts');
 type Times = typeof import('./cases/stageTimes.ts');
 
 const PICTURES = '/tests/visual/cases/stage.ts';
+const BACKLOG = '/tests/visual/cases/stageBacklog.ts';
 const DEVICES = '/tests/visual/cases/stageDevices.ts';
 const QUALITY = '/tests/visual/cases/stageQuality.ts';
 const RENDERERS = '/tests/visual/cases/stageRenderers.ts';
@@ -50,6 +52,11 @@ test('a stage that may choose draws fewer pixels while it is late, and all of th
   const cases = await load<Quality>(QUALITY);
   expect(await cases.evaluate((module) => module.governedScales('auto'))).toEqual({ played: [1, 0.59], paused: 1 });
   expect(await cases.evaluate((module) => module.governedScales(undefined))).toEqual({ played: [1], paused: 1 });
+});
+
+test('no frames pile up for a GPU that falls behind, even where the browser shows none of them', async ({ load }) => {
+  const cases = await load<Backlog>(BACKLOG);
+  expect(await cases.evaluate((module) => module.mostInFlight(12))).toBeLessThanOrEqual(2);
 });
 
 test('memory that grows in mid-run keeps drawing', async ({ load }) => {

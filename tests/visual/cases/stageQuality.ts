@@ -1,6 +1,7 @@
 /** Stages that draw fewer pixels than the page has. */
 import { createDevice, type Device } from '../../../src/device/device.ts';
 import { createStage } from '../../../src/stage/stage.ts';
+import { allDrawn } from './stageBacklog.ts';
 import { differing, HEIGHT, pixelsOf, shown, SMALL, visibleCanvas, WIDTH } from './stage.ts';
 
 /**
@@ -61,6 +62,7 @@ export async function governedScales(quality: 'auto' | undefined): Promise<{ pla
   const played: number[] = [];
   stage.play();
   for (let now = 0, count = 0; count < 60; ++count) {
+    await allDrawn(canvas);
     frame((now += 50 * stage.stats.scale ** 2));
     if (played.at(-1) !== stage.stats.scale) played.push(stage.stats.scale);
   }

@@ -1,0 +1,45 @@
+/** Frames that a stage has handed to the GPU and that are not drawn yet. */
+import { lampStage, visibleCanvas } from './stage.ts';
+
+/**
+ * Plays so many frames below the viewport, where no browser holds them back.
+ * @returns how many of them were under way at once, at most
+ */
+export async function mostInFlight(frames: number): Promise<number> {
+  const canvas = visibleCanvas();
+  canvas.style.cssText = 'position: fixed; top: 110vh';
+  const stage = await lampStage(canvas);
+  const context = canvas.getContext('webgl2')!;
+  let fences: WebGLSync[] = [];
+  let most = 0;
+  let played = 0;
+  stage.play();
+  await new Promise<void>((resolve) => {
+    stage.on('frame', () => {
+      fences = [...fences.filter((fence) => !isPassed(context, fence)), fenceIn(context)];
+      most = Math.max(most, fences.length);
+      if (++played === frames) resolve();
+    });
+  });
+  stage.dispose();
+  canvas.remove();
+  return most;
+}
+
+/** Settled when the GPU has drawn all that it was given. */
+export async function allDrawn(canvas: OffscreenCanvas | HTMLCanvasElement): Promise<void> {
+  const context = canvas.getContext('webgl2')!;
+  const fence = fenceIn(context);
+  // What has passed is known by the next task at the earliest.
+  while (!isPassed(context, fence)) await new Promise((resolve) => setTimeout(resolve));
+}
+
+function fenceIn(context: WebGL2RenderingContext): WebGLSync {
+  const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0)!;
+  context.flush();
+  return fence;
+}
+
+function isPassed(context: WebGL2RenderingContext, fence: WebGLSync): boolean {
+  return context.getSyncParameter(fence, context.SYNC_STATUS) === context.SIGNALED;
+}
