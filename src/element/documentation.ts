@@ -16,7 +16,12 @@ export const attributes = [
   },
   { name: 'paused', type: flag, description: 'Does not play. The button in the corner sets and removes it.' },
   { name: 'transparent', type: flag, description: 'Shows the page behind the smoke in the place of a backdrop.' },
-  { name: 'interactive', type: flag, description: 'Takes pointers and keys; without it they go to what lies below.' },
+  {
+    name: 'interactive',
+    type: flag,
+    description:
+      'Takes pointers and keys - arrows turn, + and - zoom, 0 goes back - and leaves the wheel and swipes up and down to the page. Without it all go to what lies below.',
+  },
   { name: 'start', type: { text: 'number' }, description: 'Simulated seconds before the first picture, 0 to 600.' },
   { name: 'alt', type: string, description: 'What screen readers say; empty where the smoke is ornament.' },
   {
@@ -101,7 +106,10 @@ export const slots = [
 
 export const cssParts = [
   { name: 'frame', description: 'The box of everything.' },
-  { name: 'canvas', description: 'What the smoke is drawn on.' },
+  {
+    name: 'canvas',
+    description: 'What the smoke is drawn on. With `touch-action: none` an interactive one has all swipes.',
+  },
   { name: 'poster', description: 'The box of the poster.' },
   { name: 'fallback', description: 'The box of the fallback.' },
   { name: 'button', description: 'The button that pauses and plays.' },

@@ -12,6 +12,8 @@ interface Press {
   x: number;
   y: number;
   readonly isHolding: Promise<boolean>;
+  /** Known not to hold anything. */
+  isLoose: boolean;
 }
 
 /** What keys do to the view. */
@@ -20,13 +22,16 @@ const KEYS: Readonly<Record<string, (stage: RemoteStage) => Promise<void>>> = {
   ArrowRight: (stage) => stage.orbit(TURN_PER_KEY, 0),
   ArrowUp: (stage) => stage.orbit(0, TURN_PER_KEY),
   ArrowDown: (stage) => stage.orbit(0, -TURN_PER_KEY),
-  '+': (stage) => stage.zoom(1 / ZOOM_PER_KEY),
-  '-': (stage) => stage.zoom(ZOOM_PER_KEY),
+  '+': (stage) => stage.zoom(ZOOM_PER_KEY),
+  '=': (stage) => stage.zoom(ZOOM_PER_KEY),
+  '-': (stage) => stage.zoom(1 / ZOOM_PER_KEY),
+  '0': (stage) => stage.resetView(),
 };
 
 /**
  * Lets people move what can be moved and turn the view, while the element is interactive; pointers and keys are the page's
- * own otherwise. The wheel stays the page's, which scrolls by it; with Ctrl, as of a pinch, it zooms.
+ * own otherwise. The wheel stays the page's, which scrolls by it; with Ctrl, as of a pinch, it zooms. Likewise swipes up and
+ * down scroll the page (`touch-action` of the canvas), and two fingers zoom.
  */
 export class PointerWays {
   private readonly stage: RemoteStage;
@@ -69,11 +74,16 @@ export class PointerWays {
       (held) => held === 'rigid',
       () => false,
     );
-    const press = { x: event.clientX, y: event.clientY, isHolding };
+    const press = { x: event.clientX, y: event.clientY, isHolding, isLoose: false };
     this.presses.set(event.pointerId, press);
     // It may be over by the time of the answer.
     const isOn = () => this.presses.get(event.pointerId) === press;
-    quietly(isHolding.then((isHeld) => canvas.classList.toggle('holding', isHeld && isOn())));
+    quietly(
+      isHolding.then((isHeld) => {
+        press.isLoose = !isHeld;
+        canvas.classList.toggle('holding', isHeld && isOn());
+      }),
+    );
   }
 
   private move(event: PointerEvent): void {
@@ -81,16 +91,30 @@ export class PointerWays {
     if (!press) return;
     // It was let go where nobody could tell, as while the canvas was moved about the page.
     if (event.buttons === 0) return this.release(event, 'cancel');
+    const before = this.spread();
     const [dx, dy] = [event.clientX - press.x, event.clientY - press.y];
     Object.assign(press, { x: event.clientX, y: event.clientY });
-    const { stage, presses } = this;
-    const share = 1 / presses.size;
+    const after = this.spread();
+    const nearer = before > 0 && after > 0 ? after / before : 1;
+    const share = 1 / this.presses.size;
     const input = { type: 'move', id: event.pointerId, ...placeOf(event) } as const;
     quietly(
       press.isHolding.then<unknown>((isHeld) =>
-        isHeld ? stage.pointer(input) : stage.orbit(-dx * share * TURN_PER_PIXEL, dy * share * TURN_PER_PIXEL),
+        isHeld ? this.stage.pointer(input) : this.look(dx * share, dy * share, nearer),
       ),
     );
+  }
+
+  /** By pixels of a drag, and by how much farther two fingers have gone from each other. */
+  private look(dx: number, dy: number, nearer: number): Promise<unknown> {
+    const turned = this.stage.orbit(-dx * TURN_PER_PIXEL, dy * TURN_PER_PIXEL);
+    return nearer === 1 ? turned : Promise.all([turned, this.stage.zoom(nearer)]);
+  }
+
+  /** Distance between two pointers that hold nothing, in pixels; 0 for fewer. */
+  private spread(): number {
+    const [a, b] = [...this.presses.values()].filter(({ isLoose }) => isLoose);
+    return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
   }
 
   private release(event: PointerEvent, type: 'up' | 'cancel'): void {
@@ -107,7 +131,7 @@ export class PointerWays {
   private wheel(event: WheelEvent): void {
     if (!event.ctrlKey) return;
     event.preventDefault();
-    quietly(this.stage.zoom(Math.exp(event.deltaY * ZOOM_PER_PIXEL)));
+    quietly(this.stage.zoom(Math.exp(-event.deltaY * ZOOM_PER_PIXEL)));
   }
 
   private key(event: KeyboardEvent): void {

@@ -49,7 +49,7 @@ export interface RemoteMethods {
   nudge(by: { dx?: number; dy?: number; dz?: number }): Promise<void>;
   /** Turns the eye about what it looks at, by radians. */
   orbit(azimuth: number, elevation: number): Promise<void>;
-  /** @param factor on the distance */
+  /** Comes nearer by a factor above 1. */
   zoom(factor: number): Promise<void>;
   /** @param x, y in CSS pixels */
   pan(x: number, y: number): Promise<void>;

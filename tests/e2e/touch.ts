@@ -25,6 +25,19 @@ export async function fingerOf(page: Page): Promise<Drag> {
   };
 }
 
+/** Two fingers beside each other, at a height of 100 pixels, that go from these places of the width to those. */
+export async function fingersOf(page: Page): Promise<(from: [number, number], to: [number, number]) => Promise<void>> {
+  const session = await page.context().newCDPSession(page);
+  const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...widths: number[]) =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints: widths.map((x, id) => ({ x, y: 100, id })) });
+  return async (from, to) => {
+    await touch('touchStart', ...from);
+    await touch('touchMove', ...from.map((x, id) => (x + to[id]) / 2));
+    await touch('touchMove', ...to);
+    await touch('touchEnd');
+  };
+}
+
 /** Two taps a tenth of a second apart, however long the page takes over the first. */
 export async function doubleTap(page: Page, place: Place): Promise<void> {
   const session = await page.context().newCDPSession(page);
