@@ -14,11 +14,11 @@ async function opened(page: Page, host: OpenHost, style = ''): Promise<void> {
   await expect(page.locator('cartoon-smoke canvas')).toHaveAttribute('tabindex');
 }
 
-/** Where the eye stands: degrees about what it looks at, and metres from it, both as they were at first when unset. */
-async function eye(page: Page): Promise<{ azimuth: number | undefined; distance: number | undefined }> {
+/** Where the eye stands: degrees about what it looks at, and metres from it; undefined where nothing has moved it. */
+async function eye(page: Page): Promise<Record<'azimuth' | 'distance', number | undefined>> {
   const values = await page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => smoke.get());
-  const [azimuth, distance] = ['camera.azimuth', 'camera.distance'].map((key) => values[key] as number | undefined);
-  return { azimuth, distance };
+  const valueOf = (key: string) => values[key] as number | undefined;
+  return { azimuth: valueOf('camera.azimuth'), distance: valueOf('camera.distance') };
 }
 
 /** Metres from what the eye looks at, which has been zoomed. */
