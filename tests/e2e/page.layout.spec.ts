@@ -1,4 +1,4 @@
-/** The picture stands in the middle of what gallery and panel leave, and neither lies over what people press. */
+/** The picture stands in the middle of what controls leave, and none of them lies over what people press. */
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { LIGHT, open } from './page.ts';
@@ -48,3 +48,43 @@ test('whatever is open beside it', async ({ page }) => {
     await pressable();
   });
 });
+
+for (const [width, height] of [
+  [390, 664],
+  [320, 568],
+]) {
+  test.describe(`on a phone of ${width} x ${height}`, () => {
+    test.use({ viewport: { width, height }, hasTouch: true, isMobile: true });
+
+    test('nothing lies on the picture, and every button is in sight', async ({ page }) => {
+      await open(page, `?paused=1${LIGHT}`);
+      const playback = page.getByRole('group', { name: 'Playback' });
+      const presets = page.getByRole('button', { name: 'Presets' });
+      const expectPictureAbove = async () => {
+        const picture = (await page.locator('#smoke').boundingBox())!;
+        const bar = (await playback.boundingBox())!;
+        expect([picture.y, picture.y + picture.height <= bar.y, picture.height > height / 3]).toEqual([0, true, true]);
+        expect(bar.y + bar.height).toBeLessThanOrEqual(height);
+      };
+      await test.step('with the gallery or without it', async () => {
+        const isOpen = (await presets.getAttribute('aria-expanded')) === 'true';
+        await expectPictureAbove();
+        await presets.tap();
+        await expect(presets).toHaveAttribute('aria-expanded', String(!isOpen));
+        await expectPictureAbove();
+      });
+      await test.step('buttons stand in one row each, within the window', async () => {
+        for (const row of [playback, page.getByRole('banner')]) {
+          const boxes = await Promise.all((await row.getByRole('button').all()).map((button) => button.boundingBox()));
+          const middles = boxes.map((box) => Math.round(box!.y + box!.height / 2));
+          expect(Math.max(...middles) - Math.min(...middles)).toBeLessThanOrEqual(1);
+          expect(Math.max(...boxes.map((box) => box!.x + box!.width))).toBeLessThanOrEqual(width);
+        }
+      });
+      await test.step('the bare picture has the whole window', async () => {
+        await open(page, `?paused=1&ui=0${LIGHT}`);
+        expect(await page.locator('#smoke').boundingBox()).toEqual({ x: 0, y: 0, width, height });
+      });
+    });
+  });
+}
