@@ -8,6 +8,7 @@ import { shortMembers } from './shortMembers.mjs';
 import { shortShaders } from './shortShaders.mjs';
 import { shortStyles } from './shortStyles.mjs';
 import { sourceModule } from './sourceModule.mjs';
+import { withoutFallbacks } from './withoutFallbacks.mjs';
 import { withoutShaders } from './withoutShaders.mjs';
 import { withoutWords } from './withoutWords.mjs';
 
@@ -71,7 +72,14 @@ export async function bundleScript(folder) {
 
 /** What makes the sources smaller than a minifier can. */
 async function shortening() {
-  return [...(await shortShaders()), shortMembers(), shortStyles(), withoutWords(table), withoutShaders()];
+  return [
+    ...(await shortShaders()),
+    shortMembers(),
+    shortStyles(),
+    withoutWords(table),
+    withoutShaders(),
+    withoutFallbacks(),
+  ];
 }
 
 /** @param {import('rolldown').InputOptions} input @param {string} folder @param {import('rolldown').OutputOptions} [output] */

@@ -28,16 +28,24 @@ export function presetValues(preset: Preset): Record<string, Value> {
 export function validate(values: Values): void {
   for (const [key, value] of Object.entries(values)) {
     const parameter = findParameter(key);
-    if (!parameter) throw new ParameterError(key, value, 'no value: there is no such parameter');
-    if (!isAccepted(parameter, value)) throw new ParameterError(key, value, accepted(parameter));
+    if (!parameter || !isAccepted(parameter, value)) throw refusalOf(key, value, parameter);
   }
 }
 
 /** @throws ParameterError when the table has no such key or its row needs a value */
 export function requireOptional(key: string): void {
   const parameter = findParameter(key);
-  if (!parameter) throw new ParameterError(key, undefined, 'no value: there is no such parameter');
-  if (!parameter.isOptional) throw new ParameterError(key, undefined, accepted(parameter));
+  if (!parameter?.isOptional) throw refusalOf(key, undefined, parameter);
+}
+
+/**
+ * Checks numbers that are not of the table, by their names in the call. What is none would stay in the smoke.
+ * @throws ParameterError for the first that is not finite
+ */
+export function requireFinite(numbers: Values): void {
+  for (const [key, value] of Object.entries(numbers)) {
+    if (!Number.isFinite(value)) throw new ParameterError(key, value, 'a finite number');
+  }
 }
 
 /** Whether a row takes this value as it stands. */
@@ -107,6 +115,10 @@ function malformed(parameter: Parameter, text: string, fallback: Value): { value
   const tell = (quoted: string) =>
     `${parameter.key} cannot be ${quoted}: it takes ${accepted(parameter)}. ${fallback === '' ? 'None' : fallback} is used.`;
   return { value: fallback, notice: notice('malformed', parameter.key, text, tell) };
+}
+
+function refusalOf(key: string, value: unknown, parameter: Parameter | undefined): ParameterError {
+  return new ParameterError(key, value, parameter ? accepted(parameter) : 'no value: there is no such parameter');
 }
 
 function isInRange({ min, max }: NumberParameter, value: number): boolean {

@@ -1,6 +1,7 @@
 import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from 'three';
 import type { NumberParameter, Values } from '../preset/parameter.ts';
 import { table } from '../preset/table.ts';
+import { requireFinite } from '../preset/values.ts';
 import type { CameraPose, Scene } from '../scenes/scene.ts';
 
 /** In a narrow window a scene that says nothing of it still gets this many radians from side to side. */
@@ -113,7 +114,9 @@ export class OrbitCamera {
   }
 
   private take(values: Record<string, number>): void {
-    this.values = { ...this.values, ...rounded(values) };
+    const taken = rounded(values);
+    requireFinite(taken);
+    this.values = { ...this.values, ...taken };
     this.settle();
   }
 

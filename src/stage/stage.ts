@@ -5,7 +5,7 @@ import type { PuffForm } from '../device/puffTextures.ts';
 import type { DebugView, Quality } from '../preset/quality.ts';
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
-import { defaults, requireOptional, validate } from '../preset/values.ts';
+import { defaults, requireFinite, requireOptional, validate } from '../preset/values.ts';
 import { demandShapes } from '../puffs/demandShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
@@ -78,7 +78,9 @@ export class Stage {
     return this.#running.loop.clock.speed;
   }
 
+  /** @throws ParameterError for what is no number */
   set speed(speed: number) {
+    requireFinite({ speed });
     this.#running.loop.clock.speed = MathUtils.clamp(speed, 0, 2);
   }
 
@@ -145,6 +147,7 @@ export class Stage {
   /** Takes n whole steps and shows the last one. */
   step(n = 1): void {
     this.#running.requireAlive();
+    requireFinite({ n });
     this.#running.advance(n);
     this.#running.showLatest();
   }
@@ -155,6 +158,7 @@ export class Stage {
    */
   advance(seconds: number): void {
     this.#running.requireAlive();
+    requireFinite({ seconds });
     this.#running.advanceBy(Math.max(0, seconds));
   }
 
@@ -164,6 +168,8 @@ export class Stage {
    */
   async seek(seconds: number, options: SeekOptions = {}): Promise<void> {
     this.#running.requireAlive();
+    requireFinite({ seconds });
+    options.signal?.throwIfAborted();
     // Who asked for what cannot be had was told; time goes on without it.
     await this.#running.completion.wait().catch(() => undefined);
     await this.#running.seek(Math.max(0, Math.round(seconds / STEP_SECONDS)), options);
@@ -381,6 +387,7 @@ export class Stage {
 
   /** @param width, height in CSS pixels; nothing is drawn while one of them is 0 */
   resize(width: number, height: number, pixelRatio?: number): void {
+    requireFinite({ width, height, pixelRatio: pixelRatio ?? 1 });
     if (!this.#picture.resize(width, height, pixelRatio)) return;
     this.#running.loop.restGovernor();
     this.#running.draw();
@@ -388,11 +395,13 @@ export class Stage {
 
   /** Takes a pointer. Returns 'rigid' while the pointer moves a rigid, so that the page does not turn the camera too. */
   pointer(input: PointerInput): 'rigid' | null {
+    requireFinite({ x: input.x, y: input.y });
     return this.#running.gestures.pointer(input, () => this.#running.showMoved());
   }
 
   /** Moves the place to which a spring draws the scene's movable rigid, by metres. */
   nudge({ dx = 0, dy = 0, dz = 0 }: { dx?: number; dy?: number; dz?: number }): void {
+    requireFinite({ dx, dy, dz });
     if (this.#running.gestures.nudge(dx, dy, dz)) this.#running.showMoved();
   }
 

@@ -6,6 +6,7 @@ type Pictures = typeof import('./cases/stage.ts');
 type Backlog = typeof import('./cases/stageBacklog.ts');
 type Devices = typeof import('./cases/stageDevices.ts');
 type Quality = typeof import('./cases/stageQuality.ts');
+type Refusals = typeof import('./cases/stageRefusals.ts');
 type Renderers = typeof import('./cases/stageRenderers.ts');
 type Times = typeof import('./cases/stageTimes.ts');
 
@@ -13,6 +14,7 @@ const PICTURES = '/tests/visual/cases/stage.ts';
 const BACKLOG = '/tests/visual/cases/stageBacklog.ts';
 const DEVICES = '/tests/visual/cases/stageDevices.ts';
 const QUALITY = '/tests/visual/cases/stageQuality.ts';
+const REFUSALS = '/tests/visual/cases/stageRefusals.ts';
 const RENDERERS = '/tests/visual/cases/stageRenderers.ts';
 const TIMES = '/tests/visual/cases/stageTimes.ts';
 
@@ -114,6 +116,21 @@ test('seeking back and forth passes the same moments, with everything that was d
   expect(rates).toEqual([40, 80, 120, 160]);
   expect(bytes).toBeGreaterThan(0);
   expect(bytes).toBeLessThanOrEqual(1_000_000);
+});
+
+test('what is no number is refused by its name and leaves nothing behind', async ({ load }) => {
+  const cases = await load<Refusals>(REFUSALS);
+  const { told, wanted, ...after } = await cases.evaluate((module) => module.refuseNaN());
+  expect(told).toEqual(wanted);
+  expect(after).toEqual({ isSame: true, errors: 0, isDrawn: true });
+});
+
+test('a seek that was called off before goes nowhere, and says why', async ({ load }) => {
+  const cases = await load<Refusals>(REFUSALS);
+  const { steps, reasons } = await cases.evaluate((module) => module.seekCalledOff());
+  expect(steps).toEqual([70, 70, 70]);
+  expect(reasons).toHaveLength(3);
+  expect(reasons[0]).toBe('not to 0.5 s');
 });
 
 test('open air is as large on the page on every screen', async ({ load }) => {

@@ -1,0 +1,19 @@
+/** A plugin for the bundler: the bindings of the simulator without what they hold for older browsers and for careless callers. */
+
+/** Every browser with SIMD encodes in place, and ours are the only calls. */
+const FALLBACKS = [/^if \(!\('encodeInto' in \w+\)\) \{\n(?: .*\n)+\}\n/m, /console\.warn\('using deprecated.*'\)/g];
+
+/** @returns {import('rolldown').Plugin} */
+export function withoutFallbacks() {
+  return {
+    name: 'without-fallbacks',
+    transform: {
+      filter: { id: /wasm\/\w+\/bindings\.js$/ },
+      handler(code) {
+        const stray = FALLBACKS.find((fallback) => code.search(fallback) < 0);
+        if (stray) throw new Error(`The bindings of the simulator have no ${stray} to be left out.`);
+        return { code: FALLBACKS.reduce((left, fallback) => left.replace(fallback, ''), code), map: null };
+      },
+    },
+  };
+}
