@@ -17,7 +17,8 @@ export class ParameterError extends SmokeError {
   readonly accepted: string;
 
   constructor(key: string, value: unknown, accepted: string) {
-    super(`${key} cannot be ${String(value)}: it takes ${accepted}.`);
+    // A text that looks like a number would otherwise be refused without a word on why.
+    super(`${key} cannot be ${typeof value === 'string' ? `“${value}”` : String(value)}: it takes ${accepted}.`);
     this.key = key;
     this.value = value;
     this.accepted = accepted;

@@ -33,8 +33,8 @@ interface Call {
   readonly gives: Check;
 }
 
-const seconds: Check = (value) => number(MOST_SECONDS)(value) && (value as number) >= 0;
-const length: Check = (value) => number(LARGEST_SIDE)(value) && (value as number) >= 0;
+const seconds = number(MOST_SECONDS, 0);
+const length = number(LARGEST_SIDE, 0);
 const place = number(FAR);
 const pointer = record({
   type: oneOf('down', 'move', 'up', 'cancel'),
@@ -97,7 +97,7 @@ export const calls: Readonly<Record<keyof RemoteMethods, Call>> = {
   steer: call([integer(0, 7), number(FAR)]),
   nudge: call([record({ dx: optional(place), dy: optional(place), dz: optional(place) })]),
   orbit: call([place, place]),
-  zoom: call([(value) => number(FAR)(value) && (value as number) > 0]),
+  zoom: call([number(FAR, 1 / FAR)]),
   pan: call([place, place]),
   resetView: call([]),
   plane: call([], plane),

@@ -9,7 +9,8 @@ export type Thread = 'main' | 'worker' | 'frame';
 
 /**
  * What can be asked of a stage from elsewhere: the names of `Stage`, all promises. Each rejects with the error that the
- * stage itself would throw, as the same class, and with a SimulatorError after disposal.
+ * stage itself would throw, as the same class, and with a SimulatorError after disposal. What is out of the ranges that stand
+ * here is refused with a ParameterError where a message asks for it: by a stage in a worker or in a frame.
  */
 export interface RemoteMethods {
   play(): Promise<void>;
@@ -33,8 +34,8 @@ export interface RemoteMethods {
   take(): Promise<Take>;
   /** What a take says of itself, without playing it. */
   readTake(bytes: Uint8Array): Promise<Take>;
-  /** @param bytes of a take */
-  playTake(bytes: Uint8Array): Promise<void>;
+  /** @param take as `take()` gave it, or its bytes */
+  playTake(take: Take | Uint8Array): Promise<void>;
   /** 16 hexadecimal digits. */
   hash(): Promise<string>;
   stats(): Promise<StageStats>;

@@ -8,7 +8,7 @@ import {
   SimulatorError,
   UnsupportedError,
 } from '../preset/errors.ts';
-import { isPlain, optional, record, text, type Check } from './shapes.ts';
+import { anything, isPlain, optional, record, text } from './shapes.ts';
 
 export interface PackedError {
   readonly name: string;
@@ -21,7 +21,6 @@ export interface PackedError {
 const LONGEST_MESSAGE = 2000;
 const named = { ContextError, FileError, LoadError, ShapeError, SimulatorError, UnsupportedError };
 
-const anything: Check = () => true;
 const isPacked = record({ name: text, message: text, key: optional(text), value: anything, accepted: optional(text) });
 
 export function packError(error: unknown): PackedError {
@@ -44,7 +43,7 @@ export function unpackError(packed: unknown): Error | undefined {
 
 /** What certainly can be sent. */
 function simple(value: unknown): unknown {
-  return typeof value === 'number' ? value : cut(String(value));
+  return ['number', 'boolean', 'undefined'].includes(typeof value) ? value : cut(String(value));
 }
 
 function cut(message: string): string {

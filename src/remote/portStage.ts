@@ -4,7 +4,7 @@ import type { StageEvents } from '../stage/contract.ts';
 import { Listeners } from '../stage/listeners.ts';
 import { calls } from './calls.ts';
 import type { RemoteMethods, RemoteStage, Thread } from './contract.ts';
-import { OPENING, readReply, readTold, type EventName, type Method } from './protocol.ts';
+import { OPENING, packArgument, readReply, readTold, type EventName, type Method } from './protocol.ts';
 
 interface Waiting {
   readonly method: Method;
@@ -64,7 +64,7 @@ export class PortStage {
 
   private makeFace(thread: Thread): RemoteStage {
     const names = Object.keys(calls) as (keyof RemoteMethods)[];
-    const methods = names.map((name) => [name, (...args: unknown[]) => this.call(name, args)]);
+    const methods = names.map((name) => [name, (...args: unknown[]) => this.call(name, args.map(packArgument))]);
     return {
       ...(Object.fromEntries(methods) as RemoteMethods),
       ready: this.opened,

@@ -55,11 +55,12 @@ export function readRequest(message: unknown): ReadRequest | undefined {
   const { id, method, args = [] } = message as { id: number; method: unknown; args: unknown };
   const takes = takenBy(method);
   if (!takes) return { id, refusal: new ParameterError('method', describe(method), Object.keys(calls).join(', ')) };
-  if (!Array.isArray(args) || args.length > MOST_ARGUMENTS || !isTaken(args, takes)) {
-    return {
-      id,
-      refusal: new ParameterError(`the arguments of ${String(method)}`, describe(args), 'what it documents'),
-    };
+  if (!Array.isArray(args) || args.length > MOST_ARGUMENTS)
+    return { id, refusal: new ParameterError('args', describe(args), `a list of at most ${MOST_ARGUMENTS}`) };
+  const wrong = takes.findIndex((check, place) => !check(args[place]));
+  if (wrong >= 0) {
+    const name = `argument ${wrong + 1} of ${String(method)}`;
+    return { id, refusal: new ParameterError(name, describe(args[wrong]), takes[wrong].words) };
   }
   return { id, method: method as Method, args: args.slice(0, takes.length) as unknown[] };
 }
@@ -70,13 +71,11 @@ function takenBy(method: unknown): readonly Check[] | undefined {
   return Object.hasOwn(talk, method) ? talk[method] : undefined;
 }
 
-function isTaken(args: readonly unknown[], takes: readonly Check[]): boolean {
-  return takes.every((check, place) => check(args[place]));
-}
-
 /** Short, and without asking a stranger's object to describe itself. */
-function describe(value: unknown): string {
-  return typeof value === 'string' ? value.slice(0, 40) : Array.isArray(value) ? 'these' : typeof value;
+function describe(value: unknown): unknown {
+  if (typeof value === 'string') return value.slice(0, 40);
+  if (Array.isArray(value)) return 'a list';
+  return typeof value === 'object' && value !== null ? 'an object' : value;
 }
 
 /**
@@ -99,7 +98,7 @@ export function readReply(
   return isRight ? { id, value: unpackValue(method, value) } : undefined;
 }
 
-const details: Readonly<Record<Told['event'], Check>> = {
+const details: Readonly<Record<Told['event'], (detail: unknown) => boolean>> = {
   statechange: record({ playing: flag }),
   frame: figures,
   error: (detail) => unpackError(detail) !== undefined,
@@ -121,6 +120,12 @@ export function tellOf(event: Told['event'], detail: unknown): Told {
 
 /** Methods that give a take, which has a function and crosses as its bytes. */
 const TAKES: ReadonlySet<Method> = new Set(['take', 'readTake']);
+
+/** An argument as it can be sent: a take as its bytes. */
+export function packArgument(argument: unknown): unknown {
+  const { toBytes } = (argument ?? {}) as Partial<Take>;
+  return typeof toBytes === 'function' ? toBytes() : argument;
+}
 
 /** A value as it can be sent, and what of it moves instead of being copied. */
 export function packValue(method: Method, value: unknown): { value: unknown; moved: Transferable[] } {

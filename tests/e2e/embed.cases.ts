@@ -155,6 +155,7 @@ export async function refusals(thread: 'main' | 'worker') {
   const before = await stage.hash();
   const refused = {
     range: await thrownBy(() => stage.set({ 'emission.rate': -5 })),
+    text: await thrownBy(() => stage.set({ 'emission.rate': '60' })),
     unknown: await thrownBy(() => stage.set({ nothing: 1 })),
     scene: await thrownBy(() => stage.enter({ scene: 'moon' })),
     bytes: await thrownBy(() => stage.restore(new Uint8Array(8))),
@@ -174,7 +175,7 @@ export async function sendBytes() {
   await stage.step(20);
   const [first, take, state] = [await stage.hash(), await stage.take(), await stage.save()];
   await stage.restart();
-  await stage.playTake(take.toBytes());
+  await stage.playTake(take);
   await stage.seek(40 / 60);
   const second = await stage.hash();
   await stage.step(10);

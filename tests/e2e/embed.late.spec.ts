@@ -220,7 +220,7 @@ test('an origin that is none is refused at once, and nothing is thrown when the 
     await heard;
     return refused;
   });
-  expect(said).toMatch(/^ParameterError: origin cannot be somewhere: it takes an address/);
+  expect(said).toMatch(/^ParameterError: origin cannot be “somewhere”: it takes an address/);
   expect(blank.url()).toContain('blank');
 });
 

@@ -21,6 +21,7 @@ test('errors are of the same class and say the same from a worker as from the ma
   );
   expect(worker).toEqual(main);
   expect(worker.range).toMatchObject({ name: 'ParameterError', key: 'emission.rate', value: -5, isOurs: true });
+  expect(worker.text?.message).toMatch(/^emission.rate cannot be “60”: it takes a number from 0/);
   expect(worker.unknown?.name).toBe('ParameterError');
   expect(worker.scene?.name).toBe('ParameterError');
   expect(worker.bytes?.name).toBe('SimulatorError');

@@ -66,7 +66,7 @@ test('an instanced mesh is a rigid for each instance, a plane a thin sheet, and 
   colliders.add(new Mesh(new PlaneGeometry(4, 4)), {});
   expect(simulator.rigidCount).toBe(4);
   expect(simulator.rigidPoses(1)[2 * POSE_FLOATS]).toBe(4);
-  expect(() => colliders.add(new Group(), {})).toThrow(/collide cannot be Group/);
+  expect(() => colliders.add(new Group(), {})).toThrow(/collide cannot be “Group”/);
   simulator.dispose();
 });
 

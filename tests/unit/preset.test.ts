@@ -119,6 +119,7 @@ describe('validate', () => {
     expect(() => validate({ 'emission.rate': -1 })).toThrow(
       'emission.rate cannot be -1: it takes a number from 0 to 20000 particles/s.',
     );
+    expect(() => validate({ 'emission.rate': '60' })).toThrow('emission.rate cannot be “60”: it takes a number from 0');
     expect(() => validate({ 'style.gradient': 'rainbow' })).toThrow('none, puff, height, screen, age');
     expect(() => validate({ 'emission.rats': 1 })).toThrow('there is no such parameter');
   });

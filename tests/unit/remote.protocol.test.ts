@@ -11,7 +11,7 @@ import {
 } from '../../src/preset/errors.ts';
 import { calls } from '../../src/remote/calls.ts';
 import { packError, unpackError } from '../../src/remote/packedErrors.ts';
-import { packValue, readReply, readRequest, readTold, tellOf } from '../../src/remote/protocol.ts';
+import { packArgument, packValue, readReply, readRequest, readTold, tellOf } from '../../src/remote/protocol.ts';
 import { hostileMessages } from '../support/hostileMessages.ts';
 
 const TAKE = {
@@ -54,6 +54,21 @@ test.each([
   expect(read).toMatchObject({ id: 1, refusal: { name: 'ParameterError' } });
 });
 
+test.each([
+  ['seek', [601], 'argument 1 of seek cannot be 601: it takes a number from 0 to 600.'],
+  ['step', [1.5], 'argument 1 of step cannot be 1.5: it takes a whole number from 0 to 36000.'],
+  ['seek', [], 'argument 1 of seek cannot be undefined: it takes a number from 0 to 600.'],
+  ['advance', ['1'], 'argument 1 of advance cannot be “1”: it takes a number from 0 to 600.'],
+  ['zoom', [0], 'argument 1 of zoom cannot be 0: it takes a number from 0.000001 to 1000000.'],
+  ['resize', [3, -1], 'argument 2 of resize cannot be -1: it takes a number from 0 to 65536.'],
+  ['unset', ['a'], 'argument 1 of unset cannot be “a”: it takes a list of at most 4000, each a key.'],
+  ['blow', [{}], 'argument 1 of blow cannot be “an object”: it takes an object of x, y, dx, dy, radius, seconds.'],
+])('%s(%o) is refused in words', (method, args, words) => {
+  const { refusal } = readRequest({ id: 1, method, args }) as { refusal: Error };
+  expect(refusal.message).toBe(words);
+  expect(unpackError(structuredClone(packError(refusal)))?.message).toBe(words);
+});
+
 test('of five thousand hostile messages none is understood, and none is a reply or an event', () => {
   let count = 0;
   for (const message of hostileMessages(5_000, 5)) {
@@ -94,6 +109,12 @@ test('a take crosses as its bytes', () => {
   const reply = readReply(structuredClone({ id: 9, value }, { transfer: moved }), () => 'take');
   expect(reply).toMatchObject({ id: 9, value: { seed: 3, steps: 60, values: { scene: 'wisp' } } });
   expect((reply as { value: typeof TAKE }).value.toBytes()).toEqual(Uint8Array.of(1, 2, 3));
+});
+
+test('a take goes to a stage as its bytes, as bytes do', () => {
+  expect(packArgument(TAKE)).toEqual(Uint8Array.of(1, 2, 3));
+  for (const argument of [Uint8Array.of(4), 'toBytes', { toBytes: 1 }, 0, null, undefined])
+    expect(packArgument(argument)).toBe(argument);
 });
 
 test('a reply that has not the shape of what was asked for is no reply', () => {

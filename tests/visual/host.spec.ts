@@ -155,12 +155,12 @@ test.describe('refusals', () => {
     const said = await cases.evaluate((module) => module.refusals());
     expect(said.stencil).toMatch(/^UnsupportedError: .*stencil: true/);
     expect(said.logarithmic).toMatch(/^UnsupportedError: .*without logarithmicDepthBuffer/);
-    expect(said.light).toMatch(/^ParameterError: keyLight cannot be HemisphereLight: .*DirectionalLight/);
-    expect(said.preset).toMatch(/^ParameterError: preset cannot be lampp: it takes lamp, /);
+    expect(said.light).toMatch(/^ParameterError: keyLight cannot be “HemisphereLight”: .*DirectionalLight/);
+    expect(said.preset).toMatch(/^ParameterError: preset cannot be “lampp”: it takes lamp, /);
     expect(said.value).toMatch(/^ParameterError: emission.rate cannot be -1: it takes a number from 0 to/);
     expect(said.fixed).toMatch(/^ParameterError: seed cannot be 2: .*creation/);
     expect(said.given).toMatch(/^ParameterError: light.azimuth cannot be 20: .*your scene/);
-    expect(said.open).toMatch(/^ParameterError: cast cannot be Mesh: .*closed mesh.*proxies/);
+    expect(said.open).toMatch(/^ParameterError: cast cannot be “Mesh”: .*closed mesh.*proxies/);
     expect(said.physics).toMatch(/^UnsupportedError: .*physics/);
     expect(said.target).toMatch(/^UnsupportedError: .*stencilBuffer: true/);
     expect(said.array).toMatch(/^UnsupportedError: .*ArrayCamera/);
