@@ -1,6 +1,6 @@
 /** What a share link asks of an element, and moments as links name them. */
 import { decode } from '../preset/codec.ts';
-import { readEnvironment } from '../preset/environment.ts';
+import { readEnvironment, readTime } from '../preset/environment.ts';
 import { notice, type Notice } from '../preset/notice.ts';
 import type { Base } from './wish.ts';
 
@@ -22,9 +22,7 @@ function addressOf(link: string, base: string, notices: Notice[]): Pick<URL, 'ha
   }
 }
 
-/** Reads the start as the query of a link is read. */
+/** Reads the start as the `t` of a link is read. */
 export function readStart(text: string, notices: Notice[]): number | undefined {
-  const { time, notices: told } = readEnvironment(`?${new URLSearchParams({ t: text })}`);
-  notices.push(...told);
-  return time;
+  return readTime(text, notices, 'start');
 }

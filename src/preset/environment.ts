@@ -25,7 +25,7 @@ export function readEnvironment(search: string): Environment {
   const notices: Notice[] = [];
   return {
     paused: isOn(query.get('paused'), false),
-    time: readTime(query.get('t'), notices),
+    time: readTime(query.get('t'), notices, 't'),
     hasInterface: isOn(query.get('ui'), true),
     hasStatistics: isOn(query.get('stats'), false),
     quality: readQuality(query.get('quality'), notices),
@@ -65,15 +65,20 @@ function readNumber(text: string): number {
   return /^[+-]?\d*\.?\d+$/.test(text) ? Number(text) : Number.NaN;
 }
 
-function readTime(text: string | null, notices: Notice[]): number | undefined {
+/**
+ * Reads simulated seconds before the first picture, brought within 0 to 600.
+ * @param name of what has the text, for notices
+ */
+export function readTime(text: string | null, notices: Notice[], name: string): number | undefined {
   if (text === null) return undefined;
   const given = readNumber(text);
   if (Number.isNaN(given)) {
-    notices.push(notice('malformed', 't', text, (quoted) => `t cannot be ${quoted}: it takes seconds, such as 2.5.`));
+    const tell = (quoted: string) => `${name} cannot be ${quoted}: it takes seconds, such as 2.5.`;
+    notices.push(notice('malformed', name, text, tell));
     return undefined;
   }
   const time = Math.min(Math.max(given, 0), LONGEST_LEAD);
-  const tell = (quoted: string) => `t cannot be ${quoted}; ${time} s is used (0 to ${LONGEST_LEAD}).`;
-  if (time !== given) notices.push(notice('outOfRange', 't', text, tell));
+  const tell = (quoted: string) => `${name} cannot be ${quoted}; ${time} s is used (0 to ${LONGEST_LEAD}).`;
+  if (time !== given) notices.push(notice('outOfRange', name, text, tell));
   return time;
 }
