@@ -39,8 +39,9 @@ export class Playback {
 
   /** A person asked for motion here and now, which outweighs what the system asks for. */
   consent(): void {
+    const wasStill = this.isStill;
     this.isConsented = true;
-    this.update();
+    if (wasStill) this.update();
   }
 
   dispose(): void {
