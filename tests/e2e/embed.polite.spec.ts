@@ -44,6 +44,20 @@ test('has a button that pauses, by keys too, and what it paused stays paused out
   expect(await steps()).toBe(before);
 });
 
+test('tells once that it was paused, and once that it plays', async ({ page, host }) => {
+  await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
+  await stands(page);
+  const told = await page.locator('cartoon-smoke').evaluate((element: CartoonSmokeElement) => {
+    const heard: boolean[] = [];
+    element.addEventListener('statechange', ({ detail }) => heard.push(detail.playing));
+    const button = element.shadowRoot!.querySelector('button')!;
+    button.click();
+    button.click();
+    return heard;
+  });
+  expect(told).toEqual([false, true]);
+});
+
 test('calls its canvas and its button as the page wants, in any language, also later', async ({ page, host }) => {
   await host(
     `<cartoon-smoke ${WISP} paused alt="Eine Tasse Tee" label-play="Abspielen" label-pause="Anhalten" ${BOX}></cartoon-smoke>`,
@@ -123,6 +137,8 @@ test('draws sixty pictures a second on a screen that shows four times as many', 
       return latest;
     };
     window.cancelAnimationFrame = (request) => waiting.delete(request);
+    // What the GPU has drawn is not told amid a task.
+    WebGL2RenderingContext.prototype.getSyncParameter = () => WebGL2RenderingContext.SIGNALED;
     while (waiting.size === 0) await new Promise((resolve) => native(resolve));
     const count = { frames: 0, steps: (await smoke.stats()).steps };
     stage.on('frame', () => (count.frames += 1));
