@@ -16,6 +16,7 @@ canvas { pointer-events: none; }
 .interactive canvas { pointer-events: auto; touch-action: pan-y; cursor: grab; }
 .interactive canvas.holding { cursor: grabbing; }
 .poster ::slotted(*) { display: block !important; inline-size: 100% !important; block-size: 100% !important; object-fit: cover !important; }
+.poster ::slotted(picture) { display: flex !important; flex-flow: column; justify-content: center; }
 .fallback { display: none; }
 .failed .fallback { display: block; overflow: auto; pointer-events: auto; }
 .shown .poster { display: none; }

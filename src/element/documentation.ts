@@ -100,7 +100,11 @@ export const methods = [
 ];
 
 export const slots = [
-  { name: 'poster', description: 'A picture that stands until the smoke does, and when there is none.' },
+  {
+    name: 'poster',
+    description:
+      'A picture that stands until the smoke does, and when there is none, as large as the element. The image of a `<picture>` is as wide, unless the page or its attributes size it.',
+  },
   { name: '', description: 'What is shown where there can be no smoke, and by browsers without JavaScript.' },
 ];
 

@@ -84,16 +84,35 @@ test('shows the default for what it cannot take, tells it, and leaves the consol
   const lines: string[] = [];
   page.on('console', (message) => lines.push(message.text()));
   await host(`<cartoon-smoke preset="fog" scene="wisp" emission-rate="plenty" emission-lifetime="1000" thread="main"
-    simulation-max-particles="300" loading="soon" style="height: 200px"></cartoon-smoke>${LISTEN}`);
+    simulation-max-particles="300" loading="soon" start="dusk" style="height: 200px"></cartoon-smoke>${LISTEN}`);
   await stands(page);
   const told = await page.evaluate(() => window.told.flatMap(({ detail }) => detail.notices ?? []));
   const messages = told.map(({ message }) => message).join('\n');
-  for (const part of ['no preset', 'emission.rate cannot be', 'emission.lifetime cannot be', 'loading cannot be']) {
-    expect(messages).toContain(part);
+  expect(messages).toContain('no preset');
+  for (const name of ['emission.rate', 'emission.lifetime', 'loading', 'start']) {
+    expect(messages).toMatch(new RegExp(`^${name} cannot be`, 'm'));
   }
   const values = await page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => smoke.get());
   expect(values).toMatchObject({ 'emission.lifetime': 60 });
   expect(lines).toEqual([]);
+});
+
+test('a poster with sources to choose from is as wide as the smoke will be', async ({ page, host }) => {
+  const drawing = (width: number) =>
+    `data:image/svg+xml,%3Csvg%20xmlns='http://www.w3.org/2000/svg'%20width='${width}'%20height='300'/%3E`;
+  await host(`<div style="height: 5000px">An article</div>
+    <cartoon-smoke ${WISP} style="width: 200px; height: 150px">
+      <picture slot="poster">
+        <source media="(min-width: 1px)" srcset="${drawing(400)}" /><img src="${drawing(900)}" alt="" />
+      </picture>
+    </cartoon-smoke>`);
+  const [smoke, image] = await page.evaluate(async () => {
+    await customElements.whenDefined('cartoon-smoke');
+    const shown = document.querySelector('img')!;
+    await shown.decode();
+    return [document.querySelector('cartoon-smoke')!, shown].map((element) => element.getBoundingClientRect().toJSON());
+  });
+  expect(image).toEqual(smoke);
 });
 
 test('stays the same smoke when it is moved, and begins anew when it comes back', async ({ page, host }) => {
