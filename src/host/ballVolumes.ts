@@ -1,4 +1,4 @@
-import type { WebGLRenderer } from 'three';
+import type { Object3D, WebGLRenderer } from 'three';
 import type { Device } from '../device/device.ts';
 import type { Eye } from '../device/eye.ts';
 import { PuffTextures } from '../device/puffTextures.ts';
@@ -9,6 +9,7 @@ import type { PuffShape } from '../puffs/shapes.ts';
 import { LOOK_WORDS, NO_END, type Rows } from '../sim/rows.ts';
 import { bakedPuffs } from '../smoke/bakedPuffs.ts';
 import type { BallAt } from './proxies.ts';
+import { isShown } from './shown.ts';
 
 /** The most balls that can stand in for what bends or is open. */
 const MOST_BALLS = 512;
@@ -17,9 +18,16 @@ const BALL: readonly PuffShape[] = [{ name: 'ball', lobes: [{ center: [0, 0, 0],
 /** N . L from which a stranger's materials are taken to be lit: a ball's volume begins behind all of it that is. */
 const TURN = 0;
 
+/** Balls that stand in for an object. */
+interface BallsOf {
+  readonly object: Object3D;
+  readonly balls: readonly BallAt[];
+}
+
 /** Shadow volumes of balls, by the particles' own shader: each is a puff of one lobe. */
 export class BallVolumes {
-  private readonly balls: BallAt[] = [];
+  private readonly groups: BallsOf[] = [];
+  private count = 0;
   private readonly puffs: PuffTextures;
   private readonly rows = new Instances(MOST_BALLS, FRONT_AND_BACK);
   private readonly volumes: VolumesPass;
@@ -36,15 +44,18 @@ export class BallVolumes {
   }
 
   /** @throws ParameterError when there are too many */
-  add(balls: readonly BallAt[]): void {
-    const count = this.balls.length + balls.length;
+  add(balls: readonly BallAt[], object: Object3D): void {
+    const count = this.count + balls.length;
     if (count > MOST_BALLS) throw new ParameterError('cast.proxies', count, `at most ${MOST_BALLS} balls in all`);
-    this.balls.push(...balls);
+    this.count = count;
+    this.groups.push({ object, balls });
   }
 
-  draw(renderer: WebGLRenderer): void {
-    if (this.balls.length === 0) return;
-    this.rows.fill(this.rowsNow());
+  /** @param scene of which the picture is: what is not in it or hidden throws no shadow */
+  draw(renderer: WebGLRenderer, scene: Object3D): void {
+    const balls = this.groups.flatMap((group) => (isShown(group.object, scene) ? group.balls : []));
+    if (balls.length === 0) return;
+    this.rows.fill(this.rowsOf(balls));
     this.volumes.draw(renderer);
   }
 
@@ -59,8 +70,8 @@ export class BallVolumes {
     this.puffs.dispose();
   }
 
-  private rowsNow(): Rows {
-    const { balls, place, look } = this;
+  private rowsOf(balls: readonly BallAt[]): Rows {
+    const { place, look } = this;
     balls.forEach((ballAt, index) => {
       const { center, radius } = ballAt();
       center.toArray(place, 4 * index);

@@ -3,6 +3,7 @@ import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
 import { SimulatorError, UnsupportedError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
+import { requireFinite } from '../preset/values.ts';
 import { Clock, STEP_SECONDS } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
 import type { Simulator } from '../sim/simulator.ts';
@@ -21,6 +22,7 @@ import { markWith } from './marker.ts';
 import {
   hostStyle,
   requireChangeable,
+  requireEmitter,
   startValues,
   type CartoonSmokeEvents,
   type CartoonSmokeOptions,
@@ -135,26 +137,34 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
 
   /**
    * Lets an object throw its shadow onto smoke and onto all else: closed rigid meshes by their silhouettes, others by
-   * balls, one for each bone or instance.
+   * balls, one for each bone or instance. While it is hidden or out of the scene it throws none.
+   * @throws ParameterError when there is no mesh in it, or one that is open and has no proxies
    */
   cast(object: Object3D, { proxies }: CastOptions = {}): void {
     this.requireAlive();
     this.passes.casters.add(object, proxies);
   }
 
-  /** Lets an emitter follow an object: puffs are born at its origin and leave along its y axis. */
+  /**
+   * Lets an emitter follow an object: puffs are born at its origin and leave along its y axis.
+   * @param emitter 0 to 7, as of `emitters.0.speed` and so on
+   * @throws ParameterError for another one
+   */
   emitFrom(object: Object3D, emitter = 0): void {
     this.requireAlive();
+    requireEmitter(emitter);
     this.nozzles.push(new Nozzle(object, emitter));
   }
 
   /**
    * Lets time pass: once before each picture.
-   * @param seconds since the last call; pictures between two steps are interpolated
-   * @throws UnsupportedError for a view that smoke could not be drawn into since the last call
+   * @param seconds since the last call; those of the first one do not pass, and a twelfth of a second at most at once. Pictures
+   * between two steps are interpolated
+   * @throws ParameterError for what is no number. UnsupportedError for a view that smoke could not be drawn into since the last call
    */
   update(seconds: number): void {
     this.requireAlive();
+    requireFinite({ seconds });
     this.raiseObjection();
     this.now += 1000 * seconds;
     this.advance(this.clock.tick(this.now));
@@ -164,6 +174,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   /** Makes exactly so many steps of 1/60 s, and shows the last one: the same pictures each time. */
   step(count = 1): void {
     this.requireAlive();
+    requireFinite({ count });
     this.raiseObjection();
     this.clock.settle();
     this.advance(count);
@@ -199,7 +210,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
 
   /** All values that smoke has. */
   get(): Values {
-    return this.values;
+    return { ...this.values };
   }
 
   get stats(): CartoonSmokeStats {

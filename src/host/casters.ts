@@ -6,6 +6,7 @@ import { ParameterError } from '../preset/errors.ts';
 import { BallVolumes } from './ballVolumes.ts';
 import { ballsOf, follow, type ProxyBall } from './proxies.ts';
 import { poseOf, scaleOf, trianglesOf, type Pose } from './shapes.ts';
+import { isShown } from './shown.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);
 
@@ -29,22 +30,27 @@ export class Casters {
     this.balls = new BallVolumes(device, eye);
   }
 
-  /** @throws ParameterError when a mesh is open and has no proxies, or when there are too many balls */
+  /** @throws ParameterError when there is no mesh, when one is open and has no proxies, or when there are too many balls */
   add(object: Object3D, proxies: readonly ProxyBall[] | undefined): void {
     object.updateWorldMatrix(true, true);
-    if (proxies) this.balls.add(proxies.map(follow));
-    else object.traverse((part) => ('isMesh' in part ? this.addMesh(part as Mesh) : undefined));
+    if (proxies) return this.balls.add(proxies.map(follow), object);
+    const meshes: Mesh[] = [];
+    object.traverse((part) => ('isMesh' in part ? meshes.push(part as Mesh) : undefined));
+    if (meshes.length === 0)
+      throw new ParameterError('cast', object.name || object.type, 'an object with a mesh in it');
+    for (const mesh of meshes) this.addMesh(mesh);
   }
 
   /** Counts the volumes of meshes, which wrap, and then those of balls, which clamp as the particles' do. */
-  draw(renderer: WebGLRenderer): void {
+  draw(renderer: WebGLRenderer, scene: Object3D): void {
     const pose: Pose = poseScratch;
     for (const { mesh, volume } of this.meshes) {
+      if (!isShown(mesh, scene)) continue;
       poseOf(mesh.matrixWorld, pose);
       volume.place(0, world.compose(pose.position, pose.rotation, UNSCALED));
-      if (mesh.visible) volume.draw(renderer);
+      volume.draw(renderer);
     }
-    this.balls.draw(renderer);
+    this.balls.draw(renderer, scene);
   }
 
   /** Lets go of what is on the device; what is drawn again gets it anew. */
@@ -60,7 +66,7 @@ export class Casters {
 
   private addMesh(mesh: Mesh): void {
     const balls = ballsOf(mesh);
-    if (balls.length > 0) return this.balls.add(balls);
+    if (balls.length > 0) return this.balls.add(balls, mesh);
     const triangles = trianglesOf(mesh.geometry, scaleOf(mesh.matrixWorld));
     try {
       const surface = { name: mesh.name, mesh: triangles, color: [0, 0, 0], casts: true, inked: false } as const;

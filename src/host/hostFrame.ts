@@ -47,7 +47,7 @@ export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInp
     insert.setSmoke(pictures, targets.depth, isLinear);
     insert.drawDepth(renderer);
     if (style.shadows) {
-      casters.draw(renderer);
+      casters.draw(renderer, view.scene);
       volumes.draw(renderer);
     }
     insert.drawLit(renderer);

@@ -1,5 +1,6 @@
 import type { Object3DEventMap, WebGLRenderer } from 'three';
 import { ParameterError, type LoadError } from '../preset/errors.ts';
+import { LIST_LIMIT } from '../preset/lists.ts';
 import type { Values } from '../preset/parameter.ts';
 import { findPreset, presets } from '../preset/presets.ts';
 import { defaults, validate } from '../preset/values.ts';
@@ -71,6 +72,12 @@ export function requireChangeable(values: Values): void {
     if (key in values) throw new ParameterError(key, values[key], 'a value at creation only');
   }
   requireOpen(values);
+}
+
+/** @throws ParameterError for the number of an emitter that there is not */
+export function requireEmitter(emitter: number): void {
+  if (Number.isInteger(emitter) && emitter >= 0 && emitter < LIST_LIMIT) return;
+  throw new ParameterError('emitter', emitter, `a whole number from 0 to ${LIST_LIMIT - 1}`);
 }
 
 /** @throws ParameterError for what the scene around the smoke decides */

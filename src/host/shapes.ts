@@ -1,4 +1,4 @@
-import { Quaternion, Vector3, type Matrix4, type BoxGeometry, type BufferGeometry, type SphereGeometry } from 'three';
+import { BoxGeometry, Quaternion, SphereGeometry, Vector3, type BufferGeometry, type Matrix4 } from 'three';
 import type { TriangleMesh } from '../passes/extrusion.ts';
 import type { SingleShape } from '../sim/rigid.ts';
 
@@ -9,6 +9,7 @@ export interface Pose {
 }
 
 const scratch = new Vector3();
+const other = new Vector3();
 
 /** Takes a world matrix apart. Shear has no place in a pose and is left out. */
 export function poseOf(world: Matrix4, into: Pose, scale = scratch): Pose {
@@ -26,8 +27,8 @@ export function scaleOf(world: Matrix4): Vector3 {
 /** What smoke bumps into for a geometry: whole spheres and boxes exactly, everything else by its triangles. */
 export function shapeOf(geometry: BufferGeometry, scale: Vector3): SingleShape {
   const [x, y, z] = [Math.abs(scale.x), Math.abs(scale.y), Math.abs(scale.z)];
-  if (geometry.type === 'BoxGeometry') {
-    const { width, height, depth } = (geometry as BoxGeometry).parameters;
+  if (isWholeBox(geometry)) {
+    const { width, height, depth } = geometry.parameters;
     return { type: 'cuboid', halfExtents: [(width * x) / 2, (height * y) / 2, (depth * z) / 2] };
   }
   if (isWholeSphere(geometry) && isEven(x, y) && isEven(x, z)) {
@@ -56,10 +57,33 @@ export function trianglesOf(geometry: BufferGeometry, scale: Vector3): TriangleM
   return { positions, normals: new Float32Array(positions.length), indices };
 }
 
+function isWholeBox(geometry: BufferGeometry): geometry is BoxGeometry {
+  if (geometry.type !== 'BoxGeometry') return false;
+  const { width, height, depth, widthSegments, heightSegments, depthSegments } = (geometry as BoxGeometry).parameters;
+  return isAsMade(geometry, new BoxGeometry(width, height, depth, widthSegments, heightSegments, depthSegments));
+}
+
 function isWholeSphere(geometry: BufferGeometry): geometry is SphereGeometry {
   if (geometry.type !== 'SphereGeometry') return false;
-  const { phiLength, thetaLength } = (geometry as SphereGeometry).parameters;
-  return phiLength >= 2 * Math.PI && thetaLength >= Math.PI;
+  const { radius, widthSegments, heightSegments, phiLength, thetaLength } = (geometry as SphereGeometry).parameters;
+  if (phiLength < 2 * Math.PI || thetaLength < Math.PI) return false;
+  return isAsMade(geometry, new SphereGeometry(radius, widthSegments, heightSegments));
+}
+
+/** Whether nobody has moved, turned or bent it since: its parameters stay what they were. */
+function isAsMade(geometry: BufferGeometry, made: BufferGeometry): boolean {
+  const [now, then] = [geometry.attributes.position, made.attributes.position];
+  if (now.count !== then.count) return false;
+  const tolerance = 1e-4 * radiusOf(made);
+  return Array.from({ length: now.count }).every((_, vertex) => {
+    scratch.fromBufferAttribute(now, vertex);
+    return scratch.distanceTo(other.fromBufferAttribute(then, vertex)) <= tolerance;
+  });
+}
+
+function radiusOf(geometry: BufferGeometry): number {
+  geometry.computeBoundingSphere();
+  return geometry.boundingSphere!.radius;
 }
 
 function isEven(a: number, b: number): boolean {

@@ -37,6 +37,17 @@ test('spheres and boxes are taken exactly, at their scale; stretched spheres and
   expect(shapeOf(new TorusGeometry(), ONE).type).toBe('trimesh');
 });
 
+test.each([
+  ['shifted', new BoxGeometry(1, 1, 1).translate(0, 0.5, 0)],
+  ['stretched', new BoxGeometry(1, 1, 1).scale(1, 3, 1)],
+  ['turned', new BoxGeometry(1, 2, 3, 2, 2, 2).rotateZ(0.4)],
+  ['shifted', new SphereGeometry(1, 24, 12).translate(2, 0, 0)],
+  ['made smaller', new SphereGeometry(1).scale(0.5, 0.5, 0.5)],
+])('a box or sphere that was %s in its own space is taken by its triangles', (_, geometry) => {
+  const shape = shapeOf(geometry, ONE);
+  expect(shape).toMatchObject({ type: 'trimesh', vertices: geometry.attributes.position.array });
+});
+
 test('rigids go where the objects go, a share of the way with each step', () => {
   const simulator = factory.create({ capacity: 1, seed: 1 });
   const colliders = new Colliders(simulator);

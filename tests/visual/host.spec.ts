@@ -137,6 +137,16 @@ for (const samples of [0, 4]) {
   });
 }
 
+for (const kind of ['rigid', 'bones', 'instances', 'proxies'] as const) {
+  test(`what is hidden or out of the scene throws no shadow: ${kind}`, async ({ load }) => {
+    const cases = await load<Shadow>(SHADOW);
+    const { there, back, ...gone } = await cases.evaluate((module, which) => module.shadowsOfGone(which), kind);
+    expect(there).toBeGreaterThan(100);
+    expect(gone).toEqual({ hidden: 0, inHidden: 0, removed: 0 });
+    expect(back).toBe(there);
+  });
+}
+
 for (const [kind, most] of [
   ['outputBuffer', 500],
   ['reversedDepth', 20],
@@ -161,6 +171,11 @@ test.describe('refusals', () => {
     expect(said.fixed).toMatch(/^ParameterError: seed cannot be 2: .*creation/);
     expect(said.given).toMatch(/^ParameterError: light.azimuth cannot be 20: .*your scene/);
     expect(said.open).toMatch(/^ParameterError: cast cannot be “Mesh”: .*closed mesh.*proxies/);
+    expect(said.empty).toMatch(/^ParameterError: cast cannot be “Group”: .*a mesh in it/);
+    expect(said.emitter).toMatch(/^ParameterError: emitter cannot be 8: it takes a whole number from 0 to 7/);
+    expect(said.seconds).toMatch(/^ParameterError: seconds cannot be NaN/);
+    expect(said.count).toMatch(/^ParameterError: count cannot be NaN/);
+    expect(said.afterwards).toBe('nothing');
     expect(said.physics).toMatch(/^UnsupportedError: .*physics/);
     expect(said.target).toMatch(/^UnsupportedError: .*stencilBuffer: true/);
     expect(said.array).toMatch(/^UnsupportedError: .*ArrayCamera/);

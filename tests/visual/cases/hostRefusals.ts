@@ -1,6 +1,7 @@
 /** What smoke in a stranger's scene refuses. */
 import {
   ArrayCamera,
+  Group,
   HemisphereLight,
   Mesh,
   PlaneGeometry,
@@ -39,6 +40,14 @@ export async function refusals(): Promise<Record<string, string>> {
   await attempt('fixed', () => smoke.set({ seed: 2 }));
   await attempt('given', () => smoke.set({ 'light.azimuth': 20 }));
   await attempt('open', () => smoke.cast(new Mesh(new PlaneGeometry())));
+  await attempt('empty', () => smoke.cast(new Group()));
+  await attempt('emitter', () => smoke.emitFrom(new Group(), 8));
+  await attempt('seconds', () => smoke.update(NaN));
+  await attempt('count', () => smoke.step(NaN));
+  await attempt('afterwards', () => {
+    smoke.update(1 / 60);
+    host.renderer.render(host.scene, host.camera);
+  });
   await attempt('physics', () => smoke.collide(new Mesh(new SphereGeometry())));
   const target = new WebGLRenderTarget(32, 32);
   host.renderer.setRenderTarget(target);

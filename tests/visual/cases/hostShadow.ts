@@ -2,12 +2,14 @@
 import {
   ACESFilmicToneMapping,
   BoxGeometry,
+  Group,
   Mesh,
   MeshBasicMaterial,
   MeshStandardMaterial,
   NoToneMapping,
   PlaneGeometry,
   Vector3,
+  type Object3D,
   type WebGLRendererParameters,
 } from 'three';
 import type { CartoonSmoke } from '../../../src/host/cartoonSmoke.ts';
@@ -122,6 +124,43 @@ export async function ballShadow(kind: 'capsules' | 'bones' | 'instances'): Prom
   const agreement = agreementOf(host, draw(host), unlit, balls);
   dispose(smoke, host.renderer);
   return agreement;
+}
+
+const WAYS_TO_GO: Readonly<Record<string, (thing: Object3D, group: Group) => void>> = {
+  hidden: (thing) => void (thing.visible = false),
+  inHidden: (_, group) => void (group.visible = false),
+  removed: (_, group) => void group.removeFromParent(),
+};
+
+/** Pixels in the shadow of a thing while it is there, and once it is hidden, in something hidden, or out of the scene. */
+export async function shadowsOfGone(
+  kind: 'rigid' | 'bones' | 'instances' | 'proxies',
+): Promise<Record<string, number>> {
+  const host = floorOnly();
+  const group = new Group();
+  const thing = thingOf(kind);
+  thing.position.set(-0.4, 0.4, 0.5);
+  host.scene.add(group.add(thing));
+  const bare = draw(host);
+  const smoke = await smokeIn(host, NO_SMOKE);
+  smoke.cast(thing, kind === 'proxies' ? { proxies: [{ follows: thing, radius: 0.3 }] } : {});
+  const dark = () => differences(draw(host), bare).filter((difference) => difference > 0).length;
+  const counts: Record<string, number> = { there: dark() };
+  for (const [way, go] of Object.entries(WAYS_TO_GO)) {
+    go(thing, group);
+    counts[way] = dark();
+    thing.visible = group.visible = true;
+    host.scene.add(group);
+  }
+  counts.back = dark();
+  dispose(smoke, host.renderer);
+  return counts;
+}
+
+function thingOf(kind: string): Mesh {
+  if (kind === 'bones') return makeSkinned(UNSEEN).mesh;
+  if (kind === 'instances') return makeInstanced(UNSEEN);
+  return new Mesh(new BoxGeometry(0.5, 0.5, 0.5), UNSEEN);
 }
 
 function floorOnly(): Host {
