@@ -21,11 +21,28 @@ export interface Section {
   show(state: State): void;
 }
 
+interface Item extends Section {
+  readonly element: HTMLDetailsElement;
+  /** Its rows, made by now. */
+  rows(): ReadonlyMap<Parameter, Row>;
+}
+
+export interface Items extends Section {
+  /** Those of all items that are there. */
+  rows(): (readonly [Parameter, Row])[];
+}
+
 /** Emitters, vortices and the other lists: the items that the scene or somebody has set, and a way to add more. */
-export function createItems(editor: Editor, scene: SceneLists): Section {
-  const items = new Map<string, Section>();
+export function createItems(editor: Editor, scene: SceneLists): Items {
+  const items = new Map<string, Item>();
   const holder = create('div', { class: 'items' });
-  const element = create('div', {}, createAdder(editor, scene), holder);
+  const reveal = (key: string) => {
+    const added = items.get(key)!;
+    added.rows();
+    added.element.open = true;
+    added.element.scrollIntoView();
+  };
+  const element = create('div', {}, createAdder(editor, scene, reveal), holder);
   let named = scene.rigidNames;
   const show = (state: State) => {
     // Another scene has other rigids to ride on.
@@ -45,7 +62,8 @@ export function createItems(editor: Editor, scene: SceneLists): Section {
       items.get(key)!.show(state);
     }
   };
-  return { element, show };
+  const rows = () => [...items.values()].flatMap((item) => (item.element.hidden ? [] : [...item.rows()]));
+  return { element, show, rows };
 }
 
 /** Groups, such as `vortices.0`, of the items that have a value. */
@@ -53,20 +71,22 @@ function itemsOf(values: Values): ReadonlySet<string> {
   return new Set(Object.keys(values).flatMap((key) => findParameter(key)?.group ?? []));
 }
 
-/** Adds the first item of a list that is not there yet. */
-function createAdder(editor: Editor, scene: SceneLists): HTMLElement {
+/** Adds the first item of a list that is not there yet. @param reveal shows the group that was added */
+function createAdder(editor: Editor, scene: SceneLists, reveal: (group: string) => void): HTMLElement {
   const options = listNames.map((list) => create('option', { value: list }, listLabel(list)));
   const select = create('select', { 'aria-label': strings.items.kind }, ...options);
   const button = textButton('quiet', strings.items.add, () => {
     const present = itemsOf({ ...scene.rig, ...editor.state.values });
     const free = itemGroups.find(({ list, key }) => list === select.value && !present.has(key));
-    if (free) editor.changeAll(startValues(free.list, Number(free.key.split('.')[1])));
+    if (!free) return;
+    editor.changeAll(startValues(free.list, Number(free.key.split('.')[1])));
+    reveal(free.key);
   });
   return create('div', { class: 'adder' }, select, button);
 }
 
-/** One item, whose rows are made when somebody looks at them: there may be dozens. */
-function createItem(group: string, label: string, editor: Editor, scene: SceneLists): Section {
+/** One item, whose rows are made when somebody looks at them or searches: there may be dozens. */
+function createItem(group: string, label: string, editor: Editor, scene: SceneLists): Item {
   const rows = new Map<Parameter, Row>();
   const remove = textButton('quiet', strings.items.remove(label), () => editor.changeAll(removal(group, editor)));
   const foot = create('div', { class: 'item-foot' }, remove);
@@ -79,8 +99,8 @@ function createItem(group: string, label: string, editor: Editor, scene: SceneLi
       row.show(values[parameter.key] ?? scenes, base[parameter.key] ?? scenes);
     }
   };
-  element.addEventListener('toggle', () => {
-    if (rows.size > 0 || !element.open) return;
+  const make = () => {
+    if (rows.size > 0) return rows;
     for (const parameter of table.filter((row) => row.group === group)) {
       const row = createRow(riding(parameter, scene), editor);
       rows.set(parameter, row);
@@ -88,8 +108,12 @@ function createItem(group: string, label: string, editor: Editor, scene: SceneLi
     }
     element.append(foot);
     show(editor.state);
+    return rows;
+  };
+  element.addEventListener('toggle', () => {
+    if (element.open) make();
   });
-  return { element, show };
+  return { element, show, rows: make };
 }
 
 /** The number of a rigid as a choice among the names that the scene's rigids have. */

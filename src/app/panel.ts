@@ -25,7 +25,8 @@ export function createPanel(editor: Editor, scene: SceneLists, feet: Feet, close
   const scroll = create('div', { class: 'scroll' }, ...(feet.presets ? [feet.presets] : []));
   scroll.append(...createGroups(rows, feet), items.element, ...(feet.end ? [feet.end] : []));
   const panel = create('section', { id: PANEL_ID, class: 'panel card', 'aria-label': strings.panel.title });
-  panel.append(new SheetGrip(panel, close).element, head.element, createSearch(rows, scroll), scroll, caption);
+  const search = createSearch(() => [...rows, ...items.rows()], scroll);
+  panel.append(new SheetGrip(panel, close).element, head.element, search, scroll, caption);
   explainIn(caption, panel);
   const show = (state: State) => {
     head.show();

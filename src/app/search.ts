@@ -3,11 +3,14 @@ import { create, uniqueId } from './dom.ts';
 import type { Row } from './row.ts';
 import { strings } from './strings.ts';
 
+type Rows = Iterable<readonly [Parameter, Row]>;
+
 /**
  * A field that leaves in the panel what its words speak of: in labels, texts, keys, or names of groups, which open.
- * @param panel holds the groups, those of items too, which come later
+ * @param all rows that there are now: those of items come and go
+ * @param panel holds the groups
  */
-export function createSearch(rows: ReadonlyMap<Parameter, Row>, panel: HTMLElement): HTMLElement {
+export function createSearch(all: () => Rows, panel: HTMLElement): HTMLElement {
   const id = uniqueId();
   const field = create('input', { id, type: 'search', class: 'search-field', placeholder: strings.panel.search });
   field.setAttribute('aria-label', strings.panel.search);
@@ -15,7 +18,8 @@ export function createSearch(rows: ReadonlyMap<Parameter, Row>, panel: HTMLEleme
   let wereOpen: ReadonlySet<Element> | undefined;
   const filter = () => {
     const words = wordsOf(field.value);
-    const groups = [...panel.querySelectorAll<HTMLDetailsElement>('details.group')];
+    const groups = [...panel.querySelectorAll<HTMLDetailsElement>('details.group:not([hidden])')];
+    const rows = all();
     wereOpen ??= new Set(groups.filter(({ open }) => open));
     const count = words.length > 0 ? showOnly(words, rows, groups) : showAll(rows, groups, wereOpen);
     if (words.length === 0) wereOpen = undefined;
@@ -25,11 +29,7 @@ export function createSearch(rows: ReadonlyMap<Parameter, Row>, panel: HTMLEleme
   return create('div', { class: 'search', role: 'search' }, field, found);
 }
 
-function showOnly(
-  words: readonly string[],
-  rows: ReadonlyMap<Parameter, Row>,
-  groups: readonly HTMLDetailsElement[],
-): number {
+function showOnly(words: readonly string[], rows: Rows, groups: readonly HTMLDetailsElement[]): number {
   const titles = new Map(groups.map((group) => [group, group.querySelector('summary')!.textContent]));
   for (const [{ key, label, text }, { element }] of rows) {
     const title = titles.get(element.closest('details')!) ?? '';
@@ -46,12 +46,8 @@ function showOnly(
   return count;
 }
 
-function showAll(
-  rows: ReadonlyMap<Parameter, Row>,
-  groups: readonly HTMLDetailsElement[],
-  wereOpen: ReadonlySet<Element>,
-): undefined {
-  for (const { element } of rows.values()) element.classList.remove('is-filtered');
+function showAll(rows: Rows, groups: readonly HTMLDetailsElement[], wereOpen: ReadonlySet<Element>): undefined {
+  for (const [, { element }] of rows) element.classList.remove('is-filtered');
   for (const group of groups) {
     group.classList.remove('is-filtered');
     group.open = wereOpen.has(group);

@@ -42,6 +42,20 @@ test('the search finds by words, and gives everything back', async ({ page }) =>
   });
 });
 
+test('the search goes through items, looked at before or not', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await page.keyboard.press('/');
+  const field = page.getByRole('searchbox', { name: 'Find a parameter' });
+  await field.fill('circulation');
+  expect(await keysOf(rowsOf(page))).toEqual(['vortices.0.circulation']);
+  await field.fill('');
+  await panelOf(page).locator('summary', { hasText: 'Emitter 1' }).click();
+  await expect(panelOf(page).locator('[data-key="emitters.0.speed"]')).toBeVisible();
+  await field.fill('wind gust');
+  expect(await keysOf(rowsOf(page))).toEqual(['wind.gusts', 'wind.gustTime']);
+  await expect(panelOf(page).getByRole('status')).toHaveText('2 parameters');
+});
+
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
