@@ -8,11 +8,11 @@ const MOST = 2;
  * as long as they show the canvas; beside the viewport they do not, and the whole page would wait behind what piles up.
  */
 export class FramesInFlight {
-  private readonly device: Device;
+  private readonly context: WebGL2RenderingContext;
   private fences: WebGLSync[] = [];
 
-  constructor(device: Device) {
-    this.device = device;
+  constructor({ renderer }: Device) {
+    this.context = renderer.getContext() as WebGL2RenderingContext;
   }
 
   /** Whether the next frame had better wait. */
@@ -34,10 +34,6 @@ export class FramesInFlight {
   /** The context has gone, and they with it. */
   clear(): void {
     this.fences = [];
-  }
-
-  private get context(): WebGL2RenderingContext {
-    return this.device.renderer.getContext() as WebGL2RenderingContext;
   }
 
   private isDrawn(fence: WebGLSync): boolean {

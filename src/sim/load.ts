@@ -133,8 +133,7 @@ const SIMD_PROBE = Uint8Array.of(
 function requireSimd(): void {
   if (typeof WebAssembly === 'object' && WebAssembly.validate(SIMD_PROBE)) return;
   throw new UnsupportedError(
-    'Smoke needs WebAssembly with SIMD, which this browser lacks or has switched off. ' +
-      'Chrome and Edge 91, Firefox 89, Safari 16.4 and everything newer have it.',
+    'Smoke needs WebAssembly with SIMD, which this browser lacks or has switched off. Try a current Firefox, Chrome, Edge or Safari.',
   );
 }
 
