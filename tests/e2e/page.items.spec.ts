@@ -11,6 +11,7 @@ test('forces and what the scene has are edited as items', async ({ page }) => {
     await page.getByRole('button', { name: 'Add', exact: true }).click();
     await expect.poll(() => page.evaluate(hash)).toContain('winds.0.velocity.x=0.5');
     await expect(page.locator('summary', { hasText: 'Wind 1' })).toBeInViewport();
+    await expect(page.getByRole('heading', { name: 'Parameters' })).toBeInViewport();
     await page.getByLabel('Rides on', { exact: true }).selectOption({ label: 'Ball' });
     await expect.poll(() => page.evaluate(hash)).toContain('winds.0.rigid=0');
     await expectValue(page, 'winds.0.rigid', 0);
