@@ -1,5 +1,5 @@
 import { AxeBuilder } from '@axe-core/playwright';
-import type { Page } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { closeSheet, LIGHT, open } from './page.ts';
 
@@ -70,6 +70,28 @@ test.describe('with reduced motion, at 200 %', () => {
         .map(({ name }) => name),
     );
     expect(outside).toEqual([]);
+  });
+});
+
+test.describe('in colours that people choose', () => {
+  test.use({ viewport: { width: 800, height: 620 }, contextOptions: { forcedColors: 'active' } });
+
+  test('what is on looks otherwise than what is off, and sliders have a line', async ({ page }) => {
+    await open(page, `?paused=1${LIGHT}`);
+    const background = (on: Locator) => on.evaluate((element) => getComputedStyle(element).backgroundColor);
+    const handles = page.getByRole('button', { name: 'Handles' });
+    const off = await background(handles);
+    await handles.press('Enter');
+    await expect(handles).toHaveAttribute('aria-pressed', 'true');
+    await expect.poll(() => background(handles)).not.toBe(off);
+    const cards = page.locator('.gallery-card');
+    await expect.poll(() => background(cards.first())).not.toBe(await background(cards.last()));
+    const line = page.getByRole('slider').first();
+    expect(await line.evaluate((element) => getComputedStyle(element).backgroundImage)).toContain('gradient');
+    await page.keyboard.press('s');
+    const kinds = page.locator('.share-what label');
+    await expect(kinds.first()).toBeVisible();
+    expect(await background(kinds.first())).not.toBe(await background(kinds.last()));
   });
 });
 
