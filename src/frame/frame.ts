@@ -11,7 +11,12 @@ function begin(smoke: CartoonSmokeElement): void {
   const follow = () => (smoke.src = location.href);
   addEventListener('hashchange', follow);
   follow();
-  answerHost(elementStage(smoke), originOf(location.search), () => smoke.stage);
+  const stand = () => {
+    // Whoever was here before has ended it.
+    if (!smoke.isConnected) document.body.prepend(smoke);
+    return smoke.stage;
+  };
+  answerHost(elementStage(smoke), originOf(location.search), stand);
 }
 
 useBytesInside();

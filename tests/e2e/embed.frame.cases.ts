@@ -24,6 +24,17 @@ export async function connect(address: string, sandbox?: string, origin?: string
   return { frame: element, stage: await connectFrame(element, { origin }) };
 }
 
+/** One of two connections ends the smoke: what the other one is told, and the steps that a third one finds. */
+export async function endsAndBegins(address: string): Promise<{ other: string; steps: number }> {
+  const { frame: element, stage } = await connect(address);
+  const other = await connectFrame(element);
+  await other.step(5);
+  await stage.dispose();
+  const told = await other.hash().catch(({ name }: Error) => name);
+  const { steps } = await (await connectFrame(element)).stats();
+  return { other: told, steps };
+}
+
 /** Settled when a frame's pictures are as large as it is: it hears of its size with the pictures of the page around it. */
 export async function isSized({ frame: { width, height }, stage }: Framed): Promise<void> {
   const size = async () => {

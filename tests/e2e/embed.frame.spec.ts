@@ -88,6 +88,15 @@ test('plays, tells, refuses and ends as any stage does', async ({ load, baseURL 
   expect(report).toMatchObject({ rate: 50, ended: 'SimulatorError', after: 'SimulatorError' });
 });
 
+test('begins anew for who connects after somebody has ended it, and tells others that it has ended', async ({
+  load,
+  baseURL,
+}) => {
+  const frames = await load<FrameCases>(FRAMES);
+  const report = await frames.evaluate((module, url) => module.endsAndBegins(url), `${baseURL}/embed.html${WISP}`);
+  expect(report).toEqual({ other: 'SimulatorError', steps: 0 });
+});
+
 test('goes by hash and query as the demo does, and brings the physics only where they are needed', async ({
   load,
   blank,
