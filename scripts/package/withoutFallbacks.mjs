@@ -1,7 +1,11 @@
 /** A plugin for the bundler: the bindings of the simulator without what they hold for older browsers and for careless callers. */
 
-/** Every browser with SIMD encodes in place, and ours are the only calls. */
-const FALLBACKS = [/^if \(!\('encodeInto' in \w+\)\) \{\n(?: .*\n)+\}\n/m, /console\.warn\('using deprecated.*'\)/g];
+/** Every browser with SIMD encodes in place; the only calls are ours, and nobody disposes of what they made by `using`. */
+const FALLBACKS = [
+  /^if \(!\('encodeInto' in \w+\)\) \{\n(?: .*\n)+\}\n/m,
+  / else \{\n +console\.warn\('using deprecated.*\n +\}/g,
+  /^if \(Symbol\.dispose\).*\n/m,
+];
 
 /** @returns {import('rolldown').Plugin} */
 export function withoutFallbacks() {

@@ -128,12 +128,15 @@ export class Device {
 
 /** What is told of a context that nobody should wait for. */
 export function missingContext(): ContextError {
-  return new ContextError('The graphics context was lost and has not come back. Reload the page.');
+  return new ContextError(
+    'The graphics context was lost and has not come back. Reload the page, or take another canvas.',
+  );
 }
 
 /**
  * Takes the WebGL2 context of a canvas that has none yet.
- * @throws UnsupportedError when the browser refuses WebGL2.
+ * @throws UnsupportedError when the browser refuses WebGL2. ContextError for a canvas that has served a device before: its
+ * context was given back for good
  */
 export function createDevice(canvas: DeviceCanvas, options: DeviceOptions = {}): Device {
   const context = canvas.getContext('webgl2', {
@@ -148,6 +151,7 @@ export function createDevice(canvas: DeviceCanvas, options: DeviceOptions = {}):
       'This browser gives no WebGL2 context. Turn on hardware acceleration in its settings, or try a current Firefox, Chrome, Edge or Safari.',
     );
   }
+  if (context.isContextLost()) throw missingContext();
   const renderer = new WebGLRenderer({ canvas, context, antialias: false, depth: false, stencil: false });
   renderer.autoClear = false;
   renderer.sortObjects = false;

@@ -64,7 +64,10 @@ export class PortStage {
 
   private makeFace(thread: Thread): RemoteStage {
     const names = Object.keys(calls) as (keyof RemoteMethods)[];
-    const methods = names.map((name) => [name, (...args: unknown[]) => this.call(name, args.map(packArgument))]);
+    // What a method takes on this thread alone, such as a function, cannot be sent.
+    const sent = (name: keyof RemoteMethods, args: unknown[]) =>
+      args.slice(0, calls[name].takes.length).map(packArgument);
+    const methods = names.map((name) => [name, (...args: unknown[]) => this.call(name, sent(name, args))]);
     return {
       ...(Object.fromEntries(methods) as RemoteMethods),
       ready: this.opened,

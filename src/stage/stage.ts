@@ -298,7 +298,10 @@ export class Stage {
     return this.#simulation.simulator.save();
   }
 
-  /** Takes up a saved state, with which a new take begins; refuses bytes that are none and then changes nothing. */
+  /**
+   * Takes up a state that was saved in the same scene, with which a new take begins.
+   * @throws SimulatorError for bytes that are none; nothing has changed then
+   */
   restore(bytes: Uint8Array): void {
     this.#running.requireAlive();
     this.#running.follow(this.#simulation.restore(bytes, this.#running.values));
@@ -385,7 +388,10 @@ export class Stage {
     return this.#simulation.simulator.hash();
   }
 
-  /** @param width, height in CSS pixels; nothing is drawn while one of them is 0 */
+  /**
+   * @param width, height in CSS pixels; nothing is drawn while one of them is 0
+   * @param pixelRatio 0.1 to 4, others are clamped; as it was when left out
+   */
   resize(width: number, height: number, pixelRatio?: number): void {
     requireFinite({ width, height, pixelRatio: pixelRatio ?? 1 });
     if (!this.#picture.resize(width, height, pixelRatio)) return;
@@ -427,7 +433,7 @@ function kindOf(values: Values, view: DebugView | undefined): PictureKind {
  * Sets a scene up on a canvas and draws its first picture unless nobody can see it; it does not play yet.
  * @throws ParameterError for a value it does not take, LoadError when the simulator or the scene cannot be fetched,
  * UnsupportedError when the browser lacks WebGL2 or WASM SIMD, SimulatorError when there is no memory left, ContextError
- * when the graphics context went meanwhile and has not come back for long
+ * when the graphics context went meanwhile and has not come back for long, and for a canvas on which a stage was disposed
  */
 export async function createStage(canvas: DeviceCanvas, options: StageOptions = {}): Promise<Stage> {
   const values = withDefaults(options.values);

@@ -11,6 +11,7 @@ import {
 } from '../../src/preset/errors.ts';
 import { calls } from '../../src/remote/calls.ts';
 import { packError, unpackError } from '../../src/remote/packedErrors.ts';
+import { PortStage } from '../../src/remote/portStage.ts';
 import { packArgument, packValue, readReply, readRequest, readTold, tellOf } from '../../src/remote/protocol.ts';
 import { hostileMessages } from '../support/hostileMessages.ts';
 
@@ -115,6 +116,18 @@ test('a take goes to a stage as its bytes, as bytes do', () => {
   expect(packArgument(TAKE)).toEqual(Uint8Array.of(1, 2, 3));
   for (const argument of [Uint8Array.of(4), 'toBytes', { toBytes: 1 }, 0, null, undefined])
     expect(packArgument(argument)).toBe(argument);
+});
+
+test('what only a stage of the same thread takes is not sent', async () => {
+  const { port1, port2 } = new MessageChannel();
+  const { face, opened } = new PortStage(port1, 'worker');
+  const came = new Promise<unknown>((resolve) => (port2.onmessage = ({ data }) => resolve(data)));
+  const seek = face.seek as (...args: unknown[]) => Promise<void>;
+  const asked = seek(2, { onProgress: () => undefined });
+  expect(await Promise.race([came, asked])).toEqual({ id: 1, method: 'seek', args: [2] });
+  await face.dispose();
+  await expect(asked).rejects.toBeInstanceOf(SimulatorError);
+  await expect(opened).rejects.toBeInstanceOf(SimulatorError);
 });
 
 test('a reply that has not the shape of what was asked for is no reply', () => {

@@ -79,6 +79,11 @@ test.describe('loss', () => {
   });
 
   // More than the sixteen contexts that a browser lets live at a time.
+  test('a canvas on which a stage was disposed serves no other, in words', async ({ load }) => {
+    const cases = await load<Devices>(DEVICES);
+    expect(await cases.evaluate((module) => module.useCanvasAgain())).toMatch(/^ContextError: .*take another canvas/);
+  });
+
   test('18 stages leave no live context and no growing heap', async ({ load, blank }) => {
     await expectGone(load, blank, 6);
   });

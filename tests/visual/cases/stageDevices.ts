@@ -47,6 +47,13 @@ export async function comeAndGo(rounds: number): Promise<{ lost: number; wasmByt
   return { lost, wasmBytes: (await wasmMemory()).buffer.byteLength };
 }
 
+/** What is said of a canvas on which a stage was disposed. */
+export async function useCanvasAgain(): Promise<string> {
+  const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
+  (await lampStage(canvas)).dispose();
+  return lampStage(canvas).then(() => 'nothing', String);
+}
+
 /** Takes the context away and gives it back in mid-run: pixels that differ from a run without the loss, and the hash. */
 export async function loseContext(): Promise<{ changed: number; sameHash: boolean; refused: boolean }> {
   const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
