@@ -24,9 +24,15 @@ export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...
   };
   const element = create('div', { class: 'dock' }, createTransport(stage, scrubber, ...play, toggle), gallery);
   const dock = { element, toggleGallery: () => show(gallery.hidden !== false), closeGallery: () => show(false) };
-  show(innerHeight >= LEAST_HEIGHT);
+  const low = matchMedia(`(max-height: ${LEAST_HEIGHT - 1}px)`);
+  let comesBack = false;
+  low.addEventListener('change', () => {
+    if (low.matches) comesBack = !gallery.hidden;
+    show(!low.matches && (comesBack || !gallery.hidden));
+  });
+  show(!low.matches);
   return dock;
 }
 
-/** Lower windows, such as phones on their side, keep their height for the smoke at first. CSS pixels. */
+/** Lower windows, such as phones on their side, keep their height for the smoke at first, and when they are turned. CSS pixels. */
 const LEAST_HEIGHT = 600;

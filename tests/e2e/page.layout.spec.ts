@@ -49,6 +49,29 @@ test('whatever is open beside it', async ({ page }) => {
   });
 });
 
+test.describe('on a phone that is turned', () => {
+  test.use({ viewport: { width: 390, height: 664 }, hasTouch: true, isMobile: true });
+
+  test('the gallery leaves the low window to the smoke, and comes back if it was there', async ({ page }) => {
+    await open(page, `?paused=1${LIGHT}`);
+    const gallery = page.locator('.gallery');
+    const expectWidth = (width: number) =>
+      expect.poll(() => page.locator('#smoke').evaluate(({ clientWidth }) => clientWidth)).toBe(width);
+    const turn = async (isOpen: boolean) => {
+      await page.setViewportSize({ width: 664, height: 390 });
+      await expectWidth(664);
+      await expect(gallery).toBeHidden();
+      await page.setViewportSize({ width: 390, height: 664 });
+      await expectWidth(390);
+      await expect(gallery).toBeVisible({ visible: isOpen });
+    };
+    await turn(true);
+    await page.getByRole('button', { name: 'Presets' }).tap();
+    await expect(gallery).toBeHidden();
+    await turn(false);
+  });
+});
+
 for (const [width, height] of [
   [390, 664],
   [320, 568],
