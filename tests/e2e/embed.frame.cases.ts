@@ -30,7 +30,14 @@ export async function endsAndBegins(address: string): Promise<{ other: string; s
   const other = await connectFrame(element);
   await other.step(5);
   await stage.dispose();
-  const told = await other.hash().catch(({ name }: Error) => name);
+  // It is on its way to the frame, by another port.
+  let told: string | undefined;
+  while (!told) {
+    told = await other.hash().then(
+      () => undefined,
+      ({ name }: Error) => name,
+    );
+  }
   const { steps } = await (await connectFrame(element)).stats();
   return { other: told, steps };
 }
