@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
 import { expect, scrollPage, stands, test } from '../support/embed.ts';
+import { gpuKeepsUp } from '../support/gpuKeepsUp.ts';
 
 /** Smoke over a page of 600 by 450 pixels: 150 of them are a metre. */
 const AIR = `preset="air" simulation-max-particles="300" thread="main" transparent
@@ -217,6 +218,7 @@ test.describe('by touch', () => {
 
   test('a tap on what smoke rises from under a pointer lets it rise for a moment', async ({ page, host }) => {
     await page.clock.install();
+    await page.addInitScript(gpuKeepsUp);
     await host(`<cartoon-smoke ${AIR} emit-from="button" emit-on="hover"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
       <script>document.querySelector('button').onclick = () => (window.clicked = true);</script>`);
     await stands(page);
@@ -269,6 +271,7 @@ test('what is folded away is no obstacle', async ({ page, host }) => {
 
 test('a click lets smoke rise for a moment, and reaches what was clicked', async ({ page, host }) => {
   await page.clock.install();
+  await page.addInitScript(gpuKeepsUp);
   await host(`<cartoon-smoke ${AIR} emit-from="button" emit-on="click"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
     <script>document.querySelector('button').onclick = () => (window.clicked = true);</script>`);
   await stands(page);

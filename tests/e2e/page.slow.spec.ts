@@ -1,8 +1,10 @@
 import { expect, test } from '../support/fixtures.ts';
+import { gpuKeepsUp } from '../support/gpuKeepsUp.ts';
 import { ask, LIGHT, messagesOf, open } from './page.ts';
 
 test('a machine that is late is told once, politely, and draws fewer pixels', async ({ page }) => {
   // Frames come when this says, whatever the machine can do.
+  await page.addInitScript(gpuKeepsUp);
   await page.addInitScript(() => {
     Object.assign(window, { frameMs: 16 });
     const original = requestAnimationFrame;

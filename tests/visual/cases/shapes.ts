@@ -7,6 +7,7 @@ import type { PuffShape } from '../../../src/puffs/shapes.ts';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
+import { gpuKeepsUp } from '../../support/gpuKeepsUp.ts';
 import { inputOf, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
 
@@ -135,6 +136,7 @@ export async function bringShape(): Promise<{ lobes: number; billboards: number;
  */
 export async function turnWhilePlaying(): Promise<{ frames: number; leftOver: number }> {
   let frame: FrameRequestCallback = () => {};
+  gpuKeepsUp();
   const { requestAnimationFrame } = globalThis;
   globalThis.requestAnimationFrame = (callback) => {
     frame = callback;

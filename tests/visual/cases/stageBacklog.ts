@@ -26,14 +26,6 @@ export async function mostInFlight(frames: number): Promise<number> {
   return most;
 }
 
-/** Settled when the GPU has drawn all that it was given. */
-export async function allDrawn(canvas: OffscreenCanvas | HTMLCanvasElement): Promise<void> {
-  const context = canvas.getContext('webgl2')!;
-  const fence = fenceIn(context);
-  // What has passed is known by the next task at the earliest.
-  while (!isPassed(context, fence)) await new Promise((resolve) => setTimeout(resolve));
-}
-
 function fenceIn(context: WebGL2RenderingContext): WebGLSync {
   const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0)!;
   context.flush();

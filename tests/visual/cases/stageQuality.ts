@@ -1,7 +1,7 @@
 /** Stages that draw fewer pixels than the page has. */
 import { createDevice, type Device } from '../../../src/device/device.ts';
 import { createStage } from '../../../src/stage/stage.ts';
-import { allDrawn } from './stageBacklog.ts';
+import { gpuKeepsUp } from '../../support/gpuKeepsUp.ts';
 import { differing, HEIGHT, pixelsOf, shown, SMALL, visibleCanvas, WIDTH } from './stage.ts';
 
 /**
@@ -51,6 +51,7 @@ export async function halfQualityShared(): ReturnType<typeof halfQuality> {
 
 /** Scales that a playing stage draws with when each frame takes longer than it should, and after a pause. */
 export async function governedScales(quality: 'auto' | undefined): Promise<{ played: number[]; paused: number }> {
+  gpuKeepsUp();
   let frame: FrameRequestCallback = () => {};
   const { requestAnimationFrame } = globalThis;
   globalThis.requestAnimationFrame = (callback) => {
@@ -62,7 +63,6 @@ export async function governedScales(quality: 'auto' | undefined): Promise<{ pla
   const played: number[] = [];
   stage.play();
   for (let now = 0, count = 0; count < 60; ++count) {
-    await allDrawn(canvas);
     frame((now += 50 * stage.stats.scale ** 2));
     if (played.at(-1) !== stage.stats.scale) played.push(stage.stats.scale);
   }
