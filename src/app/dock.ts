@@ -27,8 +27,10 @@ export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...
   const low = matchMedia(`(max-height: ${LEAST_HEIGHT - 1}px)`);
   let comesBack = false;
   low.addEventListener('change', () => {
-    if (low.matches) comesBack = !gallery.hidden;
-    show(!low.matches && (comesBack || !gallery.hidden));
+    // Of a window that is turned back at once this is told later, when it is as it was.
+    comesBack ||= !gallery.hidden;
+    show(!low.matches && comesBack);
+    if (!low.matches) comesBack = false;
   });
   show(!low.matches);
   return dock;

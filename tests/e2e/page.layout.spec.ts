@@ -55,8 +55,11 @@ test.describe('on a phone that is turned', () => {
   test('the gallery leaves the low window to the smoke, and comes back if it was there', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
     const gallery = page.locator('.gallery');
-    const expectWidth = (width: number) =>
-      expect.poll(() => page.locator('#smoke').evaluate(({ clientWidth }) => clientWidth)).toBe(width);
+    const expectWidth = async (width: number) => {
+      await expect.poll(() => page.locator('#smoke').evaluate(({ clientWidth }) => clientWidth)).toBe(width);
+      // Who listens to the size is told before the next frame.
+      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    };
     const turn = async (isOpen: boolean) => {
       await page.setViewportSize({ width: 664, height: 390 });
       await expectWidth(664);
@@ -69,6 +72,33 @@ test.describe('on a phone that is turned', () => {
     await page.getByRole('button', { name: 'Presets' }).tap();
     await expect(gallery).toBeHidden();
     await turn(false);
+  });
+
+  test('a gallery that was put away does not come back for a window that is turned there and back at once', async ({
+    page,
+  }) => {
+    // The page is told of the turn when it is over.
+    await page.addInitScript(() => {
+      const low = Object.assign(new EventTarget(), { matches: false });
+      const { matchMedia } = window;
+      window.matchMedia = (query) => (query.includes('max-height') ? (low as MediaQueryList) : matchMedia(query));
+      Object.assign(window, { low });
+    });
+    await open(page, `?paused=1${LIGHT}`);
+    const gallery = page.locator('.gallery');
+    const tell = (matches: boolean) =>
+      page.evaluate((is) => {
+        const { low } = window as unknown as { low: MediaQueryList };
+        Object.assign(low, { matches: is }).dispatchEvent(new Event('change'));
+      }, matches);
+    await tell(true);
+    await expect(gallery).toBeHidden();
+    await tell(false);
+    await expect(gallery).toBeVisible();
+    await page.getByRole('button', { name: 'Presets' }).tap();
+    await expect(gallery).toBeHidden();
+    await tell(false);
+    await expect(gallery).toBeHidden();
   });
 });
 
