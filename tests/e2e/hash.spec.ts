@@ -1,7 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from '../support/fixtures.ts';
 import { linesOf } from '../support/hashFixture.ts';
-import { nativeTakes } from '../support/nativeTakes.ts';
+import { nativeHashes, nativeTakes } from '../support/nativeTakes.ts';
+import { HASH_LIST, presetHashes, type HashList } from '../support/presetHashes.ts';
+import { RecordedCalls } from '../support/recordedCalls.ts';
+import { loadVariant } from '../unit/simWasm.ts';
 
 type Load = typeof import('../../src/sim/load.ts');
 type Fixture = typeof import('../support/hashFixture.ts');
@@ -46,4 +49,11 @@ test('takes over the whole parameter table have the same hashes natively and in 
     });
   }, takes);
   expect(hashes).toEqual(takes.map(({ hash }) => hash));
+});
+
+test('every preset has the hashes of tests/engines/hashes.json natively, by the bits that cross in Node', async () => {
+  const calls = new RecordedCalls();
+  await presetHashes(async (physics) => calls.record(await loadVariant(physics ? 'physics' : 'core')));
+  const list = JSON.parse(readFileSync(HASH_LIST, 'utf8')) as HashList;
+  expect(await nativeHashes(calls.bytes())).toEqual(Object.values(list).flatMap(Object.values));
 });
