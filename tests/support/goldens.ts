@@ -44,7 +44,16 @@ export async function expectGolden(picture: Buffer, golden: GoldenCase, testInfo
     return;
   }
   expect(existsSync(path), `golden ${golden.name}: look at the picture, then npm run test:update`).toBe(true);
-  const expected = readFileSync(path);
+  await expectSame(picture, readFileSync(path), golden, testInfo);
+}
+
+/** The same of two PNG files. */
+export async function expectSame(
+  picture: Buffer,
+  expected: Buffer,
+  golden: GoldenCase,
+  testInfo: TestInfo,
+): Promise<void> {
   const comparison = compare(PNG.sync.read(picture), PNG.sync.read(expected), golden.tolerance);
   if (comparison.outliers > golden.outliers) {
     await attach(testInfo, golden.name, {

@@ -1,0 +1,72 @@
+/**
+ * Recorded share links, each with the hash and the picture of its moment. `UPDATE_LINKS=all npx playwright test
+ * --project=modules tests/visual/links.spec.ts` records them anew and prints what has changed of each; `UPDATE_LINKS=lamp,dust`
+ * those with these names.
+ */
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { PNG } from 'pngjs';
+import { presets } from '../../src/preset/presets.ts';
+import { expect, test } from '../support/fixtures.ts';
+import { bytesOf, compare, expectSame } from '../support/goldens.ts';
+import { HASH_LIST, type HashList } from '../support/presetHashes.ts';
+
+type Cases = typeof import('./cases/links.ts');
+
+interface RecordedLink {
+  /** What stands behind the page's address. */
+  link: string;
+  hash: string;
+  /** Code and key of each, with commas between them. */
+  notices: string;
+}
+
+const FOLDER = fileURLToPath(new URL('links/', import.meta.url));
+const FILE = `${FOLDER}links.json`;
+const links = JSON.parse(readFileSync(FILE, 'utf8')) as Record<string, RecordedLink>;
+
+/** None on one machine; another CPU may round otherwise. The hash has to be the same everywhere. */
+const DIFFERENCE = { tolerance: 2, outliers: 7 };
+
+const { UPDATE_LINKS } = process.env;
+const names = UPDATE_LINKS && UPDATE_LINKS !== 'all' ? UPDATE_LINKS.split(',') : Object.keys(links);
+
+for (const name of names) {
+  test(`the link ${name} shows what was recorded`, async ({ load }, testInfo) => {
+    const recorded = links[name];
+    const cases = await load<Cases>('/tests/visual/cases/links.ts');
+    const opened = await cases.evaluateHandle((module, link) => module.openLink(link), recorded.link);
+    const { hash, notices } = await opened.evaluate((it) => ({ hash: it.hash, notices: it.notices }));
+    const told = notices.map(({ code, key }) => `${code} ${key}`).join(', ');
+    const picture = await bytesOf(await opened.evaluateHandle((it) => it.picture));
+    const path = `${FOLDER}${name}.png`;
+    if (UPDATE_LINKS) {
+      console.log(`${name}: ${changeOf(recorded.hash, hash)}, ${pictureChange(path, picture)}`);
+      writeFileSync(path, picture);
+      links[name] = { ...recorded, hash, notices: told };
+      writeFileSync(FILE, `${JSON.stringify(links, null, 2)}\n`);
+      return;
+    }
+    expect({ hash, notices: told }).toEqual({ hash: recorded.hash, notices: recorded.notices });
+    await expectSame(picture, readFileSync(path), { name, ...DIFFERENCE }, testInfo);
+  });
+}
+
+test('every preset has a link, whose hash is that of the list', () => {
+  expect(Object.keys(links).length).toBeGreaterThanOrEqual(50);
+  const list = JSON.parse(readFileSync(HASH_LIST, 'utf8')) as HashList;
+  const recorded = presets.map(({ name }) => [links[name].link, links[name].hash]);
+  expect(recorded).toEqual(presets.map(({ name }) => [`?t=2#v=1&preset=${name}`, list[name]['2']]));
+});
+
+function changeOf(before: string, after: string): string {
+  return before === after ? 'same hash' : `hash ${before || 'of nothing'} is now ${after}`;
+}
+
+function pictureChange(path: string, picture: Buffer): string {
+  if (!existsSync(path)) return 'first picture';
+  const [before, after] = [readFileSync(path), picture].map((bytes) => PNG.sync.read(bytes));
+  const { outliers, largest } = compare(after, before, 0);
+  const share = (100 * outliers) / (before.width * before.height);
+  return `${share.toFixed(2)} % of the pixels changed, by at most ${largest} of 255`;
+}
