@@ -7,7 +7,7 @@
  *   shadow may end, in 256ths of a radius behind the centre, 0xffff for nowhere.
  *   word 1: byte 0 variation; byte 1 seed; byte 2 temperature in steps of 4/255; byte 3 tint, 0 for none.
  *
- * The same numbers stand in Rust; `tests/unit/simRows.test.ts` compares them with what the WASM reports.
+ * The same numbers stand in Rust; `tests/unit/simLayout.test.ts` compares them with what the WASM reports.
  */
 export const PLACE_FLOATS = 4;
 export const LOOK_WORDS = 2;

@@ -4,7 +4,7 @@
  */
 export const VIEW_FLOATS = 92;
 
-/** Offsets into the floats of a view; `tests/unit/simView.test.ts` compares them with what the WASM reports. */
+/** Offsets into the floats of a view; `tests/unit/simLayout.test.ts` compares them with what Rust reads. */
 export const VIEW_OFFSETS = {
   purpose: 0,
   blend: 1,

@@ -1,16 +1,42 @@
-/** A test file that lies where no runner looks would pass for ever. */
-import { readdirSync } from 'node:fs';
+/** A test file that lies where no runner looks would pass for ever; one that is cited but missing proves nothing. */
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { basename } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { expect, test } from 'vitest';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 
+/** Paths of all files in a folder, relative to it. */
+function filesIn(folder: string): string[] {
+  const paths = readdirSync(`${ROOT}/${folder}`, { recursive: true, encoding: 'utf8' });
+  return paths.map((path) => path.replaceAll('\\', '/'));
+}
+
 test('every test file lies where a runner finds it', () => {
-  const files = readdirSync(`${ROOT}/tests`, { recursive: true, encoding: 'utf8' }).map((path) =>
-    path.replaceAll('\\', '/'),
-  );
+  const files = filesIn('tests');
   const tests = files.filter((path) => /[.](test|spec)\.[cm]?[jt]sx?$/.test(path));
   const stray = tests.filter((path) => !/^unit\/.+\.test\.ts$|^(support|visual|e2e)\/.+\.(spec|test)\.ts$/.test(path));
   expect(stray).toEqual([]);
   expect(tests.length).toBeGreaterThan(0);
+});
+
+test('every test file that a comment or a document cites exists', () => {
+  const crates = readdirSync(`${ROOT}/sim-wasm`).map((crate) => `sim-wasm/${crate}/src`);
+  const folders = ['src', 'shaders', 'docs', ...crates].filter((folder) => existsSync(`${ROOT}/${folder}`));
+  const files = folders.flatMap((folder) => filesIn(folder).map((path) => `${folder}/${path}`));
+  const sources = files.filter((path) => /\.(md|ts|rs|glsl|vert|frag|css)$/.test(path));
+  const texts = [...readdirSync(ROOT).filter((path) => path.endsWith('.md')), ...sources];
+  const names = new Set(['tests', 'sim-wasm/sim/tests'].flatMap(filesIn).map((path) => basename(path)));
+  // A path from the root or from the crate `sim`, or the name alone.
+  const isThere = (cited: string) =>
+    cited.includes('/')
+      ? existsSync(`${ROOT}/${cited}`) || existsSync(`${ROOT}/sim-wasm/sim/${cited}`)
+      : names.has(cited);
+  const citations = texts.flatMap((path) => {
+    const text = readFileSync(`${ROOT}/${path}`, 'utf8');
+    const cited = text.match(/[\w./-]*tests\/[\w./-]+\.(?:ts|mjs|rs)\b|[\w.-]+\.(?:test|spec|cases)\.ts\b/g) ?? [];
+    return cited.map((file) => ({ path, file }));
+  });
+  expect(citations.length).toBeGreaterThan(10);
+  expect(citations.filter(({ file }) => !isThere(file))).toEqual([]);
 });
