@@ -1,6 +1,7 @@
 /** What a person reads when the machine lacks something: one sentence, a bad status, no stack trace. */
 import { afterEach, beforeEach, describe, expect, test } from 'vitest';
 import { Project, type Ending } from '../support/project.ts';
+import { findFreePort } from '../support/server.ts';
 
 let project: Project;
 beforeEach(() => {
@@ -107,9 +108,11 @@ describe('packages', () => {
 describe('toolchain', () => {
   test.each(['start.mjs', 'test.mjs', 'build.mjs', 'preview.mjs'])(
     'without rustup, %s says what to install',
-    (script) => {
+    async (script) => {
       installPackages();
-      expectOnlySentence(project.run(script), /^rustup was not found: install it from https:\/\/rustup\.rs/);
+      // Not the default ports: the demo may run meanwhile.
+      const port = /start|preview/.test(script) ? ['--port', String(await findFreePort())] : [];
+      expectOnlySentence(project.run(script, port), /^rustup was not found: install it from https:\/\/rustup\.rs/);
     },
   );
 
