@@ -39,7 +39,7 @@ scene.add(smoke);
 smoke.emitFrom(chimney);
 for (const obstacle of obstacles) smoke.collide(obstacle);
 for (const caster of casters) smoke.cast(caster);
-smoke.step(60 * Number(new URLSearchParams(location.search).get('t') ?? 0));
+smoke.step(Math.round(60 * Number(new URLSearchParams(location.search).get('t') ?? 0)));
 
 const timer = new Timer();
 timer.connect(document);

@@ -3,7 +3,7 @@ import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
 import { SimulatorError, UnsupportedError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
-import { requireFinite } from '../preset/values.ts';
+import { requireFinite, requireWhole } from '../preset/values.ts';
 import { Clock, STEP_SECONDS } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
 import type { Simulator } from '../sim/simulator.ts';
@@ -171,10 +171,14 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.showPuffs(this.puffs.workFor(BAKING_MS));
   }
 
-  /** Makes exactly so many steps of 1/60 s, and shows the last one: the same pictures each time. */
+  /**
+   * Makes exactly so many steps of 1/60 s, and shows the last one: the same pictures each time.
+   * @param count a whole number from 0
+   * @throws ParameterError for any other count
+   */
   step(count = 1): void {
     this.requireAlive();
-    requireFinite({ count });
+    requireWhole('count', count);
     this.raiseObjection();
     this.clock.settle();
     this.advance(count);

@@ -40,11 +40,21 @@ export function requireOptional(key: string): void {
 
 /**
  * Checks numbers that are not of the table, by their names in the call. What is none would stay in the smoke.
- * @throws ParameterError for the first that is not finite
+ * @param least 0 where they may not be negative
+ * @throws ParameterError for the first that is not finite or below `least`
  */
-export function requireFinite(numbers: Values): void {
+export function requireFinite(numbers: Readonly<Record<string, unknown>>, least?: 0): void {
   for (const [key, value] of Object.entries(numbers)) {
-    if (!Number.isFinite(value)) throw new ParameterError(key, value, 'a finite number');
+    if (!Number.isFinite(value) || (value as number) < least!) {
+      throw new ParameterError(key, value, least === 0 ? 'a number from 0' : 'a finite number');
+    }
+  }
+}
+
+/** @throws ParameterError for what is not a whole number from 0 to the greatest that fits into 32 bits */
+export function requireWhole(key: string, value: unknown): void {
+  if (!Number.isInteger(value) || (value as number) < 0 || (value as number) > 0xffffffff) {
+    throw new ParameterError(key, value, 'a whole number from 0 to 4294967295');
   }
 }
 

@@ -1,3 +1,4 @@
+import { requireFinite, requireWhole } from '../preset/values.ts';
 import type { RemoteMethods } from './contract.ts';
 import {
   blob,
@@ -31,9 +32,10 @@ const MOST_KEYS = 4000;
 interface Call {
   readonly takes: readonly Check[];
   readonly gives: Check;
+  /** What the stage itself demands of the first argument: a message is refused with the same error. */
+  readonly demand?: (first: unknown) => void;
 }
 
-const seconds = number(MOST_SECONDS, 0);
 const length = number(LARGEST_SIDE, 0);
 const place = number(FAR);
 const pointer = record({
@@ -70,13 +72,16 @@ function call(takes: readonly Check[], gives: Check = nothing): Call {
   return { takes, gives };
 }
 
+/** Seconds of simulated time. */
+const timed: Call = { ...call([number(MOST_SECONDS, 0)]), demand: (seconds) => requireFinite({ seconds }, 0) };
+
 /** All that can be asked of a stage by a message; nothing else is ever called. */
 export const calls: Readonly<Record<keyof RemoteMethods, Call>> = {
   play: call([]),
   pause: call([]),
-  step: call([optional(integer(0, MOST_STEPS))]),
-  seek: call([seconds]),
-  advance: call([seconds]),
+  step: { ...call([optional(integer(0, MOST_STEPS))]), demand: (n = 1) => requireWhole('n', n) },
+  seek: timed,
+  advance: timed,
   restart: call([]),
   enter: call([values]),
   set: call([values]),

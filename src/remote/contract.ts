@@ -15,11 +15,11 @@ export type Thread = 'main' | 'worker' | 'frame';
 export interface RemoteMethods {
   play(): Promise<void>;
   pause(): Promise<void>;
-  /** @param n whole steps, 1 when left out, at most 36,000 */
+  /** @param n a whole number of steps from 0, 1 when left out; at most 36,000 in a worker or a frame */
   step(n?: number): Promise<void>;
-  /** @param seconds of simulated time, at most 600 */
+  /** @param seconds of simulated time from 0; at most 600 in a worker or a frame */
   seek(seconds: number): Promise<void>;
-  /** @param seconds of simulated time, at most 600 */
+  /** @param seconds of simulated time from 0; at most 600 in a worker or a frame */
   advance(seconds: number): Promise<void>;
   restart(): Promise<void>;
   /** Goes to another scene, or begins anew in this one; what is left out gets the defaults of the table. */

@@ -59,6 +59,8 @@ export function readRequest(message: unknown): ReadRequest | undefined {
     return { id, refusal: new ParameterError('args', describe(args), `a list of at most ${MOST_ARGUMENTS}`) };
   const wrong = takes.findIndex((check, place) => !check(args[place]));
   if (wrong >= 0) {
+    const refusal = demandedBy(method as keyof RemoteMethods, args[0]);
+    if (refusal) return { id, refusal };
     const name = `argument ${wrong + 1} of ${String(method)}`;
     return { id, refusal: new ParameterError(name, describe(args[wrong]), takes[wrong].words) };
   }
@@ -69,6 +71,16 @@ function takenBy(method: unknown): readonly Check[] | undefined {
   if (typeof method !== 'string') return undefined;
   if (Object.hasOwn(calls, method)) return calls[method as keyof RemoteMethods].takes;
   return Object.hasOwn(talk, method) ? talk[method] : undefined;
+}
+
+/** The error with which the stage itself refuses the first argument; undefined where it would take it. */
+function demandedBy(method: keyof RemoteMethods, first: unknown): Error | undefined {
+  try {
+    calls[method]?.demand?.(typeof first === 'number' ? first : describe(first));
+    return undefined;
+  } catch (error) {
+    return error as Error;
+  }
 }
 
 /** Short, and without asking a stranger's object to describe itself. */

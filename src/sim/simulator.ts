@@ -1,7 +1,8 @@
 /**
  * One simulator: the owner of a handle into WASM, of the views on its memory, and of its life.
  */
-import { ParameterError, SimulatorError } from '../preset/errors.ts';
+import { SimulatorError } from '../preset/errors.ts';
+import { requireWhole } from '../preset/values.ts';
 import type * as Core from './core.ts';
 import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';
 import { requireIndices } from './indices.ts';
@@ -395,11 +396,5 @@ export class Simulator {
     this.#stopped = 'The simulator has stopped after a fault.';
     const fault = this.#module.bindings.lastFault() || error.message;
     return new SimulatorError(`The simulator has stopped after a fault: ${fault}. Make a new one.`, { cause: error });
-  }
-}
-
-function requireWhole(name: string, value: number): void {
-  if (!Number.isInteger(value) || value < 0 || value > 0xffffffff) {
-    throw new ParameterError(name, value, 'a whole number from 0 to 4294967295');
   }
 }

@@ -5,7 +5,7 @@ import type { PuffForm } from '../device/puffTextures.ts';
 import type { DebugView, Quality } from '../preset/quality.ts';
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
-import { defaults, requireFinite, requireOptional, validate } from '../preset/values.ts';
+import { defaults, requireFinite, requireOptional, requireWhole, validate } from '../preset/values.ts';
 import { demandShapes } from '../puffs/demandShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
@@ -144,10 +144,14 @@ export class Stage {
     return this.#running.completion.wait();
   }
 
-  /** Takes n whole steps and shows the last one. */
+  /**
+   * Takes n steps of 1/60 s and shows the last one.
+   * @param n a whole number from 0
+   * @throws ParameterError for any other n
+   */
   step(n = 1): void {
     this.#running.requireAlive();
-    requireFinite({ n });
+    requireWhole('n', n);
     this.#running.advance(n);
     this.#running.showLatest();
   }
@@ -155,24 +159,28 @@ export class Stage {
   /**
    * Goes on by simulated seconds and shows that very moment, also where it falls between two steps: for pictures at any
    * rate. Where it stood between two steps already, it goes on from there.
+   * @param seconds from 0
+   * @throws ParameterError when seconds is negative or no number
    */
   advance(seconds: number): void {
     this.#running.requireAlive();
-    requireFinite({ seconds });
-    this.#running.advanceBy(Math.max(0, seconds));
+    requireFinite({ seconds }, 0);
+    this.#running.advanceBy(seconds);
   }
 
   /**
    * Goes to a simulated time, with everything that was done on the way, as far back as the take began. Playing goes on
    * from there if it was playing. What is done there takes over: what was done later is forgotten.
+   * @param seconds from 0; the nearest step is shown
+   * @throws ParameterError when seconds is negative or no number
    */
   async seek(seconds: number, options: SeekOptions = {}): Promise<void> {
     this.#running.requireAlive();
-    requireFinite({ seconds });
+    requireFinite({ seconds }, 0);
     options.signal?.throwIfAborted();
     // Who asked for what cannot be had was told; time goes on without it.
     await this.#running.completion.wait().catch(() => undefined);
-    await this.#running.seek(Math.max(0, Math.round(seconds / STEP_SECONDS)), options);
+    await this.#running.seek(Math.round(seconds / STEP_SECONDS), options);
   }
 
   /** Starts over from the first step with the values as they are, and begins a new take. */
@@ -315,8 +323,7 @@ export class Stage {
    */
   take(): Take {
     this.#running.requireAlive();
-    const bytes = this.#simulation.simulator.take(noteOf(this.#simulation.startValues));
-    return takeOf(bytes, this.#running.factory.readTake(bytes));
+    return this.readTake(this.#simulation.simulator.take(noteOf(this.#simulation.startValues)));
   }
 
   /**
@@ -336,7 +343,7 @@ export class Stage {
   playTake(take: Take | Uint8Array): void {
     this.#running.requireAlive();
     const bytes = take instanceof Uint8Array ? take : take.toBytes();
-    const { values } = takeOf(bytes, this.#running.factory.readTake(bytes));
+    const { values } = this.readTake(bytes);
     const { name } = this.#running.scene;
     if (values.scene !== name) {
       throw new SimulatorError(`The take was made in the scene ${values.scene}; this stage shows ${name}.`);

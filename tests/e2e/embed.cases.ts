@@ -159,6 +159,11 @@ export async function refusals(thread: 'main' | 'worker') {
     unknown: await thrownBy(() => stage.set({ nothing: 1 })),
     scene: await thrownBy(() => stage.enter({ scene: 'moon' })),
     bytes: await thrownBy(() => stage.restore(new Uint8Array(8))),
+    fraction: await thrownBy(() => stage.step(1.5)),
+    negativeStep: await thrownBy(() => stage.step(-1)),
+    negativeSeek: await thrownBy(() => stage.seek(-1)),
+    negativeAdvance: await thrownBy(() => stage.advance(-0.5)),
+    noNumber: await thrownBy(() => stage.seek(NaN)),
   };
   const isSame = before === (await stage.hash());
   await stage.dispose();

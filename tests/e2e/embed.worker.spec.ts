@@ -25,6 +25,13 @@ test('errors are of the same class and say the same from a worker as from the ma
   expect(worker.unknown?.name).toBe('ParameterError');
   expect(worker.scene?.name).toBe('ParameterError');
   expect(worker.bytes?.name).toBe('SimulatorError');
+  expect(worker.fraction).toMatchObject({ name: 'ParameterError', key: 'n', value: 1.5, isOurs: true });
+  expect(worker.fraction?.message).toBe('n cannot be 1.5: it takes a whole number from 0 to 4294967295.');
+  expect(worker.negativeStep).toMatchObject({ name: 'ParameterError', key: 'n', value: -1 });
+  expect(worker.negativeSeek).toMatchObject({ name: 'ParameterError', key: 'seconds', value: -1 });
+  expect(worker.negativeSeek?.message).toBe('seconds cannot be -1: it takes a number from 0.');
+  expect(worker.negativeAdvance).toMatchObject({ name: 'ParameterError', key: 'seconds', value: -0.5 });
+  expect(worker.noNumber).toMatchObject({ name: 'ParameterError', key: 'seconds' });
   expect(worker.after?.name).toBe('SimulatorError');
   expect(worker.isSame).toBe(true);
 });

@@ -57,9 +57,12 @@ test.each([
 
 test.each([
   ['seek', [601], 'argument 1 of seek cannot be 601: it takes a number from 0 to 600.'],
-  ['step', [1.5], 'argument 1 of step cannot be 1.5: it takes a whole number from 0 to 36000.'],
-  ['seek', [], 'argument 1 of seek cannot be undefined: it takes a number from 0 to 600.'],
-  ['advance', ['1'], 'argument 1 of advance cannot be “1”: it takes a number from 0 to 600.'],
+  ['step', [1.5], 'n cannot be 1.5: it takes a whole number from 0 to 4294967295.'],
+  ['step', [36_001], 'argument 1 of step cannot be 36001: it takes a whole number from 0 to 36000.'],
+  ['seek', [], 'seconds cannot be undefined: it takes a number from 0.'],
+  ['seek', [-1], 'seconds cannot be -1: it takes a number from 0.'],
+  ['advance', ['1'], 'seconds cannot be “1”: it takes a number from 0.'],
+  ['advance', [[]], 'seconds cannot be “a list”: it takes a number from 0.'],
   ['zoom', [0], 'argument 1 of zoom cannot be 0: it takes a number from 0.000001 to 1000000.'],
   ['resize', [3, -1], 'argument 2 of resize cannot be -1: it takes a number from 0 to 65536.'],
   ['unset', ['a'], 'argument 1 of unset cannot be “a”: it takes a list of at most 4000, each a key.'],

@@ -175,6 +175,7 @@ test.describe('refusals', () => {
     expect(said.emitter).toMatch(/^ParameterError: emitter cannot be 8: it takes a whole number from 0 to 7/);
     expect(said.seconds).toMatch(/^ParameterError: seconds cannot be NaN/);
     expect(said.count).toMatch(/^ParameterError: count cannot be NaN/);
+    expect(said.fraction).toMatch(/^ParameterError: count cannot be 1.5: it takes a whole number from 0/);
     expect(said.afterwards).toBe('nothing');
     expect(said.physics).toMatch(/^UnsupportedError: .*physics/);
     expect(said.target).toMatch(/^UnsupportedError: .*stencilBuffer: true/);

@@ -44,6 +44,7 @@ export async function refusals(): Promise<Record<string, string>> {
   await attempt('emitter', () => smoke.emitFrom(new Group(), 8));
   await attempt('seconds', () => smoke.update(NaN));
   await attempt('count', () => smoke.step(NaN));
+  await attempt('fraction', () => smoke.step(1.5));
   await attempt('afterwards', () => {
     smoke.update(1 / 60);
     host.renderer.render(host.scene, host.camera);
