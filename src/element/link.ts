@@ -2,6 +2,7 @@
 import { decode } from '../preset/codec.ts';
 import { readEnvironment, readTime } from '../preset/environment.ts';
 import { notice, type Notice } from '../preset/notice.ts';
+import { defaultPreset } from '../preset/presets.ts';
 import type { Base } from './wish.ts';
 
 /** Reads `src`. Never rejects. */
@@ -15,7 +16,13 @@ export async function readLink(link: string, base: string, notices: Notice[]): P
 
 function addressOf(link: string, base: string, notices: Notice[]): Pick<URL, 'hash' | 'search'> {
   try {
-    return new URL(link, base);
+    const address = new URL(link, base);
+    if (address.hash === '') {
+      const tell = (given: string) =>
+        `src cannot be ${given}: it takes a share link, such as #v=1&preset=wisp. \u201c${defaultPreset.name}\u201d is shown.`;
+      notices.push(notice('malformed', 'src', link, tell));
+    }
+    return address;
   } catch {
     notices.push(notice('damaged', 'src', link, (given) => `src cannot be ${given}: it takes a share link.`));
     return { hash: '', search: '' };
