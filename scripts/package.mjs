@@ -1,4 +1,7 @@
-/** `npm run package`: writes the npm package to package/, and says what is in it and by which hashes CDNs name it. */
+/**
+ * `npm run package`: writes the npm package to package/ and as a tarball beside it, and says what is in it and by which hashes
+ * CDNs name it.
+ */
 
 import { readArguments } from './lib/arguments.mjs';
 import { inRoot } from './lib/paths.mjs';
@@ -15,5 +18,5 @@ await conclude(async () => {
   for (const { file, integrity, kB } of hashes(inRoot(`${packaged.FOLDER}/dist`))) {
     console.log(`dist/${file}: ${kB.toFixed(1)} kB gzip, integrity="${integrity}"`);
   }
-  console.log(`The package is in ${packaged.FOLDER}/.`);
+  console.log(`The package is in ${packaged.FOLDER}/. Install it elsewhere with npm install ${inRoot(packaged.ARCHIVE)}`);
 });

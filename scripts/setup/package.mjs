@@ -1,17 +1,21 @@
-/** The npm package in package/, and whether it was built from the sources that lie here. */
+/** The npm package in package/, its tarball beside it, and whether both were built from the sources that lie here. */
 
-import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { inRoot } from '../lib/paths.mjs';
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { inRoot, root } from '../lib/paths.mjs';
+import { Refusal } from '../lib/refusal.mjs';
+import { runNpm } from './packages.mjs';
 import { digestOf } from './sources.mjs';
 
 export const title = 'Package';
 export const FOLDER = 'package';
+/** What `npm install` takes. The folder would become a link, and bundlers refuse files that a link leads to outside a project. */
+export const ARCHIVE = `cartoon-smoke-${JSON.parse(readFileSync(inRoot('package.json'), 'utf8')).version}.tgz`;
 
 const SOURCES = ['LICENSE', 'package-lock.json', 'package.json', 'scripts/package', 'shaders', 'src', 'tsconfig.json'];
 const STAMP = '.cache/package.txt';
 
 export function isFresh() {
-  if (!existsSync(inRoot(`${FOLDER}/package.json`)) || !existsSync(inRoot(STAMP))) return false;
+  if (![`${FOLDER}/package.json`, ARCHIVE, STAMP].every((path) => existsSync(inRoot(path)))) return false;
   return readFileSync(inRoot(STAMP), 'utf8') === digestOf(SOURCES);
 }
 
@@ -19,6 +23,7 @@ export function isFresh() {
 export async function bring(say) {
   rmSync(inRoot(STAMP), { force: true });
   rmSync(inRoot(FOLDER), { recursive: true, force: true });
+  for (const file of readdirSync(root)) if (/^cartoon-smoke-.*\.tgz$/.test(file)) rmSync(inRoot(file));
   const before = digestOf(SOURCES);
   // They read the parameter table, and need packages that may not have been there before.
   const [{ bundleAll }, { writeLicenses }, { writeTypes }, { customElements }, { manifest }] = await Promise.all([
@@ -37,6 +42,9 @@ export async function bring(say) {
   writeFileSync(inRoot(`${FOLDER}/custom-elements.json`), JSON.stringify(customElements()));
   copyFileSync(inRoot('LICENSE'), inRoot(`${FOLDER}/LICENSE`));
   copyFileSync(inRoot('scripts/package/README.md'), inRoot(`${FOLDER}/README.md`));
+  say('packing');
+  const { status, output } = await runNpm(['pack', '--pack-destination', root], { folder: inRoot(FOLDER) });
+  if (status !== 0) throw new Refusal(`npm pack failed: ${output.split('\n').at(-1)}`);
   mkdirSync(inRoot('.cache'), { recursive: true });
   writeFileSync(inRoot(STAMP), before);
 }

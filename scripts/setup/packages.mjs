@@ -31,9 +31,8 @@ export function isFresh() {
 
 /** @param {(line: string) => void} say */
 export async function bring(say) {
-  const { program, before } = findNpm();
   let fetched = 0;
-  const outcome = await run(program, [...before, 'ci', '--no-audit', '--no-fund', '--loglevel=http', ...PATIENCE], {
+  const outcome = await runNpm(['ci', '--no-audit', '--no-fund', '--loglevel=http', ...PATIENCE], {
     onLine: (line) => say(/http fetch GET 200/.test(line) ? `${++fetched} files fetched` : line),
   });
   if (outcome.status === 0) return;
@@ -47,11 +46,16 @@ export async function bring(say) {
   );
 }
 
-/** The npm that started this process where there is one, because a bare `npm` is a script on some systems. */
-function findNpm() {
+/**
+ * Runs the npm that started this process where there is one, because a bare `npm` is a script on some systems.
+ *
+ * @param {readonly string[]} parameters
+ * @param {Parameters<typeof run>[2]} options
+ */
+export function runNpm(parameters, options) {
   const script = process.env.npm_execpath;
-  if (script?.endsWith('.js') && existsSync(script)) return { program: process.execPath, before: [script] };
-  return { program: 'npm', before: [] };
+  if (script?.endsWith('.js') && existsSync(script)) return run(process.execPath, [script, ...parameters], options);
+  return run('npm', parameters, options);
 }
 
 /** @returns {Packages | undefined} */

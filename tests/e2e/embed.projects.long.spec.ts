@@ -1,7 +1,8 @@
 /** The package as a new user tries it: packed by npm, installed into projects that know nothing of this one. */
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { bin, expectTitle, expectTypes, PAGE_WITH_ELEMENT, test } from '../support/freshProject.ts';
+import type * as Vite from 'vite';
+import { bin, expect, expectTitle, expectTypes, PAGE_WITH_ELEMENT, test } from '../support/freshProject.ts';
 
 const MAIN = `import 'cartoon-smoke/element';
 import { CartoonSmokeElement, ParameterError } from 'cartoon-smoke';
@@ -28,11 +29,17 @@ test('a page without a bundler', async ({ page, project }) => {
 });
 
 for (const version of ['7', '8']) {
-  test(`Vite ${version}, as it comes`, async ({ page, project }) => {
+  test(`Vite ${version}, as it comes, built and from its development server`, async ({ page, project }) => {
     const main = `${PAGE_WITH_ELEMENT}<script type="module" src="/main.ts"></script>`;
     const place = project([`vite@${version}`], { 'index.html': main, 'main.ts': MAIN });
     bin(place, 'vite/bin/vite.js', 'build');
     await expectTitle(page, join(place, 'dist'), READY);
+    const { createServer } = (await import(join(place, 'node_modules/vite/dist/node/index.js'))) as typeof Vite;
+    const server = await createServer({ root: place, logLevel: 'error', server: { port: 0 } });
+    await server.listen();
+    await page.goto(server.resolvedUrls!.local[0]);
+    await expect(page).toHaveTitle(READY);
+    await server.close();
   });
 }
 

@@ -1,6 +1,6 @@
-/** Projects that know nothing of this one, with the package as npm packs it. */
+/** Projects that know nothing of this one, with the tarball that `npm run package` writes. */
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -8,7 +8,7 @@ import type { Page } from '@playwright/test';
 import { expect, test as base, type Server } from './embed.ts';
 import { script } from './server.ts';
 
-const PACKAGE = fileURLToPath(new URL('../../package', import.meta.url));
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const ELEMENT = '<cartoon-smoke preset="wisp" simulation-max-particles="300" style="height: 200px"></cartoon-smoke>';
 export const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Waiting</title><link rel="icon" href="data:,">`;
 export const PAGE_WITH_ELEMENT = PAGE + ELEMENT;
@@ -32,11 +32,8 @@ export const test = base.extend<{ project: MakeProject }, { archive: string }>({
     async ({ server }, use) => {
       // The server builds the package first.
       expect(server.address).toBeTruthy();
-      const folder = mkdtempSync(join(tmpdir(), 'cartoon-smoke-archive-'));
-      execFileSync('npm', ['pack', '--silent', '--pack-destination', folder], { cwd: PACKAGE, stdio: 'ignore' });
-      const [name] = readdirSync(folder);
-      await use(join(folder, name));
-      rmSync(folder, { recursive: true });
+      const { ARCHIVE } = await script<{ ARCHIVE: string }>('setup/package.mjs');
+      await use(join(ROOT, ARCHIVE));
     },
     { scope: 'worker', timeout: 300_000 },
   ],
