@@ -1,8 +1,11 @@
 /**
- * The baked puffs as pictures, after Fig. 3 of McGuire and Fein (2006): the colour and alpha channels of the two textures,
- * each with the first four variations in two rows, as the shaders sample them.
+ * Puffs as pictures, after Fig. 3 of McGuire and Fein (2006): the colour and alpha channels of the two textures, each with four
+ * variations in two rows, as the shaders know them.
  */
 import { samplePuff, type PuffLayers, type PuffSample } from './layers.ts';
+import { sampleLobes } from './lobes.ts';
+import { orientationOf, turnedLobes } from './orientation.ts';
+import type { PuffShape } from './shapes.ts';
 
 type Color = [red: number, green: number, blue: number];
 
@@ -40,21 +43,51 @@ const CHANNELS: readonly Channel[] = [
   { name: 'coverage', colorOf: ({ distance }) => grey(distance <= RING ? 1 : 0) },
 ];
 
-/** @param tile pixels along each side of one puff; a picture is two tiles wide and high */
-export function channelSheet(layers: PuffLayers, tile: number): ChannelPicture[] {
-  return CHANNELS.map((channel) => drawChannel(channel, layers, tile));
+/** Puffs to draw. */
+interface Sampled {
+  /** Number of variations. */
+  readonly count: number;
+  /** Half the width of a tile, in particle radii. */
+  readonly pad: number;
+  /** What is seen of a variation at a place in particle radii. */
+  sample(variation: number, x: number, y: number): PuffSample;
 }
 
-function drawChannel(channel: Channel, layers: PuffLayers, tile: number): ChannelPicture {
+/**
+ * The channels of baked puffs, as billboards have them.
+ * @param tile pixels along each side of one puff; a picture is two tiles wide and high
+ */
+export function channelSheet(layers: PuffLayers, tile: number): ChannelPicture[] {
+  const { count, pad } = layers;
+  return drawChannels({ count, pad, sample: (variation, x, y) => samplePuff(layers, variation, x, y) }, tile);
+}
+
+/**
+ * The same channels of puffs of lobes, as each pixel meets them, turned by a roll in radians about axes of their own.
+ * @param pad half the width of a tile, in particle radii
+ */
+export function lobeSheet(shapes: readonly PuffShape[], roll: number, pad: number, tile: number): ChannelPicture[] {
+  const views = shapes.map(({ lobes }, variation) => turnedLobes(orientationOf(53 * variation + 20, roll), lobes));
+  return drawChannels(
+    { count: views.length, pad, sample: (variation, x, y) => sampleLobes(views[variation], x, y) },
+    tile,
+  );
+}
+
+function drawChannels(puffs: Sampled, tile: number): ChannelPicture[] {
+  return CHANNELS.map((channel) => drawChannel(channel, puffs, tile));
+}
+
+function drawChannel(channel: Channel, { count, pad, sample }: Sampled, tile: number): ChannelPicture {
   const size = 2 * tile;
   const pixels = new Uint8ClampedArray(4 * size * size);
   for (let pixel = 0; pixel < size * size; pixel++) {
     const [column, row] = [pixel % size, Math.floor(pixel / size)];
-    const layer = (Math.floor(column / tile) + 2 * Math.floor(row / tile)) % layers.count;
+    const variation = (Math.floor(column / tile) + 2 * Math.floor(row / tile)) % count;
     const color = meanColor((dx, dy) => {
       const x = (2 * ((column % tile) + dx)) / tile - 1;
       const y = 1 - (2 * ((row % tile) + dy)) / tile;
-      return channel.colorOf(samplePuff(layers, layer, x * layers.pad, y * layers.pad), layers.pad);
+      return channel.colorOf(sample(variation, x * pad, y * pad), pad);
     });
     pixels.set([...color.map((value) => 255 * value), 255], 4 * pixel);
   }

@@ -1,53 +1,143 @@
-/** The page about the paper: draws its figures with the library, one after the other, on a canvas that nobody sees. */
-import { presetValues, defaultPreset } from '../../preset/presets.ts';
+/**
+ * The page about the paper: draws its figures with the library on a canvas that nobody sees, each twice, by the paper's means
+ * and by ours.
+ */
+import { encode } from '../../preset/codec.ts';
+import type { Values } from '../../preset/parameter.ts';
+import { findPreset, presetValues } from '../../preset/presets.ts';
+import { channelSheet, lobeSheet, type ChannelPicture } from '../../puffs/channelSheet.ts';
 import { bakePuffs } from '../../puffs/layers.ts';
-import { channelSheet, type ChannelPicture } from '../../puffs/channelSheet.ts';
+import { LOBE_SHAPES } from '../../puffs/lobeShapes.ts';
 import { PUFF_SHAPES } from '../../puffs/shapes.ts';
 import { createStage, type Stage } from '../../stage/stage.ts';
 import { create } from '../dom.ts';
 import { createRefusal } from '../refusal.ts';
 
-/** Simulated seconds, by which the smoke fills its column. */
-const MOMENT = 6;
-const SIZE = { width: 720, height: 540, pixelRatio: 1 };
-const TILE = 96;
+interface Means {
+  readonly id: 'paper' | 'ours';
+  readonly title: string;
+  readonly values: Values;
+}
+
+const MEANS: readonly Means[] = [
+  {
+    id: 'paper',
+    title: "By the paper's means",
+    // In the paper puffs are born at full size and shrink from there.
+    values: { 'puff.form': 'billboards', 'simulation.integrator': 'paper', 'emission.growthTime': 0 },
+  },
+  { id: 'ours', title: 'By ours', values: {} },
+];
+/** Simulated seconds, by which the smoke fills its column, and by which the airplane is amid the clouds. */
+const MOMENTS = { lamp: 6, airplane: 4.5 };
+/** On narrow windows pictures are small, and so is the work. */
+const isNarrow = matchMedia('(max-width: 640px)').matches;
+const SIZE = { width: isNarrow ? 400 : 640, height: isNarrow ? 300 : 480, pixelRatio: 1 };
+const TILE = isNarrow ? 64 : 96;
+/** Half the width of a tile, in radii of the puff. */
+const PAD = 1.2;
+/** By how much the lobes are turned that are met per pixel, in radians. */
+const ROLL = 0.7;
 const CHANNEL_NAMES: Readonly<Record<string, string>> = { N: 'Normals', d: 'Depth', C: 'Colour', coverage: 'Coverage' };
 const RAMPS = [
   { tones: 1, name: 'Monochrome' },
   { tones: 2, name: 'Two-tone' },
   { tones: 3, name: 'Three-tone' },
 ] as const;
+const DRAWN = MEANS.length * (1 + RAMPS.length);
+
+const progress = document.querySelector<HTMLProgressElement>('#progress progress')!;
 
 async function drawFigures(): Promise<void> {
-  const channels = channelSheet(bakePuffs(PUFF_SHAPES), TILE);
-  show('figure-3', ...channels.map(channelCanvas));
-  const stage = await createStage(new OffscreenCanvas(1, 1), { ...SIZE, values: presetValues(defaultPreset) });
+  for (const figure of ['figure-1', 'figure-2', 'figure-3', 'figure-13']) prepare(figure);
+  progress.max = DRAWN;
+  show('figure-3', 'paper', ...channelSheet(bakePuffs(PUFF_SHAPES), TILE).map(channelCanvas));
+  show('figure-3', 'ours', ...lobeSheet(LOBE_SHAPES, ROLL, PAD, TILE).map(channelCanvas));
+  const [paper, ours] = MEANS;
+  await link('figure-3', paper, 'lamp', {});
+  await link('figure-3', ours, 'lamp', {});
+  for (const means of MEANS) await drawLamp(means);
+  for (const means of MEANS) await drawAirplane(means);
+}
+
+/** Figures 1 and 13: the same smoke, whose three-tone picture is in both. */
+async function drawLamp(means: Means): Promise<void> {
+  const how = means.title.toLowerCase();
+  await onStage('lamp', means, async (stage) => {
+    for (const { tones, name } of RAMPS) {
+      stage.set({ 'style.tones': tones });
+      const image = await picture(stage, `${name} smoke of the lamp, drawn ${how}`);
+      if (tones === 3) {
+        const large = image.cloneNode() as HTMLImageElement;
+        large.alt = `A magic oil lamp with a column of cartoon smoke in three tones, drawn ${how}`;
+        show('figure-1', means.id, large);
+        await link('figure-1', means, 'lamp', { 'style.tones': 3 });
+      }
+      show('figure-13', means.id, image);
+    }
+    await link('figure-13', means, 'lamp', {});
+  });
+}
+
+async function drawAirplane(means: Means): Promise<void> {
+  await onStage('airplane', means, async (stage) => {
+    const alt = `A biplane flies through cartoon clouds and leaves swirls behind it, drawn ${means.title.toLowerCase()}`;
+    show('figure-2', means.id, await picture(stage, alt));
+    await link('figure-2', means, 'airplane', {});
+  });
+}
+
+async function onStage(
+  preset: keyof typeof MOMENTS,
+  { values }: Means,
+  draw: (stage: Stage) => Promise<void>,
+): Promise<void> {
+  const canvas = new OffscreenCanvas(1, 1);
+  const stage = await createStage(canvas, { ...SIZE, values: { ...presetValues(findPreset(preset)!), ...values } });
   try {
-    await stage.seek(MOMENT);
-    show('figure-1', await picture(stage, 3, 'A magic oil lamp with cartoon smoke in three tones'));
-    for (const { tones, name } of RAMPS) show('figure-13', await picture(stage, tones, `${name} smoke`));
+    await stage.seek(MOMENTS[preset]);
+    await draw(stage);
   } finally {
     stage.dispose();
   }
 }
 
-async function picture(stage: Stage, tones: number, description: string): Promise<HTMLImageElement> {
-  stage.set({ 'style.tones': tones });
+async function picture(stage: Stage, alt: string): Promise<HTMLImageElement> {
   const address = URL.createObjectURL(await stage.picture());
-  const image = create('img', { src: address, alt: description, width: SIZE.width, height: SIZE.height });
+  const image = create('img', { src: address, alt, width: SIZE.width, height: SIZE.height });
   await image.decode();
-  URL.revokeObjectURL(address);
+  progress.value += 1;
   return image;
 }
 
-function channelCanvas({ name, size, pixels }: ChannelPicture): HTMLCanvasElement {
+function channelCanvas({ name, size, pixels }: ChannelPicture): HTMLElement {
   const canvas = create('canvas', { width: size, height: size, role: 'img', 'aria-label': CHANNEL_NAMES[name] });
   canvas.getContext('2d')!.putImageData(new ImageData(pixels, size, size), 0, 0);
-  return canvas;
+  return create('div', { class: 'channel' }, canvas, create('span', { 'aria-hidden': 'true' }, CHANNEL_NAMES[name]));
 }
 
-function show(figure: string, ...pictures: HTMLElement[]): void {
-  document.querySelector(`#${figure} .pictures`)!.append(...pictures);
+/** Lays out both columns of a figure, so that nothing moves when the pictures come. */
+function prepare(figure: string): void {
+  const columns = MEANS.map(({ id, title }) =>
+    create('section', { class: id }, create('h3', {}, title), create('div', { class: 'pictures' })),
+  );
+  document.querySelector(`#${figure} .pair`)!.append(...columns);
+}
+
+function show(figure: string, means: Means['id'], ...pictures: HTMLElement[]): void {
+  document.querySelector(`#${figure} .${means} .pictures`)!.append(...pictures);
+}
+
+/** Lets a column's smoke be opened in the demo, at the same moment. */
+async function link(figure: string, { id, values, title }: Means, preset: keyof typeof MOMENTS, more: Values) {
+  const state = { preset, values: { ...presetValues(findPreset(preset)!), ...values, ...more } };
+  const href = `./?t=${MOMENTS[preset]}${await encode(state)}`;
+  const words = create(
+    'a',
+    { href, 'aria-label': `Open it in the demo, ${title.toLowerCase()}` },
+    'Open it in the demo',
+  );
+  document.querySelector(`#${figure} .${id}`)!.append(words);
 }
 
 try {
