@@ -1,3 +1,4 @@
+import { SimulatorError } from '../preset/errors.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { isWord, say } from '../remote/knock.ts';
 import { packError } from '../remote/packedErrors.ts';
@@ -19,15 +20,25 @@ export function answerHost(
 ): void {
   if (window.parent === window || allowed === '') return;
   let connections = 0;
+  const standing = new Set<MessagePort>();
   window.addEventListener('message', ({ source, origin, data, ports }) => {
     if (source !== window.parent || (allowed !== undefined && origin !== allowed)) return;
     if (!isWord(data, 'connect') || ports.length !== 1 || ++connections > MOST_CONNECTIONS) return;
     const [port] = ports;
     serveStage(port, stage);
     whenStanding().then(
-      () => port.postMessage({ id: OPENING }),
+      () => {
+        port.postMessage({ id: OPENING });
+        standing.add(port);
+      },
       (error) => port.postMessage({ id: OPENING, error: packError(error) }),
     );
+  });
+  window.addEventListener('pagehide', ({ persisted }) => {
+    // A page that goes into the browser's cache may come back.
+    if (persisted) return;
+    const error = packError(new SimulatorError('The frame has left its page; connect again.'));
+    for (const port of standing) port.postMessage({ id: OPENING, error });
   });
   window.parent.postMessage(say('here'), allowed ?? '*');
 }

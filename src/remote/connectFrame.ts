@@ -13,8 +13,10 @@ export interface ConnectOptions {
 /**
  * The stage in a frame that shows `embed.html`, whatever site and sandbox it is in. Waits until its smoke stands, which asks
  * it to start. The size and what is in view are the frame's own affair: `resize` and `setVisible` do nothing. Should
- * the frame load anew, its stage has an error event, and can be connected to again.
- * @throws what createStage throws in the frame; ParameterError for an origin that is none; the signal's reason when that aborts
+ * the frame load anew, show another page or be removed, pending and later calls reject with a SimulatorError, its stage has an error
+ * event, and can be connected to again.
+ * @throws what createStage throws in the frame; ParameterError for an origin that is none; the signal's reason when that aborts;
+ * SimulatorError when the frame is removed meanwhile
  */
 export async function connectFrame(
   frame: HTMLIFrameElement,
@@ -33,7 +35,12 @@ export async function connectFrame(
   try {
     const stage = await firstOpened(frame, knock, signal);
     for (const other of tries) if (other !== stage) other.abandon();
-    whenHeard(frame, hearing.signal, () => stage.fail(new SimulatorError('The frame was loaded anew; connect again.')));
+    const fail = (reason: string) => {
+      hearing.abort();
+      stage.fail(new SimulatorError(`The frame ${reason}; connect again.`));
+    };
+    whenHeard(frame, hearing.signal, () => fail('was loaded anew'));
+    whenRemoved(frame, hearing.signal, () => fail('was removed'));
     return stage.face;
   } catch (error) {
     for (const one of tries) one.abandon();
@@ -72,6 +79,7 @@ function firstOpened(
     };
     signal?.addEventListener('abort', () => settle(() => reject(signal.reason)), { signal: heard.signal });
     whenHeard(frame, heard.signal, wait);
+    whenRemoved(frame, heard.signal, () => settle(() => reject(new SimulatorError('The frame was removed.'))));
     if (!isEmpty(frame)) wait();
   });
 }
@@ -87,4 +95,25 @@ function whenHeard(frame: HTMLIFrameElement, signal: AbortSignal, act: () => voi
     if (source === frame.contentWindow && isWord(data, 'here')) act();
   };
   window.addEventListener('message', listen, { signal });
+}
+
+/**
+ * Calls back once a frame that was in the document is taken from it or moved, which ends the page in it. Ports do not tell of that
+ * in all browsers.
+ */
+function whenRemoved(frame: HTMLIFrameElement, signal: AbortSignal, act: () => void): void {
+  let inside = frame.contentWindow;
+  const observer = new MutationObserver(() => {
+    if (inside && inside !== frame.contentWindow) act();
+    inside = frame.contentWindow;
+  });
+  for (const root of rootsAround(frame)) observer.observe(root, { childList: true, subtree: true });
+  signal.addEventListener('abort', () => observer.disconnect());
+}
+
+/** The document and each shadow root around a frame: who observes one does not see into the others. */
+function rootsAround(frame: HTMLIFrameElement): Node[] {
+  const roots: Node[] = [frame.ownerDocument];
+  for (let root = frame.getRootNode(); root instanceof ShadowRoot; root = root.host.getRootNode()) roots.push(root);
+  return roots;
 }

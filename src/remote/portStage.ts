@@ -49,7 +49,7 @@ export class PortStage {
 
   /** The other side is gone: all that is waited for and all that comes is refused, and whoever listens is told. */
   fail(error: Error): void {
-    if (this.hasEnded) return;
+    if (this.hasEnded || this.failure) return;
     this.failure = error;
     this.refuseAll(error);
     this.listeners.tell('error', error);
@@ -88,8 +88,10 @@ export class PortStage {
   }
 
   private take(message: unknown): void {
-    const reply = readReply(message, (id) => this.waiting.get(id)?.method);
+    const reply = readReply(message, (id) => (id === OPENING ? 'listen' : this.waiting.get(id)?.method));
     if (reply) {
+      const isWaitedFor = this.waiting.has(reply.id);
+      if (!isWaitedFor) return 'thrown' in reply ? this.fail(reply.thrown) : undefined;
       const { resolve, reject } = this.waiting.get(reply.id)!;
       this.waiting.delete(reply.id);
       return 'thrown' in reply ? reject(reply.thrown) : resolve(reply.value);

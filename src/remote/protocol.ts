@@ -6,7 +6,8 @@
  *     { id: 7, value: undefined }  or  { id: 7, error: { name, message } }   from it
  *     { event: 'statechange', detail: { playing: true } }               from it, while asked for by `listen`
  *
- * The stage's first message is a reply to the id 0: it is there, or why it is not. Whatever else comes is not heeded.
+ * The stage's first message is a reply to the id 0: it is there, or why it is not. An error for the id 0 after that says that it is
+ * gone. Whatever else comes is not heeded.
  */
 import { ParameterError } from '../preset/errors.ts';
 import type { StageEvents } from '../stage/contract.ts';

@@ -1,5 +1,6 @@
 /** Smoke in frames, from the page around them. */
 import { connectFrame } from '../../src/remote/connectFrame.ts';
+import { SimulatorError } from '../../src/preset/errors.ts';
 import type { RemoteStage } from '../../src/remote/contract.ts';
 import { hostileMessages } from '../support/hostileMessages.ts';
 
@@ -10,17 +11,19 @@ export interface Framed {
   stage: RemoteStage;
 }
 
-/** Puts a frame on the page. @param sandbox without one, none */
-export function frame(address: string, sandbox?: string): HTMLIFrameElement {
+/** Puts a frame on the page. @param sandbox without one, none @param isShaded whether it stands in a shadow tree */
+export function frame(address: string, sandbox?: string, isShaded = false): HTMLIFrameElement {
   const element = Object.assign(document.createElement('iframe'), SIZE, { src: address, title: 'Smoke' });
   element.style.border = '0';
   if (sandbox !== undefined) element.setAttribute('sandbox', sandbox);
-  document.body.append(element);
+  const place = isShaded ? document.createElement('div').attachShadow({ mode: 'open' }) : document.body;
+  if (place instanceof ShadowRoot) document.body.append(place.host);
+  place.append(element);
   return element;
 }
 
-export async function connect(address: string, sandbox?: string, origin?: string): Promise<Framed> {
-  const element = frame(address, sandbox);
+export async function connect(address: string, sandbox?: string, origin?: string, isShaded?: boolean): Promise<Framed> {
+  const element = frame(address, sandbox, isShaded);
   return { frame: element, stage: await connectFrame(element, { origin }) };
 }
 
@@ -40,6 +43,57 @@ export async function endsAndBegins(address: string): Promise<{ other: string; s
   }
   const { steps } = await (await connectFrame(element)).stats();
   return { other: told, steps };
+}
+
+/** How the page around a frame ends what is in it. */
+const ENDINGS: Readonly<Record<string, (frame: HTMLIFrameElement) => void>> = {
+  removed: (element) => element.remove(),
+  moved: (element) => document.body.prepend(element),
+  'removed with what is around it': (element) => (element.getRootNode() as ShadowRoot).host.remove(),
+  'sent elsewhere': (element) => (element.src = 'about:blank'),
+};
+
+/** What calls say that were pending when a frame ended in one of the ways above, and later ones; and what was left to observe. */
+export async function endFrame(address: string, sandbox: string, how: string) {
+  const { MutationObserver: Original } = globalThis;
+  const observing = new Set<MutationObserver>();
+  globalThis.MutationObserver = class extends Original {
+    override observe(target: Node, options?: MutationObserverInit) {
+      observing.add(this);
+      super.observe(target, options);
+    }
+    override disconnect() {
+      observing.delete(this);
+      super.disconnect();
+    }
+  };
+  try {
+    const { frame: element, stage } = await connect(address, sandbox, undefined, how.includes('around'));
+    const errors: string[] = [];
+    stage.on('error', ({ message }) => errors.push(message));
+    const reasonOf = (error: unknown) => (error instanceof SimulatorError ? error.message : String(error));
+    const pending = [stage.seek(600), stage.seek(599)].map((call) => call.then(() => 'done', reasonOf));
+    const before = observing.size;
+    ENDINGS[how](element);
+    const reasons = await Promise.all(pending);
+    const later = await stage.stats().then(() => 'done', reasonOf);
+    await stage.dispose();
+    element.remove();
+    return { reasons, later, errors, before, after: observing.size };
+  } finally {
+    globalThis.MutationObserver = Original;
+  }
+}
+
+/** What a page is told that waits for a frame and removes it meanwhile. */
+export async function removeWhileWaiting(address: string): Promise<string> {
+  const element = frame(address);
+  const connecting = connectFrame(element);
+  element.remove();
+  return connecting.then(
+    () => 'connected',
+    (error) => (error instanceof SimulatorError ? error.message : String(error)),
+  );
 }
 
 /** Settled when a frame's pictures are as large as it is: it hears of its size with the pictures of the page around it. */

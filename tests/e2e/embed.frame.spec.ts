@@ -97,6 +97,32 @@ test('begins anew for who connects after somebody has ended it, and tells others
   expect(report).toEqual({ other: 'SimulatorError', steps: 0 });
 });
 
+test('pending and later calls end with an error when the frame is removed, moved or shows another page', async ({
+  load,
+  baseURL,
+}) => {
+  const frames = await load<FrameCases>(FRAMES);
+  for (const [how, reason] of [
+    ['removed', 'was removed'],
+    ['moved', 'was removed'],
+    ['removed with what is around it', 'was removed'],
+    ['sent elsewhere', 'has left its page'],
+  ] as const) {
+    const report = await frames.evaluate((module, given) => module.endFrame(...given), [
+      `${baseURL}/embed.html${WISP}`,
+      SANDBOX,
+      how,
+    ] as const);
+    const told = `The frame ${reason}; connect again.`;
+    expect(report, how).toEqual({ reasons: [told, told], later: told, errors: [told], before: 1, after: 0 });
+  }
+  const waiting = await frames.evaluate(
+    (module, url) => module.removeWhileWaiting(url),
+    `${baseURL}/embed.html${WISP}`,
+  );
+  expect(waiting).toBe('The frame was removed.');
+});
+
 test('goes by hash and query as the demo does, and brings the physics only where they are needed', async ({
   load,
   blank,
