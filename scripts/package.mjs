@@ -18,5 +18,7 @@ await conclude(async () => {
   for (const { file, integrity, kB } of hashes(inRoot(`${packaged.FOLDER}/dist`))) {
     console.log(`dist/${file}: ${kB.toFixed(1)} kB gzip, integrity="${integrity}"`);
   }
-  console.log(`The package is in ${packaged.FOLDER}/. Install it elsewhere with npm install ${inRoot(packaged.ARCHIVE)}`);
+  console.log(
+    `The package is in ${packaged.FOLDER}/. Install it elsewhere with npm install ${inRoot(packaged.ARCHIVE)}`,
+  );
 });

@@ -50,7 +50,7 @@ interface Sampled {
   /** Half the width of a tile, in particle radii. */
   readonly pad: number;
   /** What is seen of a variation at a place in particle radii. */
-  sample(variation: number, x: number, y: number): PuffSample;
+  readonly sample: (variation: number, x: number, y: number) => PuffSample;
 }
 
 /**
