@@ -1,12 +1,14 @@
 precision highp float;
 
-// 1 where something stands between the light and what a pixel shows, by a depth map drawn from the light.
+// 1 where something stands between the light and what a pixel shows, by a depth map drawn from the light. Pixels that the
+// map does not show stay as they are.
 uniform sampler2D depth;
 uniform sampler2D lightDepth;
 uniform mat4 clipFromView;
 uniform mat4 lightClipFromView;
 uniform mat4 lightViewFromView;
 uniform vec2 viewport;
+// By how much farther than what the light sees, as a share of the width that the map shows there.
 uniform float bias;
 
 out vec4 shadowed;
@@ -23,8 +25,9 @@ void main() {
   float own = texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r;
   vec3 place = placeInView(gl_FragCoord.xy / viewport * 2.0 - 1.0, viewZOf(clipFromView, own));
   vec3 seenByLight = (lightViewFromView * vec4(place, 1.0)).xyz;
-  vec2 ndc = (lightClipFromView * vec4(seenByLight, 1.0)).xy;
-  float nearest = -viewZOf(lightClipFromView, texture(lightDepth, 0.5 + 0.5 * ndc).r);
-  bool inMap = all(lessThan(abs(ndc), vec2(1.0)));
-  shadowed = vec4(own < 1.0 && inMap && -seenByLight.z > nearest + bias ? 1.0 : 0.0);
+  vec4 clip = lightClipFromView * vec4(seenByLight, 1.0);
+  if (own == 1.0 || any(greaterThan(abs(clip.xy), vec2(clip.w)))) discard;
+  float nearest = -viewZOf(lightClipFromView, texture(lightDepth, 0.5 + 0.5 * clip.xy / clip.w).r);
+  float width = 2.0 * clip.w / lightClipFromView[0][0];
+  shadowed = vec4(-seenByLight.z > nearest + bias * width ? 1.0 : 0.0);
 }

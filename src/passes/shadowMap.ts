@@ -1,8 +1,11 @@
 import {
   Box3,
+  MathUtils,
   Matrix4,
   OrthographicCamera,
+  PerspectiveCamera,
   Sphere,
+  Vector3,
   type WebGLRenderTarget,
   type BufferGeometry,
   type Camera,
@@ -26,6 +29,19 @@ import { Targets } from './targets.ts';
 const SIZE = 1024;
 /** Texels of the map by which a surface must lie behind what the light sees: less shows as stripes. */
 const BIAS_TEXELS = 3;
+/** Nearest view depth that a lamp's camera draws, metres. */
+const NEAREST = 0.02;
+/** The widest view by which a lamp sees all receivers at once, degrees; from a nearer place it looks to six sides. */
+const WIDEST = 90;
+/** How a lamp's camera turns from each of the six sides to the next, in its own frame: about an axis, by radians. */
+const TURNS = [
+  [new Vector3(0, 1, 0), 0],
+  [new Vector3(0, 1, 0), Math.PI / 2],
+  [new Vector3(0, 1, 0), Math.PI / 2],
+  [new Vector3(0, 1, 0), Math.PI / 2],
+  [new Vector3(1, 0, 0), Math.PI / 2],
+  [new Vector3(1, 0, 0), Math.PI],
+] as const;
 
 const NO_INK: InkLine = { color: [0, 0, 0], pixels: 0, swell: 0 };
 
@@ -43,15 +59,20 @@ export interface ShadowMapSources {
 /**
  * Shadow by a depth map drawn from the light, for comparison with volumes (Williams, 'Casting Curved Shadows on Curved
  * Surfaces', 1978): cheap for any number of puffs, with edges as coarse as its texels. Writes the mask that resolve reads.
+ * A sun has a parallel projection. A lamp has a perspective one, or six of 90 degrees, one after the other, where it
+ * stands among the receivers. Puffs are nailboards there as well: far from the axis of a view their shadow narrows, by the
+ * cosine of the angle.
  */
 export class ShadowMapPass {
   private readonly eye: Eye;
   private readonly lightEye = new Eye();
-  private readonly camera = new OrthographicCamera();
+  private readonly sun = new OrthographicCamera();
+  private readonly lamp = new PerspectiveCamera();
   private readonly map = new Targets();
   private readonly body: BodiesPass;
   private readonly surfaces: SurfacesPass;
-  private readonly castingRigids: readonly (number | undefined)[];
+  /** Which of the surfaces cast. */
+  private readonly casting: readonly number[];
   private readonly shadowed: WebGLRenderTarget;
   private readonly uniforms;
   private readonly measure: FullScreen;
@@ -59,9 +80,9 @@ export class ShadowMapPass {
 
   constructor({ eye, puffs, ramps, firstSurface, surfaces, casters }: ShadowMapSources) {
     this.eye = eye;
-    const casting = surfaces.filter((surface) => surface.casts);
-    this.castingRigids = casting.map(({ rigid }) => rigid);
+    this.casting = surfaces.flatMap(({ casts }, surface) => (casts ? [surface] : []));
     this.body = new BodiesPass(this.lightEye, puffs, ramps, casters);
+    const casting = this.casting.map((surface) => surfaces[surface]);
     this.surfaces = new SurfacesPass(this.lightEye, ramps, firstSurface, casting);
     this.body.setInk(NO_INK, 0, 0);
     this.surfaces.setInk(NO_INK, false);
@@ -73,7 +94,7 @@ export class ShadowMapPass {
       lightDepth: { value: this.map.depth },
       lightClipFromView: this.lightEye.uniforms.clipFromView,
       lightViewFromView: { value: new Matrix4() },
-      bias: { value: 0 },
+      bias: { value: BIAS_TEXELS / SIZE },
     };
     this.measure = new FullScreen(shadowedFragmentShader, this.uniforms);
     const shadowed = { value: this.shadowed.texture };
@@ -85,24 +106,21 @@ export class ShadowMapPass {
     this.body.setForm(billboards);
   }
 
-  /** Puts the surfaces where their rigids are. */
-  place(rigids: readonly Matrix4[]): void {
-    this.castingRigids.forEach((rigid, surface) => {
-      if (rigid !== undefined) this.surfaces.place(surface, rigids[rigid]);
-    });
+  /** @see SurfacesPass.place */
+  place(surface: number, worldFromModel: Matrix4, isVisible: boolean): void {
+    const index = this.casting.indexOf(surface);
+    if (index >= 0) this.surfaces.place(index, worldFromModel, isVisible);
   }
 
-  /** Draws the map, then the mask into the targets, which stay what is drawn into. Takes a lamp for a sun. */
+  /** Draws the map, then the mask into the targets, which stay what is drawn into. */
   draw(renderer: WebGLRenderer, targets: Targets): void {
-    this.look();
     this.map.resize(SIZE, SIZE);
-    this.map.begin(renderer);
-    this.surfaces.draw(renderer);
-    this.body.draw(renderer);
     this.uniforms.depth.value = targets.depth;
     this.shadowed.setSize(targets.width, targets.height);
     renderer.setRenderTarget(this.shadowed);
-    this.measure.draw(renderer);
+    renderer.clear(true, false, false);
+    if (this.eye.isLitBySun) this.drawBy(this.sunCamera(), renderer);
+    else for (const camera of this.lampCameras()) this.drawBy(camera, renderer);
     renderer.setRenderTarget(targets.renderTarget);
     this.apply.draw(renderer);
   }
@@ -111,18 +129,50 @@ export class ShadowMapPass {
     for (const part of [this.body, this.surfaces, this.map, this.shadowed, this.measure, this.apply]) part.dispose();
   }
 
-  /** Fits the light's camera round the receivers. */
-  private look(): void {
-    const { receiversMin, receiversMax, viewFromWorld, lightInWorld } = this.eye.uniforms;
-    const receivers = new Box3(receiversMin.value, receiversMax.value);
-    const { center, radius } = receivers.getBoundingSphere(new Sphere());
-    const camera: Camera & OrthographicCamera = this.camera;
-    Object.assign(camera, { left: -radius, right: radius, bottom: -radius, top: radius, near: 0, far: 4 * radius });
-    camera.updateProjectionMatrix();
-    camera.position.copy(center).addScaledVector(this.eye.travelAt(center), -2 * radius);
-    camera.lookAt(center);
+  /** Draws the map by a camera of the light, then the shadow of what that camera sees. */
+  private drawBy(camera: Camera, renderer: WebGLRenderer): void {
+    const { viewFromWorld, lightInWorld } = this.eye.uniforms;
     this.lightEye.look(camera, lightInWorld.value, SIZE, SIZE);
-    this.uniforms.bias.value = (BIAS_TEXELS * 2 * radius) / SIZE;
     this.uniforms.lightViewFromView.value.copy(viewFromWorld.value).invert().premultiply(camera.matrixWorldInverse);
+    this.map.begin(renderer);
+    this.surfaces.draw(renderer);
+    this.body.draw(renderer);
+    renderer.setRenderTarget(this.shadowed);
+    this.measure.draw(renderer);
+  }
+
+  /** The ball round everything that receives shadow. */
+  private receivers(): Sphere {
+    const { receiversMin, receiversMax } = this.eye.uniforms;
+    return new Box3(receiversMin.value, receiversMax.value).getBoundingSphere(new Sphere());
+  }
+
+  private sunCamera(): Camera {
+    const { center, radius } = this.receivers();
+    const { sun } = this;
+    Object.assign(sun, { left: -radius, right: radius, bottom: -radius, top: radius, near: 0, far: 4 * radius });
+    sun.updateProjectionMatrix();
+    sun.position.copy(center).addScaledVector(this.eye.travelAt(center), -2 * radius);
+    sun.lookAt(center);
+    return sun;
+  }
+
+  /** One camera after the other, each the same object. */
+  private *lampCameras(): Generator<Camera> {
+    const { center, radius } = this.receivers();
+    const { lamp } = this;
+    const { x, y, z } = this.eye.uniforms.lightInWorld.value;
+    const distance = lamp.position.set(x, y, z).distanceTo(center);
+    const seen = 2 * MathUtils.radToDeg(Math.asin(Math.min(1, radius / distance)));
+    const isAmong = seen > WIDEST;
+    // Puffs shrink before a near plane; those that come nearest stand well beyond it.
+    const near = Math.max(NEAREST, (distance - radius) / 4);
+    Object.assign(lamp, { fov: isAmong ? WIDEST : seen, near: isAmong ? NEAREST : near, far: distance + radius });
+    lamp.updateProjectionMatrix();
+    lamp.lookAt(center);
+    for (const [axis, angle] of isAmong ? TURNS : TURNS.slice(0, 1)) {
+      lamp.rotateOnAxis(axis, angle);
+      yield lamp;
+    }
   }
 }

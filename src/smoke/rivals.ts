@@ -67,12 +67,13 @@ const ways: Readonly<Record<Rival, DrawSmoke>> = {
     rivals.sprites.draw(renderer, targets, output);
   },
 
-  shadowMap(rivals, { renderer, targets, body, resolve, extras }, { style, rigids, output }) {
+  shadowMap(rivals, { renderer, targets, body, resolve, extras, placeSurfaces }, { style, rigids, parts, output }) {
     body.draw(renderer);
     if (style.shadows) {
-      rivals.shadowMap.setForm(extras.billboardsOf(style.form));
-      rivals.shadowMap.place(rigids);
-      rivals.shadowMap.draw(renderer, targets);
+      const { shadowMap } = rivals;
+      shadowMap.setForm(extras.billboardsOf(style.form));
+      placeSurfaces(rigids, parts ?? [], [shadowMap]);
+      shadowMap.draw(renderer, targets);
     }
     resolve.draw(renderer, targets, output);
   },

@@ -47,8 +47,11 @@ export interface SmokePasses {
   readonly hasBackdrop: boolean;
   /** How far puffs of a form and their shadows reach. */
   extentsOf(form: PuffForm): PuffExtents;
-  placeSurfaces(rigids: readonly Matrix4[], parts: readonly Matrix4[]): void;
+  /** @param drawing the passes that draw surfaces; those of every frame where absent */
+  placeSurfaces(rigids: readonly Matrix4[], parts: readonly Matrix4[], drawing?: readonly DrawsSurfaces[]): void;
 }
+
+type DrawsSurfaces = Pick<SurfacesPass, 'place'>;
 
 export interface SmokeOptions {
   /** The most particles it will ever be asked to draw. */
@@ -130,12 +133,12 @@ export class SmokeRenderer {
       }),
       hasBackdrop: backdrop !== undefined,
       extentsOf: (form) => this.puffs.of(form),
-      placeSurfaces: (rigids, parts) =>
+      placeSurfaces: (rigids, parts, drawing = [surfacesPass, creases, meshVolumes]) =>
         surfaces.forEach(({ rigid, part }, surface) => {
           if (rigid === undefined && part === undefined) return;
           const transform = part === undefined ? rigids[rigid!] : parts[part];
           const isVisible = transform.elements[13] > OUT_OF_SIGHT;
-          for (const pass of [surfacesPass, creases, meshVolumes]) pass.place(surface, transform, isVisible);
+          for (const pass of drawing) pass.place(surface, transform, isVisible);
         }),
     };
     // Told later, three.js would try to delete in the restored context what belonged to the lost one.

@@ -49,9 +49,14 @@ export interface LabScene {
   puffs: readonly LabPuff[];
   /** What they look like, a variation each; the default ones where absent. */
   shapes?: readonly PuffShape[];
+  /** What they look like as billboards, a variation each; the default ones where absent. */
+  fronts?: readonly PuffShape[];
   /** What throws shadow; the puffs themselves where absent. */
   casters?: readonly LabPuff[];
   surfaces?: readonly SurfaceDescription[];
+  /** World transforms of rigids and parts, by their number; rigids are at the origin where absent. */
+  rigids?: readonly Matrix4[];
+  parts?: readonly Matrix4[];
   backdrop?: { top: Color; bottom: Color };
   camera?: Camera;
   towardsLight?: readonly [number, number, number];
@@ -168,11 +173,12 @@ export class Lab {
   private readonly smoke: SmokeRenderer;
 
   constructor(options: LabOptions) {
-    const { width, height, puffs, casters = [], surfaces = [], backdrop, shapes, capacity = 1 } = options;
+    const { width, height, puffs, casters = [], surfaces = [], backdrop, capacity = 1 } = options;
     this.device = options.reversedDepth ? reversedDevice() : createDevice(new OffscreenCanvas(1, 1), options);
     this.device.renderer.setSize(width, height, false);
     const most = Math.max(capacity, puffs.length, casters.length);
-    this.smoke = new SmokeRenderer(this.device, { capacity: most, surfaces, backdrop, puffs: bakedPuffs(shapes) });
+    const baked = bakedPuffs(options.shapes, options.fronts);
+    this.smoke = new SmokeRenderer(this.device, { capacity: most, surfaces, backdrop, puffs: baked });
   }
 
   /** The error that WebGL has noted since this was last asked; 0 for none. */
@@ -222,7 +228,8 @@ export function inputOf(scene: LabScene): FrameInput {
     height: scene.height,
     pixelRatio: scene.pixelRatio ?? 1,
     time: scene.time,
-    rigids: (scene.surfaces ?? []).map(() => new Matrix4()),
+    rigids: scene.rigids ?? (scene.surfaces ?? []).map(() => new Matrix4()),
+    parts: scene.parts,
     cull: false,
     view: scene.view,
     output: null,

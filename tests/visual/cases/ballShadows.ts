@@ -1,9 +1,24 @@
-/** Shadows of puffs of one lobe on a ground: those of balls, which are known exactly. */
-import { OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3, type Camera, type Ray } from 'three';
+/** Shadows of puffs of one lobe, which are balls, and of boxes on a ground: they are known exactly. */
+import {
+  Box3,
+  Euler,
+  Matrix4,
+  OrthographicCamera,
+  PerspectiveCamera,
+  Ray,
+  Raycaster,
+  Vector2,
+  Vector3,
+  type Camera,
+} from 'three';
+import type { Color } from '../../../src/device/ramps.ts';
+import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
+import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
+import { orientationOf, turnedLobes } from '../../../src/puffs/orientation.ts';
 import type { PuffShape } from '../../../src/puffs/shapes.ts';
-import { takePicture, type LabPuff, type LabScene } from '../lab.ts';
+import { Lab, takePicture, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
-import { ground } from '../solids.ts';
+import { box, ground } from '../solids.ts';
 
 const [WIDTH, HEIGHT] = [320, 240];
 const GROUND_Y = -1;
@@ -44,6 +59,94 @@ export function compare(name: keyof typeof VIEWS): BallReport {
     if (count !== expected) report.differing += 1;
   });
   return report;
+}
+
+/** A box, and where it stands in the world. */
+interface Crate {
+  half: Triple;
+  worldFromModel: Matrix4;
+}
+
+type MapView = View & { crates?: readonly Crate[]; receiver?: SurfaceDescription };
+
+/** What rides on a part that is out of sight throws no shadow, wherever the light stands. */
+const PARKED: Crate = { half: [0.5, 0.5, 0.5], worldFromModel: new Matrix4().setPosition(0, -100, 0) };
+
+export const MAP_VIEWS = {
+  sun: () => ({ camera: from([0.5, 2.6, 5]), towardsLight: [-0.5, 0.8, 0.4], casters: puffs(), crates: crates() }),
+  distantLamp: () => ({ camera: from([0.5, 2.6, 5]), lamp: [2, 9, 1.5], casters: puffs(), crates: crates() }),
+  lampAbove: () => ({ camera: from([0.5, 2.6, 5]), lamp: [0.1, 2.4, 0.2], casters: puffs(), crates: crates() }),
+  // One shadow lies beside what the lamp sees below it, another on the border.
+  lampAmongCrates: () => ({ camera: from([0.5, 3.6, 5]), lamp: [0.1, 0.6, 0.2], casters: [], crates: crates() }),
+  lampBelow: () => ({
+    camera: from([0.5, -4, 4], [0, -1, 0]),
+    lamp: [0, -150, 0],
+    casters: [{ place: [0.8, -1.8, 0.4], radius: 0.4, variation: 1 }],
+    crates: [PARKED],
+    receiver: { ...ground(0, 0), mesh: box([0, GROUND_Y + 0.1, 0], [GROUND_HALF, 0.1, GROUND_HALF]) },
+  }),
+} satisfies Record<string, () => MapView>;
+
+function puffs(): LabPuff[] {
+  return [
+    { place: [-0.2, -0.1, 0.4], radius: 0.35, seed: 9 },
+    { place: [0.2, -0.4, -0.6], radius: 0.4, roll: 1, variation: 2, seed: 3 },
+  ];
+}
+
+function crates(): Crate[] {
+  const turned = new Matrix4().makeRotationFromEuler(new Euler(0.3, 0.5, 0.2)).setPosition(1, -0.3, 0.5);
+  return [
+    { half: [0.35, 0.2, 0.25], worldFromModel: turned },
+    { half: [0.3, 0.25, 0.2], worldFromModel: new Matrix4().setPosition(-1.1, -0.5, -0.3) },
+    PARKED,
+  ];
+}
+
+/** Pixels of the ground that the light does not reach, those of them that the shadow map leaves lit, and dark ones that are lit. */
+export function mapErrors(name: keyof typeof MAP_VIEWS): { shadow: number; missing: number; extra: number } {
+  const view: MapView = MAP_VIEWS[name]();
+  const { crates: standing = [], receiver = ground(GROUND_Y, GROUND_HALF) } = view;
+  const lobes = view.casters.flatMap(lobesOf);
+  const riding = standing.map(({ half }, part) => crateOf(half, part));
+  const surfaces = [receiver, ...riding];
+  const parts = standing.map(({ worldFromModel }) => worldFromModel);
+  const scene = { ...view, width: WIDTH, height: HEIGHT, puffs: [], surfaces, parts };
+  const lab = new Lab(scene);
+  const [dark, lit] = [true, false].map((shadows) => lab.draw({ ...scene, style: { renderer: 'shadowMap', shadows } }));
+  lab.dispose();
+  const report = { shadow: 0, missing: 0, extra: 0 };
+  for (let pixel = 0; pixel < WIDTH * HEIGHT; ++pixel) {
+    const point = groundPoint(viewRay(pixel, view.camera));
+    if (!point || !isOf(lit, pixel, receiver.color)) continue;
+    const isShadow =
+      lobes.some((lobe) => hides(lobe, point, view)) ||
+      standing.some((crate) => crate !== PARKED && hidesAsBox(crate, point, view));
+    const isDark = !isOf(dark, pixel, receiver.color);
+    if (isShadow) report.shadow += 1;
+    if (isShadow && !isDark) report.missing += 1;
+    if (!isShadow && isDark) report.extra += 1;
+  }
+  return report;
+}
+
+/** The balls that a puff of the default shapes is made of. */
+function lobesOf({ place, radius, variation = 0, seed = 0, roll = 0 }: LabPuff): LabPuff[] {
+  return turnedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes).map((lobe) => ({
+    place: new Vector3(...lobe.center)
+      .multiplyScalar(radius)
+      .add(new Vector3(...place))
+      .toArray(),
+    radius: lobe.radius * radius,
+  }));
+}
+
+function crateOf(half: Triple, part?: number): SurfaceDescription {
+  return { name: 'crate', mesh: box([0, 0, 0], half), color: [219, 64, 92], casts: true, inked: false, part };
+}
+
+function isOf({ pixels }: LabPicture, pixel: number, color: Color): boolean {
+  return color.every((value, channel) => pixels[4 * pixel + channel] === value);
 }
 
 function from(place: Triple, at: Triple = [0, -0.4, 0]): Camera {
@@ -95,10 +198,22 @@ function groundPoint({ origin, direction }: Ray): Vector3 | undefined {
   return Math.max(Math.abs(point.x), Math.abs(point.z)) > GROUND_HALF ? undefined : point;
 }
 
+/** Unit vector from a point to the light. */
+function towardsLightFrom(point: Vector3, { lamp, towardsLight }: View): Vector3 {
+  return (lamp ? new Vector3(...lamp).sub(point) : new Vector3(...towardsLight!)).normalize();
+}
+
+/** Whether a box stands on the ray from a point towards the light, which stands beyond all of them. */
+function hidesAsBox({ half, worldFromModel }: Crate, point: Vector3, view: View): boolean {
+  const ray = new Ray(point.clone(), towardsLightFrom(point, view)).applyMatrix4(worldFromModel.clone().invert());
+  const corner = new Vector3(...half);
+  return ray.intersectsBox(new Box3(corner.clone().negate(), corner));
+}
+
 /** Whether a ball stands between a point and the light. */
-function hides({ place, radius }: LabPuff, point: Vector3, { lamp, towardsLight }: View): boolean {
-  const towards = lamp ? new Vector3(...lamp).sub(point) : new Vector3(...towardsLight!);
+function hides({ place, radius }: LabPuff, point: Vector3, view: View): boolean {
+  const towards = towardsLightFrom(point, view);
   const offset = new Vector3(...place).sub(point);
-  const along = offset.dot(towards.normalize());
+  const along = offset.dot(towards);
   return along > 0 && offset.addScaledVector(towards, -along).length() <= radius;
 }

@@ -1,7 +1,7 @@
 /** What the other renderers draw: Selle's lines, blended sprites, shadow by a depth map. */
 import type { Color } from '../../../src/device/ramps.ts';
-import { frontCamera, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
-import { box, ground } from '../solids.ts';
+import { PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
+import { box } from '../solids.ts';
 
 const WIDTH = 200;
 const HEIGHT = 160;
@@ -68,38 +68,6 @@ export function softness(gap: number): number {
     style: { renderer: 'sprites', smokeColor: [255, 255, 255] },
   });
   return colorAt(picture, (HEIGHT / 2) * WIDTH + WIDTH / 2)[0] / (0.5 * 255);
-}
-
-/** Pixels of the ground that are in shadow by volumes, by the map, and by both. */
-export function shadowsCompared(): { volumes: number; map: number; both: number } {
-  const camera = frontCamera(WIDTH, HEIGHT);
-  camera.position.set(0, 2.6, 3);
-  camera.lookAt(0, -0.2, 0);
-  const floor = ground(-0.8, 3);
-  const [volumes, map, none] = (['nailboards', 'shadowMap', undefined] as const).map((renderer) =>
-    takePicture({
-      width: WIDTH,
-      height: HEIGHT,
-      puffs: [
-        { place: [-0.6, 0.4, 0], radius: 0.4 },
-        { place: [0.5, 0.5, 0.2], radius: 0.35, variation: 2 },
-      ],
-      surfaces: [floor],
-      camera,
-      towardsLight: [0.4, 0.8, 0.3],
-      style: { renderer: renderer ?? 'nailboards', shadows: renderer !== undefined },
-    }),
-  );
-  const isDark = (picture: LabPicture, at: number) => !equals(colorAt(picture, at), colorAt(none, at));
-  const counts = { volumes: 0, map: 0, both: 0 };
-  for (let at = 0; at < WIDTH * HEIGHT; at++) {
-    if (!equals(colorAt(none, at), floor.color)) continue;
-    const [byVolume, byMap] = [isDark(volumes, at), isDark(map, at)];
-    if (byVolume) counts.volumes++;
-    if (byMap) counts.map++;
-    if (byVolume && byMap) counts.both++;
-  }
-  return counts;
 }
 
 function colorAt({ pixels }: LabPicture, at: number): number[] {
