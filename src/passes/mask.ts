@@ -1,4 +1,10 @@
-import { LessEqualStencilFunc, NotEqualStencilFunc, type StencilFunc, type WebGLRenderer } from 'three';
+import {
+  LessEqualStencilFunc,
+  NotEqualStencilFunc,
+  ReplaceStencilOp,
+  type StencilFunc,
+  type WebGLRenderer,
+} from 'three';
 import fragmentShader from '../../shaders/mask/mask.frag';
 import { ADDS, FullScreen } from '../device/fullScreen.ts';
 
@@ -9,7 +15,16 @@ import { ADDS, FullScreen } from '../device/fullScreen.ts';
 export class MaskPass {
   private readonly any = maskWhere(NotEqualStencilFunc, 0);
   private readonly deep = maskWhere(LessEqualStencilFunc, 1);
+  private readonly once = maskWhere(NotEqualStencilFunc, 1);
   private isDeepDrawn = false;
+
+  constructor() {
+    const { material } = this.once;
+    material.colorWrite = false;
+    // Only counts of two and more differ from 1 in these bits.
+    material.stencilFuncMask = 0xfe;
+    material.stencilZPass = ReplaceStencilOp;
+  }
 
   /** @param depth how many volumes make deep shadow, 2..255; Infinity for shadow of one step */
   setDepth(depth: number): void {
@@ -19,14 +34,18 @@ export class MaskPass {
     this.deep.material.stencilRef = Math.min(depth, 255);
   }
 
+  /** Where shadow has two steps, lets all volumes that the stencil has counted so far count as one. */
+  countOnce(renderer: WebGLRenderer): void {
+    if (this.isDeepDrawn) this.once.draw(renderer);
+  }
+
   draw(renderer: WebGLRenderer): void {
     this.any.draw(renderer);
     if (this.isDeepDrawn) this.deep.draw(renderer);
   }
 
   dispose(): void {
-    this.any.dispose();
-    this.deep.dispose();
+    for (const each of [this.any, this.deep, this.once]) each.dispose();
   }
 }
 

@@ -25,8 +25,11 @@ export class DebugViews {
     if (view === 'normals') this.pass.drawNormals(renderer, body);
     else body.draw(renderer);
     if (view === 'counts') {
-      if (style.shadows) passes.meshVolumes.draw(renderer);
-      if (style.shadows) volumes.draw(renderer);
+      if (style.shadows) {
+        passes.meshVolumes.draw(renderer);
+        passes.mask.countOnce(renderer);
+        volumes.draw(renderer);
+      }
       this.pass.copyCounts(renderer);
     }
     if (view === 'overdraw') this.pass.countOverdraw(renderer, style.shadows ? [body, volumes] : [body]);

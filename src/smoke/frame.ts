@@ -83,6 +83,7 @@ function drawNailboards(passes: SmokePasses, { style, output }: FrameInput): voi
   passes.body.draw(renderer);
   if (style.shadows) {
     passes.meshVolumes.draw(renderer);
+    passes.mask.countOnce(renderer);
     (passes.prismVolumes ?? passes.volumes).draw(renderer);
     passes.mask.draw(renderer);
   }

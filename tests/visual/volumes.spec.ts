@@ -13,3 +13,12 @@ test('a puff of one lobe throws the shadow of a ball, wherever the light and the
     expect.soft(report.differing / report.receiver, view).toBeLessThan(0.005);
   }
 });
+
+test('all parts of a model make one step of shadow, and puffs the second', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { underModel, deep, wrongColors, wrongCounts } = await cases.evaluate((module) => module.stepsUnderParts());
+  expect.soft(underModel).toBeGreaterThan(500);
+  expect.soft(deep).toBeGreaterThan(100);
+  expect.soft(wrongCounts / underModel).toBeLessThan(0.01);
+  expect.soft(wrongColors / underModel).toBeLessThan(0.01);
+});

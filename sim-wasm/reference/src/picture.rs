@@ -204,7 +204,10 @@ impl<'a> Painter<'a> {
         let ray = self.camera.ray_in_world(self.middle_of(pixel));
         let depth = seen.depth.max(self.camera.near);
         let of_puffs = self.volumes.iter().filter(|volume| volume.holds(ray, depth)).count() as u32;
-        of_puffs + self.solids.shadows_over(ray.at(depth), &self.light)
+        let of_solids = self.solids.shadows_over(ray.at(depth), &self.light);
+        // Where shadow has two steps, solids count as one.
+        let most = self.scene.style.shadow_depth.map_or(u32::MAX, |_| 1);
+        of_puffs + of_solids.min(most)
     }
 }
 

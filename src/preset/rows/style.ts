@@ -24,7 +24,7 @@ export const styleRows: readonly Parameter[] = [
     step: 1,
     default: 6,
     label: 'Deep from',
-    text: 'How many puffs and things must shade a place for the second step of shadow.',
+    text: 'How many puffs must shade a place for the second step of shadow; all things of the scene count as one.',
   }),
   color('deepShadow', 'Deep shadow', 'The colours of shadow are multiplied by this in its second step.', '#a79bc9'),
   choice(

@@ -87,6 +87,56 @@ export const MAP_VIEWS = {
   }),
 } satisfies Record<string, () => MapView>;
 
+/** How the ground's pixels agree with the steps of shadow that they must have. */
+export interface StepsReport {
+  /** Pixels in one step of shadow by a model of boxes that reach into each other, and all in two. */
+  underModel: number;
+  deep: number;
+  wrongColors: number;
+  wrongCounts: number;
+}
+
+/** Two balls and a model of many parts over the ground, in two steps of shadow: the parts count as one. */
+export function stepsUnderParts(): StepsReport {
+  const view: View = { camera: from([0.5, 2.6, 5]), towardsLight: [-0.3, 0.8, 0.4], casters: OVERLAPPING };
+  const floor = ground(GROUND_Y, GROUND_HALF);
+  const surfaces = [floor, ...MODEL.map(({ half }, part) => crateOf(half, part))];
+  const parts = MODEL.map(({ worldFromModel }) => worldFromModel);
+  const style = { shadowSteps: 2, shadowDepth: 2, deepShadow: [128, 64, 255] } as const;
+  const scene = { ...view, width: WIDTH, height: HEIGHT, puffs: [], shapes: BALL, surfaces, parts, readCounts: true };
+  const lab = new Lab(scene);
+  const [lit, dark, steps] = [{ shadows: false }, {}, style].map((shadow) => lab.draw({ ...scene, style: shadow }));
+  lab.dispose();
+  const report = { underModel: 0, deep: 0, wrongColors: 0, wrongCounts: 0 };
+  for (let pixel = 0; pixel < WIDTH * HEIGHT; ++pixel) {
+    const point = groundPoint(viewRay(pixel, view.camera));
+    if (!point || !isOf(lit, pixel, floor.color)) continue;
+    const isUnderModel = MODEL.some((crate) => hidesAsBox(crate, point, view));
+    const count = view.casters.filter((ball) => hides(ball, point, view)).length + Number(isUnderModel);
+    if (isUnderModel && count === 1) report.underModel += 1;
+    if (count > 1) report.deep += 1;
+    if (steps.counts[pixel] !== count) report.wrongCounts += 1;
+    const shown = count > 0 ? dark : lit;
+    const factor = count > 1 ? style.deepShadow : [255, 255, 255];
+    const expected = factor.map((share, channel) => (shown.pixels[4 * pixel + channel] * share) / 255);
+    const isRight = expected.every((value, channel) => Math.abs(steps.pixels[4 * pixel + channel] - value) <= 1);
+    if (!isRight) report.wrongColors += 1;
+  }
+  return report;
+}
+
+/** Boxes that reach into each other. */
+const MODEL: readonly Crate[] = [0, 1, 2, 3].map((part) => ({
+  half: [0.4, 0.2 - 0.03 * part, 0.25],
+  worldFromModel: new Matrix4().setPosition(0.3 + 0.2 * part, -0.6 + 0.25 * part, 0.1 * part),
+}));
+
+/** Balls of which one shades the shadow of the other, and of the model. */
+const OVERLAPPING: readonly LabPuff[] = [
+  { place: [-0.6, -0.3, 0.3], radius: 0.4 },
+  { place: [-0.1, -0.1, 0.2], radius: 0.4 },
+];
+
 function puffs(): LabPuff[] {
   return [
     { place: [-0.2, -0.1, 0.4], radius: 0.35, seed: 9 },

@@ -5,7 +5,7 @@ import type { DebugView } from '../../../src/preset/quality.ts';
 import { RenderBench } from '../../bench/render/bench.ts';
 import { eyeView } from '../../../src/smoke/views.ts';
 import { Lab, PLAIN_STYLE, type LabPuff, type LabScene } from '../lab.ts';
-import { ground } from '../solids.ts';
+import { box, ground } from '../solids.ts';
 
 const [WIDTH, HEIGHT] = [240, 180];
 const TOWARDS_LIGHT = [-0.5, 0.8, 0.4] as const;
@@ -14,6 +14,8 @@ const PUFFS: readonly LabPuff[] = [
   { place: [-0.5, 0.35, 0.2], radius: 0.6, seed: 3 },
   { place: [0.5, 0.15, -0.3], radius: 0.7, seed: 9, variation: 1 },
 ];
+
+const BOX = { name: 'part', color: [219, 64, 92], casts: true, inked: false } as const;
 
 function tilted(camera: Camera): Camera {
   camera.position.set(0, 1.1, 4);
@@ -61,7 +63,11 @@ export interface ViewsReport {
 }
 
 export function compareViews(form: PuffForm): ViewsReport {
-  const scene = sceneOf(form);
+  const plain = sceneOf(form);
+  const parts = [0, 0.2].map((beside) => ({ ...BOX, mesh: box([-1.1 + beside, -0.5, 0.6], [0.3, 0.2, 0.2]) }));
+  const surfaces = [...plain.surfaces!, ...parts];
+  // Two steps let the parts count as one; there are too few volumes for the second.
+  const scene: LabScene = { ...plain, surfaces, style: { form, shadowSteps: 2, shadowDepth: 100 } };
   const lab = new Lab(scene);
   const show = (extra: Partial<LabScene>) => lab.draw({ ...scene, ...extra });
   const { pixels, counts } = show({ readCounts: true });

@@ -14,6 +14,7 @@ import {
 } from 'three';
 import type { CartoonSmoke } from '../../../src/host/cartoonSmoke.ts';
 import { boneBalls, capsule, follow, instanceBalls, type BallAt } from '../../../src/host/proxies.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
 import {
   differences,
   dispose,
@@ -207,11 +208,17 @@ function gapOf(origin: Vector3, direction: Vector3, point: Vector3): number {
   return beside.addScaledVector(direction, -beside.dot(direction)).length();
 }
 
-/** The factor by which two steps of shadow darken what two volumes hold. */
+/** The factor by which the second step of shadow darkens. */
 const DEEP = [128, 64, 255];
+const TWO_STEPS = { 'style.shadowSteps': 2, 'style.shadowDepth': 2, 'style.deepShadow': '#8040ff' };
+/** Few puffs, so that some of their shadow is of one alone. */
+const SPREAD = { ...HANGING, 'emission.rate': 60, 'emitters.0.radius': 0.6, 'emitters.0.position.x': 0.3 };
 
-/** The shadows of two boxes that overlap on the floor, in two steps: how many pixels are as they must be, by steps. */
-export async function deepShadow(): Promise<{ once: number; twice: number; wrong: number }> {
+/**
+ * Shadow of two steps, of two boxes that overlap on the floor and of smoke: pixels by what shades them, and those that are
+ * not as they must be.
+ */
+export async function deepShadow(): Promise<{ byBoxes: number; byBoth: number; bySmoke: number; wrong: number }> {
   const host = floorOnly();
   const boxes = [0.9, 1.6].map((height) => {
     const box = new Mesh(new BoxGeometry(0.9, 0.3, 0.9), UNSEEN);
@@ -220,22 +227,33 @@ export async function deepShadow(): Promise<{ once: number; twice: number; wrong
     return box;
   });
   const [before, unlit] = [draw(host), drawUnlit(host)];
-  const style = { 'style.shadowSteps': 2, 'style.shadowDepth': 2, 'style.deepShadow': '#8040ff' };
-  const pictures: Pixels[] = [];
-  for (const casters of [[boxes[0]], [boxes[1]], boxes]) {
-    const smoke = await smokeIn(host, { ...NO_SMOKE, ...style });
+  const pictureOf = async (values: Values, casters: readonly Mesh[]) => {
+    const smoke = await smokeIn(host, { ...values, ...TWO_STEPS });
     for (const box of casters) smoke.cast(box);
-    pictures.push(draw(host));
+    const picture = { pixels: draw(host), isSmoke: maskOf(host, smoke) };
     dispose(smoke);
-  }
+    return picture;
+  };
+  const lone = [await pictureOf(NO_SMOKE, [boxes[0]]), await pictureOf(NO_SMOKE, [boxes[1]])];
+  const solid = await pictureOf(NO_SMOKE, boxes);
+  const hazy = await pictureOf(SPREAD, []);
+  const all = await pictureOf(SPREAD, boxes);
   dispose(host.renderer);
-  const [one, other, both] = pictures;
-  const [byOne, byOther] = [one, other].map((picture) => differences(picture, before).map((gap) => gap > 0));
-  const result = { once: 0, twice: 0, wrong: 0 };
-  byOne.forEach((isDark, pixel) => {
-    const depth = Number(isDark) + Number(byOther[pixel]);
-    if (!isAt(both, pixel, depth === 0 ? before : unlit, depth === 2 ? DEEP : [255, 255, 255])) ++result.wrong;
-    else if (depth > 0) ++result[depth === 2 ? 'twice' : 'once'];
+  const stepsIn = (picture: Pixels, pixel: number) =>
+    [0, 1, 2].find((steps) =>
+      isAt(picture, pixel, steps === 0 ? before : unlit, steps === 2 ? DEEP : [255, 255, 255]),
+    )!;
+  const result = { byBoxes: 0, byBoth: 0, bySmoke: 0, wrong: 0 };
+  const isDark = lone.map(({ pixels }) => differences(pixels, before).map((gap) => gap > 0));
+  all.isSmoke.forEach((isSmoke, pixel) => {
+    const boxSteps = isDark.some((dark) => dark[pixel]) ? 1 : 0;
+    if (stepsIn(solid.pixels, pixel) !== boxSteps) ++result.wrong;
+    if (isSmoke) return;
+    const smokeSteps = stepsIn(hazy.pixels, pixel);
+    if (stepsIn(all.pixels, pixel) !== Math.min(2, smokeSteps + boxSteps)) ++result.wrong;
+    if (isDark.every((dark) => dark[pixel])) ++result.byBoxes;
+    if (smokeSteps === 1 && boxSteps === 1) ++result.byBoth;
+    if (smokeSteps === 2) ++result.bySmoke;
   });
   return result;
 }

@@ -60,6 +60,7 @@ const SCENES = {
     cluster(looking(perspective(), [0.1, -0.55, 1.2], [0, -0.9, -0.5]), { lamp: [0.3, 0.55, -0.2] }),
   besideEye: () => beside(looking(perspective(), [0, -0.2, 0.6], [0, -0.4, 0])),
   coincident: () => coincident(looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0])),
+  underParts: () => underParts(looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0])),
   lampRising: () => lampAfter(90),
   lampFull: () => lampAfter(240),
   eyeInPlume: () => lampAfter(240, true),
@@ -126,8 +127,20 @@ function coincident(camera: Camera): Shown {
   );
 }
 
-function shadowsOnly(camera: Camera, casters: LabPuff[], towardsLight: LabScene['towardsLight']): Shown {
-  const surfaces = [ground(-1, 3), cube([0.7, -0.7, 0.2], [0.25, 0.3, 0.2])];
+/** Two parts of a model, one in the shadow of the other, and puffs beside and over it. */
+function underParts(camera: Camera): Shown {
+  const casters = [-0.5, -0.1, 0.4].map((x, variation) => ({ place: [x, 0.3, 0.2] as const, radius: 0.35, variation }));
+  const parts = [-0.2, 0.2].map((y) => cube([0.6, y, 0.2], [0.4, 0.05, 0.3]));
+  return shadowsOnly(camera, casters, SUN.towardsLight, parts);
+}
+
+function shadowsOnly(
+  camera: Camera,
+  casters: LabPuff[],
+  towardsLight: LabScene['towardsLight'],
+  solids = [cube([0.7, -0.7, 0.2], [0.25, 0.3, 0.2])],
+): Shown {
+  const surfaces = [ground(-1, 3), ...solids];
   const input = inputOf({ width: WIDTH, height: HEIGHT, puffs: [], casters, surfaces, camera, towardsLight });
   return { input, surfaces, backdrop: BACKDROP };
 }
