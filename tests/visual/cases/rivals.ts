@@ -1,38 +1,94 @@
 /** What the other renderers draw: Selle's lines, blended sprites, shadow by a depth map. */
 import type { Color } from '../../../src/device/ramps.ts';
-import { PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
+import type { PuffShape } from '../../../src/puffs/shapes.ts';
+import { frontCamera, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
 import { box } from '../solids.ts';
 
 const WIDTH = 200;
 const HEIGHT = 160;
 
-/** Pixels of ink inside a puff's picture, where another stands before it by a share of the threshold. */
-export function depthLines(share: number): { ink: number; thickest: number; colors: number } {
+/** A line along the inner side of circles about the middle of the picture. */
+export interface LineReport {
+  /** Pixels that must be ink, because they lie in a circle and a neighbour over one of their sides does not. */
+  line: number;
+  /** Those of them that are not, and ink elsewhere. */
+  missing: number;
+  extra: number;
+  /** Side of the largest square that is all ink. */
+  thickest: number;
+  /** Whether each circle's line can be crossed nowhere by steps over the sides of pixels. */
+  isClosed: boolean;
+  colors: number;
+}
+
+/** Pixels by which the silhouette, which is read from a texture, may be off. */
+const SLACK = 0.25;
+const BALL: readonly PuffShape[] = [{ name: 'ball', lobes: [{ center: [0, 0, 0], radius: 1 }] }];
+
+/** The lines of a ball before a larger one, by a share of the threshold: round both, or round the larger one alone. */
+export function depthLines(share: number): LineReport {
   const radii = [0.3, 0.9];
   const threshold = PLAIN_STYLE.innerLine * ((radii[0] + radii[1]) / 2);
+  const places = [share * threshold, 0];
+  const camera = frontCamera(WIDTH, HEIGHT);
   const picture = takePicture({
     width: WIDTH,
     height: HEIGHT,
-    puffs: [
-      { place: [0, 0, share * threshold], radius: radii[0] },
-      { place: [0, 0, 0], radius: radii[1] },
-    ],
+    puffs: radii.map((radius, index) => ({ place: [0, 0, places[index]], radius })),
+    fronts: BALL,
+    camera,
     style: { renderer: 'selle' },
   });
-  const middle = (x: number, y: number) => Math.hypot(x - WIDTH / 2, y - HEIGHT / 2) < 30;
-  return { ...inkOf(picture, middle), colors: colorsOf(picture).size };
+  const pixelsPerUnit = (HEIGHT / 2) * camera.projectionMatrix.elements[5];
+  const circles = radii.map((radius, index) => (radius * pixelsPerUnit) / (camera.position.z - places[index]));
+  const outlined = share > 1 ? circles : circles.slice(1);
+  const isInk = Array.from({ length: WIDTH * HEIGHT }, (_, at) => equals(colorAt(picture, at), PLAIN_STYLE.inkColor));
+  const report = { line: 0, missing: 0, extra: 0 };
+  isInk.forEach((ink, at) => {
+    const [least, most] = [-SLACK, SLACK].map((slack) => outlined.some((radius) => isLine(at, radius, slack)));
+    if (least) report.line++;
+    if (least && !ink) report.missing++;
+    if (!most && ink) report.extra++;
+  });
+  return {
+    ...report,
+    thickest: thickestOf(isInk),
+    isClosed: outlined.every((radius) => !leaksFrom(radius, isInk)),
+    colors: colorsOf(picture).size,
+  };
 }
 
-/** Ink pixels, and the side of the largest square that is all ink. */
-function inkOf(picture: LabPicture, within: (x: number, y: number) => boolean): { ink: number; thickest: number } {
-  const runs = new Int32Array(WIDTH * HEIGHT);
-  let ink = 0;
-  for (let at = WIDTH + 1; at < runs.length; at++) {
-    if (!within(at % WIDTH, Math.floor(at / WIDTH)) || !equals(colorAt(picture, at), PLAIN_STYLE.inkColor)) continue;
-    ink++;
-    runs[at] = 1 + Math.min(runs[at - 1], runs[at - WIDTH], runs[at - WIDTH - 1]);
+/** Whether a pixel lies in a circle and one beside it does not, each by as much less as there is slack. */
+function isLine(at: number, radius: number, slack: number): boolean {
+  const beside = NEIGHBOURS.map((step) => fromMiddle(at + step));
+  return fromMiddle(at) < radius + slack && Math.max(...beside) > radius - slack;
+}
+
+const NEIGHBOURS = [1, -1, WIDTH, -WIDTH];
+
+/** From the middle of the picture to that of a pixel. */
+function fromMiddle(at: number): number {
+  return Math.hypot((at % WIDTH) + 0.5 - WIDTH / 2, Math.floor(at / WIDTH) + 0.5 - HEIGHT / 2);
+}
+
+/** Side of the largest square of ink. */
+function thickestOf(isInk: readonly boolean[]): number {
+  const sides = new Int32Array(isInk.length);
+  isInk.forEach((ink, at) => {
+    if (ink) sides[at] = 1 + Math.min(sides[at - 1], sides[at - WIDTH], sides[at - WIDTH - 1]);
+  });
+  return Math.max(...sides);
+}
+
+/** Whether steps from just inside a circle's line lead out of the circle without touching ink. */
+function leaksFrom(radius: number, isInk: readonly boolean[]): boolean {
+  const start = (HEIGHT / 2) * WIDTH + WIDTH / 2 + Math.floor(radius) - 3;
+  const seen = new Set([start]);
+  for (const at of seen) {
+    if (fromMiddle(at) > radius + 2) return true;
+    for (const step of NEIGHBOURS) if (!isInk[at + step]) seen.add(at + step);
   }
-  return { ink, thickest: Math.max(...runs) };
+  return false;
 }
 
 /** The middle pixel under two sprites of two tints, far one first, and what blending one over the other gives there. */
