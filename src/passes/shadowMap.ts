@@ -1,9 +1,11 @@
 import {
   Box3,
+  GLSL3,
   MathUtils,
   Matrix4,
   OrthographicCamera,
   PerspectiveCamera,
+  RawShaderMaterial,
   Sphere,
   Vector3,
   type WebGLRenderTarget,
@@ -13,13 +15,17 @@ import {
   type WebGLRenderer,
 } from 'three';
 import applyFragmentShader from '../../shaders/shadowMap/apply.frag';
+import lobesFragmentShader from '../../shaders/shadowMap/lobes.frag';
+import lobesVertexShader from '../../shaders/shadowMap/lobes.vert';
 import shadowedFragmentShader from '../../shaders/shadowMap/shadowed.frag';
+import { DrawnMesh } from '../device/drawnMesh.ts';
 import { Eye } from '../device/eye.ts';
 import { ADDS, FullScreen } from '../device/fullScreen.ts';
 import { pictureTarget } from '../device/pictureTarget.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import type { RampTexture } from '../device/ramps.ts';
 import type { Shaders } from '../device/programsAhead.ts';
+import { withLobes } from '../device/unroll.ts';
 import { BodiesPass } from './bodies.ts';
 import type { InkLine } from './ink.ts';
 import { SurfacesPass, type SurfaceDescription } from './surfaces.ts';
@@ -60,8 +66,8 @@ export interface ShadowMapSources {
  * Shadow by a depth map drawn from the light, for comparison with volumes (Williams, 'Casting Curved Shadows on Curved
  * Surfaces', 1978): cheap for any number of puffs, with edges as coarse as its texels. Writes the mask that resolve reads.
  * A sun has a parallel projection. A lamp has a perspective one, or six of 90 degrees, one after the other, where it
- * stands among the receivers. Puffs are nailboards there as well: far from the axis of a view their shadow narrows, by the
- * cosine of the angle.
+ * stands among the receivers. Puffs are the balls that they are made of there: nailboards far from the axis of a view would
+ * be narrower, and nearer than what the eye sees. Billboards stay what they are.
  */
 export class ShadowMapPass {
   private readonly eye: Eye;
@@ -69,7 +75,9 @@ export class ShadowMapPass {
   private readonly sun = new OrthographicCamera();
   private readonly lamp = new PerspectiveCamera();
   private readonly map = new Targets();
-  private readonly body: BodiesPass;
+  private readonly lobes: LobeDepths;
+  private readonly billboards: BodiesPass;
+  private hasBillboards = false;
   private readonly surfaces: SurfacesPass;
   /** Which of the surfaces cast. */
   private readonly casting: readonly number[];
@@ -81,10 +89,11 @@ export class ShadowMapPass {
   constructor({ eye, puffs, ramps, firstSurface, surfaces, casters }: ShadowMapSources) {
     this.eye = eye;
     this.casting = surfaces.flatMap(({ casts }, surface) => (casts ? [surface] : []));
-    this.body = new BodiesPass(this.lightEye, puffs, ramps, casters);
+    this.lobes = new LobeDepths(this.lightEye, puffs, casters);
+    this.billboards = new BodiesPass(this.lightEye, puffs, ramps, casters);
     const casting = this.casting.map((surface) => surfaces[surface]);
     this.surfaces = new SurfacesPass(this.lightEye, ramps, firstSurface, casting);
-    this.body.setInk(NO_INK, 0, 0);
+    this.billboards.setInk(NO_INK, 0, 0);
     this.surfaces.setInk(NO_INK, false);
     this.shadowed = pictureTarget();
     this.uniforms = {
@@ -103,7 +112,8 @@ export class ShadowMapPass {
 
   /** @see BodiesPass.setForm */
   setForm(billboards?: Shaders): void {
-    this.body.setForm(billboards);
+    this.hasBillboards = billboards !== undefined;
+    this.billboards.setForm(billboards);
   }
 
   /** @see SurfacesPass.place */
@@ -126,7 +136,8 @@ export class ShadowMapPass {
   }
 
   dispose(): void {
-    for (const part of [this.body, this.surfaces, this.map, this.shadowed, this.measure, this.apply]) part.dispose();
+    for (const part of [this.lobes, this.billboards, this.surfaces, this.map]) part.dispose();
+    for (const part of [this.shadowed, this.measure, this.apply]) part.dispose();
   }
 
   /** Draws the map by a camera of the light, then the shadow of what that camera sees. */
@@ -136,7 +147,7 @@ export class ShadowMapPass {
     this.uniforms.lightViewFromView.value.copy(viewFromWorld.value).invert().premultiply(camera.matrixWorldInverse);
     this.map.begin(renderer);
     this.surfaces.draw(renderer);
-    this.body.draw(renderer);
+    (this.hasBillboards ? this.billboards : this.lobes).draw(renderer);
     renderer.setRenderTarget(this.shadowed);
     this.measure.draw(renderer);
   }
@@ -165,7 +176,7 @@ export class ShadowMapPass {
     const distance = lamp.position.set(x, y, z).distanceTo(center);
     const seen = 2 * MathUtils.radToDeg(Math.asin(Math.min(1, radius / distance)));
     const isAmong = seen > WIDEST;
-    // Puffs shrink before a near plane; those that come nearest stand well beyond it.
+    // Billboards shrink before a near plane; those that come nearest stand well beyond it.
     const near = Math.max(NEAREST, (distance - radius) / 4);
     Object.assign(lamp, { fov: isAmong ? WIDEST : seen, near: isAmong ? NEAREST : near, far: distance + radius });
     lamp.updateProjectionMatrix();
@@ -174,5 +185,52 @@ export class ShadowMapPass {
       lamp.rotateOnAxis(axis, angle);
       yield lamp;
     }
+  }
+}
+
+/** Draws the lobes of puffs into the depth of a light's view. */
+class LobeDepths {
+  private readonly puffs: PuffTextures;
+  private readonly uniforms;
+  private readonly rows: DrawnMesh;
+  /** By the number of lobes that are unrolled in them. */
+  private readonly materials = new Map<number, RawShaderMaterial>();
+
+  constructor(lightEye: Eye, puffs: PuffTextures, rows: BufferGeometry) {
+    this.puffs = puffs;
+    this.uniforms = {
+      ...lightEye.uniforms,
+      lobeTable: { value: null as Texture | null },
+      reach: { value: 1 },
+    };
+    this.rows = new DrawnMesh(rows, this.material());
+  }
+
+  draw(renderer: WebGLRenderer): void {
+    this.rows.material = this.material();
+    this.rows.draw(renderer);
+  }
+
+  dispose(): void {
+    for (const material of this.materials.values()) material.dispose();
+  }
+
+  /** Puts the puffs into the uniforms. */
+  private material(): RawShaderMaterial {
+    const { lobeTable, reach, puffs } = this.puffs.lobes;
+    this.uniforms.lobeTable.value = lobeTable;
+    this.uniforms.reach.value = reach;
+    const material = this.materials.get(puffs.lobeCount) ?? this.makeMaterial(puffs.lobeCount);
+    this.materials.set(puffs.lobeCount, material);
+    return material;
+  }
+
+  private makeMaterial(lobes: number): RawShaderMaterial {
+    return new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: withLobes(lobesVertexShader, lobes),
+      fragmentShader: withLobes(lobesFragmentShader, lobes),
+      uniforms: this.uniforms,
+    });
   }
 }

@@ -81,7 +81,7 @@ export const MAP_VIEWS = {
   lampBelow: () => ({
     camera: from([0.5, -4, 4], [0, -1, 0]),
     lamp: [0, -150, 0],
-    casters: [{ place: [0.8, -1.8, 0.4], radius: 0.4, variation: 1 }],
+    casters: [{ place: [0.6, -1.8, 0.4], radius: 0.5, variation: 1 }],
     crates: [PARKED],
     receiver: { ...ground(0, 0), mesh: box([0, GROUND_Y + 0.1, 0], [GROUND_HALF, 0.1, GROUND_HALF]) },
   }),

@@ -1,0 +1,42 @@
+precision highp float;
+precision highp int;
+
+// A puff as the light sees it: a board through its centre that faces the light and holds all of its lobes, which are in
+// the light's view space, metres.
+uniform mat4 viewFromWorld;
+uniform mat4 clipFromView;
+uniform float reach;
+// See bodies/lobes.vert.
+uniform sampler2D lobeTable;
+
+in vec2 corner;
+in vec4 place;
+in uvec2 look;
+
+flat out vec4 lobes[LOBES];
+
+#include ../lib/look.glsl
+#include ../lib/orientation.glsl
+
+void main() {
+  vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
+  mat3 viewFromPuff = place.w * mat3(viewFromWorld) * worldFromPuff(look);
+  int variation = variationOf(look) % textureSize(lobeTable, 0).y;
+  #pragma unroll_loop_start
+  for (int i = 0; i < LOBES; i++) {
+    lobes[ i ] = texelFetch(lobeTable, ivec2(UNROLLED_LOOP_INDEX, variation), 0);
+    lobes[ i ] = vec4(centre + viewFromPuff * lobes[ i ].xyz, place.w * lobes[ i ].w);
+  }
+  #pragma unroll_loop_end
+
+  bool isLamp = clipFromView[2][3] != 0.0;
+  float radius = reach * place.w;
+  // Squared, as a share of the way: what a lamp stands within throws no shadow.
+  float nearness = isLamp ? radius * radius / dot(centre, centre) : 0.0;
+  vec3 away = isLamp ? normalize(centre) : vec3(0.0, 0.0, -1.0);
+  vec3 side = normalize(cross(away, abs(away.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
+  vec2 point = corner * radius * inversesqrt(max(1.0 - nearness, 1e-4));
+  vec4 clip = clipFromView * vec4(centre + point.x * side + point.y * cross(side, away), 1.0);
+  // Depth is written by the fragments; a constant here keeps the near plane from cutting the board.
+  gl_Position = nearness < 1.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
+}
