@@ -67,12 +67,13 @@ const ways: Readonly<Record<Rival, DrawSmoke>> = {
     rivals.sprites.draw(renderer, targets, output);
   },
 
-  shadowMap(rivals, { renderer, targets, body, resolve, extras, placeSurfaces }, { style, rigids, parts, output }) {
+  shadowMap(rivals, passes, { style, rigids, parts = [], output }) {
+    const { renderer, targets, body, resolve, extras } = passes;
     body.draw(renderer);
     if (style.shadows) {
       const { shadowMap } = rivals;
       shadowMap.setForm(extras.billboardsOf(style.form));
-      placeSurfaces(rigids, parts ?? [], [shadowMap]);
+      passes.placeSurfaces(rigids, parts, [shadowMap]);
       shadowMap.draw(renderer, targets);
     }
     resolve.draw(renderer, targets, output);
