@@ -36,7 +36,7 @@ const TOGETHER = [
     priority: 2,
   },
   { name: 'stage', test: /src\/remote\/openHere\.ts$/, priority: 1 },
-  { name: 'models', test: /src\/scenes\/models\/(lathe|place|ball|revolve|spline)\.ts$/ },
+  { name: 'models', test: /src\/(sim\/exact\/(sine|turn)|scenes\/models\/(lathe|place|ball|revolve|spline))\.ts$/ },
 ];
 /** @type {import('rolldown').OutputOptions} */
 const SPLIT = { codeSplitting: { groups: TOGETHER } };

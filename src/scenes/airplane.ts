@@ -1,4 +1,8 @@
-import { Euler, Quaternion, Vector3 } from 'three';
+import { atan2, tan } from '../sim/exact/arc.ts';
+import { exp } from '../sim/exact/power.ts';
+import { anglesYZX, multiply } from '../sim/exact/quaternion.ts';
+import { sin } from '../sim/exact/sine.ts';
+import { turnBy } from '../sim/exact/turn.ts';
 import { airplane as airplaneModel, airplaneHull, HALF_SPAN, HUB, KNOT } from './models/airplane.ts';
 import { placement } from './models/place.ts';
 import type { Guide, Handle, Moment, Part, Scene, Vector } from './scene.ts';
@@ -32,7 +36,7 @@ export function airplane(): Scene {
     handle: HANDLE,
     camera: { target: [-0.5, 0.15, 0], azimuth: 0.42, elevation: 0.26, distance: 8.2, fieldOfView: 0.6 },
     portrait: { target: [-0.1, 0.3, 0], azimuth: 0.75, distance: 8.6, leastWidth: 0.44 },
-    cameraMove: (seconds) => ({ azimuth: 0.16 * Math.sin(seconds / 5), elevation: 0.07 * Math.sin(seconds / 3.7) }),
+    cameraMove: (seconds) => ({ azimuth: 0.16 * sin(seconds / 5), elevation: 0.07 * sin(seconds / 3.7) }),
     backdrop: { top: [72, 138, 204], bottom: [232, 214, 232] },
   };
 }
@@ -45,11 +49,7 @@ const PARTS: readonly Part[] = [
   {
     rigid: PLANE,
     pose: (seconds) =>
-      placement(KNOT, [
-        0.25 * Math.sin(9 * seconds),
-        0.3 * Math.sin(6.1 * seconds),
-        0.2 + 0.16 * Math.sin(7.7 * seconds),
-      ]),
+      placement(KNOT, [0.25 * sin(9 * seconds), 0.3 * sin(6.1 * seconds), 0.2 + 0.16 * sin(7.7 * seconds)]),
   },
 ];
 
@@ -66,19 +66,16 @@ export const fly: Guide = (moment) => {
   const { position, rotation } = moment.pose(PLANE);
   const goal = goalOf(moment);
   const [ahead, climb, aside] = goal.map((place, axis) => wanted(place - position[axis]));
-  const ease = 1 - Math.exp(-NIMBLENESS * moment.dt);
-  const turn = new Quaternion(...rotation);
-  const nose = new Vector3(1, 0, 0).applyQuaternion(turn);
-  const { x: roll } = new Euler().setFromQuaternion(turn, 'YZX');
-  const pitch = Math.asin(Math.min(Math.max(nose.y, -1), 1));
-  const nextPitch = pitch + ease * (Math.atan2(climb, AIRSPEED) - pitch);
+  const ease = 1 - exp(-NIMBLENESS * moment.dt);
+  const [roll, , pitch] = anglesYZX(rotation);
+  const nextPitch = pitch + ease * (atan2(climb, AIRSPEED) - pitch);
   const nextRoll = roll + ease * (ROLL * aside - roll);
   const sideways = nextRoll / ROLL;
-  const heading = -0.5 * Math.atan2(sideways, AIRSPEED);
-  const velocity = [ahead, AIRSPEED * Math.tan(nextPitch), sideways];
+  const heading = -0.5 * atan2(sideways, AIRSPEED);
+  const velocity = [ahead, AIRSPEED * tan(nextPitch), sideways];
   const [x, y, z] = position.map((from, axis) => from + moment.dt * velocity[axis]);
-  const [i, j, k, w] = new Quaternion().setFromEuler(new Euler(nextRoll, heading, nextPitch, 'YZX'));
-  return [{ rigid: PLANE, position: [x, y, z], rotation: [i, j, k, w] }];
+  const turn = multiply(turnBy([0, heading, 0]), turnBy([nextRoll, 0, nextPitch]));
+  return [{ rigid: PLANE, position: [x, y, z], rotation: turn }];
 };
 
 /** The place where people want it, around which it bobs through the tops of the clouds. */
@@ -87,7 +84,7 @@ function goalOf({ seconds, control }: Moment): Vector {
     const [min, max] = [HANDLE.min[axis], HANDLE.max[axis]];
     return min + ((max - min) / 2) * (1 + control(channel));
   });
-  return [x, y - 0.32 * Math.sin(0.9 * seconds), z + 0.3 * Math.sin(0.53 * seconds)];
+  return [x, y - 0.32 * sin(0.9 * seconds), z + 0.3 * sin(0.53 * seconds)];
 }
 
 function wanted(way: number): number {

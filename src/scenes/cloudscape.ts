@@ -1,3 +1,5 @@
+import { atan2 } from '../sim/exact/arc.ts';
+import { cos, sin } from '../sim/exact/sine.ts';
 import { cumuli, type Cumulus } from './models/cumulus.ts';
 import { AXLE, hills, sheep, sun, windmill } from './models/meadow.ts';
 import { placement } from './models/place.ts';
@@ -37,11 +39,11 @@ export function cloudscape(): Scene {
     parts: [
       { pose: (seconds) => placement(AXLE, [0, 0, 0.9 * WIND * seconds]) },
       { pose: (seconds) => placement(sunPlace(seconds), [0, 0, sunTurn(seconds)]) },
-      { pose: (seconds) => placement(sunPlace(seconds), [0, 0, 0.1 * Math.sin(seconds)]) },
+      { pose: (seconds) => placement(sunPlace(seconds), [0, 0, 0.1 * sin(seconds)]) },
     ],
     camera: { target: [0, 1.15, 0], azimuth: 0, elevation: 0.06, distance: 9.6, fieldOfView: 0.58 },
     portrait: { target: [-0.7, 0.75, 0], distance: 11, leastWidth: 0.44 },
-    cameraMove: (seconds) => ({ azimuth: 0.06 * Math.sin(seconds / 8), elevation: 0.02 * Math.sin(seconds / 5) }),
+    cameraMove: (seconds) => ({ azimuth: 0.06 * sin(seconds / 8), elevation: 0.02 * sin(seconds / 5) }),
     lightMove,
     lightCentre: CENTRE,
     backdrop: { top: [86, 158, 216], bottom: [250, 226, 206] },
@@ -50,7 +52,7 @@ export function cloudscape(): Scene {
 
 /** From the left in the morning to the right and back, lowest at both ends. */
 export const lightMove: LightMove = (seconds) => {
-  const way = -Math.cos((2 * Math.PI * (seconds + 6)) / DAY);
+  const way = -cos((2 * Math.PI * (seconds + 6)) / DAY);
   return { azimuth: SWING * way, elevation: -SINK * way * way };
 };
 
@@ -58,17 +60,13 @@ export const lightMove: LightMove = (seconds) => {
 export function sunPlace(seconds: number): Vector {
   const { azimuth, elevation } = lightMove(seconds);
   const [aside, height] = [NOON.azimuth + azimuth, NOON.elevation + elevation].map((angle) => (Math.PI * angle) / 180);
-  return [
-    CENTRE[0] + SKY[0] * Math.sin(aside) * Math.cos(height),
-    CENTRE[1] + SKY[1] * Math.sin(height),
-    CENTRE[2] + SKY[2],
-  ];
+  return [CENTRE[0] + SKY[0] * sin(aside) * cos(height), CENTRE[1] + SKY[1] * sin(height), CENTRE[2] + SKY[2]];
 }
 
 /** Its rays turn on its way; its bright side stays towards the light. */
 function sunTurn(seconds: number): number {
   const [x, y] = sunPlace(seconds);
-  return Math.atan2(y - CENTRE[1], x - CENTRE[0]);
+  return atan2(y - CENTRE[1], x - CENTRE[0]);
 }
 
 const FLOCK = [

@@ -1,9 +1,11 @@
 import type { Color } from '../device/ramps.ts';
+import { cos, hypot, sin } from '../sim/exact/sine.ts';
+import { turnBy } from '../sim/exact/turn.ts';
 import type { RigidDescription } from '../sim/rigid.ts';
 import { cloudOf, dustRule, type Cloud, type Toy } from './dustRule.ts';
 import { desert, desertRigids, DESERT_RADIUS } from './models/desert.ts';
 import { mole, MOLE_HALF, MOLE_RADIUS } from './models/mole.ts';
-import { placement, turnBy } from './models/place.ts';
+import { placement } from './models/place.ts';
 import { ballModel, crateModel, jollyBall, jollyCrate } from './models/toys.ts';
 import { MOLE_START, moleGuide, moleHeight } from './moleGuide.ts';
 import type { Guide, Handle, MovingMoment, Scene, Vector } from './scene.ts';
@@ -43,7 +45,7 @@ export function dust(): Scene {
     drops: TOYS.map(({ rigid }) => rigid),
     camera: { target: [0, 0.75, 0], azimuth: 0.1, elevation: 0.28, distance: 9.4, fieldOfView: 0.56 },
     portrait: { target: [0, 0.55, 0], elevation: 0.36, distance: 11.5, leastWidth: 0.54 },
-    cameraMove: (seconds) => ({ azimuth: 0.16 * Math.sin(seconds / 6), elevation: 0.03 * Math.sin(seconds / 4.3) }),
+    cameraMove: (seconds) => ({ azimuth: 0.16 * sin(seconds / 6), elevation: 0.03 * sin(seconds / 4.3) }),
     backdrop: { top: [104, 122, 190], bottom: [255, 196, 148] },
   };
 }
@@ -78,7 +80,7 @@ const SKY = 5.5;
 const guide: Guide = (moment) => {
   const { seconds } = moment;
   const fallen = TOYS.filter(({ rigid }) => moment.pose(rigid).position[1] < ABYSS);
-  const above: Vector = [1.3 * Math.sin(7.3 * seconds), SKY, 0.8 * Math.cos(5.1 * seconds)];
+  const above: Vector = [1.3 * sin(7.3 * seconds), SKY, 0.8 * cos(5.1 * seconds)];
   const again = fallen.map(({ rigid }) => ({ rigid, ...placement(above, [2 * seconds, seconds, 0]) }));
   return [...dig(moment), ...again];
 };
@@ -90,7 +92,7 @@ function clouds(moment: MovingMoment): Cloud[] {
 /** What the mole throws up while it digs, and when it comes out or goes down. */
 function moleCloud({ pose, before, dt }: MovingMoment): Cloud {
   const [now, then] = [pose(MOLE).position, before(MOLE).position];
-  const [across, up] = [Math.hypot(now[0] - then[0], now[2] - then[2]) / dt, Math.abs(now[1] - then[1]) / dt];
+  const [across, up] = [hypot(now[0] - then[0], now[2] - then[2]) / dt, Math.abs(now[1] - then[1]) / dt];
   return {
     puffs: 0.1 * across + 0.22 * up,
     at: [now[0], 0.1, now[2]],

@@ -1,4 +1,6 @@
 /** How much dust rises where things meet the sand: more the harder they hit and the faster they roll. */
+import { pow } from '../sim/exact/power.ts';
+import { hypot } from '../sim/exact/sine.ts';
 import type { MovingMoment, Placement, Rule, Turn, Vector } from './scene.ts';
 
 /** Something that falls on the sand. */
@@ -39,8 +41,8 @@ export function cloudOf(toy: Toy, { pose, before, dt }: MovingMoment, radius: nu
   const low = lowest(toy, now);
   // As fast as it will be: what falls hits the sand in the coming step.
   const falls = (lowest(toy, then) - low) / dt + GRAVITY * dt;
-  const rolls = Math.hypot(x - then.position[0], z - then.position[2]) / dt;
-  const isOver = Math.hypot(x, z) < radius;
+  const rolls = hypot(x - then.position[0], z - then.position[2]) / dt;
+  const isOver = hypot(x, z) < radius;
   const hits = isOver && low > TOUCH && low - falls * dt <= TOUCH;
   const isLow = isOver && Math.abs(low) <= TOUCH;
   const puffs = hits ? hitPuffs(falls) : isLow ? BY_ROLLING * Math.max(0, rolls - SLOWEST) : 0;
@@ -49,7 +51,7 @@ export function cloudOf(toy: Toy, { pose, before, dt }: MovingMoment, radius: nu
 
 /** Puffs of a hit at so many m/s. */
 export function hitPuffs(speed: number): number {
-  return Math.min(BY_HIT * speed ** POWER, MOST_PUFFS);
+  return Math.min(BY_HIT * pow(speed, POWER), MOST_PUFFS);
 }
 
 /**

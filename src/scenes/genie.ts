@@ -1,6 +1,10 @@
-import { Quaternion, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import type { Color } from '../device/ramps.ts';
 import type { SurfaceDescription } from '../passes/surfaces.ts';
+import { exp } from '../sim/exact/power.ts';
+import { slerp } from '../sim/exact/quaternion.ts';
+import { sin } from '../sim/exact/sine.ts';
+import { turnBy } from '../sim/exact/turn.ts';
 import type { RigidDescription } from '../sim/rigid.ts';
 import { genie as genieModel, HEAD, HEAD_RADIUS, HIP, SHOULDER, WAVE } from './models/genie.ts';
 import { lampModel, type LampRole } from './models/lamp.ts';
@@ -50,7 +54,7 @@ export function genie(): Scene {
     ],
     camera: { target: [0, 1.8, 0], azimuth: 0.1, elevation: 0.1, distance: 7.4, fieldOfView: 0.58 },
     portrait: { target: [-0.05, 1.6, 0], distance: 7.6, leastWidth: 0.4 },
-    cameraMove: (seconds) => ({ azimuth: 0.18 * Math.sin(seconds / 5), elevation: 0.05 * Math.sin(seconds / 3.3) }),
+    cameraMove: (seconds) => ({ azimuth: 0.18 * sin(seconds / 5), elevation: 0.05 * sin(seconds / 3.3) }),
     backdrop: { top: [58, 38, 92], bottom: [240, 140, 112] },
   };
 }
@@ -64,7 +68,7 @@ const GENIE_RIGID: RigidDescription = {
 };
 
 const PARTS: readonly Part[] = [
-  { rigid: GENIE, pose: (seconds) => placement(WAVE, [0, -0.2, -0.35 + 0.4 * Math.sin(5.2 * seconds)]) },
+  { rigid: GENIE, pose: (seconds) => placement(WAVE, [0, -0.2, -0.35 + 0.4 * sin(5.2 * seconds)]) },
 ];
 
 /** How fast he wants to cover the way to where he should be, 1/s, and the most that he hurries, m/s. */
@@ -82,12 +86,9 @@ export const float: Guide = (moment) => {
     .multiplyScalar(EAGERNESS)
     .clampLength(0, TOP_SPEED);
   const [x, y, z] = new Vector3(...position).addScaledVector(wish, moment.dt);
-  const nod = 0.07 * Math.sin(1.7 * moment.seconds);
-  const upright = new Quaternion(
-    ...placement([0, 0, 0], [nod + LEAN * wish.z, 0.12 * Math.sin(0.6 * moment.seconds), -LEAN * wish.x]).rotation,
-  );
-  const [i, j, k, w] = new Quaternion(...rotation).slerp(upright, 1 - Math.exp(-5 * moment.dt));
-  return [{ rigid: GENIE, position: [x, y, z], rotation: [i, j, k, w] }];
+  const nod = 0.07 * sin(1.7 * moment.seconds);
+  const lean = turnBy([nod + LEAN * wish.z, 0.12 * sin(0.6 * moment.seconds), -LEAN * wish.x]);
+  return [{ rigid: GENIE, position: [x, y, z], rotation: slerp(rotation, lean, 1 - exp(-5 * moment.dt)) }];
 };
 
 /** The place where people want him, around which he sways. */
@@ -96,7 +97,7 @@ function goalOf({ seconds, control }: Moment): Vector {
     const [start, end] = [HANDLE.start[axis], control(channel) < 0 ? HANDLE.min[axis] : HANDLE.max[axis]];
     return start + (end - start) * Math.abs(control(channel));
   });
-  return [x + 0.16 * Math.sin(0.8 * seconds), y + 0.09 * Math.sin(1.3 * seconds), z];
+  return [x + 0.16 * sin(0.8 * seconds), y + 0.09 * sin(1.3 * seconds), z];
 }
 
 function lamp(): SurfaceDescription[] {

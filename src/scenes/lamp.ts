@@ -1,5 +1,6 @@
 import type { Color } from '../device/ramps.ts';
 import type { SurfaceDescription } from '../passes/surfaces.ts';
+import { cos } from '../sim/exact/sine.ts';
 import type { RigidDescription } from '../sim/rigid.ts';
 import { ballMesh } from './models/ball.ts';
 import { lampModel, type LampModel, type LampRole } from './models/lamp.ts';
@@ -48,7 +49,7 @@ const STANDS = 7;
 
 function swing(seconds: number): CameraShift {
   const since = Math.max(0, seconds - STANDS);
-  return { azimuth: 0.12 * (Math.cos(since / 7) - 1), elevation: 0.025 * (1 - Math.cos(since / 4.5)) };
+  return { azimuth: 0.12 * (cos(since / 7) - 1), elevation: 0.025 * (1 - cos(since / 4.5)) };
 }
 
 function rigids({ collision }: LampModel): RigidDescription[] {

@@ -1,5 +1,6 @@
 /** What the mole of the desert does: digs to what lies nearest, kicks it up, looks around, and digs on. */
 import { Vector2 } from 'three';
+import { sin } from '../sim/exact/sine.ts';
 import { DESERT_RADIUS } from './models/desert.ts';
 import { MOLE_HALF, MOLE_RADIUS } from './models/mole.ts';
 import { placement } from './models/place.ts';
@@ -41,7 +42,7 @@ export function moleGuide(mole: number, toys: readonly number[]): Guide {
       const way = goal(moment, place, toys).sub(place);
       place.add(way.clampLength(0, TOP_SPEED * dt));
     }
-    const look = 0.5 * Math.sin(2.6 * seconds) - 0.1 * place.x;
+    const look = 0.5 * sin(2.6 * seconds) - 0.1 * place.x;
     return [{ rigid: mole, ...placement([place.x, moleHeight(seconds), place.y], [0, look, 0]) }];
   };
 }

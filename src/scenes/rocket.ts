@@ -1,3 +1,4 @@
+import { cos, sin } from '../sim/exact/sine.ts';
 import { island } from './models/island.ts';
 import { placement } from './models/place.ts';
 import { launchPad, NOZZLE, rocket as rocketModel, rocketHull } from './models/rocket.ts';
@@ -35,7 +36,7 @@ export function rocket(): Scene {
     portrait: { target: [0, 1.5, 0], distance: 12.4, leastWidth: 0.53 },
     cameraMove: (seconds) => ({
       target: [0, FOLLOWING * height(seconds), 0],
-      azimuth: 0.22 * Math.sin(seconds / 6),
+      azimuth: 0.22 * sin(seconds / 6),
       distance: 1 + height(seconds) / FAR_UP,
     }),
     backdrop: { top: [96, 116, 200], bottom: [255, 196, 180] },
@@ -46,19 +47,15 @@ export function rocket(): Scene {
 function height(seconds: number): number {
   const since = seconds % PERIOD;
   const away = Math.min(since - LIFTOFF, LANDING - since, CLIMB);
-  const top = THRUST * (CLIMB / 2) ** 2;
-  const faster = (THRUST / 2) * Math.max(away, 0) ** 2;
-  return away < CLIMB / 2 ? faster : top - (THRUST / 2) * (CLIMB - away) ** 2;
+  const gained = (duration: number) => (THRUST / 2) * duration * duration;
+  return away < CLIMB / 2 ? gained(Math.max(away, 0)) : 2 * gained(CLIMB / 2) - gained(CLIMB - away);
 }
 
 function flight(seconds: number): Placement {
   const up = height(seconds);
   const sway = Math.min(up, 1) * 0.035;
-  const shake = seconds % PERIOD > IGNITION && up < 0.5 ? 0.006 * Math.sin(47 * seconds) : 0;
-  return placement(
-    [shake, PAD + up, 0],
-    [sway * Math.sin(1.7 * seconds), 0.3 * Math.sin(0.35 * up), sway * Math.cos(1.3 * seconds)],
-  );
+  const shake = seconds % PERIOD > IGNITION && up < 0.5 ? 0.006 * sin(47 * seconds) : 0;
+  return placement([shake, PAD + up, 0], [sway * sin(1.7 * seconds), 0.3 * sin(0.35 * up), sway * cos(1.3 * seconds)]);
 }
 
 const RIG: Readonly<Record<string, number>> = {

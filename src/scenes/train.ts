@@ -1,3 +1,4 @@
+import { cos, sin } from '../sim/exact/sine.ts';
 import { island, trees } from './models/island.ts';
 import { AXLES, CHIMNEY, CRANK, CYLINDER, locomotive, locomotiveHull, WHEEL_RADIUS } from './models/locomotive.ts';
 import { merged, placed, placement } from './models/place.ts';
@@ -47,7 +48,7 @@ export function train(): Scene {
     ],
     camera: { target: [0, 0.95, 0], azimuth: 0.12, elevation: 0.36, distance: 10, fieldOfView: 0.58 },
     portrait: { target: [0, 0.95, 0], elevation: 0.5, distance: 12.5, leastWidth: 0.5 },
-    cameraMove: (seconds) => ({ azimuth: 0.4 * Math.sin(seconds / 9), elevation: 0.05 * Math.sin(seconds / 5) }),
+    cameraMove: (seconds) => ({ azimuth: 0.4 * sin(seconds / 9), elevation: 0.05 * sin(seconds / 5) }),
     backdrop: { top: [104, 184, 206], bottom: [252, 226, 188] },
   };
 }
@@ -55,7 +56,7 @@ export function train(): Scene {
 /** The place on the track after so many seconds, so many metres behind the locomotive. */
 function onTrack(seconds: number, behind: number): Placement {
   const turn = Math.PI * 0.98 - (SPEED * seconds - behind) / TRACK;
-  return placement([TRACK * Math.cos(turn), RAIL, TRACK * Math.sin(turn)], [0, Math.PI / 2 - turn, 0]);
+  return placement([TRACK * cos(turn), RAIL, TRACK * sin(turn)], [0, Math.PI / 2 - turn, 0]);
 }
 
 /** How far the driving wheels have turned, radians; forwards is negative about their axle, which looks to the right. */
@@ -73,7 +74,7 @@ function axle(index: number): Part {
 
 /** A rod stays level while the cranks carry it round; the left ones are a quarter ahead, so that it never sticks. */
 function rod(lead: number): Part {
-  const place = (turn: number) => placement([CRANK * Math.cos(turn), CRANK * Math.sin(turn), 0]);
+  const place = (turn: number) => placement([CRANK * cos(turn), CRANK * sin(turn), 0]);
   return { rigid: LOCOMOTIVE, pose: (seconds) => place(wheelTurn(seconds) + lead) };
 }
 
@@ -98,7 +99,7 @@ function track(): Scene['surfaces'] {
   const sleepers = Array.from({ length: 44 }, (_, index) => {
     const turn = (2 * Math.PI * index) / 44;
     return placed(roundedBox([0.055, 0.03, 0.3], 0.02, 3), {
-      at: [TRACK * Math.cos(turn), 0.07, TRACK * Math.sin(turn)],
+      at: [TRACK * cos(turn), 0.07, TRACK * sin(turn)],
       turn: [0, Math.PI / 2 - turn, 0],
     });
   });

@@ -34,7 +34,7 @@ export function blendPose(poses: Float32Array, index: number, blend: number, res
   for (let part = 0; part < POSE_FLOATS; part++) {
     const end = part < 3 ? poses[now + part] : sign * poses[now + part];
     result[to + part] = poses[before + part] + (end - poses[before + part]) * blend;
-    if (part >= 3) square += result[to + part] ** 2;
+    if (part >= 3) square += result[to + part] * result[to + part];
   }
   const scale = 1 / Math.sqrt(square);
   for (let part = 3; part < POSE_FLOATS; part++) result[to + part] *= scale;

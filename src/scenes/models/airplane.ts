@@ -2,6 +2,7 @@
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import { sin } from '../../sim/exact/sine.ts';
 import type { RigidPart, RigidShape } from '../../sim/rigid.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';
@@ -171,6 +172,6 @@ function scarf(): TriangleMesh {
   const { positions, normals, indices } = placed(roundedBox([0.36, 0.035, 0.085], [0.1, 0.03, 0.05]), {
     at: [-0.34, 0, 0],
   });
-  const waved = positions.map((value, i) => (i % 3 === 1 ? value + 0.05 * Math.sin(9 * positions[i - 1]) : value));
+  const waved = positions.map((value, i) => (i % 3 === 1 ? value + 0.05 * sin(9 * positions[i - 1]) : value));
   return { positions: waved, normals, indices };
 }

@@ -1,4 +1,5 @@
 import type { TriangleMesh } from '../../passes/extrusion.ts';
+import { cos, sin } from '../../sim/exact/sine.ts';
 
 /** A closed ball about the origin: `rings` bands from pole to pole, twice as many segments around. */
 export function ballMesh(radius: number, rings = 20): TriangleMesh {
@@ -8,8 +9,8 @@ export function ballMesh(radius: number, rings = 20): TriangleMesh {
     const polar = (Math.PI * ring) / rings;
     for (let segment = 0; segment < segments; ++segment) {
       const turn = (2 * Math.PI * segment) / segments;
-      const around = radius * Math.sin(polar);
-      positions.push(around * Math.sin(turn), radius * Math.cos(polar), around * Math.cos(turn));
+      const around = radius * sin(polar);
+      positions.push(around * sin(turn), radius * cos(polar), around * cos(turn));
     }
   }
   positions.push(0, -radius, 0);

@@ -2,6 +2,8 @@
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import { acos, atan2 } from '../../sim/exact/arc.ts';
+import { cos, hypot, sin } from '../../sim/exact/sine.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';
 import { friendlyFace } from './face.ts';
@@ -26,7 +28,7 @@ export function camp(): SurfaceDescription[] {
   const quiet = { casts: false, inked: false };
   const { features, cheeks } = friendlyFace(0.24, 0.16);
   const turn: Vector = [0, 0.2, 0];
-  const front: Vector = [TREAT[0] + 0.16 * Math.sin(0.2), TREAT[1] + 0.02, TREAT[2] + 0.16 * Math.cos(0.2)];
+  const front: Vector = [TREAT[0] + 0.16 * sin(0.2), TREAT[1] + 0.02, TREAT[2] + 0.16 * cos(0.2)];
   return [
     { name: 'stones', mesh: stones(), color: STONE, ...look },
     { name: 'logs', mesh: logs(), color: BARK, ...look },
@@ -46,11 +48,11 @@ function stones(): TriangleMesh {
   return merged(
     ...Array.from({ length: count }, (_, index) => {
       const turn = (2 * Math.PI * index) / count;
-      const size = 0.125 + 0.03 * Math.sin(5.3 * index);
+      const size = 0.125 + 0.03 * sin(5.3 * index);
       return placed(ballMesh(1, 9), {
-        at: [0.62 * Math.cos(turn), 0.07, 0.62 * Math.sin(turn)],
+        at: [0.62 * cos(turn), 0.07, 0.62 * sin(turn)],
         scale: [1.25 * size, size, size],
-        turn: [0, 1.5708 - turn + 0.3 * Math.sin(index), 0],
+        turn: [0, 1.5708 - turn + 0.3 * sin(index), 0],
       });
     }),
   );
@@ -64,7 +66,7 @@ function leaning(radius: number, from: number, to: number): TriangleMesh[] {
   return LEANING.map((round) => {
     const at = (share: number): Vector => {
       const out = 0.5 - 0.47 * share;
-      return [out * Math.cos(round), 0.06 + 0.5 * share, out * Math.sin(round)];
+      return [out * cos(round), 0.06 + 0.5 * share, out * sin(round)];
     };
     return between(at(from), at(to), radius, radius);
   });
@@ -86,15 +88,15 @@ function cuts(): TriangleMesh {
 /** A round bar from one place to another. */
 function between(foot: Vector, tip: Vector, radius: number, tipRadius: number): TriangleMesh {
   const way = tip.map((place, axis) => place - foot[axis]);
-  const length = Math.hypot(...way);
+  const length = hypot(...way);
   const bar = lathe(
     14,
     [[0, 0], [radius, 0]],
     [[radius, 0], [tipRadius, length]],
     [[tipRadius, length], [0, length]],
   ); // prettier-ignore
-  const lean = Math.acos(way[1] / length);
-  return placed(placed(bar, { turn: [0, 0, -lean] }), { at: foot, turn: [0, Math.atan2(-way[2], way[0]), 0] });
+  const lean = acos(way[1] / length);
+  return placed(placed(bar, { turn: [0, 0, -lean] }), { at: foot, turn: [0, atan2(-way[2], way[0]), 0] });
 }
 
 /** A ridge tent: a prism with soft edges. @param out how far its ends stand out, metres; @param size a factor */
@@ -107,7 +109,7 @@ function tent(out: number, size: number): TriangleMesh {
     positions[from + 1] = size * (positions[from + 1] + 0.5) - 0.02;
     // The slope of the sides.
     const [x, y] = [normals[from], normals[from + 1]];
-    const length = Math.hypot(x, y + Math.abs(x) * 1.1, normals[from + 2]) || 1;
+    const length = hypot(x, y + Math.abs(x) * 1.1, normals[from + 2]) || 1;
     normals[from] = x / length;
     normals[from + 1] = (y + Math.abs(x) * 1.1) / length;
     normals[from + 2] /= length;

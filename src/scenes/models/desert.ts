@@ -2,6 +2,7 @@
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import { cos, sin } from '../../sim/exact/sine.ts';
 import type { RigidDescription } from '../../sim/rigid.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';
@@ -96,7 +97,7 @@ function cactus(): TriangleMesh {
 function blossoms(): TriangleMesh {
   const at = (petal: number): Vector => {
     const turn = (2 * Math.PI * petal) / 5;
-    return [0.09 * Math.cos(turn), 1.47, 0.09 * Math.sin(turn)];
+    return [0.09 * cos(turn), 1.47, 0.09 * sin(turn)];
   };
   return merged(...[0, 1, 2, 3, 4].map((petal) => placed(ballMesh(0.075, 8), { at: at(petal) })));
 }

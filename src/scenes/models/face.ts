@@ -10,7 +10,7 @@ import { merged, placed } from './place.ts';
  */
 export function friendlyFace(size: number, radius: number): { features: TriangleMesh; cheeks: TriangleMesh } {
   const half = size / 2;
-  const out = (x: number) => Math.sqrt(radius ** 2 - x ** 2) - radius;
+  const out = (x: number) => Math.sqrt(radius * radius - x * x) - radius;
   const dot = (x: number, y: number, scale: readonly [number, number, number]) =>
     placed(ballMesh(1, 10), {
       at: [x * half, y * half, out(x * half)],

@@ -2,6 +2,7 @@
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import { cos, sin } from '../../sim/exact/sine.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';
 import { lathe, pipe } from './lathe.ts';
@@ -151,7 +152,7 @@ function openHand(): TriangleMesh {
   const finger = (index: number) => {
     const lean = 0.42 - 0.32 * index;
     return placed(ballMesh(1, 10), {
-      at: [-0.42 * Math.sin(lean) * 0.8, 0.34 * Math.cos(lean), 0],
+      at: [-0.42 * sin(lean) * 0.8, 0.34 * cos(lean), 0],
       scale: [0.052, 0.13, 0.055],
       turn: [0, 0, lean],
     });

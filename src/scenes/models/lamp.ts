@@ -78,14 +78,14 @@ function collisionPieces(): RigidShape[] {
 }
 
 /** Points round a stretch of a turning at a share of its length; one where it meets the axis. */
-function ring(turning: Turning, stretch: number, share: number, corners: number): Vector[] {
+function ring(turning: Turning, stretch: number, share: number, corners: number): (readonly number[])[] {
   const { curve } = turning.profile[stretch];
   const count = curve(share)[0] === 0 ? 1 : corners;
   const pointAt = circle(turning, curve, share);
   return Array.from({ length: count }, (_, i) => pointAt((2 * Math.PI * i) / corners));
 }
 
-function hull(points: readonly Vector[]): RigidShape {
+function hull(points: readonly (readonly number[])[]): RigidShape {
   return { type: 'convexHull', vertices: points.flat() };
 }
 

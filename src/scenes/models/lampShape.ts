@@ -2,6 +2,7 @@
  * The profiles of the magic oil lamp: what is turned on a lathe (foot, belly, collar, lid, gem) and what is drawn along
  * a curve (spout, handle, curl). Metres, but places along the curves are shares of them.
  */
+import { cos } from '../../sim/exact/sine.ts';
 import { planarAxis, uprightAxis, type Stretch, type Turning } from './revolve.ts';
 import { spline } from './spline.ts';
 
@@ -48,7 +49,8 @@ function stretch(bands: number, ...points: readonly (readonly number[])[]): Stre
 
 /** The belly swells towards the spout, as if drawn out of it. */
 function swell(turn: number): number {
-  return 1 + 0.1 * Math.max(0, Math.cos(turn)) ** 2;
+  const towards = Math.max(0, cos(turn));
+  return 1 + 0.1 * towards * towards;
 }
 
 export const FOOT: Turning = {

@@ -2,6 +2,7 @@
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import { cos, sin } from '../../sim/exact/sine.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';
 import { friendlyFace } from './face.ts';
@@ -146,7 +147,7 @@ function ray(index: number): TriangleMesh {
   const turn = (2 * Math.PI * index) / 12;
   const out = SUN + 0.05;
   const cone = lathe(10, [[0, 0], [0.13, 0]], [[0.13, 0], [0, index % 2 === 0 ? 0.34 : 0.22]]); // prettier-ignore
-  return placed(cone, { at: [-Math.sin(turn) * out, Math.cos(turn) * out, -0.02], turn: [0, 0, turn] });
+  return placed(cone, { at: [-sin(turn) * out, cos(turn) * out, -0.02], turn: [0, 0, turn] });
 }
 
 /** What shines itself has no dark side: a cover that is shaded as if all of it looked towards the light. */

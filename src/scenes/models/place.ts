@@ -1,6 +1,7 @@
-import { Euler, Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
 import { inOne, type TriangleMesh } from '../../passes/extrusion.ts';
-import type { Placement, Turn, Vector } from '../scene.ts';
+import { rotate, turnBy } from '../../sim/exact/turn.ts';
+import type { Placement, Vector } from '../scene.ts';
+import { normalized } from './revolve.ts';
 
 /** How a mesh is put somewhere: scaled, then turned, then moved. */
 export interface Stand {
@@ -12,35 +13,34 @@ export interface Stand {
 }
 
 /** The mesh where it stands, with unit normals. */
-export function placed({ positions, normals, indices }: TriangleMesh, { at, turn, scale }: Stand): TriangleMesh {
-  const size = typeof scale === 'number' ? ([scale, scale, scale] as const) : (scale ?? ([1, 1, 1] as const));
-  const matrix = new Matrix4().compose(
-    new Vector3(...(at ?? [0, 0, 0])),
-    new Quaternion(...turnBy(turn ?? [0, 0, 0])),
-    new Vector3(...size),
-  );
-  const normalMatrix = new Matrix3().getNormalMatrix(matrix);
+export function placed(
+  { positions, normals, indices }: TriangleMesh,
+  { at = [0, 0, 0], turn = [0, 0, 0], scale = 1 }: Stand,
+): TriangleMesh {
+  const [a, b, c] = typeof scale === 'number' ? [scale, scale, scale] : scale;
+  const rotation = turnBy(turn);
   return {
-    positions: mapped(positions, (point) => point.applyMatrix4(matrix)),
-    normals: mapped(normals, (normal) => normal.applyMatrix3(normalMatrix).normalize()),
+    positions: mapped(positions, (x, y, z) =>
+      rotate(rotation, [a * x, b * y, c * z]).map((along, axis) => along + at[axis]),
+    ),
+    normals: mapped(normals, (x, y, z) => normalized(rotate(rotation, [x / a, y / b, z / c]))),
     indices,
   };
 }
 
 /** Several meshes as one. */
 export function merged(...meshes: readonly TriangleMesh[]): TriangleMesh {
-  const first = meshes.map((_, index) => meshes.slice(0, index).reduce((sum, m) => sum + m.positions.length / 3, 0));
+  let next = 0;
+  const indices = meshes.flatMap((mesh) => {
+    const first = next;
+    next += mesh.positions.length / 3;
+    return Array.from(mesh.indices, (index) => index + first);
+  });
   return {
     positions: inOne(meshes.map(({ positions }) => positions)),
     normals: inOne(meshes.map(({ normals }) => normals)),
-    indices: Uint32Array.from(meshes.flatMap(({ indices }, index) => Array.from(indices, (i) => i + first[index]))),
+    indices: Uint32Array.from(indices),
   };
-}
-
-/** Angles about x, then y, then z, each about the world's axis (radians), as a quaternion. */
-export function turnBy([x, y, z]: Vector): Turn {
-  const [i, j, k, w] = new Quaternion().setFromEuler(new Euler(x, y, z, 'ZYX'));
-  return [i, j, k, w];
 }
 
 /** Where nothing is moved and nothing turned but what is given. */
@@ -48,9 +48,8 @@ export function placement(position: Vector = [0, 0, 0], turn: Vector = [0, 0, 0]
   return { position, rotation: turnBy(turn) };
 }
 
-function mapped(triples: Float32Array, map: (vector: Vector3) => Vector3): Float32Array {
+function mapped(triples: Float32Array, map: (x: number, y: number, z: number) => readonly number[]): Float32Array {
   const result = new Float32Array(triples.length);
-  const vector = new Vector3();
-  for (let from = 0; from < triples.length; from += 3) map(vector.fromArray(triples, from)).toArray(result, from);
+  for (let at = 0; at < triples.length; at += 3) result.set(map(triples[at], triples[at + 1], triples[at + 2]), at);
   return result;
 }

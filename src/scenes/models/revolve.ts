@@ -6,6 +6,8 @@
  * end of its axis, runs along its outside and ends at the upper end, which winds all faces anticlockwise from outside.
  */
 import type { TriangleMesh } from '../../passes/extrusion.ts';
+import { cos, hypot, sin } from '../../sim/exact/sine.ts';
+import { cross } from '../../sim/exact/turn.ts';
 import type { Curve } from './spline.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
@@ -43,10 +45,7 @@ export const uprightAxis: Axis = (along) => ({ origin: [0, along, 0], across: [1
 export function planarAxis(path: Curve): Axis {
   return (along) => {
     const [x, y] = path(along);
-    const [beforeX, beforeY] = path(along - STEP);
-    const [afterX, afterY] = path(along + STEP);
-    const length = Math.hypot(afterX - beforeX, afterY - beforeY);
-    const [tx, ty] = [(afterX - beforeX) / length, (afterY - beforeY) / length];
+    const [tx, ty] = normalized(minus(path(along + STEP), path(along - STEP)));
     return { origin: [x, y, 0], across: [-ty, tx, 0], side: [0, 0, -1] };
   };
 }
@@ -56,63 +55,44 @@ const STEP = 1e-4;
 
 /** The closed mesh of a turning. */
 export function revolve(turning: Turning): TriangleMesh {
-  const mesh = new Builder();
-  const last = turning.profile.length - 1;
-  turning.profile.forEach(({ curve, bands }, i) => {
-    let previous = mesh.ring(turning, curve, 0, i === 0);
-    for (let band = 1; band <= bands; band++) {
-      const ring = mesh.ring(turning, curve, band / bands, i === last && band === bands);
-      mesh.join(previous, ring, turning.segments);
-      previous = ring;
-    }
-  });
-  return mesh.finish();
-}
-
-/** Vertices round the axis at one place of a profile, or the one vertex on it. */
-interface Ring {
-  readonly first: number;
-  readonly isPole: boolean;
-}
-
-class Builder {
-  private readonly positions: number[] = [];
-  private readonly normals: number[] = [];
-  private readonly indices: number[] = [];
-
-  ring(turning: Turning, curve: Curve, parameter: number, isPole: boolean): Ring {
-    const first = this.positions.length / 3;
+  const { profile, segments } = turning;
+  const positions: number[] = [];
+  const normals: number[] = [];
+  const indices: number[] = [];
+  /** Vertices round the axis, or the one on it. */
+  const ring = (curve: Curve, parameter: number, isPole: boolean): ((segment: number) => number) => {
+    const first = positions.length / 3;
     const pointAt = circle(turning, curve, parameter);
     const normalAt = isPole ? () => poleNormal(turning, curve, parameter) : normalsOn(turning, curve, parameter);
-    for (let segment = 0; segment < (isPole ? 1 : turning.segments); segment++) {
-      const turn = (2 * Math.PI * segment) / turning.segments;
-      this.positions.push(...pointAt(turn));
-      this.normals.push(...normalAt(turn));
+    const count = isPole ? 1 : segments;
+    for (let segment = 0; segment < count; segment++) {
+      const turn = (2 * Math.PI * segment) / segments;
+      positions.push(...pointAt(turn));
+      normals.push(...normalAt(turn));
     }
-    return { first, isPole };
-  }
-
-  join(from: Ring, to: Ring, segments: number): void {
-    for (let segment = 0; segment < segments; segment++) {
-      const next = (segment + 1) % segments;
-      const [a, d] = from.isPole ? [from.first, from.first] : [from.first + segment, from.first + next];
-      const [b, c] = to.isPole ? [to.first, to.first] : [to.first + segment, to.first + next];
-      if (!to.isPole) this.indices.push(a, b, c);
-      if (!from.isPole) this.indices.push(a, c, d);
+    return (segment) => first + (segment % count);
+  };
+  profile.forEach(({ curve, bands }, i) => {
+    let from = ring(curve, 0, i === 0);
+    for (let band = 1; band <= bands; band++) {
+      const to = ring(curve, band / bands, i === profile.length - 1 && band === bands);
+      for (let segment = 0; segment < segments; segment++) {
+        const [a, b, c, d] = [from(segment), to(segment), to(segment + 1), from(segment + 1)];
+        if (b !== c) indices.push(a, b, c);
+        if (a !== d) indices.push(a, c, d);
+      }
+      from = to;
     }
-  }
-
-  finish(): TriangleMesh {
-    return {
-      positions: Float32Array.from(this.positions),
-      normals: Float32Array.from(this.normals),
-      indices: Uint32Array.from(this.indices),
-    };
-  }
+  });
+  return {
+    positions: Float32Array.from(positions),
+    normals: Float32Array.from(normals),
+    indices: Uint32Array.from(indices),
+  };
 }
 
 /** What is at a turn (radians) from `across` towards `side`. */
-type ByTurn = (turn: number) => Vector;
+type ByTurn = (turn: number) => readonly number[];
 
 /** The points of a turning at a share of one of its curves. */
 export function circle({ axis, swell }: Turning, curve: Curve, parameter: number): ByTurn {
@@ -120,12 +100,8 @@ export function circle({ axis, swell }: Turning, curve: Curve, parameter: number
   const { origin, across, side } = axis(along);
   return (turn) => {
     const reach = radius * (swell?.(turn) ?? 1);
-    const [u, v] = [reach * Math.cos(turn), reach * Math.sin(turn)];
-    return [
-      origin[0] + u * across[0] + v * side[0],
-      origin[1] + u * across[1] + v * side[1],
-      origin[2] + u * across[2] + v * side[2],
-    ];
+    const [u, v] = [reach * cos(turn), reach * sin(turn)];
+    return origin.map((at, i) => at + u * across[i] + v * side[i]);
   };
 }
 
@@ -142,7 +118,7 @@ function normalsOn(turning: Turning, curve: Curve, parameter: number): ByTurn {
 }
 
 /** At a pole the normals round it are averaged. */
-function poleNormal(turning: Turning, curve: Curve, parameter: number): Vector {
+function poleNormal(turning: Turning, curve: Curve, parameter: number): readonly number[] {
   const normalAt = normalsOn(turning, curve, parameter === 0 ? STEP : 1 - STEP);
   const sum: [number, number, number] = [0, 0, 0];
   for (let segment = 0; segment < turning.segments; segment++) {
@@ -152,15 +128,12 @@ function poleNormal(turning: Turning, curve: Curve, parameter: number): Vector {
   return normalized(sum);
 }
 
-function minus(a: Vector, b: Vector): Vector {
-  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+function minus(a: readonly number[], b: readonly number[]): number[] {
+  return a.map((part, axis) => part - b[axis]);
 }
 
-function cross(a: Vector, b: Vector): Vector {
-  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-}
-
-function normalized(vector: Vector): Vector {
-  const length = Math.hypot(vector[0], vector[1], vector[2]);
-  return [vector[0] / length, vector[1] / length, vector[2] / length];
+/** At length 1. */
+export function normalized(vector: readonly number[]): number[] {
+  const length = hypot(...vector);
+  return vector.map((part) => part / length);
 }

@@ -1,4 +1,5 @@
 import type { TriangleMesh } from '../../passes/extrusion.ts';
+import { cos, sin } from '../../sim/exact/sine.ts';
 
 /**
  * A flat ring about the vertical with a square section, closed, with sharp edges.
@@ -12,7 +13,7 @@ export function ringMesh(inner: number, outer: number, bottom: number, top: numb
     const first = positions.length / 3;
     for (let segment = 0; segment < segments; segment++) {
       const turn = (2 * Math.PI * segment) / segments;
-      const [x, z] = [Math.cos(turn), Math.sin(turn)];
+      const [x, z] = [cos(turn), sin(turn)];
       for (const [radius, height] of [from, to]) positions.push(radius * x, height, radius * z);
       for (let end = 0; end < 2; end++) normals.push(out * x, up, out * z);
       const [here, next] = [first + 2 * segment, first + 2 * ((segment + 1) % segments)];

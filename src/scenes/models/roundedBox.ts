@@ -1,5 +1,7 @@
 import type { TriangleMesh } from '../../passes/extrusion.ts';
+import { tan } from '../../sim/exact/arc.ts';
 import type { Vector } from '../scene.ts';
+import { normalized } from './revolve.ts';
 
 /** Two directions along the face of a cube that looks along an axis, such that u x v is that axis. */
 const FACES: readonly (readonly [axis: number, sign: 1 | -1, u: number, v: number])[] = [
@@ -26,8 +28,8 @@ export function roundedBox(halfExtents: Vector, radius: number | Vector, cells =
     const key = cell.join();
     if (!numbers.has(key)) {
       numbers.set(key, numbers.size);
-      const direction = unit(cell.map((at) => Math.tan((Math.PI / 4) * ((2 * at) / cells - 1))));
-      normals.push(...unit(direction.map((along, axis) => along / radii[axis])));
+      const direction = normalized(cell.map((at) => tan((Math.PI / 4) * ((2 * at) / cells - 1))));
+      normals.push(...normalized(direction.map((along, axis) => along / radii[axis])));
       const rounded = direction.map((along, axis) => radii[axis] * along);
       positions.push(...rounded.map((along, axis) => Math.sign(along) * (halfExtents[axis] - radii[axis]) + along));
     }
@@ -50,9 +52,4 @@ export function roundedBox(halfExtents: Vector, radius: number | Vector, cells =
     normals: Float32Array.from(normals),
     indices: Uint32Array.from(indices),
   };
-}
-
-function unit(vector: readonly number[]): number[] {
-  const length = Math.hypot(...vector);
-  return vector.map((part) => part / length);
 }

@@ -13,7 +13,6 @@ export function spline(points: readonly (readonly number[])[]): Curve {
     const at = Math.min(1, Math.max(0, parameter)) * last;
     const i = Math.min(last - 1, Math.floor(at));
     const t = at - i;
-    if (t === 0) return [...points[i]];
     if (t === 1) return [...points[i + 1]];
     const [a, b, c, d] = [before(i), points[i], points[i + 1], after(i + 1)];
     return b.map((from, axis) => {

@@ -1,4 +1,5 @@
 import type { TriangleMesh } from '../../passes/extrusion.ts';
+import { cos, sin } from '../../sim/exact/sine.ts';
 
 const SEGMENTS = 96;
 
@@ -11,7 +12,7 @@ export function tableMesh(radius: number, thickness: number): TriangleMesh {
     const first = positions.length / 3;
     for (let segment = 0; segment < SEGMENTS; ++segment) {
       const turn = (2 * Math.PI * segment) / SEGMENTS;
-      const [x, z] = [Math.sin(turn), Math.cos(turn)];
+      const [x, z] = [sin(turn), cos(turn)];
       positions.push(radius * x, y, radius * z);
       normals.push(...normal(x, z));
     }

@@ -103,5 +103,5 @@ function cheeks(): TriangleMesh {
 /** The point of the cup's front at a place of its picture. */
 function onFront(x: number, y: number): [number, number, number] {
   const radius = 0.66;
-  return [x, y, Math.sqrt(radius ** 2 - x ** 2) - 0.005];
+  return [x, y, Math.sqrt(radius * radius - x * x) - 0.005];
 }

@@ -1,0 +1,111 @@
+/**
+ * Nothing that reaches the simulator comes from a function whose last bits the language leaves to the engine: the same
+ * scenes run with the engine's functions and with bent ones, by far more than any two engines differ.
+ */
+import { expect, test, vi } from 'vitest';
+import type { MovingMoment, Placement, Scene } from '../../src/scenes/scene.ts';
+import { random } from '../visual/random.ts';
+
+const STEPS = 120;
+/** Relative. Poses are float32 in the simulator: what is bent by a last bit only would hardly ever show. */
+const BENT = 1 + 2 ** -16;
+const NAMES = [
+  ...(['sin', 'cos', 'tan', 'asin', 'acos', 'atan', 'atan2', 'sinh', 'cosh', 'tanh', 'asinh', 'acosh'] as const),
+  ...(['atanh', 'exp', 'expm1', 'log', 'log2', 'log10', 'log1p', 'pow', 'cbrt', 'hypot'] as const),
+];
+const engine = { ...Object.fromEntries(NAMES.map((name) => [name, Math[name]])) };
+
+function bend(): void {
+  for (const name of NAMES) {
+    const exact = engine[name] as (...given: number[]) => number;
+    Object.assign(Math, { [name]: (...given: number[]) => BENT * exact(...given) });
+  }
+}
+
+/** What `make` makes of modules that nobody has loaded yet, while the functions are as they are or bent. */
+async function made<T>(isBent: boolean, make: () => Promise<T>): Promise<T> {
+  vi.resetModules();
+  if (isBent) bend();
+  try {
+    return await make();
+  } finally {
+    Object.assign(Math, engine);
+  }
+}
+
+/** Every scene as the product shows it, with what can be dropped into it. */
+async function scenes(): Promise<[string, Scene][]> {
+  const { sceneEntries } = await import('../../src/scenes/scenes.ts');
+  const { withDrops } = await import('../../src/scenes/drops.ts');
+  const entries = Object.entries(sceneEntries);
+  return Promise.all(
+    entries.map(async ([name, { hasRigids, load }]) => [name, hasRigids ? withDrops(await load()) : await load()]),
+  );
+}
+
+/** The hash of each preset after two seconds, in which somebody steers. */
+async function hashes(): Promise<Record<string, string>> {
+  const { presets, presetValues } = await import('../../src/preset/presets.ts');
+  const { Simulation } = await import('../../src/stage/simulation.ts');
+  const { loadVariant } = await import('./simWasm.ts');
+  const byName = new Map(await scenes());
+  const found: Record<string, string> = {};
+  for (const preset of presets) {
+    const values = presetValues(preset);
+    const scene = byName.get(values.scene as string)!;
+    const factory = await loadVariant(scene.rigids.length > 0 ? 'physics' : 'core');
+    const simulation = new Simulation(factory, scene, values, 0);
+    simulation.advance(STEPS / 4);
+    for (const channel of [0, 1, 2]) simulation.input((simulator) => simulator.inputSteer(channel, 0.3 - channel / 2));
+    simulation.advance((3 * STEPS) / 4);
+    found[preset.name] = simulation.simulator.hash();
+    simulation.dispose();
+  }
+  return found;
+}
+
+/** Poses that a guide or a rule may find, the same each time: lying, flying and fallen. */
+function moments(): MovingMoment[] {
+  const next = random(3);
+  const somewhere = (): Placement => {
+    const turn = [next() - 0.5, next() - 0.5, next() - 0.5, next() + 0.1] as const;
+    const length = Math.sqrt(turn.reduce((sum, part) => sum + part * part, 0));
+    const [x, y, z, w] = turn.map((part) => part / length);
+    return { position: [4 * next() - 2, 9 * next() - 7, 4 * next() - 2], rotation: [x, y, z, w] };
+  };
+  return Array.from({ length: 300 }, (_, index) => {
+    const [now, then] = [0, 1].map(() => Array.from({ length: 20 }, somewhere));
+    const controls = [0, 1, 2].map(() => 2 * next() - 1);
+    return {
+      seconds: index / 3.1,
+      dt: 1 / 60,
+      control: (channel) => controls[channel] ?? 0,
+      pose: (rigid) => now[rigid],
+      before: (rigid) => then[rigid],
+    };
+  });
+}
+
+/** All numbers that a scene gives to the simulator, in double precision. */
+async function numbers(): Promise<Record<string, unknown>> {
+  const all = (await scenes()).map(([name, { rig, rigids, emissionSurfaces, guide, rule, parts, ground, handle }]) => [
+    name,
+    {
+      set: { rig, rigids, emissionSurfaces, ground, handle },
+      guided: moments().map((moment) => [guide?.(moment), rule?.values(moment)]),
+      parts: moments().map(({ seconds }) => parts?.map(({ pose }) => pose(seconds))),
+    },
+  ]);
+  return Object.fromEntries(all) as Record<string, unknown>;
+}
+
+test('the engine changes no number that a scene gives to the simulator', async () => {
+  const [straight, bent] = [await made(false, numbers), await made(true, numbers)];
+  for (const [name, expected] of Object.entries(straight)) expect(bent[name], name).toStrictEqual(expected);
+});
+
+test('the engine changes the hash of no preset', async () => {
+  const straight = await made(false, hashes);
+  expect(Object.keys(straight).length).toBeGreaterThan(20);
+  expect(await made(true, hashes)).toEqual(straight);
+});
