@@ -13,11 +13,11 @@ const NAMES = [
   ...(['sin', 'cos', 'tan', 'asin', 'acos', 'atan', 'atan2', 'sinh', 'cosh', 'tanh', 'asinh', 'acosh'] as const),
   ...(['atanh', 'exp', 'expm1', 'log', 'log2', 'log10', 'log1p', 'pow', 'cbrt', 'hypot'] as const),
 ];
-const engine = { ...Object.fromEntries(NAMES.map((name) => [name, Math[name]])) };
+const engine = Object.fromEntries(NAMES.map((name) => [name, Math[name]]));
 
 function bend(): void {
   for (const name of NAMES) {
-    const exact = engine[name] as (...given: number[]) => number;
+    const exact: (...given: number[]) => number = engine[name];
     Object.assign(Math, { [name]: (...given: number[]) => BENT * exact(...given) });
   }
 }
