@@ -49,6 +49,7 @@ export async function goToMoment(stage: Stage, moment: Moment, notices: Notices,
     const refusal = moment.isTrusted ? undefined : refusalOf(take);
     if (refusal !== undefined) throw new Error(refusal);
     if (take.isTruncated) notices.tell(strings.moment.truncated);
+    if (!take.isExact) notices.tell(strings.moment.inexact);
     if (take.values.scene !== stage.get().scene) await enterScene(stage, take.values, host);
     stage.playTake(take);
     lookAs(stage, moment.state.values);

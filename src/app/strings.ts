@@ -200,6 +200,7 @@ export const strings = {
     winding: (seconds: number) => `Doing again what was done in ${seconds.toFixed(1)} s\u2026`,
     refused: (reason: string) => `The moment in the link cannot be shown: ${reason}`,
     truncated: 'More was done to this smoke than a take has room for, so it may look otherwise than it did.',
+    inexact: 'An older version recorded this moment. The smoke may end differently.',
     tooLate: (seconds: number) => `This moment is too late to be waited for; the smoke is shown at ${seconds} s.`,
     notFresh: 'it begins in the middle of things. Ask for it as a file.',
     tooMany: (particles: number, most: number) => `it holds ${particles} particles; a link may hold ${most}.`,

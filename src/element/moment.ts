@@ -12,7 +12,7 @@ const LONGEST_SECONDS = 600;
  * Does again what was done in a take out of a share link.
  * @param seconds where to stop; the end of the take when left out
  * @param values of the link, for what no take keeps: style, light and camera
- * @returns why it was left out; nothing where it was not
+ * @returns why it was left out, or that it may end differently; nothing otherwise
  */
 export async function goToMoment(
   stage: RemoteStage,
@@ -27,7 +27,8 @@ export async function goToMoment(
     await stage.playTake(bytes);
     await stage.set(looksOf(values));
     await stage.seek(Math.min(seconds ?? take.steps * STEP_SECONDS, LONGEST_SECONDS));
-    return [];
+    const tell = () => 'An older version recorded the moment in the link. The smoke may end differently.';
+    return take.isExact ? [] : [notice('otherVersion', 'take', '', tell)];
   } catch (error) {
     const tell = () => `The moment in the link cannot be shown: ${(error as Error).message}`;
     return [notice('damaged', 'take', '', tell)];

@@ -60,6 +60,7 @@ const take = record({
   steps: number(2 ** 53),
   mostParticles: number(2 ** 53),
   isFresh: flag,
+  isExact: flag,
   isTruncated: flag,
   toBytes: nothing,
   bytes: bytes(MOST_BYTES),

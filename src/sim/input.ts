@@ -24,6 +24,8 @@ export interface TakeInfo {
   readonly mostParticles: number;
   /** Whether it begins with the scene as it is set up, and not with a saved state. */
   readonly isFresh: boolean;
+  /** Whether it ends as it did when it was recorded; takes of version 2 may end differently. */
+  readonly isExact: boolean;
   /** Steps that had been made at its start and at its end. */
   readonly start: number;
   readonly end: number;

@@ -19,6 +19,8 @@ export interface Take {
   readonly mostParticles: number;
   /** Whether it begins with the scene as it is set up, and not with a saved state. */
   readonly isFresh: boolean;
+  /** Whether it ends as it did when it was recorded; false for takes of older versions, which may end differently. */
+  readonly isExact: boolean;
   /** Whether more was done than a take has room for, 20,000 inputs. */
   readonly isTruncated: boolean;
   /** All of it, for keeping and sending. */

@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test';
 import { packBytes } from '../../src/preset/packing.ts';
 import { expect, test } from '../support/fixtures.ts';
+import { HASH_2, TAKE_2 } from '../support/takeVersion2.ts';
 import { ask, ballPlace, closeSheet, crawl, expectValue, hold, LIGHT, messagesOf, open } from './page.ts';
 
 test.use({ viewport: { width: 320, height: 240 } });
@@ -134,4 +135,9 @@ test('a moment that cannot be shown leaves the look, and a notice', async ({ pag
     await ask(page, (stage) => stage.step(2));
     expect(await ask(page, (stage) => stage.stats.steps)).toBe(2);
   }
+  await test.step('a moment of version 2 is shown, with a notice', async () => {
+    await open(page, `?paused=1#v=1&preset=wisp&puff.variations=1&take=${TAKE_2}`);
+    await expect(page.locator('.notice')).toContainText('The smoke may end differently.');
+    await expect.poll(() => shown(page)).toMatchObject({ steps: 60, hash: HASH_2 });
+  });
 });

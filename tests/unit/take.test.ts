@@ -1,10 +1,16 @@
 /** Going back and forth in a take, and doing it again elsewhere, comes to the same hashes. */
 import { beforeAll, describe, expect, it } from 'vitest';
 import { defaultState, encode, LONGEST_LINK } from '../../src/preset/codec.ts';
+import { goToMoment } from '../../src/element/moment.ts';
 import { ParameterError, SimulatorError } from '../../src/preset/errors.ts';
+import { unpackBytes } from '../../src/preset/packing.ts';
+import type { RemoteStage } from '../../src/remote/contract.ts';
+import { wisp } from '../../src/scenes/wisp.ts';
 import type { SimulatorFactory } from '../../src/sim/load.ts';
+import { Simulation } from '../../src/stage/simulation.ts';
 import { noteOf, takeOf } from '../../src/stage/take.ts';
 import { act, follow, LAST_STEP, lampSimulation, live, VALUES } from '../support/takeScript.ts';
+import { HASH_2, TAKE_2 } from '../support/takeVersion2.ts';
 import { loadVariant } from './simWasm.ts';
 
 let factory: SimulatorFactory;
@@ -163,6 +169,47 @@ describe('a take', () => {
     expect(seek(first, 20), 'nothing is known of what came before').toBe(seek(second, 150));
     first.dispose();
     second.dispose();
+  });
+
+  it('of version 2 plays to its end, with a notice in links', async () => {
+    const { bytes } = await unpackBytes(TAKE_2, 1e5);
+    const core = await loadVariant('core');
+    const take = takeOf(bytes, core.readTake(bytes));
+    expect(take).toMatchObject({ isExact: false, steps: 60, inputs: 2 });
+    const simulation = new Simulation(core, wisp(), take.values, 1e6);
+    simulation.replay(bytes, take.values);
+    simulation.advance(60);
+    expect(simulation.simulator.hash()).toBe(HASH_2);
+    const again = simulation.simulator.take(noteOf(take.values));
+    expect(core.readTake(again).isExact).toBe(true);
+    // What is sent on from here is of version 3, and differs by that alone.
+    expect([...again]).toEqual([...bytes].with(4, 3));
+    for (const [kept, isTold] of [
+      [bytes, true],
+      [again, false],
+    ] as const) {
+      const stage = {
+        readTake: (given: Uint8Array) => takeOf(given, core.readTake(given)),
+        playTake() {},
+        set() {},
+        seek() {},
+      };
+      const notices = await goToMoment(stage as unknown as RemoteStage, kept, undefined, take.values);
+      expect(notices.map(({ message }) => message)).toEqual(
+        isTold ? [expect.stringContaining('may end differently')] : [],
+      );
+    }
+    simulation.dispose();
+  });
+
+  it('of a version to come is refused in words', () => {
+    const simulation = lampSimulation(factory);
+    const bytes = simulation.simulator.take(noteOf(VALUES));
+    bytes[4] = 4;
+    const words = /the take has format 4, this version reads 2 and 3 only/;
+    expect(() => factory.readTake(bytes)).toThrow(words);
+    expect(() => simulation.replay(bytes, VALUES)).toThrow(words);
+    simulation.dispose();
   });
 
   it('is refused when damaged or of another scene, and the running state stays', async () => {

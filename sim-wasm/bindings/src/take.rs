@@ -165,7 +165,7 @@ impl Simulator {
     }
 }
 
-/// What a take says of itself: `{ seed, mostParticles, start, end, inputs, isFresh, isTruncated, note }`.
+/// What a take says of itself: `{ seed, mostParticles, start, end, inputs, isFresh, isExact, isTruncated, note }`.
 #[wasm_bindgen(js_name = readTake)]
 pub fn read_take(bytes: &[u8]) -> Result<JsValue, JsValue> {
     let take = Take::parse(bytes).map_err(|error| plain_refusal(&error.message))?;
@@ -181,6 +181,7 @@ pub fn read_take(bytes: &[u8]) -> Result<JsValue, JsValue> {
         object.put(name, number.into());
     }
     object.put("isFresh", take.is_fresh().into());
+    object.put("isExact", take.is_exact().into());
     object.put("isTruncated", take.log.is_truncated().into());
     object.put("note", take.note.into());
     Ok(object.into())

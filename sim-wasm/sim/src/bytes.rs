@@ -86,15 +86,17 @@ impl<'b> Reader<'b> {
         Self(bytes)
     }
 
-    /// What `Writer::seal` made, without the envelope. `name` is what people call such bytes.
-    pub fn open(bytes: &'b [u8], kind: &[u8; 4], version: u32, name: &str) -> Result<Self, RestoreError> {
+    /// What `Writer::seal` made, without the envelope, and its version. `name` is what people call such bytes.
+    pub fn open(bytes: &'b [u8], kind: &[u8; 4], versions: &[u32], name: &str) -> Result<(Self, u32), RestoreError> {
         let mut reader = Self(bytes);
         if reader.take()? != *kind {
             return Err(RestoreError::new(format!("these bytes are not a {name}")));
         }
         let found = reader.word()?;
-        if found != version {
-            let message = format!("the {name} has format {found}, this version reads {version} only");
+        if !versions.contains(&found) {
+            let known: Vec<_> = versions.iter().map(u32::to_string).collect();
+            let known = known.join(" and ");
+            let message = format!("the {name} has format {found}, this version reads {known} only");
             return Err(RestoreError::new(message));
         }
         if reader.long()? != checksum(reader.0) {
@@ -102,7 +104,7 @@ impl<'b> Reader<'b> {
                 "the {name} is damaged; give all of its bytes"
             )));
         }
-        Ok(reader)
+        Ok((reader, found))
     }
 
     pub fn byte(&mut self) -> Result<u8, RestoreError> {

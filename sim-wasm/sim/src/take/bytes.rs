@@ -11,7 +11,9 @@ use crate::simulator::CAPACITY_LIMIT;
 use crate::snapshot::Section;
 
 const KIND: &[u8; 4] = b"take";
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
+/// Scenes computed with functions that differ between engines. The bytes mean the same.
+const INEXACT_VERSION: u32 = 2;
 const NAME: &str = "take";
 /// Longest note (bytes).
 pub const MOST_NOTE: usize = 65_536;
@@ -27,23 +29,35 @@ pub struct Take {
     pub end: u64,
     /// What the page that recorded it wrote beside it.
     pub note: String,
+    version: u32,
 }
 
 impl Take {
     /// Reads a take and checks all that can be checked without the scene it is meant for.
     pub fn parse(bytes: &[u8]) -> Result<Self, RestoreError> {
-        let mut reader = Reader::open(bytes, KIND, VERSION, NAME)?;
+        let (mut reader, version) = Reader::open(bytes, KIND, &[INEXACT_VERSION, VERSION], NAME)?;
         let (origin, end) = reader.section(b"from", read_origin)?;
         let keys = reader.section(b"keys", read_keys)?;
         let log = reader.section(b"logs", |reader| read_log(reader, keys, origin.step, end))?;
         let note = reader.section(b"note", read_note)?;
         reader.end()?;
-        Ok(Self { origin, log, end, note })
+        Ok(Self {
+            origin,
+            log,
+            end,
+            note,
+            version,
+        })
     }
 
     /// Whether it begins with the scene as it is set up, and not with a saved state.
     pub fn is_fresh(&self) -> bool {
         self.origin.is_fresh
+    }
+
+    /// Whether it ends as it did when it was recorded.
+    pub fn is_exact(&self) -> bool {
+        self.version > INEXACT_VERSION
     }
 
     /// The most particles that there is ever room for, as far as it says itself: a saved state has its own room.
@@ -55,7 +69,7 @@ impl Take {
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut body = Writer::default();
         write(&mut body, &self.origin, &self.log, self.end, &self.note);
-        seal(body)
+        body.seal(KIND, self.version)
     }
 }
 
