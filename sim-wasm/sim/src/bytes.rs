@@ -86,18 +86,21 @@ impl<'b> Reader<'b> {
         Self(bytes)
     }
 
-    /// What `Writer::seal` made, without the envelope, and its version. `name` is what people call such bytes.
-    pub fn open(bytes: &'b [u8], kind: &[u8; 4], versions: &[u32], name: &str) -> Result<(Self, u32), RestoreError> {
+    /// What `Writer::seal` made, without the envelope, and its version: one of two that are read, or of one given twice.
+    /// `name` is what people call such bytes.
+    pub fn open(bytes: &'b [u8], kind: &[u8; 4], versions: [u32; 2], name: &str) -> Result<(Self, u32), RestoreError> {
         let mut reader = Self(bytes);
         if reader.take()? != *kind {
             return Err(RestoreError::new(format!("these bytes are not a {name}")));
         }
         let found = reader.word()?;
         if !versions.contains(&found) {
-            let known: Vec<_> = versions.iter().map(u32::to_string).collect();
-            let known = known.join(" and ");
-            let message = format!("the {name} has format {found}, this version reads {known} only");
-            return Err(RestoreError::new(message));
+            let [oldest, newest] = versions;
+            return Err(RestoreError::new(if oldest == newest {
+                format!("the {name} has format {found}, this version reads {newest} only")
+            } else {
+                format!("the {name} has format {found}, this version reads {oldest} and {newest} only")
+            }));
         }
         if reader.long()? != checksum(reader.0) {
             return Err(RestoreError::new(format!(

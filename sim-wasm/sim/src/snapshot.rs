@@ -83,7 +83,7 @@ pub fn save(simulator: &Simulator) -> Vec<u8> {
 
 /// Puts what `bytes` hold into `simulator`, or refuses them and changes nothing.
 pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: Room) -> Result<(), RestoreError> {
-    let (mut reader, _) = Reader::open(bytes, KIND, &[VERSION], NAME)?;
+    let (mut reader, _) = Reader::open(bytes, KIND, [VERSION; 2], NAME)?;
     let draft = Draft::read(&mut reader)?;
     let rigids = reader.section(b"rigi", |reader| Ok(reader.rest()))?;
     let saved = reader.section(b"room", read_capacity)?;

@@ -35,7 +35,7 @@ pub struct Take {
 impl Take {
     /// Reads a take and checks all that can be checked without the scene it is meant for.
     pub fn parse(bytes: &[u8]) -> Result<Self, RestoreError> {
-        let (mut reader, version) = Reader::open(bytes, KIND, &[INEXACT_VERSION, VERSION], NAME)?;
+        let (mut reader, version) = Reader::open(bytes, KIND, [INEXACT_VERSION, VERSION], NAME)?;
         let (origin, end) = reader.section(b"from", read_origin)?;
         let keys = reader.section(b"keys", read_keys)?;
         let log = reader.section(b"logs", |reader| read_log(reader, keys, origin.step, end))?;
