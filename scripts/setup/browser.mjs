@@ -86,10 +86,10 @@ export async function isFresh() {
 export async function bring(say) {
   const download = await playwright(['install', 'chromium'], say);
   if (await isFresh()) return;
-  if (process.getuid?.() === 0 && existsSync('/etc/debian_version')) {
+  if (isDebianRoot()) {
     // A downloaded browser that does not start lacks libraries of the system.
     const hasOwn = existsSync((await playwrightBrowser()) ?? '');
-    const outcome = hasOwn ? await playwright(['install-deps', 'chromium'], say) : await aptGet(say);
+    const outcome = hasOwn ? await playwright(['install-deps', 'chromium'], say) : await aptGet(['chromium'], say);
     if (await isFresh()) return;
     throw refuse(`apt-get: ${lastLine(outcome.output)}`);
   }
@@ -102,18 +102,24 @@ function refuse(/** @type {string} */ reason) {
   );
 }
 
-/** @param {string[]} parameters @param {(line: string) => void} say */
-function playwright(parameters, say) {
+/** Runs a command of Playwright's. @param {string[]} parameters @param {(line: string) => void} say */
+export function playwright(parameters, say) {
   const script = inRoot('node_modules/playwright/cli.js');
   // Playwright waits half a minute for each of several mirrors, thrice: a machine without a network should learn sooner.
   const environment = { PLAYWRIGHT_DOWNLOAD_CONNECTION_TIMEOUT: '15000' };
   return run(process.execPath, [script, ...parameters], { environment, onLine: say, limit: DOWNLOAD_LIMIT });
 }
 
-async function aptGet(/** @type {(line: string) => void} */ say) {
+/** Whether packages of the system can be installed. */
+export function isDebianRoot() {
+  return process.getuid?.() === 0 && existsSync('/etc/debian_version');
+}
+
+/** Installs packages of Debian, as root. @param {string[]} packages @param {(line: string) => void} say */
+export async function aptGet(packages, say) {
   const options = { environment: { DEBIAN_FRONTEND: 'noninteractive' }, onLine: say, limit: DOWNLOAD_LIMIT };
   await run('apt-get', ['update'], options);
-  return run('apt-get', ['install', '--yes', '--no-install-recommends', 'chromium'], options);
+  return run('apt-get', ['install', '--yes', '--no-install-recommends', ...packages], options);
 }
 
 async function playwrightBrowser() {
@@ -136,7 +142,8 @@ function starts(/** @type {string} */ path) {
   return status === 0 && /chrom/i.test(stdout);
 }
 
-function lastLine(/** @type {string} */ output) {
+/** What a tool said last about its failure. */
+export function lastLine(/** @type {string} */ output) {
   const lines = output.split('\n').filter((line) => line.trim());
   return (
     lines.find((line) => /^(E:|Error|error)/.test(line.trim()))?.trim() ?? lines.at(-1)?.trim() ?? 'no reason given'
