@@ -1,6 +1,7 @@
 /**
  * `npm test [-- [--update] NAME...]`: gets what is missing and runs every check and test suite, or those named.
- * With --long, what takes too long for that instead; with --update, the screenshot goldens are written anew.
+ * With --long, what takes too long for that instead; with --engines, what holds in three browser engines; with --update,
+ * the screenshot goldens are written anew.
  *
  * All of them run even when one failed. The last line is `N passed, N failed`. What cargo compiles and tests runs beside
  * everything else, the WASM build included, which it does without: one crate after the other keeps one core busy, and the
@@ -11,9 +12,10 @@ import { readArguments } from './lib/arguments.mjs';
 import { stopPrograms } from './lib/command.mjs';
 import { withProgress } from './lib/progress.mjs';
 import { conclude, Refusal } from './lib/refusal.mjs';
+import { ENGINES } from './setup/engines.mjs';
 import { setUp, TOOLS, WASM } from './setup/setup.mjs';
 import { CHECKS, LONG_CHECKS } from './test/checks.mjs';
-import { suites } from './test/suites.mjs';
+import { ENGINE_TESTS, suites } from './test/suites.mjs';
 
 /** What tells nothing about a failure: what was compiled on the way, and what went well. */
 const NOISE = /^\s*(Compiling|Checking|Downloaded|Running|Finished) |^test .+ \.\.\. ok$|^running \d+ tests?$|^\s*✓/;
@@ -22,17 +24,38 @@ const SHOWN_LINES = 150;
 
 await conclude(async () => {
   const { values, positionals } = readArguments(
-    { long: { type: 'boolean', default: false }, update: { type: 'boolean', default: false } },
+    {
+      long: { type: 'boolean', default: false },
+      engines: { type: 'boolean', default: false },
+      update: { type: 'boolean', default: false },
+    },
     'npm test -- [--update] [NAME...]',
   );
   const choice = { long: values.long, update: values.update };
-  const runners = chooseRunners(choice, positionals);
+  const runners = values.engines ? [ENGINE_TESTS] : chooseRunners(choice, positionals);
   await setUp(TOOLS);
+  const missing = values.engines ? await setUpEngines() : [];
   const results = await runInLanes(runners);
   const [passed, failed] = [sumOf(results, 'passed'), sumOf(results, 'failed')];
+  for (const sentence of missing) console.log(sentence);
   console.log(`${passed} passed, ${failed} failed`);
   return failed > 0 ? 1 : 0;
 });
+
+/** @returns why engines are missing, a sentence each */
+async function setUpEngines() {
+  /** @type {string[]} */
+  const missing = [];
+  for (const engine of ENGINES) {
+    try {
+      await setUp([engine]);
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      missing.push(`${error.message} ${process.env.CI === 'true' ? 'Its tests fail.' : 'It is left out.'}`);
+    }
+  }
+  return missing;
+}
 
 /** @param {import('./test/checks.mjs').Runner[]} runners */
 async function runInLanes(runners) {
@@ -62,6 +85,7 @@ async function runInTurn(runners, signal) {
   for (const runner of runners) {
     const result = await withProgress(runner.title, runner.run, summary);
     if (signal.aborted) break;
+    for (const note of result.notes ?? []) console.log(note);
     if (result.failed > 0) show(runner.title, result);
     results.push(result);
   }

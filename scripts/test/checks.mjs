@@ -6,7 +6,7 @@ import { cargo } from '../setup/toolchain.mjs';
 
 /**
  * @typedef {import('../lib/command.mjs').Outcome} Outcome
- * @typedef {import('./tally.mjs').Tally & { output: string, trouble?: string }} Result
+ * @typedef {import('./tally.mjs').Tally & { output: string, trouble?: string, notes?: string[] }} Result notes are shown
  * @typedef {(line: string) => void} Say
  * @typedef {object} Runner
  * @property {string} name what `npm test -- NAME` chooses it by

@@ -4,14 +4,22 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:f
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { cargo } from '../setup/toolchain.mjs';
-import { readReport, settle, tallyCargo, tallyPlaywright, tallyVitest } from './tally.mjs';
+import { notesIn, readReport, settle, tallyCargo, tallyPlaywright, tallyVitest } from './tally.mjs';
 
 /**
  * @typedef {import('./checks.mjs').Runner} Runner
+ * @typedef {import('./checks.mjs').Say} Say
  * @typedef {object} Choice
  * @property {boolean} long only the tests that are left out otherwise because they take long
  * @property {boolean} update write the goldens anew instead of comparing with them
  */
+
+/** What holds in three browser engines. @type {Runner} */
+export const ENGINE_TESTS = {
+  name: 'engines',
+  title: 'Browser engines (vitest)',
+  run: (say) => vitest('engines.json', ['--config', 'tests/engines/vitest.config.ts'], {}, say),
+};
 
 /** The suites in the order of running them. @type {(choice: Choice) => Runner[]} */
 export function suites(choice) {
@@ -61,18 +69,18 @@ function unit({ long }) {
   return {
     name: 'unit',
     title: 'Unit tests (vitest)',
-    run: async (say) => {
-      const report = freshReport('unit.json');
-      const parameters = ['run', '--reporter=default', '--reporter=json', `--outputFile.json=${report}`];
-      const script = inRoot('node_modules/vitest/vitest.mjs');
-      const { status, output } = await run(process.execPath, [script, ...parameters], {
-        environment: { TEST_LONG: long ? '1' : '' },
-        onLine: say,
-      });
-      const json = readReport(report);
-      return { ...settle(json && tallyVitest(json), status), output };
-    },
+    run: (say) => vitest('unit.json', [], { TEST_LONG: long ? '1' : '' }, say),
   };
+}
+
+/** @param {string} name @param {string[]} choice @param {NodeJS.ProcessEnv} environment @param {Say} say */
+async function vitest(name, choice, environment, say) {
+  const report = freshReport(name);
+  const parameters = ['run', ...choice, '--reporter=default', '--reporter=json', `--outputFile.json=${report}`];
+  const script = inRoot('node_modules/vitest/vitest.mjs');
+  const { status, output } = await run(process.execPath, [script, ...parameters], { environment, onLine: say });
+  const json = readReport(report);
+  return { ...settle(json && tallyVitest(json), status), output, notes: json ? notesIn(json) : [] };
 }
 
 /** @type {(choice: Choice) => Runner} */

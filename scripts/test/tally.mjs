@@ -28,6 +28,17 @@ export function tallyVitest(report) {
 }
 
 /**
+ * What tests of a vitest JSON report put down for people as `task.meta.note`, in the order of the text.
+ *
+ * @param {any} report
+ * @returns {string[]}
+ */
+export function notesIn(report) {
+  const tests = report.testResults.flatMap((/** @type {any} */ file) => file.assertionResults);
+  return tests.flatMap((/** @type {any} */ { meta }) => meta?.note ?? []).sort();
+}
+
+/**
  * The counts of a Playwright JSON report. A test that passed only when tried again has failed, and so has whatever went
  * wrong outside of a test, such as a file that cannot be loaded.
  *
@@ -69,6 +80,24 @@ export function settle(tally, status) {
   if (status !== 0) return { ...tally, failed: 1, trouble: `it ended with status ${status} although no test failed` };
   if (tally.passed === 0) return { ...tally, failed: 1, trouble: 'it ran no test' };
   return tally;
+}
+
+/**
+ * Adds up commands whose last words on standard output are `N passed, N failed`. A command that says nothing of the kind, or
+ * that ends badly without naming a failure, has failed once.
+ *
+ * @param {readonly { status: number, output: string }[]} outcomes
+ * @returns {{ passed: number, failed: number }}
+ */
+export function sumEndings(outcomes) {
+  const sum = { passed: 0, failed: 0 };
+  for (const { status, output } of outcomes) {
+    const ending = [...output.matchAll(/^(\d+) passed, (\d+) failed\r?$/gm)].at(-1);
+    const [passed, failed] = ending ? [Number(ending[1]), Number(ending[2])] : [0, 1];
+    sum.passed += passed;
+    sum.failed += failed === 0 && status !== 0 ? 1 : failed;
+  }
+  return sum;
 }
 
 /** The parsed JSON file, or undefined when it is missing or broken, as a runner that crashed leaves it. */

@@ -1,22 +1,23 @@
 /** Debian's Firefox, which speaks WebDriver BiDi; Playwright needs a Firefox of its own. */
 import puppeteer from 'puppeteer-core';
-import type { Driver } from './driver.ts';
+import { LIMIT, RENDERER, type Driver } from './driver.ts';
 import { startDisplay } from './display.ts';
 
-export async function startFirefox(path: string, limit: number): Promise<Driver> {
+export async function startFirefox(path: string): Promise<Driver> {
   const display = await startDisplay();
   const browser = await puppeteer.launch({
     browser: 'firefox',
     executablePath: path,
     headless: false,
-    env: display.environment as Record<string, string>,
-    protocolTimeout: limit,
-    timeout: limit,
+    env: display.environment,
+    protocolTimeout: LIMIT,
+    timeout: LIMIT,
   });
-  const page = await browser.newPage();
+  const [page] = await browser.pages();
   return {
-    open: async (address) => void (await page.goto(address, { timeout: limit })),
+    open: async (address) => void (await page.goto(address, { timeout: LIMIT })),
     evaluate: (expression) => page.evaluate(expression),
+    renderer: async () => String(await page.evaluate(RENDERER)),
     close: async () => {
       await browser.close();
       await display.stop();

@@ -1,14 +1,18 @@
 /**
- * Debian's WebKitGTK, which speaks W3C WebDriver. The four commands that are needed are plain HTTP; the client
+ * Debian's WebKitGTK, which speaks W3C WebDriver. The five commands that are needed are plain HTTP; the client
  * libraries for Node are far larger, and their current versions need a newer Node than the project does.
  */
 import { spawn } from 'node:child_process';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { findFreePort } from '../../support/server.ts';
+import { LIMIT, type Driver } from './driver.ts';
 import { startDisplay, stopProcess } from './display.ts';
-import type { Driver } from './driver.ts';
 
-export async function startWebKit(path: string, limit: number): Promise<Driver> {
+/**
+ * @param path of MiniBrowser
+ * @param features switched on besides WebGL
+ */
+export async function startWebKit(path: string, features: readonly string[] = []): Promise<Driver> {
   const display = await startDisplay();
   const port = await findFreePort();
   const server = spawn('WebKitWebDriver', [`--port=${port}`], {
@@ -17,28 +21,36 @@ export async function startWebKit(path: string, limit: number): Promise<Driver> 
     stdio: 'ignore',
   });
   const address = `http://127.0.0.1:${port}`;
-  await untilReady(`${address}/status`, limit);
-  const capabilities = {
-    alwaysMatch: {
-      'webkitgtk:browserOptions': { binary: path, args: ['--automation', '--features=+WebGL'] },
-      timeouts: { script: limit, pageLoad: limit },
+  await untilReady(`${address}/status`);
+  const switches = ['WebGL', ...features].map((feature) => `+${feature}`).join();
+  const browserOptions = { binary: path, args: ['--automation', `--features=${switches}`] };
+  const { sessionId } = await command<{ sessionId: string }>('POST', `${address}/session`, {
+    capabilities: {
+      alwaysMatch: { 'webkitgtk:browserOptions': browserOptions, timeouts: { script: LIMIT, pageLoad: LIMIT } },
     },
-  };
-  const { sessionId } = await command<{ sessionId: string }>('POST', `${address}/session`, { capabilities });
+  });
   const session = `${address}/session/${sessionId}`;
+  const open = async (url: string) => void (await command('POST', `${session}/url`, { url }));
+  const evaluate = async (expression: string) => {
+    const script = `Promise.resolve().then(() => (${expression})).then(
+      (value) => arguments[0]({ value }),
+      (error) => arguments[0]({ error: [error, error?.stack].join('\\n') }),
+    )`;
+    type Answer = { value?: unknown; error?: string };
+    const { value, error } = await command<Answer>('POST', `${session}/execute/async`, { script, args: [] });
+    if (error !== undefined) throw new Error(error);
+    return value;
+  };
   return {
-    open: async (url) => void (await command('POST', `${session}/url`, { url })),
-    evaluate: async (expression) => {
-      const script = `const done = arguments[0];
-        Promise.resolve().then(() => (${expression})).then((value) => done({ value }), (error) => done({ error: String(error) + '\\n' + error?.stack }))`;
-      const answer = await command<{ value?: unknown; error?: string }>('POST', `${session}/execute/async`, {
-        script,
-        args: [],
-      });
-      if (answer.error !== undefined) throw new Error(answer.error);
-      return answer.value;
+    open,
+    evaluate,
+    // WebGL says "Apple GPU" on every machine; this page of WebKitGTK's says what its processes draw with.
+    async renderer() {
+      await open('webkit://gpu');
+      const text = await evaluate('document.body.innerText');
+      return /GL_RENDERER\s+(.+)/.exec(String(text))?.[1] ?? 'unknown';
     },
-    close: async () => {
+    async close() {
       await command('DELETE', session);
       await stopProcess(server);
       await display.stop();
@@ -46,19 +58,23 @@ export async function startWebKit(path: string, limit: number): Promise<Driver> 
   };
 }
 
-async function untilReady(status: string, limit: number): Promise<void> {
-  const end = Date.now() + limit;
-  while (
-    !(await fetch(status).then(
-      ({ ok }) => ok,
-      () => false,
-    ))
-  ) {
+async function untilReady(status: string): Promise<void> {
+  const end = Date.now() + LIMIT;
+  while (!(await answers(status))) {
     if (Date.now() > end) throw new Error('WebKitWebDriver does not answer.');
     await sleep(100);
   }
 }
 
+async function answers(address: string): Promise<boolean> {
+  try {
+    return (await fetch(address)).ok;
+  } catch {
+    return false;
+  }
+}
+
+/** @throws what the driver answers where it refuses */
 async function command<Value>(method: string, address: string, body?: object): Promise<Value> {
   const response = await fetch(address, { method, body: body && JSON.stringify(body) });
   const { value } = (await response.json()) as { value: Value & { error?: string; message?: string } };

@@ -1,0 +1,29 @@
+/** `.ci/run`: the whole check. Each command runs even when the one before failed; the last line sums up theirs. */
+
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { root } from './lib/paths.mjs';
+import { conclude } from './lib/refusal.mjs';
+import { sumEndings } from './test/tally.mjs';
+
+const COMMANDS = [['test'], ['run', 'test:engines']];
+
+await conclude(async () => {
+  const outcomes = [];
+  for (const command of COMMANDS) outcomes.push(await npm(command));
+  const { passed, failed } = sumEndings(outcomes);
+  console.log(`${passed} passed, ${failed} failed`);
+  return failed > 0 ? 1 : 0;
+});
+
+/** Passes on what a command of npm's writes, and keeps what it writes to standard output. */
+async function npm(/** @type {string[]} */ command) {
+  const child = spawn('npm', command, { cwd: root, stdio: ['ignore', 'pipe', 'inherit'] });
+  let output = '';
+  child.stdout.setEncoding('utf8').on('data', (text) => {
+    output += text;
+    process.stdout.write(text);
+  });
+  const [status] = await once(child, 'close');
+  return { status: Number(status ?? 128), output };
+}

@@ -1,0 +1,53 @@
+/** The `test` of the engines: with a browser of the engine whose project runs, one for all tests of a file. */
+import { inject, test as base } from 'vitest';
+import type { Driver } from './drivers/driver.ts';
+import { start } from './engines.ts';
+
+/** A module's functions as promises: what goes in and comes out goes through JSON. */
+export type InPage<Module> = {
+  [Name in keyof Module]: Module[Name] extends (...given: infer Given) => infer Value
+    ? (...given: Given) => Promise<Awaited<Value>>
+    : never;
+};
+
+/** Imports a source module in a page without anything of ours, by its path in the repository. */
+export type Load = <Module>(path: `/${string}`) => Promise<InPage<Module>>;
+
+export const engine = inject('engine');
+
+export const test = base.extend<{ $file: { browser: Driver; load: Load } }>({
+  browser: [
+    // oxlint-disable-next-line no-empty-pattern -- what it needs is no fixture, and the runner reads the pattern
+    async ({}, use) => {
+      const browser = await start(engine);
+      await use(browser);
+      await browser.close();
+    },
+    { scope: 'file' },
+  ],
+  load: [
+    async ({ browser }, use) => {
+      await browser.open(blankPage());
+      await use((path) => Promise.resolve(inPage(browser, path)));
+    },
+    { scope: 'file' },
+  ],
+});
+
+export function blankPage(): string {
+  return `${inject('sources')}/tests/support/blank.html`;
+}
+
+/** The module at this path on the page's own host. */
+export function inPage<Module>(browser: Driver, path: string): InPage<Module> {
+  return new Proxy({} as InPage<Module>, {
+    get: (_, name) =>
+      // Awaited modules must not look like promises.
+      name === 'then'
+        ? undefined
+        : (...given: unknown[]) =>
+            browser.evaluate(
+              `import(${JSON.stringify(path)}).then((module) => module.${String(name)}(...${JSON.stringify(given)}))`,
+            ),
+  });
+}

@@ -1,0 +1,23 @@
+/** Every preset ends in the state of the committed list, which Node makes. */
+import { describe, expect } from 'vitest';
+import { presets } from '../../src/preset/presets.ts';
+import { engine, test } from './fixtures.ts';
+import hashes from './hashes.json' with { type: 'json' };
+
+type Page = typeof import('./page/hashes.ts');
+
+const wanted: Record<string, Record<string, string>> = hashes;
+
+test('the list has every preset, at 2, 8 and 20 s', () => {
+  expect(Object.keys(wanted).sort()).toEqual(presets.map(({ name }) => name).sort());
+  for (const moments of Object.values(wanted)) expect(Object.keys(moments)).toEqual(['2', '8', '20']);
+});
+
+describe('hashes', () => {
+  test.for(Object.keys(wanted))('%s', async (name, { load, task }) => {
+    const page = await load<Page>('/tests/engines/page/hashes.ts');
+    const found = await page.hashesOf(name, Object.keys(wanted[name]).map(Number));
+    task.meta.note = `hashes  ${name}  ${engine.title}  ${Object.values(found).join('  ')}`;
+    expect(found).toEqual(wanted[name]);
+  });
+});

@@ -1,0 +1,81 @@
+/** Runs in a page: stages on the page's own thread, small because software draws them. */
+import { encode } from '../../../src/preset/codec.ts';
+import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
+import { createStage, type Stage } from '../../../src/stage/stage.ts';
+import { packed, packedFile } from './bytes.ts';
+
+const [WIDTH, HEIGHT] = [160, 120];
+/** Little smoke of one shape is soon baked and drawn. */
+const LITTLE: Values = { 'simulation.maxParticles': 500, 'puff.variations': 1 };
+
+let shown: Promise<Stage> | undefined;
+
+/** The picture of a preset as a PNG, base64. All come from one stage, because each new context compiles its programs anew. */
+export async function pictureOf(name: string, seconds: number, width: number, height: number): Promise<string> {
+  const values = presetValues(findPreset(name)!);
+  shown ??= createStage(document.createElement('canvas'), { values, width, height, pixelRatio: 1 });
+  const stage = await shown;
+  await stage.enter(values);
+  await stage.seek(seconds);
+  return packedFile(await stage.picture());
+}
+
+function open(preset: string, values = valuesOf(preset)): Promise<Stage> {
+  return createStage(document.createElement('canvas'), { values, width: WIDTH, height: HEIGHT, pixelRatio: 1 });
+}
+
+function valuesOf(preset: string): Values {
+  return { ...presetValues(findPreset(preset)!), ...LITTLE };
+}
+
+/** What a person does: drags what can be dragged, drops a thing, blows and steers. */
+export async function perform(preset: string): Promise<{ hash: string; link: string; steps: number; inputs: number }> {
+  const stage = await open(preset);
+  stage.step(40);
+  const { x, y } = handleOf(stage);
+  stage.pointer({ type: 'down', id: 1, x, y });
+  for (let move = 1; move <= 6; ++move) {
+    stage.pointer({ type: 'move', id: 1, x: x - 4 * move, y: y - 2 * move });
+    stage.step(5);
+  }
+  stage.pointer({ type: 'up', id: 1, x, y });
+  stage.drop(60, 30);
+  stage.step(15);
+  stage.blow({ x: 80, y: 60, dx: 6, dy: -3 });
+  stage.step(15);
+  stage.steer(0, -0.6);
+  stage.steer(1, 0.3);
+  stage.step(60);
+  const link = await encode({ preset, values: stage.get() }, stage.take().toBytes());
+  const { steps, inputs } = stage.stats;
+  const hash = stage.hash();
+  stage.dispose();
+  return { hash, link, steps, inputs };
+}
+
+/** A place of the picture where a pointer takes hold of something. */
+function handleOf(stage: Stage): { x: number; y: number } {
+  for (let y = 2; y < HEIGHT; y += 4) {
+    for (let x = 2; x < WIDTH; x += 4) {
+      const taken = stage.pointer({ type: 'down', id: -1, x, y });
+      stage.pointer({ type: 'cancel', id: -1, x, y });
+      if (taken === 'rigid') return { x, y };
+    }
+  }
+  throw new Error('Nothing in the picture can be dragged.');
+}
+
+/** A state that was saved, what it goes on to, and what another stage goes on to that takes it up. */
+export async function saveAndRestore(preset: string, steps: number) {
+  const [stage, other] = [await open(preset), await open(preset)];
+  stage.step(90);
+  const state = stage.save();
+  const saved = stage.hash();
+  other.restore(state);
+  const restored = other.hash();
+  for (const one of [stage, other]) one.step(steps);
+  const report = { state: packed(state), values: stage.get(), saved, restored, ends: [stage.hash(), other.hash()] };
+  for (const one of [stage, other]) one.dispose();
+  return report;
+}
