@@ -1,5 +1,6 @@
 /** The element plays on both threads, and in a frame that has no origin. */
 import { expect, inject } from 'vitest';
+import { start } from './engines.ts';
 import { startWebKit } from './drivers/webkit.ts';
 import { blankPage, engine, inPage, test } from './fixtures.ts';
 import { colorsIn, pictureIn } from './pictures.ts';
@@ -8,6 +9,16 @@ type Page = typeof import('./page/element.ts');
 
 const ELEMENT = '/tests/engines/page/element.ts';
 const lacksWorkers = engine.title === 'WebKit' && !engine.isPlaywrights;
+
+if (!engine.isPlaywrights || engine.title === 'Chromium') {
+  test('it draws in software', async ({ task }) => {
+    const browser = await start(engine);
+    const renderer = await browser.renderer();
+    await browser.close();
+    task.meta.note = `renderer  ${engine.title}  ${renderer}`;
+    expect(renderer).toMatch(engine.title === 'Chromium' ? /SwiftShader/ : /llvmpipe/);
+  });
+}
 
 test('it plays on the main thread', async ({ load }) => {
   const page = await load<Page>(ELEMENT);

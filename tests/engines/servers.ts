@@ -13,7 +13,10 @@ declare module 'vitest' {
   }
 
   interface ProvidedContext {
+    /** What the project's tests run in. */
     engine: Engine;
+    /** All that there are. */
+    engines: Engine[];
     /** Address of the source modules, on a development server; without a slash at the end. */
     sources: string;
     /** Address of the built site. */

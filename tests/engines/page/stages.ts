@@ -14,7 +14,9 @@ let shown: Promise<Stage> | undefined;
 /** The picture of a preset as a PNG, base64. All come from one stage, because each new context compiles its programs anew. */
 export async function pictureOf(name: string, seconds: number, width: number, height: number): Promise<string> {
   const values = presetValues(findPreset(name)!);
-  shown ??= createStage(document.createElement('canvas'), { values, width, height, pixelRatio: 1 });
+  // Nobody sees it, so that it draws nothing but the picture that is asked for.
+  const options = { values, width, height, pixelRatio: 1, visible: false };
+  shown ??= createStage(document.createElement('canvas'), options);
   const stage = await shown;
   await stage.enter(values);
   await stage.seek(seconds);
