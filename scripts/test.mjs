@@ -15,7 +15,7 @@ import { conclude, Refusal } from './lib/refusal.mjs';
 import { ENGINES } from './setup/engines.mjs';
 import { setUp, TOOLS, WASM } from './setup/setup.mjs';
 import { CHECKS, LONG_CHECKS } from './test/checks.mjs';
-import { ENGINE_TESTS, suites } from './test/suites.mjs';
+import { suites } from './test/suites.mjs';
 
 /** What tells nothing about a failure: what was compiled on the way, and what went well. */
 const NOISE = /^\s*(Compiling|Checking|Downloaded|Running|Finished) |^test .+ \.\.\. ok$|^running \d+ tests?$|^\s*✓/;
@@ -31,8 +31,8 @@ await conclude(async () => {
     },
     'npm test -- [--update] [NAME...]',
   );
-  const choice = { long: values.long, update: values.update };
-  const runners = values.engines ? [ENGINE_TESTS] : chooseRunners(choice, positionals);
+  const choice = { long: values.long, engines: values.engines, update: values.update };
+  const runners = chooseRunners(choice, positionals);
   await setUp(TOOLS);
   const missing = values.engines ? await setUpEngines() : [];
   const results = await runInLanes(runners);
@@ -99,7 +99,8 @@ function sumOf(results, what) {
 
 /** @param {import('./test/suites.mjs').Choice} choice @param {string[]} names */
 function chooseRunners(choice, names) {
-  const all = [...(choice.long ? LONG_CHECKS : CHECKS), ...suites(choice)];
+  const checks = choice.long ? LONG_CHECKS : CHECKS;
+  const all = [...(choice.engines ? [] : checks), ...suites(choice)];
   const unknown = names.find((name) => !all.some((runner) => runner.name === name));
   if (unknown) {
     throw new Refusal(

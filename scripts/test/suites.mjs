@@ -11,18 +11,13 @@ import { notesIn, readReport, settle, tallyCargo, tallyPlaywright, tallyVitest }
  * @typedef {import('./checks.mjs').Say} Say
  * @typedef {object} Choice
  * @property {boolean} long only the tests that are left out otherwise because they take long
+ * @property {boolean} engines only what holds in three browser engines
  * @property {boolean} update write the goldens anew instead of comparing with them
  */
 
-/** What holds in three browser engines. @type {Runner} */
-export const ENGINE_TESTS = {
-  name: 'engines',
-  title: 'Browser engines (vitest)',
-  run: (say) => vitest('engines.json', ['--config', 'tests/engines/vitest.config.ts'], {}, say),
-};
-
 /** The suites in the order of running them. @type {(choice: Choice) => Runner[]} */
 export function suites(choice) {
+  if (choice.engines) return [engines];
   const all = [
     rust('rust', 'Rust tests', [], choice),
     rust('rigids', 'Rust tests with rigids', RIGIDS, choice),
@@ -72,6 +67,13 @@ function unit({ long }) {
     run: (say) => vitest('unit.json', [], { TEST_LONG: long ? '1' : '' }, say),
   };
 }
+
+/** @type {Runner} */
+const engines = {
+  name: 'engines',
+  title: 'Browser engines (vitest)',
+  run: (say) => vitest('engines.json', ['--config', 'tests/engines/vitest.config.ts'], {}, say),
+};
 
 /** @param {string} name @param {string[]} choice @param {NodeJS.ProcessEnv} environment @param {Say} say */
 async function vitest(name, choice, environment, say) {

@@ -45,6 +45,32 @@ describe('ports', () => {
   });
 });
 
+describe('.ci/run', () => {
+  const said = (first: string, second: string) => {
+    project.program('npm', `echo "npm $@ with CI=$CI"\nif [ "$1" = test ]; then ${first}; else ${second}; fi`);
+    // The file itself needs bash and dirname of the machine.
+    return project.run('ci.mjs', [], { CI: 'true' });
+  };
+
+  test('runs both commands, the second also when the first fails, and ends with their sum', () => {
+    const { status, output } = said('echo "5 passed, 2 failed"; exit 1', 'echo "30 passed, 0 failed"');
+    expect(status).toBe(1);
+    expect(output.trimEnd().split('\n')).toEqual([
+      'npm test with CI=true',
+      '5 passed, 2 failed',
+      'npm run test:engines with CI=true',
+      '30 passed, 0 failed',
+      '35 passed, 2 failed',
+    ]);
+  });
+
+  test('passes only when both do', () => {
+    const fine = 'echo "5 passed, 0 failed"';
+    expect(said(fine, fine)).toMatchObject({ status: 0, output: expect.stringMatching(/\n10 passed, 0 failed\n$/) });
+    expect(said(fine, 'true')).toMatchObject({ status: 1, output: expect.stringMatching(/\n5 passed, 1 failed\n$/) });
+  });
+});
+
 describe('bench', () => {
   beforeEach(() => {
     // What the suites need is not what is tested here.

@@ -13,11 +13,13 @@ interface TallyScript {
   tallyPlaywright(report: unknown): Tally;
   tallyCargo(output: string): Tally;
   settle(tally: Tally | undefined, status: number): Tally;
+  notesIn(report: unknown): string[];
+  sumEndings(outcomes: { status: number; output: string }[]): { passed: number; failed: number };
 }
 
 // Its path is no literal, because the compiler has no types for plain JavaScript here.
 const path = '../../scripts/test/tally.mjs';
-const { tallyVitest, tallyPlaywright, tallyCargo, settle } = (await import(path)) as TallyScript;
+const { tallyVitest, tallyPlaywright, tallyCargo, settle, notesIn, sumEndings } = (await import(path)) as TallyScript;
 
 test('vitest: a file that fails before its first test is a failure', () => {
   const testResults = [
@@ -49,4 +51,22 @@ test('a runner that crashed, ended badly or ran nothing has failed', () => {
   expect(settle({ ...none, skipped: 4 }, 0)).toMatchObject({ failed: 1, trouble: 'it ran no test' });
   expect(settle({ ...none, failed: 2 }, 1)).toMatchObject({ failed: 2 });
   expect(settle({ ...none, passed: 1 }, 0)).toEqual({ ...none, passed: 1 });
+});
+
+test('vitest: what tests note is shown in order', () => {
+  const noting = (...notes: (string | undefined)[]) => ({
+    assertionResults: notes.map((note) => ({ meta: { note } })),
+  });
+  expect(notesIn({ testResults: [noting('b', undefined), noting(), noting('a')] })).toEqual(['a', 'b']);
+});
+
+test('commands are added up, and one that says nothing or ends badly without a failure has failed', () => {
+  const passed = { status: 0, output: 'Site: done\n12 passed, 0 failed\n' };
+  expect(sumEndings([passed, { status: 1, output: '3 passed, 2 failed\n\n' }])).toEqual({ passed: 15, failed: 2 });
+  expect(sumEndings([passed, { status: 0, output: 'Unit tests: 3 passed, 0 failed (1 s)' }])).toEqual({
+    passed: 12,
+    failed: 1,
+  });
+  expect(sumEndings([{ ...passed, status: 1 }, passed])).toEqual({ passed: 24, failed: 1 });
+  expect(sumEndings([{ status: 127, output: '' }])).toEqual({ passed: 0, failed: 1 });
 });

@@ -226,3 +226,38 @@ describe('browser', () => {
     expect(ending.output).toMatch(/Browser for the tests: done/);
   });
 });
+
+describe('engines', () => {
+  const bring = (environment: Record<string, string> = {}) =>
+    project.node(
+      [
+        '--input-type=module',
+        '--eval',
+        `import { conclude } from './scripts/lib/refusal.mjs';
+         import { setUp } from './scripts/setup/setup.mjs';
+         import { ENGINES } from './scripts/setup/engines.mjs';
+         await conclude(async () => {
+           await setUp(ENGINES);
+           for (const { find } of ENGINES) console.log(JSON.stringify(await find()));
+         });`,
+      ],
+      environment,
+    );
+  const installPlaywright = (path: string, launch: string) => {
+    const type = `{ executablePath: () => '${path}', launch: async () => { ${launch} } }`;
+    project.write('node_modules/playwright-core/index.mjs', `export const firefox = ${type}, webkit = ${type};`);
+    project.write('node_modules/playwright/cli.js', `console.error('Error: no network'); process.exit(1);`);
+  };
+
+  test('are Playwright’s own where they start', () => {
+    installPlaywright(process.execPath, 'return { close: async () => {} };');
+    expect(bring().output.split('\n')).toContain(
+      JSON.stringify({ name: 'firefox', isPlaywrights: true, path: process.execPath }),
+    );
+  });
+
+  test('are named where they cannot be had', () => {
+    installPlaywright(process.execPath, 'throw new Error();');
+    expectOnlySentence(bring(), /^Firefox could not be installed \(.*Error: no network\)\.$/);
+  });
+});
