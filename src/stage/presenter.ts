@@ -38,7 +38,7 @@ function drawOn(device: Device): Presenter {
     device,
     prepare: (canvas, drawn) => size.prepare(canvas, drawn),
     present: () => size.finish(),
-    encode: () => encode(device.canvas),
+    encode: () => encodePng(device.canvas),
     dispose() {
       size.dispose();
       device.dispose();
@@ -62,7 +62,7 @@ function copyFrom(device: Device, canvas: DeviceCanvas): Presenter {
       context.transferFromImageBitmap(source.transferToImageBitmap());
     },
     // The shared canvas is blank again after the transfer, this one holds the picture.
-    encode: () => encode(canvas),
+    encode: () => encodePng(canvas),
     dispose() {
       size.dispose();
       context.transferFromImageBitmap(null);
@@ -99,7 +99,8 @@ class Sizing {
   }
 }
 
-function encode(canvas: DeviceCanvas): Promise<Blob> {
+/** What a canvas shows as a PNG; one with WebGL shows it until the task ends that drew it. */
+export function encodePng(canvas: DeviceCanvas): Promise<Blob> {
   if ('convertToBlob' in canvas) return canvas.convertToBlob({ type: 'image/png' });
   return new Promise((resolve, reject) => {
     canvas.toBlob(

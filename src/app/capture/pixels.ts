@@ -10,7 +10,7 @@ export class PixelReader {
   }
 
   /** Colours with straight alpha; must be called in the task that drew the source. */
-  read(source: OffscreenCanvas): ImageData {
+  read(source: HTMLCanvasElement): ImageData {
     const { width, height } = this.canvas;
     this.context.clearRect(0, 0, width, height);
     this.context.drawImage(source, 0, 0);

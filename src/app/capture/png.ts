@@ -1,7 +1,8 @@
+import { encodePng } from '../../stage/presenter.ts';
 import type { Studio } from './studio.ts';
 
 /** The picture as it stands, without loss. */
 export function makePng({ canvas, draw }: Studio): Promise<Blob> {
   draw();
-  return canvas.convertToBlob({ type: 'image/png' });
+  return encodePng(canvas);
 }

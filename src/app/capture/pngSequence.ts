@@ -1,4 +1,5 @@
 import { Zip, ZipPassThrough } from 'fflate';
+import { encodePng } from '../../stage/presenter.ts';
 import { shootClip, type Task } from './clip.ts';
 import { LayerCamera } from './layers.ts';
 import { pixelSize, type Order } from './order.ts';
@@ -10,7 +11,7 @@ export async function makePngSequence(studio: Studio, order: Order, task: Task):
   const layers = order.inLayers ? new LayerCamera(studio, ...pixelSize(order)) : undefined;
   await shootClip(studio, order, task, async (frame) => {
     const name = `${String(frame + 1).padStart(4, '0')}.png`;
-    if (!layers) return archive.add(`frame-${name}`, await studio.canvas.convertToBlob({ type: 'image/png' }));
+    if (!layers) return archive.add(`frame-${name}`, await encodePng(studio.canvas));
     for (const [layer, picture] of await layers.shoot()) await archive.add(`${layer}/${name}`, picture);
   });
   return archive.finish();

@@ -5,7 +5,7 @@ import { pixelSize, type Order } from './order.ts';
 /** A stage on a canvas that nobody sees. */
 export interface Studio {
   readonly stage: Stage;
-  readonly canvas: OffscreenCanvas;
+  readonly canvas: HTMLCanvasElement;
   /** Draws the moment that the stage stands at; what is drawn can be read in the same task. */
   readonly draw: () => void;
 }
@@ -18,7 +18,8 @@ export interface Studio {
 export async function openStudio(stage: Stage, order: Order): Promise<Studio> {
   const [width, height] = pixelSize(order);
   const { scale, hasBackground } = order;
-  const canvas = new OffscreenCanvas(1, 1);
+  // WebKitGTK has no WebGL on an OffscreenCanvas.
+  const canvas = document.createElement('canvas');
   const options = { width: 1, height: 1, background: hasBackground, historyBytes: 0 };
   const copy = await stage.copy(canvas, options);
   const most = mostPixels(canvas);
@@ -31,7 +32,7 @@ export async function openStudio(stage: Stage, order: Order): Promise<Studio> {
   return { stage: copy, canvas, draw };
 }
 
-function mostPixels(canvas: OffscreenCanvas): number {
+function mostPixels(canvas: HTMLCanvasElement): number {
   const context = canvas.getContext('webgl2')!;
   return context.getParameter(context.MAX_RENDERBUFFER_SIZE) as number;
 }

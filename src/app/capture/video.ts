@@ -49,7 +49,7 @@ export async function makeVideo(studio: Studio, order: Order, task: Task): Promi
 
 async function addFrame(
   source: VideoSampleSource,
-  canvas: OffscreenCanvas,
+  canvas: HTMLCanvasElement,
   frame: number,
   rate: number,
 ): Promise<void> {

@@ -92,7 +92,8 @@ async function onStage(
   { values }: Means,
   draw: (stage: Stage) => Promise<void>,
 ): Promise<void> {
-  const canvas = new OffscreenCanvas(1, 1);
+  // WebKitGTK has no WebGL on an OffscreenCanvas.
+  const canvas = create('canvas');
   const stage = await createStage(canvas, { ...SIZE, values: { ...presetValues(findPreset(preset)!), ...values } });
   try {
     await stage.seek(MOMENTS[preset]);

@@ -1,4 +1,6 @@
 /** Runs in a page: stages on the page's own thread, small because software draws them. */
+import { capture } from '../../../src/app/capture/capture.ts';
+import type { Format } from '../../../src/app/capture/order.ts';
 import { encode } from '../../../src/preset/codec.ts';
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
@@ -80,4 +82,30 @@ export async function saveAndRestore(preset: string, steps: number) {
   const report = { state: packed(state), values: stage.get(), saved, restored, ends: [stage.hash(), other.hash()] };
   for (const one of [stage, other]) one.dispose();
   return report;
+}
+
+/** What the capture sheet makes of the lamp, or why it does not. */
+export async function captured(
+  format: Format,
+): Promise<{ type: string; bytes: string } | { error: string; message: string }> {
+  const stage = await open('lamp');
+  stage.step(60);
+  const order = {
+    format,
+    width: 80,
+    height: 60,
+    scale: 1,
+    hasBackground: true,
+    seconds: 0.5,
+    rate: 12,
+    inLayers: false,
+  };
+  try {
+    const file = await capture(stage, order, { signal: new AbortController().signal, onProgress: () => undefined });
+    return { type: file.type, bytes: await packedFile(file) };
+  } catch (error) {
+    return { error: (error as Error).name, message: (error as Error).message };
+  } finally {
+    stage.dispose();
+  }
 }

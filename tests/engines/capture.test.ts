@@ -1,0 +1,43 @@
+/** Captures are files; where the engine has no encoder for a video, a VideoError says so. */
+import { expect } from 'vitest';
+import { engine, test } from './fixtures.ts';
+import { colorsIn, pictureIn } from './pictures.ts';
+
+type Page = typeof import('./page/stages.ts');
+
+const STAGES = '/tests/engines/page/stages.ts';
+
+test('a PNG', async ({ load }) => {
+  const file = fileIn(await (await load<Page>(STAGES)).captured('png'));
+  const picture = pictureIn(file.bytes);
+  expect([file.type, picture.width, picture.height]).toEqual(['image/png', 80, 60]);
+  expect(colorsIn(picture)).toBeGreaterThan(20);
+});
+
+test('a GIF', async ({ load }) => {
+  const file = fileIn(await (await load<Page>(STAGES)).captured('gif'));
+  const bytes = Buffer.from(file.bytes, 'base64');
+  expect([file.type, bytes.toString('latin1', 0, 6)]).toEqual(['image/gif', 'GIF89a']);
+  expect([bytes.readUInt16LE(6), bytes.readUInt16LE(8)]).toEqual([80, 60]);
+  expect(bytes.length).toBeGreaterThan(2_000);
+});
+
+// Debian's WebKitGTK comes without GStreamer's plugins. It says that it has encoders, and ends the page that asks for one.
+const FORMATS = engine.title === 'WebKit' && !engine.isPlaywrights ? [] : (['webm', 'mp4'] as const);
+
+test.for(FORMATS)('a %s, or why there is none', async (format, { load, task }) => {
+  const outcome = await (await load<Page>(STAGES)).captured(format);
+  if ('error' in outcome) {
+    expect(outcome.error).toBe('VideoError');
+    expect(outcome.message).toMatch(/^This browser cannot encode (WebM|MP4) of 80 × 60 pixels\./);
+  } else {
+    expect(outcome.type).toBe(`video/${format}`);
+    expect(outcome.bytes.length).toBeGreaterThan(1_000);
+  }
+  task.meta.note = `${format}  ${engine.title}  ${'error' in outcome ? outcome.message : 'is encoded'}`;
+});
+
+function fileIn(outcome: Awaited<ReturnType<Page['captured']>>): { type: string; bytes: string } {
+  if ('error' in outcome) throw new Error(`${outcome.error}: ${outcome.message}`);
+  return outcome;
+}
