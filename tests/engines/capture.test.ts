@@ -1,5 +1,5 @@
 /** Captures are files; where the engine has no encoder for a video, a VideoError says so. */
-import { expect } from 'vitest';
+import { describe, expect } from 'vitest';
 import { engine, test } from './fixtures.ts';
 import { colorsIn, pictureIn } from './pictures.ts';
 
@@ -22,19 +22,19 @@ test('a GIF', async ({ load }) => {
   expect(bytes.length).toBeGreaterThan(2_000);
 });
 
-// Debian's WebKitGTK comes without GStreamer's plugins. It says that it has encoders, and ends the page that asks for one.
-const FORMATS = engine.title === 'WebKit' && !engine.isPlaywrights ? [] : (['webm', 'mp4'] as const);
-
-test.for(FORMATS)('a %s, or why there is none', async (format, { load, task }) => {
-  const outcome = await (await load<Page>(STAGES)).captured(format);
-  if ('error' in outcome) {
-    expect(outcome.error).toBe('VideoError');
-    expect(outcome.message).toMatch(/^This browser cannot encode (WebM|MP4) of 80 × 60 pixels\./);
-  } else {
-    expect(outcome.type).toBe(`video/${format}`);
-    expect(outcome.bytes.length).toBeGreaterThan(1_000);
-  }
-  task.meta.note = `${format}  ${engine.title}  ${'error' in outcome ? outcome.message : 'is encoded'}`;
+// Debian's WebKitGTK has VideoEncoder, but the page's process crashes when it is asked what it encodes.
+describe.skipIf(engine.title === 'WebKit' && !engine.isPlaywrights)('video', () => {
+  test.for(['webm', 'mp4'] as const)('a %s, or why there is none', async (format, { load, task }) => {
+    const outcome = await (await load<Page>(STAGES)).captured(format);
+    if ('error' in outcome) {
+      expect(outcome.error).toBe('VideoError');
+      expect(outcome.message).toMatch(/^This browser cannot encode (WebM|MP4) of 80 × 60 pixels\./);
+    } else {
+      expect(outcome.type).toBe(`video/${format}`);
+      expect(outcome.bytes.length).toBeGreaterThan(1_000);
+    }
+    task.meta.note = `${format}  ${engine.title}  ${'error' in outcome ? outcome.message : 'is encoded'}`;
+  });
 });
 
 function fileIn(outcome: Awaited<ReturnType<Page['captured']>>): { type: string; bytes: string } {

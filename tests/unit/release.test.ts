@@ -52,6 +52,8 @@ describe('order and rights', () => {
     expect(built).toBeGreaterThan(tested);
     expect(steps.indexOf('actions/upload-pages-artifact')).toBeGreaterThan(built);
     expect(commandOf('build', 'Test')).toBe('npm test');
+    expect(commandOf('build', 'Test in the engines')).toBe('npm run test:engines');
+    expect(steps.indexOf('Test in the engines')).toBeLessThan(built);
   });
 
   test('what publishes waits for the build and alone may write', () => {

@@ -1,5 +1,5 @@
 /** A display without a screen, on which Mesa draws in software. */
-import { type ChildProcess, spawn } from 'node:child_process';
+import { spawn, type ChildProcess, type SpawnOptions } from 'node:child_process';
 import { once } from 'node:events';
 import type { Readable } from 'node:stream';
 
@@ -12,18 +12,27 @@ export interface Display {
 /** Starts Xvfb itself, because xvfb-run leaves it running when it is killed. */
 export async function startDisplay(): Promise<Display> {
   // It chooses a number that is free and writes it to the third stream.
-  const xvfb = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1280x1024x24', '-nolisten', 'tcp'], {
+  const xvfb = startProgram('Xvfb', ['-displayfd', '3', '-screen', '0', '1280x1024x24', '-nolisten', 'tcp'], {
     stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
   });
   const [number] = (await once(xvfb.stdio[3] as Readable, 'data')) as [Buffer];
   return {
     environment: { ...process.env, DISPLAY: `:${String(number).trim()}`, LIBGL_ALWAYS_SOFTWARE: '1' },
-    stop: () => stopProcess(xvfb),
+    stop: () => stopProgram(xvfb),
   };
 }
 
-export async function stopProcess(process: ChildProcess): Promise<void> {
-  if (process.exitCode !== null || process.signalCode !== null) return;
-  process.kill();
-  await once(process, 'exit');
+/** Starts a program that ends with this process at the latest. */
+export function startProgram(program: string, parameters: string[], options: SpawnOptions): ChildProcess {
+  const child = spawn(program, parameters, options);
+  const stop = () => child.kill();
+  process.once('exit', stop);
+  child.once('exit', () => process.off('exit', stop));
+  return child;
+}
+
+export async function stopProgram(child: ChildProcess): Promise<void> {
+  if (child.exitCode !== null || child.signalCode !== null) return;
+  child.kill();
+  await once(child, 'exit');
 }

@@ -19,8 +19,11 @@ export async function startFirefox(path: string): Promise<Driver> {
     evaluate: (expression) => page.evaluate(expression),
     renderer: async () => String(await page.evaluate(RENDERER)),
     close: async () => {
-      await browser.close();
-      await display.stop();
+      try {
+        await browser.close();
+      } finally {
+        await display.stop();
+      }
     },
   };
 }

@@ -2,11 +2,10 @@
  * Debian's WebKitGTK, which speaks W3C WebDriver. The five commands that are needed are plain HTTP; the client
  * libraries for Node are far larger, and their current versions need a newer Node than the project does.
  */
-import { spawn } from 'node:child_process';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { findFreePort } from '../../support/server.ts';
 import { LIMIT, type Driver } from './driver.ts';
-import { startDisplay, stopProcess } from './display.ts';
+import { startDisplay, startProgram, stopProgram } from './display.ts';
 
 /**
  * @param path of MiniBrowser
@@ -15,7 +14,7 @@ import { startDisplay, stopProcess } from './display.ts';
 export async function startWebKit(path: string, features: readonly string[] = []): Promise<Driver> {
   const display = await startDisplay();
   const port = await findFreePort();
-  const server = spawn('WebKitWebDriver', [`--port=${port}`], {
+  const server = startProgram('WebKitWebDriver', [`--port=${port}`], {
     // Its sandbox needs rights that containers do not give.
     env: { ...display.environment, WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: '1' },
     stdio: 'ignore',
@@ -51,9 +50,12 @@ export async function startWebKit(path: string, features: readonly string[] = []
       return /GL_RENDERER\s+(.+)/.exec(String(text))?.[1] ?? 'unknown';
     },
     async close() {
-      await command('DELETE', session);
-      await stopProcess(server);
-      await display.stop();
+      try {
+        await command('DELETE', session);
+      } finally {
+        await stopProgram(server);
+        await display.stop();
+      }
     },
   };
 }
