@@ -1,5 +1,8 @@
 /** The commands themselves: their arguments, their ports, the benchmark's dispatch. */
+import { spawnSync } from 'node:child_process';
+import { cpSync } from 'node:fs';
 import { createServer } from 'node:net';
+import { fileURLToPath } from 'node:url';
 import { afterEach, beforeEach, describe, expect, test } from 'vitest';
 import { Project } from '../support/project.ts';
 
@@ -48,8 +51,12 @@ describe('ports', () => {
 describe('.ci/run', () => {
   const said = (first: string, second: string) => {
     project.program('npm', `echo "npm $@ with CI=$CI"\nif [ "$1" = test ]; then ${first}; else ${second}; fi`);
-    // The file itself needs bash and dirname of the machine.
-    return project.run('ci.mjs', [], { CI: 'true' });
+    cpSync(fileURLToPath(new URL('../../.ci', import.meta.url)), project.path('.ci'), { recursive: true });
+    const { status, stdout } = spawnSync('/bin/bash', [project.path('.ci/run')], {
+      encoding: 'utf8',
+      env: { PATH: project.path('programs') },
+    });
+    return { status, output: stdout };
   };
 
   test('runs both commands, the second also when the first fails, and ends with their sum', () => {

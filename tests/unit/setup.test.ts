@@ -1,4 +1,5 @@
 /** What a person reads when the machine lacks something: one sentence, a bad status, no stack trace. */
+import { existsSync } from 'node:fs';
 import { afterEach, beforeEach, describe, expect, test } from 'vitest';
 import { Project, type Ending } from '../support/project.ts';
 import { findFreePort } from '../support/server.ts';
@@ -259,5 +260,15 @@ describe('engines', () => {
   test('are named where they cannot be had', () => {
     installPlaywright(process.execPath, 'throw new Error();');
     expectOnlySentence(bring(), /^Firefox could not be installed \(.*Error: no network\)\.$/);
+  });
+
+  const isDebianRoot = process.getuid?.() === 0 && existsSync('/etc/debian_version');
+  test.runIf(isDebianRoot)('are packages of Debian for root', () => {
+    installPlaywright('/nowhere/firefox', '');
+    project.program('apt-get', `echo "$@" >> ${project.path('log')}`);
+    bring();
+    expect(project.read('log')).toMatch(
+      /^update\ninstall --yes --no-install-recommends firefox-esr xvfb libgl1-mesa-dri/,
+    );
   });
 });
