@@ -47,7 +47,7 @@ function tracers(shedder: number, values: Record<string, number>): Simulator {
 }
 
 describe('the swirl behind the propeller', () => {
-  test('turns as the propeller does, and dies away', () => {
+  test('turns as the propeller does in free air, and dies away', () => {
     const simulator = tracers(0, {
       'emitters.0.position.x': HUB[0] + 0.5,
       'emitters.0.radius': 0.6,
@@ -135,6 +135,60 @@ describe('in flight', () => {
     // The same flight through the same smoke that bumps into nothing.
     expect(none).toBeGreaterThan(0.15);
   });
+
+  test('clouds turn as the propeller does, beside it and behind the tail', () => {
+    const [turned, still] = [true, false].map((hasSlipstream) => {
+      const flights = [1, 2, 3, 4].map((seed) => cloudsInFlight(seed, hasSlipstream));
+      return { beside: meanSwirl(flights, 'beside'), behind: meanSwirl(flights, 'behind') };
+    });
+    expect(PROPELLER_SENSE * turned.beside).toBeGreaterThan(0.35);
+    expect(PROPELLER_SENSE * turned.behind).toBeGreaterThan(0.9);
+    // The hull and the vortices of the wings alone turn the clouds to neither side.
+    expect(Math.abs(still.beside)).toBeLessThan(0.05);
+    expect(Math.abs(still.behind)).toBeLessThan(0.2);
+  });
+
+  /** Speeds in m/s at which clouds move round the axis of the propeller, positive about the nose's direction. */
+  interface Swirl {
+    /** Between the propeller and the leading edge of the wings, and behind the tail. */
+    beside: number[];
+    behind: number[];
+  }
+
+  /** Twenty seconds of the preset, with the hull and the clouds as people see them. */
+  function cloudsInFlight(seed: number, hasSlipstream: boolean): Swirl {
+    const simulation = new Simulation(factory, scene, { ...presetValues(findPreset('airplane')!), seed }, 1e6);
+    if (!hasSlipstream) simulation.simulator.set({ 'shedders.0.rate': 0 });
+    const swirl: Swirl = { beside: [], behind: [] };
+    for (let step = 0; step < 1200; step++) {
+      simulation.advance(1);
+      if (step >= 240 && step % 5 === 0) addSwirl(simulation.simulator, swirl);
+    }
+    simulation.dispose();
+    return swirl;
+  }
+
+  function addSwirl(simulator: Simulator, { beside, behind }: Swirl): void {
+    const pose = simulator.rigidPoses(1);
+    const turned = new Quaternion(...pose.subarray(3, 7)).invert();
+    const { x, y, z, px, py, pz } = readParticles(simulator);
+    x.forEach((_, i) => {
+      const place = new Vector3(x[i] - pose[0], y[i] - pose[1], z[i] - pose[2]).applyQuaternion(turned);
+      const [along, up, aside] = place.toArray().map((value, axis) => value - HUB[axis]);
+      const radius = Math.hypot(up, aside);
+      if (radius < 0.1 || radius > 1.2) return;
+      const way = new Vector3(x[i] - px[i], y[i] - py[i], z[i] - pz[i]).applyQuaternion(turned);
+      const speed = (STEPS_A_SECOND * (up * way.z - aside * way.y)) / radius;
+      if (along > 0 && along < 0.6) beside.push(speed);
+      if (along > -7 && along < -2.5) behind.push(speed);
+    });
+  }
+
+  function meanSwirl(flights: readonly Swirl[], where: keyof Swirl): number {
+    const speeds = flights.flatMap((flight) => flight[where]);
+    expect(speeds.length).toBeGreaterThan(100);
+    return speeds.reduce((sum, speed) => sum + speed, 0) / speeds.length;
+  }
 
   /** How deep smoke gets into where the hull is, metres; below 0 it stays outside. */
   function deepestIn(flown: Scene): number {
