@@ -4,6 +4,6 @@ import { expectGone } from './stageEnds.ts';
 
 test.use({ allowed: /context lost|context restored|CONTEXT_LOST/i, ownPage: true });
 
-test('75 stages leave no live context and no growing heap', async ({ load, blank }) => {
-  await expectGone(load, blank, 25);
+test('40 stages leave no live context and no object', async ({ load, blank }) => {
+  await expectGone(load, blank, 40);
 });

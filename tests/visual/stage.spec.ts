@@ -84,8 +84,8 @@ test.describe('loss', () => {
     expect(await cases.evaluate((module) => module.useCanvasAgain())).toMatch(/^ContextError: .*take another canvas/);
   });
 
-  test('18 stages leave no live context and no growing heap', async ({ load, blank }) => {
-    await expectGone(load, blank, 6);
+  test('8 stages leave no live context and no object', async ({ load, blank }) => {
+    await expectGone(load, blank, 8);
   });
 });
 
