@@ -1,8 +1,9 @@
 /** A frame as the renderer of sim-wasm/reference takes it. Runs inside a page; the names are those of its scene.rs. */
-import { Matrix3, Vector3, type Matrix4 } from 'three';
+import { Matrix4 } from 'three';
 import type { Color, Ramp } from '../../src/device/ramps.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { TriangleMesh } from '../../src/passes/extrusion.ts';
+import { fromHalf } from '../../src/puffs/half.ts';
 import type { Rows } from '../../src/sim/rows.ts';
 import type { View } from '../../src/sim/view.ts';
 import type { PuffForm } from '../../src/device/puffTextures.ts';
@@ -10,7 +11,7 @@ import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { bandsOf } from '../../src/smoke/bands.ts';
 import type { FrameInput } from '../../src/smoke/frame.ts';
 import type { Light } from '../../src/smoke/light.ts';
-import { plainColorOf, rampOf, smokeColorOf, surfaceToning, turnOf } from '../../src/smoke/palette.ts';
+import { plainColorOf, rampOf, smokeColorOf, surfaceToning, turnOf, washed } from '../../src/smoke/palette.ts';
 import { inkLineOf, type Style } from '../../src/smoke/style.ts';
 import { leastCapOf } from '../../src/passes/volumes.ts';
 
@@ -29,10 +30,16 @@ export interface Shown {
   backdrop?: { top: Color; bottom: Color };
 }
 
+/** Lines that tremble are drawn anew so often, as film on twos is. */
+const DRAWINGS_PER_SECOND = 12;
+/** What has fallen lower is not drawn, metres. */
+const OUT_OF_SIGHT = -60;
+
 /** JSON for the reference. */
 export function describe(shown: Shown): string {
   const { input, surfaces, backdrop } = shown;
   const { simulator, camera, style, width, height } = input;
+  const seen = surfaces.filter((surface) => placeOf(surface, shown).elements[13] > OUT_OF_SIGHT);
   const rows = (purpose: View['purpose']) => rowsAsObjects(simulator.arrange(viewOf(input, purpose)));
   return JSON.stringify({
     width,
@@ -40,12 +47,12 @@ export function describe(shown: Shown): string {
     viewFromWorld: camera.matrixWorldInverse.toArray(),
     clipFromView: camera.projectionMatrix.toArray(),
     light: lightAsObject(input.light),
-    backdrop,
-    bodies: style.form === 'lobes' ? rows('eye') : [],
+    backdrop: backdrop && backdropOf(style, backdrop),
+    bodies: rows('eye'),
     casters: rows('light'),
     style: styleAsObject(style, input),
     puffs: puffsAsObject(style.form),
-    surfaces: surfaces.map((surface, index) => surfaceAsObject(surface, index, shown)),
+    surfaces: seen.map((surface, index) => surfaceAsObject(surface, index, { ...shown, surfaces: seen })),
     shadows: style.shadows,
   });
 }
@@ -55,6 +62,11 @@ function viewOf({ blend }: FrameInput, purpose: View['purpose']): View {
   const everywhere = { min: [-1e3, -1e3, -1e3], max: [1e3, 1e3, 1e3] };
   const clipFromWorld = new Float32Array(16);
   return { purpose, blend, cull: false, pad: 0, clipFromWorld, direction: [0, -1, 0], reach: 1, receivers: everywhere };
+}
+
+function backdropOf({ backdropColors = [] }: Style, own: { top: Color; bottom: Color }): object {
+  const [top, bottom] = [backdropColors.at(-1)?.color, backdropColors.at(0)?.color];
+  return { top: top ?? own.top, bottom: bottom ?? own.bottom };
 }
 
 function rowsAsObjects({ count, place, look }: Rows): object[] {
@@ -71,7 +83,7 @@ function lightAsObject(light: Light): object {
     : { type: 'lamp', place: light.place.toArray() };
 }
 
-function styleAsObject(style: Style, { pixelRatio }: FrameInput): object {
+function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): object {
   const { pixels, color, swell } = inkLineOf(style, pixelRatio);
   const { colors, bands } = bandsOf(style, 1 + style.tints.length);
   const ramps = [plainColorOf(style), ...style.tints, ...colors].map((own): Ramp => rampOf(own, style));
@@ -79,6 +91,9 @@ function styleAsObject(style: Style, { pixelRatio }: FrameInput): object {
     inkPixels: pixels,
     inkColor: color,
     inkSwell: swell,
+    boil: style.boil,
+    drawing: Math.floor(DRAWINGS_PER_SECOND * time),
+    creases: style.creases,
     innerLine: style.innerLine,
     innerTaper: style.innerTaper,
     gradient: style.gradient,
@@ -96,10 +111,9 @@ function styleAsObject(style: Style, { pixelRatio }: FrameInput): object {
 }
 
 function puffsAsObject(form: PuffForm): object {
-  const { fillet, blend, startCaps, lobes, depth } = form === 'lobes' ? lobePuffs() : billboardCasters();
+  const { startCaps, ...puffs } = form === 'lobes' ? lobePuffs() : billboardPuffs();
   const { width, height, values } = startCaps;
-  const caps = { width, height, values: [...values] };
-  return { lobes, fillet, blend, depth, startCaps: caps, facesEye: form === 'billboards' };
+  return { ...puffs, startCaps: { width, height, values: [...values] } };
 }
 
 function lobePuffs() {
@@ -108,11 +122,17 @@ function lobePuffs() {
   return { fillet, blend, startCaps, depth, lobes: lobesOf(table, count, lobeCount, lobeCount + 1) };
 }
 
-/** Billboards are baked textures; their shadows are made of lobes. */
-function billboardCasters() {
-  const { casters, startCaps } = bakedPuffs().billboards;
+/** Billboards are baked layers, given as they are; their shadows are made of lobes. */
+function billboardPuffs() {
+  const { layers, casters, startCaps } = bakedPuffs().billboards;
+  const { size, pad, distanceRange, normalDepth, colorCoverage } = layers;
   const lobes = lobesOf(casters.table, casters.count, casters.lobeCount, casters.lobeCount);
-  return { fillet: 0, blend: 0, startCaps, depth: 0, lobes };
+  const coverage = colorCoverage.filter((_, index) => index % 4 === 3);
+  const relief = Array.from(normalDepth, fromHalf);
+  return {
+    ...{ fillet: 0, blend: 0, startCaps, depth: 0, lobes },
+    layers: { size, pad, distanceRange, normalDepth: relief, coverage: [...coverage] },
+  };
 }
 
 /** The lobes of each variation, out of rows of `columns` times four numbers. */
@@ -126,21 +146,26 @@ function lobesOf(table: Float32Array, variations: number, lobes: number, columns
   );
 }
 
-function surfaceAsObject(surface: Shaped, index: number, { input, surfaces }: Shown): object {
-  const { mesh, solid, color, casts, inked, rigid, group } = surface;
-  const { style, rigids } = input;
-  const shape = solid ?? trianglesOf(mesh, rigid === undefined ? undefined : rigids[rigid]);
-  const first = surfaces.findIndex((other) => group !== undefined && other.group === group);
-  return { shape, ramp: rampOf(color, surfaceToning(style)), casts, inked, group: first < 0 ? index : first };
+function surfaceAsObject(surface: Shaped, index: number, shown: Shown): object {
+  const { mesh, solid, color, casts, inked, rigid, part, group } = surface;
+  const { style } = shown.input;
+  const shape = solid ?? { type: 'triangles', ...arraysOf(mesh), worldFromModel: placeOf(surface, shown).toArray() };
+  const first = shown.surfaces.findIndex((other) => group !== undefined && other.group === group);
+  return {
+    shape,
+    ramp: rampOf(washed(color, style.wash), surfaceToning(style)),
+    casts,
+    inked,
+    group: first < 0 ? index : first,
+    carrier: part !== undefined ? `part ${part}` : rigid !== undefined ? `rigid ${rigid}` : undefined,
+  };
 }
 
-function trianglesOf({ positions, normals, indices }: TriangleMesh, worldFromModel?: Matrix4): object {
-  const turn = worldFromModel && new Matrix3().setFromMatrix4(worldFromModel);
-  const points = [...eachTriple(positions, (point) => (worldFromModel ? point.applyMatrix4(worldFromModel) : point))];
-  const turned = [...eachTriple(normals, (normal) => (turn ? normal.applyMatrix3(turn) : normal))];
-  return { type: 'triangles', positions: points.flat(), normals: turned.flat(), indices: [...indices] };
+function arraysOf({ positions, normals, indices }: TriangleMesh): object {
+  return { positions: [...positions], normals: [...normals], indices: [...indices] };
 }
 
-function* eachTriple(values: Float32Array, change: (triple: Vector3) => Vector3): Generator<number[]> {
-  for (let at = 0; at < values.length; at += 3) yield change(new Vector3().fromArray(values, at)).toArray();
+function placeOf({ rigid, part }: Shaped, { input: { rigids, parts = [] } }: Shown): Matrix4 {
+  if (part !== undefined) return parts[part];
+  return rigid === undefined ? new Matrix4() : rigids[rigid];
 }

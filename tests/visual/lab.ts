@@ -256,7 +256,7 @@ function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arra
 }
 
 /** Reads the stencil, which WebGL cannot do itself: each of its bits draws itself where it stands. */
-function readStencil({ renderer }: Device, target: WebGLRenderTarget): Uint8Array {
+export function readStencil({ renderer }: Device, target: WebGLRenderTarget): Uint8Array {
   const value = { value: 0 };
   const triangle = new FullScreen(
     `precision highp float;

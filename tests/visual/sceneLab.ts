@@ -14,7 +14,7 @@ import { lightOf } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import { inkLineOf, styleOf, type Style } from '../../src/smoke/style.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
-import { rowsOf, type LabPicture } from './lab.ts';
+import { readStencil, rowsOf, type LabPicture } from './lab.ts';
 
 /** Few enough particles for a software renderer. */
 const SMALL: Values = { 'simulation.maxParticles': 800 };
@@ -32,6 +32,8 @@ export interface FrameOptions {
   camera?: Camera;
   /** Leaves out what cannot show. */
   cull?: boolean;
+  /** Also reads the stencil. */
+  readCounts?: boolean;
   /** Leaves out all smoke. */
   isBare?: boolean;
   /** Between the step before (0) and now (1). */
@@ -65,9 +67,10 @@ export class SceneLab {
     this.smoke.passes.resolve.smoothEdges = false;
   }
 
-  static async create(name: string, choice: SceneChoice): Promise<SceneLab> {
-    const { load, hasRigids } = sceneNamed(name);
-    const values = { ...presetValues(findPreset(name)!), ...SMALL, ...choice.values };
+  /** @param preset name of a preset, which is a scene's for its first one */
+  static async create(preset: string, choice: SceneChoice): Promise<SceneLab> {
+    const values = { ...presetValues(findPreset(preset)!), ...SMALL, ...choice.values };
+    const { load, hasRigids } = sceneNamed(values.scene as string);
     const [loaded, factory] = await Promise.all([load(), loadSimulators({ physics: hasRigids })]);
     const scene = choice.holdsTurns ? withHeldTurns(loaded) : loaded;
     return new SceneLab(scene, new Simulation(factory, scene, values, 0), values, choice);
@@ -108,7 +111,9 @@ export class SceneLab {
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.device.renderer.getContext();
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    return { width, height, pixels, counts: new Uint8Array(0) };
+    const { renderTarget } = this.smoke.passes.targets;
+    const counts = options.readCounts ? readStencil(this.device, renderTarget) : new Uint8Array(0);
+    return { width, height, pixels, counts };
   }
 
   /** What a picture is drawn from. */

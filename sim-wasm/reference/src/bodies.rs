@@ -1,12 +1,13 @@
 //! The body of a particle: a board through its centre and parallel to the image plane, on which every ray meets the
-//! lobes along the view axis. Round the silhouette runs a line of ink that lies deeper than the puff.
+//! lobes along the view axis, or the baked front of a billboard. Round the silhouette runs a line of ink that lies deeper than the puff.
 
 use glam::{DMat3, DVec2, DVec3};
 
+use crate::billboards::Billboards;
 use crate::contact::{Ground, Ring};
 use crate::ink::{self, Line};
 use crate::light::Light;
-use crate::lobes::{Lobes, Meeting};
+use crate::lobes::Lobes;
 use crate::look::Look;
 use crate::ray::{Camera, Ray};
 use crate::scene::{Row, Scene, Style};
@@ -16,7 +17,7 @@ pub struct Body<'a> {
     scene: &'a Scene,
     row: Row,
     look: Look,
-    lobes: Lobes,
+    puff: Puff<'a>,
     /// In view space.
     center: DVec3,
     radius: f64,
@@ -27,6 +28,23 @@ pub struct Body<'a> {
     up: DVec2,
     /// Unit vector from the centre towards the light, in view space: the whole puff is lit from there.
     light: DVec3,
+}
+
+enum Puff<'a> {
+    Lobes(Lobes),
+    Billboard(&'a Billboards),
+}
+
+/// What is met over a point of the board; heights and lengths in radii.
+struct Met {
+    height: f64,
+    /// To the silhouette; not above 0 inside.
+    outside: f64,
+    /// Unit vector towards the silhouette.
+    inward: DVec2,
+    /// Of the form, and the one that it is shaded by.
+    form_normal: DVec3,
+    normal: DVec3,
 }
 
 /// What a ray meets of a body.
@@ -42,7 +60,13 @@ pub fn grown(camera: &Camera, row: &Row, center: DVec3) -> f64 {
 
 impl<'a> Body<'a> {
     /// None where the particle is not in front of the near plane.
-    pub fn new(scene: &'a Scene, camera: &Camera, light: &Light, row: Row) -> Option<Self> {
+    pub fn new(
+        scene: &'a Scene,
+        billboards: Option<&'a Billboards>,
+        camera: &Camera,
+        light: &Light,
+        row: Row,
+    ) -> Option<Self> {
         let look = Look(row.look);
         let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
         let radius = row.radius * grown(camera, &row, center);
@@ -53,17 +77,34 @@ impl<'a> Body<'a> {
         let light = turn * light.towards(DVec3::from(row.place));
         let pixel = camera.metres_per_pixel(-center.z);
         let Style {
-            ink_pixels, ink_swell, ..
+            ink_pixels,
+            ink_swell,
+            boil,
+            drawing,
+            ..
         } = scene.style;
         Some(Self {
             scene,
             row,
             look,
-            lobes: Lobes::new(&scene.puffs, look.variation(), turn * look.world_from_puff()),
+            puff: billboards.map_or_else(
+                || {
+                    Puff::Lobes(Lobes::new(
+                        &scene.puffs,
+                        look.variation(),
+                        turn * look.world_from_puff(),
+                    ))
+                },
+                Puff::Billboard,
+            ),
             center,
             radius,
             pixel,
-            line: Line::new(ink_pixels, radius / pixel, ink_swell, light.truncate()),
+            line: Line::new(ink_pixels, radius / pixel, ink_swell, light.truncate()).boiling(
+                boil,
+                look.seed(),
+                drawing,
+            ),
             up: turn.y_axis.truncate(),
             light,
         })
@@ -71,7 +112,11 @@ impl<'a> Body<'a> {
 
     /// Corners of a box in the picture that holds all of it.
     pub fn extent(&self, camera: &Camera) -> [DVec2; 2] {
-        let reach = self.lobes.reach() * self.radius + self.line.widest() * self.pixel;
+        let reach = match &self.puff {
+            Puff::Lobes(lobes) => lobes.reach(),
+            Puff::Billboard(_) => 1.0,
+        };
+        let reach = reach * self.radius + self.line.widest() * self.pixel;
         let corners =
             [-1.0, 1.0].map(|side| camera.pixel_of(self.center + DVec3::new(side * reach, side * reach, 0.0)));
         [corners[0].min(corners[1]), corners[0].max(corners[1])]
@@ -80,20 +125,19 @@ impl<'a> Body<'a> {
     /// `screen`: from 0 at the bottom of the picture to 1 at its top. `at`: the pixel.
     pub fn meet(&self, ray: Ray, screen: f64, ground: &Ground, at: [i64; 2]) -> Option<BodyHit> {
         let point = (ray.at(-self.center.z) - self.center).truncate() / self.radius;
-        let width = self.line.width(point - self.lobes.middle.truncate());
+        let width = self.line.width(point - self.middle());
         let surface = (ground.z(at) - self.center.z) / self.radius;
-        let meeting = self.lobes.meet(point, surface, 2.0 * width * self.pixel / self.radius);
-        let is_ring = meeting.outside > 0.0;
-        if is_ring && meeting.outside * self.radius > width * self.pixel {
+        let met = self.over(point, surface, 2.0 * width * self.pixel / self.radius);
+        let is_ring = met.outside > 0.0;
+        if is_ring && met.outside * self.radius > width * self.pixel {
             return None;
         }
-        let place = point.extend(meeting.height);
-        let z = self.center.z + meeting.height * self.radius;
-        let is_ink = is_ring || ground.is_seam(at, z, self.lobes.form_normal(place), self.pixel, width);
-        let shade = self.shade(place, screen);
+        let z = self.center.z + met.height * self.radius;
+        let is_ink = is_ring || ground.is_seam(at, z, met.form_normal, self.pixel, width);
+        let shade = self.shade(point.extend(met.height), met.normal, screen);
         Some(BodyHit {
             depth: if is_ring {
-                ground.ring_depth(at, &self.ring(z, &meeting, point, width))
+                ground.ring_depth(at, &self.ring(z, &met, width))
             } else {
                 -z
             },
@@ -105,27 +149,65 @@ impl<'a> Body<'a> {
         })
     }
 
-    fn ring(&self, z: f64, meeting: &Meeting, point: DVec2, width: f64) -> Ring {
+    /// From here a line looks outwards.
+    fn middle(&self) -> DVec2 {
+        match &self.puff {
+            Puff::Lobes(lobes) => lobes.middle.truncate(),
+            Puff::Billboard(_) => DVec2::ZERO,
+        }
+    }
+
+    /// `surface`: height of what hides all that lies deeper; lobes deeper than that by more than `slack` have no rim.
+    fn over(&self, point: DVec2, surface: f64, slack: f64) -> Met {
+        match &self.puff {
+            Puff::Lobes(lobes) => {
+                let meeting = lobes.meet(point, surface, slack);
+                let place = point.extend(meeting.height);
+                Met {
+                    height: meeting.height,
+                    outside: meeting.outside,
+                    inward: (meeting.rim - point).normalize_or_zero(),
+                    form_normal: lobes.form_normal(place),
+                    normal: lobes.normal(place),
+                }
+            }
+            Puff::Billboard(billboards) => {
+                let roll = DVec2::from_angle(self.look.roll());
+                let pixel = self.pixel / self.radius;
+                let front = billboards.at(self.look.variation(), DVec2::new(roll.x, -roll.y).rotate(point), pixel);
+                let normal = roll.rotate(front.normal.truncate()).extend(front.normal.z);
+                Met {
+                    height: front.height,
+                    outside: front.outside,
+                    inward: -point.normalize_or_zero(),
+                    form_normal: normal,
+                    normal,
+                }
+            }
+        }
+    }
+
+    fn ring(&self, z: f64, met: &Met, width: f64) -> Ring {
         let Style {
             inner_line,
             inner_taper,
             ..
         } = self.scene.style;
-        let outside = meeting.outside * self.radius;
+        let outside = met.outside * self.radius;
         let share = (outside.max(self.pixel) / (width * self.pixel)).min(1.0);
         Ring {
             rim: z,
             sunken: z - inner_line * self.radius * (1.0 + inner_taper * share),
             outside,
-            inward: (meeting.rim - point).normalize_or_zero() * (outside / self.pixel + 0.5),
+            inward: met.inward * (outside / self.pixel + 0.5),
         }
     }
 
-    fn shade(&self, place: DVec3, screen: f64) -> Shade {
+    fn shade(&self, place: DVec3, normal: DVec3, screen: f64) -> Shade {
         let style = &self.scene.style;
         let ramp = &style.smoke_ramps[self.look.ramp(&style.bands)];
         let gradient = gradient_factor(style, &self.along(place.truncate(), screen));
-        Shade::of_puff(style, ramp, self.lobes.normal(place), self.light, gradient)
+        Shade::of_puff(style, ramp, normal, self.light, gradient)
     }
 
     fn along(&self, point: DVec2, screen: f64) -> Along {

@@ -1,14 +1,13 @@
 //! The line around a surface: its back faces, pushed outwards in the picture by the width of the line. A second copy,
 //! raised towards the eye, closes the line where the surface stands on another; it keeps off the surface's own pixels.
 
-use std::collections::HashMap;
-
 use glam::{DVec2, DVec3};
 
 use crate::ink::swelling;
 use crate::light::Light;
+use crate::mesh::Mesh;
 use crate::ray::Camera;
-use crate::scene::{Shape, Style, Surface};
+use crate::scene::{Style, Surface};
 
 /// Widths of the line by which the raised copy comes nearer, but not by more metres than this.
 const RAISED_WIDTHS: f64 = 6.0;
@@ -37,25 +36,20 @@ pub struct Covered {
 impl Hull {
     /// Empty where the surface has no line. Only triangles have one, and only those wholly before the near plane.
     pub fn new(surface: &Surface, style: &Style, camera: &Camera, light: &Light) -> Self {
-        let Shape::Triangles {
-            positions,
-            normals,
-            indices,
-        } = &surface.shape
-        else {
+        let Some(mesh) = Mesh::of(&surface.shape).filter(|_| surface.inked && style.ink_pixels > 0.0) else {
             return Self { faces: Vec::new() };
         };
-        if !surface.inked || style.ink_pixels <= 0.0 {
-            return Self { faces: Vec::new() };
-        }
-        let points: Vec<DVec3> = positions.chunks_exact(3).map(DVec3::from_slice).collect();
-        let corners: Vec<Option<Corner>> = points
+        // Where seams have lines of their own, no line closes around what stands still.
+        let is_raised = !style.creases || surface.carrier.is_some();
+        let corners: Vec<Option<Corner>> = mesh
+            .points
             .iter()
-            .zip(outward_of(&points, normals))
-            .map(|(&point, outward)| corner(point, outward, style, camera, light))
+            .zip(outward_of(&mesh))
+            .map(|(&point, outward)| corner(point, outward, is_raised, style, camera, light))
             .collect();
-        let faces = indices
-            .chunks_exact(3)
+        let faces = mesh
+            .faces
+            .iter()
             .filter_map(|face| Some([corners[face[0]]?, corners[face[1]]?, corners[face[2]]?]));
         Self {
             faces: faces
@@ -71,16 +65,22 @@ impl Hull {
 }
 
 /// For each point the sum of the normals of all points at the same place: creases split points, lines do not end there.
-fn outward_of(points: &[DVec3], normals: &[f64]) -> Vec<DVec3> {
-    let key = |point: &DVec3| (1e5 * *point).to_array().map(|value| value.round() as i64);
-    let mut sums = HashMap::new();
-    for (point, normal) in points.iter().zip(normals.chunks_exact(3)) {
-        *sums.entry(key(point)).or_insert(DVec3::ZERO) += DVec3::from_slice(normal);
+fn outward_of(mesh: &Mesh) -> Vec<DVec3> {
+    let mut sums = vec![DVec3::ZERO; mesh.points.len()];
+    for (&place, normal) in mesh.places.iter().zip(&mesh.normals) {
+        sums[place] += *normal;
     }
-    points.iter().map(|point| sums[&key(point)]).collect()
+    mesh.places.iter().map(|&place| sums[place]).collect()
 }
 
-fn corner(point: DVec3, outward: DVec3, style: &Style, camera: &Camera, light: &Light) -> Option<Corner> {
+fn corner(
+    point: DVec3,
+    outward: DVec3,
+    is_raised: bool,
+    style: &Style,
+    camera: &Camera,
+    light: &Light,
+) -> Option<Corner> {
     let center = camera.view_from_world.transform_point3(point);
     let depth = -center.z;
     if depth < camera.near {
@@ -97,7 +97,12 @@ fn corner(point: DVec3, outward: DVec3, style: &Style, camera: &Camera, light: &
         .truncate();
     let width = style.ink_pixels * swelling(aside, towards_light, style.ink_swell);
     let widest = width.max(style.ink_pixels) * camera.metres_per_pixel(depth);
-    let raised = depth - (RAISED_WIDTHS * widest).min(HIGHEST);
+    let raise = if is_raised {
+        (RAISED_WIDTHS * widest).min(HIGHEST)
+    } else {
+        0.0
+    };
+    let raised = depth - raise;
     Some(Corner {
         pixel: camera.pixel_of(center) + width * aside,
         depths: DVec2::new(camera.window_depth(depth), camera.window_depth(raised)),

@@ -24,6 +24,10 @@ impl Look {
         (self.0[1] & 0xff) as usize
     }
 
+    pub fn seed(self) -> u32 {
+        self.0[1] >> 8 & 0xff
+    }
+
     /// Which of the smoke's ramps: one of the three tints by turns, without a tint by age and temperature.
     pub fn ramp(self, bands: &Bands) -> usize {
         match self.0[1] >> 24 {
@@ -34,7 +38,7 @@ impl Look {
 
     /// Turned by the roll about an axis of the particle's own: one of 256 on a golden spiral from pole to pole.
     pub fn world_from_puff(self) -> DMat3 {
-        let seed = f64::from(self.0[1] >> 8 & 0xff);
+        let seed = f64::from(self.seed());
         let golden_angle = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
         let z = 1.0 - (2.0 * seed + 1.0) / 256.0;
         let (sin, cos) = (golden_angle * seed).sin_cos();

@@ -2,16 +2,20 @@
 //! [`picture::Picture::to_bytes`]. Everything follows from the definitions of the renderer, with one ray through the
 //! middle of each pixel and nothing shared with the shaders, so that the two can be compared.
 
+mod billboards;
 mod bodies;
 mod contact;
+mod creases;
 mod hull;
 mod ink;
 mod light;
 mod lobes;
 mod look;
+mod mesh;
 mod picture;
 mod ray;
 mod scene;
+mod seams;
 mod shade;
 mod surfaces;
 mod triangles;

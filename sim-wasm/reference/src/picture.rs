@@ -4,8 +4,10 @@ use std::collections::HashMap;
 
 use glam::{DVec2, DVec3};
 
+use crate::billboards::Billboards;
 use crate::bodies::{Body, BodyHit};
 use crate::contact::Ground;
+use crate::creases::ribbons_of;
 use crate::hull::{Covered, Hull};
 use crate::light::Light;
 use crate::ray::Camera;
@@ -65,13 +67,17 @@ pub fn draw(scene: &Scene) -> Picture {
     for index in 0..scene.surfaces.len() {
         painter.draw_line(index, &mut seen);
     }
+    for index in 0..scene.surfaces.len() {
+        painter.draw_creases(index, &mut seen);
+    }
     let ground = Ground {
         camera: &painter.camera,
         width: scene.width,
         depths: seen.iter().map(|seen| seen.window_depth).collect(),
     };
+    let billboards = scene.puffs.layers.as_ref().map(Billboards::new);
     for (index, &row) in scene.bodies.iter().enumerate() {
-        if let Some(body) = Body::new(scene, &painter.camera, &painter.light, row) {
+        if let Some(body) = Body::new(scene, billboards.as_ref(), &painter.camera, &painter.light, row) {
             painter.draw_body(&body, index as u32, &ground, &mut seen);
         }
     }
@@ -152,18 +158,29 @@ impl<'a> Painter<'a> {
             } else {
                 raised_depth
             };
-            if window_depth <= seen.window_depth {
-                let (what, depth) = (SURFACES + index as u32, self.camera.depth_of(window_depth));
-                let shade = Shade::same(self.scene.style.ink_color.into(), Part::Ink);
-                *seen = Nearest {
-                    shade,
-                    window_depth,
-                    depth,
-                    what,
-                    alpha: 255,
-                    ..*seen
-                };
+            self.put_ink(index, window_depth, seen);
+        }
+    }
+
+    /// The lines along the sharp edges of a surface, and along its seams with those behind it in the list.
+    fn draw_creases(&self, index: usize, seen: &mut [Nearest]) {
+        for ribbon in ribbons_of(index, self.scene, &self.camera) {
+            for ([x, y], window_depth) in ribbon.covered(self.scene.width, self.scene.height) {
+                self.put_ink(index, window_depth, &mut seen[y * self.scene.width + x]);
             }
+        }
+    }
+
+    fn put_ink(&self, surface: usize, window_depth: f64, seen: &mut Nearest) {
+        if window_depth <= seen.window_depth {
+            *seen = Nearest {
+                shade: Shade::same(self.scene.style.ink_color.into(), Part::Ink),
+                window_depth,
+                depth: self.camera.depth_of(window_depth),
+                what: SURFACES + surface as u32,
+                alpha: 255,
+                ..*seen
+            };
         }
     }
 

@@ -50,6 +50,11 @@ pub struct Style {
     pub ink_color: Triple,
     /// How much wider lines are away from the light, 0 to 1.
     pub ink_swell: f64,
+    /// How much the lines of puffs tremble from drawing to drawing, 0 to 1, and the number of the drawing.
+    pub boil: f64,
+    pub drawing: u32,
+    /// Whether sharp edges of surfaces have a line, and seams of surfaces that stand still to each other.
+    pub creases: bool,
     /// How far the line of a puff lies behind it, in its radii.
     pub inner_line: f64,
     /// Share by which a line's outer edge lies deeper than its inner one.
@@ -119,8 +124,23 @@ pub struct Puffs {
     pub start_caps: StartCaps,
     /// What of them is seen lies no deeper than this behind their centre planes, in radii; 0 for billboards.
     pub depth: f64,
-    /// Whether they are billboards, which roll about the view axis. Only their shadows are drawn then.
-    pub faces_eye: bool,
+    /// What billboards show, which roll about the view axis; none of lobes.
+    pub layers: Option<Layers>,
+}
+
+/// The front of each variation on a square grid about its centre, from the lowest row up.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Layers {
+    /// Texels along each side.
+    pub size: usize,
+    /// Half a side of the square, in radii.
+    pub pad: f64,
+    /// In radii: a coverage of 0 is half of it inside of the silhouette, 255 is half of it outside.
+    pub distance_range: f64,
+    /// Four for each texel: (normal + 1) / 2, and 0.5 + height in sides of the square.
+    pub normal_depth: Vec<f64>,
+    pub coverage: Vec<f64>,
 }
 
 /// For each variation and direction towards the light, in the frame of the puff, how many radii behind the centre its
@@ -149,10 +169,12 @@ pub struct Surface {
     pub inked: bool,
     /// Surfaces of one group grow into each other without a line between them.
     pub group: usize,
+    /// What it moves with, by name; none where it stands still.
+    pub carrier: Option<String>,
 }
 
 #[derive(Deserialize)]
-#[serde(tag = "type", rename_all = "camelCase")]
+#[serde(tag = "type", rename_all = "camelCase", rename_all_fields = "camelCase")]
 pub enum Shape {
     Ball {
         center: Triple,
@@ -166,5 +188,7 @@ pub enum Shape {
         positions: Vec<f64>,
         normals: Vec<f64>,
         indices: Vec<usize>,
+        /// Where they are as they stand where absent.
+        world_from_model: Option<[f64; 16]>,
     },
 }

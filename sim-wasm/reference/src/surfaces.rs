@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::light::Light;
+use crate::mesh::Mesh;
 use crate::ray::Ray;
 use crate::scene::{Ramp, Shape, Surface};
 use crate::shade::Shade;
@@ -93,11 +94,7 @@ impl Solid {
                 center: center.into(),
                 half: half.into(),
             },
-            Shape::Triangles {
-                positions,
-                normals,
-                indices,
-            } => Self::Mesh(Triangles::new(positions, normals, indices)),
+            Shape::Triangles { .. } => Self::Mesh(Triangles::new(&Mesh::of(shape).expect("triangles"))),
         }
     }
 
@@ -175,6 +172,7 @@ mod tests {
             normals: positions.clone(),
             positions,
             indices,
+            world_from_model: None,
         };
         let cube = Shape::Box {
             center: [0.0; 3],
@@ -213,6 +211,7 @@ mod tests {
             casts: true,
             inked: false,
             group: 0,
+            carrier: None,
         }];
         let count = |x: f64, y: f64| Solids::new(&surfaces).shadows_over(DVec3::new(x, y, 0.0), &Light::Sun(DVec3::Y));
         assert_eq!([count(0.9, 0.0), count(1.1, 0.0), count(0.0, 3.5)], [1, 0, 0]);

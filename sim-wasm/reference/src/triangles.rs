@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::mesh::Mesh;
 use crate::surfaces::Crossing;
 
 /// Most triangles that are tried one by one.
@@ -21,16 +22,12 @@ pub struct Triangles {
 }
 
 impl Triangles {
-    /// Triples of coordinates, and three indices a triangle, wound anticlockwise seen from outside.
-    pub fn new(positions: &[f64], normals: &[f64], indices: &[usize]) -> Self {
-        let triangles = indices
-            .chunks_exact(3)
-            .map(|corners| Triangle {
-                corners: [0, 1, 2].map(|i| DVec3::from_slice(&positions[3 * corners[i]..])),
-                normals: [0, 1, 2].map(|i| DVec3::from_slice(&normals[3 * corners[i]..])),
-            })
-            .collect();
-        Self::halved(triangles)
+    pub fn new(mesh: &Mesh) -> Self {
+        let triangle = |&face: &[usize; 3]| Triangle {
+            corners: mesh.corners(face),
+            normals: face.map(|corner| mesh.normals[corner]),
+        };
+        Self::halved(mesh.faces.iter().map(triangle).collect())
     }
 
     fn halved(mut own: Vec<Triangle>) -> Self {

@@ -107,7 +107,7 @@ fn discs(scene: &Scene, camera: &Camera, row: &Row, axis: DVec3, growth: f64) ->
 }
 
 fn world_from_puff(scene: &Scene, camera: &Camera, look: Look) -> DMat3 {
-    if scene.puffs.faces_eye {
+    if scene.puffs.layers.is_some() {
         DMat3::from_mat4(camera.view_from_world).transpose() * DMat3::from_rotation_z(look.roll())
     } else {
         look.world_from_puff()
@@ -143,7 +143,7 @@ fn shear(scene: &Scene, camera: &Camera, row: &Row, towards_light: DVec3) -> f64
     let slope = light.dot((center.truncate() / -center.z).clamp(least, greatest));
     // Farther out the slope differs by at most the offset over the depth, and height times offset is at most 1/2.
     // A billboard's relief is baked as it is shown.
-    let share = if scene.puffs.faces_eye { 0.0 } else { 0.5 };
+    let share = if scene.puffs.layers.is_some() { 0.0 } else { 0.5 };
     let aside = share * light.length() * grown * row.radius / -center.z;
     grown * (slope.max(-scene.puffs.depth * slope) + aside)
 }

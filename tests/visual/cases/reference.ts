@@ -1,7 +1,7 @@
 /** Frames that the GPU draws, and their descriptions for the reference, which draws the same. */
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
+import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
-import type { Arranger, FrameInput } from '../../../src/smoke/frame.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import type { Drawn } from '../../support/reference.ts';
 import { describe, type Shaped, type Shown } from '../description.ts';
@@ -22,26 +22,13 @@ export async function drawn(scene: SceneName, modes: readonly Mode[], reversedDe
   const size = { width: WIDTH, height: HEIGHT };
   const lab = new Lab({ ...size, puffs: [], capacity: CAPACITY, surfaces, backdrop, reversedDepth });
   const pictures = modes.map((mode) => {
-    const shown = { input: inMode(input, mode), surfaces, backdrop };
+    const shown = { input: { ...input, style: { ...input.style, ...mode } }, surfaces, backdrop };
     const { pixels, counts } = lab.drawFrame(shown.input, { readCounts: true });
     const description = describe(shown);
     return { description, pixels: base64(pixels), counts: base64(counts) };
   });
   lab.dispose();
   return pictures;
-}
-
-/** The reference knows billboards by their shadows only, and no creases. */
-function inMode(input: FrameInput, mode: Mode): FrameInput {
-  const style = { ...input.style, creases: false, ...mode };
-  if (style.form === 'lobes') return { ...input, style };
-  const { simulator } = input;
-  const none = { count: 0, place: new Float32Array(), look: new Uint32Array() };
-  const shadows: Arranger = {
-    arrange: (view) => (view.purpose === 'eye' ? none : simulator.arrange(view)),
-    bounds: simulator.bounds,
-  };
-  return { ...input, style, simulator: shadows };
 }
 
 const CAPACITY = 1000;
@@ -155,6 +142,23 @@ function ball(center: [number, number, number], radius: number): Shaped {
 function cube(center: [number, number, number], half: [number, number, number]): Shaped {
   const solid = { type: 'box', center, half } as const;
   return { name: 'box', mesh: box(center, half), color: [219, 64, 92], casts: true, inked: false, solid };
+}
+
+/** A preset after some simulated time, drawn without the edge filter, and how many bodies and casters there are. */
+export async function drawnPreset(
+  preset: string,
+  form: PuffForm,
+  seconds: number,
+): Promise<Drawn & { bodies: number; casters: number }> {
+  const lab = await SceneLab.create(preset, { width: WIDTH, height: HEIGHT, values: { 'puff.form': form } });
+  lab.step(60 * seconds);
+  // Bounds are of what was drawn last.
+  lab.draw();
+  const { pixels, counts } = lab.draw({ cull: false, readCounts: true });
+  const { bodiesDrawn, castersDrawn } = lab.report!;
+  const description = describe({ ...lab.scene, input: lab.frame({ cull: false }) });
+  lab.dispose();
+  return { description, pixels: base64(pixels), counts: base64(counts), bodies: bodiesDrawn, casters: castersDrawn };
 }
 
 /** The lamp with its own camera and light, and its surfaces as triangles, after some steps of the real simulator. */
