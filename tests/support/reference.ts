@@ -70,13 +70,14 @@ const MOST_COUNTS = 0.001;
 /**
  * Demands that a picture is the reference's: far less than 0.5 % of its pixels may be of another colour. Prints the
  * figures, and attaches both pictures where it is not so.
- * @param mostOfEdges share of the pixels at edges that may: more for a few large puffs, whose boards' corners decide alone
+ * @param limits shares that may be of another colour: of all pixels, within regions; of the pixels at edges, which are
+ *   more for a few large puffs, whose boards' corners decide alone
  */
 export async function expectReference(
   name: string,
   drawn: Drawn,
   testInfo: TestInfo,
-  mostOfEdges = MOST_OF_EDGES,
+  { mostWithin = MOST_WITHIN, mostOfEdges = MOST_OF_EDGES }: { mostWithin?: number; mostOfEdges?: number } = {},
 ): Promise<void> {
   const reference = await referencePicture(drawn.description);
   const [colors, counts] = [drawn.pixels, drawn.counts].map((text) => Uint8Array.from(Buffer.from(text, 'base64')));
@@ -87,7 +88,7 @@ export async function expectReference(
     `${name}: ${percent(difference.colors)} of the pixels differ, ${percent(difference.colorsAtEdges)} more at edges,`,
     `${percent(difference.counts)} of the counts; ${percent(difference.edges)} are edges`,
   );
-  const isSame = share(difference.colors) <= MOST_WITHIN && difference.colorsAtEdges <= mostOfEdges * difference.edges;
+  const isSame = share(difference.colors) <= mostWithin && difference.colorsAtEdges <= mostOfEdges * difference.edges;
   if (!isSame) {
     await testInfo.attach(`${name}.png`, { body: sheetOf(reference, colors), contentType: 'image/png' });
   }

@@ -38,7 +38,7 @@ const MANY: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['besideEye', [{}]],
   ['coincident', [{}, BILLBOARDS]],
 ];
-const SHADOWS: readonly (readonly [SceneName, readonly Mode[]])[] = [
+const ON_BOARDS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [BILLBOARDS, { ...BILLBOARDS, tones: 1 }]],
   ['offAxis', [BILLBOARDS]],
   ['orthographic', [BILLBOARDS]],
@@ -77,7 +77,7 @@ test.beforeAll(buildReference);
 for (const [what, scenes, reversedDepth] of [
   ['puffs among solids', CLUSTERS, false],
   ['puffs that touch solids, by a lamp, against the light', LIGHTS, false],
-  ['shadows of billboards', SHADOWS, false],
+  ['billboards', ON_BOARDS, false],
   ['a lamp among puffs, puffs beside the eye, more than a stencil counts', MANY, false],
   ['puffs among solids under a reversed depth buffer', REVERSED, true],
   ['puffs in tones of all kinds', TONES, false],

@@ -1,5 +1,5 @@
 /** Pictures with and without what arrange leaves out: pixels that differ, and pixels whose shadow does. */
-import { OrthographicCamera, PerspectiveCamera, type Camera } from 'three';
+import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { defaultPreset, findPreset, presetValues, type Preset } from '../../../src/preset/presets.ts';
 import type { Value, Values } from '../../../src/preset/parameter.ts';
 import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
@@ -20,8 +20,8 @@ export interface Comparison {
   casters: [culled: number, whole: number];
 }
 
-/** From the front as the scene has it, from the side and above, and from within the smoke. */
-export type Place = 'scene' | 'above' | 'inside' | 'orthographic';
+/** From the front as the scene has it, from the side and above, from within a plume, and from the middle of all smoke. */
+export type Place = 'scene' | 'above' | 'inside' | 'amid' | 'orthographic';
 
 const [WIDTH, HEIGHT] = [320, 240];
 
@@ -42,7 +42,7 @@ export async function compareScene(
   await stage.seek(seconds);
   SmokeRenderer.prototype.draw = function (input: FrameInput) {
     for (const place of places) {
-      const camera = cameraAt(place, input.camera);
+      const camera = place === 'amid' ? cameraAmid(input) : cameraAt(place, input.camera);
       comparisons.push(compare(this, (cull) => draw.call(this, { ...input, camera, cull })));
     }
     return draw.call(this, input);
@@ -67,7 +67,7 @@ function presetNamed(name: Value | undefined): Preset {
 export async function comparePlume(
   particles: number,
   style: Partial<Style>,
-  places: readonly Place[],
+  places: readonly Exclude<Place, 'amid'>[],
 ): Promise<Comparison[]> {
   const bench = await RenderBench.create(0.5, particles);
   bench.style = { ...bench.style, ...style };
@@ -79,8 +79,18 @@ export async function comparePlume(
   return comparisons;
 }
 
+/** Looks where the scene's camera looks, from the middle of the smoke. */
+function cameraAmid({ camera, simulator }: FrameInput): PerspectiveCamera {
+  const { min, max } = simulator.bounds;
+  const amid = new PerspectiveCamera(70, WIDTH / HEIGHT, 0.05, 60);
+  amid.quaternion.copy(camera.quaternion);
+  amid.position.set(...min).lerp(new Vector3(...max), 0.5);
+  amid.updateMatrixWorld();
+  return amid;
+}
+
 /** Both lamp and plume rise at the origin. */
-function cameraAt(place: Place, scene: Camera): Camera {
+function cameraAt(place: Exclude<Place, 'amid'>, scene: Camera): Camera {
   if (place === 'scene') return scene;
   const aspect = WIDTH / HEIGHT;
   const camera =
