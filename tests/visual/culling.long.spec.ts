@@ -37,7 +37,7 @@ for (const scene of Object.keys(sceneEntries)) {
     for (const seconds of [2, 6]) {
       comparisons.push(
         ...(await cases.evaluate(
-          (module, input) => module.compareScene({ preset: input.scene }, input.seconds, ['scene', 'above', 'amid']),
+          (module, input) => module.compareScene({ preset: input.scene }, input.seconds, ['scene', 'above', 'behind']),
           { scene, seconds },
         )),
       );

@@ -130,7 +130,11 @@ function billboardPuffs() {
   const coverage = colorCoverage.filter((_, index) => index % 4 === 3);
   const relief = Array.from(normalDepth, fromHalf);
   return {
-    ...{ fillet: 0, blend: 0, startCaps, depth: 0, lobes },
+    fillet: 0,
+    blend: 0,
+    depth: 0,
+    lobes,
+    startCaps,
     layers: { size, pad, distanceRange, normalDepth: relief, coverage: [...coverage] },
   };
 }

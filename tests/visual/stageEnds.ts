@@ -18,7 +18,9 @@ export async function expectGone(load: LoadModule, page: Page, stages: number): 
   const devTools = await page.context().newCDPSession(page);
   const comeAndGo = (rounds: number) => cases.evaluate((module, count) => module.comeAndGo(count), rounds);
   const witness = await page.evaluateHandle(() => {
-    class LeftOnPurpose {}
+    class LeftOnPurpose {
+      number = 1;
+    }
     return { LeftOnPurpose, left: [new LeftOnPurpose()] };
   });
   const first = await comeAndGo(WARM_UP);

@@ -20,8 +20,8 @@ export interface Comparison {
   casters: [culled: number, whole: number];
 }
 
-/** From the front as the scene has it, from the side and above, from within a plume, and from the middle of all smoke. */
-export type Place = 'scene' | 'above' | 'inside' | 'amid' | 'orthographic';
+/** From the front as the scene has it, from the side and above, from within a plume, and from behind the smoke. */
+export type Place = 'scene' | 'above' | 'inside' | 'behind' | 'orthographic';
 
 const [WIDTH, HEIGHT] = [320, 240];
 
@@ -42,7 +42,7 @@ export async function compareScene(
   await stage.seek(seconds);
   SmokeRenderer.prototype.draw = function (input: FrameInput) {
     for (const place of places) {
-      const camera = place === 'amid' ? cameraAmid(input) : cameraAt(place, input.camera);
+      const camera = place === 'behind' ? cameraBehind(input) : cameraAt(place, input.camera);
       comparisons.push(compare(this, (cull) => draw.call(this, { ...input, camera, cull })));
     }
     return draw.call(this, input);
@@ -67,7 +67,7 @@ function presetNamed(name: Value | undefined): Preset {
 export async function comparePlume(
   particles: number,
   style: Partial<Style>,
-  places: readonly Exclude<Place, 'amid'>[],
+  places: readonly Exclude<Place, 'behind'>[],
 ): Promise<Comparison[]> {
   const bench = await RenderBench.create(0.5, particles);
   bench.style = { ...bench.style, ...style };
@@ -79,18 +79,20 @@ export async function comparePlume(
   return comparisons;
 }
 
-/** Looks where the scene's camera looks, from the middle of the smoke. */
-function cameraAmid({ camera, simulator }: FrameInput): PerspectiveCamera {
+/** As far from the middle of the smoke as the scene's camera, on the other side. */
+function cameraBehind({ camera, simulator }: FrameInput): Camera {
   const { min, max } = simulator.bounds;
-  const amid = new PerspectiveCamera(70, WIDTH / HEIGHT, 0.05, 60);
-  amid.quaternion.copy(camera.quaternion);
-  amid.position.set(...min).lerp(new Vector3(...max), 0.5);
-  amid.updateMatrixWorld();
-  return amid;
+  const middle = new Vector3(...min).lerp(new Vector3(...max), 0.5);
+  const behind = camera.clone();
+  const { x, y, z } = new Vector3().subVectors(camera.position, middle);
+  behind.position.set(middle.x - x, middle.y + y, middle.z - z);
+  behind.lookAt(middle);
+  behind.updateMatrixWorld();
+  return behind;
 }
 
 /** Both lamp and plume rise at the origin. */
-function cameraAt(place: Exclude<Place, 'amid'>, scene: Camera): Camera {
+function cameraAt(place: Exclude<Place, 'behind'>, scene: Camera): Camera {
   if (place === 'scene') return scene;
   const aspect = WIDTH / HEIGHT;
   const camera =
