@@ -21,6 +21,8 @@ test('a poster is the very picture that an element with the link shows first', a
   );
   expect([drawn.width, drawn.height]).toEqual([WIDTH, HEIGHT]);
   expect(drawn.data.equals(shown.data)).toBe(true);
+  const colors = new Set(new Uint32Array(Uint8Array.from(drawn.data).buffer));
+  expect(colors.size, 'colours of the smoke').toBeGreaterThan(20);
 });
 
 test('what a link gets wrong is told', async ({ load }) => {

@@ -16,6 +16,7 @@ for (const scene of Object.keys(sceneEntries)) {
     const report = await cases.evaluate((module, name) => module.timePassing(name, 30, 600), scene);
     console.log(`${scene}, ten seconds:`, report);
     expect(report.bodies).toBeGreaterThan(20);
+    expect(report.smoke).toBeGreaterThan(200);
     expect(report.largest).toBeLessThanOrEqual(SLIVER);
   });
 
@@ -24,6 +25,7 @@ for (const scene of Object.keys(sceneEntries)) {
     const report = await cases.evaluate((module, name) => module.orbiting(name, 240, 360), scene);
     console.log(`${scene}, 360 degrees:`, report);
     expect(report.bodies).toBeGreaterThan(20);
+    expect(report.smoke).toBeGreaterThan(200);
     expect(report.largest).toBeLessThanOrEqual(SLIVER);
   });
 }

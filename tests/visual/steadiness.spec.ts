@@ -14,6 +14,7 @@ test('nothing pops in the lamp during half a second', async ({ load }) => {
   const report = await cases.evaluate((module) => module.timePassing('lamp', 240, 30));
   console.log('lamp, half a second:', report);
   expect(report.bodies).toBeGreaterThan(50);
+  expect(report.smoke).toBeGreaterThan(3_000);
   expect(report.largest).toBeLessThanOrEqual(SLIVER);
 });
 
@@ -22,5 +23,6 @@ test('nothing jumps in the lamp while the camera goes round by 20 degrees', asyn
   const report = await cases.evaluate((module) => module.orbiting('lamp', 240, 20));
   console.log('lamp, 20 degrees:', report);
   expect(report.bodies).toBeGreaterThan(50);
+  expect(report.smoke).toBeGreaterThan(3_000);
   expect(report.largest).toBeLessThanOrEqual(SLIVER);
 });

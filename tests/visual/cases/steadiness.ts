@@ -24,6 +24,8 @@ export interface Steadiness {
   pictures: number;
   /** In a picture, on average: a rocket that is not lit has none. */
   bodies: number;
+  /** Pixels of a picture that smoke, its lines and its shadow change, on average. */
+  smoke: number;
 }
 
 /** Pictures of successive steps; what turns by itself, such as a propeller, stands still. */
@@ -61,7 +63,7 @@ export async function orbiting(scene: string, atStep: number, degrees: number): 
 type Next = (picture: number) => { camera: PerspectiveCamera; motion: number };
 
 async function watch(lab: SceneLab, first: PerspectiveCamera, pictures: number, next: Next): Promise<Steadiness> {
-  const report: Steadiness = { largest: 0, at: 0, all: 0, motion: 0, pictures, bodies: 0 };
+  const report: Steadiness = { largest: 0, at: 0, all: 0, motion: 0, pictures, bodies: 0, smoke: 0 };
   let before = look(lab, first, SLACK);
   for (let picture = 1; picture <= pictures; picture++) {
     const { camera, motion } = next(picture);
@@ -74,9 +76,15 @@ async function watch(lab: SceneLab, first: PerspectiveCamera, pictures: number, 
     report.all = Math.max(report.all, all);
     report.motion = Math.max(report.motion, motion);
     report.bodies += now.bodies / pictures;
+    report.smoke += differing(now.picture, now.bare) / pictures;
     before = now;
   }
   return report;
+}
+
+function differing(one: LabPicture, other: LabPicture): number {
+  const [a, b] = [one, other].map(({ pixels }) => new Uint32Array(pixels.buffer));
+  return a.reduce((sum, color, pixel) => sum + (color === b[pixel] ? 0 : 1), 0);
 }
 
 /** A picture with its smoke and without. */
