@@ -2,6 +2,7 @@ import {
   LessEqualStencilFunc,
   NotEqualStencilFunc,
   ReplaceStencilOp,
+  type ShaderMaterialParameters,
   type StencilFunc,
   type WebGLRenderer,
 } from 'three';
@@ -15,16 +16,13 @@ import { ADDS, FullScreen } from '../device/fullScreen.ts';
 export class MaskPass {
   private readonly any = maskWhere(NotEqualStencilFunc, 0);
   private readonly deep = maskWhere(LessEqualStencilFunc, 1);
-  private readonly once = maskWhere(NotEqualStencilFunc, 1);
+  // Only counts of two and more differ from 1 in these bits.
+  private readonly once = maskWhere(NotEqualStencilFunc, 1, {
+    colorWrite: false,
+    stencilFuncMask: 0xfe,
+    stencilZPass: ReplaceStencilOp,
+  });
   private isDeepDrawn = false;
-
-  constructor() {
-    const { material } = this.once;
-    material.colorWrite = false;
-    // Only counts of two and more differ from 1 in these bits.
-    material.stencilFuncMask = 0xfe;
-    material.stencilZPass = ReplaceStencilOp;
-  }
 
   /** @param depth how many volumes make deep shadow, 2..255; Infinity for shadow of one step */
   setDepth(depth: number): void {
@@ -50,10 +48,10 @@ export class MaskPass {
 }
 
 /** @param stencilRef what the function compares with the count: reference function count */
-function maskWhere(stencilFunc: StencilFunc, stencilRef: number): FullScreen {
+function maskWhere(stencilFunc: StencilFunc, stencilRef: number, more?: ShaderMaterialParameters): FullScreen {
   return new FullScreen(
     fragmentShader,
     { share: { value: 1 } },
-    { ...ADDS, stencilWrite: true, stencilFunc, stencilRef },
+    { ...ADDS, stencilWrite: true, stencilFunc, stencilRef, ...more },
   );
 }
