@@ -65,9 +65,10 @@ float shearOf(vec3 travel, vec3 centre) {
   // What of a puff is seen lies no deeper than a bound behind its centre plane, and of the unit ball height times
   // distance from the view axis is at most a half.
   float slope = -dot(travel.xy, ray);
-  if (facesEye) return grown * max(0.0, slope);
+  float straight = max(slope, -depth * slope);
+  if (facesEye) return grown * straight;
   float aside = 0.5 * length(travel.xy) * grown * place.w / -centre.z;
-  return grown * (max(slope, -depth * slope) + aside);
+  return grown * (straight + aside);
 }
 
 // How far behind the centre (in radii, along the light's travel) the puff's farthest lit point lies, from the baked table.

@@ -1,4 +1,5 @@
 import type { Parameter, Value } from '../preset/parameter.ts';
+import { showsBillboards } from '../smoke/livePuffs.ts';
 import { createControl } from './control.ts';
 import { create, iconButton, uniqueId } from './dom.ts';
 import type { Editor } from './editor.ts';
@@ -46,12 +47,13 @@ function unitOf(parameter: Parameter): HTMLElement[] {
   return hasUnit ? [create('span', { class: 'unit' }, parameter.unit)] : [];
 }
 
-/** What makes a new simulator waits for the end of the gesture; the rest follows the finger. */
-function connect({ key, reader }: Parameter, editor: Editor, preview: (value: Value) => void) {
+/** What makes a new simulator, or bakes billboards, waits for the end of the gesture; the rest follows the finger. */
+function connect({ key, reader, isBaked }: Parameter, editor: Editor, preview: (value: Value) => void) {
   let waiting: Value | undefined;
   return {
     change(value: Value): void {
-      if (reader !== 'stage') return editor.change(key, value, key);
+      const isSlow = reader === 'stage' || (isBaked && showsBillboards(editor.state.values));
+      if (!isSlow) return editor.change(key, value, key);
       waiting = value;
       preview(value);
     },

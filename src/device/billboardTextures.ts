@@ -26,10 +26,12 @@ export class BillboardTextures implements FormTextures {
   readonly capRange: readonly [number, number];
   readonly capTable: StartCaps;
   readonly solids: PuffSolids;
+  readonly reach: number;
+  readonly depth: number;
 
   constructor(
     context: WebGL2RenderingContext,
-    { layers, startCaps, latestCap, casters, solids }: Omit<BillboardPuffs, 'texturesFor'>,
+    { layers, startCaps, latestCap, casters, solids, reach, depth }: Omit<BillboardPuffs, 'texturesFor'>,
   ) {
     this.layers = layers;
     this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);
@@ -49,13 +51,8 @@ export class BillboardTextures implements FormTextures {
     this.capRange = capRange(startCaps);
     this.capTable = startCaps;
     this.solids = solids;
-  }
-
-  /** The relief begins at the centre plane. */
-  readonly depth = 0;
-
-  get reach(): number {
-    return Math.max(...this.layers.figures.map(({ outerRadius, relief }) => Math.max(outerRadius, relief)));
+    this.reach = reach;
+    this.depth = depth;
   }
 
   dispose(): void {

@@ -18,6 +18,9 @@ export interface BillboardPuffs {
   readonly latestCap: number;
   readonly casters: Casters;
   readonly solids: PuffSolids;
+  /** See {@link PuffExtents}; likewise below. */
+  readonly reach: number;
+  readonly depth: number;
   /** Makes textures of them; the context decides which filters there are. */
   texturesFor(context: WebGL2RenderingContext): BillboardTextures;
 }

@@ -38,7 +38,7 @@ export class BallVolumes {
   );
 
   constructor(device: Device, eye: Eye) {
-    this.puffs = new PuffTextures(device.puffs, bakedPuffs(BALL, BALL));
+    this.puffs = new PuffTextures(device.puffs, bakedPuffs(BALL));
     this.volumes = new VolumesPass(eye, this.puffs, this.rows.geometry);
     this.volumes.follow('lobes', TURN);
   }

@@ -27,6 +27,8 @@ interface Described {
   readonly reader: Reader;
   /** Without a value of its own it is as the scene has it, so that values need not have the key. */
   readonly isOptional?: true;
+  /** Changing it bakes puffs anew. */
+  readonly isBaked?: true;
 }
 
 /** A quantity in a closed range. */

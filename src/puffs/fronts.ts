@@ -2,6 +2,7 @@
 import { samplePuff, type PuffLayers, type PuffSample } from './layers.ts';
 import { bounded, type Patch } from './patches.ts';
 import { dot } from './vector.ts';
+import { finished, type Work } from './work.ts';
 
 /** Texels along each side of a patch. */
 const PATCH_TEXELS = 8;
@@ -12,17 +13,18 @@ const CREASE_POINTS = 3;
 
 /** The fronts of all layers. */
 export function frontsOf(layers: PuffLayers): Patch[][] {
-  return Array.from({ length: layers.count }, (_, layer) => frontOf(layers, layer));
+  return Array.from({ length: layers.count }, (_, layer) => finished(findingFront(layers, layer)));
 }
 
-/** The front of a layer's puff, dense enough where filtering bends normals between texels. */
-function frontOf(layers: PuffLayers, layer: number): Patch[] {
+/** The front of a layer's puff, dense enough where filtering bends normals between texels; in pieces. */
+export function* findingFront(layers: PuffLayers, layer: number): Work<Patch[]> {
   const patches: Patch[] = [];
   for (let j = 0; j < layers.size - 1; j += PATCH_TEXELS) {
     for (let i = 0; i < layers.size - 1; i += PATCH_TEXELS) {
       const points = pointsIn(layers, layer, i, j);
       if (points.length > 0) patches.push(bounded(Float32Array.from(points)));
     }
+    yield;
   }
   return patches;
 }

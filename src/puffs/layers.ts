@@ -18,6 +18,7 @@ import { fromHalf, toHalf } from './half.ts';
 import { puffMesh } from './mesh.ts';
 import { PUFF_PAD, rasterise, SUPERSAMPLE, type PuffRaster } from './rasterise.ts';
 import type { PuffShape } from './shapes.ts';
+import { finished, type Work } from './work.ts';
 
 /**
  * Span of the coverage channel in particle radii: half of it inside the silhouette, half outside, which is what the pad
@@ -35,6 +36,8 @@ export interface PuffFigures {
   readonly outerRadius: number;
   /** Height of the highest point above the centre plane. */
   readonly relief: number;
+  /** Depth of the deepest point that is seen below the centre plane; 0 where none is. */
+  readonly depth: number;
 }
 
 /** The baked layers of all variations. The arrays belong to whoever holds this object. */
@@ -56,17 +59,28 @@ export interface PuffLayers {
 }
 
 /** Rasterises the shapes into layers of `size` texels (default 128). Pure and deterministic. */
-export function bakePuffs(shapes: readonly PuffShape[], { size = 128 } = {}): PuffLayers {
+export function bakePuffs(shapes: readonly PuffShape[], options?: { size?: number }): PuffLayers {
+  return finished(bakingLayers(shapes, options));
+}
+
+/** As {@link bakePuffs}, in pieces of some milliseconds. */
+export function* bakingLayers(shapes: readonly PuffShape[], { size = 128 } = {}): Work<PuffLayers> {
   const texels = size * size;
   const normalDepth = new Uint16Array(4 * texels * shapes.length);
   const colorCoverage = new Uint8Array(4 * texels * shapes.length);
-  const figures = shapes.map((shape, layer) => {
-    const raster = rasterise(puffMesh(shape.lobes), size);
+  const figures: PuffFigures[] = [];
+  for (const [layer, shape] of shapes.entries()) {
+    const mesh = puffMesh(shape.lobes);
+    yield;
+    const raster = rasterise(mesh, size);
+    yield;
     const distance = signedDistance(raster.coverage, size * SUPERSAMPLE);
+    yield;
     writeNormalDepth(raster, normalDepth.subarray(4 * texels * layer));
     writeColorCoverage(distance, size, colorCoverage.subarray(4 * texels * layer));
-    return measure(raster, distance);
-  });
+    yield;
+    figures.push(measure(raster, distance));
+  }
   return {
     size,
     count: shapes.length,
@@ -132,6 +146,7 @@ function measure(raster: PuffRaster, distance: Float32Array): PuffFigures {
     inscribedRadius: Math.sqrt(inscribed) * unitsPerCell,
     outerRadius: Math.sqrt(outer) * unitsPerCell,
     relief: raster.depths.reduce((a, b) => Math.max(a, b)) * 2 * PUFF_PAD,
+    depth: -raster.depths.reduce((a, b) => (b > -Infinity ? Math.min(a, b) : a), 0) * 2 * PUFF_PAD,
   };
 }
 

@@ -5,7 +5,7 @@ import { Kept } from '../puffs/kept.ts';
 import { LOBE_SHAPES } from '../puffs/lobeShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { finished, type Work } from '../puffs/work.ts';
-import { codeOf } from './extraPasses.ts';
+import { codeOf, here } from './extraPasses.ts';
 
 /** Smokes whose puffs are the same object share their textures on a device. */
 const kept = new Kept<BakedPuffs>(8);
@@ -13,20 +13,21 @@ const kept = new Kept<BakedPuffs>(8);
 const begun = new Map<string, Work<BakedPuffs>>();
 
 /** Puffs as {@link bakingPuffs} makes them, at once; the default ones where no shapes are given. */
-export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES, fronts?: readonly PuffShape[]): BakedPuffs {
-  return finished(bakingPuffs(shapes, fronts));
+export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuffs {
+  return finished(bakingPuffs(shapes));
 }
 
 /**
- * Bakes puffs of lobes, in pieces of about a millisecond.
+ * Bakes puffs of lobes in pieces of about a millisecond, and then billboards in pieces of some milliseconds.
  * @param shapes a variation each
- * @param fronts what they are as billboards, from +z; those that were drawn by hand where absent
+ * @param withBillboards false bakes billboards when they are first asked for, at once; so does code that is not here yet
  * @throws RangeError when a shape has too many lobes
  */
-export function* bakingPuffs(shapes: readonly PuffShape[], fronts?: readonly PuffShape[]): Work<BakedPuffs> {
-  const key = keyOf(shapes) + keyOf(fronts ?? []);
+export function* bakingPuffs(shapes: readonly PuffShape[], withBillboards = false): Work<BakedPuffs> {
+  const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
   for (;;) {
-    const puffs = kept.get(key) ?? workOn(key, () => bakingNew(shapes, fronts));
+    const puffs = kept.get(key) ?? workOn(key, () => bakingNew(shapes));
+    if (puffs && withBillboards) yield* here.billboards?.bakingBillboards(shapes) ?? [];
     if (puffs) return puffs;
     yield;
   }
@@ -42,22 +43,15 @@ function workOn(key: string, begin: () => Work<BakedPuffs>): BakedPuffs | undefi
   return done ? value : undefined;
 }
 
-function* bakingNew(shapes: readonly PuffShape[], fronts?: readonly PuffShape[]): Work<BakedPuffs> {
-  return withFronts(yield* bakingLobes(shapes, FIRST_BORDER), fronts);
-}
-
-/** Billboards are baked when they are first asked for, by code that `fetchExtras` has brought. */
-function withFronts(lobes: BakedPuffs['lobes'], fronts?: readonly PuffShape[]): BakedPuffs {
+/** Billboards need code that `fetchExtras` has brought. */
+function* bakingNew(shapes: readonly PuffShape[]): Work<BakedPuffs> {
+  const lobes = yield* bakingLobes(shapes, FIRST_BORDER);
   let billboards: BakedPuffs['billboards'] | undefined;
   return {
     lobes,
     get billboards() {
-      billboards ??= codeOf('billboards').bakeBillboards(fronts);
+      billboards ??= finished(codeOf('billboards').bakingBillboards(shapes));
       return billboards;
     },
   };
-}
-
-function keyOf(shapes: readonly PuffShape[]): string {
-  return JSON.stringify(shapes.map(({ lobes }) => lobes));
 }

@@ -6,12 +6,14 @@ import type { BillboardPuffs } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import { castersOf } from '../puffs/casters.ts';
-import { frontsOf } from '../puffs/fronts.ts';
+import { findingFront } from '../puffs/fronts.ts';
 import { Kept } from '../puffs/kept.ts';
-import { bakePuffs } from '../puffs/layers.ts';
-import { PUFF_SHAPES, type PuffShape } from '../puffs/shapes.ts';
+import { bakingLayers } from '../puffs/layers.ts';
+import { reachOf } from '../puffs/lobes.ts';
+import type { PuffShape } from '../puffs/shapes.ts';
 import { solidsOf } from '../puffs/solids.ts';
-import { bakeStartCaps, latestCap } from '../puffs/startCaps.ts';
+import { bakingTable, joined, latestCap } from '../puffs/startCaps.ts';
+import type { Work } from '../puffs/work.ts';
 
 /** What bodies draw them with. */
 export const billboardShaders: Shaders = { vertexShader, fragmentShader };
@@ -22,26 +24,34 @@ const LAYER_BLUR = 3;
 
 const kept = new Kept<BillboardPuffs>(4);
 
-/** @param fronts a variation each, seen from +z; those that were drawn by hand where absent */
-export function bakeBillboards(fronts: readonly PuffShape[] = PUFF_SHAPES): BillboardPuffs {
-  const key = JSON.stringify(fronts.map(({ lobes }) => lobes));
-  const billboards = kept.get(key) ?? bake(fronts);
+/** Bakes billboards in pieces of some milliseconds, or takes them from those that are kept. @param shapes seen from +z */
+export function* bakingBillboards(shapes: readonly PuffShape[]): Work<BillboardPuffs> {
+  const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
+  const billboards = kept.get(key) ?? (yield* baking(shapes));
   kept.add(key, billboards);
   return billboards;
 }
 
-function bake(fronts: readonly PuffShape[]): BillboardPuffs {
-  const layers = bakePuffs(fronts);
-  const surfaces = frontsOf(layers);
+function* baking(shapes: readonly PuffShape[]): Work<BillboardPuffs> {
+  const layers = yield* bakingLayers(shapes);
+  const tables: Float32Array[] = [];
+  let latest = 0;
+  for (let layer = 0; layer < layers.count; layer++) {
+    const front = yield* findingFront(layers, layer);
+    tables.push(yield* bakingTable(front, FIRST_BORDER));
+    latest = Math.max(latest, latestCap(front));
+  }
   const data = {
     layers,
-    startCaps: bakeStartCaps(surfaces, FIRST_BORDER),
-    latestCap: latestCap(surfaces.flat()),
-    casters: castersOf(fronts),
+    startCaps: joined(tables),
+    latestCap: latest,
+    casters: castersOf(shapes),
     solids: solidsOf(
-      fronts.map(({ lobes }) => lobes),
+      shapes.map(({ lobes }) => lobes),
       { facesEye: true, tolerance: LAYER_TOLERANCE, blur: LAYER_BLUR },
     ),
+    reach: Math.max(...shapes.map(({ lobes }) => reachOf(lobes))),
+    depth: Math.max(...layers.figures.map(({ depth }) => depth)),
   };
   return { ...data, texturesFor: (context) => new BillboardTextures(context, data) };
 }

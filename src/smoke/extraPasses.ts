@@ -18,7 +18,8 @@ const imports = {
 type Name = keyof typeof imports;
 type Codes = { [Each in Name]: Awaited<ReturnType<(typeof imports)[Each]>> };
 
-const here: Partial<Codes> = {};
+/** What has been fetched. */
+export const here: Readonly<Partial<Codes>> = {};
 
 /** What decides which of them a picture needs. */
 export interface PictureKind {

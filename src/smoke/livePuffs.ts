@@ -75,18 +75,20 @@ export class LivePuffs {
   private orderOf(values: Values): Order {
     this.variations = Math.max(this.variations, values['puff.variations'] as number);
     const { own, variations } = this;
-    if (own) return { key: JSON.stringify(own), begin: () => bakingPuffs(own, own) };
     const design = designOf(values);
-    return { key: JSON.stringify([design, variations]), begin: () => bakingPuffs(designedShapes(design, variations)) };
+    return {
+      key: JSON.stringify(own ?? [design, variations]),
+      begin: () => bakingPuffs(own ?? designedShapes(design, variations), showsBillboards(values)),
+    };
   }
 }
 
+/** Whether puffs are drawn as billboards, which take longer to bake than lobes. */
+export function showsBillboards(values: Values): boolean {
+  return values['puff.form'] === 'billboards' || values['style.renderer'] === 'selle';
+}
+
 function designOf(values: Values): PuffDesign {
-  return {
-    lumpiness: values['puff.lumpiness'] as number,
-    flatness: values['puff.flatness'] as number,
-    roughness: values['puff.roughness'] as number,
-    lobes: values['puff.lobes'] as number,
-    seed: values['puff.seed'] as number,
-  };
+  const knobs = ['lumpiness', 'flatness', 'roughness', 'lobes', 'seed'] satisfies (keyof PuffDesign)[];
+  return Object.fromEntries(knobs.map((knob) => [knob, values[`puff.${knob}`]])) as Record<keyof PuffDesign, number>;
 }

@@ -3,7 +3,7 @@ import { writeFileSync } from 'node:fs';
 import { PNG } from 'pngjs';
 import { channelSheet } from '../../src/puffs/channelSheet.ts';
 import { bakePuffs } from '../../src/puffs/layers.ts';
-import { PUFF_SHAPES } from '../../src/puffs/shapes.ts';
+import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
 
 /** Pixels along each side of a puff's tile, and around the channels. */
 const TILE = 256;
@@ -11,7 +11,7 @@ const GAP = 24;
 
 /** Writes the sheet as a PNG. */
 export function writeSheet(file: string): void {
-  const channels = channelSheet(bakePuffs(PUFF_SHAPES), TILE);
+  const channels = channelSheet(bakePuffs(LOBE_SHAPES), TILE);
   const panel = 2 * TILE;
   const sheet = new PNG({ width: channels.length * (panel + GAP) + GAP, height: panel + 2 * GAP });
   sheet.data.fill(255);

@@ -56,6 +56,27 @@ test('the search goes through items, looked at before or not', async ({ page }) 
   await expect(panelOf(page).getByRole('status')).toHaveText('2 parameters');
 });
 
+test('knobs of billboards wait for the end of the gesture', async ({
+  page,
+}) => {
+  await open(page, `?paused=1${LIGHT}&puff.form=billboards`);
+  const slide = (event: string, place?: string) =>
+    page.getByLabel('Lumpiness', { exact: true }).evaluate(
+      (slider: HTMLInputElement, [type, value]) => {
+        slider.value = value ?? slider.value;
+        slider.dispatchEvent(new Event(type));
+        return new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+      },
+      [event, place] as const,
+    );
+  const exact = page.getByLabel('Lumpiness, exact value');
+  await slide('input', '0');
+  await expect(exact).toHaveValue('0');
+  await expectValue(page, 'puff.lumpiness', 0.8);
+  await slide('change');
+  await expectValue(page, 'puff.lumpiness', 0);
+});
+
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 

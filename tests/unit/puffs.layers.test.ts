@@ -3,10 +3,11 @@ import { fromHalf } from '../../src/puffs/half.ts';
 import { bakePuffs, samplePuff } from '../../src/puffs/layers.ts';
 import { puffMesh } from '../../src/puffs/mesh.ts';
 import { PUFF_PAD, rasterise } from '../../src/puffs/rasterise.ts';
-import { PUFF_SHAPES, type Lobe } from '../../src/puffs/shapes.ts';
+import type { Lobe } from '../../src/puffs/shapes.ts';
+import { FRONTS } from './fronts.ts';
 
 const BALL: Lobe = { center: [0.1, -0.05, 0], radius: 0.8 };
-const layers = bakePuffs(PUFF_SHAPES);
+const layers = bakePuffs(FRONTS);
 const texel = (2 * PUFF_PAD) / layers.size;
 
 /** Places on a regular grid over the quad, off the texel centres. */
@@ -16,7 +17,7 @@ const places = Array.from({ length: 90 * 90 }, (_, i): [number, number] => [
 ]);
 
 describe('a mesh', () => {
-  const mesh = puffMesh(PUFF_SHAPES[0].lobes);
+  const mesh = puffMesh(FRONTS[0].lobes);
 
   test('is closed: each edge is passed once in each direction', () => {
     const edges: string[] = [];
@@ -88,7 +89,7 @@ describe('a puff of one lobe', () => {
 
 describe('the layers of all shapes', () => {
   test('hold unit normals that face the viewer where the puff is', () => {
-    PUFF_SHAPES.forEach(({ lobes }) => {
+    FRONTS.forEach(({ lobes }) => {
       const { normals, depths } = rasterise(puffMesh(lobes), layers.size);
       depths.forEach((depth, i) => {
         if (depth === -Infinity) return;
@@ -127,16 +128,16 @@ describe('the layers of all shapes', () => {
   });
 
   test('are the same at every bake, and a quarter of the texels at half the size', () => {
-    const again = bakePuffs(PUFF_SHAPES);
+    const again = bakePuffs(FRONTS);
     expect(again.normalDepth).toEqual(layers.normalDepth);
     expect(again.colorCoverage).toEqual(layers.colorCoverage);
-    const small = bakePuffs(PUFF_SHAPES, { size: 64 });
+    const small = bakePuffs(FRONTS, { size: 64 });
     expect(small.normalDepth.length).toBe(layers.normalDepth.length / 4);
     expect(small.figures[0].silhouetteRadius).toBeCloseTo(layers.figures[0].silhouetteRadius, 2);
   });
 
   test('are rasterised from faces that look at the viewer: few coordinates are read for each cell', () => {
-    const mesh = puffMesh(PUFF_SHAPES[0].lobes);
+    const mesh = puffMesh(FRONTS[0].lobes);
     let reads = 0;
     const positions = new Proxy(mesh.positions, {
       get: (target, key) => (reads++, Reflect.get(target, key) as unknown),

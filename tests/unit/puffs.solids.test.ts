@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { bakePuffs, samplePuff } from '../../src/puffs/layers.ts';
 import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
-import { PUFF_SHAPES } from '../../src/puffs/shapes.ts';
 import { solidsOf, type PuffSolids } from '../../src/puffs/solids.ts';
-import { bakeBillboards } from '../../src/smoke/billboards.ts';
+import { finished } from '../../src/puffs/work.ts';
+import { bakingBillboards } from '../../src/smoke/billboards.ts';
 
 /** Height of the balls of a variation, each larger by `growth`, over a place; -Infinity beside all. */
 function heightOf({ table, balls }: PuffSolids, variation: number, [x, y]: [number, number], growth: number): number {
@@ -40,8 +40,8 @@ describe('the solids of puffs', () => {
   });
 
   it('hold the baked layers between balls that are smaller and balls that are larger by the tolerance', () => {
-    const layers = bakePuffs(PUFF_SHAPES);
-    const { solids } = bakeBillboards();
+    const layers = bakePuffs(LOBE_SHAPES);
+    const { solids } = finished(bakingBillboards(LOBE_SHAPES));
     let inside = 0;
     for (let place = 0; place < 4 * 2500; place++) {
       const variation = place % 4;

@@ -4,14 +4,14 @@ import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
 import { middleOf, softNormal } from '../../src/puffs/normals.ts';
 import { frontsOf } from '../../src/puffs/fronts.ts';
 import { POINT_STRIDE, surfaceOf } from '../../src/puffs/patches.ts';
-import { PUFF_SHAPES, type Lobe } from '../../src/puffs/shapes.ts';
+import type { Lobe } from '../../src/puffs/shapes.ts';
 import { NOTHING_LIT } from '../../src/puffs/patchBounds.ts';
 import { bakeStartCaps, startCapAt, type StartCaps } from '../../src/puffs/startCaps.ts';
 import { minus } from '../../src/puffs/vector.ts';
 
 type Vector = [number, number, number];
 
-const layers = bakePuffs(PUFF_SHAPES);
+const layers = bakePuffs(LOBE_SHAPES);
 const fronts = frontsOf(layers);
 
 let state = 2006;
@@ -47,7 +47,7 @@ function farthestLit(places: ReturnType<typeof surface>, light: Vector, threshol
 }
 
 const cases = [-0.25, 0, 0.25, 0.5, 0.75].flatMap((threshold) =>
-  PUFF_SHAPES.map(({ name }, layer): [number, string, number] => [threshold, name, layer]),
+  LOBE_SHAPES.map(({ name }, layer): [number, string, number] => [threshold, name, layer]),
 );
 const tables = new Map<number, StartCaps>();
 function capsFor(threshold: number): StartCaps {

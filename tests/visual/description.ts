@@ -124,7 +124,7 @@ function lobePuffs() {
 
 /** Billboards are baked layers, given as they are; their shadows are made of lobes. */
 function billboardPuffs() {
-  const { layers, casters, startCaps } = bakedPuffs().billboards;
+  const { layers, casters, startCaps, depth } = bakedPuffs().billboards;
   const { size, pad, distanceRange, normalDepth, colorCoverage } = layers;
   const lobes = lobesOf(casters.table, casters.count, casters.lobeCount, casters.lobeCount);
   const coverage = colorCoverage.filter((_, index) => index % 4 === 3);
@@ -132,7 +132,7 @@ function billboardPuffs() {
   return {
     fillet: 0,
     blend: 0,
-    depth: 0,
+    depth,
     lobes,
     startCaps,
     layers: { size, pad, distanceRange, normalDepth: relief, coverage: [...coverage] },

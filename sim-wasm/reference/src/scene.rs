@@ -122,7 +122,7 @@ pub struct Puffs {
     pub fillet: f64,
     pub blend: f64,
     pub start_caps: StartCaps,
-    /// What of them is seen lies no deeper than this behind their centre planes, in radii; 0 for billboards.
+    /// What of them is seen lies no deeper than this behind their centre planes, in radii.
     pub depth: f64,
     /// What billboards show, which roll about the view axis; none of lobes.
     pub layers: Option<Layers>,

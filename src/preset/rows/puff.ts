@@ -12,6 +12,7 @@ export const puffRows: readonly Parameter[] = [
     slider: 'fine',
     label: 'Puff shapes',
     text: 'How many different shapes are mixed; a puff keeps the one it was born with.',
+    isBaked: true,
   }),
   choice(
     'puff.form',
@@ -38,6 +39,7 @@ export const puffRows: readonly Parameter[] = [
     default: 10,
     label: 'Lobes',
     text: 'How many lobes a puff has; more of them cost time.',
+    isBaked: true,
   }),
   quantity('puff.seed', 'puff', 'style', {
     kind: 'integer',
@@ -47,11 +49,12 @@ export const puffRows: readonly Parameter[] = [
     default: 0,
     label: 'Shapes from',
     text: 'Each number has shapes of its own; 0 has those that were chosen by hand.',
+    isBaked: true,
   }),
 ];
 
 /** What shapes the lobes of puffs. */
 function knob(name: string, initial: number, label: string, text: string): NumberParameter {
-  const range = { min: 0, max: 1, step: 0.01, default: initial } as const;
+  const range = { min: 0, max: 1, step: 0.01, default: initial, isBaked: true } as const;
   return quantity(`puff.${name}`, 'puff', 'style', { label, text, ...range });
 }
