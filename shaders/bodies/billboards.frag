@@ -38,6 +38,7 @@ layout(location = 1) out vec4 lit;
 #include ../lib/depth.glsl
 #include ../lib/shade.glsl
 #include ../lib/pixel.glsl
+#include ../lib/gradient.glsl
 #include ../lib/ink.glsl
 #include ../lib/contact.glsl
 
@@ -68,7 +69,7 @@ void main() {
   float viewZ = centreZ + (shape.a - 0.5) * 2.0 * pad * radius;
   bool isInk = isRing || isSeam(clipFromView, viewZ, normal, pixel, linePixels);
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
-  vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), clamp(gradientPosition, 0.0, 1.0));
+  vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), gradientAt(gradientPosition, viewZ));
   Shades shades = shade(normal, towardsLight, ramps, material, gradient, rim);
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);

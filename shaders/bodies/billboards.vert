@@ -13,8 +13,7 @@ uniform float inkPixels;
 uniform float inkSwell;
 uniform int drawing;
 uniform float innerLine;
-uniform vec2 plumeHeight;
-uniform vec4 gradientWeights;
+uniform vec3 gradientWeights;
 uniform sampler2D ramps;
 uniform sampler2DArray normalDepth;
 
@@ -55,10 +54,8 @@ void main() {
   ringDrop = innerLine * radius;
   towardsLight = towardsLightFrom(lightInView, centre);
   material = materialOf(look, ramps);
-  float worldHeight = place.y + dot(viewFromWorld[1].xy, point) * radius;
-  float height = (worldHeight - plumeHeight.x) / max(plumeHeight.y - plumeHeight.x, 1e-6);
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
-  gradientPosition = dot(gradientWeights, vec4(0.5 + 0.5 * point.y, height, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look)));
+  gradientPosition = dot(gradientWeights, vec3(0.5 + 0.5 * point.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look)));
   // Depth is written by the fragments; a constant here keeps the near plane from cutting the quad.
   gl_Position = radius > 0.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
 }

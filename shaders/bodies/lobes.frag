@@ -32,6 +32,7 @@ layout(location = 1) out vec4 lit;
 #include ../lib/light.glsl
 #include ../lib/shade.glsl
 #include ../lib/pixel.glsl
+#include ../lib/gradient.glsl
 #include ../lib/ink.glsl
 #include ../lib/contact.glsl
 
@@ -123,7 +124,7 @@ void main() {
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
   normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
 
-  vec3 gradient = mix(gradientFactor, vec3(1.0), clamp(pointAndGradient.z, 0.0, 1.0));
+  vec3 gradient = mix(gradientFactor, vec3(1.0), gradientAt(pointAndGradient.z, viewZ));
   Shades shades = shade(normalize(normal), towardsLight, ramps, depthsAndRamp.w, gradient, rim);
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);

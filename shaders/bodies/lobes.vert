@@ -13,8 +13,7 @@ uniform float inkPixels;
 uniform float inkSwell;
 uniform int drawing;
 uniform float innerLine;
-uniform vec2 plumeHeight;
-uniform vec4 gradientWeights;
+uniform vec3 gradientWeights;
 uniform sampler2D ramps;
 // A row for each variation: its LOBES lobes (xyz, radius), then their middle.
 uniform sampler2D lobeTable;
@@ -59,10 +58,8 @@ void main() {
   vec3 middle = viewFromPuff * texelFetch(lobeTable, ivec2(LOBES, variation), 0).xyz;
 
   vec2 point = mix(lowest, highest, 0.5 + 0.5 * corner) + corner * inkReach;
-  float worldHeight = place.y + dot(viewFromWorld[1].xy, point) * radius;
-  float height = (worldHeight - plumeHeight.x) / max(plumeHeight.y - plumeHeight.x, 1e-6);
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
-  vec4 gradients = vec4(0.5 + 0.5 * point.y, height, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look));
+  vec3 gradients = vec3(0.5 + 0.5 * point.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look));
   pointAndGradient = vec4(point, dot(gradientWeights, gradients), boilPhase(seedOf(look), drawing));
   middleAndInkReach = vec4(middle, inkReach);
   depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(look, ramps));

@@ -24,8 +24,6 @@ import { InkUniforms, type InkLine } from './ink.ts';
 /** What runs along a gradient fill. */
 export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
 
-const GRADIENTS: readonly Gradient[] = ['puff', 'height', 'screen', 'age'];
-
 const NO_SURFACES = { surfaceDepth: { value: null }, hasSurfaces: { value: false }, surfaceSlack: { value: 0 } };
 
 /** Draws the bodies: colour in light and in shadow, ink, and depth. Opaque and free of any order. */
@@ -42,8 +40,8 @@ export class BodiesPass {
     innerTaper: { value: 0 },
     boil: { value: 0 },
     drawing: { value: 0 },
-    plumeHeight: { value: new Vector2(0, 1) },
-    gradientWeights: { value: new Vector4() },
+    heights: { value: new Vector2() },
+    gradientWeights: { value: new Vector3() },
     gradientFactor: { value: new Vector3(1, 1, 1) },
     rim: { value: new Vector4() },
   };
@@ -120,14 +118,15 @@ export class BodiesPass {
 
   /**
    * Fills from `color` at the low end of the gradient to the smoke's own colour at the high end.
-   * @param heights in the world, metres, between which the gradient 'height' runs
+   * @param bottom, top heights in the world, metres, between which the gradient 'height' runs
    */
-  setGradient(gradient: Gradient, color: Color, smokeColor: Color, heights: readonly [number, number]): void {
-    this.uniforms.plumeHeight.value.fromArray(heights);
-    const { gradientFactor, gradientWeights } = this.uniforms;
-    gradientWeights.value.fromArray(GRADIENTS.map((name) => (name === gradient ? 1 : 0)));
-    const factor = color.map((channel, index) => channel / Math.max(1, smokeColor[index]));
-    gradientFactor.value.fromArray(gradient === 'none' ? [1, 1, 1] : factor);
+  setGradient(gradient: Gradient, color: Color, smokeColor: Color, [bottom, top]: readonly [number, number]): void {
+    const { gradientFactor, heights, gradientWeights } = this.uniforms;
+    heights.value.set(bottom, Number(gradient === 'height') / Math.max(top - bottom, 1e-6));
+    gradientWeights.value.set(Number(gradient === 'puff'), Number(gradient === 'screen'), Number(gradient === 'age'));
+    gradientFactor.value.fromArray(
+      color.map((channel, index) => (gradient === 'none' ? 1 : channel / Math.max(1, smokeColor[index]))),
+    );
   }
 
   draw(renderer: WebGLRenderer): void {

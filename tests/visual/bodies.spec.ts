@@ -43,6 +43,17 @@ for (const form of ['lobes', 'billboards'] as const) {
       expect(differing).toBe(0);
     });
 
+    test('a gradient by height follows the relief, however the camera is tilted', async ({ load }) => {
+      const cases = await load<Cases>(CASES);
+      const reports = await cases.evaluate((module, shape) => module.heightErrors(shape), form);
+      expect(reports).toHaveLength(8);
+      for (const { looked, worst, ...view } of reports) {
+        expect(looked, JSON.stringify(view)).toBeGreaterThan(5_000);
+        // Billboards are baked in texels.
+        expect(worst, JSON.stringify(view)).toBeLessThan(form === 'lobes' ? 1.01 : 2.5);
+      }
+    });
+
     test('two tones show exactly the ramp, the ink and the page', async ({ load }) => {
       const cases = await load<Cases>(CASES);
       const { found, allowed } = await cases.evaluate((module, shape) => module.toneColors(shape), form);

@@ -24,8 +24,8 @@ pub struct Body<'a> {
     /// Metres that a pixel spans at the centre.
     pixel: f64,
     line: Line,
-    /// What of the way up shows on the image plane.
-    up: DVec2,
+    /// The world's way up, in view space.
+    up: DVec3,
     /// Unit vector from the centre towards the light, in view space: the whole puff is lit from there.
     light: DVec3,
 }
@@ -105,7 +105,7 @@ impl<'a> Body<'a> {
                 look.seed(),
                 drawing,
             ),
-            up: turn.y_axis.truncate(),
+            up: turn.y_axis,
             light,
         })
     }
@@ -132,9 +132,11 @@ impl<'a> Body<'a> {
         if is_ring && met.outside * self.radius > width * self.pixel {
             return None;
         }
+        let place = point.extend(met.height);
         let z = self.center.z + met.height * self.radius;
         let is_ink = is_ring || ground.is_seam(at, z, met.form_normal, self.pixel, width);
-        let shade = self.shade(point.extend(met.height), met.normal, screen);
+        let height = self.row.place[1] + self.up.dot(ray.at(-z) - self.center);
+        let shade = self.shade(place, height, met.normal, screen);
         Some(BodyHit {
             depth: if is_ring {
                 ground.ring_depth(at, &self.ring(z, &met, width))
@@ -203,17 +205,18 @@ impl<'a> Body<'a> {
         }
     }
 
-    fn shade(&self, place: DVec3, normal: DVec3, screen: f64) -> Shade {
+    /// `height`: of the place in the world, metres.
+    fn shade(&self, place: DVec3, height: f64, normal: DVec3, screen: f64) -> Shade {
         let style = &self.scene.style;
         let ramp = &style.smoke_ramps[self.look.ramp(&style.bands)];
-        let gradient = gradient_factor(style, &self.along(place.truncate(), screen));
+        let gradient = gradient_factor(style, &self.along(place.y, height, screen));
         Shade::of_puff(style, ramp, normal, self.light, gradient)
     }
 
-    fn along(&self, point: DVec2, screen: f64) -> Along {
+    fn along(&self, puff: f64, height: f64, screen: f64) -> Along {
         Along {
-            puff: point.y,
-            height: self.row.place[1] + self.up.dot(point) * self.radius,
+            puff,
+            height,
             screen,
             age: self.look.age(),
         }

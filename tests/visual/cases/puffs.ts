@@ -1,14 +1,15 @@
 /** What single puffs and small heaps of them must look like. */
-import { PerspectiveCamera } from 'three';
+import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { samplePuff, type PuffSample } from '../../../src/puffs/layers.ts';
 import { sampleLobes } from '../../../src/puffs/lobes.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
+import type { PuffShape } from '../../../src/puffs/shapes.ts';
 import { orientationOf, turnedLobes } from '../../../src/puffs/orientation.ts';
 import { parseStops, rampOf } from '../../../src/smoke/palette.ts';
 import type { Style } from '../../../src/smoke/style.ts';
-import { frontCamera, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
+import { frontCamera, Lab, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
 import { random } from '../random.ts';
 import { ground } from '../solids.ts';
 
@@ -94,6 +95,70 @@ export function heightUnrest(form: PuffForm): { differing: number; shades: numbe
     takePicture({ width: WIDTH, height: HEIGHT, puffs, style }),
   );
   return { differing: differing(alone, below), shades: Object.keys(colors(alone)).length };
+}
+
+/** A puff that is one ball, so that its surface is known. */
+const BALL: PuffShape = { name: 'ball', lobes: [{ center: [0, 0, 0], radius: 1 }] };
+const BALL_RADIUS = 0.8;
+
+/**
+ * A ball with a gradient by height, seen by cameras of different tilts: by how much a channel is off, at most, where the
+ * height of the place that a pixel shows says what it should be, and how many pixels were looked at.
+ */
+export function heightErrors(form: PuffForm): { tilt: number; projection: string; looked: number; worst: number }[] {
+  const puff: LabPuff = { place: [0.3, 0.2, -0.1], radius: BALL_RADIUS };
+  const style = { ...PLAIN_STYLE, form, shadows: false, shading: false, outlines: false, gradient: 'height' } as const;
+  const size = { width: WIDTH, height: HEIGHT };
+  const lab = new Lab({ ...size, puffs: [puff], shapes: [BALL] });
+  const reports = ['orthographic', 'perspective'].flatMap((projection) =>
+    [-60, 0, 35, 70].map((tilt) => {
+      const camera = tiltedCamera(projection, tilt, puff);
+      const { pixels } = lab.draw({ ...size, puffs: [puff], camera, style });
+      let [looked, worst] = [0, 0];
+      for (let at = 0; at < WIDTH * HEIGHT; at++) {
+        const height = heightShown(at, camera, puff);
+        if (height === undefined) continue;
+        const share = (height - style.gradientHeights[0]) / (style.gradientHeights[1] - style.gradientHeights[0]);
+        looked++;
+        style.smokeColor.forEach((bright, channel) => {
+          const low = style.gradientColor[channel];
+          const expected = low + (bright - low) * Math.min(1, Math.max(0, share));
+          worst = Math.max(worst, Math.abs(pixels[4 * at + channel] - expected));
+        });
+      }
+      return { tilt, projection, looked, worst };
+    }),
+  );
+  lab.dispose();
+  return reports;
+}
+
+/** Before a puff, but not in the middle of the picture, turned about it by degrees: 90 looks down. */
+function tiltedCamera(projection: string, tilt: number, { place }: LabPuff): Camera {
+  const camera =
+    projection === 'perspective'
+      ? new PerspectiveCamera(50, WIDTH / HEIGHT, 0.1, 50)
+      : new OrthographicCamera(-1.6, 1.6, 1.2, -1.2, 0.1, 50);
+  const angle = (tilt * Math.PI) / 180;
+  camera.position.set(0, 3 * Math.sin(angle), 3 * Math.cos(angle)).add(new Vector3(...place));
+  camera.lookAt(...place);
+  camera.translateX(0.3);
+  camera.translateY(0.2);
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+/** World height of what a pixel shows of a ball, which a nailboard raises along the view ray; none beside it and at its rim. */
+function heightShown(at: number, camera: Camera, { place, radius }: LabPuff): number | undefined {
+  const pixel = [((at % WIDTH) + 0.5) / WIDTH, (Math.floor(at / WIDTH) + 0.5) / HEIGHT].map((share) => 2 * share - 1);
+  const [near, far] = [-1, 1].map((z) =>
+    new Vector3(pixel[0], pixel[1], z).unproject(camera).applyMatrix4(camera.matrixWorldInverse),
+  );
+  const pointAt = (z: number) => near.clone().lerp(far, (z - near.z) / (far.z - near.z));
+  const centre = new Vector3(...place).applyMatrix4(camera.matrixWorldInverse);
+  const beside = pointAt(centre.z).sub(centre).length() / radius;
+  if (beside > 0.9) return undefined;
+  return pointAt(centre.z + radius * Math.sqrt(1 - beside * beside)).applyMatrix4(camera.matrixWorld).y;
 }
 
 /** The colours of a lone puff by its tint, most frequent first without ink and page, and those that the tint's ramp has. */
