@@ -1,6 +1,7 @@
 import type { State } from '../preset/codec.ts';
 import type { Parameter } from '../preset/parameter.ts';
 import { groups, table } from '../preset/table.ts';
+import { automaticColors } from '../smoke/style.ts';
 import { create, iconButton, textButton } from './dom.ts';
 import type { Editor } from './editor.ts';
 import { icon } from './icons.ts';
@@ -30,7 +31,8 @@ export function createPanel(editor: Editor, scene: SceneLists, feet: Feet, close
   explainIn(caption, panel);
   const show = (state: State) => {
     head.show();
-    const [base, rig] = [editor.base, scene.rig];
+    const { base } = editor;
+    const rig = { ...scene.rig, ...automaticColors(state.values) };
     items.show(state);
     for (const [{ key, default: initial }, row] of rows) {
       const scenes = rig[key] ?? initial;

@@ -137,6 +137,5 @@ export function blendedAt(tones: readonly Tone[], facing: number): Color {
 
 /** From one colour (share 0) to another (share 1), as displayed. */
 export function mixed(from: Color, to: Color, share: number): Color {
-  const channel = (index: 0 | 1 | 2) => Math.round(from[index] + share * (to[index] - from[index]));
-  return [channel(0), channel(1), channel(2)];
+  return from.map((channel, index) => Math.round(channel + share * (to[index] - channel))) as [number, number, number];
 }

@@ -12,8 +12,18 @@ export interface Toning {
   isBlended?: boolean;
   /** How far the tone of shadow comes back towards the colour where the fill light reaches, 0..1. */
   fill?: number;
+  /** What a colour is multiplied by in shadow, unless `stops` say so; a violet where absent. */
+  shadow?: Color;
   /** How far shadow lets go of its hue, 0..1. */
   neutral?: number;
+}
+
+/** What surfaces take from a style. */
+export interface SurfaceToning extends Toning {
+  /** Shades of one colour that they take; their own colours where absent. */
+  wash?: Wash;
+  /** What their colours are multiplied by in shadow; absent, it follows `stops` and `wash`. */
+  surfaceShadowColor?: Color;
 }
 
 /** How far colours become shades of one, 0..1, and the lightest of these shades. */
@@ -24,8 +34,12 @@ export interface Wash {
 
 // What is multiplied into a colour to shade it: shadows lean to violet, so that they read as cool beside any light.
 const SHADOW: Color = [150, 140, 196];
-const MIDDLE: Color = [214, 202, 232];
-// The same two without a hue, for things that are washed into shades of one colour.
+const SHADOW_LIGHTNESS = 149;
+/** Between its greatest and its least channel. */
+const SHADOW_SPREAD = 56;
+// How far the middle tone is from white to shadow.
+const MIDDLE = [0.39, 0.461, 0.39];
+// Shadow and middle tone without a hue, for things that are washed into shades of one colour.
 const GREY: Color = [142, 142, 142];
 const LIGHT_GREY: Color = [206, 206, 206];
 const WHITE: Color = [255, 255, 255];
@@ -41,13 +55,20 @@ export function rampOf(color: Color, toning: Toning): Ramp {
   return isFilled ? { ...ramp, filled: mixed(first, ramp.lit[ramp.lit.length - 1].color, isFilled) } : ramp;
 }
 
-function rampOfTones(color: Color, { tones, shading, neutral = 0 }: Toning): Ramp {
-  const shadow = { from: 0, color: multiply(color, mixed(SHADOW, GREY, neutral)) };
-  const unlit = [shadow];
+function rampOfTones(color: Color, { tones, shading, shadow = SHADOW, neutral = 0 }: Toning): Ramp {
+  const shaded = { from: 0, color: multiply(color, mixed(shadow, GREY, neutral)) };
+  const unlit = [shaded];
   if (!shading || tones === 1) return { lit: [{ from: 0, color }], unlit };
-  if (tones === 2) return { lit: [shadow, { from: 0.5, color }], unlit };
-  const middle = multiply(color, mixed(MIDDLE, LIGHT_GREY, neutral));
-  return { lit: [shadow, { from: FIRST_BORDER, color: middle }, { from: 0.66, color }], unlit };
+  if (tones === 2) return { lit: [shaded, { from: 0.5, color }], unlit };
+  const middle = shadow.map((channel, index) => 255 - (255 - channel) * MIDDLE[index]) as [number, number, number];
+  return {
+    lit: [
+      shaded,
+      { from: FIRST_BORDER, color: multiply(color, mixed(middle, LIGHT_GREY, neutral)) },
+      { from: 0.66, color },
+    ],
+    unlit,
+  };
 }
 
 function rampOfStops(color: Color, stops: readonly Tone[], { shading, isBlended }: Toning): Ramp {
@@ -63,8 +84,27 @@ export function turnOf(toning: Toning): number {
 }
 
 /** Surfaces stay shaded where smoke is flat: the edge of a mesh's own shadow follows its triangles and has to lie in shade. */
-export function surfaceToning({ tones, wash }: Toning & { wash?: Wash }): Toning {
-  return { tones: tones === 1 ? 2 : tones, shading: true, ...(wash?.share && { neutral: wash.share }) };
+export function surfaceToning({ tones, wash, stops, surfaceShadowColor }: SurfaceToning): Toning {
+  const shadow = surfaceShadowColor ?? shadowIn(stops?.[0]?.color ?? SHADOW);
+  return { tones: tones === 1 ? 2 : tones, shading: true, shadow, neutral: surfaceShadowColor ? 0 : wash?.share };
+}
+
+/** What the colours of surfaces are multiplied by in shadow. */
+export function surfaceShadowOf(style: SurfaceToning): Color {
+  return rampOf(WHITE, surfaceToning(style)).unlit[0].color;
+}
+
+/** SHADOW in the hue of another colour: as light as it is, and no stronger. */
+function shadowIn(color: Color): Color {
+  const own = lightnessOf(color);
+  const scale = Math.min(SHADOW_LIGHTNESS / own, SHADOW_SPREAD / (Math.max(...color) - Math.min(...color)));
+  // A grey has no hue: 0 times infinity.
+  const channels = color.map((channel) => Math.round(SHADOW_LIGHTNESS + (scale * (channel - own) || 0)));
+  return channels as [number, number, number];
+}
+
+function lightnessOf([red, green, blue]: Color): number {
+  return 0.3 * red + 0.59 * green + 0.11 * blue;
 }
 
 // Of the wash's colour, what black becomes: dark things stay darker than light ones and yet show their shadow.
@@ -73,9 +113,7 @@ const DARKEST = 0.22;
 /** The colour of a surface: its own, or the shade of the wash's colour that is as light as its own. */
 export function washed(color: Color, wash?: Wash): Color {
   if (!wash) return color;
-  const [red, green, blue] = color;
-  const lightness = (0.3 * red + 0.59 * green + 0.11 * blue) / 255;
-  const shade = mixed([0, 0, 0], wash.color, DARKEST + (1 - DARKEST) * lightness);
+  const shade = mixed([0, 0, 0], wash.color, DARKEST + ((1 - DARKEST) * lightnessOf(color)) / 255);
   return mixed(color, shade, wash.share);
 }
 
@@ -107,6 +145,5 @@ export function parseStops(text: string): Tone[] {
 }
 
 export function multiply(color: Color, factor: Color): Color {
-  const channel = (index: 0 | 1 | 2) => Math.round((color[index] * factor[index]) / 255);
-  return [channel(0), channel(1), channel(2)];
+  return color.map((channel, index) => Math.round((channel * factor[index]) / 255)) as [number, number, number];
 }

@@ -3,7 +3,7 @@ import type { Color, Tone } from '../device/ramps.ts';
 import type { Gradient } from '../passes/bodies.ts';
 import type { InkLine } from '../passes/ink.ts';
 import type { Values } from '../preset/parameter.ts';
-import { parseColor, parseStops, type Toning, type Wash } from './palette.ts';
+import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
 /** How puffs become pixels: the product's own way, and three others to compare it with. */
 export type Renderer = 'nailboards' | Rival;
@@ -18,7 +18,7 @@ export const THROWS_SHADOW: Readonly<Record<Renderer, boolean>> = {
 };
 
 /** How smoke is drawn: the paper's four effects, each on or off by itself, and their colours. */
-export interface Style extends Toning {
+export interface Style extends SurfaceToning {
   renderer: Renderer;
   form: PuffForm;
   outlines: boolean;
@@ -57,52 +57,57 @@ export interface Style extends Toning {
   inkColor: Color;
   /** What lies behind, from below to above, in the place of the scene's; its own where absent or empty. */
   backdropColors?: readonly Tone[];
-  /** Shades of one colour that surfaces take; their own colours where absent. */
-  wash?: Wash;
 }
 
-/** Reads the style out of flat values that hold every key of the table. */
+/** What colours that nobody has set are. @param values every other key of the table */
+export function automaticColors(values: Values): Values {
+  const [red, green, blue] = surfaceShadowOf({ ...styleOf(values), surfaceShadowColor: undefined });
+  return { 'style.surfaceShadowColor': `#${((red << 16) | (green << 8) | blue).toString(16).padStart(6, '0')}` };
+}
+
+/** Fields that are named as their parameters are, by how their values are read. */
+const PLAIN = [
+  'renderer',
+  'shadowSteps',
+  'shadowDepth',
+  'gradient',
+  'fill',
+  'rim',
+  'outlineWidth',
+  'inkSwell',
+  'boil',
+  'innerLine',
+  'innerTaper',
+  'tones',
+] as const;
+const TOGGLES = ['shading', 'outlines', 'creases', 'shadows', 'softColors'] as const;
+const COLORS = ['deepShadow', 'gradientColor', 'rimColor', 'smokeColor', 'inkColor', 'surfaceShadowColor'] as const;
+
+/** Reads the style out of flat values that hold every key of the table that is not optional. */
 export function styleOf(values: Values): Style {
+  const colorOf = (name: string) => parseColor(values[`style.${name}`] as string);
+  const stopsOf = (name: string) => parseStops(values[`style.${name}`] as string);
   return {
-    renderer: values['style.renderer'] as Renderer,
+    ...read(values, PLAIN, (value) => value),
+    ...read(values, TOGGLES, (value) => value === 1),
+    ...read(values, COLORS, (color?: string) => color && parseColor(color)),
     form: values['puff.form'] as PuffForm,
-    shading: values['style.shading'] === 1,
-    outlines: values['style.outlines'] === 1,
-    creases: values['style.creases'] === 1,
-    shadows: values['style.shadows'] === 1,
-    shadowSteps: values['style.shadowSteps'] as 1 | 2,
-    shadowDepth: values['style.shadowDepth'] as number,
-    deepShadow: parseColor(values['style.deepShadow'] as string),
-    gradient: values['style.gradient'] as Gradient,
-    gradientColor: parseColor(values['style.gradientColor'] as string),
     gradientHeights: [values['style.gradientBottom'] as number, values['style.gradientTop'] as number],
-    stops: parseStops(values['style.ramp'] as string),
+    stops: stopsOf('ramp'),
     isBlended: values['style.rampBlend'] === 1,
-    fill: values['style.fill'] as number,
-    rim: values['style.rim'] as number,
-    rimColor: parseColor(values['style.rimColor'] as string),
-    ageColors: parseStops(values['style.ageRamp'] as string),
-    heatColors: parseStops(values['style.heatRamp'] as string),
-    softColors: values['style.softColors'] === 1,
-    outlineWidth: values['style.outlineWidth'] as number,
-    inkSwell: values['style.inkSwell'] as number,
-    boil: values['style.boil'] as number,
-    innerLine: values['style.innerLine'] as number,
-    innerTaper: values['style.innerTaper'] as number,
-    tones: values['style.tones'] as 1 | 2 | 3,
-    smokeColor: parseColor(values['style.smokeColor'] as string),
-    tints: [tint(values, 1), tint(values, 2), tint(values, 3)],
-    inkColor: parseColor(values['style.inkColor'] as string),
-    backdropColors: parseStops(values['style.backdrop'] as string),
-    wash: { share: values['style.wash'] as number, color: parseColor(values['style.washColor'] as string) },
+    ageColors: stopsOf('ageRamp'),
+    heatColors: stopsOf('heatRamp'),
+    tints: [colorOf('tint1'), colorOf('tint2'), colorOf('tint3')],
+    backdropColors: stopsOf('backdrop'),
+    wash: { share: values['style.wash'] as number, color: colorOf('washColor') },
   };
+}
+
+function read<Key extends keyof Style>(values: Values, keys: readonly Key[], parse: (value: never) => unknown) {
+  return Object.fromEntries(keys.map((key) => [key, parse(values[`style.${key}`] as never)])) as Pick<Style, Key>;
 }
 
 /** @param pixelRatio pixels of the target for each CSS pixel */
 export function inkLineOf({ outlines, outlineWidth, inkSwell, inkColor }: Style, pixelRatio: number): InkLine {
   return { color: inkColor, pixels: outlines ? outlineWidth * pixelRatio : 0, swell: inkSwell };
-}
-
-function tint(values: Values, number: number): Color {
-  return parseColor(values[`style.tint${number}`] as string);
 }

@@ -56,10 +56,10 @@ test('the search goes through items, looked at before or not', async ({ page }) 
   await expect(panelOf(page).getByRole('status')).toHaveText('2 parameters');
 });
 
-test('knobs of billboards wait for the end of the gesture', async ({
+test('knobs of billboards wait for the end of the gesture, and an unset colour shows what it follows', async ({
   page,
 }) => {
-  await open(page, `?paused=1${LIGHT}&puff.form=billboards`);
+  await open(page, `?paused=1${LIGHT}&puff.form=billboards&style.ramp=0:2f5a34,.5:ffffff`);
   const slide = (event: string, place?: string) =>
     page.getByLabel('Lumpiness', { exact: true }).evaluate(
       (slider: HTMLInputElement, [type, value]) => {
@@ -75,6 +75,14 @@ test('knobs of billboards wait for the end of the gesture', async ({
   await expectValue(page, 'puff.lumpiness', 0.8);
   await slide('change');
   await expectValue(page, 'puff.lumpiness', 0);
+
+  const shadow = page.getByLabel('Surface shadow', { exact: true });
+  await expect(shadow).toHaveValue('#73ab7a');
+  await shadow.fill('#203040');
+  await expectValue(page, 'style.surfaceShadowColor', '#203040');
+  await page.getByRole('button', { name: 'Reset Surface shadow' }).click();
+  await expect(shadow).toHaveValue('#73ab7a');
+  await expectValue(page, 'style.surfaceShadowColor', undefined);
 });
 
 test.describe('on a phone', () => {

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { defaultPreset, presetValues } from '../../src/preset/presets.ts';
 import { blendedAt, colorAt, FIRST_BORDER, RampTexture } from '../../src/device/ramps.ts';
 import {
   isFlat,
@@ -7,10 +8,12 @@ import {
   plainColorOf,
   rampOf,
   smokeColorOf,
+  surfaceShadowOf,
   surfaceToning,
   turnOf,
   washed,
 } from '../../src/smoke/palette.ts';
+import { automaticColors, styleOf } from '../../src/smoke/style.ts';
 
 const CREAM = parseColor('#f6efe2');
 
@@ -115,6 +118,58 @@ describe('surfaceToning', () => {
         expect(colorAt(lit, 0)).toEqual(colorAt(unlit, 0));
       }
     }
+  });
+});
+
+describe('the shadow of surfaces', () => {
+  const WHITE = parseColor('#ffffff');
+  const [tones, shading] = [3, true] as const;
+  const GREEN = parseStops('0:2f5a34,.3:9fc48a,.6:ffffff');
+  const lightness = ([red, green, blue]: readonly number[]) => 0.3 * red + 0.59 * green + 0.11 * blue;
+
+  it('is violet where no ramp is chosen', () => {
+    const { lit, unlit } = rampOf(WHITE, surfaceToning({ tones, shading, stops: [] }));
+    expect(unlit[0].color).toEqual([150, 140, 196]);
+    expect(lit.map(({ color }) => color)).toEqual([
+      [150, 140, 196],
+      [214, 202, 232],
+      [255, 255, 255],
+    ]);
+  });
+
+  it('has the hue of the first colour of a chosen ramp, and is as light and no stronger than the violet', () => {
+    // The dark green less its lightness is (-26, 17, -21); the violet spreads over 56, that over 43.
+    expect(surfaceShadowOf({ tones, shading, stops: GREEN })).toEqual([115, 171, 122]);
+    for (const dark of ['000000', 'ffffff', '140030', 'ff0000', '808080']) {
+      const shadow = surfaceShadowOf({ tones, shading, stops: parseStops(`0:${dark},.5:ffffff`) });
+      expect(Math.abs(lightness(shadow) - lightness([150, 140, 196])), dark).toBeLessThan(1);
+      expect(Math.max(...shadow) - Math.min(...shadow), dark).toBeLessThanOrEqual(57);
+    }
+  });
+
+  it('has the hue in its middle tone as well, between shadow and light', () => {
+    const [shadow, middle, light] = rampOf(WHITE, surfaceToning({ tones, shading, stops: GREEN })).lit;
+    middle.color.forEach((channel, index) => {
+      expect(channel).toBeGreaterThan(shadow.color[index]);
+      expect(channel).toBeLessThan(light.color[index]);
+    });
+    expect(middle.color[1]).toBeGreaterThan(middle.color[0]);
+    expect(middle.color[1]).toBeGreaterThan(middle.color[2]);
+  });
+
+  it('is what is set, whatever ramp is chosen and however things are washed', () => {
+    const wash = { share: 1, color: [200, 100, 50] } as const;
+    const surfaceShadowColor = parseColor('#203040');
+    expect(surfaceShadowOf({ tones, shading, stops: GREEN, wash, surfaceShadowColor })).toEqual(surfaceShadowColor);
+  });
+
+  it('is read from values, and told as a value where it is not set', () => {
+    const values = presetValues(defaultPreset);
+    expect(styleOf(values).surfaceShadowColor).toBeUndefined();
+    expect(automaticColors(values)).toEqual({ 'style.surfaceShadowColor': '#968cc4' });
+    const set = { ...values, 'style.ramp': '0:2f5a34,.6:ffffff', 'style.surfaceShadowColor': '#203040' };
+    expect(styleOf(set).surfaceShadowColor).toEqual([32, 48, 64]);
+    expect(automaticColors(set)).toEqual({ 'style.surfaceShadowColor': '#73ab7a' });
   });
 });
 

@@ -1,3 +1,4 @@
+import type { Style } from '../../src/smoke/style.ts';
 import { expect, test } from '../support/fixtures.ts';
 
 type Cases = typeof import('./cases/puffs.ts');
@@ -150,3 +151,29 @@ for (const form of ['lobes', 'billboards'] as const) {
     });
   });
 }
+
+/** The ground of the tests is 222, 170, 110, and shadow a product. */
+const GROUND_SHADOWS = [
+  ['is violet without a ramp', {}, '131,93,85,255'],
+  ['has the hue of a chosen ramp: (115, 171, 122) of dark green', { stops: 'green' }, '100,114,53,255'],
+  ['has the colour that is set', { surfaceShadowColor: [100, 50, 200] }, '87,33,86,255'],
+  [
+    'has the colour that is set on a chosen ramp',
+    { stops: 'green', surfaceShadowColor: [100, 50, 200] },
+    '87,33,86,255',
+  ],
+] as const;
+const GREEN = [
+  { from: 0, color: [47, 90, 52] },
+  { from: 0.5, color: [255, 255, 255] },
+] as const;
+
+test('shadow on the ground has the hue of a chosen ramp, or the colour that is set', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  for (const [what, style, expected] of GROUND_SHADOWS) {
+    const given = { ...style, ...('stops' in style ? { stops: GREEN } : {}) };
+    const found = await cases.evaluate((module, toning) => module.groundColors(toning), given as Partial<Style>);
+    expect(Object.keys(found).sort(), what).toEqual(['222,170,110,255', expected].sort());
+    expect(found[expected], what).toBeGreaterThan(2_000);
+  }
+});

@@ -26,6 +26,15 @@ export const styleRows: readonly Parameter[] = [
     label: 'Deep from',
     text: 'How many puffs must shade a place for the second step of shadow; all things of the scene count as one.',
   }),
+  {
+    ...color(
+      'surfaceShadowColor',
+      'Surface shadow',
+      'Things are multiplied by this in shadow; until it is set it has the hue of the first of your own tones.',
+      '#968cc4',
+    ),
+    isOptional: true,
+  },
   color('deepShadow', 'Deep shadow', 'The colours of shadow are multiplied by this in its second step.', '#a79bc9'),
   choice(
     'style.tones',

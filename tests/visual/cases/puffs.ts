@@ -352,3 +352,14 @@ export function seamBend(form: PuffForm): number {
   }
   return rows.length > 20 ? Math.max(...rows) - Math.min(...rows) : 0;
 }
+
+/** How many pixels of each colour there are of a ground in the shadow of a puff that is out of the picture. */
+export function groundColors(style: Partial<Style>): Record<string, number> {
+  const camera = new PerspectiveCamera(40, WIDTH / HEIGHT, 0.1, 50);
+  camera.position.set(0, 1.5, 1.5);
+  camera.lookAt(0, 0, 0);
+  camera.updateMatrixWorld();
+  const puffs: LabPuff[] = [{ place: [0, 4, 0], radius: 0.6 }];
+  const surfaces = [ground(0, 4)];
+  return colors(takePicture({ width: WIDTH, height: HEIGHT, puffs, surfaces, camera, towardsLight: [0, 1, 0], style }));
+}
