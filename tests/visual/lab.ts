@@ -49,8 +49,6 @@ export interface LabScene {
   puffs: readonly LabPuff[];
   /** What they look like, a variation each; the default ones where absent. */
   shapes?: readonly PuffShape[];
-  /** What they look like as billboards, a variation each; the default ones where absent. */
-  fronts?: readonly PuffShape[];
   /** What throws shadow; the puffs themselves where absent. */
   casters?: readonly LabPuff[];
   surfaces?: readonly SurfaceDescription[];
@@ -177,7 +175,7 @@ export class Lab {
     this.device = options.reversedDepth ? reversedDevice() : createDevice(new OffscreenCanvas(1, 1), options);
     this.device.renderer.setSize(width, height, false);
     const most = Math.max(capacity, puffs.length, casters.length);
-    const baked = bakedPuffs(options.shapes, options.fronts);
+    const baked = bakedPuffs(options.shapes);
     this.smoke = new SmokeRenderer(this.device, { capacity: most, surfaces, backdrop, puffs: baked });
   }
 

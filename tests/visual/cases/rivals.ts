@@ -35,7 +35,7 @@ export function depthLines(share: number): LineReport {
     width: WIDTH,
     height: HEIGHT,
     puffs: radii.map((radius, index) => ({ place: [0, 0, places[index]], radius })),
-    fronts: BALL,
+    shapes: BALL,
     camera,
     style: { renderer: 'selle' },
   });
