@@ -2,17 +2,16 @@ import type { State } from '../preset/codec.ts';
 import { listLabel, listNames, startValues } from '../preset/lists.ts';
 import type { ChoiceParameter, Parameter, Value, Values } from '../preset/parameter.ts';
 import { findParameter, itemGroups, table } from '../preset/table.ts';
+import { areSame, carrierChoices, type CarrierNames } from './carriers.ts';
 import { create, textButton } from './dom.ts';
 import type { Editor } from './editor.ts';
 import { createRow, type Row } from './row.ts';
 import { strings } from './strings.ts';
 
 /** What the scene says of the lists. */
-export interface SceneLists {
+export interface SceneLists extends CarrierNames {
   /** Values of optional parameters that hold where nobody has set one. */
   readonly rig: Values;
-  /** Names of the rigids that items can ride on, by their number. */
-  readonly rigidNames: readonly string[];
 }
 
 /** A part of the panel. */
@@ -43,13 +42,13 @@ export function createItems(editor: Editor, scene: SceneLists): Items {
     added.element.scrollIntoView();
   };
   const element = create('div', {}, createAdder(editor, scene, reveal), holder);
-  let named = scene.rigidNames;
+  let offered = carrierChoices(scene);
   const show = (state: State) => {
-    // Another scene has other rigids to ride on.
-    if (named !== scene.rigidNames) {
+    const choices = carrierChoices(scene);
+    if (!areSame(offered, choices)) {
       items.clear();
       holder.replaceChildren();
-      named = scene.rigidNames;
+      offered = choices;
     }
     const present = itemsOf({ ...scene.rig, ...state.values });
     for (const [key, item] of items) item.element.hidden = !present.has(key);
@@ -116,12 +115,11 @@ function createItem(group: string, label: string, editor: Editor, scene: SceneLi
   return { element, show, rows: make };
 }
 
-/** The number of a rigid as a choice among the names that the scene's rigids have. */
-function riding(parameter: Parameter, { rigidNames }: SceneLists): Parameter {
+/** The number of a carrier as a choice among the names that the scene's carriers have. */
+function riding(parameter: Parameter, scene: SceneLists): Parameter {
   if (parameter.kind !== 'integer' || !parameter.key.endsWith('.rigid')) return parameter;
   const { key, group, label, text, reader } = parameter;
-  const names = [strings.items.world, ...rigidNames];
-  const options = names.map((name, index) => ({ value: index - 1, label: name }));
+  const options = carrierChoices(scene);
   return { kind: 'choice', key, group, label, text, reader, options, default: -1 } satisfies ChoiceParameter;
 }
 

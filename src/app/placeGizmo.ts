@@ -12,7 +12,7 @@ type List = 'emitters' | 'vortices';
 
 const AXES = ['x', 'y', 'z'] as const;
 
-/** An emitter or a vortex, which is where it is in the scene, or on the rigid that it rides on. */
+/** An emitter or a vortex, which is where it is in the scene, or on what it rides on. */
 export class PlaceGizmo implements Gizmo {
   readonly key: string;
   readonly icon: 'emitter' | 'vortex';
@@ -34,23 +34,23 @@ export class PlaceGizmo implements Gizmo {
   }
 
   place(values: Values): { x: number; y: number } | undefined {
-    const seen = this.sight().project(this.positionIn(values), this.rigidIn(values));
+    const seen = this.sight().project(this.positionIn(values), this.carrierIn(values));
     const { x, y } = this.offset();
     return seen && { x: seen.x + x, y: seen.y + y };
   }
 
   move(from: Values, way: Direction): Changes {
-    return this.at(this.sight().shift(this.positionIn(from), way, this.rigidIn(from)));
+    return this.at(this.sight().shift(this.positionIn(from), way, this.carrierIn(from)));
   }
 
-  /** Lets it ride on a rigid, -1 for none, without moving it. */
-  ride(from: Values, rigid: number): Changes {
-    const place = this.sight().change(this.positionIn(from), this.rigidIn(from), rigid);
-    return { ...this.at(place), [`${this.key}.rigid`]: rigid };
+  /** Lets it ride on a carrier, by the number that `carrierChoices` has, -1 for none, without moving it. */
+  ride(from: Values, carrier: number): Changes {
+    const place = this.sight().change(this.positionIn(from), this.carrierIn(from), carrier);
+    return { ...this.at(place), [`${this.key}.rigid`]: carrier };
   }
 
-  /** The number of the rigid that it rides on, -1 for none. */
-  rigidIn(values: Values): number {
+  /** The number of what it rides on, -1 for none. */
+  carrierIn(values: Values): number {
     return Number(values[`${this.key}.rigid`] ?? -1);
   }
 

@@ -1,5 +1,6 @@
 import type { Values } from '../preset/parameter.ts';
 import type { Stage } from '../stage/stage.ts';
+import { areSame, carrierChoices, type CarrierChoice } from './carriers.ts';
 import { create } from './dom.ts';
 import type { Editor } from './editor.ts';
 import type { PlaceGizmo } from './placeGizmo.ts';
@@ -13,14 +14,14 @@ export class Riding {
   private readonly name = create('span');
   private readonly select = create('select');
   private chosen: PlaceGizmo | undefined;
-  private offered: readonly string[] | undefined;
+  private offered: readonly CarrierChoice[] = [];
 
   constructor(editor: Editor, stage: Stage, valuesNow: () => Values) {
     this.stage = stage;
     this.valuesNow = valuesNow;
     this.element = create('label', { class: 'riding', hidden: true }, this.name, this.select);
     this.select.addEventListener('change', () => {
-      if (this.chosen) editor.changeAll(this.chosen.ride(this.valuesNow(), this.select.selectedIndex - 1));
+      if (this.chosen) editor.changeAll(this.chosen.ride(this.valuesNow(), Number(this.select.value)));
     });
   }
 
@@ -30,15 +31,14 @@ export class Riding {
   }
 
   show(): void {
-    const { rigidNames } = this.stage;
-    this.element.hidden = !this.chosen || rigidNames.length === 0;
+    const choices = carrierChoices(this.stage);
+    this.element.hidden = !this.chosen || choices.length === 1;
     if (!this.chosen) return;
-    if (this.offered !== rigidNames) {
-      const names = [strings.items.world, ...rigidNames];
-      this.select.replaceChildren(...names.map((name) => create('option', {}, name)));
-      this.offered = rigidNames;
+    if (!areSame(this.offered, choices)) {
+      this.select.replaceChildren(...choices.map(({ value, label }) => create('option', { value: `${value}` }, label)));
+      this.offered = choices;
     }
     this.name.textContent = strings.gizmos.ridesOn(this.chosen.describe());
-    this.select.selectedIndex = 1 + this.chosen.rigidIn(this.valuesNow());
+    this.select.value = `${this.chosen.carrierIn(this.valuesNow())}`;
   }
 }

@@ -43,10 +43,12 @@ export function airplane(): Scene {
 
 const PARTS: readonly Part[] = [
   {
+    name: 'Propeller',
     rigid: PLANE,
     pose: (seconds) => placement(HUB, [PROPELLER_SENSE * 2 * Math.PI * TURNS * seconds, 0, 0]),
   },
   {
+    name: 'Scarf',
     rigid: PLANE,
     pose: (seconds) =>
       placement(KNOT, [0.25 * sin(9 * seconds), 0.3 * sin(6.1 * seconds), 0.2 + 0.16 * sin(7.7 * seconds)]),

@@ -37,9 +37,9 @@ export function cloudscape(): Scene {
     emissionSurfaces: [cumuli(CLOUDS), cumuli(CLOUDS.map(([x, ...rest]) => [x + WIDTH, ...rest] as const))],
     surfaces: [...hills(), ...windmill(SAILS), ...sheep(FLOCK), ...sun(RAYS, FACE)],
     parts: [
-      { pose: (seconds) => placement(AXLE, [0, 0, 0.9 * WIND * seconds]) },
-      { pose: (seconds) => placement(sunPlace(seconds), [0, 0, sunTurn(seconds)]) },
-      { pose: (seconds) => placement(sunPlace(seconds), [0, 0, 0.1 * sin(seconds)]) },
+      { name: 'Windmill sails', pose: (seconds) => placement(AXLE, [0, 0, 0.9 * WIND * seconds]) },
+      { name: 'Sun rays', pose: (seconds) => placement(sunPlace(seconds), [0, 0, sunTurn(seconds)]) },
+      { name: 'Sun face', pose: (seconds) => placement(sunPlace(seconds), [0, 0, 0.1 * sin(seconds)]) },
     ],
     camera: { target: [0, 1.15, 0], azimuth: 0, elevation: 0.06, distance: 9.6, fieldOfView: 0.58 },
     portrait: { target: [-0.7, 0.75, 0], distance: 11, leastWidth: 0.44 },

@@ -40,7 +40,7 @@ export function dust(): Scene {
     guide,
     rule: dustRule(MOLE + 1, clouds),
     surfaces: [...desert(), ...mole(MOLE, MOLEHILL), ...TOYS.flatMap(toySurfaces)],
-    parts: [{ rigid: MOLE, pose: (seconds) => placement([0, -moleHeight(seconds), 0]) }],
+    parts: [{ name: 'Molehill', rigid: MOLE, pose: (seconds) => placement([0, -moleHeight(seconds), 0]) }],
     handle: HANDLE,
     drops: TOYS.map(({ rigid }) => rigid),
     camera: { target: [0, 0.75, 0], azimuth: 0.1, elevation: 0.28, distance: 9.4, fieldOfView: 0.56 },

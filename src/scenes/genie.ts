@@ -68,7 +68,7 @@ const GENIE_RIGID: RigidDescription = {
 };
 
 const PARTS: readonly Part[] = [
-  { rigid: GENIE, pose: (seconds) => placement(WAVE, [0, -0.2, -0.35 + 0.4 * sin(5.2 * seconds)]) },
+  { name: 'Hand', rigid: GENIE, pose: (seconds) => placement(WAVE, [0, -0.2, -0.35 + 0.4 * sin(5.2 * seconds)]) },
 ];
 
 /** How fast he wants to cover the way to where he should be, 1/s, and the most that he hurries, m/s. */

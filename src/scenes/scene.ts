@@ -98,11 +98,16 @@ export interface Rule {
   readonly values: (moment: MovingMoment) => Readonly<Record<string, number>>;
 }
 
-/** Something that moves and that no smoke bumps into, such as a wheel: drawn where its pose says. */
+/**
+ * Something that moves and that no smoke bumps into, such as a wheel: drawn where its pose says. Emitters and forces can
+ * ride on it.
+ */
 export interface Part {
+  /** What people call it. */
+  readonly name: string;
   /** Number of the rigid that carries it, in whose space the pose is meant; the world's where absent. */
   readonly rigid?: number;
-  /** By simulated seconds alone; asked at moments between two steps, too. */
+  /** By simulated seconds alone; asked at moments between two steps, too. Less than half a turn in a step. */
   readonly pose: (seconds: number) => Placement;
 }
 
@@ -118,7 +123,7 @@ export interface Scene {
   guide?: Guide;
   rule?: Rule;
   surfaces: readonly SurfaceDescription[];
-  /** In the order of the numbers by which surfaces name them. */
+  /** In the order of the numbers by which surfaces name them, 64 at most. */
   parts?: readonly Part[];
   /** Meshes that emitters smoke from, in the order of their numbers; none of them is drawn. */
   emissionSurfaces?: readonly Pick<TriangleMesh, 'positions' | 'indices'>[];

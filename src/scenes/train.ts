@@ -64,29 +64,30 @@ function wheelTurn(seconds: number): number {
   return (-SPEED * seconds) / WHEEL_RADIUS;
 }
 
-function axle(index: number): Part {
+function axle(index: number, name: string): Part {
   const radius = index < 2 ? WHEEL_RADIUS : WHEEL_RADIUS * 0.62;
   return {
+    name,
     rigid: LOCOMOTIVE,
     pose: (seconds) => placement([AXLES[index], radius, 0], [0, 0, (wheelTurn(seconds) * WHEEL_RADIUS) / radius]),
   };
 }
 
 /** A rod stays level while the cranks carry it round; the left ones are a quarter ahead, so that it never sticks. */
-function rod(lead: number): Part {
+function rod(lead: number, name: string): Part {
   const place = (turn: number) => placement([CRANK * cos(turn), CRANK * sin(turn), 0]);
-  return { rigid: LOCOMOTIVE, pose: (seconds) => place(wheelTurn(seconds) + lead) };
+  return { name, rigid: LOCOMOTIVE, pose: (seconds) => place(wheelTurn(seconds) + lead) };
 }
 
 const PARTS: readonly Part[] = [
-  axle(0),
-  axle(1),
-  axle(2),
-  rod(0),
-  rod(-Math.PI / 2),
-  { pose: (seconds) => onTrack(seconds, 1.26) },
-  { pose: (seconds) => onTrack(seconds, 2.18) },
-  { pose: (seconds) => onTrack(seconds, 3.1) },
+  axle(0, 'Rear wheels'),
+  axle(1, 'Middle wheels'),
+  axle(2, 'Front wheels'),
+  rod(0, 'Right rod'),
+  rod(-Math.PI / 2, 'Left rod'),
+  { name: 'Tender', pose: (seconds) => onTrack(seconds, 1.26) },
+  { name: 'Yellow wagon', pose: (seconds) => onTrack(seconds, 2.18) },
+  { name: 'Blue wagon', pose: (seconds) => onTrack(seconds, 3.1) },
 ];
 
 const COAL = [[0.16, 0.64, 0.1, 0.12], [-0.1, 0.66, -0.08, 0.15], [0.1, 0.62, -0.13, 0.11], [-0.18, 0.62, 0.12, 0.12], [0, 0.68, 0.06, 0.12]] as const; // prettier-ignore

@@ -21,6 +21,9 @@ export const RIGID_FLOATS = 14;
 /** One pose: x, y, z in metres, then the unit quaternion x, y, z, w. */
 export const POSE_FLOATS = 7;
 
+/** Where the number of a rigid is expected, the scene's parts follow from this number on. */
+export const FIRST_PART = 4096;
+
 /** Temperature that byte 2 of a look's second word stands for when it is 255. */
 export const LOOK_TEMPERATURE_MAX = 4;
 

@@ -132,6 +132,17 @@ export class Simulator {
     this.#attempt(() => this.#handle.releaseRigid(index));
   }
 
+  /**
+   * Says where the scene's parts are in the coming step, and in that step only. Items ride on part n by the number
+   * 4096 + n, where others have the number of a rigid.
+   *
+   * @param numbers All parts at the start of the step, 64 at most, then all at its end. For each the rigid that carries it, -1
+   * for none, and its pose in the space of that rigid: x, y, z in metres and the unit quaternion x, y, z, w.
+   */
+  placeParts(numbers: readonly number[]): void {
+    this.#attempt(() => this.#handle.placeParts(Float32Array.from(numbers)));
+  }
+
   /** Advances by `count` steps of 1/60 s. */
   step(count = 1): void {
     requireWhole('step count', count);

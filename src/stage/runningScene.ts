@@ -1,3 +1,4 @@
+import { Matrix4 } from 'three';
 import { missingContext, type ContextEvent, type Device } from '../device/device.ts';
 import { FramesInFlight } from '../device/framesInFlight.ts';
 import { SimulatorError } from '../preset/errors.ts';
@@ -5,6 +6,7 @@ import type { Values } from '../preset/parameter.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { completionOf, type Completion } from '../smoke/completion.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
+import { FIRST_PART } from '../sim/rows.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import type { SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { FrameLoop, type FrameTasks } from './frameLoop.ts';
@@ -12,7 +14,7 @@ import { Gestures } from './gestures.ts';
 import { Listeners } from './listeners.ts';
 import type { OpenedScene } from './openScene.ts';
 import type { OrbitCamera } from './orbit.ts';
-import { Picture } from './picture.ts';
+import { Picture, type Moment } from './picture.ts';
 import type { Presenter } from './presenter.ts';
 import { advanceTo } from './seek.ts';
 import { Sight } from './sight.ts';
@@ -70,7 +72,10 @@ export class RunningScene implements FrameTasks {
 
   /** Ways between places of the scene and of its picture, as it was drawn last. */
   get sight(): Sight {
-    return new Sight(this.picture, () => this.gestures.rigids(this.loop.clock.blend));
+    return new Sight(this.picture, (carrier) => {
+      const { rigids, parts } = this.transforms();
+      return (carrier < FIRST_PART ? rigids[carrier] : parts[carrier - FIRST_PART]) ?? new Matrix4();
+    });
   }
 
   get scene(): Scene {
@@ -242,12 +247,16 @@ export class RunningScene implements FrameTasks {
   /** Draws though nobody may see it. @param scale share of the pixel ratio */
   drawNow(scale: number): void {
     if (this.hasEnded) return;
+    const { simulator } = this.simulation;
+    const isDrawn = this.picture.draw({ ...this.transforms(), simulator, scale, isPlaying: this.loop.isPlaying });
+    if (isDrawn && this.listeners.has('frame')) this.listeners.tell('frame', this.stats);
+  }
+
+  /** Of rigids and parts at the moment that is shown. */
+  private transforms(): Pick<Moment, 'rigids' | 'parts' | 'blend'> {
     const { blend } = this.loop.clock;
     const rigids = this.gestures.rigids(blend);
-    const parts = this.simulation.parts(blend, rigids);
-    const { simulator } = this.simulation;
-    const isDrawn = this.picture.draw({ simulator, rigids, parts, blend, scale, isPlaying: this.loop.isPlaying });
-    if (isDrawn && this.listeners.has('frame')) this.listeners.tell('frame', this.stats);
+    return { rigids, parts: this.simulation.parts(blend, rigids), blend };
   }
 
   /** Who comes to listen to errors when nobody waits for the context any longer is told so, too. */

@@ -20,17 +20,17 @@ export interface ScenePlane {
 }
 
 /**
- * Ways between places of the scene, metres, and of its picture. Places may be meant in the space of a rigid, by its
- * number; -1 is the world's.
+ * Ways between places of the scene, metres, and of its picture. Places may be meant in the space of a carrier: a
+ * rigid by its number, or a part by 4096 and its number; -1 is the world's.
  */
 export class Sight {
   private readonly picture: Picture;
-  private readonly transforms: () => readonly Matrix4[];
+  private readonly transformOf: (carrier: number) => Matrix4;
 
-  /** @param transforms of the rigids as they are drawn, by their number */
-  constructor(picture: Picture, transforms: () => readonly Matrix4[]) {
+  /** @param transformOf the world transform of a carrier as it is drawn; identity for one that does not exist */
+  constructor(picture: Picture, transformOf: (carrier: number) => Matrix4) {
     this.picture = picture;
-    this.transforms = transforms;
+    this.transformOf = transformOf;
   }
 
   /** What the eye looks at, in the world. */
@@ -39,8 +39,8 @@ export class Sight {
   }
 
   /** Where a place is seen; undefined behind the eye. */
-  project(place: Vector, rigid = -1): PicturePlace | undefined {
-    const point = this.toWorld(place, rigid);
+  project(place: Vector, carrier = -1): PicturePlace | undefined {
+    const point = this.toWorld(place, carrier);
     if (this.depthOf(point) <= 0) return undefined;
     const [width, height] = this.picture.size;
     const { x, y } = point.project(this.picture.eye.camera);
@@ -55,14 +55,14 @@ export class Sight {
   }
 
   /** A place that lies so many CSS pixels to the right, up and towards the eye, in the space that it came in. */
-  shift(place: Vector, [right, up, near]: Vector, rigid = -1): Vector {
-    const point = this.toWorld(place, rigid);
+  shift(place: Vector, [right, up, near]: Vector, carrier = -1): Vector {
+    const point = this.toWorld(place, carrier);
     const { camera } = this.picture.eye;
     const [, height] = this.picture.size;
     const angle = MathUtils.degToRad(camera.fov) / 2;
     const metres = (2 * Math.max(this.depthOf(point), camera.near) * Math.tan(angle)) / Math.max(height, 1);
     [right, up, near].forEach((pixels, axis) => point.addScaledVector(this.axis(axis), pixels * metres));
-    return this.fromWorld(point, rigid);
+    return this.fromWorld(point, carrier);
   }
 
   /** A direction or velocity in the world, of so much to the right, up and towards the eye in the picture. */
@@ -78,7 +78,7 @@ export class Sight {
     return [given.dot(this.axis(0)), given.dot(this.axis(1)), given.dot(this.axis(2))];
   }
 
-  /** The same place in the space of another rigid. */
+  /** The same place in the space of another carrier. */
   change(place: Vector, from: number, to: number): Vector {
     return this.fromWorld(this.toWorld(place, from), to);
   }
@@ -91,14 +91,11 @@ export class Sight {
     return -point.clone().applyMatrix4(this.picture.eye.camera.matrixWorldInverse).z;
   }
 
-  private toWorld(place: Vector, rigid: number): Vector3 {
-    const transform = this.transforms()[rigid];
-    const point = new Vector3(...place);
-    return transform ? point.applyMatrix4(transform) : point;
+  private toWorld(place: Vector, carrier: number): Vector3 {
+    return new Vector3(...place).applyMatrix4(this.transformOf(carrier));
   }
 
-  private fromWorld(point: Vector3, rigid: number): Vector {
-    const transform = this.transforms()[rigid];
-    return (transform ? point.applyMatrix4(transform.clone().invert()) : point).toArray();
+  private fromWorld(point: Vector3, carrier: number): Vector {
+    return point.applyMatrix4(this.transformOf(carrier).clone().invert()).toArray();
   }
 }

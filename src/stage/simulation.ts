@@ -1,7 +1,7 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
-import type { MovingMoment, Placement, Scene } from '../scenes/scene.ts';
+import type { MovingMoment, Part, Placement, Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import { POSE_FLOATS } from '../sim/rows.ts';
@@ -10,7 +10,6 @@ import { ALL_THAT_LIVES } from '../sim/view.ts';
 import { Drag } from './drag.ts';
 import { Dropped, TUMBLED } from './dropped.ts';
 import { simulatorValues, valueOf, valuesIn } from '../sim/simulatorValues.ts';
-import { PlacedParts } from './parts.ts';
 import { KeptStates } from './states.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);
@@ -29,7 +28,6 @@ export class Simulation {
   private readonly factory: SimulatorFactory;
   private readonly scene: Scene;
   private readonly matrices: Matrix4[];
-  private readonly placedParts: PlacedParts;
   private readonly states: KeptStates;
   private current: Simulator;
   private start: Values;
@@ -45,7 +43,6 @@ export class Simulation {
     this.scene = scene;
     this.rig = rigValues(scene);
     this.matrices = scene.rigids.map(() => new Matrix4());
-    this.placedParts = new PlacedParts(scene.parts);
     this.dropped = new Dropped(scene);
     this.states = new KeptStates(historyBytes);
     this.current = this.create(values);
@@ -179,6 +176,7 @@ export class Simulation {
       this.letGoWhenSettled();
       this.dropped.clear();
       this.guide();
+      this.sendParts();
       this.current.step();
       this.keepState();
       onStep?.();
@@ -212,18 +210,17 @@ export class Simulation {
   /** World transforms of the rigids, by their number, between the previous step (0) and now (1). */
   rigids(blend: number): readonly Matrix4[] {
     const poses = this.current.rigidPoses(blend);
-    const [place, turn] = [new Vector3(), new Quaternion()];
-    this.matrices.forEach((matrix, rigid) => {
-      const at = POSE_FLOATS * rigid;
-      matrix.compose(place.fromArray(poses, at), turn.fromArray(poses, at + 3), UNSCALED);
-    });
+    this.matrices.forEach((matrix, rigid) => put(matrix, placementIn(poses, rigid)));
     this.dropped.show(this.matrices);
     return this.matrices;
   }
 
   /** World transforms of the scene's parts, by their number, at the moment of `rigids`. */
   parts(blend: number, rigids: readonly Matrix4[]): readonly Matrix4[] {
-    return this.placedParts.at(secondsAt(this.current.steps, blend), rigids);
+    return this.placedParts(secondsAt(this.current.steps, blend)).map(({ rigid, ...own }) => {
+      const matrix = put(new Matrix4(), own);
+      return rigid === undefined ? matrix : matrix.premultiply(rigids[rigid]);
+    });
   }
 
   /** The transform with which the rigid that people move was drawn. */
@@ -262,6 +259,28 @@ export class Simulation {
       this.current.moveRigid(rigid, position, rotation);
     }
     if (rule) this.current.set(rule.values(moment));
+  }
+
+  /**
+   * Tells where the parts are in the coming step. The numbers go as the scene has them, and the simulator composes them
+   * with its rigids: what three.js computes may differ in the last bit from engine to engine.
+   */
+  private sendParts(): void {
+    if (!this.scene.parts) return;
+    const { steps } = this.current;
+    const numbers = [steps, steps + 1].flatMap((step) =>
+      this.placedParts(step * STEP_SECONDS).flatMap(({ rigid = -1, position, rotation }) => [
+        rigid,
+        ...position,
+        ...rotation,
+      ]),
+    );
+    this.current.placeParts(numbers);
+  }
+
+  /** In the space of the rigids that carry them. */
+  private placedParts(seconds: number): readonly (Placement & Pick<Part, 'rigid'>)[] {
+    return (this.scene.parts ?? []).map(({ rigid, pose }) => ({ rigid, ...pose(seconds) }));
   }
 
   private moment(): MovingMoment {
@@ -306,6 +325,10 @@ export class Simulation {
     if (steps % STEPS_BETWEEN_STATES !== 0 || this.states.has(steps)) return;
     this.states.add({ step: steps, bytes: this.current.save() });
   }
+}
+
+function put(matrix: Matrix4, { position, rotation }: Placement): Matrix4 {
+  return matrix.compose(new Vector3(...position), new Quaternion(...rotation), UNSCALED);
 }
 
 function placementIn(poses: Float32Array, rigid: number): Placement {

@@ -259,6 +259,11 @@ export class Stage {
     return this.#running.scene.rigidNames;
   }
 
+  /** Names of the scene's moving parts by their number: emitters and forces ride on part n as on rigid 4096 + n. */
+  get partNames(): readonly string[] {
+    return (this.#running.scene.parts ?? []).map(({ name }) => name);
+  }
+
   /** What the scene itself sets of the optional parameters; it holds wherever `get()` has no value. */
   get rig(): Values {
     return { ...this.#simulation.rig, ...this.#picture.eye.wanted };

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
-import { ask, LIGHT, open } from './page.ts';
+import { ask, expectSteps, LIGHT, open } from './page.ts';
 import { fingerOf, middleOf, mouseOf, type Drag } from './touch.ts';
 
 const handle = (key: string) => `[data-gizmo="${key}"]`;
@@ -83,6 +83,38 @@ test('handles of sun, wind, emitter and vortex follow the mouse and the keys', a
   await expect.poll(async () => (await middleOf(page, handle('vortices.1'))).x).toBeLessThan(place.x - 20);
   await page.keyboard.press('h');
   await expect(page.locator('.gizmo').filter({ visible: true })).toHaveCount(0);
+});
+
+test('a vortex is attached to the propeller, where its handle stands, and let go there', async ({ page }) => {
+  await page.setViewportSize({ width: 690, height: 480 });
+  const smoke = '#v=1&preset=airplane&emission.rate=20&puff.variations=1&simulation.maxParticles=300';
+  await open(page, `?paused=1&t=1${smoke}&vortices.0.circulation=2&vortices.0.position.y=0.7`);
+  await expectSteps(page, 60);
+  await page.keyboard.press('p');
+  await page.locator('summary', { hasText: 'Vortex 1' }).click();
+  const choice = page.getByLabel('Rides on', { exact: true }).filter({ visible: true });
+  await expect(choice.locator('option')).toHaveText(['Nothing', 'Airplane', 'Propeller', 'Scarf']);
+  await choice.selectOption('Propeller');
+  await expect.poll(() => link(page)).toContain('vortices.0.rigid=4096');
+  await page.keyboard.press('p');
+  await page.keyboard.press('h');
+  const expected = await ask(page, (stage) => {
+    // 0.7 m from the hub on a blade that makes 3.2 turns a second, in the space of the airplane.
+    const turn = 2 * Math.PI * 3.2;
+    const seen = stage.sight.project([0.98, 0.02 + 0.7 * Math.cos(turn), 0.7 * Math.sin(turn)], 0)!;
+    const { left, top } = (stage.canvas as HTMLCanvasElement).getBoundingClientRect();
+    return { x: left + seen.x, y: top + seen.y };
+  });
+  const distance = async () => {
+    const { x, y } = await middleOf(page, handle('vortices.0'));
+    return Math.hypot(x - expected.x, y - expected.y);
+  };
+  expect(await distance()).toBeLessThan(2);
+  await page.locator(handle('vortices.0')).focus();
+  await page.getByLabel('Vortex 1 rides on').selectOption('Nothing');
+  await expect.poll(() => numberOf(page, 'vortices.0.rigid')).toBe(-1);
+  expect(await distance()).toBeLessThan(2);
+  expect(await numberOf(page, 'vortices.0.position.x')).toBeGreaterThan(0.9);
 });
 
 test.describe('by touch', () => {

@@ -62,6 +62,13 @@ describe.each(NAMES)('%s', (name) => {
     for (const { rigid } of scene.parts ?? []) if (rigid !== undefined) expect(scene.rigids[rigid]).toBeDefined();
   });
 
+  test('has a name for each part, no name twice, and no more parts than can be ridden on', () => {
+    const names = [...scene.rigidNames, ...(scene.parts ?? []).map(({ name: part }) => part)];
+    expect(names.every(Boolean)).toBe(true);
+    expect(new Set(names).size).toBe(names.length);
+    expect(scene.parts?.length ?? 0).toBeLessThanOrEqual(64);
+  });
+
   test('smokes, within the room that its preset gives it', () => {
     const simulation = begin();
     simulation.advance(240);

@@ -35,6 +35,12 @@ impl Simulator {
         self.simulator.add_surface(vertices, indices).map_err(parameter_refusal)
     }
 
+    /// Says where the parts of the scene are in the coming step: `sim::parts::Parts::place`.
+    #[wasm_bindgen(js_name = placeParts)]
+    pub fn place_parts(&mut self, numbers: &[f32]) -> Result<(), JsValue> {
+        self.simulator.place_parts(numbers).map_err(parameter_refusal)
+    }
+
     /// Advances by `count` steps of 1/60 s.
     pub fn step(&mut self, count: u32) {
         for _ in 0..count {

@@ -54,6 +54,7 @@ fn perform(simulator: &mut Simulator, name: &str, arguments: &[Argument]) {
                 .move_to(*rigid as u32, pose)
                 .expect("WASM took it");
         }
+        ("placeParts", [Floats(numbers)]) => simulator.place_parts(numbers).expect("WASM took it"),
         ("step", [Number(count)]) => (0..*count as u32).for_each(|_| simulator.step()),
         ("hash", []) => println!("{:016x}", simulator.hash()),
         _ => panic!(

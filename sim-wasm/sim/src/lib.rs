@@ -20,6 +20,7 @@ mod obstacles;
 mod order;
 pub mod parameters;
 pub mod particles;
+pub mod parts;
 pub mod random;
 #[cfg(feature = "rigids")]
 pub mod rigids;

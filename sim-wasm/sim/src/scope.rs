@@ -1,4 +1,4 @@
-//! Where, when and on what a force acts: a region of space, an envelope in time, and the rigid it rides on.
+//! Where, when and on what a force acts: a region of space, an envelope in time, and the rigid or part it rides on.
 
 pub mod envelope;
 pub mod region;
@@ -8,16 +8,19 @@ use wide::f32x4;
 use crate::collide::space::{Frame, Pose, Vector};
 use crate::parameters::field::{Field, LENGTH, PLACE, number, vector};
 use crate::parameters::section::Item;
+use crate::parts::{FIRST_PART, MOST_PARTS, ends_of_part, ends_of_rigid};
 use crate::simd::Vector4;
 use region::Shape;
 
-/// No rigid: what is attached to it stands still in the world.
+/// Neither rigid nor part: what is attached to it stands still in the world.
 pub const WORLD: f64 = -1.0;
 
 /// The parameters of a scope but for its region, for what acts at places of its own.
 pub const WHEN_AND_ON_WHAT: &[Field<Scope>] = Scope::FIELDS.split_at(REGION_FIELDS).1;
 /// How many parameters of a scope tell its region; they come first.
 const REGION_FIELDS: usize = 4;
+/// The number of the last part.
+const LAST_PART: f64 = (FIRST_PART + MOST_PARTS - 1) as f64;
 
 /// `*.region.*`, `*.envelope.*` and `*.rigid`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,13 +57,16 @@ impl Item for Scope {
             .says("Again every", "Time from one switching on to the next; 0 is once only."),
         number("envelope.fade", "s", [0.0, 60.0], 0.0, |s: &mut Self| &mut s.fade)
             .says("Fades over", "How long it takes to come up and, before its end, to go down."),
-        number("rigid", "1", [WORLD, 4095.0], WORLD, |s: &mut Self| &mut s.rigid)
+        number("rigid", "1", [WORLD, LAST_PART], WORLD, |s: &mut Self| &mut s.rigid)
             .whole()
-            .says("Rides on", "Number of the rigid that carries it along; -1 leaves it where it is."),
+            .says(
+                "Rides on",
+                "Number of the rigid that carries it along, or 4096 and the number of a moving part; -1 leaves it where it is.",
+            ),
     ];
 }
 
-/// The moment of a step, and where the rigids are in it.
+/// The moment of a step, and where the rigids and parts are in it.
 #[derive(Clone, Copy, Debug)]
 pub struct Now<'r> {
     /// Simulated seconds at the middle of the step.
@@ -69,16 +75,21 @@ pub struct Now<'r> {
     pub dt: f64,
     /// Of each rigid its pose before and after the step, 14 numbers as `rigids::Rigids::poses` has them.
     pub poses: &'r [f32],
+    /// The parts in this step, as `parts::Parts::present` has them.
+    pub parts: &'r [f32],
 }
 
 impl Now<'_> {
-    /// Where the rigid that `scope` rides on is at `fraction` of the step; none where it rides on none that exists.
+    /// Where the rigid or part that `scope` rides on is at `fraction` of the step; none where it rides on none that
+    /// exists.
     pub fn ride(&self, scope: &Scope, fraction: f32) -> Option<Pose> {
-        let at = (scope.rigid >= 0.0).then(|| 2 * scope.rigid as usize)?;
-        let [before, after] = *self.poses.as_chunks::<7>().0.get(at..at + 2)? else {
-            return None;
+        let rigid = || {
+            (scope.rigid >= 0.0)
+                .then(|| ends_of_rigid(self.poses, scope.rigid as usize))
+                .flatten()
         };
-        Some(Pose::of_numbers(before).towards(&Pose::of_numbers(after), fraction))
+        let [before, after] = ends_of_part(self.parts, scope.rigid).or_else(rigid)?;
+        Some(before.towards(&after, fraction))
     }
 
     /// The frame in which the positions and directions of what has this `scope` are meant, in the middle of the step.

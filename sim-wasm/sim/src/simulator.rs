@@ -7,6 +7,7 @@
 
 use crate::arrange::Arranger;
 use crate::collide::{self, AnalyticCollider, Scratch};
+use crate::emission::ride::Ride;
 use crate::emission::surface::{Surface, Surfaces};
 use crate::emission::{Births, Surroundings};
 use crate::error::{ParameterError, RestoreError};
@@ -19,11 +20,12 @@ use crate::motion::{Integrator, Motion};
 use crate::obstacles;
 use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::particles::{Newborn, Particles};
+use crate::parts::{Parts, ends_of_part};
 use crate::random::Random;
 #[cfg(feature = "rigids")]
 use crate::rigids::Rigids;
 use crate::rows::Moment;
-use crate::scope::Now;
+use crate::scope::{Now, Scope};
 use crate::snapshot::{self, Room};
 use crate::take::Recorder;
 use crate::take::touch::Touch;
@@ -63,6 +65,7 @@ pub struct Simulator {
     pub(crate) particles: Particles,
     #[cfg(feature = "rigids")]
     pub(crate) rigids: Rigids,
+    parts: Parts,
     /// None as long as there never was a shedder.
     pub(crate) vortex_particles: Option<Box<VortexParticles>>,
     pub(crate) touch: Touch,
@@ -87,6 +90,7 @@ impl Simulator {
             particles: Particles::new(room),
             #[cfg(feature = "rigids")]
             rigids: Rigids::new(),
+            parts: Parts::default(),
             vortex_particles: None,
             touch: Touch::default(),
             recorder: Recorder::default(),
@@ -134,6 +138,14 @@ impl Simulator {
         self.surfaces.add(Surface::new(vertices, indices)?)
     }
 
+    /// Says where the parts of the scene are in the coming step: see [`Parts::place`].
+    ///
+    /// # Errors
+    /// By the name of the number that is out of range; the poses given before stay.
+    pub fn place_parts(&mut self, numbers: &[f32]) -> Result<(), ParameterError> {
+        self.parts.place(numbers)
+    }
+
     /// Advances by 1/60 s.
     pub fn step(&mut self) {
         self.step_in_parts(|_| ());
@@ -151,6 +163,7 @@ impl Simulator {
         #[cfg(feature = "rigids")]
         self.rigids.follow_world(STEP as f32);
         ended(Part::Follow);
+        self.begin_parts();
         let motion = self.motion();
         self.bear(&motion);
         let ageing = Ageing::new(&self.parameters, STEP);
@@ -177,6 +190,7 @@ impl Simulator {
         self.touch.advance();
         self.steps += 1;
         held::follow(&mut self.particles, self.steps, self.parameters.style.hold as u64);
+        self.parts.end();
         self.follow_log();
         ended(Part::Rest);
     }
@@ -362,6 +376,7 @@ impl Simulator {
                 time: (self.steps as f64 + 0.5) * STEP,
                 dt: STEP,
                 poses: self.rigid_poses(),
+                parts: self.parts.present(),
             },
             seed: self.seed,
             turbulence: &self.turbulence,
@@ -388,14 +403,21 @@ impl Simulator {
         &[]
     }
 
+    fn begin_parts(&mut self) {
+        self.parts.begin();
+        #[cfg(feature = "rigids")]
+        self.parts.carry(self.rigids.poses());
+    }
+
     fn bear(&mut self, motion: &Motion) {
+        let part = |scope: &Scope| ends_of_part(self.parts.present(), scope.rigid).map(Ride::Part);
         let around = Surroundings {
             parameters: &self.parameters,
             surfaces: &self.surfaces,
             #[cfg(feature = "rigids")]
-            ride: &|scope| self.rigids.ride(scope.rigid),
+            ride: &|scope| part(scope).or_else(|| self.rigids.ride(scope.rigid).map(Ride::Rigid)),
             #[cfg(not(feature = "rigids"))]
-            ride: &|_| None,
+            ride: &part,
             step: self.steps,
             time: (self.steps as f64 + 0.5) * STEP,
             dt: STEP,

@@ -38,6 +38,7 @@ mod hold;
 mod life;
 mod life_curves;
 mod page_table;
+mod parts;
 mod refusals;
 #[cfg(feature = "rigids")]
 mod rigids_air;

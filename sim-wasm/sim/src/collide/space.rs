@@ -184,17 +184,22 @@ impl Pose {
 
     /// Axis times angle (rad) of the shorter turn from this pose to `other`, world space.
     pub fn turn_to(&self, other: &Self) -> Vector {
-        let (a, b) = (self.rotation, other.rotation);
-        let (u, v) = (Vector::new(a[0], a[1], a[2]), Vector::new(b[0], b[1], b[2]));
-        let w = a[3] * b[3] + u.dot(v);
-        let sign = if w < 0.0 { -1.0 } else { 1.0 };
-        let half = (v * a[3] - u * b[3] - v.cross(u)) * sign;
+        let (half, cosine) = self.half_turn_to(other);
         let sine = half.length();
         if sine < 1e-9 {
             half * 2.0
         } else {
-            half * (2.0 * libm::atan2f(sine, w * sign) / sine)
+            half * (2.0 * libm::atan2f(sine, cosine) / sine)
         }
+    }
+
+    /// Of half of the shorter turn from this pose to `other` the axis times sine, world space, and the cosine.
+    pub fn half_turn_to(&self, other: &Self) -> (Vector, f32) {
+        let (a, b) = (self.rotation, other.rotation);
+        let (u, v) = (Vector::new(a[0], a[1], a[2]), Vector::new(b[0], b[1], b[2]));
+        let w = a[3] * b[3] + u.dot(v);
+        let sign = if w < 0.0 { -1.0 } else { 1.0 };
+        ((v * a[3] - u * b[3] - v.cross(u)) * sign, w * sign)
     }
 
     /// This pose turned about its own position by axis times angle (rad), world space.

@@ -1,8 +1,8 @@
 //! One birth.
 
+use super::ride::Ride;
 use super::shapes::Nozzle;
 use super::{Emitter, Surroundings};
-use crate::collide::motion::Motion;
 use crate::collide::space::Vector;
 use crate::parameters::Parameters;
 use crate::particles::{Newborn, Particles};
@@ -12,8 +12,8 @@ use crate::random::Random;
 pub struct Source<'s> {
     emitter: &'s Emitter,
     nozzle: Nozzle<'s>,
-    /// How its rigid moves in this step; none in the world.
-    ride: Option<Motion>,
+    /// What it rides on; none in the world.
+    ride: Option<Ride>,
     around: &'s Surroundings<'s>,
     random: &'s mut Random,
     particles: &'s mut Particles,
@@ -67,15 +67,15 @@ impl<'s> Source<'s> {
         self.particles.push(&newborn);
     }
 
-    /// Place and slip in the world of what leaves at `place` towards `heading`, both as the emitter's rigid has them.
+    /// Place and slip in the world of what leaves at `place` towards `heading`, both in the space of what it rides on.
     fn carried(&self, place: [f32; 3], heading: [f32; 3], speed: f32, delay: f64) -> ([f32; 3], [f32; 3]) {
         let Some(ride) = &self.ride else {
             return (place, heading.map(|part| part * speed));
         };
         let fraction = (delay / self.around.dt) as f32;
-        let frame = ride.frame(fraction);
+        let (frame, velocity) = ride.at(fraction, self.around.dt as f32, place.into());
         let place = frame.world_from_local(place.into());
-        let momentum = ride.velocity_at(place, fraction) * self.emitter.inherit as f32;
+        let momentum = velocity * self.emitter.inherit as f32;
         let slip: Vector = frame.turned(heading.into()) * speed + momentum;
         (place.into(), slip.into())
     }

@@ -74,7 +74,7 @@ impl Item for Emitter {
         .says("Spread", "Half angle of the cone into which they leave."),
         number("inherit", "1", SHARE, 0.0, |e: &mut Self| &mut e.inherit).says(
             "Momentum",
-            "Share of the velocity of the rigid it rides on that its puffs take along.",
+            "Share of the velocity of what it rides on that its puffs take along.",
         ),
         number("size", "m", [0.001, 20.0], 0.3, |e: &mut Self| &mut e.size)
             .says("Size", "Radius of its puffs at full density."),

@@ -11,17 +11,18 @@
 
 mod birth;
 pub mod item;
+pub mod ride;
 pub(crate) mod shapes;
 pub mod surface;
 
 use crate::clamp::clamped;
-use crate::collide::motion::Motion;
 use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::particles::Particles;
 use crate::random::Random;
 use crate::scope::{Scope, envelope};
 use birth::Source;
 pub use item::Emitter;
+use ride::Ride;
 use surface::Surfaces;
 
 /// What emitters remember from step to step.
@@ -37,8 +38,8 @@ pub struct Births {
 pub struct Surroundings<'s> {
     pub parameters: &'s Parameters,
     pub surfaces: &'s Surfaces,
-    /// How the rigid moves in this step that something with this scope rides on; none where it stands in the world.
-    pub ride: &'s dyn Fn(&Scope) -> Option<Motion>,
+    /// How the rigid or part moves in this step that something with this scope rides on; none where it stands in the world.
+    pub ride: &'s dyn Fn(&Scope) -> Option<Ride>,
     /// Number of the step: it decides which emitter comes first.
     pub step: u64,
     /// Simulated seconds at the middle of the step.

@@ -32,6 +32,7 @@ use crate::collide::space::{Bounds, Pose, Vector};
 use crate::collide::survey::{Extent, Sight, Ways};
 use crate::error::ParameterError;
 use crate::hash::Hash;
+use crate::parts::{FIRST_PART, ends_of_rigid};
 use crate::simulator::STEP;
 pub use description::{RigidDescription, RigidKind, RigidPart, RigidShape, Spin, pose_of};
 use feel::Sum;
@@ -49,7 +50,7 @@ use world::World;
 pub const TOP_SPEED: f32 = 120.0;
 /// Floats of one rigid in [`Rigids::poses`].
 pub const POSE_PAIR_FLOATS: usize = 14;
-const MOST_RIGIDS: usize = 4096;
+const MOST_RIGIDS: usize = FIRST_PART;
 
 /// The rigids of one simulator.
 pub struct Rigids {
@@ -245,10 +246,7 @@ impl Rigids {
     pub(crate) fn ride(&self, number: f64) -> Option<Motion> {
         let index = (number >= 0.0).then_some(number as usize)?;
         let turn = self.obstacles.get(index)?.motion.turned(STEP as f32);
-        let pair = self.poses[index * POSE_PAIR_FLOATS..][..POSE_PAIR_FLOATS]
-            .as_chunks::<7>()
-            .0;
-        let [start, end] = [0, 1].map(|moment| Pose::of_numbers(pair[moment]));
+        let [start, end] = ends_of_rigid(&self.poses, index)?;
         Some(Motion::turning(start, end, STEP as f32, false, turn))
     }
 

@@ -163,6 +163,7 @@ mod tests {
             time: 0.5,
             dt: 1.0 / 60.0,
             poses: &[],
+            parts: &[],
         };
         let scope = Reach::new(&vortex.scope, &now).unwrap();
         Kernel::new(vortex, 1.0, &now.frame(&vortex.scope), scope, 1.0 / 60.0)
