@@ -1,3 +1,4 @@
+import { availableParallelism } from 'node:os';
 import { defineConfig } from 'vitest/config';
 import glsl from 'vite-plugin-glsl';
 
@@ -14,6 +15,7 @@ export default defineConfig({
   test: {
     environment: 'node',
     pool: 'threads',
+    maxWorkers: availableParallelism(),
     allowOnly: false,
     // Long enough for the slowest of machines, as in playwright.config.ts.
     testTimeout: 600_000,

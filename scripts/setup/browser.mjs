@@ -78,6 +78,14 @@ export async function findBrowser() {
   return found;
 }
 
+/**
+ * The path of Debian's headless shell, which shows pages for less CPU time than the whole browser, or undefined. It
+ * has no windows, so no tab hides another.
+ */
+export function findShell() {
+  return programsOnPath(['chromium-headless-shell']).find((path) => starts(path));
+}
+
 export async function isFresh() {
   return (await findBrowser()) !== undefined;
 }
@@ -89,7 +97,9 @@ export async function bring(say) {
   if (isDebianRoot()) {
     // A downloaded browser that does not start lacks libraries of the system.
     const hasOwn = existsSync((await playwrightBrowser()) ?? '');
-    const outcome = hasOwn ? await playwright(['install-deps', 'chromium'], say) : await aptGet(['chromium'], say);
+    const outcome = hasOwn
+      ? await playwright(['install-deps', 'chromium'], say)
+      : await aptGet(['chromium', 'chromium-headless-shell'], say);
     if (await isFresh()) return;
     throw refuse(`apt-get: ${lastLine(outcome.output)}`);
   }
@@ -130,9 +140,13 @@ async function playwrightBrowser() {
 }
 
 function systemBrowsers() {
+  return [...programsOnPath(NAMES), ...APPLICATIONS];
+}
+
+/** Where these programs may lie, the first name first. */
+function programsOnPath(/** @type {string[]} */ names) {
   const folders = (process.env.PATH ?? '').split(delimiter).filter(Boolean);
-  const onPath = NAMES.flatMap((name) => folders.map((folder) => join(folder, name)));
-  return [...onPath, ...APPLICATIONS];
+  return names.flatMap((name) => folders.map((folder) => join(folder, name)));
 }
 
 /** Some systems have a `chromium` that only tells where to get one, so being there is not enough. */

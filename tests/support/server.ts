@@ -2,6 +2,7 @@
 
 interface BrowserScript {
   findBrowser(): Promise<string | undefined>;
+  findShell(): string | undefined;
   CHROMIUM_FLAGS: string[];
 }
 
@@ -11,7 +12,7 @@ interface PortScript {
 
 export interface TestServer {
   readonly port: number;
-  /** Path of the Chromium to start. */
+  /** Path of the Chromium to start; one without windows where there is one. */
   readonly browser: string;
   readonly flags: string[];
 }
@@ -21,12 +22,13 @@ export interface TestServer {
  * configuration again and have to come to the same result.
  */
 export async function demandTestServer(): Promise<TestServer> {
-  const { findBrowser, CHROMIUM_FLAGS } = await script<BrowserScript>('setup/browser.mjs');
+  const { findBrowser, findShell, CHROMIUM_FLAGS } = await script<BrowserScript>('setup/browser.mjs');
   process.env.TEST_PORT ||= String(await findFreePort());
   const browser = await findBrowser();
   if (!browser) throw new Error('There is no browser for the tests: npm test gets one.');
+  process.env.TEST_BROWSER ||= process.env.CHROMIUM_PATH || findShell() || browser;
   process.env.CHROMIUM_PATH ||= browser;
-  return { port: Number(process.env.TEST_PORT), browser, flags: CHROMIUM_FLAGS };
+  return { port: Number(process.env.TEST_PORT), browser: process.env.TEST_BROWSER, flags: CHROMIUM_FLAGS };
 }
 
 /** A port that nobody listens on, nor is given to whoever asks for any. */

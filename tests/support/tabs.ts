@@ -20,6 +20,8 @@ export async function openTabs(
   const port = await findFreePort();
   const browser = await chromium.launch({
     ...options,
+    // A browser without windows hides no tab.
+    executablePath: process.env.CHROMIUM_PATH,
     args: [...(options.args ?? []), `--remote-debugging-port=${port}`],
   });
   // The browser listens there some time after it has started.

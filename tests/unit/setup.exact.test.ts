@@ -61,14 +61,7 @@ test('what is exact by definition is accepted', () => {
 
 test('the rules hold for all that feeds the simulator, and for nothing else', () => {
   const code = 'export const own = Math.sin(1);\n';
-  const fed = [
-    'scenes/models/a.ts',
-    'sim/a.ts',
-    'preset/a.ts',
-    'stage/simulation.ts',
-    'stage/parts.ts',
-    'stage/dropped.ts',
-  ];
+  const fed = ['scenes/models/a.ts', 'sim/a.ts', 'preset/a.ts', 'stage/simulation.ts', 'stage/dropped.ts'];
   const free = ['stage/orbit.ts', 'passes/a.ts', 'host/a.ts', 'app/a.ts'];
   const lines = refusals(Object.fromEntries([...fed, ...free].map((path) => [`src/${path}`, code])));
   expect(lines.map((line) => /src\/([^:]*):/.exec(line)![1]).toSorted()).toEqual(fed.toSorted());
