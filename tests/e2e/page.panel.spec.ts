@@ -60,6 +60,7 @@ test('knobs of billboards wait for the end of the gesture, and an unset colour s
   page,
 }) => {
   await open(page, `?paused=1${LIGHT}&puff.form=billboards&style.ramp=0:2f5a34,.5:ffffff`);
+  await page.keyboard.press('/');
   const slide = (event: string, place?: string) =>
     page.getByLabel('Lumpiness', { exact: true }).evaluate(
       (slider: HTMLInputElement, [type, value]) => {
