@@ -1,5 +1,4 @@
 /** Puffs of lobes as plain data: what bodies and volumes need of them. */
-import { MOST_LOBES } from './lobes.ts';
 import { bakingVariation, type LobeVariation } from './lobeVariation.ts';
 import { CREASE_FILLET, middleOf, NORMAL_BLEND } from './normals.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
@@ -36,9 +35,8 @@ const DEPTH_SLACK = 0.05;
 const DEPTH_STEP = 0.1;
 
 /**
- * @param shapes at least one, each of at most {@link MOST_LOBES} lobes
+ * @param shapes at least one, each of at most 12 lobes
  * @param litThreshold N . L from which a pixel's lit colour differs from its unlit one, -1..1
- * @throws RangeError when a shape has too many lobes
  */
 export function bakeLobes(shapes: readonly PuffShape[], litThreshold: number): LobePuffs {
   return finished(bakingLobes(shapes, litThreshold));
@@ -47,7 +45,6 @@ export function bakeLobes(shapes: readonly PuffShape[], litThreshold: number): L
 /** As {@link bakeLobes}, in pieces of about a millisecond. */
 export function* bakingLobes(shapes: readonly PuffShape[], litThreshold: number): Work<LobePuffs> {
   const most = Math.max(...shapes.map(({ lobes }) => lobes.length));
-  if (most > MOST_LOBES) throw new RangeError(`A puff has ${most} lobes; it takes at most ${MOST_LOBES}.`);
   const variations: LobeVariation[] = [];
   for (const { lobes } of shapes) variations.push(yield* bakingVariation(lobes, litThreshold));
   return together(variations, most);

@@ -16,3 +16,14 @@ export interface PuffShape {
   readonly name: string;
   readonly lobes: readonly Lobe[];
 }
+
+/**
+ * The shapes as a billboard shows them from +z: lobes behind the centre plane come up to it. The outline stays, and the
+ * relief has no deep steps along it, at which the line that closes on a floor would break.
+ */
+export function billboardShapes(shapes: readonly PuffShape[]): readonly PuffShape[] {
+  return shapes.map(({ name, lobes }) => ({
+    name,
+    lobes: lobes.map(({ center: [x, y, z], radius }) => ({ center: [x, y, Math.max(z, 0)], radius })),
+  }));
+}

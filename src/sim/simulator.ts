@@ -385,9 +385,7 @@ export class Simulator {
   get #rigids(): typeof RigidNumbers {
     const { rigidNumbers } = this.#module.bindings;
     if (rigidNumbers) return rigidNumbers;
-    throw new SimulatorError(
-      'This variant of the simulator has no rigids: load the one with physics, loadSimulators({ physics: true }).',
-    );
+    throw new SimulatorError('This simulator has no rigids. Load the variant with physics.');
   }
 
   #attempt<Result>(action: () => Result): Result {

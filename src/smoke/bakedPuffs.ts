@@ -21,7 +21,6 @@ export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuf
  * Bakes puffs of lobes in pieces of about a millisecond, and then billboards in pieces of some milliseconds.
  * @param shapes a variation each
  * @param withBillboards false bakes billboards when they are first asked for, at once; so does code that is not here yet
- * @throws RangeError when a shape has too many lobes
  */
 export function* bakingPuffs(shapes: readonly PuffShape[], withBillboards = false): Work<BakedPuffs> {
   const key = JSON.stringify(shapes.map(({ lobes }) => lobes));

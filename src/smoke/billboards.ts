@@ -10,7 +10,7 @@ import { findingFront } from '../puffs/fronts.ts';
 import { Kept } from '../puffs/kept.ts';
 import { bakingLayers } from '../puffs/layers.ts';
 import { reachOf } from '../puffs/lobes.ts';
-import type { PuffShape } from '../puffs/shapes.ts';
+import { billboardShapes, type PuffShape } from '../puffs/shapes.ts';
 import { solidsOf } from '../puffs/solids.ts';
 import { bakingTable, joined, latestCap } from '../puffs/startCaps.ts';
 import type { Work } from '../puffs/work.ts';
@@ -27,7 +27,7 @@ const kept = new Kept<BillboardPuffs>(4);
 /** Bakes billboards in pieces of some milliseconds, or takes them from those that are kept. @param shapes seen from +z */
 export function* bakingBillboards(shapes: readonly PuffShape[]): Work<BillboardPuffs> {
   const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
-  const billboards = kept.get(key) ?? (yield* baking(shapes));
+  const billboards = kept.get(key) ?? (yield* baking(billboardShapes(shapes)));
   kept.add(key, billboards);
   return billboards;
 }

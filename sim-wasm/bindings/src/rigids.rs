@@ -54,9 +54,7 @@ mod with_rapier {
 
 #[cfg(not(feature = "rigids"))]
 pub fn without_rapier() -> JsValue {
-    crate::refusal::plain_refusal(
-        "This variant of the simulator has no rigids: load the one with physics, loadSimulators({ physics: true }).",
-    )
+    crate::refusal::plain_refusal("This simulator has no rigids. Load the variant with physics.")
 }
 
 #[wasm_bindgen]

@@ -8,6 +8,7 @@ import { findPreset, presetValues } from '../../preset/presets.ts';
 import { channelSheet, lobeSheet, type ChannelPicture } from '../../puffs/channelSheet.ts';
 import { bakePuffs } from '../../puffs/layers.ts';
 import { LOBE_SHAPES } from '../../puffs/lobeShapes.ts';
+import { billboardShapes } from '../../puffs/shapes.ts';
 import { createStage, type Stage } from '../../stage/stage.ts';
 import { create } from '../dom.ts';
 import { createRefusal } from '../refusal.ts';
@@ -50,7 +51,7 @@ const progress = document.querySelector<HTMLProgressElement>('#progress progress
 async function drawFigures(): Promise<void> {
   for (const figure of ['figure-1', 'figure-2', 'figure-3', 'figure-13']) prepare(figure);
   progress.max = DRAWN;
-  show('figure-3', 'paper', ...channelSheet(bakePuffs(LOBE_SHAPES), TILE).map(channelCanvas));
+  show('figure-3', 'paper', ...channelSheet(bakePuffs(billboardShapes(LOBE_SHAPES)), TILE).map(channelCanvas));
   show('figure-3', 'ours', ...lobeSheet(LOBE_SHAPES, ROLL, PAD, TILE).map(channelCanvas));
   const [paper, ours] = MEANS;
   await link('figure-3', paper, 'lamp', {});
