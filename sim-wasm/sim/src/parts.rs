@@ -37,14 +37,14 @@ impl Parts {
     /// turn.
     ///
     /// # Errors
-    /// When there are more than 64 parts, or a pose is out of range; the poses given before stay.
+    /// When there are more than 64 parts, or a pose is none; the poses given before stay.
     pub fn place(&mut self, numbers: &[f32]) -> Result<(), ParameterError> {
         let (parts, rest) = numbers.as_chunks::<PART_FLOATS>();
-        if parts.len() > 2 * MOST_PARTS || parts.len() % 2 != 0 || !rest.is_empty() {
-            let count = numbers.len() as f32 / (2 * PART_FLOATS) as f32;
-            return refused("part.count", count, 0.0, MOST_PARTS as f32);
+        let are_pairs = parts.len() % 2 == 0 && rest.is_empty();
+        if parts.len() > 2 * MOST_PARTS || !are_pairs || !parts.iter().all(is_sound) {
+            let count = numbers.len() as f64 / (2 * PART_FLOATS) as f64;
+            return Err(ParameterError::out_of_range("parts", count, 0.0, MOST_PARTS as f64));
         }
-        parts.iter().try_for_each(check)?;
         self.numbers.clear();
         self.numbers.extend_from_slice(numbers);
         Ok(())
@@ -81,22 +81,20 @@ impl Parts {
         self.is_stepping = false;
     }
 
-    /// The parts in the present step, as [`ends_of_part`] reads them; none between steps.
-    pub(crate) fn present(&self) -> &[f32] {
-        if self.is_stepping { &self.numbers } else { &[] }
+    /// The poses of the part that `number` means, counted from [`FIRST_PART`], at the start and at the end of the step;
+    /// none between steps.
+    // Once in the module, and not in each kernel.
+    #[inline(never)]
+    pub(crate) fn ends(&self, number: f64) -> Option<[Pose; 2]> {
+        if !self.is_stepping || number < FIRST_PART as f64 {
+            return None;
+        }
+        let index = number as usize - FIRST_PART;
+        let (parts, _) = self.numbers.as_chunks::<PART_FLOATS>();
+        let [_, start @ ..] = *parts.get(index)?;
+        let [_, end @ ..] = *parts.get(parts.len() / 2 + index)?;
+        Some([Pose::of_numbers(start), Pose::of_numbers(end)])
     }
-}
-
-/// The poses of the part that `number` means, counted from [`FIRST_PART`], at the start and at the end of the step.
-pub(crate) fn ends_of_part(parts: &[f32], number: f64) -> Option<[Pose; 2]> {
-    if number < FIRST_PART as f64 {
-        return None;
-    }
-    let index = number as usize - FIRST_PART;
-    let (parts, _) = parts.as_chunks::<PART_FLOATS>();
-    let [_, start @ ..] = *parts.get(index)?;
-    let [_, end @ ..] = *parts.get(parts.len() / 2 + index)?;
-    Some([Pose::of_numbers(start), Pose::of_numbers(end)])
 }
 
 /// The poses of a rigid before and after a step, among those of all rigids, 14 numbers each: x, y, z (m) and the unit
@@ -117,21 +115,8 @@ fn carried(carrier: &Pose, own: &Pose) -> Pose {
     }
 }
 
-fn check([_, pose @ ..]: &[f32; PART_FLOATS]) -> Result<(), ParameterError> {
+fn is_sound([_, pose @ ..]: &[f32; PART_FLOATS]) -> bool {
     let Pose { position, rotation } = Pose::of_numbers(*pose);
-    let distance = position.length();
-    if distance > FARTHEST || distance.is_nan() {
-        return refused("part.position", distance, 0.0, FARTHEST);
-    }
     let square: f32 = rotation.iter().map(|part| part * part).sum();
-    if (square - 1.0).abs() > LENGTH_TOLERANCE || square.is_nan() {
-        return refused("part.rotation", square, 1.0 - LENGTH_TOLERANCE, 1.0 + LENGTH_TOLERANCE);
-    }
-    Ok(())
-}
-
-#[cold]
-fn refused(key: &str, value: f32, min: f32, max: f32) -> Result<(), ParameterError> {
-    let [value, min, max] = [value, min, max].map(f64::from);
-    Err(ParameterError::out_of_range(key, value, min, max))
+    position.length() <= FARTHEST && (square - 1.0).abs() <= LENGTH_TOLERANCE
 }

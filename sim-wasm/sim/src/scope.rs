@@ -8,7 +8,7 @@ use wide::f32x4;
 use crate::collide::space::{Frame, Pose, Vector};
 use crate::parameters::field::{Field, LENGTH, PLACE, number, vector};
 use crate::parameters::section::Item;
-use crate::parts::{FIRST_PART, MOST_PARTS, ends_of_part, ends_of_rigid};
+use crate::parts::{FIRST_PART, MOST_PARTS, Parts, ends_of_rigid};
 use crate::simd::Vector4;
 use region::Shape;
 
@@ -75,8 +75,8 @@ pub struct Now<'r> {
     pub dt: f64,
     /// Of each rigid its pose before and after the step, 14 numbers as `rigids::Rigids::poses` has them.
     pub poses: &'r [f32],
-    /// The parts in this step, as `parts::Parts::present` has them.
-    pub parts: &'r [f32],
+    /// The parts in this step.
+    pub parts: &'r Parts,
 }
 
 impl Now<'_> {
@@ -88,7 +88,7 @@ impl Now<'_> {
                 .then(|| ends_of_rigid(self.poses, scope.rigid as usize))
                 .flatten()
         };
-        let [before, after] = ends_of_part(self.parts, scope.rigid).or_else(rigid)?;
+        let [before, after] = self.parts.ends(scope.rigid).or_else(rigid)?;
         Some(before.towards(&after, fraction))
     }
 

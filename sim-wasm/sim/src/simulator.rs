@@ -7,7 +7,6 @@
 
 use crate::arrange::Arranger;
 use crate::collide::{self, AnalyticCollider, Scratch};
-use crate::emission::ride::Ride;
 use crate::emission::surface::{Surface, Surfaces};
 use crate::emission::{Births, Surroundings};
 use crate::error::{ParameterError, RestoreError};
@@ -20,12 +19,12 @@ use crate::motion::{Integrator, Motion};
 use crate::obstacles;
 use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::particles::{Newborn, Particles};
-use crate::parts::{Parts, ends_of_part};
+use crate::parts::Parts;
 use crate::random::Random;
 #[cfg(feature = "rigids")]
 use crate::rigids::Rigids;
 use crate::rows::Moment;
-use crate::scope::{Now, Scope};
+use crate::scope::Now;
 use crate::snapshot::{self, Room};
 use crate::take::Recorder;
 use crate::take::touch::Touch;
@@ -376,7 +375,7 @@ impl Simulator {
                 time: (self.steps as f64 + 0.5) * STEP,
                 dt: STEP,
                 poses: self.rigid_poses(),
-                parts: self.parts.present(),
+                parts: &self.parts,
             },
             seed: self.seed,
             turbulence: &self.turbulence,
@@ -410,14 +409,12 @@ impl Simulator {
     }
 
     fn bear(&mut self, motion: &Motion) {
-        let part = |scope: &Scope| ends_of_part(self.parts.present(), scope.rigid).map(Ride::Part);
         let around = Surroundings {
             parameters: &self.parameters,
             surfaces: &self.surfaces,
+            parts: &self.parts,
             #[cfg(feature = "rigids")]
-            ride: &|scope| part(scope).or_else(|| self.rigids.ride(scope.rigid).map(Ride::Rigid)),
-            #[cfg(not(feature = "rigids"))]
-            ride: &part,
+            rigid: &|number| self.rigids.ride(number),
             step: self.steps,
             time: (self.steps as f64 + 0.5) * STEP,
             dt: STEP,

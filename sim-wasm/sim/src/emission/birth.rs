@@ -29,7 +29,7 @@ impl<'s> Source<'s> {
         Self {
             emitter,
             nozzle: Nozzle::new(emitter, around.surfaces),
-            ride: (around.ride)(&emitter.scope),
+            ride: around.ride(&emitter.scope),
             around,
             random,
             particles,

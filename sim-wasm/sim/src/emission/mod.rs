@@ -16,8 +16,11 @@ pub(crate) mod shapes;
 pub mod surface;
 
 use crate::clamp::clamped;
+#[cfg(feature = "rigids")]
+use crate::collide::motion::Motion;
 use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::particles::Particles;
+use crate::parts::Parts;
 use crate::random::Random;
 use crate::scope::{Scope, envelope};
 use birth::Source;
@@ -38,14 +41,26 @@ pub struct Births {
 pub struct Surroundings<'s> {
     pub parameters: &'s Parameters,
     pub surfaces: &'s Surfaces,
-    /// How the rigid or part moves in this step that something with this scope rides on; none where it stands in the world.
-    pub ride: &'s dyn Fn(&Scope) -> Option<Ride>,
+    pub parts: &'s Parts,
+    /// How the rigid of this number moves in this step; none where there is none.
+    #[cfg(feature = "rigids")]
+    pub rigid: &'s dyn Fn(f64) -> Option<Motion>,
     /// Number of the step: it decides which emitter comes first.
     pub step: u64,
     /// Simulated seconds at the middle of the step.
     pub time: f64,
     /// Length of the step (s).
     pub dt: f64,
+}
+
+impl Surroundings<'_> {
+    /// What something with this scope rides on in this step; none where it stands in the world.
+    fn ride(&self, scope: &Scope) -> Option<Ride> {
+        let part = self.parts.ends(scope.rigid).map(Ride::Part);
+        #[cfg(feature = "rigids")]
+        let part = part.or_else(|| (self.rigid)(scope.rigid).map(Ride::Rigid));
+        part
+    }
 }
 
 impl Births {

@@ -156,6 +156,7 @@ fn bernoulli(q: f32x4) -> f32x4 {
 mod tests {
     use super::*;
     use crate::parameters::section::item;
+    use crate::parts::Parts;
     use crate::scope::Now;
 
     fn kernel(vortex: &Vortex) -> Kernel {
@@ -163,7 +164,7 @@ mod tests {
             time: 0.5,
             dt: 1.0 / 60.0,
             poses: &[],
-            parts: &[],
+            parts: &Parts::default(),
         };
         let scope = Reach::new(&vortex.scope, &now).unwrap();
         Kernel::new(vortex, 1.0, &now.frame(&vortex.scope), scope, 1.0 / 60.0)
