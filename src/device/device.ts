@@ -68,8 +68,7 @@ export class Device {
   /** @throws ContextError when nothing can be drawn at present. */
   requireUsable(): void {
     if (this.isDisposed) throw new ContextError('This device was disposed; create a new one.');
-    if (!this.isUsable)
-      throw new ContextError('The graphics context is lost; drawing goes on when the browser restores it.');
+    if (!this.isUsable) throw new ContextError('The graphics context is lost. Drawing goes on when it is restored.');
   }
 
   /** False once the context was lost and nobody should wait for it; it may still come back. */
@@ -128,9 +127,7 @@ export class Device {
 
 /** What is told of a context that nobody should wait for. */
 export function missingContext(): ContextError {
-  return new ContextError(
-    'The graphics context was lost and has not come back. Reload the page, or take another canvas.',
-  );
+  return new ContextError('The graphics context is lost. Reload the page, or use another canvas.');
 }
 
 /**
@@ -148,7 +145,7 @@ export function createDevice(canvas: DeviceCanvas, options: DeviceOptions = {}):
   });
   if (!context) {
     throw new UnsupportedError(
-      'This browser gives no WebGL2 context. Turn on hardware acceleration in its settings, or try a current Firefox, Chrome, Edge or Safari.',
+      'This browser gives no WebGL2 context. Turn on hardware acceleration. Try a current Firefox, Chrome, Edge or Safari.',
     );
   }
   if (context.isContextLost()) throw missingContext();

@@ -229,7 +229,7 @@ export class CartoonSmokeElement extends Base {
     this.#start = this.#session = undefined;
     this.#isConsented = false;
     this.#shell.show('poster');
-    this.#awaited.reject(new ContextError('The element was taken from the page; it starts anew when it comes back.'));
+    this.#awaited.reject(new ContextError('The element was removed. It restarts when it is inserted again.'));
     this.#awaited = new Deferred();
   }
 

@@ -92,7 +92,7 @@ export function extrude(mesh: TriangleMesh): Extrusion {
       const end = welded[mesh.indices[3 * face + ((corner + 1) % 3)]];
       const key = start * welded.length + end;
       if (edges.has(key)) {
-        throw new RangeError(`The edge ${start}>${end} belongs to several faces that wind the same way.`);
+        throw new RangeError(`The edge ${start}>${end} has two faces that wind the same way.`);
       }
       edges.set(key, [3 * face + corner, 3 * face + ((corner + 1) % 3)]);
     }
@@ -109,7 +109,7 @@ function strips(edges: ReadonlyMap<number, readonly [number, number]>, vertices:
     const [start, end] = [Math.floor(key / vertices), key % vertices];
     const opposite = edges.get(end * vertices + start);
     if (!opposite) {
-      throw new RangeError(`The edge ${start}>${end} has a face on one side only: the mesh is not closed.`);
+      throw new RangeError(`The edge ${start}>${end} has one face: the mesh is not closed.`);
     }
     // The neighbour runs along the same edge the other way: its start lies on our end.
     const [atEnd, atStart] = opposite;

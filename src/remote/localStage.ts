@@ -62,7 +62,7 @@ export function localStage(stage: Stage, thread: Thread = 'main', release?: () =
   const called = Object.entries(methods).map(([name, method]) => [
     name,
     async (...given: unknown[]) => {
-      if (isDisposed) throw new SimulatorError('This stage was disposed; open a new one.');
+      if (isDisposed) throw new SimulatorError('This stage was disposed; create a new one.');
       return (method as (stage: Stage, ...given: unknown[]) => unknown)(stage, ...given);
     },
   ]);

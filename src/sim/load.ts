@@ -132,9 +132,7 @@ const SIMD_PROBE = Uint8Array.of(
 
 function requireSimd(): void {
   if (typeof WebAssembly === 'object' && WebAssembly.validate(SIMD_PROBE)) return;
-  throw new UnsupportedError(
-    'Smoke needs WebAssembly with SIMD, which this browser lacks or has switched off. Try a current Firefox, Chrome, Edge or Safari.',
-  );
+  throw new UnsupportedError('Smoke needs WebAssembly with SIMD. Try a current Firefox, Chrome, Edge or Safari.');
 }
 
 async function load(physics: boolean, given: BufferSource | undefined, report: Listener): Promise<SimulatorFactory> {

@@ -49,10 +49,9 @@ function drawOn(device: Device): Presenter {
 function copyFrom(device: Device, canvas: DeviceCanvas): Presenter {
   const source = device.canvas;
   // Workers do not know the class of the other kind.
-  if (!('transferToImageBitmap' in source))
-    throw new ContextError('A shared device must be created on an OffscreenCanvas.');
+  if (!('transferToImageBitmap' in source)) throw new ContextError('A shared device needs an OffscreenCanvas.');
   const context = canvas.getContext('bitmaprenderer');
-  if (!context) throw new ContextError('This canvas already has another context; give the stage a fresh canvas.');
+  if (!context) throw new ContextError('This canvas already has another context. Use a fresh canvas.');
   const size = new Sizing(device);
   return {
     device,

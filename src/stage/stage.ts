@@ -351,7 +351,7 @@ export class Stage {
     const { values } = this.readTake(bytes);
     const { name } = this.#running.scene;
     if (values.scene !== name) {
-      throw new SimulatorError(`The take was made in the scene ${values.scene}; this stage shows ${name}.`);
+      throw new SimulatorError(`The take was made in the scene ${values.scene}, not ${name}.`);
     }
     this.#simulation.replay(bytes, values);
     this.#running.follow(this.#simulation.valuesIn(values));

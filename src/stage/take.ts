@@ -45,7 +45,7 @@ function valuesOf(note: string): Values {
   const found = Object.entries(readNote(note)).flatMap(([key, value]): [string, Value][] => {
     const parameter = findParameter(key);
     if (!parameter) return [];
-    if (!isAccepted(parameter, value)) throw new SimulatorError(`The take has a ${key} that it cannot have.`);
+    if (!isAccepted(parameter, value)) throw new SimulatorError(`The take has a wrong ${key}.`);
     return [[parameter.key, value as Value]];
   });
   return { ...defaults(), ...Object.fromEntries(found) };
@@ -58,5 +58,5 @@ function readNote(note: string): object {
   } catch {
     // Told below, as for a note that is well-formed and says nothing.
   }
-  throw new SimulatorError('The take was not recorded by a stage: it does not say which values it began with.');
+  throw new SimulatorError('The take was not recorded by a stage.');
 }

@@ -195,7 +195,7 @@ fn a_take_is_replayed_from_every_state_though_an_input_looks_at_the_air() {
 }
 
 #[test]
-fn poses_that_are_none_are_refused_by_name() {
+fn poses_that_are_none_are_refused() {
     let mut simulator = simulator(100, 1, &[STILL, NOZZLE]);
     let good = numbers(-1.0, 0, propeller);
     simulator.place_parts(&good).unwrap();
@@ -205,17 +205,17 @@ fn poses_that_are_none_are_refused_by_name() {
         numbers[PART_FLOATS + index] = value;
         numbers
     };
-    for (numbers, key) in [
-        (with(1, f32::INFINITY), "part.position"),
-        (with(9, f32::NAN), "part.position"),
-        (with(10, -2e4), "part.position"),
-        (with(4, 1.0), "part.rotation"),
-        (with(15, f32::NAN), "part.rotation"),
-        (good[1..].to_vec(), "part.count"),
-        (good[PART_FLOATS..].to_vec(), "part.count"),
-        (good[..PART_FLOATS].repeat(2 * (MOST_PARTS + 1)), "part.count"),
+    for numbers in [
+        with(1, f32::INFINITY),
+        with(9, f32::NAN),
+        with(10, -2e4),
+        with(4, 1.0),
+        with(15, f32::NAN),
+        good[1..].to_vec(),
+        good[PART_FLOATS..].to_vec(),
+        good[..PART_FLOATS].repeat(2 * (MOST_PARTS + 1)),
     ] {
-        assert_eq!(simulator.place_parts(&numbers).unwrap_err().key, key);
+        assert_eq!(simulator.place_parts(&numbers).unwrap_err().key, "parts");
     }
     simulator.step();
     assert!(
