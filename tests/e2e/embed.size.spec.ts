@@ -36,7 +36,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, host,
   await stands(page);
   judge([
     { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 60, goal: 60 },
-    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 106 },
+    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 107 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
   for (const rarity of RARITIES.split(' ')) expect(names).not.toContain(rarity);
