@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use crate::common::{LIVELY, STEP, STILL, newborn, place, simulator, slip, steps};
+use crate::common::{LIVELY, STEP, STILL, place, simulator, slip};
 use sim::Simulator;
-use sim::collide::space::{Pose, Vector, product, rotation_about};
+use sim::collide::space::{Pose, Vector, rotation_about};
 use sim::parts::{FIRST_PART, MOST_PARTS, PART_FLOATS};
 
 /// The second part: the first one stands aside.
@@ -60,15 +60,6 @@ fn advance(simulator: &mut Simulator, pose: impl Fn(f64) -> Pose) {
 
 fn places(simulator: &Simulator) -> Vec<[f32; 3]> {
     (0..simulator.alive()).map(|i| place(simulator, i)).collect()
-}
-
-/// The greatest distance (m) between two particles of the same number.
-fn farthest(ours: &Simulator, expected: &Simulator) -> f32 {
-    assert_eq!(ours.alive(), expected.alive());
-    let pairs = places(ours).into_iter().zip(places(expected));
-    pairs
-        .map(|(a, b)| (Vector::from(a) - Vector::from(b)).length())
-        .fold(0.0, f32::max)
 }
 
 #[test]
@@ -230,6 +221,8 @@ fn poses_that_are_none_are_refused() {
 #[cfg(feature = "rigids")]
 mod on_rigids {
     use super::*;
+    use crate::common::newborn;
+    use sim::collide::space::product;
     use sim::rigids::{RigidDescription, RigidKind, RigidShape};
 
     /// So small that nothing bumps into it.
@@ -276,6 +269,15 @@ mod on_rigids {
             ("shedders.0.alternate", 1.0),
         ],
     ];
+
+    /// The greatest distance (m) between two particles of the same number.
+    fn farthest(ours: &Simulator, expected: &Simulator) -> f32 {
+        assert_eq!(ours.alive(), expected.alive());
+        let pairs = places(ours).into_iter().zip(places(expected));
+        pairs
+            .map(|(a, b)| (Vector::from(a) - Vector::from(b)).length())
+            .fold(0.0, f32::max)
+    }
 
     /// The settings and the key that lets them ride.
     fn with_smoke(kind: &[(&str, f64)], rigid: f64) -> Simulator {
@@ -356,7 +358,7 @@ mod on_rigids {
             let mut simulator = rigged(&[STILL, NOZZLE], wheel);
             for step in 0..5 {
                 simulator.place_parts(&numbers(carrier, step, propeller)).unwrap();
-                steps(&mut simulator, 1);
+                simulator.step();
             }
             simulator.hash()
         };
