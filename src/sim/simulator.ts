@@ -385,7 +385,7 @@ export class Simulator {
   get #rigids(): typeof RigidNumbers {
     const { rigidNumbers } = this.#module.bindings;
     if (rigidNumbers) return rigidNumbers;
-    throw new SimulatorError('This simulator has no rigids. Load the variant with physics.');
+    throw new SimulatorError('This simulator has no rigids: use loadSimulators({ physics: true }).');
   }
 
   #attempt<Result>(action: () => Result): Result {

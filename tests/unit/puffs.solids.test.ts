@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { bakePuffs, samplePuff } from '../../src/puffs/layers.ts';
 import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
+import { billboardShapes } from '../../src/puffs/shapes.ts';
 import { solidsOf, type PuffSolids } from '../../src/puffs/solids.ts';
 import { finished } from '../../src/puffs/work.ts';
 import { bakingBillboards } from '../../src/smoke/billboards.ts';
@@ -40,7 +41,7 @@ describe('the solids of puffs', () => {
   });
 
   it('hold the baked layers between balls that are smaller and balls that are larger by the tolerance', () => {
-    const layers = bakePuffs(LOBE_SHAPES);
+    const layers = bakePuffs(billboardShapes(LOBE_SHAPES));
     const { solids } = finished(bakingBillboards(LOBE_SHAPES));
     let inside = 0;
     for (let place = 0; place < 4 * 2500; place++) {

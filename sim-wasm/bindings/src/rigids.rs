@@ -54,7 +54,7 @@ mod with_rapier {
 
 #[cfg(not(feature = "rigids"))]
 pub fn without_rapier() -> JsValue {
-    crate::refusal::plain_refusal("This simulator has no rigids. Load the variant with physics.")
+    crate::refusal::plain_refusal("This simulator has no rigids: use loadSimulators({ physics: true }).")
 }
 
 #[wasm_bindgen]
