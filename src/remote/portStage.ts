@@ -12,7 +12,7 @@ interface Waiting {
   readonly reject: (error: Error) => void;
 }
 
-const ended = () => new SimulatorError('This stage was disposed; open a new one.');
+const ended = () => new SimulatorError('This stage was disposed; create a new one.');
 
 /** A stage at the other end of a port. */
 export class PortStage {

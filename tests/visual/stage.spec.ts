@@ -81,7 +81,7 @@ test.describe('loss', () => {
   // More than the sixteen contexts that a browser lets live at a time.
   test('a canvas on which a stage was disposed serves no other, in words', async ({ load }) => {
     const cases = await load<Devices>(DEVICES);
-    expect(await cases.evaluate((module) => module.useCanvasAgain())).toMatch(/^ContextError: .*take another canvas/);
+    expect(await cases.evaluate((module) => module.useCanvasAgain())).toMatch(/^ContextError: .*use another canvas/);
   });
 
   test('8 stages leave no live context and no object', async ({ load, blank }) => {
