@@ -16,7 +16,7 @@ test('the list has every preset, at 2, 8 and 20 s', () => {
 describe('hashes', () => {
   test.for(Object.keys(wanted))('%s', async (name, { load, task }) => {
     const page = await load<Page>('/tests/engines/page/hashes.ts');
-    const found = await page.hashesOf(name, Object.keys(wanted[name]).map(Number));
+    const found = await page.hashesInPage(name, Object.keys(wanted[name]).map(Number));
     task.meta.note = `hashes  ${name}  ${engine.title}  ${Object.values(found).join('  ')}`;
     expect(found).toEqual(wanted[name]);
   });
