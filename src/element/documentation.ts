@@ -1,128 +1,155 @@
 /**
- * What editors and the README say of the element besides its parameters. It goes into the custom-elements manifest and
- * into no bundle.
+ * Descriptions of the element's API besides the parameters, for docs/element.md and the custom-elements manifest. No
+ * bundle contains them.
  */
 
 const flag = { text: 'boolean' };
 const string = { text: 'string' };
 
 export const attributes = [
-  { name: 'preset', type: string, default: 'lamp', description: 'Name of a preset, such as `wisp`.' },
+  {
+    name: 'preset',
+    type: string,
+    default: 'lamp',
+    description: 'Name of a preset, such as `wisp`. An unknown name uses the default.',
+  },
   {
     name: 'src',
     type: string,
     description:
-      'A share link of the demo page; its `t` and `paused` count, too. Another one that leads to a moment, by `t`, `start` or what somebody did, begins anew there; one that does not changes smoke of the same scene as it goes on.',
+      'A share link of the demo page, which replaces `preset`. Its query parameters `t` and `paused` also apply. A new link restarts the smoke if it has `t` or a take, if `start` is set, or if the scene differs. Otherwise only the parameters change.',
   },
-  { name: 'paused', type: flag, description: 'Does not play. The button in the corner sets and removes it.' },
-  { name: 'transparent', type: flag, description: 'Shows the page behind the smoke in the place of a backdrop.' },
+  {
+    name: 'paused',
+    type: flag,
+    description: 'Pauses the smoke. The button in the corner sets and removes this attribute.',
+  },
+  {
+    name: 'transparent',
+    type: flag,
+    description: 'Makes the backdrop transparent, so that the page shows behind the smoke.',
+  },
   {
     name: 'interactive',
     type: flag,
     description:
-      'Takes pointers and keys - arrows turn, + and - zoom, 0 goes back - and leaves the wheel and swipes up and down to the page. Without it all go to what lies below.',
+      'Handles pointer and key events. Drag moves an object of the scene or orbits the camera. Arrow keys orbit, a pinch, `+` and `-` zoom, `0` resets the view. The wheel and vertical swipes still scroll the page. Without this attribute, pointer events pass through the element.',
   },
-  { name: 'start', type: { text: 'number' }, description: 'Simulated seconds before the first picture, 0 to 600.' },
-  { name: 'alt', type: string, description: 'What screen readers say; empty where the smoke is ornament.' },
+  {
+    name: 'start',
+    type: { text: 'number' },
+    description: 'Simulated seconds before the first frame, 0 to 600. Overrides the `t` of `src`.',
+  },
+  {
+    name: 'alt',
+    type: string,
+    description: 'Text alternative of the canvas. An empty value marks the smoke as decorative.',
+  },
   {
     name: 'label-play',
     type: string,
     default: 'Play smoke',
-    description: 'What the button says to screen readers while it would play.',
+    description: 'Accessible name of the button while the smoke is paused.',
   },
   {
     name: 'label-pause',
     type: string,
     default: 'Pause smoke',
-    description: 'What it says while it would pause.',
+    description: 'Accessible name of the button while the smoke plays.',
   },
   {
     name: 'collide',
     type: string,
     description:
-      'A CSS selector: smoke flows around the boxes of the elements that it fits, wherever they go. Eight at once: of more, those in the picture and nearest to where smoke rises, found anew whenever they move; `statechange` tells so. It curls at the ends of the nearest four.',
+      'CSS selector. Smoke flows around the boxes of the matching elements and follows them when they move. At most eight elements apply: those inside the element and nearest to the emitters first. `statechange` reports when more match. Vortices curl the smoke at the ends of at most four.',
   },
   {
     name: 'emit-from',
     type: string,
     description:
-      'A CSS selector: smoke rises from the first eight elements that it fits. The preset `air` has nothing else.',
+      'CSS selector. Smoke rises from the top edges of the first eight matching elements. Use it with the preset `air`, which contains only smoke.',
   },
   {
     name: 'emit-on',
     type: { text: "'always' | 'hover' | 'click'" },
     default: 'always',
     description:
-      'When smoke rises from them; `hover` is under the pointer or the keyboard, and for a moment after a tap.',
+      'When the `emit-from` elements emit: always, while one is hovered or has keyboard focus, or for 0.9 s after a click. With `hover`, a tap also emits for 0.9 s.',
   },
   {
     name: 'loading',
     type: { text: "'lazy' | 'eager'" },
     default: 'lazy',
-    description: 'Whether to fetch the smoke when the element nears the viewport or at once.',
+    description: '`lazy` loads the smoke when the element is within 400 px of the viewport, `eager` at once.',
   },
   {
     name: 'thread',
     type: { text: "'auto' | 'main' | 'worker'" },
     default: 'auto',
-    description: 'Where the smoke is computed and drawn: in a worker where the browser can, by default.',
+    description:
+      'Thread that simulates and draws. `auto` uses a worker if the browser and the page allow it, otherwise the main thread.',
   },
 ];
 
 export const events = [
-  { name: 'ready', type: { text: "SmokeEvent<'ready'>" }, description: 'The first picture stands.' },
+  {
+    name: 'ready',
+    type: { text: "SmokeEvent<'ready'>" },
+    description: 'The first frame is drawn. `detail.thread` is `main` or `worker`.',
+  },
   {
     name: 'error',
     type: { text: "SmokeEvent<'error'>" },
-    description: 'There is no smoke, or no more; `detail.error` says why. The poster and the fallback are shown.',
+    description:
+      'The smoke failed to start or stopped; `detail.error` has the reason. The poster and the fallback are shown.',
   },
   {
     name: 'statechange',
     type: { text: "SmokeEvent<'statechange'>" },
     description:
-      'Playing began or ended (`detail.playing`), or attributes were not taken as they stood (`detail.notices`).',
+      'The smoke started or stopped playing (`detail.playing`), or an attribute value was replaced or ignored (`detail.notices`).',
   },
 ];
 
 export const methods = [
-  { name: 'play', description: 'Plays, as the button does.' },
-  { name: 'pause', description: 'Pauses, as the button does.' },
-  { name: 'seek', description: 'Goes to a simulated time, in seconds.' },
-  { name: 'step', description: 'Takes whole steps of 1/60 s.' },
+  { name: 'play', description: 'Starts playing and removes `paused`.' },
+  { name: 'pause', description: 'Stops playing and sets `paused`.' },
+  { name: 'seek', description: 'Seeks to a simulated time in seconds.' },
+  { name: 'step', description: 'Advances by whole steps of 1/60 s.' },
   {
     name: 'set',
     description:
-      'Changes parameters by flat key, such as `{ "emission.rate": 60 }`; refuses what is out of range with a ParameterError.',
+      'Changes parameters by key, such as `{ "emission.rate": 60 }`. Rejects with a ParameterError if a value is out of range.',
   },
-  { name: 'get', description: 'All values by flat key.' },
-  { name: 'picture', description: 'The present picture as a PNG.' },
-  { name: 'stats', description: 'What the smoke is doing.' },
+  { name: 'get', description: 'Resolves to all parameter values by key.' },
+  { name: 'picture', description: 'Resolves to the current frame as a PNG.' },
+  { name: 'stats', description: 'Resolves to statistics of the latest frame.' },
 ];
 
 export const slots = [
   {
     name: 'poster',
     description:
-      'A picture that stands until the smoke does, and when there is none, as large as the element. The image of a `<picture>` is as wide, unless the page or its attributes size it.',
+      'Image shown until the first frame and after an error, scaled to cover the element. The image in a `<picture>` is as wide as the element, unless the page or its attributes set its size.',
   },
-  { name: '', description: 'What is shown where there can be no smoke, and by browsers without JavaScript.' },
+  { name: '', description: 'Fallback content, shown after an error and by browsers without JavaScript.' },
 ];
 
 export const cssParts = [
-  { name: 'frame', description: 'The box of everything.' },
+  { name: 'frame', description: 'The box that contains all other parts.' },
   {
     name: 'canvas',
-    description: 'What the smoke is drawn on. With `touch-action: none` an interactive one has all swipes.',
+    description: 'The canvas. With `touch-action: none`, an interactive element also receives vertical swipes.',
   },
-  { name: 'poster', description: 'The box of the poster.' },
-  { name: 'fallback', description: 'The box of the fallback.' },
-  { name: 'button', description: 'The button that pauses and plays.' },
+  { name: 'poster', description: 'The container of the poster.' },
+  { name: 'fallback', description: 'The container of the fallback.' },
+  { name: 'button', description: 'The pause and play button.' },
 ];
 
 export const cssProperties = [
   { name: '--cartoon-smoke-button-size', default: '36px', description: 'Width and height of the button.' },
-  { name: '--cartoon-smoke-button-inset', default: '10px', description: 'How far it stands from the corner.' },
-  { name: '--cartoon-smoke-button-color', default: '#1d1720', description: 'Its ink.' },
-  { name: '--cartoon-smoke-button-background', default: '#fff8ecd9', description: 'Its paper.' },
-  { name: '--cartoon-smoke-focus-color', default: '#2f6fde', description: 'The ring around it under the keyboard.' },
+  { name: '--cartoon-smoke-button-inset', default: '10px', description: 'Distance of the button from the corner.' },
+  { name: '--cartoon-smoke-button-color', default: '#1d1720', description: 'Icon and border colour of the button.' },
+  { name: '--cartoon-smoke-button-background', default: '#fff8ecd9', description: 'Background colour of the button.' },
+  { name: '--cartoon-smoke-focus-color', default: '#2f6fde', description: 'Colour of the focus ring.' },
 ];

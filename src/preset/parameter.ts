@@ -1,6 +1,6 @@
 /**
  * What one row of the parameter table says. From the rows come the panel, the share link, the attributes of the
- * element, the table of the README and the values that reach the simulator.
+ * element, the table in docs/parameters.md and the values that reach the simulator.
  */
 
 import { LEAST_STOPS, MOST_STOPS } from './curve.ts';

@@ -1,0 +1,149 @@
+/** README.md and docs/: the generated tables, the length of the README, and relative links. */
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { expect, it } from 'vitest';
+import { attributes, cssParts, cssProperties, events, slots } from '../../src/element/documentation.ts';
+import type { Parameter } from '../../src/preset/parameter.ts';
+import { table } from '../../src/preset/table.ts';
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+const MOST_README_LINES = 150;
+const FOLDER = 'docs';
+const DOCUMENTS = [
+  'README.md',
+  ...readdirSync(join(ROOT, FOLDER), { recursive: true, encoding: 'utf8' })
+    .filter((file) => file.endsWith('.md'))
+    .map((file) => join(FOLDER, file))
+    .sort(),
+];
+
+function range(parameter: Parameter): string {
+  switch (parameter.kind) {
+    case 'toggle':
+      return '0, 1';
+    case 'color':
+      return 'colour';
+    case 'curve':
+      return 'curve';
+    case 'ramp':
+      return 'ramp';
+    case 'choice':
+      return parameter.options.map(({ value }) => value).join(', ');
+    default:
+      return `${parameter.min} to ${parameter.max} ${parameter.unit}`.trim();
+  }
+}
+
+/** Where, when and on what an item acts: every list of forces has these, emitters all but the region. */
+const SCOPE = /^\w+\.0\.(region\.|envelope\.|rigid$)/;
+
+/** The items of a list are alike, and a vector's three numbers too, and what all lists have: one row stands for all. */
+function rows(): string[] {
+  const listed = table.filter(({ key }) => !/^\w+\.[1-7]\./.test(key) && !/^\w+\.0\..*\.[yz]$/.test(key));
+  const scope = listed.filter(({ key }) => SCOPE.test(key) && key.startsWith('winds.'));
+  return [
+    ...listed.filter(({ key }) => !SCOPE.test(key)).map((parameter) => row(parameter, parameter.key)),
+    ...scope.map((parameter) => row(parameter, parameter.key.replace('winds.', '*.'))),
+  ];
+}
+
+function row(parameter: Parameter, key: string): string {
+  const name = key.replace('.0.', '.0‥7.').replace(/(?<=\.0‥7\..*)\.x$/, '.x, .y, .z');
+  return `| \`${name}\` | ${range(parameter)} | ${parameter.default} | ${parameter.text} |`;
+}
+
+/** What the element has besides the parameters. */
+function elementRows(): string[] {
+  const kinds = [
+    ['attribute', attributes],
+    ['event', events],
+    ['slot', slots],
+    ['part', cssParts],
+    ['CSS property', cssProperties],
+  ] as const;
+  return kinds.flatMap(([kind, list]) =>
+    list.map((each) => {
+      const initial = 'default' in each && each.default ? ` (${each.default})` : '';
+      return `| ${kind} | ${each.name ? `\`${each.name}\`` : 'without a name'} | ${each.description}${initial} |`;
+    }),
+  );
+}
+
+const TABLES = [
+  {
+    name: 'parameters',
+    file: 'docs/parameters.md',
+    lines: ['| key | range | default | description |', '| --- | --- | --- | --- |', ...rows()],
+  },
+  {
+    name: 'element',
+    file: 'docs/element.md',
+    lines: ['| kind | name | description |', '| --- | --- | --- |', ...elementRows()],
+  },
+];
+
+it.each(TABLES)('$file has the generated table of the $name (UPDATE_DOCS=1 writes it)', ({ name, file, lines }) => {
+  const text = read(file);
+  const block = new RegExp(`(<!-- ${name} -->\n)[^]*(<!-- /${name} -->)`);
+  const updated = text.replace(
+    block,
+    (_, before: string, after: string) => `${before}\n${lines.join('\n')}\n\n${after}`,
+  );
+  expect(text).toMatch(block);
+  if (process.env.UPDATE_DOCS) writeFileSync(join(ROOT, file), updated);
+  else expect(text).toBe(updated);
+});
+
+it(`keeps README.md at ${MOST_README_LINES} lines or fewer`, () => {
+  expect(read('README.md').trimEnd().split('\n').length).toBeLessThanOrEqual(MOST_README_LINES);
+});
+
+it.each(DOCUMENTS)('%s links to files and headings that exist', (file) => {
+  expect(linksIn(read(file)).filter((link) => isBroken(link, file))).toEqual([]);
+});
+
+it.each([
+  ['a missing file', 'missing.md'],
+  ['a missing heading', 'docs/glossary.md#missing-heading'],
+  ['a missing heading of the same file', '#missing-heading'],
+])('finds a link to %s', (_, link) => {
+  expect(linksIn(`See [this](${link}).`).filter((each) => isBroken(each, 'README.md'))).toEqual([link]);
+});
+
+function read(file: string): string {
+  return readFileSync(join(ROOT, file), 'utf8');
+}
+
+function withoutCode(text: string): string {
+  return text.replace(/^```[^]*?^```/gm, '');
+}
+
+/** Relative targets of links and images; code is left out. */
+function linksIn(text: string): string[] {
+  const prose = withoutCode(text).replace(/`[^`\n]*`/g, '');
+  const targets = [...prose.matchAll(/\]\(([^()\s]+)\)|^\[[^\]]+\]: (\S+)/gm)].map(
+    ([, inline, named]) => inline ?? named,
+  );
+  return targets.filter((target) => !/^[a-z]+:/.test(target));
+}
+
+/** @param from the file that has the link */
+function isBroken(link: string, from: string): boolean {
+  const [path, heading] = link.split('#', 2);
+  const file = path === '' ? from : join(dirname(from), path);
+  if (!existsSync(join(ROOT, file))) return true;
+  return heading !== undefined && !headingsOf(read(file)).includes(heading);
+}
+
+/** Anchors of the headings, as GitHub makes them. */
+function headingsOf(text: string): string[] {
+  const headings = [...withoutCode(text).matchAll(/^#{1,6} (.+)$/gm)];
+  return headings.map(([, heading]) =>
+    heading
+      .toLowerCase()
+      .replace(/[^\p{L}\p{N} _-]/gu, '')
+      .trim()
+      .replaceAll(' ', '-'),
+  );
+}
