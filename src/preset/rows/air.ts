@@ -7,7 +7,7 @@ export const airRows: readonly Parameter[] = [
   multiplier('buoyancy', 'Buoyancy', 'Lift of warm smoke; it fades as the smoke cools.'),
   multiplier('turbulence', 'Turbulence', 'Small irregular swirls in the air.'),
   multiplier('vortex', 'Vortices', 'Strength of all vortices together.'),
-  multiplier('drag', 'Drag', 'How firmly the air takes smoke along.'),
+  multiplier('drag', 'Drag', 'How strongly the air carries smoke.'),
   wind('x', 'Wind to the right', 'Steady wind along x; negative blows to the left.'),
   wind('y', 'Wind upwards', 'Steady wind along y; negative blows down.'),
   wind('z', 'Wind to the front', 'Steady wind along z; negative blows away from the viewer.'),
@@ -77,7 +77,7 @@ export const airRows: readonly Parameter[] = [
     default: 1.5,
     unit: '1/s',
     label: 'Drag rate',
-    text: 'How firmly the air of this scene takes smoke along.',
+    text: 'How strongly the air of this scene carries smoke.',
   }),
   ofScene('drag.quadratic', 'air', {
     max: 1000,

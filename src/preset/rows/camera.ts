@@ -10,7 +10,7 @@ export const cameraRows: readonly Parameter[] = [
     default: 8.6,
     unit: '\u00b0',
     label: 'Seen from',
-    text: 'From where around the scene it is seen: 0 is the front, 90 the right.',
+    text: 'Direction of the camera: 0 is the front, 90 the right.',
   }),
   eye('elevation', {
     min: -5,
@@ -19,7 +19,7 @@ export const cameraRows: readonly Parameter[] = [
     default: 9.2,
     unit: '\u00b0',
     label: 'Eye height',
-    text: 'How far from above it is seen: 0 is level.',
+    text: 'Elevation of the camera: 0 is level.',
   }),
   eye('distance', {
     min: 0.3,
@@ -29,7 +29,7 @@ export const cameraRows: readonly Parameter[] = [
     unit: 'm',
     slider: 'fine',
     label: 'Eye distance',
-    text: 'How far the eye is from what it looks at.',
+    text: 'Distance of the camera from its target.',
   }),
   eyeTarget('x', 0.15),
   eyeTarget('y', 1.5),
@@ -48,7 +48,7 @@ function eyeTarget(axis: 'x' | 'y' | 'z', initial: number): NumberParameter {
   return eye(`target.${axis}`, {
     ...range,
     label,
-    text: `How far ${text} the point lies that the camera looks at and circles.`,
+    text: `How far ${text} the target of the camera lies.`,
     default: initial,
   });
 }

@@ -9,7 +9,7 @@ export const lightRows: readonly Parameter[] = [
     'light',
     {
       label: 'Light',
-      text: 'The sun lights all from one side; a lamp stands in the scene, and shadows spread away from it.',
+      text: 'The sun is a directional light; a lamp is a point light, and shadows spread away from it.',
       default: 'sun',
     },
     [
@@ -43,6 +43,6 @@ export const lightRows: readonly Parameter[] = [
     unit: 'm',
     slider: 'fine',
     label: 'Distance',
-    text: 'How far a lamp stands from the middle of the scene; the sun is as far as ever.',
+    text: 'Distance of a lamp from the centre of the scene; the sun ignores it.',
   }),
 ];

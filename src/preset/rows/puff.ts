@@ -48,7 +48,7 @@ export const puffRows: readonly Parameter[] = [
     step: 1,
     default: 0,
     label: 'Shapes from',
-    text: 'Each number has shapes of its own; 0 has those that were chosen by hand.',
+    text: 'Selects the puff shapes; 0 has shapes designed by hand.',
     isBaked: true,
   }),
 ];

@@ -3,7 +3,7 @@ import { choice, quantity } from './row.ts';
 
 /** What is simulated, and from which number on. */
 export const sceneRows: readonly Parameter[] = [
-  choice('scene', 'simulation', 'stage', { label: 'Scene', text: 'What stands in the smoke.', default: 'lamp' }, [
+  choice('scene', 'simulation', 'stage', { label: 'Scene', text: 'The scene to show.', default: 'lamp' }, [
     ['lamp', 'Magic lamp'],
     ['airplane', 'Airplane'],
     ['train', 'Steam train'],

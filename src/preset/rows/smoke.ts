@@ -21,7 +21,7 @@ export const smokeRows: readonly Parameter[] = [
     unit: 's',
     slider: 'fine',
     label: 'Lifetime',
-    text: 'How long a puff lives before it has dissolved.',
+    text: 'Lifetime of a puff.',
   }),
   quantity('emission.growthTime', 'emission', 'simulator', {
     min: 0,
@@ -39,7 +39,7 @@ export const smokeRows: readonly Parameter[] = [
     group: 'emission',
     reader: 'simulator',
     label: 'Density',
-    text: 'How large a puff is over its life, from birth to death, where it always ends at nothing.',
+    text: 'Size of a puff over its life, from birth to death; it always ends at 0.',
     default: '0:1,1:0',
   },
   ofScene('emission.entrainment', 'emission', {

@@ -47,7 +47,7 @@ export const styleRows: readonly Parameter[] = [
       [3, 'Three'],
     ],
   ),
-  ramp('ramp', 'Own tones', 'Colours from shadow to full light in the place of the number of tones.'),
+  ramp('ramp', 'Own tones', 'Colours from shadow to full light; they replace the number of tones.'),
   toggle('rampBlend', 'Blend own tones', 'Lets your own tones run into each other; off keeps them flat.', 0),
   quantity('style.fill', 'style', 'style', {
     min: 0,
@@ -70,7 +70,7 @@ export const styleRows: readonly Parameter[] = [
   color('tint1', 'Tint 1', 'Colour of smoke that an emitter or an obstacle has given tint 1.', '#f08a5d'),
   color('tint2', 'Tint 2', 'Colour of smoke that an emitter or an obstacle has given tint 2.', '#7fb2e5'),
   color('tint3', 'Tint 3', 'Colour of smoke that an emitter or an obstacle has given tint 3.', '#8fcf7a'),
-  ramp('ageRamp', 'Colour by age', 'Colours of the smoke over its life, in the place of its one colour.'),
+  ramp('ageRamp', 'Colour by age', 'Colours of the smoke over its life; they replace its one colour.'),
   ramp(
     'heatRamp',
     'Colour by heat',
@@ -89,7 +89,7 @@ export const styleRows: readonly Parameter[] = [
     step: 0.05,
     default: 0,
     label: 'Wash',
-    text: 'How far the things of the scene give up their colours for shades of one.',
+    text: 'How much the objects of the scene take shades of one colour.',
   }),
   color('washColor', 'Wash colour', 'The lightest of those shades.', '#f2ead8'),
   quantity('style.outlineWidth', 'style', 'style', {
@@ -137,7 +137,7 @@ export const styleRows: readonly Parameter[] = [
     default: 0.18,
     unit: 'radii',
     label: 'Inner lines',
-    text: 'How far one puff must stand before another for ink between them; 0 outlines every puff.',
+    text: 'Least depth between two puffs for ink between them; 0 outlines every puff.',
   }),
   quantity('style.innerTaper', 'style', 'style', {
     min: 0,
@@ -170,7 +170,7 @@ export const styleRows: readonly Parameter[] = [
     'style',
     {
       label: 'Renderer',
-      text: 'How smoke is drawn: as here, or as others draw it, to compare.',
+      text: 'The rendering method; all but nailboards are for comparison.',
       default: 'nailboards',
     },
     [
