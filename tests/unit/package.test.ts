@@ -43,6 +43,17 @@ it('has exports and files as npm and bundlers want them', async () => {
   expect(messages).toEqual([]);
 }, 60_000);
 
+it('links to the repository of package.json, its page and its issues', () => {
+  const read = (folder: string) => JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+  const [host, path] = (read(ROOT) as { repository: string }).repository.split(':');
+  const address = `https://${host}.com/${path}`;
+  expect(read(FOLDER)).toMatchObject({
+    repository: { type: 'git', url: `git+${address}.git` },
+    homepage: `${address}#readme`,
+    bugs: { url: `${address}/issues` },
+  });
+});
+
 it('has types for each way of resolving modules', () => {
   const checker = join(ROOT, 'node_modules/@arethetypeswrong/cli/dist/index.js');
   const check = () => execFileSync(process.execPath, [checker, archive, '--profile', 'esm-only', '--quiet']);
