@@ -44,10 +44,11 @@ it('has exports and files as npm and bundlers want them', async () => {
 }, 60_000);
 
 it('links to the repository of package.json, its page and its issues', () => {
-  const read = (folder: string) => JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
-  const [host, path] = (read(ROOT) as { repository: string }).repository.split(':');
+  const manifestIn = (folder: string) =>
+    JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as Record<string, unknown>;
+  const [host, path] = (manifestIn(ROOT).repository as string).split(':');
   const address = `https://${host}.com/${path}`;
-  expect(read(FOLDER)).toMatchObject({
+  expect(manifestIn(FOLDER)).toMatchObject({
     repository: { type: 'git', url: `git+${address}.git` },
     homepage: `${address}#readme`,
     bugs: { url: `${address}/issues` },
