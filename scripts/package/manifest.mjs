@@ -3,8 +3,11 @@
 import { readFileSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
 
-/** @type {{ name: string, version: string, description: string, license: string, dependencies: { three: string } }} */
+/** @type {{ name: string, version: string, description: string, license: string, repository: string, dependencies: { three: string } }} */
 const project = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
+
+/** Web address of the repository that `repository` of package.json names. */
+const address = githubAddress(project.repository);
 
 /** package.json of the package: what the project's own has beside it is for those who build it. */
 export const manifest = {
@@ -12,6 +15,9 @@ export const manifest = {
   version: project.version,
   description: project.description,
   license: project.license,
+  repository: { type: 'git', url: `git+${address}.git` },
+  homepage: `${address}#readme`,
+  bugs: { url: `${address}/issues` },
   type: 'module',
   keywords: ['cartoon', 'smoke', 'clouds', 'particles', 'three', 'webgl2', 'wasm', 'web-component', 'custom-element'],
   exports: {
@@ -30,3 +36,10 @@ export const manifest = {
   sideEffects: ['./dist/element.js', './dist/cartoon-smoke.min.js'],
   peerDependencies: { three: project.dependencies.three },
 };
+
+/** @param {string} repository npm's shorthand, `github:owner/name` */
+function githubAddress(repository) {
+  const path = /^github:([\w-]+\/[\w.-]+)$/.exec(repository)?.[1];
+  if (!path) throw new Error(`repository in package.json is ${repository}: write it as github:owner/name.`);
+  return `https://github.com/${path}`;
+}

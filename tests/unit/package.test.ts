@@ -43,6 +43,18 @@ it('has exports and files as npm and bundlers want them', async () => {
   expect(messages).toEqual([]);
 }, 60_000);
 
+it('links to the repository of package.json, its page and its issues', () => {
+  const manifestIn = (folder: string) =>
+    JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as Record<string, unknown>;
+  const [host, path] = (manifestIn(ROOT).repository as string).split(':');
+  const address = `https://${host}.com/${path}`;
+  expect(manifestIn(FOLDER)).toMatchObject({
+    repository: { type: 'git', url: `git+${address}.git` },
+    homepage: `${address}#readme`,
+    bugs: { url: `${address}/issues` },
+  });
+});
+
 it('has types for each way of resolving modules', () => {
   const checker = join(ROOT, 'node_modules/@arethetypeswrong/cli/dist/index.js');
   const check = () => execFileSync(process.execPath, [checker, archive, '--profile', 'esm-only', '--quiet']);
