@@ -202,7 +202,8 @@ export const strings = {
     inexact: 'An older version recorded this moment. The smoke may end differently.',
     tooLate: (seconds: number) => `This moment is later than the limit. The smoke is shown at ${seconds} s.`,
     notFresh: 'it starts from a saved state. Ask for a file instead.',
-    tooMany: (particles: number, most: number) => `it has ${particles} particles. The limit for links is ${most}.`,
+    tooMany: (particles: number, most: number) =>
+      `it needs room for ${particles} particles. The limit for links is ${most}.`,
   },
   ownShape: {
     choose: 'Use your own mesh\u2026',

@@ -120,7 +120,7 @@ test('files that are none say what is wrong with them, and nothing changes', asy
   await open(page, `?paused=1${LIGHT}`);
   await drop(page, 'a.json', '{"format": "cartoon-smoke",\n  "version": 1,,}');
   await expect(
-    page.getByText('a.json could not be opened. The file is no JSON from line 2, column 16 on.'),
+    page.getByText('a.json could not be opened. The file is not valid JSON at line 2, column 16.'),
   ).toBeVisible();
   await drop(page, 'b.json', '{"format": "cartoon-smoke", "version": 1, "values": {"puff.size": 9}}');
   await expect(page.getByText('puff.size cannot be “9”')).toBeVisible();
