@@ -38,7 +38,7 @@ await conclude(async () => {
   const parameters = [...limits, '-print_final_stats=1', `-artifact_prefix=${findings}/`, corpus, seeds];
   const { status, output } = await run(program, parameters, { onLine: (line) => console.log(line) });
   const executions = /number_of_executed_units:\s*(\d+)/.exec(output)?.[1] ?? 'no';
-  if (status !== 0) throw new Refusal(`The simulator failed. The input is in ${findings}.`);
+  if (status !== 0) throw new Refusal(`The simulator failed on the input in ${findings}.`);
   console.log(`${executions} inputs in ${minutes} minutes without a fault.`);
 });
 

@@ -28,8 +28,8 @@ export async function writeLicenses(folder) {
   writeFileSync(join(folder, FILE), `${[INTRODUCTION, ...works.map(describe)].join('\n\n')}\n`);
 }
 
-const INTRODUCTION = `Cartoon Smoke holds work of others, under their licences. Nothing of it was changed but for being bundled,
-minified, and freed of what is never run; the source code of each can be had where its entry says.`;
+const INTRODUCTION = `Cartoon Smoke contains third-party work under the licences below. The work was bundled and minified, and unused
+code was removed. It is otherwise unchanged. Each entry says where to find the source code.`;
 
 /** @param {string} folder @returns {Work[]} */
 function packagesIn(folder) {

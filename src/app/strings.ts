@@ -53,7 +53,7 @@ export const strings = {
     open: 'Parameters',
     search: 'Find a parameter',
     found: (count: number) => (count === 1 ? '1 parameter' : `${count} parameters`),
-    sheet: 'Height of the sheet',
+    sheet: 'Panel height',
     resetAll: 'Reset all',
     undo: 'Undo',
     redo: 'Redo',
@@ -68,7 +68,7 @@ export const strings = {
       `Stop ${number}: ${Math.round(100 * value)} % at ${Math.round(100 * at)} %`,
   },
   ramp: {
-    stop: (number: number, color: string, at: number) => `Stop ${number}: ${color} from ${Math.round(100 * at)} % on`,
+    stop: (number: number, color: string, at: number) => `Stop ${number}: ${color} from ${Math.round(100 * at)} %`,
     color: 'Colour of the chosen stop',
     remove: 'Remove this stop',
     begin: 'Empty: press to add',
