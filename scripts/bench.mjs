@@ -56,7 +56,8 @@ function chooseSuite(names) {
 /** @param {string} suite @param {boolean} quick @returns {Promise<{ figures: Figure[], summary?: string }>} */
 async function measure(suite, quick) {
   const module = await import(pathToFileURL(inRoot(`${FOLDER}/${suite}.mjs`)).href);
-  if (typeof module.run !== 'function') throw new Refusal(`${FOLDER}/${suite}.mjs is no suite: it exports no run().`);
+  if (typeof module.run !== 'function')
+    throw new Refusal(`${FOLDER}/${suite}.mjs is not a suite: it must export run().`);
   const figures = await withProgress(`Bench ${suite}`, (say) => module.run({ quick, say }));
   if (!Array.isArray(figures) || figures.length === 0) throw new Refusal(`The suite ${suite} measured nothing.`);
   return { figures, summary: module.summary?.(figures) };

@@ -28,7 +28,7 @@ await conclude(async () => {
   );
   const minutes = Number(values.minutes);
   if (!(minutes > 0 && minutes <= 1440)) {
-    throw new Refusal(`--minutes ${values.minutes} is not a time: give a number of minutes up to 1440.`);
+    throw new Refusal(`--minutes ${values.minutes} is out of range: give a number above 0, up to 1440.`);
   }
   await compile(values.rigids);
   const [seeds, corpus, findings] = ['seeds', 'corpus', 'findings'].map(folder);
@@ -38,8 +38,8 @@ await conclude(async () => {
   const parameters = [...limits, '-print_final_stats=1', `-artifact_prefix=${findings}/`, corpus, seeds];
   const { status, output } = await run(program, parameters, { onLine: (line) => console.log(line) });
   const executions = /number_of_executed_units:\s*(\d+)/.exec(output)?.[1] ?? 'no';
-  if (status !== 0) throw new Refusal(`The simulator failed on an input, which lies in ${findings}.`);
-  console.log(`${executions} inputs in ${minutes} minutes: refused or taken, no fault.`);
+  if (status !== 0) throw new Refusal(`The simulator failed on the input in ${findings}.`);
+  console.log(`${executions} inputs in ${minutes} minutes without a fault.`);
 });
 
 function compile(/** @type {boolean} */ hasRigids) {

@@ -18,7 +18,7 @@ await conclude(async () => {
   );
   const [link, file] = positionals;
   const size = /^(\d{1,4})x(\d{1,4})$/.exec(values.size);
-  if (positionals.length !== 2 || !size) throw new Refusal(`Say what to draw, and into which file: ${USAGE}`);
+  if (positionals.length !== 2 || !size) throw new Refusal(`Name a link and a file. Usage: ${USAGE}`);
   await setUp(TESTS);
   const order = { link, width: Number(size[1]), height: Number(size[2]), isTransparent: values.transparent };
   const draw = `import('/tests/visual/cases/poster.ts').then(({ poster }) => poster(${JSON.stringify(order)}))`;

@@ -28,7 +28,5 @@ function demandNotes(/** @type {string} */ version) {
   const sections = readFileSync(inRoot('CHANGELOG.md'), 'utf8').split(/^## /m).slice(1);
   const notes = sections.find((section) => section.split(/\s/, 1)[0] === version);
   if (notes && /^- /m.test(notes)) return;
-  throw new Refusal(
-    `CHANGELOG.md says nothing about ${version}: give what is under Unreleased the heading ${version}.`,
-  );
+  throw new Refusal(`CHANGELOG.md has no entries for ${version}: rename the heading Unreleased to ${version}.`);
 }

@@ -51,7 +51,7 @@ async function setUpEngines() {
       await setUp([engine]);
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
-      missing.push(`${error.message} ${process.env.CI === 'true' ? 'Its tests fail.' : 'It is left out.'}`);
+      missing.push(`${error.message} ${process.env.CI === 'true' ? 'Its tests fail.' : 'Its tests are skipped.'}`);
     }
   }
   return missing;
@@ -103,9 +103,7 @@ function chooseRunners(choice, names) {
   const all = [...(choice.engines ? [] : checks), ...suites(choice)];
   const unknown = names.find((name) => !all.some((runner) => runner.name === name));
   if (unknown) {
-    throw new Refusal(
-      `There is nothing named ${unknown} to run: choose from ${all.map(({ name }) => name).join(', ')}.`,
-    );
+    throw new Refusal(`There is no suite named ${unknown}: choose from ${all.map(({ name }) => name).join(', ')}.`);
   }
   return names.length > 0 ? all.filter((runner) => names.includes(runner.name)) : all;
 }

@@ -24,9 +24,7 @@ export async function demandFreePort(port, command) {
       );
     }
     if (code === 'EACCES') {
-      throw new Refusal(
-        `Port ${port} needs rights that this user lacks: choose one above 1023 with ${command} --port 5173.`,
-      );
+      throw new Refusal(`Port ${port} needs administrator rights: choose one above 1023 with ${command} --port 5173.`);
     }
   }
 }
@@ -40,7 +38,7 @@ export async function findFreePort() {
     const port = LOWEST + Math.floor(Math.random() * COUNT);
     const refusal = await listenOnce(port, HOST);
     if (refusal === '') return port;
-    if (refusal !== 'EADDRINUSE') throw new Refusal(`No port of this machine can be listened on: ${refusal}.`);
+    if (refusal !== 'EADDRINUSE') throw new Refusal(`No port is available: ${refusal}.`);
   }
 }
 

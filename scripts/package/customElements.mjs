@@ -30,7 +30,7 @@ export function customElements() {
     name: CLASS,
     customElement: true,
     tagName: TAG,
-    description: 'Cartoon smoke. Fetches nothing heavy before it nears the viewport.',
+    description: 'Cartoon smoke. It loads when it comes near the viewport.',
     superclass: { name: 'HTMLElement', package: 'global:' },
     attributes: all,
     members: [
@@ -58,7 +58,7 @@ function camelCase(/** @type {string} */ name) {
 /** @param {Parameter} row */
 function describe(row) {
   const name = names.find(({ key }) => key === row.key);
-  const items = /^\w+\.0\./.test(row.key) ? ' Of the first of eight items, 0 to 7.' : '';
+  const items = /^\w+\.0\./.test(row.key) ? ' For the first of eight items, 0 to 7.' : '';
   return {
     name: name?.attribute ?? row.key,
     fieldName: name?.property ?? row.key,

@@ -28,8 +28,8 @@ export async function writeLicenses(folder) {
   writeFileSync(join(folder, FILE), `${[INTRODUCTION, ...works.map(describe)].join('\n\n')}\n`);
 }
 
-const INTRODUCTION = `Cartoon Smoke holds work of others, under their licences. Nothing of it was changed but for being bundled,
-minified, and freed of what is never run; the source code of each can be had where its entry says.`;
+const INTRODUCTION = `Cartoon Smoke contains third-party work under the licences below. The work was bundled and minified, and unused
+code was removed. It is otherwise unchanged. Each entry says where to find the source code.`;
 
 /** @param {string} folder @returns {Work[]} */
 function packagesIn(folder) {
@@ -76,14 +76,14 @@ async function crates() {
 /** @param {string[]} parameters */
 async function ask(parameters) {
   const { status, output } = await cargo([...parameters, '--locked']);
-  if (status !== 0) throw new Refusal('Cargo could not say what is linked into the WASM.', output);
+  if (status !== 0) throw new Refusal('cargo could not list the crates in the WASM build.', output);
   return output.split('\n');
 }
 
 /** @param {Work} work */
 function describe({ name, version, license, source, folder }) {
   const texts = licenceFiles(folder, license).map((file) => readFileSync(join(folder, file), 'utf8').trim());
-  const none = `Its package holds no text of its licence: https://spdx.org/licenses/ has it under the name above.`;
+  const none = `The package contains no licence text. See https://spdx.org/licenses/ for the licence named above.`;
   return ['-'.repeat(80), `${name} ${version} (${license})\n${source}`, ...(texts.length > 0 ? texts : [none])].join(
     '\n\n',
   );

@@ -25,7 +25,7 @@ export async function shortShaders() {
 const together = {
   name: 'shaders-together',
   renderChunk(code, _chunk, _options, { magicString }) {
-    if (!magicString) throw new Error('Shaders are moved by experimental.nativeMagicString.');
+    if (!magicString) throw new Error('Short shaders need experimental.nativeMagicString.');
     for (const { 0: shader, index } of code.matchAll(/^\/\/ shaders\/.*\nvar [\w$]+ = ".*";\n/gm))
       magicString.move(index, index + shader.length, 0);
     return { code: magicString };

@@ -17,7 +17,7 @@ export function withoutShaders() {
       filter: { id: /three\/build\/three\.module\.js$/ },
       handler(code) {
         const count = code.match(SHADER)?.length ?? 0;
-        if (count < LEAST_SHADERS) throw new Error(`Of three.js only ${count} shaders are found to be left out.`);
+        if (count < LEAST_SHADERS) throw new Error(`Only ${count} shaders of three.js were found to leave out.`);
         return { code: code.replace(SHADER, '$1"";'), map: null };
       },
     },

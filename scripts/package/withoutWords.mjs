@@ -30,7 +30,7 @@ export function withoutWords(table) {
 /** The module of the table as it would be if rows had no words. @param {readonly { key: string }[]} table */
 function tableModule(table) {
   const stray = table.find(({ key }, index) => key !== names[index].key);
-  if (stray) throw new Error(`${stray.key} stands at another place in src/element/names.json.`);
+  if (stray) throw new Error(`${stray.key} is at another place in src/element/names.json.`);
   const rows = table.filter(({ key }) => !OF_LATER_ITEMS.test(key)).map(bare);
   return `
     import { names } from '../element/names.ts';

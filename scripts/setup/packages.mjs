@@ -39,7 +39,7 @@ export async function bring(say) {
   if (outcome.status === 127)
     throw new Refusal('npm was not found: install it with Node from https://nodejs.org, then try again.');
   if (/code EUSAGE/.test(outcome.output)) {
-    throw new Refusal('package-lock.json does not fit package.json: run npm install, keep both files, then try again.');
+    throw new Refusal('package-lock.json does not match package.json: run npm install, then try again.');
   }
   throw new Refusal(
     `npm ci could not install the packages (${reason(outcome.output)}): check the network and npm's registry setting, then try again.`,

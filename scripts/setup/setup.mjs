@@ -43,9 +43,9 @@ export async function setUp(components) {
     await withProgress(component.title, component.bring);
     if (!(await component.isFresh())) {
       throw new Refusal(
-        `${component.title}: installed, and yet not as the project wants it; if files are being edited, try again.`,
+        `${component.title}: installed, but still not up to date; if files are being edited, try again.`,
       );
     }
   }
-  if (fresh.length > 0) console.log(`Already fresh: ${fresh.join(', ')}.`);
+  if (fresh.length > 0) console.log(`Already up to date: ${fresh.join(', ')}.`);
 }

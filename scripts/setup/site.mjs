@@ -76,7 +76,7 @@ async function bundle(config, folder, say, script) {
   };
   const { status, output } = await run(process.execPath, parameters, { environment, onLine: say });
   if (status === 0) return;
-  throw new Refusal('The site could not be built: the bundler says why in the lines above.', withoutStack(output));
+  throw new Refusal('The site could not be built: see the bundler output above.', withoutStack(output));
 }
 
 function digest() {

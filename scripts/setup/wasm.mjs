@@ -81,5 +81,5 @@ function explain(/** @type {import('../lib/command.mjs').Outcome} */ { output })
       `cargo could not download the Rust crates (${cause.trim()}): check the network, then try again.`,
     );
   }
-  return new Refusal('The WASM build failed: the compiler says why in the lines above.', output);
+  return new Refusal('The WASM build failed: see the compiler output above.', output);
 }

@@ -23,7 +23,7 @@ export function tellOfLongWays(scrubber: Scrubber, host: HTMLElement): void {
     }
     if (!way || performance.now() - current!.began < PATIENCE_MS) return;
     if (!progress) {
-      progress = new Progress(strings.transport.onWay(way.goal), () => scrubber.stop());
+      progress = new Progress(strings.progress.winding(way.goal), () => scrubber.stop());
       host.append(progress.element);
     }
     progress.show(way.share);

@@ -13,7 +13,7 @@ export async function readMesh(file: File): Promise<PlainMesh> {
   if (file.size > MOST_BYTES) {
     const size = (file.size / 1024 / 1024).toFixed(0);
     throw new ShapeError(
-      `${file.name} has ${size} MB; at most ${MOST_BYTES / 1024 / 1024} MB are read. Simplify it first.`,
+      `${file.name} has ${size} MB. The limit is ${MOST_BYTES / 1024 / 1024} MB. Simplify the mesh first.`,
     );
   }
   return trianglesOf(await objectIn(file));
@@ -34,7 +34,7 @@ async function objectIn(file: File): Promise<Object3D> {
   } catch (error) {
     throw new ShapeError(`${file.name} could not be read: ${(error as Error).message}`, { cause: error });
   }
-  throw new ShapeError(`${file.name} is no mesh that can be read: glTF (.glb, .gltf with all in it) and .obj are.`);
+  throw new ShapeError(`${file.name} is not a supported mesh. Use .glb, .gltf with embedded data, or .obj.`);
 }
 
 /** Files that point to others, on this machine or the web, cannot be followed there. */
@@ -42,7 +42,7 @@ function embeddedOnly(): LoadingManager {
   const manager = new LoadingManager();
   manager.setURLModifier((address) => {
     if (/^(data|blob):/.test(address)) return address;
-    throw new Error('it keeps parts in other files. Save it with all embedded, as .glb.');
+    throw new Error('it refers to other files. Save it with embedded data, as .glb.');
   });
   return manager;
 }

@@ -68,7 +68,7 @@ export class Device {
   /** @throws ContextError when nothing can be drawn at present. */
   requireUsable(): void {
     if (this.isDisposed) throw new ContextError('This device was disposed; create a new one.');
-    if (!this.isUsable) throw new ContextError('The graphics context is lost. Drawing goes on when it is restored.');
+    if (!this.isUsable) throw new ContextError('The graphics context is lost. Drawing resumes when it is restored.');
   }
 
   /** False once the context was lost and nobody should wait for it; it may still come back. */
@@ -145,7 +145,7 @@ export function createDevice(canvas: DeviceCanvas, options: DeviceOptions = {}):
   });
   if (!context) {
     throw new UnsupportedError(
-      'This browser gives no WebGL2 context. Turn on hardware acceleration. Try a current Firefox, Chrome, Edge or Safari.',
+      'This browser has no WebGL2. Turn on hardware acceleration, or use a current Firefox, Chrome, Edge or Safari.',
     );
   }
   if (context.isContextLost()) throw missingContext();

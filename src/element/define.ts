@@ -20,7 +20,7 @@ if (globalThis.customElements) {
 function tellOfSecond(first: CustomElementConstructor): void {
   const given = CartoonSmokeElement.version;
   const used = (first as Partial<typeof CartoonSmokeElement>).version ?? 'another one';
-  const message = `Version ${given} of cartoon-smoke came second to this page; ${used} is used.`;
+  const message = `cartoon-smoke ${used} is already in use; version ${given} is ignored.`;
   for (const element of document.querySelectorAll(NAME)) {
     const detail: StateChange = {
       playing: element.playing,

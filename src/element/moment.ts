@@ -39,8 +39,8 @@ export async function goToMoment(
 function refuseGreed({ isFresh, mostParticles }: Take): void {
   const row = findParameter('simulation.maxParticles');
   const most = row?.kind === 'integer' ? (row.linkMax ?? row.max) : 0;
-  if (!isFresh) throw new Error('it begins with a saved state.');
-  if (mostParticles > most) throw new Error(`it makes room for ${mostParticles} particles, and links for ${most}.`);
+  if (!isFresh) throw new Error('it starts from a saved state.');
+  if (mostParticles > most) throw new Error(`it needs room for ${mostParticles} particles; the limit is ${most}.`);
 }
 
 function looksOf(values: Values): Values {

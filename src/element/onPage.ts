@@ -122,7 +122,7 @@ export class OnPage {
     try {
       const root = this.host.element.getRootNode() as ParentNode;
       const found = [...root.querySelectorAll(selector)].filter((each) => each !== this.host.element);
-      const tell = () => `${attribute} fits ${found.length} elements; the ${which} ${MOST} count.`;
+      const tell = () => `${attribute} matches ${found.length} elements; the ${which} ${MOST} are used.`;
       if (found.length > MOST) notices.push(notice('outOfRange', attribute, selector, tell));
       return found;
     } catch {

@@ -37,7 +37,7 @@ export function answerHost(
   window.addEventListener('pagehide', ({ persisted }) => {
     // A page that goes into the browser's cache may come back.
     if (persisted) return;
-    const error = packError(new SimulatorError('The frame has left its page; connect again.'));
+    const error = packError(new SimulatorError('The frame was unloaded; connect again.'));
     for (const port of standing) port.postMessage({ id: OPENING, error });
   });
   window.parent.postMessage(say('here'), allowed ?? '*');

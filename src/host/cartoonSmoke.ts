@@ -131,7 +131,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   collide(object: Object3D, options: CollideOptions = {}): void {
     this.requireAlive();
     if (!this.hasPhysics)
-      throw new UnsupportedError('Nothing can collide with smoke that was created with physics: false.');
+      throw new UnsupportedError('collide() does not work with physics: false. Remove that option.');
     this.colliders.add(object, options);
   }
 

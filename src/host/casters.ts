@@ -85,6 +85,6 @@ function openMesh({ name, type }: Mesh): ParameterError {
   return new ParameterError(
     'cast',
     name || type,
-    'a closed mesh, whose every edge joins two triangles, or an object with proxies: cast(mesh, { proxies })',
+    'a closed mesh (every edge joins two triangles) or an object with proxies: cast(mesh, { proxies })',
   );
 }

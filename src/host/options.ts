@@ -83,9 +83,9 @@ export function requireEmitter(emitter: number): void {
 /** @throws ParameterError for what the scene around the smoke decides */
 function requireOpen(values: Values): void {
   for (const [key, value] of Object.entries(values)) {
-    if (key === 'scene' || key.startsWith('light.')) throw new ParameterError(key, value, 'what your scene has');
-    if (key === 'style.renderer' && value !== 'nailboards')
-      throw new ParameterError(key, value, 'nailboards in your scene');
+    if (key === 'scene' || key.startsWith('light.'))
+      throw new ParameterError(key, value, 'no value (your scene sets it)');
+    if (key === 'style.renderer' && value !== 'nailboards') throw new ParameterError(key, value, 'nailboards only');
   }
 }
 

@@ -6,17 +6,14 @@ import { UnsupportedError } from '../preset/errors.ts';
  * @throws UnsupportedError that says what to create it with
  */
 export function requireRenderer(renderer: WebGLRenderer): void {
-  if (!('isWebGLRenderer' in renderer))
-    throw new UnsupportedError('Smoke draws with a WebGLRenderer of three.js, and no other.');
+  if (!('isWebGLRenderer' in renderer)) throw new UnsupportedError('Smoke needs a WebGLRenderer of three.js.');
   if (renderer.capabilities.logarithmicDepthBuffer)
     throw new UnsupportedError(
-      'Smoke writes its own depth, which a logarithmic depth buffer does not match: create the renderer without logarithmicDepthBuffer.',
+      'Smoke cannot use a logarithmic depth buffer: create the renderer without logarithmicDepthBuffer.',
     );
   const attributes = renderer.getContext().getContextAttributes();
   if (attributes?.stencil && attributes.depth) return;
-  throw new UnsupportedError(
-    'Smoke counts its shadows in the stencil buffer: create the renderer with { stencil: true }, and with depth.',
-  );
+  throw new UnsupportedError('Smoke needs stencil and depth: create the renderer with { stencil: true, depth: true }.');
 }
 
 /**
@@ -28,17 +25,17 @@ export function objectionTo(renderer: WebGLRenderer, camera: Camera): Unsupporte
   if (renderer.xr.isPresenting) return new UnsupportedError('Smoke cannot be drawn in an XR session.');
   // The cameras of an array carry a viewport of their own, which drawing in between would lose.
   if ('viewport' in camera && camera.viewport)
-    return new UnsupportedError('Smoke cannot be drawn by an ArrayCamera: render with one camera after the other.');
+    return new UnsupportedError('Smoke cannot be drawn by an ArrayCamera: render with one camera at a time.');
   if (target && !(target.stencilBuffer && target.depthBuffer))
     return new UnsupportedError(
-      'Smoke counts its shadows in the stencil buffer: create the render target with { stencilBuffer: true }, or take smoke off the layers of the camera that draws into it.',
+      'Smoke needs stencil and depth: create the render target with { stencilBuffer: true }, or hide smoke from its camera with layers.',
     );
   if (target && target.textures.length > 1)
-    return new UnsupportedError('Smoke cannot be drawn into a render target with several colours.');
+    return new UnsupportedError('Smoke cannot be drawn into a render target with several textures.');
   const { outputColorSpace } = renderer;
   if (outputColorSpace !== SRGBColorSpace && outputColorSpace !== LinearSRGBColorSpace)
     return new UnsupportedError(
-      `Smoke is sRGB: renderer.outputColorSpace cannot be ${outputColorSpace}, but SRGBColorSpace or LinearSRGBColorSpace.`,
+      `renderer.outputColorSpace cannot be ${outputColorSpace}: smoke needs SRGBColorSpace or LinearSRGBColorSpace.`,
     );
   return undefined;
 }

@@ -80,7 +80,7 @@ async function expand(text: string, notices: Notice[]): Promise<string> {
     const inner = await unpack(packed);
     return `${cut(inner.text, inner.isCut, notices)}&${outer}`;
   } catch {
-    const tell = () => 'The link is damaged: its packed part cannot be read. It may have been cut when it was copied.';
+    const tell = () => 'The link is damaged: its packed part cannot be read. Copy the whole link.';
     notices.push(notice('damaged', 'z', packed, tell));
     return outer.toString();
   }
@@ -89,7 +89,7 @@ async function expand(text: string, notices: Notice[]): Promise<string> {
 /** Drops what lies beyond the limit, and the pair that the limit would cut in two. */
 function cut(text: string, isTooLong: boolean, notices: Notice[]): string {
   if (!isTooLong) return text;
-  notices.push(notice('tooLong', '', '', () => 'The link is too long; only its beginning was read.'));
+  notices.push(notice('tooLong', '', '', () => 'The link is too long; its end was ignored.'));
   return text.slice(0, Math.max(0, text.lastIndexOf('&', DECODED_LIMIT)));
 }
 
@@ -98,9 +98,7 @@ function firstOfEach(pairs: URLSearchParams, notices: Notice[]): Map<string, str
   for (const [key, text] of pairs) {
     if (!first.has(key)) first.set(key, text);
     else
-      notices.push(
-        notice('duplicate', key, text, () => `${quoteKey(key)} stands twice in the link; the first is used.`),
-      );
+      notices.push(notice('duplicate', key, text, () => `${quoteKey(key)} is in the link twice; the first is used.`));
   }
   return first;
 }
@@ -152,7 +150,7 @@ function readPair(
 }
 
 function tellVersion(given: string): string {
-  return `This has version ${given}, this page reads version ${VERSION}; what it knows was used.`;
+  return `This page reads version ${VERSION}, not ${given}; unknown parts are ignored.`;
 }
 
 function tellPreset(given: string): string {

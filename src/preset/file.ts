@@ -44,7 +44,7 @@ export async function writeFile({ name, state, moment }: SmokeFile, schema: stri
 export async function readFile(text: string): Promise<SmokeFile & { notices: readonly Notice[] }> {
   const content = parse(text);
   if (content.format !== FORMAT) {
-    throw new FileError(`This is no file of cartoon smoke: it does not say "format": "${FORMAT}".`);
+    throw new FileError(`This is not a Cartoon Smoke file: "format" must be "${FORMAT}".`);
   }
   const notices: Notice[] = [];
   const state = readState(migrate(pairsOf(content, notices), notices), notices, 'file');
@@ -58,21 +58,21 @@ function parse(text: string): Record<string, unknown> {
   } catch (error) {
     if (error instanceof FileError) throw error;
     const fault = jsonFault(text);
-    const place = fault ? ` from line ${fault.line}, column ${fault.column} on` : '';
-    throw new FileError(`The file is no JSON${place}.`, { cause: error });
+    const place = fault ? ` at line ${fault.line}, column ${fault.column}` : '';
+    throw new FileError(`The file is not valid JSON${place}.`, { cause: error });
   }
 }
 
 function recordOf(value: unknown, what: string): Record<string, unknown> {
   if (typeof value === 'object' && value !== null && !Array.isArray(value)) return value as Record<string, unknown>;
-  throw new FileError(`${what} must be an object in braces, { }, not ${describe(value)}.`);
+  throw new FileError(`${what} must be an object, not ${describe(value)}.`);
 }
 
 /** The values as text, as a link has them. */
 function pairsOf({ version, preset, values }: Record<string, unknown>, notices: Notice[]): Map<string, string> {
   if (typeof version !== 'number') throw new FileError(`"version" must be a number, not ${describe(version)}.`);
   const name = preset ?? defaultPreset.name;
-  if (typeof name !== 'string') throw new FileError(`"preset" must be a name, not ${describe(name)}.`);
+  if (typeof name !== 'string') throw new FileError(`"preset" must be a string, not ${describe(name)}.`);
   const pairs = new Map([
     ['v', String(version)],
     ['preset', name],
@@ -97,11 +97,11 @@ function unusable(key: string, value: unknown): Notice {
 async function readMoment(value: unknown): Promise<NonNullable<SmokeFile['moment']>> {
   const { seconds, take } = recordOf(value, '"moment"');
   if (typeof seconds !== 'number' || seconds < 0) {
-    throw new FileError(`"seconds" of "moment" must be a number from 0 on, not ${describe(seconds)}.`);
+    throw new FileError(`"seconds" of "moment" must be a number from 0, not ${describe(seconds)}.`);
   }
-  if (typeof take !== 'string') throw new FileError(`"take" of "moment" must be a text, not ${describe(take)}.`);
+  if (typeof take !== 'string') throw new FileError(`"take" of "moment" must be a string, not ${describe(take)}.`);
   const inflated = await unpackBytes(take, MOST_TAKE_BYTES).catch(() => undefined);
-  if (!inflated || inflated.isCut) throw new FileError('"take" of "moment" is damaged: part of it is missing.');
+  if (!inflated || inflated.isCut) throw new FileError('"take" of "moment" is damaged or too large.');
   return { take: inflated.bytes, seconds };
 }
 
@@ -112,8 +112,8 @@ export function nameOf(value: unknown): string {
 }
 
 function describe(value: unknown): string {
-  if (value === undefined) return 'left out';
+  if (value === undefined) return 'undefined';
   if (value === null) return 'null';
-  if (Array.isArray(value)) return 'a list';
+  if (Array.isArray(value)) return 'an array';
   return typeof value === 'object' ? 'an object' : `a ${typeof value}`;
 }

@@ -50,7 +50,7 @@ function gatherDensity(pairs: Pairs): { pairs: Pairs; told: string | undefined }
     .map((index) => ({ at: share(index, 'age', 0), value: share(index, 'value', 1) }))
     .toSorted((a, b) => a.at - b.at);
   rest.set('emission.density', writeCurve(completed(stops)));
-  return { pairs: rest, told: 'This is an old link: its stops of density are one curve now, emission.density.' };
+  return { pairs: rest, told: 'This is an old link: its density stops became the curve emission.density.' };
 }
 
 /** Each place once, and at least two of them. */

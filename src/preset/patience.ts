@@ -27,7 +27,7 @@ export function afterRunning(milliseconds: number, act: () => void): () => void 
  * @returns the function that ends the waiting
  */
 export function whenLate(giveUp: (error: Error) => void): () => void {
-  return afterRunning(PATIENCE_MS, () => giveUp(new Error('nothing has come for a minute.')));
+  return afterRunning(PATIENCE_MS, () => giveUp(new Error('no data for 60 s.')));
 }
 
 /** @throws Error when it does not come within a minute in which this thread runs; what it rejects with */

@@ -21,8 +21,8 @@ export function fileSchema(): Schema {
       $schema: { type: 'string' },
       format: { const: FORMAT },
       version: { const: Number(VERSION) },
-      name: { type: 'string', minLength: 1, maxLength: MOST_NAME, description: 'What people call it.' },
-      preset: { enum: presets.map(({ name }) => name), description: 'What it begins with; values change that.' },
+      name: { type: 'string', minLength: 1, maxLength: MOST_NAME, description: 'The display name.' },
+      preset: { enum: presets.map(({ name }) => name), description: 'The base preset. The values override it.' },
       values: valuesSchema(),
       moment: MOMENT,
     },
@@ -32,11 +32,11 @@ export function fileSchema(): Schema {
 
 const MOMENT: Schema = {
   type: 'object',
-  description: 'How one moment came to be; a file without it is a preset.',
+  description: 'A recorded moment. A file without it is a preset.',
   required: ['seconds', 'take'],
   properties: {
     seconds: { type: 'number', minimum: 0, description: 'Simulated seconds.' },
-    take: { type: 'string', pattern: '^[\\w-]+$', description: 'What was done by step: base64url of deflate-raw.' },
+    take: { type: 'string', pattern: '^[\\w-]+$', description: 'Recorded input by step: base64url of deflate-raw.' },
   },
   additionalProperties: false,
 };
@@ -48,7 +48,7 @@ function valuesSchema(): Schema {
   const pattern = (key: string) => `^${key.replace('.0.', `.[0-${LIST_LIMIT - 1}].`).replaceAll('.', '\\.')}$`;
   return {
     type: 'object',
-    description: 'What is otherwise than in the preset, by the keys of links.',
+    description: 'Values that differ from the preset, by the keys of links.',
     properties: Object.fromEntries(single.map((row) => [row.key, schemaOf(row)])),
     patternProperties: Object.fromEntries(first.map((row) => [pattern(row.key), schemaOf(row)])),
     additionalProperties: false,

@@ -128,7 +128,7 @@ function malformed(parameter: Parameter, text: string, fallback: Value): { value
 }
 
 function refusalOf(key: string, value: unknown, parameter: Parameter | undefined): ParameterError {
-  return new ParameterError(key, value, parameter ? accepted(parameter) : 'no value: there is no such parameter');
+  return new ParameterError(key, value, parameter ? accepted(parameter) : 'no value (no such parameter)');
 }
 
 function isInRange({ min, max }: NumberParameter, value: number): boolean {

@@ -37,22 +37,22 @@ function demandNumbers(positions: ArrayLike<number>, corners: ArrayLike<number>)
   const triangles = corners.length / 3;
   if (triangles === 0) throw new ShapeError('The mesh is empty: it has no triangles.');
   if (!Number.isInteger(triangles) || positions.length % 3 !== 0) {
-    throw new ShapeError('The mesh is cut short: triangles take three corners, and corners three numbers.');
+    throw new ShapeError('The mesh is incomplete: a triangle takes three indices, a vertex three numbers.');
   }
   if (triangles > MOST_TRIANGLES) {
-    throw new ShapeError(
-      `The mesh has ${triangles} triangles; at most ${MOST_TRIANGLES} are taken. Simplify it first.`,
-    );
+    throw new ShapeError(`The mesh has ${triangles} triangles; the limit is ${MOST_TRIANGLES}. Simplify it first.`);
   }
   for (let at = 0; at < positions.length; at++) {
     if (!Number.isFinite(positions[at])) {
-      throw new ShapeError(`Vertex ${Math.floor(at / 3)} of the mesh is at ${positions[at]}, which is no place.`);
+      throw new ShapeError(
+        `Vertex ${Math.floor(at / 3)} of the mesh has the coordinate ${positions[at]}; it must be finite.`,
+      );
     }
   }
   for (let at = 0; at < corners.length; at++) {
     if (!(corners[at] >= 0 && corners[at] < positions.length / 3)) {
       throw new ShapeError(
-        `Triangle ${Math.floor(at / 3)} of the mesh has a corner ${corners[at]} that does not exist.`,
+        `Triangle ${Math.floor(at / 3)} of the mesh uses vertex ${corners[at]}, which does not exist.`,
       );
     }
   }
@@ -73,7 +73,8 @@ function inUnitBall(positions: ArrayLike<number>, corners: ArrayLike<number>): F
     const offset = middle.map((value, axis) => positions[3 * corners[at] + axis] - value);
     reach = Math.max(reach, Math.hypot(...offset));
   }
-  if (!(reach > 0 && reach < Infinity)) throw new ShapeError('The mesh has no size: all its corners are at one place.');
+  if (!(reach > 0 && reach < Infinity))
+    throw new ShapeError('The mesh has no size: all its vertices are at one point.');
   return Float64Array.from(positions, (value, at) => (value - middle[at % 3]) / reach);
 }
 
@@ -100,7 +101,7 @@ function welded(positions: Float64Array, corners: ArrayLike<number>): ClosedMesh
 /** Each edge must be passed as often one way as the other: then every closed path round it comes out as it went in. */
 function demandClosed({ positions, indices }: ClosedMesh): void {
   if (indices.length / 3 < LEAST_TRIANGLES)
-    throw new ShapeError('The mesh holds no volume: it has fewer than 4 triangles.');
+    throw new ShapeError('The mesh encloses no volume: it has fewer than 4 triangles.');
   const vertices = positions.length / 3;
   const passes = new Map<number, number>();
   for (let at = 0; at < indices.length; at++) {

@@ -17,7 +17,7 @@ export function demandShapes(shapes: readonly PuffShape[]): void {
       throw new ShapeError(`The puff ${name} has ${lobes.length} lobes: it takes 1 to ${MOST_LOBES}.`);
     }
     if (!lobes.every(({ radius }) => radius > 0) || !(reachOf(lobes) <= LARGEST_REACH)) {
-      throw new ShapeError(`The puff ${name} must lie within the unit ball, and its lobes have radii above 0.`);
+      throw new ShapeError(`The puff ${name} must lie in the unit ball and have lobe radii above 0.`);
     }
   }
 }

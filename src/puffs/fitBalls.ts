@@ -27,7 +27,7 @@ const ROUNDS = 12;
  */
 export function* fittingBalls(voxels: Voxels, most: number): Work<Lobe[]> {
   const places = placesIn(voxels);
-  if (places.length === 0) throw new ShapeError('The mesh is too thin: no ball of a useful size has room in it.');
+  if (places.length === 0) throw new ShapeError('The mesh is too thin: no ball of a useful size fits inside.');
   yield;
   const cover = new BallCover(voxels);
   const balls: Lobe[] = [];

@@ -39,7 +39,7 @@ export async function connectFrame(
       hearing.abort();
       stage.fail(new SimulatorError(`The frame ${reason}; connect again.`));
     };
-    whenHeard(frame, hearing.signal, () => fail('was loaded anew'));
+    whenHeard(frame, hearing.signal, () => fail('was reloaded'));
     whenRemoved(frame, hearing.signal, () => fail('was removed'));
     return stage.face;
   } catch (error) {

@@ -11,7 +11,7 @@ const FRAME_RATE = 60;
 /** @throws UnsupportedError when nothing can be drawn on this thread but on canvases of the page */
 export function demandDrawing(): void {
   const device = threadDevice.hold();
-  if (!device) throw new UnsupportedError('This browser gives workers no WebGL2 context.');
+  if (!device) throw new UnsupportedError('This browser has no WebGL2 in workers.');
   threadDevice.release(device);
 }
 

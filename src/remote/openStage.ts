@@ -39,7 +39,7 @@ export async function openStage(
 async function placeInWorker(thread: 'auto' | 'worker'): Promise<WorkerPlace | undefined> {
   try {
     const { canMoveCanvas, enterWorker } = await fetched('The worker', import('./openInWorker.ts'));
-    if (!canMoveCanvas()) throw new UnsupportedError('This browser cannot hand a canvas over to a worker.');
+    if (!canMoveCanvas()) throw new UnsupportedError('This browser cannot transfer a canvas to a worker.');
     return await enterWorker();
   } catch (error) {
     if (thread === 'worker') throw error;

@@ -81,7 +81,7 @@ class PageWorker {
     };
     this.stopWatching = watchHeart({
       worker,
-      onGone: () => this.lose(worker, 'The worker is gone: it does not answer any more.'),
+      onGone: () => this.lose(worker, 'The worker stopped responding.'),
     });
     this.worker = worker;
     return worker;

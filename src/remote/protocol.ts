@@ -57,7 +57,7 @@ export function readRequest(message: unknown): ReadRequest | undefined {
   const takes = takenBy(method);
   if (!takes) return { id, refusal: new ParameterError('method', describe(method), Object.keys(calls).join(', ')) };
   if (!Array.isArray(args) || args.length > MOST_ARGUMENTS)
-    return { id, refusal: new ParameterError('args', describe(args), `a list of at most ${MOST_ARGUMENTS}`) };
+    return { id, refusal: new ParameterError('args', describe(args), `an array of at most ${MOST_ARGUMENTS}`) };
   const wrong = takes.findIndex((check, place) => !check(args[place]));
   if (wrong >= 0) {
     const refusal = demandedBy(method as keyof RemoteMethods, args[0]);
@@ -87,7 +87,7 @@ function demandedBy(method: keyof RemoteMethods, first: unknown): Error | undefi
 /** Short, and without asking a stranger's object to describe itself. */
 function describe(value: unknown): unknown {
   if (typeof value === 'string') return value.slice(0, 40);
-  if (Array.isArray(value)) return 'a list';
+  if (Array.isArray(value)) return 'an array';
   return typeof value === 'object' && value !== null ? 'an object' : value;
 }
 

@@ -36,7 +36,7 @@ export function integer(min: number, max: number): Check {
   );
 }
 
-export const text = shape('a text', (value) => typeof value === 'string' && value.length <= LONGEST_TEXT);
+export const text = shape('a string', (value) => typeof value === 'string' && value.length <= LONGEST_TEXT);
 
 export function oneOf(...values: readonly unknown[]): Check {
   return shape(values.join(', '), (value) => values.includes(value));
@@ -63,7 +63,7 @@ export const key = shape(
 
 export function list(check: Check, most: number): Check {
   return shape(
-    `a list of at most ${most}, each ${check.words}`,
+    `an array of at most ${most}, each ${check.words}`,
     (value) => Array.isArray(value) && value.length <= most && value.every(check),
   );
 }
@@ -78,7 +78,7 @@ export function record(fields: Readonly<Record<string, Check>>): Check {
 }
 
 /** Flat values of parameters by their keys; whether the table has them is the stage's to say. */
-export const values = shape('an object of numbers and texts by the keys of parameters', (value) => {
+export const values = shape('an object of numbers and strings by parameter key', (value) => {
   if (!isPlain(value)) return false;
   const entries = Object.entries(value);
   return (
@@ -88,7 +88,7 @@ export const values = shape('an object of numbers and texts by the keys of param
 
 /** A plain object of finite numbers and flags. */
 export const figures = shape(
-  'an object of numbers and flags',
+  'an object of numbers and booleans',
   (value) => isPlain(value) && Object.values(value).every((each) => Number.isFinite(each) || flag(each)),
 );
 

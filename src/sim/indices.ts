@@ -5,7 +5,7 @@ export function requireIndices(indices: ArrayLike<number>, name: string): void {
   for (let index = 0; index < indices.length; index++) {
     const vertex = indices[index];
     if (!Number.isInteger(vertex) || vertex < 0 || vertex > 0xffffffff) {
-      throw new ParameterError(`${name}.indices.${index}`, vertex, 'the number of a vertex');
+      throw new ParameterError(`${name}.indices.${index}`, vertex, 'a vertex index');
     }
   }
 }

@@ -132,7 +132,7 @@ const SIMD_PROBE = Uint8Array.of(
 
 function requireSimd(): void {
   if (typeof WebAssembly === 'object' && WebAssembly.validate(SIMD_PROBE)) return;
-  throw new UnsupportedError('Smoke needs WebAssembly with SIMD. Try a current Firefox, Chrome, Edge or Safari.');
+  throw new UnsupportedError('Smoke needs WebAssembly with SIMD. Use a current Firefox, Chrome, Edge or Safari.');
 }
 
 async function load(physics: boolean, given: BufferSource | undefined, report: Listener): Promise<SimulatorFactory> {
@@ -142,7 +142,7 @@ async function load(physics: boolean, given: BufferSource | undefined, report: L
     const { memory } = bindings.initSync({ module });
     return new SimulatorFactory({ bindings, memory });
   } catch (error) {
-    const place = wasmSource ? 'where this page has it from' : wasmAddress(physics).href;
+    const place = wasmSource ? 'a custom source' : wasmAddress(physics).href;
     const reason = error instanceof Error ? error.message : String(error);
     throw new LoadError(`The simulator could not be loaded from ${place}: ${reason}`, { cause: error });
   }

@@ -51,7 +51,7 @@ function copyFrom(device: Device, canvas: DeviceCanvas): Presenter {
   // Workers do not know the class of the other kind.
   if (!('transferToImageBitmap' in source)) throw new ContextError('A shared device needs an OffscreenCanvas.');
   const context = canvas.getContext('bitmaprenderer');
-  if (!context) throw new ContextError('This canvas already has another context. Use a fresh canvas.');
+  if (!context) throw new ContextError('This canvas already has another context. Use a new canvas.');
   const size = new Sizing(device);
   return {
     device,

@@ -219,7 +219,8 @@ export class Stage {
     this.#running.requireAlive();
     validate(values);
     const { scene } = this.#running.values;
-    if ((values.scene ?? scene) !== scene) throw new ParameterError('scene', values.scene, `${scene}, or enter()`);
+    if ((values.scene ?? scene) !== scene)
+      throw new ParameterError('scene', values.scene, `${scene} (or call enter())`);
     this.#running.change(values);
   }
 
@@ -351,7 +352,7 @@ export class Stage {
     const { values } = this.readTake(bytes);
     const { name } = this.#running.scene;
     if (values.scene !== name) {
-      throw new SimulatorError(`The take was made in the scene ${values.scene}, not ${name}.`);
+      throw new SimulatorError(`The take is for the scene ${values.scene}, not ${name}.`);
     }
     this.#simulation.replay(bytes, values);
     this.#running.follow(this.#simulation.valuesIn(values));

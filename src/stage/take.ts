@@ -45,7 +45,7 @@ function valuesOf(note: string): Values {
   const found = Object.entries(readNote(note)).flatMap(([key, value]): [string, Value][] => {
     const parameter = findParameter(key);
     if (!parameter) return [];
-    if (!isAccepted(parameter, value)) throw new SimulatorError(`The take has a wrong ${key}.`);
+    if (!isAccepted(parameter, value)) throw new SimulatorError(`The take has an invalid ${key}.`);
     return [[parameter.key, value as Value]];
   });
   return { ...defaults(), ...Object.fromEntries(found) };

@@ -58,7 +58,7 @@ test('a simulator of which nothing comes is waited for, then told as a LoadError
   await host(failing('main'));
   await asked;
   await page.clock.runFor(61_000);
-  expect(await failure(page)).toMatch(/^LoadError: .*nothing has come/);
+  expect(await failure(page)).toMatch(/^LoadError: .*no data for/);
   await expectPoster(page);
 });
 
@@ -94,7 +94,7 @@ for (const [file, rest] of Object.entries(SCRIPTS)) {
     const known = () =>
       page.evaluate(() => Promise.race([Reflect.get(window, 'failure') as Promise<string>, Promise.resolve('')]));
     const told = expect.poll(() => page.clock.runFor(61_000).then(known));
-    await told.toMatch(/^LoadError: .*nothing has come for a minute/);
+    await told.toMatch(/^LoadError: .*no data for 60 s/);
     await expectPoster(page);
   });
 }

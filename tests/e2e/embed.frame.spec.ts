@@ -106,7 +106,7 @@ test('pending and later calls end with an error when the frame is removed, moved
     ['removed', 'was removed'],
     ['moved', 'was removed'],
     ['removed with what is around it', 'was removed'],
-    ['sent elsewhere', 'has left its page'],
+    ['sent elsewhere', 'was unloaded'],
   ] as const) {
     const report = await frames.evaluate((module, given) => module.endFrame(...given), [
       `${baseURL}/embed.html${WISP}`,

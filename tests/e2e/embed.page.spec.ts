@@ -79,7 +79,7 @@ test('a smoke that stays while the page scrolls sees its boxes go by: of many th
   await scrollPage(page, 1_000);
   const later = { around: [2, 3, 4, 5, 6, 7, 8, 9], curls: [4, 4, 5, 5, 6, 6, 7, 7] };
   await expect.poll(() => followed(1_000)).toEqual(later);
-  expect(await noticesOf(page)).toEqual(['collide fits 12 elements; the nearest 8 count.']);
+  expect(await noticesOf(page)).toEqual(['collide matches 12 elements; the nearest 8 are used.']);
 });
 
 test('a link to a moment finds the page in the smoke all the way there, whether it comes first or later', async ({

@@ -40,7 +40,7 @@ test('the second one leaves the element to the first, and says so', async ({ pag
   const used = await page.evaluate(() => Reflect.get(customElements.get('cartoon-smoke')!, 'version') as string);
   expect(used).toBe(version);
   const told = await page.evaluate(() => Reflect.get(window, 'told') as unknown[]);
-  const message = `Version ${OTHER} of cartoon-smoke came second to this page; ${version} is used.`;
+  const message = `cartoon-smoke ${version} is already in use; version ${OTHER} is ignored.`;
   expect(told).toEqual([{ code: 'otherVersion', key: 'version', given: OTHER, message }]);
   expect(lines).toEqual([]);
 });

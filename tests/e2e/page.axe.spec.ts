@@ -22,13 +22,13 @@ test('axe finds nothing on the page, its sheets, its panel and its handles', asy
   await page.keyboard.press('s');
   const shared = page.getByRole('dialog', { name: 'Share this smoke' });
   await expect(shared.getByRole('img', { name: 'QR code of the link' })).toBeVisible();
-  await shared.getByText('Put it on a page of yours').click();
+  await shared.getByText('Embed in your page').click();
   await expectNoFaults(page, 'share');
   await closeSheet(page);
   await page.keyboard.press('c');
   const captures = page.getByRole('dialog', { name: 'Capture the smoke' });
   for (const format of ['png', 'zip']) {
-    await captures.getByLabel('As').selectOption(format);
+    await captures.getByLabel('Format').selectOption(format);
     await expectNoFaults(page, `capture as ${format}`);
   }
   await closeSheet(page);

@@ -140,7 +140,7 @@ test('this very moment is the same frame, camera too', async ({ page, browser })
   const sheet = page.getByRole('dialog', { name: 'Share this smoke' });
   await page.keyboard.press('s');
   await expect(sheet.getByRole('button', { name: 'Copy link' })).toBeFocused();
-  await sheet.getByRole('radio', { name: 'This very moment' }).check();
+  await sheet.getByRole('radio', { name: 'This moment' }).check();
   const link = await sheet.getByLabel('Link to this smoke').inputValue();
   expect(link).toContain('take=');
   const context = await browser.newContext({ viewport: { width: 400, height: 300 } });

@@ -59,9 +59,9 @@ test('captures are ordered from the sheet, and leave the smoke as it is', async 
   await ask(page, (stage) => stage.step(60));
   await test.step('a video from the sheet has its frames, and neighbours differ', async () => {
     const hash = await openSheet(page);
-    await sheet(page).getByLabel('As').selectOption('webm');
+    await sheet(page).getByLabel('Format').selectOption('webm');
     await sheet(page).getByLabel('Seconds').fill('0.5');
-    await sheet(page).getByLabel('Frames').selectOption('12');
+    await sheet(page).getByLabel('Frame rate').selectOption('12');
     await expect(sheet(page).getByText('6 frames of 400 × 300 pixels.')).toBeVisible();
     const { name, bytes } = await captured(page);
     expect(name).toBe('lamp-1.00s.webm');
@@ -73,24 +73,24 @@ test('captures are ordered from the sheet, and leave the smoke as it is', async 
   });
   await test.step('a long clip is stopped by its button, and by closing the sheet', async () => {
     const hash = await openSheet(page);
-    await sheet(page).getByLabel('As').selectOption('gif');
+    await sheet(page).getByLabel('Format').selectOption('gif');
     await sheet(page).getByLabel('Seconds').fill('60');
     await press(page);
     await expect(sheet(page).getByRole('progressbar', { name: 'Drawing frame by frame' })).toBeVisible();
     await sheet(page).getByRole('button', { name: 'Stop here' }).click();
-    await expect(sheet(page).getByText('Stopped. The smoke is as it was.')).toBeVisible();
+    await expect(sheet(page).getByText('Stopped. The smoke is unchanged.')).toBeVisible();
     await press(page);
     await expect(sheet(page).getByRole('progressbar', { name: 'Drawing frame by frame' })).toBeVisible();
     await closeSheet(page);
     await page.keyboard.press('c');
-    await expect(sheet(page).getByLabel('As')).toBeEnabled();
+    await expect(sheet(page).getByLabel('Format')).toBeEnabled();
     expect(await ask(page, (stage) => stage.hash())).toBe(hash);
     await closeSheet(page);
   });
   await test.step('the sheet gives a picture as large as was asked for, with holes where nothing is', async () => {
     const hash = await openSheet(page);
-    await sheet(page).getByLabel('As').selectOption('png');
-    await sheet(page).getByLabel('Pixels').selectOption('2');
+    await sheet(page).getByLabel('Format').selectOption('png');
+    await sheet(page).getByLabel('Scale').selectOption('2');
     await sheet(page).getByLabel('With background').uncheck();
     await expect(sheet(page).getByText('800 × 600 pixels.')).toBeVisible();
     const { name, bytes } = await captured(page);
@@ -116,7 +116,7 @@ test.describe('on a phone', () => {
   test('a finger finds the whole sheet in reach', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
     await page.getByRole('button', { name: 'Capture' }).tap();
-    await sheet(page).getByLabel('As').selectOption('zip');
+    await sheet(page).getByLabel('Format').selectOption('zip');
     for (const button of await sheet(page).getByRole('button').all()) {
       const box = (await button.boundingBox())!;
       expect(box.x).toBeGreaterThanOrEqual(0);

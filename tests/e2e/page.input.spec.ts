@@ -192,7 +192,7 @@ test('keys are the page’s as soon as a sheet is closed, though its field keeps
   await open(page, `?paused=1${LIGHT}`);
   await page.keyboard.press('c');
   const sheet = page.getByRole('dialog', { name: 'Capture the smoke' });
-  await expect(sheet.getByLabel('As')).toBeFocused();
+  await expect(sheet.getByLabel('Format')).toBeFocused();
   const focused = await sheet.evaluate((dialog: HTMLDialogElement) => {
     dialog.close();
     const { activeElement } = document;

@@ -177,7 +177,7 @@ test('an old link is brought up to date, and tells so in a live region that was 
   });
   await open(page, '?paused=1#v=0&preset=lamp&simulation.maxParticles=500&density.0.age=0.25&density.0.value=0.5');
   const messages = page.getByRole('status', { name: 'Messages' });
-  await expect(messages).toContainText('This is an old link: its stops of density are one curve now');
+  await expect(messages).toContainText('This is an old link: its density stops became the curve');
   expect((await page.evaluate(() => (window as unknown as { lengths: number[] }).lengths))[0]).toBe(0);
   await expectValue(page, 'emission.density', '.25:.5,1:.5');
   await page.getByLabel('Puff size, exact value').fill('2');

@@ -27,7 +27,7 @@ async function momentLink(page: Page): Promise<string> {
   const sheet = page.getByRole('dialog', { name: 'Share this smoke' });
   await page.keyboard.press('s');
   await expect(sheet.getByRole('button', { name: 'Copy link' })).toBeFocused();
-  await sheet.getByRole('radio', { name: 'This very moment' }).check();
+  await sheet.getByRole('radio', { name: 'This moment' }).check();
   const link = await sheet.getByLabel('Link to this smoke').inputValue();
   await closeSheet(page);
   return link;
@@ -109,7 +109,7 @@ test('a moment is its time alone while nobody touches it; a long take is done ag
     await page.goto('about:blank');
     await crawl(page);
     await page.goto(link);
-    await expect(page.getByRole('progressbar', { name: 'Doing again what was done in 66.7 s' })).toBeVisible();
+    await expect(page.getByRole('progressbar', { name: 'Replaying 66.7 s' })).toBeVisible();
     const told = await messagesOf(page);
     await page.getByRole('button', { name: 'Stop here' }).click();
     await expect.poll(told).toEqual([expect.stringContaining('Stopped at')]);
@@ -125,7 +125,7 @@ test('a moment that cannot be shown leaves the look, and a notice', async ({ pag
   });
   const tooMany = await packBytes(Uint8Array.from(bytes));
   for (const [take, message] of [
-    [tooMany, 'it holds 60000 particles; a link may hold 50000'],
+    [tooMany, 'it has 60000 particles. The limit for links is 50000.'],
     ['AAAA', 'The moment in the link is damaged'],
     ['AwA', 'The moment in the link cannot be shown'],
   ]) {

@@ -99,7 +99,7 @@ test.describe('on a phone', () => {
   async function openSheet(page: Page) {
     await page.getByRole('button', { name: 'Parameters', exact: true }).tap();
     await expect(panelOf(page)).toBeVisible();
-    return page.getByRole('button', { name: 'Height of the sheet' });
+    return page.getByRole('button', { name: 'Panel height' });
   }
 
   async function expectSheet(page: Page, drag: Drag) {

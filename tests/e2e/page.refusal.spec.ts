@@ -10,7 +10,7 @@ test('without WebGL2 the page says so and what to do', async ({ page }) => {
   });
   await page.goto('/');
   const alert = page.getByRole('alert');
-  await expect(alert.getByRole('heading')).toHaveText('No smoke in this browser');
+  await expect(alert.getByRole('heading')).toHaveText('This browser cannot show the smoke');
   await expect(alert).toContainText('WebGL2');
   await expect(alert).toContainText('hardware acceleration');
   await expect(alert.getByRole('button', { name: 'Reload' })).toBeVisible();
@@ -23,7 +23,7 @@ test.describe('a download that fails', () => {
     await page.route('**/*.wasm*', (route) => route.abort());
     await page.goto('/?paused=1#v=1&simulation.maxParticles=100');
     const alert = page.getByRole('alert');
-    await expect(alert.getByRole('heading')).toHaveText('The smoke did not arrive');
+    await expect(alert.getByRole('heading')).toHaveText('The smoke could not be loaded');
     await page.unroute('**/*.wasm*');
     await alert.getByRole('button', { name: 'Reload' }).click();
     await page.waitForFunction(() => window.cartoonSmoke !== undefined);
@@ -39,7 +39,7 @@ test('a graphics card that does not keep written depth draws flat smoke and says
     };
   });
   await open(page, `?paused=1&t=1${LIGHT}`);
-  await expect(page.getByText('they are flat here')).toBeVisible();
+  await expect(page.getByText('so they are flat and meet in straight lines')).toBeVisible();
   await expect.poll(() => ask(page, (stage) => stage.stats.bodiesDrawn)).toBeGreaterThan(0);
   expect(await ask(page, (stage) => stage.stats.writesDepth)).toBe(false);
 });

@@ -170,7 +170,7 @@ test('camera, gallery, address bar and help follow the scene', async ({ page }) 
     await page.keyboard.press('?');
     await expect(help).not.toContainText('ball');
     await closeSheet(page);
-    await expect(page.getByRole('img', { name: 'A cup of tea that steams.' })).toBeVisible();
+    await expect(page.getByRole('img', { name: 'A steaming cup of tea.' })).toBeVisible();
     await ask(page, (stage) => stage.enter({ scene: 'genie', 'simulation.maxParticles': 300 }));
     await page.keyboard.press('?');
     await expect(help).toContainText('Drag the genie');

@@ -53,43 +53,43 @@ test('a mesh becomes the puffs, the link says that it cannot hold it, and drawn 
   await expectSteps(page, 120);
   await page.keyboard.press('p');
   await page.locator('summary', { hasText: 'Shape of the puffs' }).click();
-  const chooser = page.getByLabel('Use a shape of your own');
+  const chooser = page.getByLabel('Use your own mesh');
   const hash = await ask(page, (stage) => stage.hash());
   await chooser.last().setInputFiles(cubeObject('cube.obj'));
   const name = page.locator('.own-shape-name');
-  await expect(name).toHaveText(/^cube\.obj, [89]\d % alike$/);
+  await expect(name).toHaveText(/^cube\.obj, [89]\d % match$/);
   expect(await ask(page, (stage) => stage.hash())).toBe(hash);
   await page.getByRole('button', { name: 'Share' }).click();
   await expect(
-    page.getByText('A link cannot hold a mesh: who opens it sees drawn puffs instead of cube.obj.'),
+    page.getByText('A link cannot contain a mesh. It shows the default puffs instead of cube.obj.'),
   ).toBeVisible();
   await page.keyboard.press('Escape');
-  await page.getByRole('button', { name: 'Back to drawn puffs' }).click();
+  await page.getByRole('button', { name: 'Use the default puffs' }).click();
   await expect(name).toBeHidden();
   await chooser.last().setInputFiles(cubeScene('bar.gltf'));
-  await expect(name).toHaveText(/^bar\.gltf, [789]\d % alike$/);
+  await expect(name).toHaveText(/^bar\.gltf, [789]\d % match$/);
 });
 
 test('what is no closed mesh is refused in words, and the puffs stay', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await page.keyboard.press('p');
   await page.locator('summary', { hasText: 'Shape of the puffs' }).click();
-  const chooser = page.getByLabel('Use a shape of your own').last();
+  const chooser = page.getByLabel('Use your own mesh').last();
   const refused = async (file: ReturnType<typeof cubeObject>, words: RegExp) => {
     await chooser.setInputFiles(file);
     await expect(page.getByText(words)).toBeVisible();
   };
   await refused(cubeObject('lid.obj', 5), /The mesh is open: 4 of its 17 edges/);
   await refused(cubeObject('empty.obj', 0), /empty/);
-  await refused({ ...cubeObject('cube.stl'), name: 'cube.stl' }, /cube\.stl is no mesh that can be read/);
+  await refused({ ...cubeObject('cube.stl'), name: 'cube.stl' }, /cube\.stl is not a supported mesh\./);
   await refused(
     { name: 'torn.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('glTF') },
     /torn\.glb could not be read/,
   );
-  await refused(cubeScene('parts.gltf', 'https://example.org/cube.bin'), /keeps parts in other files/);
+  await refused(cubeScene('parts.gltf', 'https://example.org/cube.bin'), /refers to other files/);
   await refused(
     { ...cubeObject('huge.obj'), buffer: Buffer.alloc(17 * 1024 * 1024, ' ') },
-    /huge\.obj has 17 MB; at most 16/,
+    /huge\.obj has 17 MB\. The limit is 16 MB\./,
   );
   await expect(page.locator('.own-shape-name')).toBeHidden();
 });

@@ -49,14 +49,14 @@ test('the sheet copies link and code, shows a QR code, and goes by keyboard', as
   await sheet(page).getByRole('radio', { name: 'This look' }).focus();
   await page.keyboard.press('ArrowRight');
   await expect(sheet(page).getByLabel('Link to this smoke')).toHaveValue(page.url());
-  await sheet(page).getByText('Put it on a page of yours').click();
+  await sheet(page).getByText('Embed in your page').click();
   await sheet(page).getByRole('button', { name: 'Copy', exact: true }).first().click();
   await expect
     .poll(copied)
     .toMatch(
       /^<iframe src="[^"]+\/embed\.html\?paused=1&amp;t=0.5#v=1&amp;preset=lamp&amp;[^"]+" title="Cartoon Smoke"/,
     );
-  expect(await sheet(page).getByLabel('The element').inputValue()).toMatch(
+  expect(await sheet(page).getByLabel('Custom element').inputValue()).toMatch(
     /^<script type="module" [^<>]+><\/script>\n<cartoon-smoke src="[^"<>]+"><\/cartoon-smoke>$/,
   );
   await closeSheet(page);
@@ -83,7 +83,7 @@ test('the sheet of the platform is offered where there is one, and copying by ha
   const link = page.url().replace('?paused=1', '');
   expect(await page.evaluate(() => (window as unknown as { handed: unknown[] }).handed)).toEqual([link]);
   await sheet(page).getByRole('button', { name: 'Copy link' }).click();
-  await expect(sheet(page).getByRole('status')).toContainText('did not let the page copy');
+  await expect(sheet(page).getByRole('status')).toContainText('The browser blocked copying.');
   await expect(sheet(page).getByLabel('Link to this smoke')).toBeFocused();
   const selected = () => (document.activeElement as HTMLInputElement).selectionEnd;
   expect(await page.evaluate(selected)).toBe(link.length);
@@ -104,8 +104,8 @@ test('a take too long for a link becomes a file, which brings the moment back', 
   });
   const hash = await ask(page, (stage) => stage.hash());
   await page.getByRole('button', { name: 'Share' }).click();
-  await sheet(page).getByRole('radio', { name: 'This very moment' }).check();
-  await expect(sheet(page).getByRole('status')).toContainText('chats cut what is over 8000');
+  await sheet(page).getByRole('radio', { name: 'This moment' }).check();
+  await expect(sheet(page).getByRole('status')).toContainText('chats cut links over 8000');
   await expect(sheet(page).getByRole('button', { name: 'Copy link' })).toBeDisabled();
   const file = await saved(page, () => sheet(page).getByRole('button', { name: 'Save as file' }).click());
   expect(file.name).toBe('lamp.take.json');
@@ -119,7 +119,9 @@ test('a take too long for a link becomes a file, which brings the moment back', 
 test('files that are none say what is wrong with them, and nothing changes', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await drop(page, 'a.json', '{"format": "cartoon-smoke",\n  "version": 1,,}');
-  await expect(page.getByText('a.json was not opened. The file is no JSON from line 2, column 16 on.')).toBeVisible();
+  await expect(
+    page.getByText('a.json could not be opened. The file is not valid JSON at line 2, column 16.'),
+  ).toBeVisible();
   await drop(page, 'b.json', '{"format": "cartoon-smoke", "version": 1, "values": {"puff.size": 9}}');
   await expect(page.getByText('puff.size cannot be “9”')).toBeVisible();
   await expectValue(page, 'puff.size', 4);
@@ -130,8 +132,8 @@ test('files that are none say what is wrong with them, and nothing changes', asy
 
 test('looks of one’s own are kept, shown again, renamed, saved, and removed with a way back', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}&puff.size=2`);
-  const mine = page.getByRole('group', { name: 'Mine' });
-  await mine.getByRole('button', { name: 'Keep this look' }).click();
+  const mine = page.getByRole('group', { name: 'My looks' });
+  await mine.getByRole('button', { name: 'Save this look' }).click();
   await expect(mine.getByRole('button', { name: 'Lamp 1', exact: true })).toBeVisible();
   await ask(page, (stage) => stage.set({ 'puff.size': 3 }));
   await expect.poll(() => page.url()).toContain('puff.size=3');
@@ -172,6 +174,6 @@ test('what was kept and cannot be read is set aside, not lost', async ({ page })
     if (origin !== 'null') localStorage.setItem('cartoon-smoke.presets', '[{"id": "x", "name": 7}, 3');
   });
   await open(page, `?paused=1${LIGHT}`);
-  await expect(page.getByText('It is set aside in the storage as cartoon-smoke.presets.damaged')).toBeVisible();
+  await expect(page.getByText('Their data is in localStorage under cartoon-smoke.presets.damaged.')).toBeVisible();
   expect(await page.evaluate(() => localStorage.getItem('cartoon-smoke.presets.damaged'))).toContain('"name": 7');
 });

@@ -19,7 +19,7 @@ test('a machine that is late is told once, politely, and draws fewer pixels', as
   expect(await ask(page, (stage) => stage.stats.scale)).toBe(1);
   expect(await told()).toEqual([]);
   await page.evaluate(() => Object.assign(window, { frameMs: 100 }));
-  await expect.poll(told).toEqual([expect.stringContaining('drawn with fewer pixels')]);
+  await expect.poll(told).toEqual([expect.stringContaining('playback uses fewer pixels')]);
   const steps = await ask(page, (stage) => stage.stats.steps);
   await expect.poll(() => ask(page, (stage) => stage.stats.steps)).toBeGreaterThan(steps + 120);
   expect(await told()).toHaveLength(1);

@@ -37,7 +37,7 @@ test('taps play, and a finger blows', async ({ page }) => {
       { x: 60, y: 120 },
       { x: 120, y: 100 },
     ];
-    const wind = page.getByRole('button', { name: 'Drags blow into the smoke' });
+    const wind = page.getByRole('button', { name: 'Blow into the smoke by dragging' });
     await wind.tap();
     await expect(wind).toHaveAttribute('aria-pressed', 'true');
     await drag(from, to);
@@ -82,12 +82,12 @@ test('a finger moves, chooses and resets in the panel', async ({ page }) => {
     await expectValue(page, 'emission.density', before);
   });
   await test.step('what lies behind the picture is chosen in the panel', async () => {
-    await page.getByText('Behind the picture').tap();
-    await page.getByLabel('Shown').selectOption({ label: 'Depth' });
+    await page.getByText('Debug views').tap();
+    await page.getByLabel('View', { exact: true }).selectOption({ label: 'Depth' });
     expect(await ask(page, (stage) => stage.view)).toBe('depth');
     await expect(page.getByText('white is near, black is far')).toBeVisible();
     await page.keyboard.press('v');
-    await expect(page.getByLabel('Shown')).toHaveValue('counts');
+    await expect(page.getByLabel('View', { exact: true })).toHaveValue('counts');
     const figures = page.getByRole('switch', { name: 'Statistics' });
     await figures.tap();
     await expect(page.getByRole('region', { name: 'Statistics' })).toContainText('alive');

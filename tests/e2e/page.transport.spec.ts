@@ -4,7 +4,7 @@ import { ask, crawl, LIGHT, open } from './page.ts';
 import { fingerOf, mouseOf, type Drag } from './touch.ts';
 
 const stepsOf = (page: Page) => ask(page, (stage) => stage.stats.steps);
-const line = (page: Page) => page.getByRole('slider', { name: 'Time line' });
+const line = (page: Page) => page.getByRole('slider', { name: 'Timeline' });
 
 /** Drags the knob from one moment to another, seconds. */
 async function scrub(page: Page, drag: Drag, from: number, to: number): Promise<void> {
@@ -109,9 +109,9 @@ test('a long way along the time line says so, and is stopped by a button or Esca
       const press = new KeyboardEvent('keydown', { key: ']', bubbles: true });
       for (let second = 0; second < 400; ++second) document.body.dispatchEvent(press);
     });
-  const bar = page.getByRole('progressbar', { name: 'On the way to' });
+  const bar = page.getByRole('progressbar', { name: 'Seeking to' });
   await goFar();
-  await expect(bar).toHaveAttribute('aria-label', 'On the way to 400.0 s\u2026');
+  await expect(bar).toHaveAttribute('aria-label', 'Seeking to 400 s\u2026');
   await page.getByRole('button', { name: 'Stop here' }).click();
   await expect(bar).toHaveCount(0);
   const stopped = await stepsOf(page);

@@ -28,7 +28,7 @@ describe.skipIf(engine.title === 'WebKit' && !engine.isPlaywrights)('video', () 
     const outcome = await (await load<Page>(STAGES)).captured(format);
     if ('error' in outcome) {
       expect(outcome.error).toBe('VideoError');
-      expect(outcome.message).toMatch(/^This browser cannot encode (WebM|MP4) of 80 × 60 pixels\./);
+      expect(outcome.message).toMatch(/^This browser cannot encode (WebM|MP4) at 80 × 60 pixels\./);
     } else {
       expect(outcome.type).toBe(`video/${format}`);
       expect(outcome.bytes.length).toBeGreaterThan(1_000);

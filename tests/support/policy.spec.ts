@@ -56,7 +56,7 @@ test('panel, gallery, handles, statistics, views and notices', async ({ page }) 
 test('sheets for sharing and capture, files and own presets', async ({ page }) => {
   await open(page, `?paused=1&t=0.5${LIGHT}`);
   await expectSteps(page, 30);
-  await page.getByRole('button', { name: 'Keep this look' }).click();
+  await page.getByRole('button', { name: 'Save this look' }).click();
   await expect(page.locator('.own-cards li')).toHaveCount(1);
   await page.keyboard.press('s');
   await expect(page.getByRole('img', { name: 'QR code of the link' })).toBeVisible();

@@ -36,7 +36,7 @@ test('runs from any folder, because its addresses are relative', async ({ page }
 test('says whose work it holds, under which licence, and where the source of it is', async ({ page }) => {
   await page.goto(`${server.address}?paused=1${WISP}`);
   await page.getByRole('button', { name: 'Help' }).click();
-  const link = page.getByRole('link', { name: 'Whose work is in it' });
+  const link = page.getByRole('link', { name: 'Third-party licences' });
   const answer = await page.request.get(new URL((await link.getAttribute('href'))!, server.address).href);
   const text = await answer.text();
   // Bundled, fetched on demand, of an example, and linked into the WASM.

@@ -31,8 +31,8 @@ test.afterAll(async () => {
 async function snippet(page: Page): Promise<string> {
   await page.goto(`${server.address}?paused=1${LOOK}`);
   await page.getByRole('button', { name: 'Share' }).click();
-  await page.getByText('Put it on a page of yours').click();
-  return page.getByLabel('The element with its script').inputValue();
+  await page.getByText('Embed in your page').click();
+  return page.getByLabel('Custom element with its script').inputValue();
 }
 
 /** Opens an empty page of another origin with nothing but this on it. */

@@ -84,7 +84,7 @@ describe('an old link', () => {
     const { state, notices } = await decode(`#v=0&preset=lamp&emission.rate=9&${stops}`);
     expect(state.values).toMatchObject({ 'emission.rate': 9, 'emission.density': '.25:.5,1:0' });
     expect(notices.map(({ code, message }) => [code, message])).toEqual([
-      ['migrated', 'This is an old link: its stops of density are one curve now, emission.density.'],
+      ['migrated', 'This is an old link: its density stops became the curve emission.density.'],
     ]);
     expect(await encode(state)).toBe('#v=1&preset=lamp&emission.rate=9&emission.density=.25:.5,1:0');
   });

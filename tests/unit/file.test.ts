@@ -67,16 +67,16 @@ describe('a file', () => {
   });
 
   it.each([
-    ['', 'no JSON from line 1, column 1 on'],
-    ['{"format": "cartoon-smoke",\n  "version": 1,,\n}', 'no JSON from line 2, column 16 on'],
-    ['[]', 'The file must be an object in braces, { }, not a list'],
-    ['{"asset": {"version": "2.0"}}', 'does not say "format": "cartoon-smoke"'],
-    ['{"format": "cartoon-smoke", "values": {}}', '"version" must be a number, not left out'],
-    [`{${head}, "preset": 3}`, '"preset" must be a name, not a number'],
-    [`{${head}, "values": [1]}`, '"values" must be an object in braces, { }, not a list'],
-    [`{${head}, "moment": 3}`, '"moment" must be an object in braces, { }, not a number'],
-    [`{${head}, "moment": {"take": "AAAA"}}`, '"seconds" of "moment" must be a number from 0 on, not left out'],
-    [`{${head}, "moment": {"seconds": 1}}`, '"take" of "moment" must be a text, not left out'],
+    ['', 'not valid JSON at line 1, column 1.'],
+    ['{"format": "cartoon-smoke",\n  "version": 1,,\n}', 'not valid JSON at line 2, column 16.'],
+    ['[]', 'The file must be an object, not an array'],
+    ['{"asset": {"version": "2.0"}}', '"format" must be "cartoon-smoke"'],
+    ['{"format": "cartoon-smoke", "values": {}}', '"version" must be a number, not undefined'],
+    [`{${head}, "preset": 3}`, '"preset" must be a string, not a number'],
+    [`{${head}, "values": [1]}`, '"values" must be an object, not an array'],
+    [`{${head}, "moment": 3}`, '"moment" must be an object, not a number'],
+    [`{${head}, "moment": {"take": "AAAA"}}`, '"seconds" of "moment" must be a number from 0, not undefined'],
+    [`{${head}, "moment": {"seconds": 1}}`, '"take" of "moment" must be a string, not undefined'],
     [`{${head}, "moment": {"seconds": 1, "take": "A!"}}`, '"take" of "moment" is damaged'],
   ])('that is none is refused: %s', async (text, message) => {
     await expect(readFile(text)).rejects.toThrow(FileError);

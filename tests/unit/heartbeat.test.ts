@@ -128,6 +128,6 @@ test('what is fetched comes, fails as a LoadError, or is given up after a minute
   await failed.toMatchObject({ name: 'LoadError', message: 'It could not be fetched: gone' });
   const silent = fetched('It', new Promise(() => undefined)).catch((error: Error) => `${error.name}: ${error.message}`);
   vi.advanceTimersByTime(MINUTE);
-  expect(await silent).toBe('LoadError: It could not be fetched: nothing has come for a minute.');
+  expect(await silent).toBe('LoadError: It could not be fetched: no data for 60 s.');
   expect(vi.getTimerCount()).toBe(0);
 });

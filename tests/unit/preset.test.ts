@@ -121,7 +121,9 @@ describe('validate', () => {
     );
     expect(() => validate({ 'emission.rate': '60' })).toThrow('emission.rate cannot be “60”: it takes a number from 0');
     expect(() => validate({ 'style.gradient': 'rainbow' })).toThrow('none, puff, height, screen, age');
-    expect(() => validate({ 'emission.rats': 1 })).toThrow('there is no such parameter');
+    expect(() => validate({ 'emission.rats': 1 })).toThrow(
+      'emission.rats cannot be 1: it takes no value (no such parameter).',
+    );
   });
 
   it('refuses what only looks right', () => {

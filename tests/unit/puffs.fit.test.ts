@@ -76,13 +76,17 @@ test('a box with a corner for each normal is closed, and becomes a puff', async 
 
 const cases: readonly (readonly [string, PlainMesh, RegExp])[] = [
   ['empty', { positions: [], indices: [] }, /empty/],
-  ['cut short', { positions: [0, 0, 0, 1], indices: [0, 0, 0] }, /cut short/],
+  ['cut short', { positions: [0, 0, 0, 1], indices: [0, 0, 0] }, /incomplete/],
   [
     'not finite',
     { ...ball, positions: ball.positions.map((at, index) => (index === 6 ? NaN : at)) },
     /Vertex 2 .* NaN/,
   ],
-  ['pointing outside', { positions: ball.positions, indices: [0, 1, 100000] }, /corner 100000 that does not exist/],
+  [
+    'pointing outside',
+    { positions: ball.positions, indices: [0, 1, 100000] },
+    /uses vertex 100000, which does not exist/,
+  ],
   ['open', { positions: ball.positions, indices: ball.indices.subarray(3) }, /open: 3 of its/],
   ['of one point', { positions: [1, 1, 1], indices: [0, 0, 0] }, /no size/],
   ['flat', box([0, 0, 0], [1, 1, 0.001]), /too thin/],

@@ -99,7 +99,7 @@ describe('the tag', () => {
     (changelog) => {
       expect(run(changelog, 'v1.2.3')).toMatchObject({
         status: 1,
-        errors: ['CHANGELOG.md says nothing about 1.2.3: give what is under Unreleased the heading 1.2.3.'],
+        errors: ['CHANGELOG.md has no entries for 1.2.3: rename the heading Unreleased to 1.2.3.'],
       });
     },
   );

@@ -63,10 +63,10 @@ test.each([
   ['seek', [], 'seconds cannot be undefined: it takes a number from 0.'],
   ['seek', [-1], 'seconds cannot be -1: it takes a number from 0.'],
   ['advance', ['1'], 'seconds cannot be “1”: it takes a number from 0.'],
-  ['advance', [[]], 'seconds cannot be “a list”: it takes a number from 0.'],
+  ['advance', [[]], 'seconds cannot be “an array”: it takes a number from 0.'],
   ['zoom', [0], 'argument 1 of zoom cannot be 0: it takes a number from 0.000001 to 1000000.'],
   ['resize', [3, -1], 'argument 2 of resize cannot be -1: it takes a number from 0 to 65536.'],
-  ['unset', ['a'], 'argument 1 of unset cannot be “a”: it takes a list of at most 4000, each a key.'],
+  ['unset', ['a'], 'argument 1 of unset cannot be “a”: it takes an array of at most 4000, each a key.'],
   ['blow', [{}], 'argument 1 of blow cannot be “an object”: it takes an object of x, y, dx, dy, radius, seconds.'],
 ])('%s(%o) is refused in words', (method, args, words) => {
   const { refusal } = readRequest({ id: 1, method, args }) as { refusal: Error };

@@ -179,6 +179,6 @@ describe('test', () => {
   test('runs what is named, and says what there is when the name is unknown', () => {
     withSuites([suite('a', { passed: 0, failed: 1 }), suite('b', { passed: 3, failed: 0 })].join());
     expect(project.run('test.mjs', ['b']).status).toBe(0);
-    expect(project.run('test.mjs', ['c']).errors).toEqual(['There is nothing named c to run: choose from a, b.']);
+    expect(project.run('test.mjs', ['c']).errors).toEqual(['There is no suite named c: choose from a, b.']);
   });
 });

@@ -69,7 +69,10 @@ describe('packages', () => {
 
   test('when the lock file does not fit', () => {
     project.program('npm', 'echo "npm error code EUSAGE" >&2; exit 1');
-    expectOnlySentence(project.setUp(['packages']), /^package-lock\.json does not fit package\.json: run npm install/);
+    expectOnlySentence(
+      project.setUp(['packages']),
+      /^package-lock\.json does not match package\.json: run npm install/,
+    );
   });
 
   test('are installed with npm ci and then fresh', () => {
@@ -79,7 +82,7 @@ describe('packages', () => {
     const first = project.setUp(['packages']);
     expect(first).toMatchObject({ status: 0, errors: [] });
     expect(first.output).toMatch(/Node packages: done/);
-    expect(project.setUp(['packages']).output).toBe('Already fresh: Node packages.\n');
+    expect(project.setUp(['packages']).output).toBe('Already up to date: Node packages.\n');
   });
 
   test.each([
@@ -127,7 +130,7 @@ describe('toolchain', () => {
 
   test('is not fresh without the WASM target', () => {
     installRust();
-    expect(project.setUp(['toolchain']).output).toBe('Already fresh: Rust toolchain.\n');
+    expect(project.setUp(['toolchain']).output).toBe('Already up to date: Rust toolchain.\n');
     project.program('rustup', `[ "$1" = run ] && echo ${project.path('other')} || exit 1`);
     expect(project.setUp(['toolchain']).status).toBe(1);
   });
@@ -146,7 +149,7 @@ describe('WASM', () => {
   test('that does not compile shows what the compiler said, and the sentence last', () => {
     installRust('echo "error[E0308]: mismatched types" >&2; exit 101');
     const ending = project.setUp(['wasm']);
-    expectSentence(ending, /^The WASM build failed: the compiler says why/);
+    expectSentence(ending, /^The WASM build failed: see the compiler output above/);
     expect(ending.errors[0]).toBe('error[E0308]: mismatched types');
   });
 
@@ -199,7 +202,7 @@ describe('browser', () => {
     const ask = (environment: Record<string, string> = {}) => {
       project.write('log', '');
       const ending = project.setUp(['browser'], environment);
-      expect(ending.output).toBe('Already fresh: Browser for the tests.\n');
+      expect(ending.output).toBe('Already up to date: Browser for the tests.\n');
       return project.read('log').trim();
     };
     installPlaywright('/nowhere/chromium');

@@ -62,6 +62,6 @@ test('a clip that is cancelled ends at once and leaves the smoke as it was', asy
 
 test('a browser without encoder says so, and what to take instead', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.withoutEncoder());
-  expect(report.message).toContain('cannot encode Video (MP4) of 160 \u00d7 120 pixels. Take');
+  expect(report.message).toContain('cannot encode Video (MP4) at 160 \u00d7 120 pixels. Use');
   expect(report.isUntouched).toBe(true);
 });

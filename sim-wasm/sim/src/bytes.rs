@@ -175,7 +175,7 @@ impl<'b> Reader<'b> {
     /// A block that is UTF-8.
     pub fn text(&mut self) -> Result<&'b str, RestoreError> {
         let text = std::str::from_utf8(self.block()?);
-        text.map_err(|_| RestoreError::new("the bytes hold a text that is none"))
+        text.map_err(|_| RestoreError::new("the bytes contain invalid UTF-8"))
     }
 
     /// All that has not been read.
@@ -198,7 +198,7 @@ impl<'b> Reader<'b> {
     #[inline(never)]
     fn enter(&mut self, name: &[u8; 4]) -> Result<Self, RestoreError> {
         if self.take()? != *name {
-            return Err(RestoreError::new("the bytes have other parts than this version writes"));
+            return Err(RestoreError::new("the bytes have parts of another version"));
         }
         self.block().map(Self)
     }
@@ -209,7 +209,7 @@ impl<'b> Reader<'b> {
         if self.0.is_empty() {
             Ok(())
         } else {
-            Err(RestoreError::new("there are bytes to spare"))
+            Err(RestoreError::new("there are too many bytes"))
         }
     }
 

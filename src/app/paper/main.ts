@@ -22,11 +22,11 @@ interface Means {
 const MEANS: readonly Means[] = [
   {
     id: 'paper',
-    title: "By the paper's means",
+    title: "The paper's method",
     // In the paper puffs are born at full size and shrink from there.
     values: { 'puff.form': 'billboards', 'simulation.integrator': 'paper', 'emission.growthTime': 0 },
   },
-  { id: 'ours', title: 'By ours', values: {} },
+  { id: 'ours', title: 'Our method', values: {} },
 ];
 /** Simulated seconds, by which the smoke fills its column, and by which the airplane is amid the clouds. */
 const MOMENTS = { lamp: 6, airplane: 4.5 };
@@ -66,10 +66,10 @@ async function drawLamp(means: Means): Promise<void> {
   await onStage('lamp', means, async (stage) => {
     for (const { tones, name } of RAMPS) {
       stage.set({ 'style.tones': tones });
-      const image = await picture(stage, `${name} smoke of the lamp, drawn ${how}`);
+      const image = await picture(stage, `${name} smoke of the lamp, ${how}`);
       if (tones === 3) {
         const large = image.cloneNode() as HTMLImageElement;
-        large.alt = `A magic oil lamp with a column of cartoon smoke in three tones, drawn ${how}`;
+        large.alt = `A magic oil lamp with a column of cartoon smoke in three tones, ${how}`;
         show('figure-1', means.id, large);
         await link('figure-1', means, 'lamp', { 'style.tones': 3 });
       }
@@ -81,7 +81,7 @@ async function drawLamp(means: Means): Promise<void> {
 
 async function drawAirplane(means: Means): Promise<void> {
   await onStage('airplane', means, async (stage) => {
-    const alt = `A biplane flies through cartoon clouds and leaves swirls behind it, drawn ${means.title.toLowerCase()}`;
+    const alt = `A biplane flies through cartoon clouds and leaves swirls behind it, ${means.title.toLowerCase()}`;
     show('figure-2', means.id, await picture(stage, alt));
     await link('figure-2', means, 'airplane', {});
   });
@@ -133,11 +133,7 @@ function show(figure: string, means: Means['id'], ...pictures: HTMLElement[]): v
 async function link(figure: string, { id, values, title }: Means, preset: keyof typeof MOMENTS, more: Values) {
   const state = { preset, values: { ...presetValues(findPreset(preset)!), ...values, ...more } };
   const href = `./?t=${MOMENTS[preset]}${await encode(state)}`;
-  const words = create(
-    'a',
-    { href, 'aria-label': `Open it in the demo, ${title.toLowerCase()}` },
-    'Open it in the demo',
-  );
+  const words = create('a', { href, 'aria-label': `Open in the demo, ${title.toLowerCase()}` }, 'Open in the demo');
   document.querySelector(`#${figure} .${id}`)!.append(words);
 }
 

@@ -107,7 +107,7 @@ fn read_origin(reader: &mut Reader) -> Result<(Origin, u64), RestoreError> {
     let is_sound = (1..=CAPACITY_LIMIT).contains(&capacity) && step <= end && end <= MOST_STEPS && is_fresh <= 1;
     let is_fresh = is_fresh == 1;
     if !is_sound || (is_fresh && (step > 0 || !state.is_empty())) {
-        return Err(RestoreError::new("the take begins in no way that a take can begin"));
+        return Err(RestoreError::new("the take has an invalid start"));
     }
     let origin = Origin {
         state: state.to_vec(),
@@ -161,7 +161,7 @@ fn check_set(input: &Input, keys: &[String], scratch: &mut Parameters) -> Result
         return Ok(());
     };
     let key = keys.get(usize::from(*key));
-    let key = key.ok_or_else(|| RestoreError::new("the take sets a parameter that it does not name"))?;
+    let key = key.ok_or_else(|| RestoreError::new("the take sets an unknown parameter"))?;
     scratch.set(key, *value).map_err(RestoreError::from)
 }
 

@@ -34,7 +34,7 @@ pub fn write(records: &[Record], body: &mut Writer) {
 pub fn read(reader: &mut Reader) -> Result<Vec<Record>, RestoreError> {
     let kinds = reader.block()?;
     if kinds.len() > MOST_INPUTS {
-        return Err(RestoreError::new("the take holds more inputs than a take can hold"));
+        return Err(RestoreError::new("the take contains too many inputs"));
     }
     let mut waits = Reader::over(reader.block()?);
     let mut rows: [std::vec::IntoIter<Vec<u8>>; KINDS] = Default::default();
@@ -89,7 +89,7 @@ fn turned_back(bytes: &[u8], count: usize) -> Result<Rows, RestoreError> {
 }
 
 fn uneven() -> RestoreError {
-    RestoreError::new("the take's inputs are not as many as it says")
+    RestoreError::new("the take's number of inputs is wrong")
 }
 
 #[cfg(test)]

@@ -160,5 +160,5 @@ pub(super) fn within<T: PartialOrd>(value: T, min: T, max: T) -> Result<T, Resto
 }
 
 fn impossible() -> RestoreError {
-    RestoreError::new("the take holds an input that nobody can have given")
+    RestoreError::new("the take contains an invalid input")
 }
