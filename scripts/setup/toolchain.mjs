@@ -12,6 +12,9 @@ export const title = 'Rust toolchain';
 /** The program by whose presence a component is known, where it is not its name. @type {Record<string, string>} */
 const PROGRAMS = { clippy: 'cargo-clippy' };
 
+/** Packages and features of everything that is compiled natively: another selection would compile Rapier once more. */
+export const NATIVE = ['--locked', '--workspace', '--exclude', 'xtask', '--features', 'sim/rigids'];
+
 /**
  * Runs cargo in sim-wasm, in the pinned version even where another cargo comes first on PATH.
  *

@@ -3,7 +3,7 @@
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
-import { cargo } from '../setup/toolchain.mjs';
+import { cargo, NATIVE } from '../setup/toolchain.mjs';
 import { notesIn, readReport, settle, tallyCargo, tallyPlaywright, tallyVitest } from './tally.mjs';
 
 /**
@@ -18,42 +18,30 @@ import { notesIn, readReport, settle, tallyCargo, tallyPlaywright, tallyVitest }
 /** The suites in the order of running them. @type {(choice: Choice) => Runner[]} */
 export function suites(choice) {
   if (choice.engines) return [engines];
-  const all = [
-    rust('rust', 'Rust tests', [], choice),
-    rust('rigids', 'Rust tests with rigids', RIGIDS, choice),
-    unit(choice),
-    browser(choice),
-  ];
+  const all = [rust(choice), unit(choice), browser(choice)];
   return choice.long ? all.filter((suite) => hasLongTests(suite.name)) : all;
 }
 
-const RIGIDS = ['--features', 'sim/rigids'];
 const REPORTS = '.cache/test';
 
-/** @type {(name: string, title: string, features: string[], choice: Choice) => Runner} */
-function rust(name, title, features, { long }) {
-  // With `world` among the others Rapier would be compiled twice, for it has other features there. The suite with rigids,
-  // which compiles it anyway, has its tests.
-  const withoutRapier = ['--workspace', '--exclude', 'xtask', '--exclude', 'world'];
-  const packages = features.length > 0 ? ['--package', 'sim', '--package', 'world'] : withoutRapier;
-  const parameters = [
-    'test',
-    '--locked',
-    '--no-fail-fast',
-    // Not the examples, which clippy compiles, and there are none in the documentation.
-    '--lib',
-    '--bins',
-    '--tests',
-    ...packages,
-    ...features,
-    ...(long ? ['--', '--ignored'] : []),
-  ];
+/**
+ * The simulator is tested with rigids alone: without them it is the same code with less of it, which the unit tests run as
+ * WASM and compare by hashes.
+ *
+ * @type {(choice: Choice) => Runner}
+ */
+function rust({ long }) {
+  // Not the examples, which clippy compiles, and there are none in the documentation.
+  const targets = ['--no-fail-fast', '--lib', '--bins', '--tests'];
   return {
-    name,
-    title,
+    name: 'rust',
+    title: 'Rust tests',
     lane: 'cargo',
     run: async (say) => {
-      const { status, output } = await cargo(parameters, say);
+      const { status, output } = await cargo(
+        ['test', ...NATIVE, ...targets, ...(long ? ['--', '--ignored'] : [])],
+        say,
+      );
       return { ...settle(tallyCargo(output), status), output };
     },
   };
@@ -116,7 +104,7 @@ function freshReport(/** @type {string} */ name) {
 }
 
 function hasLongTests(/** @type {string} */ name) {
-  if (name === 'rust' || name === 'rigids') {
+  if (name === 'rust') {
     return filesUnder('sim-wasm/sim').some(
       (path) => path.endsWith('.rs') && readFileSync(inRoot(path), 'utf8').includes('#[ignore'),
     );

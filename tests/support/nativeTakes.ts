@@ -1,6 +1,9 @@
+import { execFile } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { promisify } from 'node:util';
+import { buildNative } from './nativeProgram.ts';
 
 /** Takes that `sim-wasm/sim/examples/table_takes.rs` makes natively, with the hashes that they come to there. */
 export interface NativeTake {
@@ -11,12 +14,6 @@ export interface NativeTake {
   /** In hexadecimal digits. */
   take: string;
 }
-
-type Outcome = { status: number; output: string };
-type Cargo = (parameters: string[]) => Promise<Outcome>;
-
-// The scripts are plain JavaScript, checked apart from the tests.
-const path = '../../scripts/setup/toolchain.mjs';
 
 export async function nativeTakes(): Promise<NativeTake[]> {
   return (await runExample('table_takes')).map((line) => {
@@ -37,11 +34,9 @@ export async function nativeHashes(calls: Uint8Array): Promise<string[]> {
   }
 }
 
-/** Builds an example, if it is not, and gives the lines that it prints. */
+/** @returns the lines that an example prints */
 async function runExample(name: string, parameters: string[] = []): Promise<string[]> {
-  const { cargo } = (await import(path)) as { cargo: Cargo };
-  const build = ['--quiet', '--locked', '--package', 'sim', '--features', 'rigids'];
-  const { status, output } = await cargo(['run', ...build, '--example', name, '--', ...parameters]);
-  if (status !== 0) throw new Error(output);
-  return output.split('\n');
+  const program = await buildNative('example', name);
+  const { stdout } = await promisify(execFile)(program, parameters, { maxBuffer: 1 << 28 });
+  return stdout.trimEnd().split('\n');
 }

@@ -2,12 +2,7 @@
 import { spawn } from 'node:child_process';
 import { expect, test, type TestInfo } from '@playwright/test';
 import { PNG } from 'pngjs';
-
-type Outcome = { status: number; output: string };
-type Cargo = (parameters: string[]) => Promise<Outcome>;
-
-// The scripts are plain JavaScript, checked apart from the tests.
-const path = '../../scripts/setup/toolchain.mjs';
+import { buildNative } from './nativeProgram.ts';
 
 /** Row by row from the bottom. */
 interface ReferencePicture {
@@ -48,7 +43,7 @@ let program: Promise<string> | undefined;
 /** Builds the program ahead of the tests, which takes longer than they may where nothing was built before. */
 export async function buildReference(): Promise<void> {
   test.setTimeout(1_200_000);
-  program ??= build();
+  program ??= buildNative('bin', 'reference');
   await program;
 }
 
@@ -98,7 +93,7 @@ export async function expectReference(
 
 async function referencePicture(description: string): Promise<ReferencePicture> {
   const { width, height, style } = JSON.parse(description) as Described;
-  program ??= build();
+  program ??= buildNative('bin', 'reference');
   const bytes = await answer(await program, description);
   const pixels = width * height;
   return {
@@ -155,21 +150,6 @@ function isEdge({ width, height, regions }: ReferencePicture, pixel: number): bo
     }
   }
   return false;
-}
-
-/** Builds the program, if it is not, and gives its path. */
-async function build(): Promise<string> {
-  const { cargo } = (await import(path)) as { cargo: Cargo };
-  const { status, output } = await cargo([
-    'build',
-    '--locked',
-    '--package',
-    'reference',
-    '--message-format',
-    'json-render-diagnostics',
-  ]);
-  if (status !== 0) throw new Error(output.replaceAll(/^{.*$\n?/gm, ''));
-  return /"executable":"([^"]+)"/.exec(output)![1];
 }
 
 function answer(executable: string, question: string): Promise<Uint8Array> {
