@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { expect, test } from '../support/fixtures.ts';
 import { linesOf } from '../support/hashFixture.ts';
 import { nativeHashes, nativeTakes } from '../support/nativeTakes.ts';
@@ -51,9 +51,12 @@ test('takes over the whole parameter table have the same hashes natively and in 
   expect(hashes).toEqual(takes.map(({ hash }) => hash));
 });
 
-test('every preset has the hashes of tests/engines/hashes.json natively, by the bits that cross in Node', async () => {
+// `UPDATE_HASHES=1 npx playwright test --no-deps --project=pages tests/e2e/hash.spec.ts` writes the list.
+test('every preset has the hashes of tests/engines/hashes.json in Node and, by the bits that cross there, natively', async () => {
   const calls = new RecordedCalls();
-  await presetHashes(async (physics) => calls.record(await loadVariant(physics ? 'physics' : 'core')));
+  const hashes = await presetHashes(async (physics) => calls.record(await loadVariant(physics ? 'physics' : 'core')));
+  if (process.env.UPDATE_HASHES) writeFileSync(HASH_LIST, `${JSON.stringify(hashes, null, 2)}\n`);
   const list = JSON.parse(readFileSync(HASH_LIST, 'utf8')) as HashList;
+  expect(hashes).toEqual(list);
   expect(await nativeHashes(calls.bytes())).toEqual(Object.values(list).flatMap(Object.values));
 });
