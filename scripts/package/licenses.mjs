@@ -3,7 +3,7 @@
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { inRoot } from '../lib/paths.mjs';
-import { Refusal } from '../lib/refusal.mjs';
+import { UserError } from '../lib/userError.mjs';
 import { cargo } from '../setup/toolchain.mjs';
 
 export const FILE = 'third-party-licenses.txt';
@@ -22,7 +22,7 @@ const WASM = ['-p', 'bindings', '--features', 'rigids', '--target', 'wasm32-unkn
  * @property {string} folder
  */
 
-/** @param {string} folder of built scripts with their source maps, which tell what was bundled */
+/** @param {string} folder of built scripts with their source maps, which notify what was bundled */
 export async function writeLicenses(folder) {
   const works = [...packagesIn(folder), ...(await crates())].sort((a, b) => a.name.localeCompare(b.name, 'en'));
   writeFileSync(join(folder, FILE), `${[INTRODUCTION, ...works.map(describe)].join('\n\n')}\n`);
@@ -76,7 +76,7 @@ async function crates() {
 /** @param {string[]} parameters */
 async function ask(parameters) {
   const { status, output } = await cargo([...parameters, '--locked']);
-  if (status !== 0) throw new Refusal('Cargo could not say what is linked into the WASM.', output);
+  if (status !== 0) throw new UserError('Cargo could not say what is linked into the WASM.', output);
   return output.split('\n');
 }
 

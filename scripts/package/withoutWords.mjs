@@ -8,7 +8,7 @@ import { inRoot } from '../lib/paths.mjs';
 import { sourceModule } from './sourceModule.mjs';
 
 /** What smoke needs of a row. */
-const KEPT = ['kind', 'reader', 'isOptional', 'unit', 'min', 'max', 'linkMax', 'default'];
+const USED = ['kind', 'reader', 'isOptional', 'unit', 'min', 'max', 'linkMax', 'default'];
 /** What most rows say, and none has to. @type {Record<string, unknown>} */
 const USUAL = { kind: 'number', reader: 'simulator' };
 const OF_LATER_ITEMS = /^\w+\.[1-7]\./;
@@ -45,9 +45,9 @@ function tableModule(table) {
 
 /** @param {object} row */
 function bare(row) {
-  const kept = Object.entries(row).filter(([name, value]) => KEPT.includes(name) && value !== USUAL[name]);
+  const used = Object.entries(row).filter(([name, value]) => USED.includes(name) && value !== USUAL[name]);
   const options = 'options' in row ? { options: valuesOf(/** @type {{ value: unknown }[]} */ (row.options)) } : {};
-  return { ...Object.fromEntries(kept), ...options };
+  return { ...Object.fromEntries(used), ...options };
 }
 
 /** @param {{ value: unknown }[]} options */

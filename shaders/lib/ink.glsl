@@ -1,7 +1,7 @@
 // The law of a puff's line: how wide it is and how much of it is ink. Widths and radii are in pixels of the target.
 
 // A line keeps its width beside puffs with a radius of 3.5 widths and more. Beside smaller ones it narrows, and a puff
-// no larger than the line is wide has none: far smoke stays smoke and does not turn into dots. The billboards' layers
+// no larger than the line is wide has none: far smoke stays smoke and does not angle into dots. The billboards' layers
 // end 0.3 radii beyond the silhouette, and this is no more.
 float lineWidth(float fullWidth, float radius) {
   return fullWidth * smoothstep(1.0, 3.5, radius / max(fullWidth, 1e-6));
@@ -13,7 +13,7 @@ float swelling(vec2 outward, vec3 towardsLightInView, float swell) {
   return exp2(-swell * dot(outward, towardsLightInView.xy));
 }
 
-// What sets the line of one puff in one drawing apart from all others, 0 to 2 pi.
+// ShareKind sets the line of one puff in one drawing apart from all others, 0 to 2 pi.
 float boilPhase(int seed, int drawing) {
   uint bits = uint(seed) * 747796405u + uint(drawing) * 2891336453u;
   bits = (bits ^ (bits >> 16u)) * 73244475u;
@@ -24,8 +24,8 @@ float boilPhase(int seed, int drawing) {
 // boil is 1. Never more than all, so that quads and volumes stay what they are.
 float boiling(vec2 outward, float phase, float boil) {
   if (boil <= 0.0) return 1.0;
-  float turn = atan(outward.y, outward.x);
-  return 1.0 - boil * (0.25 + 0.125 * (sin(3.0 * turn + phase) + sin(8.0 * turn - 2.7 * phase)));
+  float angle = atan(outward.y, outward.x);
+  return 1.0 - boil * (0.25 + 0.125 * (sin(3.0 * angle + phase) + sin(8.0 * angle - 2.7 * phase)));
 }
 
 // How much of a line is ink and how much the colour of its smoke. Under a pixel a line would break into dots. Beside a

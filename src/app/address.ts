@@ -19,7 +19,7 @@ async function addressOf(editor: Editor): Promise<string> {
 /**
  * Keeps the address bar on what is edited, and edits what somebody puts into the address bar. A moment that was put there
  * stays until somebody edits.
- * @param arrive told of what was put there, once the editor has it; settled when the page shows it
+ * @param arrive called with what was put there, once the editor has it; settled when the page shows it
  */
 export function followAddress(
   editor: Editor,

@@ -6,15 +6,15 @@ import { enterScene } from './entering.ts';
 /**
  * Lets stage and editor follow each other: edits reach the stage once a frame, and values that somebody gives to the
  * stage directly, as from the console, reach the editor.
- * @param tell says what the stage refused
- * @param host where progress is shown
+ * @param notify says what the stage rejected
+ * @param container where progress is shown
  * @returns waits until the stage has taken up all edits: what is done to it before, they would undo
  */
 export function connectStage(
   editor: Editor,
   stage: Stage,
-  tell: (message: string) => void,
-  host: HTMLElement,
+  notify: (message: string) => void,
+  container: HTMLElement,
 ): () => Promise<void> {
   let waiting: Changes = {};
   let isFlushing = false;
@@ -34,14 +34,14 @@ export function connectStage(
     try {
       const isElsewhere = (changes.scene ?? stage.get().scene) !== stage.get().scene;
       if (isElsewhere) {
-        await enterScene(stage, editor.state.values, host);
+        await enterScene(stage, editor.state.values, container);
       } else {
         apply(changes, stage);
         // While edits waited for their frame, the editor heard nothing of what else was done to the stage.
         adopt();
       }
     } catch (error) {
-      tell((error as Error).message);
+      notify((error as Error).message);
       adopt();
     } finally {
       isFlushing = false;

@@ -1,4 +1,4 @@
-import { LEAST_STOPS, MOST_STOPS, readCurve, writeCurve, type Stop } from '../preset/curve.ts';
+import { MIN_STOPS, MAX_STOPS, readCurve, writeCurve, type Stop } from '../preset/curve.ts';
 import type { Control, ControlListener } from './control.ts';
 import { create, createSvg, uniqueId } from './dom.ts';
 import { strings } from './strings.ts';
@@ -8,7 +8,7 @@ const STEP = 0.02;
 /** A stop is taken from so far away from its middle: nothing smaller is easily met. */
 const REACH = 12;
 /** Stops do not come nearer to each other than this. */
-const LEAST_GAP = 0.02;
+const MIN_GAP = 0.02;
 
 const ARROWS: Readonly<Record<string, readonly [at: number, value: number]>> = {
   ArrowLeft: [-STEP, 0],
@@ -44,7 +44,7 @@ export function createCurve(describedBy: string, label: string, listener: Contro
     const { at, value } = stops[held] ?? stop;
     grip = { at: at - stop.at, value: value - stop.value };
     if (held < 0) {
-      if (event.target !== plane || stops.length === MOST_STOPS) return;
+      if (event.target !== plane || stops.length === MAX_STOPS) return;
       const index = stops.findIndex((other) => other.at > stop.at);
       held = index < 0 ? stops.length : index;
       change(moved([...stops.slice(0, held), stop, ...stops.slice(held)], held, stop));
@@ -69,7 +69,7 @@ export function createCurve(describedBy: string, label: string, listener: Contro
       const way = ARROWS[event.key];
       const { at, value } = stops[index];
       if (way) change(moved(stops, index, { at: at + way[0], value: value + way[1] }));
-      else if (event.key !== 'Delete' || stops.length === LEAST_STOPS) return;
+      else if (event.key !== 'Delete' || stops.length === MIN_STOPS) return;
       else change(stops.filter((_, other) => other !== index));
       event.preventDefault();
       event.stopPropagation();
@@ -110,9 +110,9 @@ function reached(stops: readonly Stop[], { at, value }: Stop): number {
 
 /** The stops with one of them moved, between its neighbours and within the plane. */
 export function moved(stops: readonly Stop[], index: number, { at, value }: Stop): Stop[] {
-  const least = index === 0 ? 0 : stops[index - 1].at + LEAST_GAP;
-  const most = index === stops.length - 1 ? 1 : stops[index + 1].at - LEAST_GAP;
-  const stop = { at: Math.max(least, Math.min(most, at)), value: Math.max(0, Math.min(1, value)) };
+  const min = index === 0 ? 0 : stops[index - 1].at + MIN_GAP;
+  const max = index === stops.length - 1 ? 1 : stops[index + 1].at - MIN_GAP;
+  const stop = { at: Math.max(min, Math.min(max, at)), value: Math.max(0, Math.min(1, value)) };
   return stops.map((other, number) => (number === index ? stop : other));
 }
 

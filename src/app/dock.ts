@@ -24,7 +24,7 @@ export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...
   };
   const element = create('div', { class: 'dock' }, createTransport(stage, scrubber, ...play, toggle), gallery);
   const dock = { element, toggleGallery: () => show(gallery.hidden !== false), closeGallery: () => show(false) };
-  const low = matchMedia(`(max-height: ${LEAST_HEIGHT - 1}px)`);
+  const low = matchMedia(`(max-height: ${MIN_HEIGHT - 1}px)`);
   let comesBack = false;
   low.addEventListener('change', () => {
     // Of a window that is turned back at once this is told later, when it is as it was.
@@ -37,4 +37,4 @@ export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...
 }
 
 /** Lower windows, such as phones on their side, keep their height for the smoke at first, and when they are turned. CSS pixels. */
-const LEAST_HEIGHT = 600;
+const MIN_HEIGHT = 600;

@@ -1,4 +1,4 @@
-/** Building elements without markup: text from strangers can only ever become text. */
+/** Building elements without markup: untrusted text can only ever become text. */
 type Children = readonly (Node | string)[];
 type Attributes = Readonly<Record<string, string | number | boolean | undefined>>;
 

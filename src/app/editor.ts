@@ -7,7 +7,7 @@ import { History } from './history.ts';
 /** What changed: the new values, and undefined for optional ones that went back to what the scene has. */
 export type Changes = Readonly<Record<string, Value | undefined>>;
 
-/** Told after each change: the state as it is now and what is new in it. */
+/** Called after each change: the state as it is now and what is new in it. */
 export type EditListener = (state: State, changed: Changes) => void;
 
 /** What the page edits: a preset and its values, with undo. Panel, stage and address bar listen; none of them is known here. */
@@ -56,7 +56,7 @@ export class Editor {
   /** Ends a gesture. */
   settle(): void {
     this.history.settle(this.current, (a, b) => a.preset === b.preset && isEmpty(differences(a.values, b.values)));
-    this.tell({});
+    this.notify({});
   }
 
   reset(key: string): void {
@@ -105,10 +105,10 @@ export class Editor {
 
   private show(next: State, changed: Changes): void {
     this.current = next;
-    this.tell(changed);
+    this.notify(changed);
   }
 
-  private tell(changed: Changes): void {
+  private notify(changed: Changes): void {
     for (const listener of this.listeners) listener(this.current, changed);
   }
 }

@@ -10,9 +10,9 @@ const SOON_MS = 400;
  * Goes to the scene of these values; where that takes its time, says so over the old one.
  * @throws what `Stage.enter` throws
  */
-export async function enterScene(stage: Stage, values: Values, host: HTMLElement): Promise<void> {
+export async function enterScene(stage: Stage, values: Values, container: HTMLElement): Promise<void> {
   const progress = new Progress(strings.scenes[String(values.scene)].loading);
-  const timer = setTimeout(() => host.append(progress.element), SOON_MS);
+  const timer = setTimeout(() => container.append(progress.element), SOON_MS);
   try {
     await stage.enter(values, { onProgress: progress.follow });
   } finally {

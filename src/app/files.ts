@@ -9,11 +9,11 @@ import { download } from './download.ts';
 import type { Editor } from './editor.ts';
 import { goToMoment } from './moment.ts';
 import type { Notices } from './notices.ts';
-import type { What } from './shareWhat.ts';
+import type { ShareKind } from './shareKind.ts';
 import { strings } from './strings.ts';
 
 /** The largest file that is read: a take that begins with a hundred thousand particles has less. */
-const MOST_BYTES = 32 * 1024 * 1024;
+const MAX_BYTES = 32 * 1024 * 1024;
 const SCHEMA = 'smoke-file.schema.json';
 
 /** What files are made of, where they lead, and where what is wrong with them is told. */
@@ -31,19 +31,19 @@ export class SmokeFiles {
   private readonly stage: Stage;
   private readonly notices: Notices;
   private readonly caughtUp: () => Promise<void>;
-  private readonly host: HTMLElement;
+  private readonly container: HTMLElement;
 
-  /** @param host where progress is shown */
-  constructor({ editor, stage, notices, caughtUp }: FileParts, host: HTMLElement) {
+  /** @param container where progress is shown */
+  constructor({ editor, stage, notices, caughtUp }: FileParts, container: HTMLElement) {
     this.editor = editor;
     this.stage = stage;
     this.notices = notices;
     this.caughtUp = caughtUp;
-    this.host = host;
+    this.container = container;
   }
 
   /** Hands out a file of what is shown. @returns its name */
-  async save(what: What): Promise<string> {
+  async save(what: ShareKind): Promise<string> {
     const name = findPreset(this.editor.state.preset)?.label ?? strings.title;
     const moment = { take: this.stage.take().toBytes(), seconds: this.stage.stats.time };
     const file = { name, state: this.editor.state, ...(what === 'moment' && { moment }) };
@@ -53,14 +53,14 @@ export class SmokeFiles {
   /** Shows what is in a file, or says what is wrong with it; what was shown before can be undone to. */
   async open(file: File): Promise<void> {
     try {
-      if (file.size > MOST_BYTES) throw new FileError(strings.files.tooLarge(MOST_BYTES / 1024 / 1024));
+      if (file.size > MAX_BYTES) throw new FileError(strings.files.tooLarge(MAX_BYTES / 1024 / 1024));
       const { state, moment, notices, name } = await readFile(await file.text());
-      for (const { message } of notices) this.notices.tell(message);
+      for (const { message } of notices) this.notices.notify(message);
       this.editor.load(state);
       if (moment) await this.goTo(moment, state);
       else this.notices.mention(strings.files.opened(name));
     } catch (error) {
-      this.notices.tell(strings.files.refused(file.name, (error as Error).message));
+      this.notices.notify(strings.files.rejected(file.name, (error as Error).message));
     }
   }
 
@@ -79,7 +79,7 @@ export class SmokeFiles {
   private async goTo({ take, seconds }: NonNullable<SmokeFile['moment']>, state: State): Promise<void> {
     // What the stage takes up later would be something that was done to the take.
     await this.caughtUp();
-    await goToMoment(this.stage, { take, seconds, state, isTrusted: true }, this.notices, this.host);
+    await goToMoment(this.stage, { take, seconds, state, isTrusted: true }, this.notices, this.container);
   }
 }
 

@@ -37,13 +37,13 @@ export function createGallery(editor: Editor): HTMLElement {
 }
 
 /** Around the chosen card, pixels. */
-const ROOM = 14;
+const MARGIN = 14;
 
 /** Moves the strip alone, and not the page. */
 function bringIntoSight(card: HTMLElement, strip: HTMLElement): void {
   const [at, frame] = [card.getBoundingClientRect(), strip.getBoundingClientRect()];
-  const way = (from: number, to: number, least: number, most: number) =>
-    from < least + ROOM ? from - least - ROOM : Math.max(0, to + ROOM - most);
+  const way = (from: number, to: number, min: number, max: number) =>
+    from < min + MARGIN ? from - min - MARGIN : Math.max(0, to + MARGIN - max);
   strip.scrollBy(way(at.left, at.right, frame.left, frame.right), way(at.top, at.bottom, frame.top, frame.bottom));
 }
 
@@ -71,8 +71,8 @@ function createScene(scene: string, cards: readonly HTMLElement[]): HTMLElement 
   const row = findParameter('scene')!;
   const label = (row.kind === 'choice' && row.options.find(({ value }) => value === scene)?.label) || scene;
   const heading = create('span', { class: 'gallery-scene', 'aria-hidden': 'true' }, label);
-  const shelf = create('div', { class: 'gallery-shelf' }, ...cards);
-  return create('div', { role: 'group', 'aria-label': label }, heading, shelf);
+  const list = create('div', { class: 'gallery-list' }, ...cards);
+  return create('div', { role: 'group', 'aria-label': label }, heading, list);
 }
 
 function createInput({ name }: Preset): HTMLInputElement {

@@ -3,12 +3,12 @@ export const QUIET_MS = 300;
 
 /** Finds out when a gesture that moves the eye has ended, so that all of it is undone together. */
 export class GestureEnd {
-  private readonly tell: () => void;
+  private readonly notify: () => void;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param tell told of each end */
-  constructor(tell: () => void) {
-    this.tell = tell;
+  /** @param notify called with each end */
+  constructor(notify: () => void) {
+    this.notify = notify;
   }
 
   /** Something moved that does not say when it ends. */
@@ -21,6 +21,6 @@ export class GestureEnd {
   now(): void {
     clearTimeout(this.timer);
     this.timer = undefined;
-    this.tell();
+    this.notify();
   }
 }

@@ -1,4 +1,4 @@
-const MOST_KEPT = 200;
+const MAX_ENTRIES = 200;
 
 /**
  * Undo and redo over whole states. A gesture (a slider on its way, a number being typed) counts as one change: it opens
@@ -22,7 +22,7 @@ export class History<State> {
     if (gesture !== undefined && gesture === this.gesture) return;
     this.gesture = gesture;
     this.past.push(before);
-    this.past.splice(0, this.past.length - MOST_KEPT);
+    this.past.splice(0, this.past.length - MAX_ENTRIES);
     this.future = [];
   }
 

@@ -29,7 +29,7 @@ export interface KeyActions {
   resetView(): void;
   zoom(factor: number): void;
   /** Turns the view: right and up, in steps. */
-  turn(right: number, up: number): void;
+  orbit(right: number, up: number): void;
   /** Where the held keys push what people can move: right, up, towards the viewer, each -1, 0 or 1. */
   push(right: number, up: number, near: number): void;
 }
@@ -58,7 +58,7 @@ export function listenToKeys(actions: KeyActions): void {
     if (!direction && !action) return;
     event.preventDefault();
     if (action) return event.repeat && !REPEATING.has(event.key) ? undefined : action();
-    if (event.shiftKey) return actions.turn(direction[0], direction[1]);
+    if (event.shiftKey) return actions.orbit(direction[0], direction[1]);
     held.add(event.key);
     push();
   });

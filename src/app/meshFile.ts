@@ -6,14 +6,14 @@ import type { PlainMesh } from '../puffs/closedMesh.ts';
 /** What a chooser of files offers. */
 export const MESH_TYPES = '.glb,.gltf,.obj';
 /** The largest file that is read: a puff keeps little of it. */
-const MOST_BYTES = 16 * 1024 * 1024;
+const MAX_BYTES = 16 * 1024 * 1024;
 
 /** @throws ShapeError when the file is too large, of another kind, or cannot be read */
 export async function readMesh(file: File): Promise<PlainMesh> {
-  if (file.size > MOST_BYTES) {
+  if (file.size > MAX_BYTES) {
     const size = (file.size / 1024 / 1024).toFixed(0);
     throw new ShapeError(
-      `${file.name} has ${size} MB; at most ${MOST_BYTES / 1024 / 1024} MB are read. Simplify it first.`,
+      `${file.name} has ${size} MB; at most ${MAX_BYTES / 1024 / 1024} MB are read. Simplify it first.`,
     );
   }
   return trianglesOf(await objectIn(file));

@@ -15,7 +15,7 @@ import { strings } from './strings.ts';
 const LONGEST_TAKE_SECONDS = 3600;
 
 /** A moment that somebody shared. */
-export interface Moment {
+export interface LinkedMoment {
   readonly take: Uint8Array;
   /** Simulated seconds; the end of the take where left out. */
   readonly seconds?: number;
@@ -40,40 +40,45 @@ export async function linkToMoment(state: State, stage: Stage): Promise<string> 
 
 /**
  * Does again what was done in a take, with progress and a way out, and tells where that cannot be.
- * @param host where progress is shown
+ * @param container where progress is shown
  * @returns whether it arrived
  */
-export async function goToMoment(stage: Stage, moment: Moment, notices: Notices, host: HTMLElement): Promise<boolean> {
+export async function goToMoment(
+  stage: Stage,
+  moment: LinkedMoment,
+  notices: Notices,
+  container: HTMLElement,
+): Promise<boolean> {
   try {
     const take = stage.readTake(moment.take);
-    const refusal = moment.isTrusted ? undefined : refusalOf(take);
-    if (refusal !== undefined) throw new Error(refusal);
-    if (take.isTruncated) notices.tell(strings.moment.truncated);
-    if (!take.isExact) notices.tell(strings.moment.inexact);
-    if (take.values.scene !== stage.get().scene) await enterScene(stage, take.values, host);
+    const error = moment.isTrusted ? undefined : errorOf(take);
+    if (error !== undefined) throw new Error(error);
+    if (take.isTruncated) notices.notify(strings.moment.truncated);
+    if (!take.isExact) notices.notify(strings.moment.inexact);
+    if (take.values.scene !== stage.get().scene) await enterScene(stage, take.values, container);
     stage.playTake(take);
     lookAs(stage, moment.state.values);
-    return await wind(stage, moment.seconds ?? take.steps * STEP_SECONDS, notices, host);
+    return await wind(stage, moment.seconds ?? take.steps * STEP_SECONDS, notices, container);
   } catch (error) {
-    notices.tell(strings.moment.refused((error as Error).message));
+    notices.notify(strings.moment.rejected((error as Error).message));
     return false;
   }
 }
 
-async function wind(stage: Stage, seconds: number, notices: Notices, host: HTMLElement): Promise<boolean> {
+async function wind(stage: Stage, seconds: number, notices: Notices, container: HTMLElement): Promise<boolean> {
   const goal = Math.min(seconds, LONGEST_TAKE_SECONDS);
-  if (goal < seconds) notices.tell(strings.moment.tooLate(goal));
-  const hasArrived = await windForward(stage, goal, host, strings.moment.winding);
+  if (goal < seconds) notices.notify(strings.moment.tooLate(goal));
+  const hasArrived = await windForward(stage, goal, container, strings.moment.winding);
   if (!hasArrived) notices.mention(strings.progress.cancelled(stage.stats.time));
   return hasArrived;
 }
 
-/** Why a take out of a stranger's link is not played; undefined where it is. */
-function refusalOf({ isFresh, mostParticles }: Take): string | undefined {
+/** Why a take out of an untrusted link is not played; undefined where it is. */
+function errorOf({ isFresh, mostParticles }: Take): string | undefined {
   const row = findParameter('simulation.maxParticles');
-  const most = row?.kind === 'integer' ? (row.linkMax ?? row.max) : 0;
+  const max = row?.kind === 'integer' ? (row.linkMax ?? row.max) : 0;
   if (!isFresh) return strings.moment.notFresh;
-  return mostParticles > most ? strings.moment.tooMany(mostParticles, most) : undefined;
+  return mostParticles > max ? strings.moment.tooMany(mostParticles, max) : undefined;
 }
 
 /** Gives a stage what the simulator does not read, and so no take keeps by step. */

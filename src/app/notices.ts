@@ -15,8 +15,8 @@ export class Notices {
     'aria-label': strings.notices.title,
   });
 
-  /** A message that stays until it is dismissed. The text may hold what a stranger wrote. */
-  tell(message: string): void {
+  /** A message that stays until it is dismissed. The text may hold what somebody else wrote. */
+  notify(message: string): void {
     this.add(message, 'notice');
   }
 

@@ -1,4 +1,4 @@
-import { MOST_NAME, nameOf, readFile, writeFile } from '../preset/file.ts';
+import { MAX_NAME, nameOf, readFile, writeFile } from '../preset/file.ts';
 import { findPreset } from '../preset/presets.ts';
 import type { Stage } from '../stage/stage.ts';
 import { create, iconButton, textButton } from './dom.ts';
@@ -6,7 +6,7 @@ import type { Editor } from './editor.ts';
 import { saveText, type SmokeFiles } from './files.ts';
 import { icon } from './icons.ts';
 import type { Notices } from './notices.ts';
-import { localShelf, type Kept } from './shelf.ts';
+import { localPresetStorage, type StoredPreset } from './presetStorage.ts';
 import { strings } from './strings.ts';
 import { createThumbnail, drawThumbnail, shrink } from './thumbnail.ts';
 
@@ -19,7 +19,7 @@ export class OwnPresets {
   private readonly editor: Editor;
   private readonly stage: Stage;
   private readonly notices: Notices;
-  private readonly shelf = localShelf();
+  private readonly presetStorage = localPresetStorage();
   private readonly cards = create('ul', { class: 'own-cards' });
   private readonly keepButton = textButton('quiet', words.keep, () => void this.attempt(() => this.keep()));
 
@@ -30,26 +30,29 @@ export class OwnPresets {
     const buttons = create('div', { class: 'own-buttons' }, this.keepButton, files.createOpener());
     const attributes = { class: 'own-presets', role: 'group', 'aria-label': words.title, 'data-text': words.text };
     this.element = create('div', attributes, create('h3', {}, words.title), this.cards, buttons);
-    this.shelf.onChange = () => this.show();
-    if (this.shelf.complaint !== undefined) notices.tell(this.shelf.complaint);
+    this.presetStorage.onChange = () => this.show();
+    if (this.presetStorage.error !== undefined) notices.notify(this.presetStorage.error);
     this.show();
   }
 
   private show(): void {
-    this.cards.replaceChildren(...this.shelf.all.map((kept) => this.createCard(kept)));
-    this.cards.hidden = this.shelf.all.length === 0;
+    this.cards.replaceChildren(...this.presetStorage.all.map((kept) => this.createCard(kept)));
+    this.cards.hidden = this.presetStorage.all.length === 0;
   }
 
   private async keep(): Promise<void> {
     const { state } = this.editor;
-    const mood = findPreset(state.preset)?.label ?? strings.title;
-    const name = words.numbered(mood, this.shelf.all.filter(({ name: other }) => other.startsWith(mood)).length + 1);
+    const preset = findPreset(state.preset)?.label ?? strings.title;
+    const name = words.numbered(
+      preset,
+      this.presetStorage.all.filter(({ name: other }) => other.startsWith(preset)).length + 1,
+    );
     const picture = await shrink(await this.stage.picture());
-    const kept = this.shelf.keep(name, await writeFile({ name, state }, ''), picture);
+    const kept = this.presetStorage.keep(name, await writeFile({ name, state }, ''), picture);
     this.notices.mention(words.kept(kept.name));
   }
 
-  private createCard(kept: Kept): HTMLElement {
+  private createCard(kept: StoredPreset): HTMLElement {
     const { id, name } = kept;
     const picture = createThumbnail();
     void drawThumbnail(picture, kept.picture);
@@ -63,21 +66,21 @@ export class OwnPresets {
     return card;
   }
 
-  private async open({ file, name }: Kept): Promise<void> {
+  private async open({ file, name }: StoredPreset): Promise<void> {
     const { state, notices } = await readFile(file);
-    for (const { message } of notices) this.notices.tell(message);
+    for (const { message } of notices) this.notices.notify(message);
     this.editor.load(state);
     this.notices.mention(strings.files.opened(name));
   }
 
   /** Writes where the name stands: Enter and leaving keep it, Escape does not. */
-  private rename(card: HTMLElement, { id, name }: Kept): void {
-    const field = create('input', { type: 'text', value: name, maxlength: MOST_NAME, 'aria-label': words.newName });
+  private rename(card: HTMLElement, { id, name }: StoredPreset): void {
+    const field = create('input', { type: 'text', value: name, maxlength: MAX_NAME, 'aria-label': words.newName });
     let isDone = false;
-    const finish = (isKept: boolean) => {
+    const finish = (isConfirmed: boolean) => {
       if (isDone) return;
       isDone = true;
-      void this.attempt(() => (isKept ? this.shelf.rename(id, nameOf(field.value)) : this.show()));
+      void this.attempt(() => (isConfirmed ? this.presetStorage.rename(id, nameOf(field.value)) : this.show()));
       this.focusOn(id);
     };
     field.addEventListener('keydown', (event) => {
@@ -93,13 +96,13 @@ export class OwnPresets {
     field.focus();
   }
 
-  private save({ file, name }: Kept): void {
+  private save({ file, name }: StoredPreset): void {
     void this.attempt(async () => void (await saveText(file, name)));
   }
 
-  private remove({ id, name }: Kept): void {
+  private remove({ id, name }: StoredPreset): void {
     void this.attempt(() => {
-      const bringBack = this.shelf.remove(id);
+      const bringBack = this.presetStorage.remove(id);
       this.notices.offer(words.removed(name), words.bringBack, () => void this.attempt(bringBack));
       this.keepButton.focus();
     });
@@ -114,7 +117,7 @@ export class OwnPresets {
     try {
       await action();
     } catch (error) {
-      this.notices.tell((error as Error).message);
+      this.notices.notify((error as Error).message);
     }
   }
 }

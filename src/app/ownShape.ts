@@ -12,17 +12,17 @@ export class OwnShape {
   readonly element: HTMLElement;
   private readonly stage: Stage;
   private readonly notices: Notices;
-  private readonly host: HTMLElement;
+  private readonly container: HTMLElement;
   private readonly caption = create('p', { class: 'own-shape-name', role: 'status' });
   private readonly back = textButton('quiet', strings.ownShape.back, () => this.giveUp());
   private fitting: AbortController | undefined;
   private shown: string | undefined;
 
-  /** @param host where progress is shown */
-  constructor(stage: Stage, notices: Notices, host: HTMLElement) {
+  /** @param container where progress is shown */
+  constructor(stage: Stage, notices: Notices, container: HTMLElement) {
     this.stage = stage;
     this.notices = notices;
-    this.host = host;
+    this.container = container;
     const chooser = create('input', {
       type: 'file',
       accept: MESH_TYPES,
@@ -37,7 +37,7 @@ export class OwnShape {
     const choose = textButton('quiet', strings.ownShape.choose, () => chooser.click());
     const buttons = create('div', { class: 'own-shape-buttons' }, choose, this.back);
     this.element = create('div', { 'data-text': strings.ownShape.text }, this.caption, buttons, chooser);
-    this.tell();
+    this.notify();
   }
 
   /** Name of the file whose shape is shown. */
@@ -50,14 +50,14 @@ export class OwnShape {
     this.fitting?.abort();
     const controller = (this.fitting = new AbortController());
     const progress = new Progress(strings.ownShape.fitting(file.name), () => controller.abort());
-    this.host.append(progress.element);
+    this.container.append(progress.element);
     try {
       const { shape, overlap } = await fitPuff(await readMesh(file), { name: file.name, signal: controller.signal });
       this.stage.setPuffs([shape]);
       this.shown = file.name;
-      this.tell(overlap);
+      this.notify(overlap);
     } catch (error) {
-      if (!controller.signal.aborted) this.notices.tell((error as Error).message);
+      if (!controller.signal.aborted) this.notices.notify((error as Error).message);
     } finally {
       progress.element.remove();
     }
@@ -66,10 +66,10 @@ export class OwnShape {
   private giveUp(): void {
     this.stage.setPuffs();
     this.shown = undefined;
-    this.tell();
+    this.notify();
   }
 
-  private tell(overlap = 0): void {
+  private notify(overlap = 0): void {
     this.caption.textContent = this.shown === undefined ? '' : strings.ownShape.shown(this.shown, overlap);
     this.caption.hidden = this.back.hidden = this.shown === undefined;
   }

@@ -1,5 +1,5 @@
 import type { Stage } from '../stage/stage.ts';
-import { createBackstage } from './backstage.ts';
+import { createDebugPanel } from './debugPanel.ts';
 import { Blowing } from './blowing.ts';
 import { CaptureButton } from './capture/button.ts';
 import { createDock } from './dock.ts';
@@ -55,21 +55,21 @@ export interface PageParts {
   readonly hasStatistics: boolean;
 }
 
-/** Puts the controls over the canvas. @param host the element that holds them */
-export function buildPage(host: HTMLElement, parts: PageParts): Page {
+/** Puts the controls over the canvas. @param container the element that holds them */
+export function buildPage(container: HTMLElement, parts: PageParts): Page {
   const { editor, stage, notices, scrubber } = parts;
   const help = new Help(stage);
-  const captureButton = new CaptureButton(stage, host, notices);
+  const captureButton = new CaptureButton(stage, container, notices);
   const views = new Views(stage);
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
   toggle.setAttribute('aria-controls', PANEL_ID);
-  const ownShape = new OwnShape(stage, notices, host);
-  const files = new SmokeFiles(parts, host);
+  const ownShape = new OwnShape(stage, notices, container);
+  const files = new SmokeFiles(parts, container);
   const sheet = new ShareSheet(editor, stage, files);
   acceptDrops(document.body, (file) => void (isJson(file) ? files : ownShape).open(file));
   const own = new OwnPresets(editor, stage, notices, files);
   const statistics = createStatistics(stage);
-  const feet = { presets: own.element, puff: ownShape.element, end: createBackstage(stage, statistics) };
+  const feet = { presets: own.element, puff: ownShape.element, end: createDebugPanel(stage, statistics) };
   const panel = createPanel(editor, stage, feet, () => {
     page.togglePanel();
     toggle.focus();
@@ -110,7 +110,7 @@ export function buildPage(host: HTMLElement, parts: PageParts): Page {
       return blowing.takesDrags;
     },
   };
-  host.append(
+  container.append(
     gizmos.element,
     createHeader(page, captureButton.element, gizmoToggle, toggle),
     dock.element,

@@ -1,7 +1,7 @@
 import type { Stage } from '../stage/stage.ts';
 import type { GestureEnd } from './gestureEnd.ts';
 
-const TURN_PER_PIXEL = 0.006;
+const ORBIT_PER_PIXEL = 0.006;
 const ZOOM_PER_PIXEL = 0.0015;
 // What one line of a wheel that counts in lines is worth.
 const PIXELS_PER_LINE = 32;
@@ -14,7 +14,7 @@ interface Point {
   y: number;
   /** When the pointer was there, milliseconds. */
   at: number;
-  does: 'turn' | 'pan' | 'blow';
+  does: 'orbit' | 'pan' | 'blow';
 }
 
 /** Hands mouse, pen and touch to the stage: what does not grab a rigid turns, shifts or zooms the view, or blows. */
@@ -23,17 +23,17 @@ export class Pointers {
   private readonly canvas: HTMLCanvasElement;
   private readonly loose = new Map<number, Point>();
   private readonly holding = new Set<number>();
-  private readonly turnEnd: GestureEnd;
+  private readonly orbitEnd: GestureEnd;
   private readonly blows: () => boolean;
 
   /**
-   * @param turnEnd told when the view has been turned, shifted or zoomed
+   * @param orbitEnd called when the view has been turned, shifted or zoomed
    * @param blows whether drags blow without a key
    */
-  constructor(stage: Stage, canvas: HTMLCanvasElement, turnEnd: GestureEnd, blows: () => boolean) {
+  constructor(stage: Stage, canvas: HTMLCanvasElement, orbitEnd: GestureEnd, blows: () => boolean) {
     this.stage = stage;
     this.canvas = canvas;
-    this.turnEnd = turnEnd;
+    this.orbitEnd = orbitEnd;
     this.blows = blows;
     canvas.addEventListener('pointerdown', (event) => this.down(event));
     canvas.addEventListener('pointermove', (event) => this.move(event));
@@ -50,8 +50,8 @@ export class Pointers {
       this.canvas.classList.add('is-holding');
       return;
     }
-    if (this.loose.size === 0) this.turnEnd.now();
-    const does = event.button !== 0 || event.shiftKey ? 'pan' : event.altKey || this.blows() ? 'blow' : 'turn';
+    if (this.loose.size === 0) this.orbitEnd.now();
+    const does = event.button !== 0 || event.shiftKey ? 'pan' : event.altKey || this.blows() ? 'blow' : 'orbit';
     this.loose.set(event.pointerId, { x: event.clientX, y: event.clientY, at: event.timeStamp, does });
   }
 
@@ -66,11 +66,11 @@ export class Pointers {
     if (this.loose.size > 1) this.pinch(before, dx, dy);
     else if (point.does === 'blow') this.blow(event, dx, dy, elapsed);
     else if (point.does === 'pan') this.stage.camera.pan(dx, dy);
-    else this.stage.camera.orbit(-dx * TURN_PER_PIXEL, dy * TURN_PER_PIXEL);
+    else this.stage.camera.orbit(-dx * ORBIT_PER_PIXEL, dy * ORBIT_PER_PIXEL);
   }
 
   private up(event: PointerEvent, type: 'up' | 'cancel'): void {
-    if (this.loose.delete(event.pointerId) && this.loose.size === 0) this.turnEnd.now();
+    if (this.loose.delete(event.pointerId) && this.loose.size === 0) this.orbitEnd.now();
     if (!this.holding.delete(event.pointerId)) return;
     this.forward(type, event);
     this.canvas.classList.toggle('is-holding', this.holding.size > 0);
@@ -80,7 +80,7 @@ export class Pointers {
     event.preventDefault();
     const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * PIXELS_PER_LINE : event.deltaY;
     this.stage.camera.zoom(Math.exp(-pixels * ZOOM_PER_PIXEL));
-    if (this.loose.size === 0) this.turnEnd.postpone();
+    if (this.loose.size === 0) this.orbitEnd.postpone();
   }
 
   /** Two fingers: their distance zooms, their common way shifts. */

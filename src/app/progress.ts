@@ -40,12 +40,12 @@ export class Progress {
 export async function windForward(
   stage: Stage,
   seconds: number,
-  host: HTMLElement,
+  container: HTMLElement,
   message: (seconds: number) => string = strings.progress.winding,
 ): Promise<boolean> {
   const controller = new AbortController();
   const progress = new Progress(message(seconds), () => controller.abort());
-  host.append(progress.element);
+  container.append(progress.element);
   try {
     await stage.seek(seconds, { onProgress: (share) => progress.show(share), signal: controller.signal });
     return true;

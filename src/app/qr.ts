@@ -4,7 +4,7 @@ import { createSvg } from './dom.ts';
 /** Around a code; a reader needs this many empty modules. */
 const QUIET = 4;
 /** The most that a code holds, bytes; one that full is too fine for many a camera. */
-export const MOST_QR_CHARACTERS = 1200;
+export const MAX_QR_CHARACTERS = 1200;
 
 /** A QR code of a link. What computes it is fetched when the first one is wanted. */
 export async function createQr(link: string, name: string): Promise<SVGSVGElement> {

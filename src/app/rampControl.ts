@@ -1,4 +1,4 @@
-import { LEAST_COLORS, MOST_COLORS, readRamp, writeRamp, type RampStop } from '../preset/ramp.ts';
+import { MIN_COLORS, MAX_COLORS, readRamp, writeRamp, type RampStop } from '../preset/ramp.ts';
 import type { Control, ControlListener } from './control.ts';
 import { create, createSvg, textButton, uniqueId } from './dom.ts';
 import { strings } from './strings.ts';
@@ -6,7 +6,7 @@ import { strings } from './strings.ts';
 const [WIDTH, HEIGHT, MARGIN] = [240, 28, 8];
 const STEP = 0.02;
 /** Stops do not come nearer to each other than this. */
-const LEAST_GAP = 0.01;
+const MIN_GAP = 0.01;
 /** What a press on the bar of an empty ramp begins with. */
 const FIRST_STOPS: readonly RampStop[] = [
   { at: 0, color: '#6a6a8c' },
@@ -121,7 +121,7 @@ class RampEditor {
   }
 
   private add(event: PointerEvent): void {
-    if (this.stops.length === MOST_COLORS) return;
+    if (this.stops.length === MAX_COLORS) return;
     if (this.stops.length === 0) return this.settled(FIRST_STOPS);
     const at = this.placeOf(event);
     const after = this.stops.findIndex((stop) => stop.at > at);
@@ -134,7 +134,7 @@ class RampEditor {
 
   private remove(): void {
     const rest = this.stops.filter((_, index) => index !== this.chosen);
-    this.settled(rest.length < LEAST_COLORS ? [] : rest);
+    this.settled(rest.length < MIN_COLORS ? [] : rest);
   }
 
   private paint(color: string): void {
@@ -176,13 +176,13 @@ class RampEditor {
 
 /** The stops with one of them at another place, between its neighbours. */
 export function withPlace(stops: readonly RampStop[], index: number, at: number): RampStop[] {
-  const least = index === 0 ? 0 : stops[index - 1].at + LEAST_GAP;
-  const most = index === stops.length - 1 ? 1 : stops[index + 1].at - LEAST_GAP;
-  return stops.with(index, { ...stops[index], at: rounded(Math.max(least, Math.min(most, at))) });
+  const min = index === 0 ? 0 : stops[index - 1].at + MIN_GAP;
+  const max = index === stops.length - 1 ? 1 : stops[index + 1].at - MIN_GAP;
+  return stops.with(index, { ...stops[index], at: rounded(Math.max(min, Math.min(max, at))) });
 }
 
 function hasGaps(stops: readonly RampStop[]): boolean {
-  return stops.every(({ at }, index) => index === 0 || at >= stops[index - 1].at + LEAST_GAP);
+  return stops.every(({ at }, index) => index === 0 || at >= stops[index - 1].at + MIN_GAP);
 }
 
 /** As precise as the text of a ramp. */

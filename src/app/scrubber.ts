@@ -2,31 +2,31 @@ import { STEP_SECONDS } from '../sim/clock.ts';
 import type { Stage } from '../stage/stage.ts';
 
 /** A way to one moment; another one for each that people ask for. */
-export interface Way {
+export interface Seek {
   /** Where it leads, simulated seconds. */
   readonly goal: number;
   /** How far it has come, 0 to 1. */
   share: number;
 }
 
-/** Told of each part of a way; of nothing when it has ended. */
-type WayListener = (way: Way | undefined) => void;
+/** Called with each part of a way; with nothing when it has ended. */
+type SeekListener = (seek: Seek | undefined) => void;
 
 /** Goes to moments as fast as people ask for them: one way at a time, and of several goals the last counts. */
 export class Scrubber {
   private readonly stage: Stage;
-  private readonly listeners: WayListener[] = [];
+  private readonly listeners: SeekListener[] = [];
   /** Where people want to be next, and where it is going now. */
   private goal: number | undefined;
   private heading: number | undefined;
   private controller = new AbortController();
-  private isOnWay = false;
+  private isSeeking = false;
 
   constructor(stage: Stage) {
     this.stage = stage;
   }
 
-  listen(listener: WayListener): void {
+  listen(listener: SeekListener): void {
     this.listeners.push(listener);
   }
 
@@ -45,14 +45,14 @@ export class Scrubber {
   async go(seconds: number): Promise<void> {
     this.goal = Math.max(seconds, 0);
     this.controller.abort();
-    if (this.isOnWay) return;
-    this.isOnWay = true;
+    if (this.isSeeking) return;
+    this.isSeeking = true;
     try {
       while (this.goal !== undefined) await this.approach(this.takeGoal());
     } finally {
-      this.isOnWay = false;
+      this.isSeeking = false;
       this.heading = undefined;
-      this.tell(undefined);
+      this.notify(undefined);
     }
   }
 
@@ -77,10 +77,10 @@ export class Scrubber {
   private async approach(goal: number): Promise<void> {
     this.controller = new AbortController();
     const { signal } = this.controller;
-    const way: Way = { goal, share: 0 };
+    const seek: Seek = { goal, share: 0 };
     const onProgress = (share: number) => {
-      way.share = share;
-      this.tell(way);
+      seek.share = share;
+      this.notify(seek);
     };
     try {
       await this.stage.seek(goal, { signal, onProgress });
@@ -89,7 +89,7 @@ export class Scrubber {
     }
   }
 
-  private tell(way: Way | undefined): void {
-    for (const listener of this.listeners) listener(way);
+  private notify(seek: Seek | undefined): void {
+    for (const listener of this.listeners) listener(seek);
   }
 }

@@ -6,7 +6,7 @@ import { strings } from './strings.ts';
 const FRAMES = 8;
 
 /** Says once when this machine keeps up with the smoke by fewer pixels only, and what would help. */
-export function tellOfSlowMachine(stage: Stage, notices: Notices): void {
+export function notifyOfSlowMachine(stage: Stage, notices: Notices): void {
   let frames = 0;
   const stop = stage.on('frame', ({ scale }) => {
     // What somebody has asked for by `?quality=` is no news.

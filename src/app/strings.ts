@@ -122,8 +122,8 @@ export const strings = {
     notSent: 'The link could not be handed on. Copy it instead.',
     save: 'Save as file',
     saved: (name: string) => `Saved as ${name}. Whoever drops it on this page sees the same.`,
-    tooLong: (length: number, most: number) =>
-      `So much was done that a link would have ${length} characters; chats cut what is over ${most}. Save it as a file: whoever drops it on this page sees the same.`,
+    tooLong: (length: number, max: number) =>
+      `So much was done that a link would have ${length} characters; chats cut what is over ${max}. Save it as a file: whoever drops it on this page sees the same.`,
     code: 'QR code of the link',
     scan: 'Scan to open on a phone',
     embed: 'Put it on a page of yours',
@@ -136,7 +136,7 @@ export const strings = {
     text: 'Looks that this browser keeps for you. A file goes farther: save one, or drop one on the page.',
     keep: 'Keep this look',
     kept: (name: string) => `${name} is kept in this browser.`,
-    numbered: (mood: string, number: number) => `${mood} ${number}`,
+    numbered: (preset: string, number: number) => `${preset} ${number}`,
     rename: (name: string) => `Rename ${name}`,
     newName: 'New name',
     save: (name: string) => `Save ${name} as file`,
@@ -150,7 +150,7 @@ export const strings = {
   files: {
     open: 'Open a file\u2026',
     opened: (name: string) => `${name} is shown.`,
-    refused: (file: string, reason: string) => `${file} was not opened. ${reason}`,
+    rejected: (file: string, reason: string) => `${file} was not opened. ${reason}`,
     tooLarge: (megabytes: number) => `It is too large: at most ${megabytes} MB are read.`,
   },
   capture: {
@@ -191,19 +191,19 @@ export const strings = {
     cancelled: 'Stopped. The smoke is as it was.',
     saved: (name: string, bytes: number) => `Saved ${name}, ${(bytes / 1e6).toFixed(bytes < 1e5 ? 2 : 1)} MB.`,
     failed: (reason: string) => `Nothing was captured. ${reason}`,
-    tooLarge: (width: number, height: number, most: number) =>
-      `${width} \u00d7 ${height} pixels are more than this graphics card draws at once: ${most} a side at most.`,
+    tooLarge: (width: number, height: number, max: number) =>
+      `${width} \u00d7 ${height} pixels are more than this graphics card draws at once: ${max} a side at most.`,
     noEncoder: (format: string, width: number, height: number) =>
       `This browser cannot encode ${format} of ${width} \u00d7 ${height} pixels. Take a smaller size, the other kind of video, or a PNG sequence.`,
   },
   moment: {
     winding: (seconds: number) => `Doing again what was done in ${seconds.toFixed(1)} s\u2026`,
-    refused: (reason: string) => `The moment in the link cannot be shown: ${reason}`,
+    rejected: (reason: string) => `The moment in the link cannot be shown: ${reason}`,
     truncated: 'More was done to this smoke than a take has room for, so it may look otherwise than it did.',
     inexact: 'An older version recorded this moment. The smoke may end differently.',
     tooLate: (seconds: number) => `This moment is too late to be waited for; the smoke is shown at ${seconds} s.`,
     notFresh: 'it begins in the middle of things. Ask for it as a file.',
-    tooMany: (particles: number, most: number) => `it holds ${particles} particles; a link may hold ${most}.`,
+    tooMany: (particles: number, max: number) => `it holds ${particles} particles; a link may hold ${max}.`,
   },
   ownShape: {
     choose: 'Use a shape of your own\u2026',
@@ -231,7 +231,7 @@ export const strings = {
     overdraw: 'Polygons drawn at a pixel, hidden or not: black none, red one, then yellow and white.',
     coverage: 'Coverage grid: what lies behind a tinted cell is not drawn; near is bright, far is dark.',
   },
-  backstage: {
+  debugPanel: {
     title: 'Behind the picture',
     view: 'Shown',
     picture: 'The picture',
@@ -293,7 +293,7 @@ export const strings = {
     cancel: 'Stop here',
     cancelled: (seconds: number) => `Stopped at ${seconds.toFixed(1)} s.`,
   },
-  refusal: {
+  error: {
     unsupported: {
       title: 'No smoke in this browser',
       advice: [

@@ -34,7 +34,7 @@ export class SunGizmo implements Gizmo {
   }
 
   place(values: Values): { x: number; y: number } {
-    return this.at(this.turnOf(values), Number(values['light.elevation']));
+    return this.at(this.azimuthOf(values), Number(values['light.elevation']));
   }
 
   move(from: Values, [right, up, near]: Direction): Changes {
@@ -50,20 +50,20 @@ export class SunGizmo implements Gizmo {
 
   /** The arc on which the sun stands at its height, as the path of a drawing. */
   arc(values: Values): string {
-    const turns = Array.from({ length: 25 }, (_, index) => -180 + 15 * index);
-    const points = turns.map((turn) => this.at(turn, Number(values['light.elevation'])));
+    const azimuths = Array.from({ length: 25 }, (_, index) => -180 + 15 * index);
+    const points = azimuths.map((angle) => this.at(angle, Number(values['light.elevation'])));
     return `M${points.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L')}`;
   }
 
   /** Degrees to the right of where the viewer stands. */
-  private turnOf(values: Values): number {
+  private azimuthOf(values: Values): number {
     return wrapped(Number(values['light.azimuth']) - (this.sky().azimuth * 180) / Math.PI);
   }
 
-  private at(turn: number, elevation: number): { x: number; y: number } {
+  private at(angle: number, elevation: number): { x: number; y: number } {
     const { width, height } = this.sky();
     const [low, high] = elevations();
-    const [aside, raised] = [turn / 180, (elevation - low) / (high - low)];
+    const [aside, raised] = [angle / 180, (elevation - low) / (high - low)];
     return {
       x: width * (0.5 + SKY.half * aside),
       y: height * (SKY.horizon - SKY.height * raised + SKY.sag * aside * aside),

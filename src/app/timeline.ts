@@ -31,15 +31,15 @@ export function createTimeline(stage: Stage, scrubber: Scrubber): HTMLInputEleme
 }
 
 /** While a pointer holds the knob, time must not run away under it; afterwards it goes on if it went on before. */
-function holdStill(line: HTMLInputElement, stage: Stage, tell: (isHeld: boolean) => void): void {
+function holdStill(line: HTMLInputElement, stage: Stage, notify: (isHeld: boolean) => void): void {
   line.addEventListener('pointerdown', () => {
     const goesOn = stage.playing;
     stage.pause();
-    tell(true);
+    notify(true);
     const release = () => {
       removeEventListener('pointerup', release);
       removeEventListener('pointercancel', release);
-      tell(false);
+      notify(false);
       if (goesOn) stage.play();
     };
     addEventListener('pointerup', release);

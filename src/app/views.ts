@@ -10,8 +10,8 @@ export class Views {
 
   constructor(stage: Stage) {
     this.stage = stage;
-    stage.on('statechange', () => this.tell());
-    this.tell();
+    stage.on('statechange', () => this.notify());
+    this.notify();
   }
 
   /** Shows the next view, and after the last one the picture. */
@@ -20,7 +20,7 @@ export class Views {
     this.stage.view = order[(order.indexOf(this.stage.view) + 1) % order.length];
   }
 
-  private tell(): void {
+  private notify(): void {
     const { view } = this.stage;
     this.element.textContent = view ? strings.views[view] : '';
     this.element.hidden = !view;

@@ -1,5 +1,5 @@
 import { DataTexture, FloatType, RGBAFormat, type DataArrayTexture } from 'three';
-import type { Casters } from '../puffs/casters.ts';
+import type { CasterTable } from '../puffs/casters.ts';
 import type { LobePuffs } from '../puffs/bakeLobes.ts';
 import type { PuffLayers } from '../puffs/layers.ts';
 import type { PuffSolids } from '../puffs/solids.ts';
@@ -16,7 +16,7 @@ export interface BillboardPuffs {
   readonly layers: PuffLayers;
   readonly startCaps: StartCaps;
   readonly latestCap: number;
-  readonly casters: Casters;
+  readonly casters: CasterTable;
   readonly solids: PuffSolids;
   /** See {@link PuffExtents}; likewise below. */
   readonly reach: number;

@@ -3,15 +3,15 @@ const PUFF_MS = 900;
 
 /** Knows which of the elements that smoke rises from do so now: always, under a pointer or the keyboard, or after a click. */
 export class EmitterSwitch {
-  private readonly tell: () => void;
+  private readonly notify: () => void;
   private readonly until = new Map<Element, number>();
   private readonly focused = new Set<Element>();
   private readonly listening = new Map<Element, AbortController>();
   private when = '';
 
-  /** @param tell told when one begins or ends */
-  constructor(tell: () => void) {
-    this.tell = tell;
+  /** @param notify called when one begins or ends */
+  constructor(notify: () => void) {
+    this.notify = notify;
   }
 
   get attached(): readonly Element[] {
@@ -57,14 +57,14 @@ export class EmitterSwitch {
 
   private rise(element: Element, milliseconds: number): void {
     this.until.set(element, performance.now() + milliseconds);
-    this.tell();
-    if (milliseconds === PUFF_MS) setTimeout(this.tell, PUFF_MS + 1);
+    this.notify();
+    if (milliseconds === PUFF_MS) setTimeout(this.notify, PUFF_MS + 1);
   }
 
   private focus(element: Element, isOn: boolean): void {
     if (isOn) this.focused.add(element);
     else this.focused.delete(element);
-    this.tell();
+    this.notify();
   }
 
   private detach(element: Element): void {

@@ -1,7 +1,7 @@
 // Beyond two pixels a CSS pixel nobody sees more, but every pixel costs.
 const LARGEST_PIXEL_RATIO = 2;
 // As many as a screen of 4K has: an element may be as large as its page, but is never seen whole then.
-const MOST_PIXELS = 3840 * 2160;
+const MAX_PIXELS = 3840 * 2160;
 
 // WebGL guarantees less, but no machine that draws smoke has less.
 const LONGEST_SIDE = 8192;
@@ -16,7 +16,7 @@ export interface Size {
 /** How large the picture of an element is to be. */
 export function sizeOf(element: Element): Size {
   const { clientWidth: width, clientHeight: height } = element;
-  const affordable = Math.sqrt(MOST_PIXELS / Math.max(1, width * height));
+  const affordable = Math.sqrt(MAX_PIXELS / Math.max(1, width * height));
   const possible = LONGEST_SIDE / Math.max(1, width, height);
   return { width, height, pixelRatio: Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO, affordable, possible) };
 }
@@ -25,9 +25,9 @@ export function sizeOf(element: Element): Size {
  * Tells the size of an element whenever it changes, or the page is zoomed or goes to another screen.
  * @returns the function that ends it
  */
-export function watchSize(element: Element, tell: (size: Size) => void): () => void {
+export function watchSize(element: Element, notify: (size: Size) => void): () => void {
   const end = new AbortController();
-  const update = () => tell(sizeOf(element));
+  const update = () => notify(sizeOf(element));
   const observer = new ResizeObserver(update);
   observer.observe(element);
   watchPixelRatio(update, end.signal);

@@ -3,7 +3,7 @@ import { decode } from '../preset/codec.ts';
 import { readEnvironment, readTime } from '../preset/environment.ts';
 import { notice, type Notice } from '../preset/notice.ts';
 import { defaultPreset } from '../preset/presets.ts';
-import type { Base } from './wish.ts';
+import type { Base } from './parsedAttributes.ts';
 
 /** Reads `src`. Never rejects. */
 export async function readLink(link: string, base: string, notices: Notice[]): Promise<Base> {
@@ -18,9 +18,9 @@ function addressOf(link: string, base: string, notices: Notice[]): Pick<URL, 'ha
   try {
     const address = new URL(link, base);
     if (address.hash === '') {
-      const tell = (given: string) =>
+      const sentence = (given: string) =>
         `src cannot be ${given}: it takes a share link, such as #v=1&preset=wisp. \u201c${defaultPreset.name}\u201d is shown.`;
-      notices.push(notice('malformed', 'src', link, tell));
+      notices.push(notice('malformed', 'src', link, sentence));
     }
     return address;
   } catch {

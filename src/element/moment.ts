@@ -22,25 +22,25 @@ export async function goToMoment(
 ): Promise<Notice[]> {
   try {
     const take = await stage.readTake(bytes);
-    refuseGreed(take);
+    checkCapacity(take);
     if (take.values.scene !== values.scene) await stage.enter(take.values);
     await stage.playTake(bytes);
     await stage.set(looksOf(values));
     await stage.seek(Math.min(seconds ?? take.steps * STEP_SECONDS, LONGEST_SECONDS));
-    const tell = () => 'An older version recorded the moment in the link. The smoke may end differently.';
-    return take.isExact ? [] : [notice('otherVersion', 'take', '', tell)];
+    const sentence = () => 'An older version recorded the moment in the link. The smoke may end differently.';
+    return take.isExact ? [] : [notice('otherVersion', 'take', '', sentence)];
   } catch (error) {
-    const tell = () => `The moment in the link cannot be shown: ${(error as Error).message}`;
-    return [notice('damaged', 'take', '', tell)];
+    const sentence = () => `The moment in the link cannot be shown: ${(error as Error).message}`;
+    return [notice('damaged', 'take', '', sentence)];
   }
 }
 
-/** @throws Error when the take of a stranger asks for more than links may */
-function refuseGreed({ isFresh, mostParticles }: Take): void {
+/** @throws Error when an untrusted take asks for more than links may */
+function checkCapacity({ isFresh, mostParticles }: Take): void {
   const row = findParameter('simulation.maxParticles');
-  const most = row?.kind === 'integer' ? (row.linkMax ?? row.max) : 0;
+  const max = row?.kind === 'integer' ? (row.linkMax ?? row.max) : 0;
   if (!isFresh) throw new Error('it begins with a saved state.');
-  if (mostParticles > most) throw new Error(`it makes room for ${mostParticles} particles, and links for ${most}.`);
+  if (mostParticles > max) throw new Error(`it makes room for ${mostParticles} particles, and links for ${max}.`);
 }
 
 function looksOf(values: Values): Values {

@@ -7,37 +7,37 @@ import { change } from './change.ts';
 import { Deferred } from './deferred.ts';
 import { EmitterSwitch } from './emitterSwitch.ts';
 import { nearest, type Box } from './nearest.ts';
-import { colliderValues, curlValues, emitterValues, MOST, mostCurled, placeOnPlane } from './pageValues.ts';
-import { quietly } from './quietly.ts';
+import { colliderValues, curlValues, emitterValues, MAX_FOLLOWED, maxCurled, placeOnPlane } from './pageValues.ts';
+import { ignoreRejection } from './ignoreRejection.ts';
 import { watchLayout } from './watchLayout.ts';
 
-interface OnPageHost {
+interface PageOwner {
   readonly element: HTMLElement;
   /** The box of the smoke. */
   readonly frame: HTMLElement;
   /** What the smoke is without things of the page. */
   readonly values: () => Values;
-  readonly tell: (notices: readonly Notice[]) => void;
+  readonly notify: (notices: readonly Notice[]) => void;
 }
 
 export class OnPage {
   private readonly stage: RemoteStage;
-  private readonly host: OnPageHost;
+  private readonly owner: PageOwner;
   private readonly stopWatching: () => void;
   private readonly emitters: EmitterSwitch;
   private obstacles: Element[] = [];
   private given: Values = {};
-  private told = '';
+  private notified = '';
   private isMeasuring = false;
   private isBehind = false;
   private hasEnded = false;
   private hasBegun = new Deferred<void>();
 
-  constructor(stage: RemoteStage, host: OnPageHost) {
+  constructor(stage: RemoteStage, owner: PageOwner) {
     this.stage = stage;
-    this.host = host;
+    this.owner = owner;
     this.emitters = new EmitterSwitch(() => this.measure());
-    this.stopWatching = watchLayout(host.frame, () => this.measure());
+    this.stopWatching = watchLayout(owner.frame, () => this.measure());
   }
 
   /** Settled when things of the page are in the smoke for the first time. */
@@ -63,7 +63,7 @@ export class OnPage {
   /** Looks where everything is, soon: not more than once at a time. */
   measure(): void {
     this.isBehind = true;
-    if (!this.isMeasuring) quietly(this.measureAll());
+    if (!this.isMeasuring) ignoreRejection(this.measureAll());
   }
 
   /** Takes the things of the page out of the smoke again. */
@@ -71,7 +71,7 @@ export class OnPage {
     this.hasEnded = true;
     this.stopWatching();
     this.emitters.dispose();
-    quietly(change(this.stage, this.given, this.restored()));
+    ignoreRejection(change(this.stage, this.given, this.restored()));
   }
 
   /** A view that turned by itself would leave the things behind: it stays as it is until somebody turns it. */
@@ -108,35 +108,35 @@ export class OnPage {
   private find(): void {
     const notices: Notice[] = [];
     this.obstacles = this.matches('collide', 'nearest', notices);
-    const emitters = this.matches('emit-from', 'first', notices).slice(0, MOST);
-    this.emitters.attach(emitters, this.host.element.getAttribute('emit-on') ?? 'always');
-    const told = notices.map(({ message }) => message).join();
-    if (told !== this.told && notices.length > 0) this.host.tell(notices);
-    this.told = told;
+    const emitters = this.matches('emit-from', 'first', notices).slice(0, MAX_FOLLOWED);
+    this.emitters.attach(emitters, this.owner.element.getAttribute('emit-on') ?? 'always');
+    const messages = notices.map(({ message }) => message).join();
+    if (messages !== this.notified && notices.length > 0) this.owner.notify(notices);
+    this.notified = messages;
   }
 
   /** @param which of too many count */
   private matches(attribute: string, which: 'first' | 'nearest', notices: Notice[]): Element[] {
-    const selector = this.host.element.getAttribute(attribute);
+    const selector = this.owner.element.getAttribute(attribute);
     if (selector === null) return [];
     try {
-      const root = this.host.element.getRootNode() as ParentNode;
-      const found = [...root.querySelectorAll(selector)].filter((each) => each !== this.host.element);
-      const tell = () => `${attribute} fits ${found.length} elements; the ${which} ${MOST} count.`;
-      if (found.length > MOST) notices.push(notice('outOfRange', attribute, selector, tell));
+      const root = this.owner.element.getRootNode() as ParentNode;
+      const found = [...root.querySelectorAll(selector)].filter((each) => each !== this.owner.element);
+      const sentence = () => `${attribute} fits ${found.length} elements; the ${which} ${MAX_FOLLOWED} count.`;
+      if (found.length > MAX_FOLLOWED) notices.push(notice('outOfRange', attribute, selector, sentence));
       return found;
     } catch {
-      const tell = (given: string) => `${attribute} cannot be ${given}: it takes a CSS selector.`;
-      notices.push(notice('malformed', attribute, selector, tell));
+      const sentence = (given: string) => `${attribute} cannot be ${given}: it takes a CSS selector.`;
+      notices.push(notice('malformed', attribute, selector, sentence));
       return [];
     }
   }
 
   private valuesOn(plane: ScenePlane): Values {
-    const frame = this.host.frame.getBoundingClientRect();
-    const scale = this.host.frame.clientWidth / Math.max(frame.width, 1);
+    const frame = this.owner.frame.getBoundingClientRect();
+    const scale = this.owner.frame.clientWidth / Math.max(frame.width, 1);
     const place = (box: Box) => placeOnPlane(box, frame, scale, plane);
-    const own = this.host.values();
+    const own = this.owner.values();
     const emitters = this.emitters.attached
       .filter(isShown)
       .map((element) => ({ box: element.getBoundingClientRect(), isOn: this.emitters.isOn(element) }))
@@ -146,9 +146,9 @@ export class OnPage {
       .filter(isShown)
       .map((element) => element.getBoundingClientRect())
       .filter(hasArea);
-    const followed = nearest(boxes, MOST, frame, sources);
+    const followed = nearest(boxes, MAX_FOLLOWED, frame, sources);
     const firstVortex = vorticesOf(own);
-    const curled = nearest(followed, mostCurled(firstVortex), frame, sources);
+    const curled = nearest(followed, maxCurled(firstVortex), frame, sources);
     return {
       ...colliderValues(followed.map(place), plane),
       ...curlValues(curled.map(place), plane, firstVortex),
@@ -162,7 +162,7 @@ export class OnPage {
 
   /** What the attributes say of the keys that were given before and are not now. */
   private restored(now: Values = {}, before: Values = this.given): Values {
-    const own = this.host.values();
+    const own = this.owner.values();
     const gone = Object.keys(before).filter((key) => !(key in now) && own[key] !== undefined);
     return Object.fromEntries(gone.map((key) => [key, own[key]]));
   }

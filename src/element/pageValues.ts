@@ -12,14 +12,14 @@ const CURL = 1.2;
 /** Dying puffs keep off unevenly: along a smooth box they would line up in one straight edge. */
 const ROUGHNESS = 1;
 /** As many as the simulator has of each list: a collider for an obstacle, and two vortices for one that smoke curls at. */
-export const MOST = 8;
+export const MAX_FOLLOWED = 8;
 const MILLIMETRE = 1000;
-const LEAST_HALF = 0.001;
+const MIN_HALF = 0.001;
 
 type Triple = readonly [x: number, y: number, z: number];
 
 /** A box on the plane, metres. */
-export interface Place {
+export interface PlaneRectangle {
   readonly middle: Triple;
   readonly top: Triple;
   readonly halfWidth: number;
@@ -31,7 +31,7 @@ export interface Place {
  * @param frame of the smoke on the page
  * @param scale CSS pixels of the smoke for one of the page: not 1 where the page is transformed
  */
-export function placeOnPlane(box: Box, frame: Box, scale: number, plane: ScenePlane): Place {
+export function placeOnPlane(box: Box, frame: Box, scale: number, plane: ScenePlane): PlaneRectangle {
   const x = (box.left + box.width / 2 - frame.left - frame.width / 2) * scale;
   const y = (frame.top + frame.height / 2 - box.top - box.height / 2) * scale;
   const up = (box.height / 2) * scale;
@@ -48,7 +48,7 @@ export function placeOnPlane(box: Box, frame: Box, scale: number, plane: ScenePl
  * at every eye; it reaches through the plane along the side that looks there most, and its cut with the plane is the
  * place, wherever the eye stands.
  */
-export function colliderValues(places: readonly Place[], plane: ScenePlane): Values {
+export function colliderValues(places: readonly PlaneRectangle[], plane: ScenePlane): Values {
   const axis = unit(plane.up);
   const [x, , z] = unit(plane.right).map(Math.abs);
   return Object.assign(
@@ -69,12 +69,12 @@ export function colliderValues(places: readonly Place[], plane: ScenePlane): Val
 }
 
 function halfOf(metres: number): number {
-  return rounded(Math.max(metres, LEAST_HALF));
+  return rounded(Math.max(metres, MIN_HALF));
 }
 
 /** How many obstacles smoke can curl at. @param first vortex that is free */
-export function mostCurled(first: number): number {
-  return Math.max(0, Math.floor((MOST - first) / 2));
+export function maxCurled(first: number): number {
+  return Math.max(0, Math.floor((MAX_FOLLOWED - first) / 2));
 }
 
 /**
@@ -82,13 +82,18 @@ export function mostCurled(first: number): number {
  * smoke that only bumped would lie under a headline until it is gone.
  * @param first index that is free
  */
-export function curlValues(places: readonly Place[], plane: ScenePlane, first: number): Values {
+export function curlValues(places: readonly PlaneRectangle[], plane: ScenePlane, first: number): Values {
   const axis = cross(unit(plane.right), unit(plane.up));
-  const led = places.slice(0, mostCurled(first));
+  const led = places.slice(0, maxCurled(first));
   return Object.assign({}, ...led.flatMap((place, index) => curls(place, plane, axis, first + 2 * index)));
 }
 
-function curls({ middle, halfWidth, halfHeight }: Place, plane: ScenePlane, axis: Triple, first: number): Values[] {
+function curls(
+  { middle, halfWidth, halfHeight }: PlaneRectangle,
+  plane: ScenePlane,
+  axis: Triple,
+  first: number,
+): Values[] {
   const [right, up] = [unit(plane.right), unit(plane.up)];
   const reach = 1.1 * Math.max(halfWidth, halfHeight) + 0.2;
   const circulation = CURL * (0.5 + reach);
@@ -108,7 +113,7 @@ function curls({ middle, halfWidth, halfHeight }: Place, plane: ScenePlane, axis
  * where the eye looks slantwise, smoke is born in a strip as wide as the place.
  */
 export function emitterValues(
-  emitters: readonly { readonly place: Place; readonly isOn: boolean }[],
+  emitters: readonly { readonly place: PlaneRectangle; readonly isOn: boolean }[],
   plane: ScenePlane,
   rate: number,
 ): Values {

@@ -29,13 +29,13 @@ export interface LobePuffs {
 }
 
 /** The sines of a graphics processor are right to some 2^-11, and so is where it turns a lobe to. */
-const TURNING_TOLERANCE = 0.002;
+const ROTATION_TOLERANCE = 0.002;
 /** What may be seen between the places where depths are measured, in radii; and to what the bound is rounded up. */
 const DEPTH_SLACK = 0.05;
 const DEPTH_STEP = 0.1;
 
 /**
- * @param shapes at least one, each of at most 12 lobes
+ * @param shapes at least one, each of at max 12 lobes
  * @param litThreshold N . L from which a pixel's lit colour differs from its unlit one, -1..1
  */
 export function bakeLobes(shapes: readonly PuffShape[], litThreshold: number): LobePuffs {
@@ -44,10 +44,10 @@ export function bakeLobes(shapes: readonly PuffShape[], litThreshold: number): L
 
 /** As {@link bakeLobes}, in pieces of about a millisecond. */
 export function* bakingLobes(shapes: readonly PuffShape[], litThreshold: number): Work<LobePuffs> {
-  const most = Math.max(...shapes.map(({ lobes }) => lobes.length));
+  const max = Math.max(...shapes.map(({ lobes }) => lobes.length));
   const variations: LobeVariation[] = [];
   for (const { lobes } of shapes) variations.push(yield* bakingVariation(lobes, litThreshold));
-  return together(variations, most);
+  return together(variations, max);
 }
 
 function together(variations: readonly LobeVariation[], lobeCount: number): LobePuffs {
@@ -61,7 +61,7 @@ function together(variations: readonly LobeVariation[], lobeCount: number): Lobe
     depth: Math.ceil((Math.max(...variations.map(({ depth }) => depth)) + DEPTH_SLACK) / DEPTH_STEP) * DEPTH_STEP,
     solids: solidsOf(
       variations.map(({ lobes }) => lobes),
-      { facesEye: false, tolerance: TURNING_TOLERANCE, blur: 0 },
+      { facesEye: false, tolerance: ROTATION_TOLERANCE, blur: 0 },
     ),
     blend: NORMAL_BLEND,
     fillet: CREASE_FILLET,

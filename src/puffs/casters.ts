@@ -2,7 +2,7 @@
 import type { PuffShape } from './shapes.ts';
 
 /** All lengths in particle radii. */
-export interface Casters {
+export interface CasterTable {
   /** Number of variations. */
   readonly count: number;
   /** The most lobes that a variation has. */
@@ -11,7 +11,7 @@ export interface Casters {
   readonly table: Float32Array;
 }
 
-export function castersOf(shapes: readonly PuffShape[]): Casters {
+export function castersOf(shapes: readonly PuffShape[]): CasterTable {
   const lobeCount = Math.max(...shapes.map(({ lobes }) => lobes.length));
   const table = shapes.flatMap(({ lobes }) => {
     const absent = Array.from({ length: lobeCount - lobes.length }, () => ({ center: lobes[0].center, radius: 0 }));

@@ -4,7 +4,7 @@
  */
 import { samplePuff, type PuffLayers, type PuffSample } from './layers.ts';
 import { sampleLobes } from './lobes.ts';
-import { orientationOf, turnedLobes } from './orientation.ts';
+import { orientationOf, rotatedLobes } from './orientation.ts';
 import type { PuffShape } from './shapes.ts';
 
 type Color = [red: number, green: number, blue: number];
@@ -67,7 +67,7 @@ export function channelSheet(layers: PuffLayers, tile: number): ChannelPicture[]
  * @param pad half the width of a tile, in particle radii
  */
 export function lobeSheet(shapes: readonly PuffShape[], roll: number, pad: number, tile: number): ChannelPicture[] {
-  const views = shapes.map(({ lobes }, variation) => turnedLobes(orientationOf(53 * variation + 20, roll), lobes));
+  const views = shapes.map(({ lobes }, variation) => rotatedLobes(orientationOf(53 * variation + 20, roll), lobes));
   return drawChannels(
     { count: views.length, pad, sample: (variation, x, y) => sampleLobes(views[variation], x, y) },
     tile,

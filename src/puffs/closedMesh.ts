@@ -1,4 +1,4 @@
-/** A stranger's mesh made safe: finite, closed, of a size that can be worked with, in the unit ball. */
+/** An untrusted mesh made safe: finite, closed, of a size that can be worked with, in the unit ball. */
 import { ShapeError } from '../preset/errors.ts';
 
 /** Triangles of any mesh, wound either way. */
@@ -17,11 +17,11 @@ export interface ClosedMesh {
 }
 
 /** The most triangles that a mesh may have. */
-export const MOST_TRIANGLES = 250_000;
+export const MAX_TRIANGLES = 250_000;
 /** Vertices nearer to each other than this share of the mesh's size are one: files hold one for each of its normals. */
 const WELD = 1e-5;
 /** A mesh of fewer triangles holds no volume. */
-const LEAST_TRIANGLES = 4;
+const MIN_TRIANGLES = 4;
 
 /** @throws ShapeError saying what is wrong with the mesh and what would be accepted */
 export function closedMesh({ positions, indices }: PlainMesh): ClosedMesh {
@@ -39,10 +39,8 @@ function demandNumbers(positions: ArrayLike<number>, corners: ArrayLike<number>)
   if (!Number.isInteger(triangles) || positions.length % 3 !== 0) {
     throw new ShapeError('The mesh is cut short: triangles take three corners, and corners three numbers.');
   }
-  if (triangles > MOST_TRIANGLES) {
-    throw new ShapeError(
-      `The mesh has ${triangles} triangles; at most ${MOST_TRIANGLES} are taken. Simplify it first.`,
-    );
+  if (triangles > MAX_TRIANGLES) {
+    throw new ShapeError(`The mesh has ${triangles} triangles; at most ${MAX_TRIANGLES} are taken. Simplify it first.`);
   }
   for (let at = 0; at < positions.length; at++) {
     if (!Number.isFinite(positions[at])) {
@@ -99,7 +97,7 @@ function welded(positions: Float64Array, corners: ArrayLike<number>): ClosedMesh
 
 /** Each edge must be passed as often one way as the other: then every closed path round it comes out as it went in. */
 function demandClosed({ positions, indices }: ClosedMesh): void {
-  if (indices.length / 3 < LEAST_TRIANGLES)
+  if (indices.length / 3 < MIN_TRIANGLES)
     throw new ShapeError('The mesh holds no volume: it has fewer than 4 triangles.');
   const vertices = positions.length / 3;
   const passes = new Map<number, number>();

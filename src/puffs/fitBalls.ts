@@ -11,10 +11,10 @@ import { centreOf, depthsOf, type Voxels } from './voxels.ts';
 import type { Work } from './work.ts';
 
 /** The most places that are tried for a ball, and how much larger than the inscribed one it may begin. */
-const MOST_PLACES = 800;
+const MAX_PLACES = 800;
 const GROWTHS = [1, 1.12];
 /** A ball that would add less than this to the overlap is left out. */
-const LEAST_GAIN = 0.0015;
+const MIN_GAIN = 0.0015;
 /** Steps of the search, in radii of the unit ball: after each ball that is added, and in the end. */
 const COARSE_STEPS = [0.05, 0.02];
 const FINE_STEPS = [0.08, 0.04, 0.02, 0.01];
@@ -22,18 +22,18 @@ const FINE_STEPS = [0.08, 0.04, 0.02, 0.01];
 const ROUNDS = 12;
 
 /**
- * @param most the most balls
+ * @param max the max balls
  * @throws ShapeError when the solid is too thin for any
  */
-export function* fittingBalls(voxels: Voxels, most: number): Work<Lobe[]> {
+export function* fittingBalls(voxels: Voxels, max: number): Work<Lobe[]> {
   const places = placesIn(voxels);
   if (places.length === 0) throw new ShapeError('The mesh is too thin: no ball of a useful size has room in it.');
   yield;
   const cover = new BallCover(voxels);
   const balls: Lobe[] = [];
-  while (balls.length < most) {
+  while (balls.length < max) {
     const next = yield* bestOf(places, cover);
-    if (cover.overlapWith(next) < cover.overlap + LEAST_GAIN) break;
+    if (cover.overlapWith(next) < cover.overlap + MIN_GAIN) break;
     balls.push(next);
     cover.add(next);
     yield* improving(balls, cover, COARSE_STEPS);
@@ -47,7 +47,7 @@ function placesIn(voxels: Voxels): Lobe[] {
   const { size, width } = voxels;
   const depths = depthsOf(voxels);
   const within = Array.from(depths.keys()).filter((voxel) => depths[voxel] > width);
-  const stride = Math.max(1, Math.ceil(within.length / MOST_PLACES));
+  const stride = Math.max(1, Math.ceil(within.length / MAX_PLACES));
   const chosen = within.filter((_, index) => index % stride === 0);
   return chosen.flatMap((voxel) => {
     const place = [voxel % size, Math.floor(voxel / size) % size, Math.floor(voxel / size / size)];
@@ -57,10 +57,10 @@ function placesIn(voxels: Voxels): Lobe[] {
 }
 
 function* bestOf(places: readonly Lobe[], cover: BallCover): Work<Lobe> {
-  let [best, most] = [places[0], -1];
+  let [best, max] = [places[0], -1];
   for (let index = 0; index < places.length; index++) {
     const overlap = cover.overlapWith(places[index]);
-    if (overlap > most) [best, most] = [places[index], overlap];
+    if (overlap > max) [best, max] = [places[index], overlap];
     if (index % 100 === 99) yield;
   }
   return best;

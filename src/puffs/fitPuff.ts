@@ -3,7 +3,7 @@ import { ShapeError } from '../preset/errors.ts';
 import { BallCover } from './ballCover.ts';
 import { closedMesh, type PlainMesh } from './closedMesh.ts';
 import { fittingBalls } from './fitBalls.ts';
-import { inUnitBall, MOST_LOBES } from './lobes.ts';
+import { inUnitBall, MAX_LOBES } from './lobes.ts';
 import type { PuffShape } from './shapes.ts';
 import { voxelsOf } from './voxels.ts';
 import { workedFor, type Work } from './work.ts';
@@ -36,10 +36,10 @@ export interface FitOptions {
  */
 export async function fitPuff(
   mesh: PlainMesh,
-  { name = 'own', lobes = MOST_LOBES, signal }: FitOptions = {},
+  { name = 'own', lobes = MAX_LOBES, signal }: FitOptions = {},
 ): Promise<FittedPuff> {
-  if (!Number.isInteger(lobes) || lobes < 1 || lobes > MOST_LOBES) {
-    throw new ShapeError(`A puff cannot have ${lobes} lobes: it takes a whole number from 1 to ${MOST_LOBES}.`);
+  if (!Number.isInteger(lobes) || lobes < 1 || lobes > MAX_LOBES) {
+    throw new ShapeError(`A puff cannot have ${lobes} lobes: it takes a whole number from 1 to ${MAX_LOBES}.`);
   }
   const work = fitting(mesh, name, lobes);
   for (;;) {

@@ -1,7 +1,7 @@
 /** One variation of the puffs of lobes, baked: kept for as long as others have not taken its room. */
-import { Kept } from './kept.ts';
+import { LruCache } from './lru.ts';
 import { deepestSeen, reachOf } from './lobes.ts';
-import { orientationOf, turnedLobes } from './orientation.ts';
+import { orientationOf, rotatedLobes } from './orientation.ts';
 import { surfaceOf } from './patches.ts';
 import type { Lobe } from './shapes.ts';
 import { bakingTable, latestCap } from './startCaps.ts';
@@ -23,7 +23,7 @@ export interface LobeVariation {
 /** Sides from which a puff is measured. */
 const SIDES = 16;
 /** One takes about 8 kB. */
-const kept = new Kept<LobeVariation>(96);
+const cache = new LruCache<LobeVariation>(96);
 
 /**
  * Bakes a variation in pieces, or takes it from those that are kept: turning a knob back, or adding a variation, bakes
@@ -31,15 +31,15 @@ const kept = new Kept<LobeVariation>(96);
  */
 export function* bakingVariation(lobes: readonly Lobe[], litThreshold: number): Work<LobeVariation> {
   const key = JSON.stringify([litThreshold, lobes]);
-  const variation = kept.get(key) ?? (yield* baking(lobes, litThreshold));
-  kept.add(key, variation);
+  const variation = cache.get(key) ?? (yield* baking(lobes, litThreshold));
+  cache.add(key, variation);
   return variation;
 }
 
 function* baking(lobes: readonly Lobe[], litThreshold: number): Work<LobeVariation> {
   let depth = 0;
   for (let side = 0; side < SIDES; side++) {
-    const seen = turnedLobes(orientationOf((side * 256) / SIDES, 2.4 * side), lobes);
+    const seen = rotatedLobes(orientationOf((side * 256) / SIDES, 2.4 * side), lobes);
     depth = Math.max(depth, deepestSeen(seen));
     yield;
   }

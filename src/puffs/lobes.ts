@@ -5,7 +5,7 @@ import type { Lobe } from './shapes.ts';
 import { minus, type Vector } from './vector.ts';
 
 /** Most lobes of a puff: with three vectors more they are all that is sure to cross to the fragments of WebGL 2. */
-export const MOST_LOBES = 12;
+export const MAX_LOBES = 12;
 
 /** What a ray meets of a puff, in particle radii. */
 export interface LobeHit {

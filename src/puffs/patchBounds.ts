@@ -77,7 +77,7 @@ export class PatchBounds {
     const { bounds } = this;
     const at = BOUND_STRIDE * patch;
     const behind = -(bounds[at + 5] * x + bounds[at + 6] * y + bounds[at + 7] * z);
-    return mostBehind(behind, bounds[at + 8], cosine, sine) + bounds[at + 9];
+    return maxBehind(behind, bounds[at + 8], cosine, sine) + bounds[at + 9];
   }
 }
 
@@ -89,13 +89,13 @@ function farthestPoint(points: Float32Array, faintest: number, cell: Cell, atLea
     if (points[i] * x + points[i + 1] * y + points[i + 2] * z <= faintest) continue;
     const behind = -(points[i + 3] * x + points[i + 4] * y + points[i + 5] * z);
     if (behind * cosine + points[i + 6] * sine <= farthest) continue;
-    farthest = Math.max(farthest, mostBehind(behind, points[i + 6], cosine, sine));
+    farthest = Math.max(farthest, maxBehind(behind, points[i + 6], cosine, sine));
   }
   return farthest;
 }
 
 /** The most that a point at `length` from the centre, `behind` it for the cell's middle, is behind it in the cell. */
-function mostBehind(behind: number, length: number, cosine: number, sine: number): number {
+function maxBehind(behind: number, length: number, cosine: number, sine: number): number {
   if (behind >= length * cosine) return length;
   return behind * cosine + Math.sqrt(Math.max(0, length * length - behind * behind)) * sine;
 }

@@ -2,7 +2,7 @@
  * What of a puff is certainly opaque, and all that it could show: balls that the drawn puff differs from by no more than
  * a tolerance. The simulator leaves out what others hide by them. Of lobes these are the lobes themselves.
  */
-import { MOST_LOBES } from './lobes.ts';
+import { MAX_LOBES } from './lobes.ts';
 import type { Lobe } from './shapes.ts';
 
 /** All lengths in particle radii. */
@@ -21,14 +21,14 @@ export interface PuffSolids {
 /** The simulator handles so many balls at a time. */
 const BLOCK = 4;
 
-/** @param variations at least one, each of at most {@link MOST_LOBES} lobes */
+/** @param variations at least one, each of at max {@link MAX_LOBES} lobes */
 export function solidsOf(
   variations: readonly (readonly Lobe[])[],
   drawn: Omit<PuffSolids, 'table' | 'balls'>,
 ): PuffSolids {
-  const most = Math.max(...variations.map((lobes) => lobes.length));
-  if (most > MOST_LOBES) throw new RangeError(`A puff has ${most} lobes; it takes at most ${MOST_LOBES}.`);
-  const balls = BLOCK * Math.ceil(most / BLOCK);
+  const max = Math.max(...variations.map((lobes) => lobes.length));
+  if (max > MAX_LOBES) throw new RangeError(`A puff has ${max} lobes; it takes at most ${MAX_LOBES}.`);
+  const balls = BLOCK * Math.ceil(max / BLOCK);
   const table = new Float32Array(4 * balls * variations.length);
   variations.forEach((lobes, variation) =>
     lobes.forEach(({ center, radius }, ball) =>

@@ -1,6 +1,6 @@
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { RemoteStage } from './contract.ts';
-import { isWord, say } from './knock.ts';
+import { isWord, say } from './handshake.ts';
 import { PortStage } from './portStage.ts';
 
 export interface ConnectOptions {
@@ -26,14 +26,14 @@ export async function connectFrame(
   demandOrigin(origin);
   const hearing = new AbortController();
   const tries: PortStage[] = [];
-  const knock = () => {
+  const connect = () => {
     const { port1, port2 } = new MessageChannel();
     tries.push(new PortStage(port1, 'frame', () => hearing.abort()));
     frame.contentWindow?.postMessage(say('connect'), origin, [port2]);
     return tries.at(-1)!;
   };
   try {
-    const stage = await firstOpened(frame, knock, signal);
+    const stage = await firstOpened(frame, connect, signal);
     for (const other of tries) if (other !== stage) other.abandon();
     const fail = (reason: string) => {
       hearing.abort();
@@ -61,7 +61,7 @@ function demandOrigin(origin: string): void {
 /** Knocks at once if there is anybody, and again when the frame says that it is there. */
 function firstOpened(
   frame: HTMLIFrameElement,
-  knock: () => PortStage,
+  connect: () => PortStage,
   signal: AbortSignal | undefined,
 ): Promise<PortStage> {
   return new Promise((resolve, reject) => {
@@ -71,7 +71,7 @@ function firstOpened(
       act();
     };
     const wait = () => {
-      const stage = knock();
+      const stage = connect();
       stage.opened.then(
         () => settle(() => resolve(stage)),
         (error) => settle(() => reject(error)),
@@ -84,7 +84,7 @@ function firstOpened(
   });
 }
 
-/** Whether its page is still on its way: nobody hears a knock, and the console would tell of the origin that it has not. */
+/** Whether its page is still on its way: nobody receives the handshake, and the console would tell of the origin that it has not. */
 function isEmpty({ contentDocument }: HTMLIFrameElement): boolean {
   return contentDocument?.URL === 'about:blank';
 }

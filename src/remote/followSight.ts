@@ -10,26 +10,26 @@ const MARGIN = '64px';
 export function followSight(canvas: HTMLCanvasElement, stage: Pick<RemoteStage, 'setVisible'>): () => void {
   const page = canvas.ownerDocument;
   let isNear = true;
-  let told = true;
-  const tell = () => {
+  let notified = true;
+  const notify = () => {
     const isVisible = isNear && !page.hidden;
-    if (isVisible === told) return;
-    told = isVisible;
+    if (isVisible === notified) return;
+    notified = isVisible;
     // A stage that has ended meanwhile refuses, and needs to know no more.
     stage.setVisible(isVisible).catch(() => undefined);
   };
   const observer = new IntersectionObserver(
     (entries) => {
       isNear = entries.at(-1)!.isIntersecting;
-      tell();
+      notify();
     },
     { rootMargin: MARGIN },
   );
   observer.observe(canvas);
-  page.addEventListener('visibilitychange', tell);
-  tell();
+  page.addEventListener('visibilitychange', notify);
+  notify();
   return () => {
     observer.disconnect();
-    page.removeEventListener('visibilitychange', tell);
+    page.removeEventListener('visibilitychange', notify);
   };
 }

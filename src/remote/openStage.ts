@@ -1,8 +1,8 @@
 import { ContextError, UnsupportedError } from '../preset/errors.ts';
-import { fetched } from '../preset/patience.ts';
+import { fetched } from '../preset/timeout.ts';
 import type { RemoteStage, RemoteStageOptions } from './contract.ts';
 import { followSight } from './followSight.ts';
-import type { WorkerPlace } from './openInWorker.ts';
+import type { WorkerSlot } from './openInWorker.ts';
 
 /**
  * Opens a stage in a worker where the browser can and the page allows it, else on this thread, with the same pictures. It
@@ -17,7 +17,7 @@ export async function openStage(
   options: RemoteStageOptions = {},
 ): Promise<RemoteStage> {
   const { thread = 'auto', signal } = options;
-  const place = thread === 'main' ? undefined : await placeInWorker(thread);
+  const place = thread === 'main' ? undefined : await slotInWorker(thread);
   if (place) {
     if (signal?.aborted) place.leave();
     signal?.throwIfAborted();
@@ -36,7 +36,7 @@ export async function openStage(
 }
 
 /** @throws where there has to be a worker and is none */
-async function placeInWorker(thread: 'auto' | 'worker'): Promise<WorkerPlace | undefined> {
+async function slotInWorker(thread: 'auto' | 'worker'): Promise<WorkerSlot | undefined> {
   try {
     const { canMoveCanvas, enterWorker } = await fetched('The worker', import('./openInWorker.ts'));
     if (!canMoveCanvas()) throw new UnsupportedError('This browser cannot hand a canvas over to a worker.');

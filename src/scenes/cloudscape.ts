@@ -38,11 +38,11 @@ export function cloudscape(): Scene {
     surfaces: [...hills(), ...windmill(SAILS), ...sheep(FLOCK), ...sun(RAYS, FACE)],
     parts: [
       { name: 'Windmill sails', pose: (seconds) => placement(AXLE, [0, 0, 0.9 * WIND * seconds]) },
-      { name: 'Sun rays', pose: (seconds) => placement(sunPlace(seconds), [0, 0, sunTurn(seconds)]) },
+      { name: 'Sun rays', pose: (seconds) => placement(sunPlace(seconds), [0, 0, sunAngle(seconds)]) },
       { name: 'Sun face', pose: (seconds) => placement(sunPlace(seconds), [0, 0, 0.1 * sin(seconds)]) },
     ],
     camera: { target: [0, 1.15, 0], azimuth: 0, elevation: 0.06, distance: 9.6, fieldOfView: 0.58 },
-    portrait: { target: [-0.7, 0.75, 0], distance: 11, leastWidth: 0.44 },
+    portrait: { target: [-0.7, 0.75, 0], distance: 11, minWidth: 0.44 },
     cameraMove: (seconds) => ({ azimuth: 0.06 * sin(seconds / 8), elevation: 0.02 * sin(seconds / 5) }),
     lightMove,
     lightCentre: CENTRE,
@@ -64,7 +64,7 @@ export function sunPlace(seconds: number): Vector {
 }
 
 /** Its rays turn on its way; its bright side stays towards the light. */
-function sunTurn(seconds: number): number {
+function sunAngle(seconds: number): number {
   const [x, y] = sunPlace(seconds);
   return atan2(y - CENTRE[1], x - CENTRE[0]);
 }

@@ -1,4 +1,4 @@
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import { DebugViewsPass } from '../passes/debugViews.ts';
 import type { DebugView } from '../preset/quality.ts';
 import type { CoverageGrid } from '../sim/view.ts';
@@ -9,13 +9,13 @@ import type { SmokePasses } from './smoke.ts';
 export class DebugViews {
   private readonly pass: DebugViewsPass;
 
-  constructor(eye: Eye) {
+  constructor(eye: FrameView) {
     this.pass = new DebugViewsPass(eye);
   }
 
   /** Takes up the grid by which hidden bodies were found, for the view of it. */
-  layGrid(grid: CoverageGrid | undefined): void {
-    this.pass.layGrid(grid);
+  setGrid(grid: CoverageGrid | undefined): void {
+    this.pass.setGrid(grid);
   }
 
   /** Goes on from where the surfaces stand in the targets: as a frame does as far as the view goes, and then the view. */

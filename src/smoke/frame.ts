@@ -71,7 +71,7 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   passes.surfaces.draw(renderer);
   passes.creases.draw(renderer);
   passes.surfaceDepth.draw(renderer, targets, input.style.outlines);
-  if (input.style.renderer !== 'nailboards') passes.extras.rivals!.draw(input.style.renderer, passes, input);
+  if (input.style.renderer !== 'nailboards') passes.extras.comparisons!.draw(input.style.renderer, passes, input);
   else if (input.view) passes.extras.debugViews!.draw(input.view, passes, input);
   else drawNailboards(passes, input);
   return report;
@@ -102,7 +102,7 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
 
   const started = performance.now();
   bodies.fill(input.simulator.arrange(eyeView(passes, input)));
-  if (input.view === 'coverage') passes.extras.debugViews!.layGrid(input.simulator.coverageGrid);
+  if (input.view === 'coverage') passes.extras.debugViews!.setGrid(input.simulator.coverageGrid);
   const receivers = receiversOf(passes, input);
   eye.receive(receivers);
   const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];

@@ -1,20 +1,20 @@
-import { keptCreases, keptSeams, meetingBehind } from '../passes/creases.ts';
-import { keptExtrusion } from '../passes/meshVolumes.ts';
-import { keptHullNormals, type SurfaceDescription } from '../passes/surfaces.ts';
+import { memoizedCreases, memoizedSeams, meetingBehind } from '../passes/creases.ts';
+import { memoizedExtrusion } from '../passes/meshVolumes.ts';
+import { memoizedHullNormals, type SurfaceDescription } from '../passes/surfaces.ts';
 import { inPieces, type Work } from '../puffs/work.ts';
 
 /** All that passes make of surfaces, in pieces: of one mesh, or where two meet. Whoever draws them next has it at once. */
 export function* preparingSurfaces(surfaces: readonly SurfaceDescription[]): Work<void> {
   for (const [index, { mesh, casts, inked }] of surfaces.entries()) {
-    keptHullNormals(mesh);
+    memoizedHullNormals(mesh);
     yield;
-    if (casts) keptExtrusion(mesh);
+    if (casts) memoizedExtrusion(mesh);
     yield;
     if (!inked) continue;
-    keptCreases(mesh);
+    memoizedCreases(mesh);
     yield;
     for (const other of meetingBehind(surfaces, index)) {
-      keptSeams(mesh)(other.mesh);
+      memoizedSeams(mesh)(other.mesh);
       yield;
     }
   }

@@ -1,5 +1,5 @@
 import { LoadError } from '../preset/errors.ts';
-import { inTime } from '../preset/patience.ts';
+import { inTime } from '../preset/timeout.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
 import { prepareSurfaces } from '../smoke/prepareSurfaces.ts';

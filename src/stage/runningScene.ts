@@ -14,7 +14,7 @@ import { Gestures } from './gestures.ts';
 import { Listeners } from './listeners.ts';
 import type { OpenedScene } from './openScene.ts';
 import type { OrbitCamera } from './orbit.ts';
-import { Picture, type Moment } from './picture.ts';
+import { Picture, type PictureState } from './picture.ts';
 import type { Presenter } from './presenter.ts';
 import { advanceTo } from './seek.ts';
 import { Sight } from './sight.ts';
@@ -54,7 +54,7 @@ export class RunningScene implements FrameTasks {
     this.completion = completionOf(
       () => this.picture.kind,
       () => this.show(() => undefined),
-      (error) => this.listeners.tell('error', error),
+      (error) => this.listeners.notify('error', error),
     );
     this.device = presenter.device;
     this.inFlight = new FramesInFlight(this.device);
@@ -106,13 +106,13 @@ export class RunningScene implements FrameTasks {
   }
 
   play(): void {
-    if (!this.hasEnded && this.loop.play()) this.tellState();
+    if (!this.hasEnded && this.loop.play()) this.notifyState();
   }
 
   /** Whether it was playing. */
   stop(): boolean {
     const hasStopped = this.loop.stop();
-    if (hasStopped) this.tellState();
+    if (hasStopped) this.notifyState();
     return hasStopped;
   }
 
@@ -191,7 +191,7 @@ export class RunningScene implements FrameTasks {
     this.now = values;
     this.picture.follow(values);
     this.completion.begin();
-    this.tellState();
+    this.notifyState();
   }
 
   /** Where a state comes from elsewhere, its particles may have variations that no value has told of. */
@@ -211,7 +211,7 @@ export class RunningScene implements FrameTasks {
       move(this.picture.eye);
       this.now = { ...this.now, ...this.picture.eye.held };
     });
-    this.tellState();
+    this.notifyState();
   }
 
   /**
@@ -229,8 +229,8 @@ export class RunningScene implements FrameTasks {
     if (!this.loop.isPlaying && !this.simulation.isSteered) this.show(() => this.gestures.showMoved());
   }
 
-  tellState(): void {
-    this.listeners.tell('statechange', { playing: this.loop.isPlaying });
+  notifyState(): void {
+    this.listeners.notify('statechange', { playing: this.loop.isPlaying });
   }
 
   /** Whether anybody can see the pictures. While nobody can, none are drawn; the latest comes when somebody can again. */
@@ -249,11 +249,11 @@ export class RunningScene implements FrameTasks {
     if (this.hasEnded) return;
     const { simulator } = this.simulation;
     const isDrawn = this.picture.draw({ ...this.transforms(), simulator, scale, isPlaying: this.loop.isPlaying });
-    if (isDrawn && this.listeners.has('frame')) this.listeners.tell('frame', this.stats);
+    if (isDrawn && this.listeners.has('frame')) this.listeners.notify('frame', this.stats);
   }
 
   /** Of rigids and parts at the moment that is shown. */
-  private transforms(): Pick<Moment, 'rigids' | 'parts' | 'blend'> {
+  private transforms(): Pick<PictureState, 'rigids' | 'parts' | 'blend'> {
     const { blend } = this.loop.clock;
     const rigids = this.gestures.rigids(blend);
     return { rigids, parts: this.simulation.parts(blend, rigids), blend };
@@ -283,7 +283,7 @@ export class RunningScene implements FrameTasks {
 
   private followContext(event: ContextEvent): void {
     if (event === 'restored') this.drawAnew();
-    if (event === 'missing') this.listeners.tell('error', missingContext());
+    if (event === 'missing') this.listeners.notify('error', missingContext());
   }
 
   private drawAnew(): void {
@@ -308,8 +308,8 @@ export class RunningScene implements FrameTasks {
 
   /** Playing has come to an end by an error. */
   fail(error: Error): void {
-    this.tellState();
-    this.listeners.tell('error', error);
+    this.notifyState();
+    this.listeners.notify('error', error);
   }
 }
 

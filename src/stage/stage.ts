@@ -103,7 +103,7 @@ export class Stage {
   set view(view: DebugView | undefined) {
     this.#running.show(() => (this.#picture.view = view));
     this.#running.completion.begin();
-    this.#running.tellState();
+    this.#running.notifyState();
   }
 
   /** Whether pictures show what lies behind everything; without it they are transparent there. */

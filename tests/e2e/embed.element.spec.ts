@@ -3,15 +3,15 @@ import { expect, scrollPage, stands, test, WISP } from '../support/embed.ts';
 
 declare global {
   interface Window {
-    told: { type: string; detail: { playing?: boolean; notices?: { message: string }[]; error?: Error } }[];
+    notified: { type: string; detail: { playing?: boolean; notices?: { message: string }[]; error?: Error } }[];
   }
 }
 
 /** Notes down all events of the first element, from before it is upgraded. */
 const LISTEN = `<script>
-  window.told = [];
+  window.notified = [];
   for (const type of ['ready', 'error', 'statechange']) {
-    document.querySelector('cartoon-smoke').addEventListener(type, ({ detail }) => window.told.push({ type, detail }));
+    document.querySelector('cartoon-smoke').addEventListener(type, ({ detail }) => window.notified.push({ type, detail }));
   }
 </script>`;
 
@@ -26,9 +26,9 @@ test('draws smoke of its attributes, and plays', async ({ page, host }) => {
   await expect
     .poll(() => element.evaluate(async (smoke: CartoonSmokeElement) => (await smoke.stats()).alive))
     .toBeGreaterThan(3);
-  const told = await page.evaluate(() => window.told.map(({ type, detail }) => [type, detail.playing]));
-  expect(told).toContainEqual(['ready', undefined]);
-  expect(told).toContainEqual(['statechange', true]);
+  const notified = await page.evaluate(() => window.notified.map(({ type, detail }) => [type, detail.playing]));
+  expect(notified).toContainEqual(['ready', undefined]);
+  expect(notified).toContainEqual(['statechange', true]);
 });
 
 test('fetches nothing but itself until the viewport nears, and then shifts nothing', async ({ page, host, server }) => {
@@ -69,15 +69,15 @@ test('refuses what a program asks for out of range, and changes nothing', async 
   await host(`<cartoon-smoke ${WISP} paused emission-rate="33"></cartoon-smoke>`);
   await stands(page);
   const report = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
-    const refused = await smoke.set({ 'emission.rate': -5, 'emission.lifetime': 2 }).then(
+    const rejected = await smoke.set({ 'emission.rate': -5, 'emission.lifetime': 2 }).then(
       () => undefined,
       ({ name, message }: Error) => `${name}: ${message}`,
     );
     const { 'emission.rate': rate, 'emission.lifetime': lifetime } = await smoke.get();
-    return { refused, rate, isSame: lifetime !== 2 };
+    return { rejected, rate, isSame: lifetime !== 2 };
   });
   expect(report).toMatchObject({ rate: 33, isSame: true });
-  expect(report.refused).toMatch(/^ParameterError: emission.rate cannot be -5: it takes /);
+  expect(report.rejected).toMatch(/^ParameterError: emission.rate cannot be -5: it takes /);
 });
 
 test('shows the default for what it cannot take, tells it, and leaves the console alone', async ({ page, host }) => {
@@ -86,8 +86,8 @@ test('shows the default for what it cannot take, tells it, and leaves the consol
   await host(`<cartoon-smoke preset="fog" scene="wisp" emission-rate="plenty" emission-lifetime="1000" thread="main"
     simulation-max-particles="300" loading="soon" start="dusk" style="height: 200px"></cartoon-smoke>${LISTEN}`);
   await stands(page);
-  const told = await page.evaluate(() => window.told.flatMap(({ detail }) => detail.notices ?? []));
-  const messages = told.map(({ message }) => message).join('\n');
+  const notified = await page.evaluate(() => window.notified.flatMap(({ detail }) => detail.notices ?? []));
+  const messages = notified.map(({ message }) => message).join('\n');
   expect(messages).toContain('no preset');
   for (const name of ['emission.rate', 'emission.lifetime', 'loading', 'start']) {
     expect(messages).toMatch(new RegExp(`^${name} cannot be`, 'm'));

@@ -93,8 +93,8 @@ for (const [file, rest] of Object.entries(SCRIPTS)) {
     // Some scripts are asked for ahead, and waited for from a later moment on.
     const known = () =>
       page.evaluate(() => Promise.race([Reflect.get(window, 'failure') as Promise<string>, Promise.resolve('')]));
-    const told = expect.poll(() => page.clock.runFor(61_000).then(known));
-    await told.toMatch(/^LoadError: .*nothing has come for a minute/);
+    const notified = expect.poll(() => page.clock.runFor(61_000).then(known));
+    await notified.toMatch(/^LoadError: .*nothing has come for a minute/);
     await expectPoster(page);
   });
 }

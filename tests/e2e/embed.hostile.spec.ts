@@ -81,8 +81,8 @@ for (const link of [
         document.querySelector('cartoon-smoke').setAttribute('src', ${JSON.stringify(link)});
       </script>`);
     await stands(page);
-    const told = await page.evaluate(() => (Reflect.get(window, 'notices') as unknown[]).length);
-    expect(told).toBeGreaterThan(0);
+    const notified = await page.evaluate(() => (Reflect.get(window, 'notices') as unknown[]).length);
+    expect(notified).toBeGreaterThan(0);
   });
 }
 

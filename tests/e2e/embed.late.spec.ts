@@ -13,14 +13,14 @@ const AIR = 'preset="air" simulation-max-particles="300" puff-variations="1" thr
 
 /** Notes down what the first element tells, from before it is upgraded. */
 const LISTEN = `<script>
-  window.told = [];
+  window.notified = [];
   for (const type of ['ready', 'error', 'statechange']) {
-    document.querySelector('cartoon-smoke').addEventListener(type, () => window.told.push(type));
+    document.querySelector('cartoon-smoke').addEventListener(type, () => window.notified.push(type));
   }
 </script>`;
 
-function toldOn(page: Page): Promise<string[]> {
-  return page.evaluate(() => Reflect.get(window, 'told') as unknown as string[]);
+function notifiedOn(page: Page): Promise<string[]> {
+  return page.evaluate(() => Reflect.get(window, 'notified') as unknown as string[]);
 }
 
 function smokeOn(page: Page) {
@@ -50,7 +50,7 @@ test('what was taken away amid its start has no say when the element is put back
     document.body.append(smoke);
   });
   await stands(page);
-  const before = await toldOn(page);
+  const before = await notifiedOn(page);
   expect(before.filter((type) => type === 'ready')).toHaveLength(1);
   await route.continue();
   // It waits for the same file, and for longer than the start that was called off.
@@ -58,7 +58,7 @@ test('what was taken away amid its start has no say when the element is put back
     smokeOn(page).evaluate((smoke) => smoke.shadowRoot!.querySelector('.frame')!.matches('.interactive'));
   await smokeOn(page).evaluate((smoke) => smoke.toggleAttribute('interactive', true));
   await expect.poll(isInteractive).toBe(true);
-  expect(await toldOn(page)).toEqual(before);
+  expect(await notifiedOn(page)).toEqual(before);
 });
 
 test('the failure of what the page wants no more is not told, and what it wants comes', async ({ page, host }) => {
@@ -69,7 +69,7 @@ test('the failure of what the page wants no more is not told, and what it wants 
   await route.abort();
   await stands(page);
   expect((await valuesOn(page)).scene).toBe('air');
-  expect(await toldOn(page)).not.toContain('error');
+  expect(await notifiedOn(page)).not.toContain('error');
 });
 
 test('a link that shows something still pauses what plays when it comes later, too', async ({ page, host }) => {
@@ -161,7 +161,7 @@ test('a view that was let go of unseen does not turn with the pointer', async ({
     `<cartoon-smoke ${WISP} paused interactive style="position: absolute; inset: 0 auto auto 0; width: 300px; height: 200px"></cartoon-smoke>`,
   );
   await stands(page);
-  const turned = async () => Math.round(Number((await valuesOn(page))['camera.azimuth'] ?? 0));
+  const azimuth = async () => Math.round(Number((await valuesOn(page))['camera.azimuth'] ?? 0));
   const drag = async (left: number) => {
     await page.mouse.move(left, 60);
     await page.mouse.down();
@@ -169,17 +169,17 @@ test('a view that was let go of unseen does not turn with the pointer', async ({
   };
   await drag(60);
   // From 6.9 degrees on, by 13.75 with each of them.
-  await expect.poll(turned).toBe(-7);
+  await expect.poll(azimuth).toBe(-7);
   await smokeOn(page).evaluate((smoke) => smoke.removeAttribute('interactive'));
   await page.mouse.up();
   await smokeOn(page).evaluate((smoke) => smoke.toggleAttribute('interactive', true));
   await drag(100);
-  await expect.poll(turned).toBe(-21);
+  await expect.poll(azimuth).toBe(-21);
   await smokeOn(page).evaluate((smoke) => document.body.appendChild(document.createElement('div')).append(smoke));
   await page.mouse.move(500, 300);
   await page.mouse.up();
   await drag(60);
-  await expect.poll(turned).toBe(-34);
+  await expect.poll(azimuth).toBe(-34);
   await page.mouse.up();
 });
 
@@ -212,13 +212,13 @@ test('an origin that is none is refused at once, and nothing is thrown when the 
   const remote = await load<Connect>('/src/remote/connectFrame.ts');
   const said = await remote.evaluate(async ({ connectFrame }) => {
     const frame = document.body.appendChild(document.createElement('iframe'));
-    const refused = connectFrame(frame, { origin: 'somewhere' }).catch(
+    const rejected = connectFrame(frame, { origin: 'somewhere' }).catch(
       ({ name, message }: Error) => `${name}: ${message}`,
     );
     const heard = new Promise((resolve) => window.addEventListener('message', resolve, { once: true }));
     frame.srcdoc = '<script>parent.postMessage({ cartoonSmoke: "here" }, "*")</script>';
     await heard;
-    return refused;
+    return rejected;
   });
   expect(said).toMatch(/^ParameterError: origin cannot be “somewhere”: it takes an address/);
   expect(blank.url()).toContain('blank');

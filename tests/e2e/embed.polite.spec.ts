@@ -48,7 +48,7 @@ test('has a button that pauses, by keys too, and what it paused stays paused out
 test('tells once that it was paused, and once that it plays', async ({ page, host }) => {
   await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
   await stands(page);
-  const told = await page.locator('cartoon-smoke').evaluate((element: CartoonSmokeElement) => {
+  const notified = await page.locator('cartoon-smoke').evaluate((element: CartoonSmokeElement) => {
     const heard: boolean[] = [];
     element.addEventListener('statechange', ({ detail }) => heard.push(detail.playing));
     const button = element.shadowRoot!.querySelector('button')!;
@@ -56,7 +56,7 @@ test('tells once that it was paused, and once that it plays', async ({ page, hos
     button.click();
     return heard;
   });
-  expect(told).toEqual([false, true]);
+  expect(notified).toEqual([false, true]);
 });
 
 test('calls its canvas and its button as the page wants, in any language, also later', async ({ page, host }) => {

@@ -6,7 +6,7 @@ import { isNow, openTabs, type Tabs } from '../support/tabs.ts';
 
 const BOX = 'style="width: 200px; height: 150px"';
 
-async function turnTo(tabs: Tabs, which: 'page' | 'other'): Promise<void> {
+async function switchTo(tabs: Tabs, which: 'page' | 'other'): Promise<void> {
   await tabs[which].bringToFront();
   await isNow(tabs.page, which === 'page' ? 'visible' : 'hidden');
 }
@@ -38,15 +38,15 @@ test('in a worker, rests in a hidden tab, goes on in front, and what a person pa
   await openHost(page, server, `<cartoon-smoke ${WISP.replace('main', 'worker')} ${BOX}></cartoon-smoke>`);
   await stands(page);
   await expect.poll(() => stepsOf(page)).toBeGreaterThan(2);
-  await turnTo(tabs, 'other');
+  await switchTo(tabs, 'other');
   expect(await stepsWhile(page, other)).toBe(0);
   expect(await page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => smoke.playing)).toBe(true);
   const before = await stepsOf(page);
-  await turnTo(tabs, 'page');
+  await switchTo(tabs, 'page');
   await expect.poll(() => stepsOf(page)).toBeGreaterThan(before);
   await page.getByRole('button', { name: 'Pause smoke' }).click();
-  await turnTo(tabs, 'other');
-  await turnTo(tabs, 'page');
+  await switchTo(tabs, 'other');
+  await switchTo(tabs, 'page');
   expect(await stepsWhile(page, page)).toBe(0);
   await expect(page.getByRole('button', { name: 'Play smoke' })).toBeVisible();
   await tabs.close();

@@ -9,8 +9,8 @@ const OTHER = '9.8.7';
 const DIST = fileURLToPath(new URL('../../package/dist/', import.meta.url));
 const SMOKE = 'preset="wisp" simulation-max-particles="300" paused style="width: 64px; height: 48px"';
 const NOTICES = `<script>
-  window.told = [];
-  document.addEventListener('statechange', ({ detail }) => window.told.push(...detail.notices), true);
+  window.notified = [];
+  document.addEventListener('statechange', ({ detail }) => window.notified.push(...detail.notices), true);
 </script>`;
 
 /** What the page loads of `/other/` is the package as a later version has it. */
@@ -39,9 +39,9 @@ test('the second one leaves the element to the first, and says so', async ({ pag
   await page.waitForFunction(() => 'isLoaded' in window);
   const used = await page.evaluate(() => Reflect.get(customElements.get('cartoon-smoke')!, 'version') as string);
   expect(used).toBe(version);
-  const told = await page.evaluate(() => Reflect.get(window, 'told') as unknown[]);
+  const notified = await page.evaluate(() => Reflect.get(window, 'notified') as unknown[]);
   const message = `Version ${OTHER} of cartoon-smoke came second to this page; ${version} is used.`;
-  expect(told).toEqual([{ code: 'otherVersion', key: 'version', given: OTHER, message }]);
+  expect(notified).toEqual([{ code: 'otherVersion', key: 'version', given: OTHER, message }]);
   expect(lines).toEqual([]);
 });
 

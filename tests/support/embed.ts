@@ -1,7 +1,7 @@
 /** The `test` of pages of other people: they get the package as npm has it, without a bundler. */
 import type { Page } from '@playwright/test';
 import { expect, test as base } from './fixtures.ts';
-import type { SiteServer as Server } from './plainHost.ts';
+import type { SiteServer as Server } from './plainPage.ts';
 
 export interface HostOptions {
   /** What the page loads; the modules of the package by default, three.js beside them. */
@@ -54,8 +54,8 @@ export async function scrollPage(page: Page, top: number): Promise<void> {
 
 /** Lets a page show so many frames. */
 export async function frames(page: Page, count: number): Promise<void> {
-  await page.evaluate(async (most) => {
-    for (let frame = 0; frame < most; ++frame) await new Promise(requestAnimationFrame);
+  await page.evaluate(async (max) => {
+    for (let frame = 0; frame < max; ++frame) await new Promise(requestAnimationFrame);
   }, count);
 }
 

@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { closeSheet, expectSteps } from '../e2e/page.ts';
 import { expect, test } from './fixtures.ts';
-import { serveStrictly, type SiteServer } from './plainHost.ts';
+import { serveStrictly, type SiteServer } from './plainPage.ts';
 
 const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
 const LIGHT = '#v=1&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=500';

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { expect, test } from './fixtures.ts';
-import { serveStrictly, type SiteServer } from './plainHost.ts';
+import { serveStrictly, type SiteServer } from './plainPage.ts';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const WISP = '#v=1&preset=wisp&simulation.maxParticles=500';
@@ -74,7 +74,7 @@ test.describe('without a network', () => {
 
   test('what was looked at once works again', async ({ page }) => {
     await page.goto(`${server.address}${WISP}`);
-    await isKept(page, 'bindings_bg');
+    await isCached(page, 'bindings_bg');
     await server.close();
     await page.reload();
     await smokes(page);
@@ -85,21 +85,21 @@ test('a new version is offered, takes over when asked to, and leaves nothing of 
   page,
 }) => {
   await page.goto(`${server.address}${WISP}`);
-  await isKept(page, 'main-');
+  await isCached(page, 'main-');
   const [before, after] = renameMain(folder);
   await page.reload();
   await page.evaluate(() => Object.assign(window, { isOld: true }));
   await page.getByRole('button', { name: 'Reload' }).click();
   await page.waitForFunction(() => !('isOld' in window));
   await smokes(page);
-  await isKept(page, after);
-  expect((await kept(page)).join(' ')).not.toContain(before);
+  await isCached(page, after);
+  expect((await cached(page)).join(' ')).not.toContain(before);
   await expect(page.getByRole('button', { name: 'Reload' })).toBeHidden();
 });
 
 test('a new version is offered that the browser has found before the page looks for one', async ({ page }) => {
   await page.goto(`${server.address}${WISP}`);
-  await isKept(page, 'main-');
+  await isCached(page, 'main-');
   renameMain(folder);
   await page.addInitScript(() => {
     const register = navigator.serviceWorker.register.bind(navigator.serviceWorker);
@@ -128,12 +128,12 @@ function fetched(page: Page): Promise<string[]> {
   });
 }
 
-async function isKept(page: Page, file: string): Promise<void> {
-  await expect.poll(async () => (await kept(page)).join(' ')).toContain(file);
+async function isCached(page: Page, file: string): Promise<void> {
+  await expect.poll(async () => (await cached(page)).join(' ')).toContain(file);
 }
 
 /** What the service worker has kept. A reload on the way answers with nothing. */
-async function kept(page: Page): Promise<string[]> {
+async function cached(page: Page): Promise<string[]> {
   const list = page.evaluate(async () => {
     const keys = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
     return keys.flat().map(({ url }) => url);

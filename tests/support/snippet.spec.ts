@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { expect, test } from './fixtures.ts';
-import { serveOpenly, type SiteServer } from './plainHost.ts';
+import { serveOpenly, type SiteServer } from './plainPage.ts';
 
 const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
 const LOOK = '#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300&style.smokeColor=%23ff2010';
@@ -67,9 +67,9 @@ test.describe('changed on its way', () => {
       const response = await route.fetch();
       await route.fulfill({ response, body: `${await response.text()}\nwindow.isChanged = true;` });
     });
-    const refused = page.waitForEvent('console', (message) => message.text().includes('integrity'));
+    const rejected = page.waitForEvent('console', (message) => message.text().includes('integrity'));
     await paste(page, code);
-    await refused;
+    await rejected;
     expect(await page.evaluate(() => ['isChanged' in window, customElements.get('cartoon-smoke')])).toEqual([
       false,
       undefined,

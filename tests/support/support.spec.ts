@@ -1,6 +1,6 @@
 /** Shows that the common ground of the browser tests fails when it should. */
 import { PNG } from 'pngjs';
-import { watchComplaints } from './complaints.ts';
+import { watchConsoleErrors } from './consoleErrors.ts';
 import { expect, test } from './fixtures.ts';
 import { bytesOf, compare } from './goldens.ts';
 
@@ -13,11 +13,11 @@ test('imports a source module inside the page', async ({ load }) => {
   expect(await errors.evaluate((module) => new module.LoadError('no file').message)).toBe('no file');
 });
 
-test.describe('complaints', () => {
+test.describe('console errors', () => {
   test.use({ allowed: /on purpose|INVALID_ENUM/ });
 
   test('are collected from the console, from exceptions and from WebGL', async ({ blank }) => {
-    const complaints = watchComplaints(blank);
+    const consoleErrors = watchConsoleErrors(blank);
     await blank.evaluate(() => {
       console.error('said on purpose');
       console.warn('just a warning');
@@ -26,8 +26,8 @@ test.describe('complaints', () => {
       });
       document.createElement('canvas').getContext('webgl2')?.enable(1);
     });
-    await expect.poll(() => complaints.length).toBe(3);
-    expect(complaints.join('\n')).toMatch(
+    await expect.poll(() => consoleErrors.length).toBe(3);
+    expect(consoleErrors.join('\n')).toMatch(
       /error: said on purpose[^]*warning: .*INVALID_ENUM[^]*exception: thrown on purpose/,
     );
   });

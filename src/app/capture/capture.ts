@@ -1,9 +1,9 @@
 import type { Stage } from '../../stage/stage.ts';
 import type { Task } from './clip.ts';
-import type { Format, Order } from './order.ts';
+import type { Format, CaptureSettings } from './settings.ts';
 import { openStudio, type Studio } from './studio.ts';
 
-type Maker = (studio: Studio, order: Order, task: Task) => Promise<Blob>;
+type Maker = (studio: Studio, settings: CaptureSettings, task: Task) => Promise<Blob>;
 
 /** Each comes with its library, and only when it is asked for. */
 const makers: Readonly<Record<Format, () => Promise<Maker>>> = {
@@ -19,12 +19,12 @@ const makers: Readonly<Record<Format, () => Promise<Maker>>> = {
  * What a stage shows, from this moment on, as a file. The stage is left as it is.
  * @throws the reason of the task's signal when it was aborted, VideoError where the browser has no encoder for the format
  */
-export async function capture(stage: Stage, order: Order, task: Task): Promise<Blob> {
-  const make = await makers[order.format]();
-  const studio = await openStudio(stage, order);
+export async function capture(stage: Stage, settings: CaptureSettings, task: Task): Promise<Blob> {
+  const make = await makers[settings.format]();
+  const studio = await openStudio(stage, settings);
   try {
     task.signal.throwIfAborted();
-    return await make(studio, order, task);
+    return await make(studio, settings, task);
   } finally {
     studio.stage.dispose();
   }

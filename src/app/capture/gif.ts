@@ -2,7 +2,7 @@ import { GIFEncoder } from 'gifenc';
 import type { Task } from './clip.ts';
 import { indexFrame } from './gifPalette.ts';
 import { shootLoop } from './loop.ts';
-import { pixelSize, type Order } from './order.ts';
+import { pixelSize, type CaptureSettings } from './settings.ts';
 import { PixelReader } from './pixels.ts';
 import type { Studio } from './studio.ts';
 
@@ -11,15 +11,15 @@ const FOREVER = 0;
 const RESTORE_BACKGROUND = 2;
 
 /** A GIF that goes on for ever: its end leads to its beginning. */
-export async function makeGif(studio: Studio, order: Order, task: Task): Promise<Blob> {
-  const [width, height] = pixelSize(order);
+export async function makeGif(studio: Studio, settings: CaptureSettings, task: Task): Promise<Blob> {
+  const [width, height] = pixelSize(settings);
   const reader = new PixelReader(width, height);
   const encoder = GIFEncoder();
-  await shootLoop(studio, order, task, (frame) => {
+  await shootLoop(studio, settings, task, (frame) => {
     const { palette, indices, transparent } = indexFrame(reader.read(studio.canvas));
     encoder.writeFrame(indices, width, height, {
       palette,
-      delay: delayOf(frame, order.rate),
+      delay: delayOf(frame, settings.rate),
       repeat: FOREVER,
       transparent: transparent !== undefined,
       transparentIndex: transparent ?? 0,

@@ -1,6 +1,6 @@
 import type { FrameInput } from '../../smoke/frame.ts';
 import { shootClip, type Task } from './clip.ts';
-import { frameCount, type Order } from './order.ts';
+import { frameCount, type CaptureSettings } from './settings.ts';
 import { joined, stillOf, type Still } from './still.ts';
 import type { Studio } from './studio.ts';
 
@@ -15,12 +15,12 @@ const JOIN_SHARE = 0.5;
  */
 export async function shootLoop(
   { stage, ...studio }: Studio,
-  order: Order,
+  settings: CaptureSettings,
   task: Task,
   shoot: (frame: number) => Promise<void> | void,
 ): Promise<void> {
-  const count = frameCount(order);
-  const lead = Math.floor(Math.min(JOIN_SECONDS * order.rate, JOIN_SHARE * count));
+  const count = frameCount(settings);
+  const lead = Math.floor(Math.min(JOIN_SECONDS * settings.rate, JOIN_SHARE * count));
   const stills: Still[] = [];
   let [frame, drawn]: [number, FrameInput | undefined] = [0, undefined];
   stage.retouch((input) => {
@@ -28,7 +28,7 @@ export async function shootLoop(
     const still = stills[frame - count];
     return still ? joined(input, still, (frame - count + 1) / (lead + 1)) : input;
   });
-  const whole = { ...order, seconds: (count + lead) / order.rate };
+  const whole = { ...settings, seconds: (count + lead) / settings.rate };
   await shootClip({ stage, ...studio }, whole, task, async (shot) => {
     if (shot < lead) stills.push(stillOf(drawn!));
     else await shoot(shot - lead);

@@ -11,7 +11,7 @@ import { LOBE_SHAPES } from '../../puffs/lobeShapes.ts';
 import { billboardShapes } from '../../puffs/shapes.ts';
 import { createStage, type Stage } from '../../stage/stage.ts';
 import { create } from '../dom.ts';
-import { createRefusal } from '../refusal.ts';
+import { createErrorScreen } from '../errorScreen.ts';
 
 interface Means {
   readonly id: 'paper' | 'ours';
@@ -145,5 +145,5 @@ try {
   await drawFigures();
   document.querySelector('#progress')!.remove();
 } catch (error) {
-  document.querySelector('#progress')!.replaceWith(createRefusal(error));
+  document.querySelector('#progress')!.replaceWith(createErrorScreen(error));
 }

@@ -12,8 +12,8 @@ export function ringMesh(inner: number, outer: number, bottom: number, top: numb
   const band = (from: readonly [number, number], to: readonly [number, number], out: number, up: number) => {
     const first = positions.length / 3;
     for (let segment = 0; segment < segments; segment++) {
-      const turn = (2 * Math.PI * segment) / segments;
-      const [x, z] = [cos(turn), sin(turn)];
+      const angle = (2 * Math.PI * segment) / segments;
+      const [x, z] = [cos(angle), sin(angle)];
       for (const [radius, height] of [from, to]) positions.push(radius * x, height, radius * z);
       for (let end = 0; end < 2; end++) normals.push(out * x, up, out * z);
       const [here, next] = [first + 2 * segment, first + 2 * ((segment + 1) % segments)];
