@@ -8,14 +8,13 @@ import { createStage, type Stage } from '../stage/stage.ts';
 import { followAddress } from './address.ts';
 import { BallKeys } from './ball.ts';
 import { connectStage } from './connect.ts';
-import { describeScene } from './describeScene.ts';
 import { textButton } from './dom.ts';
 import { Editor } from './editor.ts';
 import { fitStage, pixelRatio, restWhileHidden } from './fit.ts';
 import { toggleFullScreen } from './fullScreen.ts';
 import { GestureEnd } from './gestureEnd.ts';
 import { listenToKeys } from './keyboard.ts';
-import { showSlowProgress } from './progressDelay.ts';
+import { showSlowProgress } from './progress.ts';
 import { goToMoment, type LinkedMoment } from './moment.ts';
 import { Notices } from './notices.ts';
 import { workOffline } from './offline/register.ts';
@@ -24,7 +23,6 @@ import { Pointers } from './pointer.ts';
 import { Progress, windForward } from './progress.ts';
 import { createErrorScreen } from './errorScreen.ts';
 import { Scrubber } from './scrubber.ts';
-import { notifyOfSlowMachine } from './slowMachine.ts';
 import { strings } from './strings.ts';
 import { takeStep, togglePlaying } from './transport.ts';
 
@@ -38,6 +36,8 @@ declare global {
 /** With reduced motion the page starts with a still picture; by then the smoke has filled its column. */
 const STILL_SECONDS = 4;
 const ORBIT_STEP = Math.PI / 24;
+/** Late frames after which the page says so: the governor has seen by then that it is no passing load. */
+const LATE_FRAMES = 8;
 
 const canvas = document.querySelector<HTMLCanvasElement>('#smoke')!;
 const container = document.querySelector<HTMLElement>('#interface')!;
@@ -177,6 +177,30 @@ function showError(error: unknown): void {
   canvas.hidden = true;
   container.replaceChildren(createErrorScreen(error));
   container.classList.remove('is-bare');
+}
+
+/** Keeps the canvas's label, for who cannot see it, with the scene that is shown. */
+function describeScene(stage: Stage, canvas: HTMLCanvasElement): void {
+  const show = () => {
+    const { picture, hand } = strings.scenes[String(stage.get().scene)];
+    const label = strings.picture(picture, hand?.thing);
+    if (canvas.ariaLabel !== label) canvas.ariaLabel = label;
+  };
+  stage.on('statechange', show);
+  show();
+}
+
+/** Says once when this machine keeps up with the smoke by fewer pixels only, and what would help. */
+function notifyOfSlowMachine(stage: Stage, notices: Notices): void {
+  let frames = 0;
+  const stop = stage.on('frame', ({ scale }) => {
+    // What somebody has asked for by `?quality=` is no news.
+    if (scale === 1 || stage.quality !== 'auto') return;
+    frames += 1;
+    if (frames < LATE_FRAMES) return;
+    stop();
+    notices.whisper(strings.notices.slow);
+  });
 }
 
 start().catch(showError);

@@ -1,13 +1,11 @@
 import type { Stage } from '../stage/stage.ts';
-import { createDebugPanel } from './debugPanel.ts';
-import { Blowing } from './blowing.ts';
+import { createDebugPanel, Views } from './debugPanel.ts';
 import { CaptureButton } from './capture/button.ts';
 import { createDock } from './dock.ts';
 import { create, iconButton } from './dom.ts';
-import { acceptDrops } from './drops.ts';
+import { acceptDrops, SmokeFiles } from './files.ts';
 import { DropThings } from './dropThings.ts';
 import type { Editor } from './editor.ts';
-import { SmokeFiles } from './files.ts';
 import { Gizmos } from './gizmos.ts';
 import { Help } from './help.ts';
 import { icon } from './icons.ts';
@@ -19,7 +17,6 @@ import type { Scrubber } from './scrubber.ts';
 import { ShareSheet } from './shareSheet.ts';
 import { createStatistics } from './statistics.ts';
 import { strings } from './strings.ts';
-import { Views } from './views.ts';
 
 /** What the keys need of the page's controls. */
 export interface Page {
@@ -140,4 +137,38 @@ function createHeader(page: Page, ...toggles: HTMLElement[]): HTMLElement {
 function createWordmark(): HTMLElement {
   const words = strings.title.split(' ').map((word) => create('span', {}, word));
   return create('h1', { class: 'wordmark', 'aria-label': strings.title }, ...words);
+}
+
+/** Blowing for who has no Alt key: a button by which drags beside things blow, and a gust by the keyboard. */
+class Blowing {
+  readonly element: HTMLButtonElement;
+  private readonly stage: Stage;
+  private readonly canvas: HTMLCanvasElement;
+  private pointer: { x: number; y: number } | undefined;
+  private isOn = false;
+
+  constructor(stage: Stage, canvas: HTMLCanvasElement) {
+    this.stage = stage;
+    this.canvas = canvas;
+    this.element = iconButton('icon-button', strings.blow, icon('wind'), () => this.toggle());
+    this.element.setAttribute('aria-pressed', 'false');
+    canvas.addEventListener('pointermove', ({ offsetX: x, offsetY: y }) => (this.pointer = { x, y }));
+    canvas.addEventListener('pointerleave', () => (this.pointer = undefined));
+  }
+
+  /** Whether a drag that grabs nothing blows instead of turning the view. */
+  get takesDrags(): boolean {
+    return this.isOn;
+  }
+
+  /** A gust away from the viewer: where the pointer is, or in the middle. */
+  here(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    this.stage.blow(this.pointer ?? { x: clientWidth / 2, y: clientHeight / 2 });
+  }
+
+  private toggle(): void {
+    this.isOn = !this.isOn;
+    this.element.setAttribute('aria-pressed', String(this.isOn));
+  }
 }

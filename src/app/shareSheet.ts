@@ -1,16 +1,15 @@
 import { LONGEST_LINK } from '../preset/codec.ts';
 import { linkTo } from './address.ts';
-import { copyText } from './clipboard.ts';
-import { create, iconButton, textButton } from './dom.ts';
+import { create, iconButton, textButton, createSvg } from './dom.ts';
 import type { Editor } from './editor.ts';
-import { createEmbed } from './embedCode.ts';
 import type { SmokeFiles } from './files.ts';
 import { icon } from './icons.ts';
 import { linkToMoment } from './moment.ts';
-import { createQr, MAX_QR_CHARACTERS } from './qr.ts';
 import { createShareKind, type ShareKind } from './shareKind.ts';
 import type { Stage } from '../stage/stage.ts';
 import { strings } from './strings.ts';
+import { elementCode, frameCode, type ElementScript } from './embed.ts';
+import type { Bitmap2D } from 'lean-qr';
 
 const words = strings.share;
 
@@ -110,4 +109,75 @@ export class ShareSheet {
   private notify(message: string): void {
     this.status.textContent = message;
   }
+}
+
+/** Copies text. @returns whether the browser let the page do it */
+async function copyText(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** Code to put this smoke on another page, folded until somebody wants it. @param copy copies a text */
+function createEmbed(copy: (text: string) => void): { element: HTMLElement; show(link?: string): void } {
+  const frame = createSnippet(words.frame, copy);
+  const component = createSnippet(words.element, copy);
+  const element = create('details', { class: 'group share-embed' }, create('summary', {}, words.embed));
+  element.append(frame.element, component.element);
+  return {
+    element,
+    show(link) {
+      element.hidden = link === undefined;
+      if (link === undefined) return;
+      frame.field.value = frameCode(link, strings.title);
+      component.field.value = elementCode(link, publishedScript());
+    },
+  };
+}
+
+/** The copy that lies in the built site, at the address where the site is published; the development server has none. */
+function publishedScript(): ElementScript | undefined {
+  const path = import.meta.env.VITE_ELEMENT_SCRIPT as string | undefined;
+  const integrity = import.meta.env.VITE_ELEMENT_INTEGRITY as string;
+  return path ? { address: new URL(path, document.baseURI).href, integrity } : undefined;
+}
+
+function createSnippet(name: string, copy: (text: string) => void) {
+  const field = create('textarea', { readonly: true, rows: 3, 'aria-label': name, spellcheck: 'false' });
+  field.addEventListener('focus', () => field.select());
+  const button = textButton('quiet', words.copyCode, () => copy(field.value));
+  const head = create('div', { class: 'share-snippet-head' }, create('span', {}, name), button);
+  return { element: create('div', { class: 'share-snippet' }, head, field), field };
+}
+
+/** Around a code; a reader needs this many empty modules. */
+const QUIET = 4;
+/** The most that a code holds, bytes; one that full is too fine for many a camera. */
+const MAX_QR_CHARACTERS = 1200;
+
+/** A QR code of a link. What computes it is fetched when the first one is wanted. */
+async function createQr(link: string, name: string): Promise<SVGSVGElement> {
+  const { correction, generate } = await import('lean-qr');
+  const code = generate(link, { minCorrectionLevel: correction.L });
+  const size = code.size + 2 * QUIET;
+  const picture = createSvg('svg', { viewBox: `0 0 ${size} ${size}`, class: 'qr', role: 'img', 'aria-label': name });
+  picture.append(
+    createSvg('rect', { width: size, height: size, fill: '#ffffff' }),
+    createSvg('path', { d: modulesOf(code), fill: '#000000', 'shape-rendering': 'crispEdges' }),
+  );
+  return picture;
+}
+
+/** A square for each dark module. */
+function modulesOf(code: Bitmap2D): string {
+  const squares: string[] = [];
+  for (let y = 0; y < code.size; y++) {
+    for (let x = 0; x < code.size; x++) {
+      if (code.get(x, y)) squares.push(`M${x + QUIET} ${y + QUIET}h1v1h-1z`);
+    }
+  }
+  return squares.join('');
 }

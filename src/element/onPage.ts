@@ -9,7 +9,6 @@ import { EmitterSwitch } from './emitterSwitch.ts';
 import { nearest, type Box } from './nearest.ts';
 import { colliderValues, curlValues, emitterValues, MAX_FOLLOWED, maxCurled, placeOnPlane } from './pageValues.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
-import { watchLayout } from './watchLayout.ts';
 
 interface PageOwner {
   readonly element: HTMLElement;
@@ -181,4 +180,35 @@ function isShown(element: Partial<Element>): boolean {
 
 function hasArea({ width, height }: Box): boolean {
   return width > 0 && height > 0;
+}
+
+/** What moves without an event of its own is found so late. */
+const LOOK_MS = 400;
+
+/**
+ * Calls back when things on a page may have moved against each other: scrolling, sizes, pictures that have come, and now
+ * and then while the frame is in view. It may call back although nothing moved.
+ * @returns the function that ends it
+ */
+function watchLayout(frame: Element, look: () => void): () => void {
+  const end = new AbortController();
+  const options = { capture: true, passive: true, signal: end.signal } as const;
+  const page = frame.ownerDocument;
+  for (const type of ['scroll', 'load', 'transitionend', 'animationend']) page.addEventListener(type, look, options);
+  page.defaultView?.addEventListener('resize', look, options);
+  const sizes = new ResizeObserver(look);
+  sizes.observe(frame);
+  sizes.observe(page.documentElement);
+  let timer: ReturnType<typeof setInterval> | undefined;
+  const inView = new IntersectionObserver((entries) => {
+    clearInterval(timer);
+    if (entries[entries.length - 1].isIntersecting) timer = setInterval(look, LOOK_MS);
+  });
+  inView.observe(frame);
+  return () => {
+    end.abort();
+    sizes.disconnect();
+    inView.disconnect();
+    clearInterval(timer);
+  };
 }

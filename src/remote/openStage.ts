@@ -1,7 +1,6 @@
 import { ContextError, UnsupportedError } from '../preset/errors.ts';
 import { fetched } from '../preset/timeout.ts';
 import type { RemoteStage, RemoteStageOptions } from './contract.ts';
-import { followSight } from './followSight.ts';
 import type { WorkerSlot } from './openInWorker.ts';
 
 /**
@@ -56,5 +55,39 @@ function following(canvas: HTMLCanvasElement, stage: RemoteStage): RemoteStage {
       stopFollowing();
       return stage.dispose();
     },
+  };
+}
+
+/** Drawing begins so many pixels before the canvas comes into view. */
+const MARGIN = '64px';
+
+/**
+ * Lets a stage rest while its canvas is out of view or its page is hidden. What somebody paused stays paused.
+ * @returns the function that ends this
+ */
+function followSight(canvas: HTMLCanvasElement, stage: Pick<RemoteStage, 'setVisible'>): () => void {
+  const page = canvas.ownerDocument;
+  let isNear = true;
+  let notified = true;
+  const notify = () => {
+    const isVisible = isNear && !page.hidden;
+    if (isVisible === notified) return;
+    notified = isVisible;
+    // A stage that has ended meanwhile refuses, and needs to know no more.
+    stage.setVisible(isVisible).catch(() => undefined);
+  };
+  const observer = new IntersectionObserver(
+    (entries) => {
+      isNear = entries.at(-1)!.isIntersecting;
+      notify();
+    },
+    { rootMargin: MARGIN },
+  );
+  observer.observe(canvas);
+  page.addEventListener('visibilitychange', notify);
+  notify();
+  return () => {
+    observer.disconnect();
+    page.removeEventListener('visibilitychange', notify);
   };
 }

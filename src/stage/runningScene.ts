@@ -19,7 +19,6 @@ import type { Presenter } from './presenter.ts';
 import { advanceTo } from './seek.ts';
 import { Sight } from './sight.ts';
 import { Simulation } from './simulation.ts';
-import { statsOf } from './stats.ts';
 
 const HISTORY_BYTES = 64 * 1024 * 1024;
 
@@ -316,4 +315,29 @@ export class RunningScene implements FrameTasks {
 /** Of `values`, those that `before` has otherwise. */
 function differing(values: Values, before: Values): Values {
   return Object.fromEntries(Object.entries(values).filter(([key, value]) => before[key] !== value));
+}
+
+/** The figures of a stage as they are now. */
+function statsOf(
+  simulation: Simulation,
+  { smoke, report, renderMs, drawCalls, writesDepth, scale }: Picture,
+): StageStats {
+  const { alive, waiting, steps, inputCount, isTruncated } = simulation.simulator;
+  return {
+    time: steps * STEP_SECONDS,
+    steps,
+    alive,
+    waiting,
+    inputs: inputCount,
+    isTruncated,
+    historyBytes: simulation.historyBytes,
+    ...report,
+    bodiesTotal: alive,
+    castersTotal: smoke.throwsShadow ? alive : 0,
+    simMs: simulation.stepMs,
+    renderMs,
+    drawCalls,
+    writesDepth,
+    scale,
+  };
 }

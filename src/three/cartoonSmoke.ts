@@ -1,4 +1,4 @@
-import { Box3, Group, Vector2, Vector4, type Camera, type Object3D, type Scene, type WebGLRenderer } from 'three';
+import { Box3, Group, Vector2, Vector4, type Camera, type Object3D, type Scene, type WebGLRenderer, Vector3 } from 'three';
 import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
 import { SimulatorError, UnsupportedError } from '../preset/errors.ts';
@@ -13,23 +13,11 @@ import { fetchExtras } from '../smoke/extraPasses.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import type { Style } from '../smoke/style.ts';
 import { Colliders, type CollideOptions } from './colliders.ts';
-import { borrowDevice, releaseDevice } from './devices.ts';
-import { Nozzle } from './nozzle.ts';
-import { drawIntoHost } from './hostFrame.ts';
-import { HostPasses } from './hostPasses.ts';
+import { borrowDevice, releaseDevice, HostPasses } from './hostPasses.ts';
+import { drawIntoHost, markWith } from './hostFrame.ts';
 import { lightFrom, requireKeyLight, type KeyLight } from './keyLight.ts';
-import { markWith } from './marker.ts';
-import {
-  hostStyle,
-  requireChangeable,
-  requireEmitter,
-  startValues,
-  type CartoonSmokeEvents,
-  type CartoonSmokeOptions,
-  type CartoonSmokeStats,
-  type CastOptions,
-} from './options.ts';
-import { receiversIn } from './receivers.ts';
+import { hostStyle, requireChangeable, requireEmitter, startValues, type CartoonSmokeEvents, type CartoonSmokeOptions, type CartoonSmokeStats, type CastOptions } from './options.ts';
+import { receiversIn } from './casters.ts';
 import { requirementError, requireRenderer } from './requirements.ts';
 
 /** Spent with each picture on puffs whose knobs have been turned. */
@@ -302,4 +290,30 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private requireAlive(): void {
     if (this.isDisposed) throw new SimulatorError('This smoke was disposed; create a new one.');
   }
+}
+
+/** Where an emitter is, while it follows an object. */
+class Nozzle {
+  private readonly object: Object3D;
+  private readonly key: string;
+  private readonly position = new Vector3();
+  private readonly direction = new Vector3();
+
+  constructor(object: Object3D, emitter: number) {
+    this.object = object;
+    this.key = `emitters.${emitter}`;
+  }
+
+  /** The simulator's values for it as the object stands now. */
+  values(): Record<string, number> {
+    const { object, key, position, direction } = this;
+    object.updateWorldMatrix(true, false);
+    position.setFromMatrixPosition(object.matrixWorld);
+    direction.set(0, 1, 0).transformDirection(object.matrixWorld);
+    return { ...vectorValues(`${key}.position`, position), ...vectorValues(`${key}.direction`, direction) };
+  }
+}
+
+function vectorValues(key: string, { x, y, z }: Vector3): Record<string, number> {
+  return { [`${key}.x`]: x, [`${key}.y`]: y, [`${key}.z`]: z };
 }

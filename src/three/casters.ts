@@ -1,4 +1,4 @@
-import { Matrix4, Quaternion, Vector3, type Mesh, type Object3D, type WebGLRenderer } from 'three';
+import { Matrix4, Quaternion, Vector3, type Mesh, type Object3D, type WebGLRenderer, Box3, type InstancedMesh, type SkinnedMesh } from 'three';
 import type { Device } from '../device/device.ts';
 import type { FrameView } from '../device/frameView.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
@@ -7,6 +7,7 @@ import { BallVolumes } from './ballVolumes.ts';
 import { ballsOf, follow, type ProxyBall } from './proxies.ts';
 import { poseOf, scaleOf, trianglesOf, type Pose } from './shapes.ts';
 import { isShown } from './shown.ts';
+import { isBlended, materialsOf } from './materials.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);
 
@@ -87,4 +88,31 @@ function openMesh({ name, type }: Mesh): ParameterError {
     name || type,
     'a closed mesh, whose every edge joins two triangles, or an object with proxies: cast(mesh, { proxies })',
   );
+}
+
+const scratch = new Box3();
+
+/** The box of all that is opaque in a scene, world space: beyond it no shadow can be seen. */
+export function receiversIn(scene: Object3D, into: Box3): Box3 {
+  into.makeEmpty();
+  scene.traverseVisible((object) => {
+    if (!('isMesh' in object)) return;
+    const mesh = object as Mesh;
+    if (materialsOf(mesh).some((material) => !isBlended(material))) into.union(boxOf(mesh, scratch));
+  });
+  return into;
+}
+
+/** As three.js bounds them for culling: deformed meshes by a sphere that they themselves keep. */
+function boxOf(mesh: Mesh, into: Box3): Box3 {
+  const deformed = mesh as Mesh &
+    Partial<Pick<SkinnedMesh | InstancedMesh, 'boundingSphere' | 'computeBoundingSphere'>>;
+  if (deformed.computeBoundingSphere) {
+    if (!deformed.boundingSphere) deformed.computeBoundingSphere();
+    deformed.boundingSphere!.getBoundingBox(into);
+  } else {
+    if (!mesh.geometry.boundingBox) mesh.geometry.computeBoundingBox();
+    into.copy(mesh.geometry.boundingBox!);
+  }
+  return into.applyMatrix4(mesh.matrixWorld);
 }

@@ -1,4 +1,4 @@
-import { Vector2, type Camera, type Scene, type WebGLRenderer } from 'three';
+import { Vector2, type Camera, type Scene, type WebGLRenderer, NoBlending, type Mesh } from 'three';
 import type { FrameInput, FrameReport } from '../smoke/frame.ts';
 import type { HostPasses } from './hostPasses.ts';
 import type { KeyLight } from './keyLight.ts';
@@ -62,4 +62,23 @@ export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInp
   } finally {
     state.restore();
   }
+}
+
+/**
+ * Lets a mesh that covers the whole view mark where in the host's frame smoke is drawn: among the blended objects, when all
+ * that is opaque stands.
+ * @param draw draws all but the mesh itself, before it; false where smoke cannot be drawn, which hides the mesh
+ */
+export function markWith(mesh: Mesh, draw: (renderer: WebGLRenderer, scene: Scene, camera: Camera) => boolean): void {
+  mesh.onBeforeRender = (renderer, scene, camera) => {
+    const isDrawn = draw(renderer, scene, camera);
+    mesh.geometry.setDrawRange(0, isDrawn ? 3 : 0);
+  };
+  mesh.onAfterRender = (renderer) => {
+    renderer.clearStencil();
+    renderer.state.buffers.stencil.setTest(false);
+    renderer.state.setBlending(NoBlending);
+  };
+  // Nobody means it when pointing at something.
+  mesh.raycast = () => {};
 }

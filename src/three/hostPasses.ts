@@ -1,8 +1,9 @@
-import type { Device } from '../device/device.ts';
+import { Device } from '../device/device.ts';
 import { InsertPass } from '../passes/insert.ts';
 import { SmokePictures } from '../passes/pictures.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import { HostCasters } from './casters.ts';
+import type { WebGLRenderer } from 'three';
 
 /** What a frame in the host's scene is drawn with. */
 export class HostPasses {
@@ -31,4 +32,30 @@ export class HostPasses {
     this.release();
     this.casters.dispose();
   }
+}
+
+interface SharedDevice {
+  device: Device;
+  users: number;
+}
+
+const devices = new WeakMap<WebGLRenderer, SharedDevice>();
+
+/** The device of the host's renderer: all smokes on it share one. Give it back with {@link releaseDevice}. */
+export function borrowDevice(renderer: WebGLRenderer): Device {
+  let shared = devices.get(renderer);
+  if (!shared) {
+    shared = { device: new Device(renderer, false), users: 0 };
+    devices.set(renderer, shared);
+  }
+  ++shared.users;
+  return shared.device;
+}
+
+/** Ends the device with its last user. */
+export function releaseDevice({ renderer }: Device): void {
+  const shared = devices.get(renderer);
+  if (!shared || --shared.users > 0) return;
+  shared.device.dispose();
+  devices.delete(renderer);
 }

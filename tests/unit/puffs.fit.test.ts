@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { ShapeError } from '../../src/preset/errors.ts';
 import { BallCover } from '../../src/puffs/ballCover.ts';
 import { closedMesh, MAX_TRIANGLES, type PlainMesh } from '../../src/puffs/closedMesh.ts';
-import { demandShapes } from '../../src/puffs/demandShapes.ts';
+import { demandShapes } from '../../src/puffs/lobes.ts';
 import { fitPuff } from '../../src/puffs/fitPuff.ts';
 import { reachOf } from '../../src/puffs/lobes.ts';
 import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { fromHalf } from '../../src/puffs/half.ts';
+import { fromHalf } from '../../src/puffs/layers.ts';
 import { bakePuffs, samplePuff } from '../../src/puffs/layers.ts';
 import { puffMesh } from '../../src/puffs/mesh.ts';
 import { PUFF_PAD, rasterise } from '../../src/puffs/rasterise.ts';

@@ -3,9 +3,10 @@ import { create, textButton } from '../dom.ts';
 import { download } from '../download.ts';
 import { Progress } from '../progress.ts';
 import { strings } from '../strings.ts';
-import { capture } from './capture.ts';
 import { SettingsForm } from './settingsForm.ts';
-import type { CaptureSettings } from './settings.ts';
+import type { CaptureSettings, Format } from './settings.ts';
+import type { Task } from './clip.ts';
+import { openStudio, type Studio } from './studio.ts';
 
 /** Where people choose what to capture, wait for it, and may change their mind. The smoke rests meanwhile. */
 export class CaptureDialog {
@@ -77,5 +78,32 @@ export class CaptureDialog {
 
   private say(message: string): void {
     this.outcome.replaceChildren(create('p', {}, message));
+  }
+}
+
+type Maker = (studio: Studio, settings: CaptureSettings, task: Task) => Promise<Blob>;
+
+/** Each comes with its library, and only when it is asked for. */
+const makers: Readonly<Record<Format, () => Promise<Maker>>> = {
+  png: async () => (await import('./png.ts')).makePng,
+  svg: async () => (await import('./svg.ts')).makeSvg,
+  gif: async () => (await import('./gif.ts')).makeGif,
+  webm: async () => (await import('./video.ts')).makeVideo,
+  mp4: async () => (await import('./video.ts')).makeVideo,
+  zip: async () => (await import('./pngSequence.ts')).makePngSequence,
+};
+
+/**
+ * What a stage shows, from this moment on, as a file. The stage is left as it is.
+ * @throws the reason of the task's signal when it was aborted, VideoError where the browser has no encoder for the format
+ */
+export async function capture(stage: Stage, settings: CaptureSettings, task: Task): Promise<Blob> {
+  const make = await makers[settings.format]();
+  const studio = await openStudio(stage, settings);
+  try {
+    task.signal.throwIfAborted();
+    return await make(studio, settings, task);
+  } finally {
+    studio.stage.dispose();
   }
 }

@@ -1,7 +1,7 @@
 /** Captures of a small lamp, and what somebody who opens the files finds in them. */
 import { unzipSync } from 'fflate';
 import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
-import { capture } from '../../../src/app/capture/capture.ts';
+import { capture } from '../../../src/app/capture/dialog.ts';
 import type { CaptureSettings } from '../../../src/app/capture/settings.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 

@@ -9,7 +9,7 @@ const [WIDTH, HEIGHT] = [240, 180];
 const FLOOR = 0;
 const WALL_COLOR = [90, 160, 120] as const;
 
-type Viewpoint = [number, number, number];
+type Position = [number, number, number];
 
 function cameraAt(elevation: number, distance: number, height = 0.3): PerspectiveCamera {
   const camera = new PerspectiveCamera(40, WIDTH / HEIGHT, 0.1, 100);
@@ -103,7 +103,7 @@ export function atWall(form: PuffForm, side: 'behind' | 'before', gap: number): 
   const mesh = box([0, 0, 0], [3, top, depth]);
   const surfaces: SurfaceDescription[] = [{ name: 'wall', mesh, color: WALL_COLOR, casts: false, inked: false }];
   const away = (side === 'behind' ? -1 : 1) * (depth + 0.62 + gap);
-  const place: Viewpoint = [0, top, away];
+  const place: Position = [0, top, away];
   const scene = {
     width: WIDTH,
     height: HEIGHT,
