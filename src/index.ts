@@ -13,8 +13,8 @@ export {
 } from './preset/errors.ts';
 export type { Value, Values } from './preset/parameter.ts';
 export { presets, presetValues, type Preset } from './preset/presets.ts';
-export type { PlainMesh } from './puffs/closedMesh.ts';
-export { fitPuff, type FitOptions, type FittedPuff } from './puffs/fitPuff.ts';
+export type { PlainMesh } from './puffs/fit/closedMesh.ts';
+export { fitPuff, type FitOptions, type FittedPuff } from './puffs/fit/fitPuff.ts';
 export { designedShapes, type PuffDesign } from './puffs/lobeShapes.ts';
 export type { Lobe, PuffShape } from './puffs/shapes.ts';
 export { CartoonSmoke } from './three/cartoonSmoke.ts';

@@ -29,14 +29,14 @@ const ALONE = { codeSplitting: false, postBanner: LICENSES };
  */
 const TOGETHER = [
   { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
-  { name: 'cartoonSmokeElement', test: /element\/(cartoonSmokeElement|names)\.ts$/, priority: 3 },
+  { name: 'cartoonSmokeElement', test: /element\/(cartoonSmokeElement|attributes\/names)\.ts$/, priority: 3 },
   {
     name: 'session',
-    test: /src\/(preset\/(table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/openStage|element\/(change|fit|playback|session|parsedAttributes))\.ts$/,
+    test: /src\/(preset\/(table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/openStage|element\/(change|fit|playback|session|attributes\/parsedAttributes))\.ts$/,
     priority: 2,
   },
   { name: 'stage', test: /src\/remote\/openHere\.ts$/, priority: 1 },
-  { name: 'models', test: /src\/(sim\/exact\/(sine|turn)|scenes\/models\/(lathe|place|ball|revolve|spline))\.ts$/ },
+  { name: 'models', test: /src\/(sim\/exact\/(sine|rotation)|scenes\/models\/(lathe|place|ball|revolve|spline))\.ts$/ },
 ];
 /** @type {import('rolldown').OutputOptions} */
 const SPLIT = { codeSplitting: { groups: TOGETHER } };

@@ -13,8 +13,8 @@ const USED = ['kind', 'reader', 'isOptional', 'unit', 'min', 'max', 'linkMax', '
 const USUAL = { kind: 'number', reader: 'simulator' };
 const OF_LATER_ITEMS = /^\w+\.[1-7]\./;
 
-/** @type {typeof import('../../src/element/names.ts')} */
-const { names } = await sourceModule('src/element/names.ts');
+/** @type {typeof import('../../src/element/attributes/names.ts')} */
+const { names } = await sourceModule('src/element/attributes/names.ts');
 
 /**
  * @param {readonly import('../../src/preset/parameter.ts').Parameter[]} table as it is
@@ -30,10 +30,10 @@ export function withoutWords(table) {
 /** The module of the table as it would be if rows had no words. @param {readonly { key: string }[]} table */
 function tableModule(table) {
   const stray = table.find(({ key }, index) => key !== names[index].key);
-  if (stray) throw new Error(`${stray.key} stands at another place in src/element/names.json.`);
+  if (stray) throw new Error(`${stray.key} stands at another place in src/element/attributes/names.json.`);
   const rows = table.filter(({ key }) => !OF_LATER_ITEMS.test(key)).map(bare);
   return `
-    import { names } from '../element/names.ts';
+    import { names } from '../element/attributes/names.ts';
     const bare = ${JSON.stringify(rows)};
     const first = names.filter(({ key }) => !${OF_LATER_ITEMS}.test(key));
     const usual = ${JSON.stringify(USUAL)};

@@ -1,21 +1,21 @@
 import type { Stage } from '../stage/stage.ts';
-import { createDebugPanel, Views } from './debugPanel.ts';
+import { createDebugPanel, Views } from './panel/debugPanel.ts';
 import { CaptureButton } from './capture/button.ts';
-import { createDock } from './dock.ts';
-import { create, iconButton } from './dom.ts';
-import { acceptDrops, SmokeFiles } from './files.ts';
-import { DropThings } from './dropThings.ts';
-import type { Editor } from './editor.ts';
-import { Gizmos } from './gizmos.ts';
-import { Help } from './help.ts';
-import { icon } from './icons.ts';
-import type { Notices } from './notices.ts';
-import { OwnPresets } from './ownPresets.ts';
-import { OwnShape } from './ownShape.ts';
-import { createPanel, PANEL_ID } from './panel.ts';
-import type { Scrubber } from './scrubber.ts';
-import { ShareSheet } from './shareSheet.ts';
-import { createStatistics } from './statistics.ts';
+import { createDock } from './gallery/dock.ts';
+import { create, iconButton } from './ui/dom.ts';
+import { acceptDrops, SmokeFiles } from './share/files.ts';
+import { DropThings } from './input/dropThings.ts';
+import type { Editor } from './editor/editor.ts';
+import { Gizmos } from './gizmos/gizmos.ts';
+import { Help } from './ui/help.ts';
+import { icon } from './ui/icons.ts';
+import type { Notices } from './ui/notices.ts';
+import { OwnPresets } from './gallery/ownPresets.ts';
+import { OwnShape } from './gallery/ownShape.ts';
+import { createPanel, PANEL_ID } from './panel/panel.ts';
+import type { Scrubber } from './playback/scrubber.ts';
+import { ShareSheet } from './share/shareSheet.ts';
+import { createStatistics } from './panel/statistics.ts';
 import { strings } from './strings.ts';
 
 /** What the keys need of the page's controls. */

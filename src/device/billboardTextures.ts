@@ -8,9 +8,9 @@ import {
   RGBAFormat,
   UnsignedByteType,
 } from 'three';
-import type { PuffLayers } from '../puffs/layers.ts';
-import type { PuffSolids } from '../puffs/solids.ts';
-import type { StartCaps } from '../puffs/startCaps.ts';
+import type { PuffLayers } from '../puffs/billboards/layers.ts';
+import type { PuffSolids } from '../puffs/bake/solids.ts';
+import type { StartCaps } from '../puffs/bake/startCaps.ts';
 import { capRange, capTexture } from './capTexture.ts';
 import type { BillboardPuffs, FormTextures } from './puffTextures.ts';
 

@@ -1,6 +1,6 @@
-/** Where volumes may begin, as a texture: see `src/puffs/startCaps.ts`. */
+/** Where volumes may begin, as a texture: see `src/puffs/bake/startCaps.ts`. */
 import { DataArrayTexture, FloatType, NearestFilter, RedFormat } from 'three';
-import type { StartCaps } from '../puffs/startCaps.ts';
+import type { StartCaps } from '../puffs/bake/startCaps.ts';
 
 /** The least and the greatest of all, and 0. */
 export function capRange({ values }: StartCaps): [number, number] {

@@ -1,9 +1,9 @@
 import { DataTexture, FloatType, RGBAFormat, type DataArrayTexture } from 'three';
-import type { CasterTable } from '../puffs/casters.ts';
-import type { LobePuffs } from '../puffs/bakeLobes.ts';
-import type { PuffLayers } from '../puffs/layers.ts';
-import type { PuffSolids } from '../puffs/solids.ts';
-import type { StartCaps } from '../puffs/startCaps.ts';
+import type { CasterTable } from '../puffs/billboards/casters.ts';
+import type { LobePuffs } from '../puffs/bake/bakeLobes.ts';
+import type { PuffLayers } from '../puffs/billboards/layers.ts';
+import type { PuffSolids } from '../puffs/bake/solids.ts';
+import type { StartCaps } from '../puffs/bake/startCaps.ts';
 import type { BillboardTextures } from './billboardTextures.ts';
 import { capRange, capTexture } from './capTexture.ts';
 import { Shared } from './shared.ts';
@@ -46,7 +46,7 @@ export interface PuffExtents {
 
 /** What all that draws asks of the puffs in one form. */
 export interface FormTextures extends PuffExtents {
-  /** See `latestCap` in src/puffs/startCaps.ts. */
+  /** See `latestCap` in src/puffs/bake/startCaps.ts. */
   readonly latestCap: number;
   /** A layer for each variation. */
   readonly startCaps: DataArrayTexture;

@@ -5,13 +5,13 @@ import { Deferred } from './deferred.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import type { SmokeEvents } from './events.ts';
 import { HANDED_ON, type HandedOn } from './methods.ts';
-import { keyOfAttribute } from './names.ts';
+import { keyOfAttribute } from './attributes/names.ts';
 import { whenNear } from './near.ts';
 import { fetchAhead, part } from './parts.ts';
-import { defineProperties, FLAGS, takeUpEarlier, TEXTS } from './properties.ts';
+import { defineProperties, FLAGS, takeUpEarlier, TEXTS } from './attributes/properties.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
 import type { Session } from './session.ts';
-import { Shell } from './shell.ts';
+import { Shell } from './shell/shell.ts';
 import { version } from './version.ts';
 
 /** On a server there are no elements; importing this must not fail there. */

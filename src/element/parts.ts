@@ -8,13 +8,13 @@ const parts = {
   /** Always. */
   session: () => import('./session.ts'),
   /** With `src` or `start`. */
-  link: () => import('./link.ts'),
+  link: () => import('./attributes/link.ts'),
   /** Where that leads to the moment of a take. */
   moment: () => import('./moment.ts'),
   /** With `interactive`. */
   pointers: () => import('./pointers.ts'),
   /** With `collide` or `emit-from`. */
-  onPage: () => import('./onPage.ts'),
+  onPage: () => import('./layout/onPage.ts'),
 };
 
 type Name = keyof typeof parts;

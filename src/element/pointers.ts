@@ -1,6 +1,6 @@
 import type { RemoteStage } from '../remote/contract.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
-import type { Shell } from './shell.ts';
+import type { Shell } from './shell/shell.ts';
 
 const ORBIT_PER_PIXEL = 0.006;
 const ORBIT_PER_KEY = Math.PI / 24;

@@ -9,14 +9,14 @@ import { asSmokeError } from './asSmokeError.ts';
 import { change } from './change.ts';
 import type { SmokeEvents } from './events.ts';
 import { sizeOf, watchSize } from './fit.ts';
-import type { OnPage } from './onPage.ts';
+import type { OnPage } from './layout/onPage.ts';
 import { part } from './parts.ts';
 import { calm, Playback } from './playback.ts';
-import { FLAGS, LABELS, OF_PAGE } from './properties.ts';
+import { FLAGS, LABELS, OF_PAGE } from './attributes/properties.ts';
 import type { PointerControls } from './pointers.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
-import type { Shell } from './shell.ts';
-import { parseAttributes, type ParsedAttributes } from './parsedAttributes.ts';
+import type { Shell } from './shell/shell.ts';
+import { parseAttributes, type ParsedAttributes } from './attributes/parsedAttributes.ts';
 
 /** With reduced motion a still picture is shown; by then smoke has filled its column. */
 const STILL_SECONDS = 4;

@@ -100,7 +100,7 @@ export function lobeVolumeShaders(lobes: number): Shaders {
 /**
  * How many radii behind its centre a puff's volume begins at the nearest.
  * @param litThreshold as `follow` takes it
- * @param latestCap of the puffs, see src/puffs/startCaps.ts
+ * @param latestCap of the puffs, see src/puffs/bake/startCaps.ts
  */
 export function minCapOf(litThreshold: number, latestCap: number): number {
   if (litThreshold < 0) return BEHIND_THE_PUFF;

@@ -1,6 +1,6 @@
 /** A puff of lobes met by rays along -z: what shaders/bodies/lobes.frag computes for each pixel, for tools and tests. */
 import { middleOf, softNormal } from './normals.ts';
-import type { PuffSample } from './layers.ts';
+import type { PuffSample } from './billboards/layers.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
 import { minus, type Vector } from './vector.ts';
 import { ShapeError } from '../preset/errors.ts';

@@ -1,6 +1,6 @@
 import type { BakedPuffs } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
-import { bakingLobes } from '../puffs/bakeLobes.ts';
+import { bakingLobes } from '../puffs/bake/bakeLobes.ts';
 import { LruCache } from '../puffs/lru.ts';
 import { LOBE_SHAPES } from '../puffs/lobeShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';

@@ -5,14 +5,14 @@ import { BillboardTextures } from '../device/billboardTextures.ts';
 import type { BillboardPuffs } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
 import type { Shaders } from '../device/programsAhead.ts';
-import { castersOf } from '../puffs/casters.ts';
-import { findingFront } from '../puffs/fronts.ts';
+import { castersOf } from '../puffs/billboards/casters.ts';
+import { findingFront } from '../puffs/billboards/fronts.ts';
 import { LruCache } from '../puffs/lru.ts';
-import { bakingLayers } from '../puffs/layers.ts';
+import { bakingLayers } from '../puffs/billboards/layers.ts';
 import { reachOf } from '../puffs/lobes.ts';
 import { billboardShapes, type PuffShape } from '../puffs/shapes.ts';
-import { solidsOf } from '../puffs/solids.ts';
-import { bakingTable, joined, latestCap } from '../puffs/startCaps.ts';
+import { solidsOf } from '../puffs/bake/solids.ts';
+import { bakingTable, joined, latestCap } from '../puffs/bake/startCaps.ts';
 import type { Work } from '../puffs/work.ts';
 
 /** What bodies draw them with. */

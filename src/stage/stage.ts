@@ -9,10 +9,10 @@ import { defaults, requireFinite, requireOptional, requireWhole, validate } from
 import { demandShapes } from '../puffs/lobes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
-import { compileAhead } from '../smoke/prepareSurfaces.ts';
+import { compileAhead } from '../smoke/prepare.ts';
 import { fetchExtras, type PictureKind } from '../smoke/extraPasses.ts';
 import type { Renderer } from '../smoke/style.ts';
-import { bakeAhead } from '../smoke/prepareSurfaces.ts';
+import { bakeAhead } from '../smoke/prepare.ts';
 import type { BlowInput } from './blow.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { openScene, type OpenedScene } from './openScene.ts';

@@ -1,4 +1,4 @@
-import { names } from '../../src/element/names.ts';
+import { names } from '../../src/element/attributes/names.ts';
 import { expect, MODULES, stands, test, WISP } from '../support/embed.ts';
 
 const OWN = [

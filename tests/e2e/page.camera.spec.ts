@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { table } from '../../src/preset/table.ts';
 import { expect, test } from '../support/fixtures.ts';
-import { QUIET_MS } from '../../src/app/gestureEnd.ts';
+import { QUIET_MS } from '../../src/app/input/gestureEnd.ts';
 import { ask, expectHash, expectSteps, expectValue, LIGHT, open } from './page.ts';
 import { fingerOf, mouseOf } from './touch.ts';
 

@@ -16,7 +16,7 @@ interface TestFixtures {
   ownPage: boolean;
   /** A page without anything of ours on it, for tests of single modules: one for all tests of a file. */
   blank: Page;
-  /** Imports a source module inside the blank page, such as '/src/puffs/mesh.ts', and gives a handle on it. */
+  /** Imports a source module inside the blank page, such as '/src/puffs/billboards/mesh.ts', and gives a handle on it. */
   load: LoadModule;
 }
 

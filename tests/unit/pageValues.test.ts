@@ -1,7 +1,7 @@
 /** Boxes of a page in the smoke, for eyes from all around: the cut of each obstacle with the plane of the picture is the box. */
 import { Quaternion, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { colliderValues, emitterValues } from '../../src/element/pageValues.ts';
+import { colliderValues, emitterValues } from '../../src/element/layout/pageValues.ts';
 import type { ScenePlane } from '../../src/stage/sight.ts';
 
 const PIXEL = 0.01;

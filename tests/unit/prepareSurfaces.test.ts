@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { memoizedCreases, memoizedSeams } from '../../src/passes/creases.ts';
 import { memoizedExtrusion } from '../../src/passes/meshVolumes.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
-import { preparingSurfaces } from '../../src/smoke/prepareSurfaces.ts';
+import { preparingSurfaces } from '../../src/smoke/prepare.ts';
 import { box, ground } from '../visual/solids.ts';
 
 const [FLOOR, BOX, PLAIN] = [ground(0, 5).mesh, box([0, 0.5, 0], [0.5, 0.5, 0.5]), box([2, 2, 2], [1, 1, 1])];

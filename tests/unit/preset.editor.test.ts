@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { Editor, type Changes } from '../../src/app/editor.ts';
-import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from '../../src/app/slider.ts';
+import { Editor, type Changes } from '../../src/app/editor/editor.ts';
+import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from '../../src/app/panel/slider.ts';
 import { defaultState } from '../../src/preset/codec.ts';
 import type { NumberParameter, Value, Values } from '../../src/preset/parameter.ts';
 import { findParameter, table } from '../../src/preset/table.ts';

@@ -1,14 +1,14 @@
 import { expect, test } from 'vitest';
 import { ShapeError } from '../../src/preset/errors.ts';
-import { BallCover } from '../../src/puffs/ballCover.ts';
-import { closedMesh, MAX_TRIANGLES, type PlainMesh } from '../../src/puffs/closedMesh.ts';
+import { BallCover } from '../../src/puffs/fit/ballCover.ts';
+import { closedMesh, MAX_TRIANGLES, type PlainMesh } from '../../src/puffs/fit/closedMesh.ts';
 import { demandShapes } from '../../src/puffs/lobes.ts';
-import { fitPuff } from '../../src/puffs/fitPuff.ts';
+import { fitPuff } from '../../src/puffs/fit/fitPuff.ts';
 import { reachOf } from '../../src/puffs/lobes.ts';
 import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
-import { puffMesh } from '../../src/puffs/mesh.ts';
+import { puffMesh } from '../../src/puffs/billboards/mesh.ts';
 import type { Lobe } from '../../src/puffs/shapes.ts';
-import { centreOf, depthsOf, voxelsOf } from '../../src/puffs/voxels.ts';
+import { centreOf, depthsOf, voxelsOf } from '../../src/puffs/fit/voxels.ts';
 import { box } from '../visual/solids.ts';
 
 const BALL: Lobe = { center: [0, 0, 0], radius: 1 };

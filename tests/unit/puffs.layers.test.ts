@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import { fromHalf } from '../../src/puffs/layers.ts';
-import { bakePuffs, samplePuff } from '../../src/puffs/layers.ts';
-import { puffMesh } from '../../src/puffs/mesh.ts';
-import { PUFF_PAD, rasterise } from '../../src/puffs/rasterise.ts';
+import { fromHalf } from '../../src/puffs/billboards/layers.ts';
+import { bakePuffs, samplePuff } from '../../src/puffs/billboards/layers.ts';
+import { puffMesh } from '../../src/puffs/billboards/mesh.ts';
+import { PUFF_PAD, rasterise } from '../../src/puffs/billboards/rasterise.ts';
 import type { Lobe } from '../../src/puffs/shapes.ts';
 import { FRONTS } from './fronts.ts';
 

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { bakeLobes } from '../../src/puffs/bakeLobes.ts';
+import { bakeLobes } from '../../src/puffs/bake/bakeLobes.ts';
 import { meetLobes, MAX_LOBES, reachOf, sampleLobes, silhouetteRadius } from '../../src/puffs/lobes.ts';
 import { DEFAULT_DESIGN, designedShapes, LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
 import { orientationOf, rotatedLobes } from '../../src/puffs/orientation.ts';

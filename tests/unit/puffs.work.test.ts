@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { bakeLobes, bakingLobes } from '../../src/puffs/bakeLobes.ts';
+import { bakeLobes, bakingLobes } from '../../src/puffs/bake/bakeLobes.ts';
 import { LruCache } from '../../src/puffs/lru.ts';
 import { DEFAULT_DESIGN, designedShapes } from '../../src/puffs/lobeShapes.ts';
 import { bakingPuffs } from '../../src/smoke/bakedPuffs.ts';

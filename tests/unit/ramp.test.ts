@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { withPlace } from '../../src/app/rampControl.ts';
+import { withPlace } from '../../src/app/panel/rampControl.ts';
 import { decode } from '../../src/preset/codec.ts';
 import { ParameterError } from '../../src/preset/errors.ts';
 import { MAX_COLORS, readRamp, writeRamp } from '../../src/preset/ramp.ts';

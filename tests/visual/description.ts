@@ -3,7 +3,7 @@ import { Matrix4 } from 'three';
 import type { Color, Ramp } from '../../src/device/ramps.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { TriangleMesh } from '../../src/passes/extrusion.ts';
-import { fromHalf } from '../../src/puffs/layers.ts';
+import { fromHalf } from '../../src/puffs/billboards/layers.ts';
 import type { Rows } from '../../src/sim/rows.ts';
 import type { View } from '../../src/sim/view.ts';
 import type { PuffForm } from '../../src/device/puffTextures.ts';

@@ -1,8 +1,8 @@
 import type { Stage } from '../../stage/stage.ts';
 import type { CaptureDialog } from './dialog.ts';
-import { iconButton } from '../dom.ts';
-import { icon } from '../icons.ts';
-import type { Notices } from '../notices.ts';
+import { iconButton } from '../ui/dom.ts';
+import { icon } from '../ui/icons.ts';
+import type { Notices } from '../ui/notices.ts';
 import { strings } from '../strings.ts';
 
 /** Opens the sheet of captures, which comes with its code when it is first asked for. */

@@ -1,7 +1,7 @@
 import type { Stage } from '../../stage/stage.ts';
-import { create, textButton } from '../dom.ts';
-import { download } from '../download.ts';
-import { Progress } from '../progress.ts';
+import { create, textButton } from '../ui/dom.ts';
+import { download } from '../ui/download.ts';
+import { Progress } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
 import { SettingsForm } from './settingsForm.ts';
 import type { CaptureSettings, Format } from './settings.ts';

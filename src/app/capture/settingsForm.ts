@@ -1,4 +1,4 @@
-import { create } from '../dom.ts';
+import { create } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
 import {
   FASTEST_GIF,

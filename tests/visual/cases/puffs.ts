@@ -2,7 +2,7 @@
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
-import { samplePuff, type PuffSample } from '../../../src/puffs/layers.ts';
+import { samplePuff, type PuffSample } from '../../../src/puffs/billboards/layers.ts';
 import { sampleLobes } from '../../../src/puffs/lobes.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
 import type { PuffShape } from '../../../src/puffs/shapes.ts';
