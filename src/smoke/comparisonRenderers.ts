@@ -2,8 +2,8 @@ import type { BufferGeometry } from 'three';
 import { SellePass } from '../passes/selle.ts';
 import { ShadowMapPass, type ShadowMapSources } from '../passes/shadowMap.ts';
 import { SpritesPass } from '../passes/sprites.ts';
-import type { FrameInput } from './frame.ts';
-import type { SmokePasses } from './smoke.ts';
+import type { FrameInput } from './frameInput.ts';
+import type { SmokePasses } from './smokePasses.ts';
 import type { ComparisonRenderer } from './style.ts';
 
 /** What the passes of the comparison renderers draw from. */

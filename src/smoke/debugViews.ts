@@ -2,8 +2,8 @@ import type { FrameView } from '../device/frameView.ts';
 import { DebugViewsPass } from '../passes/debugViews.ts';
 import type { DebugView } from '../preset/quality.ts';
 import type { CoverageGrid } from '../sim/view.ts';
-import type { FrameInput } from './frame.ts';
-import type { SmokePasses } from './smoke.ts';
+import type { FrameInput } from './frameInput.ts';
+import type { SmokePasses } from './smokePasses.ts';
 
 /** Shows what the passes work with instead of the picture. */
 export class DebugViews {

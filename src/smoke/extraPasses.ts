@@ -6,6 +6,7 @@ import { LoadError } from '../preset/errors.ts';
 import { inTime } from '../preset/timeout.ts';
 import type { DebugViews } from './debugViews.ts';
 import type { ComparisonRenderers, ComparisonSources } from './comparisonRenderers.ts';
+import type { FrameExtras } from './smokePasses.ts';
 import type { Renderer } from './style.ts';
 
 const imports = {
@@ -77,7 +78,7 @@ async function bring(name: Name, called: string): Promise<void> {
 }
 
 /** What few smokes draw with, for one of them: each is made when it is first asked for; undefined while its code is not here. */
-export class ExtraPasses {
+export class ExtraPasses implements FrameExtras {
   private readonly sources: ComparisonSources;
   private madeComparisons: ComparisonRenderers | undefined;
   private madeViews: DebugViews | undefined;

@@ -4,8 +4,8 @@ import type { Bounds } from '../sim/simulator.ts';
 import { LIFTERS_LIMIT, type CoverageView, type View } from '../sim/view.ts';
 import { widestLine } from '../passes/ink.ts';
 import type { FrameView } from '../device/frameView.ts';
-import type { FrameInput } from './frame.ts';
-import type { SmokePasses } from './smoke.ts';
+import type { FrameInput } from './frameInput.ts';
+import type { SmokePasses } from './smokePasses.ts';
 import { inkLineOf } from './style.ts';
 
 /** Ink stands at most this far beside a puff, in its radii; see shaders/lib/ink.glsl. */

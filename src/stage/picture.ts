@@ -6,7 +6,7 @@ import type { Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import type { PictureKind } from '../smoke/extraPasses.ts';
-import type { FrameReport } from '../smoke/frame.ts';
+import type { FrameReport } from '../smoke/frameInput.ts';
 import { OrbitCamera } from './orbit.ts';
 import type { Presenter } from './presenter.ts';
 import { ShownSmoke } from './shownSmoke.ts';

@@ -1,4 +1,14 @@
-import { Box3, Group, Vector2, Vector4, type Camera, type Object3D, type Scene, type WebGLRenderer, Vector3 } from 'three';
+import {
+  Box3,
+  Group,
+  Vector2,
+  Vector4,
+  type Camera,
+  type Object3D,
+  type Scene,
+  type WebGLRenderer,
+  Vector3,
+} from 'three';
 import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
 import { SimulatorError, UnsupportedError } from '../preset/errors.ts';
@@ -16,7 +26,16 @@ import { Colliders, type CollideOptions } from './colliders.ts';
 import { borrowDevice, releaseDevice, HostPasses } from './hostPasses.ts';
 import { drawIntoHost, markWith } from './hostFrame.ts';
 import { lightFrom, requireKeyLight, type KeyLight } from './keyLight.ts';
-import { hostStyle, requireChangeable, requireEmitter, startValues, type CartoonSmokeEvents, type CartoonSmokeOptions, type CartoonSmokeStats, type CastOptions } from './options.ts';
+import {
+  hostStyle,
+  requireChangeable,
+  requireEmitter,
+  startValues,
+  type CartoonSmokeEvents,
+  type CartoonSmokeOptions,
+  type CartoonSmokeStats,
+  type CastOptions,
+} from './options.ts';
 import { receiversIn } from './casters.ts';
 import { requirementError, requireRenderer } from './requirements.ts';
 

@@ -1,4 +1,14 @@
-import { Matrix4, Quaternion, Vector3, type Mesh, type Object3D, type WebGLRenderer, Box3, type InstancedMesh, type SkinnedMesh } from 'three';
+import {
+  Matrix4,
+  Quaternion,
+  Vector3,
+  type Mesh,
+  type Object3D,
+  type WebGLRenderer,
+  Box3,
+  type InstancedMesh,
+  type SkinnedMesh,
+} from 'three';
 import type { Device } from '../device/device.ts';
 import type { FrameView } from '../device/frameView.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';

@@ -1,5 +1,5 @@
 import { Vector2, type Camera, type Scene, type WebGLRenderer, NoBlending, type Mesh } from 'three';
-import type { FrameInput, FrameReport } from '../smoke/frame.ts';
+import type { FrameInput, FrameReport } from '../smoke/frameInput.ts';
 import type { HostPasses } from './hostPasses.ts';
 import type { KeyLight } from './keyLight.ts';
 import { relight } from './relight.ts';

@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { joined, stillOf } from '../../src/app/capture/still.ts';
 import { NO_END, type Rows } from '../../src/sim/rows.ts';
 import type { View } from '../../src/sim/view.ts';
-import type { Arranger, FrameInput } from '../../src/smoke/frame.ts';
+import type { Arranger, FrameInput } from '../../src/smoke/frameInput.ts';
 
 const SEEDS = [0, 100, 255];
 const VIEW = { purpose: 'eye', cull: true, coverage: {} } as unknown as View;

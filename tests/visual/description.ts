@@ -9,7 +9,7 @@ import type { View } from '../../src/sim/view.ts';
 import type { PuffForm } from '../../src/device/puffTextures.ts';
 import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { bandsOf } from '../../src/smoke/bands.ts';
-import type { FrameInput } from '../../src/smoke/frame.ts';
+import type { FrameInput } from '../../src/smoke/frameInput.ts';
 import type { Light } from '../../src/smoke/light.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from '../../src/smoke/palette.ts';
 import { inkLineOf, type Style } from '../../src/smoke/style.ts';

@@ -20,7 +20,7 @@ import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { PuffShape } from '../../src/puffs/shapes.ts';
 import { ATTRIBUTE_WORDS, NO_END, type Rows } from '../../src/sim/rows.ts';
 import { fetchExtras } from '../../src/smoke/extraPasses.ts';
-import type { Arranger, FrameInput } from '../../src/smoke/frame.ts';
+import type { Arranger, FrameInput } from '../../src/smoke/frameInput.ts';
 import type { Light } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import type { Style } from '../../src/smoke/style.ts';

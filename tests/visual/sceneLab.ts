@@ -9,7 +9,7 @@ import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { loadSimulators } from '../../src/sim/load.ts';
 import { PLACE_FLOATS } from '../../src/sim/rows.ts';
 import type { Simulator } from '../../src/sim/simulator.ts';
-import type { Arranger, FrameInput, FrameReport } from '../../src/smoke/frame.ts';
+import type { Arranger, FrameInput, FrameReport } from '../../src/smoke/frameInput.ts';
 import { lightOf } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import { inkLineOf, styleOf, type Style } from '../../src/smoke/style.ts';

@@ -2,7 +2,7 @@ import { MathUtils } from 'three';
 import { ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS, type Rows } from '../../sim/rows.ts';
 import type { Bounds } from '../../sim/simulator.ts';
 import type { View } from '../../sim/view.ts';
-import type { Arranger } from '../../smoke/frame.ts';
+import type { Arranger } from '../../smoke/frameInput.ts';
 
 /** Puffs come and go one after the other, by their seeds; each takes this share of the whole time. */
 const ONE_PUFF = 0.4;

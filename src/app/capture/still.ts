@@ -1,6 +1,6 @@
 import { MathUtils, Matrix4, Quaternion, Vector3, type Camera } from 'three';
 import { ALL_THAT_LIVES } from '../../sim/view.ts';
-import type { FrameInput } from '../../smoke/frame.ts';
+import type { FrameInput } from '../../smoke/frameInput.ts';
 import type { Light } from '../../smoke/light.ts';
 import { JoinedSmoke, keep, type RetainedSmoke } from './joinedSmoke.ts';
 

@@ -5,21 +5,7 @@ import { create, uniqueId } from '../ui/dom.ts';
 import { createRamp } from './rampControl.ts';
 import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from './slider.ts';
 import { strings } from '../strings.ts';
-
-/** The inputs of one parameter: they show a value and report what people make of it. */
-export interface Control {
-  readonly elements: readonly HTMLElement[];
-  /** The input that the label names. */
-  readonly id: string;
-  show(value: Value): void;
-}
-
-export interface ControlListener {
-  /** The value is on its way, many times a gesture. */
-  change(value: Value): void;
-  /** The gesture has ended. */
-  settle(): void;
-}
+import type { Control, ControlListener } from './controlTypes.ts';
 
 /** Native inputs for a row of the table. @param describedBy id of the element with its text */
 export function createControl(parameter: Parameter, describedBy: string, listener: ControlListener): Control {

@@ -1,5 +1,5 @@
 import { MIN_STOPS, MAX_STOPS, readCurve, writeCurve, type Stop } from '../../preset/curve.ts';
-import type { Control, ControlListener } from './control.ts';
+import type { Control, ControlListener } from './controlTypes.ts';
 import { create, createSvg, uniqueId } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
 

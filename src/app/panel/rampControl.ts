@@ -1,5 +1,5 @@
 import { MIN_COLORS, MAX_COLORS, readRamp, writeRamp, type RampStop } from '../../preset/ramp.ts';
-import type { Control, ControlListener } from './control.ts';
+import type { Control, ControlListener } from './controlTypes.ts';
 import { create, createSvg, textButton, uniqueId } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
 

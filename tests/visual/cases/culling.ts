@@ -3,7 +3,7 @@ import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'thr
 import { defaultPreset, findPreset, presetValues, type Preset } from '../../../src/preset/presets.ts';
 import type { Value, Values } from '../../../src/preset/parameter.ts';
 import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
-import type { FrameInput } from '../../../src/smoke/frame.ts';
+import type { FrameInput } from '../../../src/smoke/frameInput.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { RenderBench } from '../../bench/render/bench.ts';
