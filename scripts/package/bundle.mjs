@@ -32,7 +32,7 @@ const TOGETHER = [
   { name: 'cartoonSmokeElement', test: /element\/(cartoonSmokeElement|attributes\/names)\.ts$/, priority: 3 },
   {
     name: 'session',
-    test: /src\/(preset\/(table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/openStage|element\/(change|fit|playback|session|attributes\/parsedAttributes))\.ts$/,
+    test: /src\/(preset\/(table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/openStage|page\/size|element\/(change|playback|session|attributes\/parsedAttributes))\.ts$/,
     priority: 2,
   },
   { name: 'stage', test: /src\/remote\/openHere\.ts$/, priority: 1 },

@@ -10,7 +10,9 @@ import { BallKeys } from './input/ball.ts';
 import { connectStage } from './editor/connect.ts';
 import { textButton } from './ui/dom.ts';
 import { Editor } from './editor/editor.ts';
-import { fitStage, pixelRatio, restWhileHidden } from './fit.ts';
+import { ORBIT_PER_KEY } from '../page/gestures.ts';
+import { sizeOf, watchSize } from '../page/size.ts';
+import { restWhileHidden } from '../page/visibility.ts';
 import { toggleFullScreen } from './playback/fullScreen.ts';
 import { GestureEnd } from './input/gestureEnd.ts';
 import { listenToKeys } from './input/keyboard.ts';
@@ -35,7 +37,6 @@ declare global {
 
 /** With reduced motion the page starts with a still picture; by then the smoke has filled its column. */
 const STILL_SECONDS = 4;
-const ORBIT_STEP = Math.PI / 24;
 /** Late frames after which the page says so: the governor has seen by then that it is no passing load. */
 const LATE_FRAMES = 8;
 
@@ -74,7 +75,7 @@ async function start(): Promise<void> {
   connectInput(stage, editor, page, scrubber);
   notifyOfSlowMachine(stage, notices);
   describeScene(stage, canvas);
-  fitStage(stage, canvas);
+  watchSize(canvas, ({ width, height, pixelRatio }) => stage.resize(width, height, pixelRatio));
   restWhileHidden(stage);
   await begin(stage, moment ? { ...environment, time: 0 } : environment, notices);
   workOffline((takeOver) => notices.offer(strings.notices.newVersion, strings.notices.reload, takeOver));
@@ -96,9 +97,7 @@ async function load(editor: Editor, { quality, view }: Environment): Promise<Sta
   try {
     return await createStage(canvas, {
       values: editor.state.values,
-      width: canvas.clientWidth,
-      height: canvas.clientHeight,
-      pixelRatio: pixelRatio(),
+      ...sizeOf(canvas),
       quality,
       view,
       visible: false,
@@ -158,7 +157,7 @@ function connectInput(stage: Stage, editor: Editor, page: Page, scrubber: Scrubb
     },
     push: (right, up, near) => ball.push(right, up, near),
     orbit: (right, up) => {
-      stage.camera.orbit(right * ORBIT_STEP, up * ORBIT_STEP);
+      stage.camera.orbit(right * ORBIT_PER_KEY, up * ORBIT_PER_KEY);
       orbitEnd.postpone();
     },
     resetView: () => {

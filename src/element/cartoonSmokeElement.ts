@@ -6,7 +6,7 @@ import type { RemoteStage } from '../remote/contract.ts';
 import type { SmokeEvents } from './events.ts';
 import { HANDED_ON, type HandedOn } from './methods.ts';
 import { keyOfAttribute } from './attributes/names.ts';
-import { whenNear } from './near.ts';
+import { whenNear } from '../page/visibility.ts';
 import { fetchAhead, part } from './parts.ts';
 import { defineProperties, FLAGS, takeUpEarlier, TEXTS } from './attributes/properties.ts';
 import { ignoreRejection } from './ignoreRejection.ts';

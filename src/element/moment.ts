@@ -1,6 +1,6 @@
 import { notice, type Notice } from '../preset/notice.ts';
 import type { Values } from '../preset/parameter.ts';
-import { findParameter } from '../preset/table.ts';
+import { linkCapacity, lookOf } from '../page/moment.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import type { Take } from '../stage/take.ts';
@@ -25,7 +25,7 @@ export async function goToMoment(
     checkCapacity(take);
     if (take.values.scene !== values.scene) await stage.enter(take.values);
     await stage.playTake(bytes);
-    await stage.set(looksOf(values));
+    await stage.set(lookOf(values));
     await stage.seek(Math.min(seconds ?? take.steps * STEP_SECONDS, LONGEST_SECONDS));
     const sentence = () => 'An older version recorded the moment in the link. The smoke may end differently.';
     return take.isExact ? [] : [notice('otherVersion', 'take', '', sentence)];
@@ -37,13 +37,7 @@ export async function goToMoment(
 
 /** @throws Error when an untrusted take asks for more than links may */
 function checkCapacity({ isFresh, mostParticles }: Take): void {
-  const row = findParameter('simulation.maxParticles');
-  const max = row?.kind === 'integer' ? (row.linkMax ?? row.max) : 0;
+  const max = linkCapacity();
   if (!isFresh) throw new Error('it begins with a saved state.');
   if (mostParticles > max) throw new Error(`it makes room for ${mostParticles} particles, and links for ${max}.`);
-}
-
-function looksOf(values: Values): Values {
-  const isLook = (key: string) => ['style', 'light', 'camera'].includes(findParameter(key)!.reader);
-  return Object.fromEntries(Object.entries(values).filter(([key]) => isLook(key)));
 }

@@ -1,9 +1,8 @@
+import { ORBIT_PER_KEY, ORBIT_PER_PIXEL, spread } from '../page/gestures.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
 import type { Shell } from './shell/shell.ts';
 
-const ORBIT_PER_PIXEL = 0.006;
-const ORBIT_PER_KEY = Math.PI / 24;
 const ZOOM_PER_PIXEL = 0.01;
 const ZOOM_PER_KEY = 1.15;
 
@@ -113,8 +112,7 @@ export class PointerControls {
 
   /** Distance between two pointers that hold nothing, in pixels; 0 for fewer. */
   private spread(): number {
-    const [a, b] = [...this.presses.values()].filter(({ isLoose }) => isLoose);
-    return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
+    return spread([...this.presses.values()].filter(({ isLoose }) => isLoose));
   }
 
   private release(event: PointerEvent, type: 'up' | 'cancel'): void {

@@ -8,7 +8,7 @@ import { openStage } from '../remote/openStage.ts';
 import { asSmokeError } from './asSmokeError.ts';
 import { change } from './change.ts';
 import type { SmokeEvents } from './events.ts';
-import { sizeOf, watchSize } from './fit.ts';
+import { sizeOf, watchSize } from '../page/size.ts';
 import type { OnPage } from './layout/onPage.ts';
 import { part } from './parts.ts';
 import { calm, Playback } from './playback.ts';

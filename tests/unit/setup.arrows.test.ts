@@ -7,9 +7,8 @@ import { Project } from '../support/project.ts';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const CONFIG = '.oxlintrc.arrows.json';
-const FOLDERS = 'app element iframe remote stage three scenes smoke passes instances puffs sim device preset'.split(
-  ' ',
-);
+const FOLDERS =
+  'app element iframe page remote stage three scenes smoke passes instances puffs sim device preset'.split(' ');
 
 let project: Project;
 beforeEach(() => {
@@ -39,9 +38,10 @@ function lintLine(folder: string, code: string): string[] {
 }
 
 const right: Record<string, string> = {
-  app: 'element remote stage three scenes smoke passes instances puffs sim device preset',
-  element: 'remote stage three scenes smoke passes instances puffs sim device preset',
+  app: 'element page remote stage three scenes smoke passes instances puffs sim device preset',
   iframe: 'element remote stage scenes smoke passes instances puffs sim device preset',
+  element: 'page remote stage scenes smoke passes instances puffs sim device preset',
+  page: 'stage sim preset',
   remote: 'stage scenes smoke passes instances puffs sim device preset',
   stage: 'scenes smoke passes instances puffs sim device preset',
   three: 'smoke passes instances puffs sim device preset',

@@ -1,7 +1,7 @@
+import { ORBIT_PER_PIXEL, spread } from '../../page/gestures.ts';
 import type { Stage } from '../../stage/stage.ts';
 import type { GestureEnd } from './gestureEnd.ts';
 
-const ORBIT_PER_PIXEL = 0.006;
 const ZOOM_PER_PIXEL = 0.0015;
 // What one line of a wheel that counts in lines is worth.
 const PIXELS_PER_LINE = 32;
@@ -98,8 +98,7 @@ export class Pointers {
 
   /** Distance between the first two loose pointers, 0 for fewer. */
   private spread(): number {
-    const [a, b] = this.loose.values();
-    return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
+    return spread([...this.loose.values()]);
   }
 
   private forward(type: 'down' | 'move' | 'up' | 'cancel', event: PointerEvent): 'rigid' | null {

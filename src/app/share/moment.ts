@@ -2,7 +2,7 @@
 import { LONGEST_LEAD } from '../../preset/environment.ts';
 import { encode, type State } from '../../preset/codec.ts';
 import type { Values } from '../../preset/parameter.ts';
-import { findParameter } from '../../preset/table.ts';
+import { linkCapacity, lookOf } from '../../page/moment.ts';
 import { STEP_SECONDS } from '../../sim/clock.ts';
 import type { Stage } from '../../stage/stage.ts';
 import type { Take } from '../../stage/take.ts';
@@ -75,22 +75,16 @@ async function wind(stage: Stage, seconds: number, notices: Notices, container: 
 
 /** Why a take out of an untrusted link is not played; undefined where it is. */
 function errorOf({ isFresh, mostParticles }: Take): string | undefined {
-  const row = findParameter('simulation.maxParticles');
-  const max = row?.kind === 'integer' ? (row.linkMax ?? row.max) : 0;
+  const max = linkCapacity();
   if (!isFresh) return strings.moment.notFresh;
   return mostParticles > max ? strings.moment.tooMany(mostParticles, max) : undefined;
 }
 
 /** Gives a stage what the simulator does not read, and so no take keeps by step. */
 function lookAs(stage: Stage, values: Values): void {
-  const needless = Object.keys(looksOf(stage.get())).filter((key) => values[key] === undefined);
+  const needless = Object.keys(lookOf(stage.get())).filter((key) => values[key] === undefined);
   stage.unset(needless);
-  stage.set(looksOf(values));
-}
-
-function looksOf(values: Values): Values {
-  const isLook = (key: string) => ['style', 'light', 'camera'].includes(findParameter(key)!.reader);
-  return Object.fromEntries(Object.entries(values).filter(([key]) => isLook(key)));
+  stage.set(lookOf(values));
 }
 
 function setQuery(address: URL, name: string, value: string | undefined): void {

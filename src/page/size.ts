@@ -1,6 +1,6 @@
-// Beyond two pixels a CSS pixel nobody sees more, but every pixel costs.
+// Ink is drawn at the resolution of the screen; beyond two pixels a CSS pixel nobody sees more, but every pixel costs.
 const LARGEST_PIXEL_RATIO = 2;
-// As many as a screen of 4K has: an element may be as large as its page, but is never seen whole then.
+// As many as a screen of 4K has: what is larger, such as an element as large as its page, is never seen whole.
 const MAX_PIXELS = 3840 * 2160;
 
 // WebGL guarantees less, but no machine that draws smoke has less.
@@ -13,7 +13,7 @@ export interface Size {
   readonly pixelRatio: number;
 }
 
-/** How large the picture of an element is to be. */
+/** How large the picture in an element is to be. */
 export function sizeOf(element: Element): Size {
   const { clientWidth: width, clientHeight: height } = element;
   const affordable = Math.sqrt(MAX_PIXELS / Math.max(1, width * height));

@@ -1,3 +1,5 @@
+import type { Stage } from '../stage/stage.ts';
+
 /** How far beyond the viewport an element may be for its smoke to be fetched: about a second of fast scrolling. */
 const MARGIN = '400px';
 
@@ -15,4 +17,17 @@ export function whenNear(element: Element, arrive: () => void): () => void {
   }, margins);
   observer.observe(element);
   return () => observer.disconnect();
+}
+
+/** Rests while nobody can see the page, and goes on only if it was playing. */
+export function restWhileHidden(stage: Stage): void {
+  let goesOn = false;
+  document.addEventListener('visibilitychange', () => {
+    if (document.hidden) {
+      goesOn = stage.playing;
+      stage.pause();
+    } else if (goesOn) {
+      stage.play();
+    }
+  });
 }
