@@ -4,8 +4,8 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import { expect, test } from './fixtures.ts';
-import { serveStrictly, type SiteServer } from './plainPage.ts';
+import { expect, test } from '../support/fixtures.ts';
+import { serveStrictly, type SiteServer } from '../support/plainPage.ts';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const WISP = '#v=1&preset=wisp&simulation.maxParticles=500';

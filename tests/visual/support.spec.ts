@@ -1,8 +1,8 @@
 /** Shows that the common ground of the browser tests fails when it should. */
 import { PNG } from 'pngjs';
-import { watchConsoleErrors } from './consoleErrors.ts';
-import { expect, test } from './fixtures.ts';
-import { bytesOf, compare } from './goldens.ts';
+import { watchConsoleErrors } from '../support/consoleErrors.ts';
+import { expect, test } from '../support/fixtures.ts';
+import { bytesOf, compare } from '../support/goldens.ts';
 
 test('draws with SwiftShader', ({ renderer }) => {
   expect(renderer).toContain('SwiftShader');

@@ -2,8 +2,8 @@
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { closeSheet, expectSteps } from '../e2e/page.ts';
-import { expect, test } from './fixtures.ts';
-import { serveStrictly, type SiteServer } from './plainPage.ts';
+import { expect, test } from '../support/fixtures.ts';
+import { serveStrictly, type SiteServer } from '../support/plainPage.ts';
 
 const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
 const LIGHT = '#v=1&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=500';

@@ -5,8 +5,8 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import { expect, test } from './fixtures.ts';
-import { serveOpenly, type SiteServer } from './plainPage.ts';
+import { expect, test } from '../support/fixtures.ts';
+import { serveOpenly, type SiteServer } from '../support/plainPage.ts';
 
 const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
 const LOOK = '#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300&style.smokeColor=%23ff2010';
