@@ -167,7 +167,7 @@ export class CartoonSmokeElement extends Base {
   #waitOrStart(): void {
     if (!this.isConnected || this.#start) return;
     if (this.loading === 'eager') this.#begin();
-    else this.#stopWaiting ??= whenNear(this.#shell.frame, () => this.#begin());
+    else this.#stopWaiting ??= whenNear(this.#shell.container, () => this.#begin());
   }
 
   #begin(): void {

@@ -44,8 +44,8 @@ export class PointerControls {
   }
 
   toggle(isInteractive: boolean): void {
-    const { canvas, frame } = this.shell;
-    frame.classList.toggle('interactive', isInteractive);
+    const { canvas, container } = this.shell;
+    container.classList.toggle('interactive', isInteractive);
     if (!canvas || isInteractive === (this.listening !== undefined)) return;
     this.listening?.abort();
     this.listening = undefined;

@@ -42,7 +42,7 @@ export async function openSession(owner: SessionOwner, signal: AbortSignal): Pro
   signal.throwIfAborted();
   const stage = await openStage(() => shell.makeCanvas(element.getAttribute('alt')), {
     values: attributes.values,
-    ...sizeOf(shell.frame),
+    ...sizeOf(shell.container),
     quality: 'auto',
     background: !element.hasAttribute('transparent'),
     thread: threadOf(element),
@@ -81,7 +81,7 @@ export class Session {
     if (attributes.isPaused) element.toggleAttribute('paused', true);
     this.playback = new Playback(stage, element.hasAttribute('paused'), (state) => this.showPlaying(state));
     this.endings = [
-      watchSize(shell.frame, ({ width, height, pixelRatio }) =>
+      watchSize(shell.container, ({ width, height, pixelRatio }) =>
         ignoreRejection(stage.resize(width, height, pixelRatio)),
       ),
       stage.on('error', (error) => {
@@ -206,7 +206,7 @@ export class Session {
     const values = () => this.attributes.values;
     this.onPage = new OnPage(this.stage, {
       element,
-      frame: shell.frame,
+      container: shell.container,
       values,
       notify: (notices) => this.notify(notices),
     });

@@ -39,7 +39,7 @@ const BIAS_TEXELS = 3;
 const NEAREST = 0.02;
 /** The widest view by which a lamp sees all receivers at once, degrees; from a nearer place it looks to six sides. */
 const WIDEST = 90;
-/** How a lamp's camera turns from each of the six sides to the next, in its own frame: about an axis, by radians. */
+/** How a lamp's camera turns from each of the six sides to the next, in its own space: about an axis, by radians. */
 const ROTATIONS = [
   [new Vector3(0, 1, 0), 0],
   [new Vector3(0, 1, 0), Math.PI / 2],

@@ -5,7 +5,7 @@
 import { spherePoint, type Vector } from './vector.ts';
 import type { Lobe } from './shapes.ts';
 
-/** A rotation of the world from the puff's frame: its three columns. */
+/** A rotation of the world from the puff's space: its three columns. */
 export type Rotation = readonly [Vector, Vector, Vector];
 
 const SEEDS = 256;

@@ -4,22 +4,22 @@ import { isWord, say } from './handshake.ts';
 import { PortStage } from './portStage.ts';
 
 export interface ConnectOptions {
-  /** Where the frame has to be from; anywhere when left out, and always in a sandbox without `allow-same-origin`. */
+  /** Where the iframe has to be from; anywhere when left out, and always in a sandbox without `allow-same-origin`. */
   origin?: string;
-  /** Aborting ends the waiting for a frame that does not come. */
+  /** Aborting ends the waiting for an iframe that does not come. */
   signal?: AbortSignal;
 }
 
 /**
- * The stage in a frame that shows `embed.html`, whatever site and sandbox it is in. Waits until its smoke stands, which asks
- * it to start. The size and what is in view are the frame's own affair: `resize` and `setVisible` do nothing. Should
- * the frame load anew, show another page or be removed, pending and later calls reject with a SimulatorError, its stage has an error
+ * The stage in a iframe that shows `embed.html`, whatever site and sandbox it is in. Waits until its smoke stands, which asks
+ * it to start. The size and what is in view are the iframe's own affair: `resize` and `setVisible` do nothing. Should
+ * the iframe load anew, show another page or be removed, pending and later calls reject with a SimulatorError, its stage has an error
  * event, and can be connected to again.
- * @throws what createStage throws in the frame; ParameterError for an origin that is none; the signal's reason when that aborts;
- * SimulatorError when the frame is removed meanwhile
+ * @throws what createStage throws in the iframe; ParameterError for an origin that is none; the signal's reason when that aborts;
+ * SimulatorError when the iframe is removed meanwhile
  */
 export async function connectFrame(
-  frame: HTMLIFrameElement,
+  iframe: HTMLIFrameElement,
   { origin = '*', signal }: ConnectOptions = {},
 ): Promise<RemoteStage> {
   signal?.throwIfAborted();
@@ -29,18 +29,18 @@ export async function connectFrame(
   const connect = () => {
     const { port1, port2 } = new MessageChannel();
     tries.push(new PortStage(port1, 'frame', () => hearing.abort()));
-    frame.contentWindow?.postMessage(say('connect'), origin, [port2]);
+    iframe.contentWindow?.postMessage(say('connect'), origin, [port2]);
     return tries.at(-1)!;
   };
   try {
-    const stage = await firstOpened(frame, connect, signal);
+    const stage = await firstOpened(iframe, connect, signal);
     for (const other of tries) if (other !== stage) other.abandon();
     const fail = (reason: string) => {
       hearing.abort();
       stage.fail(new SimulatorError(`The frame ${reason}; connect again.`));
     };
-    whenHeard(frame, hearing.signal, () => fail('was loaded anew'));
-    whenRemoved(frame, hearing.signal, () => fail('was removed'));
+    whenHeard(iframe, hearing.signal, () => fail('was loaded anew'));
+    whenRemoved(iframe, hearing.signal, () => fail('was removed'));
     return stage.face;
   } catch (error) {
     for (const one of tries) one.abandon();
@@ -58,9 +58,9 @@ function demandOrigin(origin: string): void {
   }
 }
 
-/** Knocks at once if there is anybody, and again when the frame says that it is there. */
+/** Connects at once if there is anybody, and again when the iframe says that it is there. */
 function firstOpened(
-  frame: HTMLIFrameElement,
+  iframe: HTMLIFrameElement,
   connect: () => PortStage,
   signal: AbortSignal | undefined,
 ): Promise<PortStage> {
@@ -78,9 +78,9 @@ function firstOpened(
       );
     };
     signal?.addEventListener('abort', () => settle(() => reject(signal.reason)), { signal: heard.signal });
-    whenHeard(frame, heard.signal, wait);
-    whenRemoved(frame, heard.signal, () => settle(() => reject(new SimulatorError('The frame was removed.'))));
-    if (!isEmpty(frame)) wait();
+    whenHeard(iframe, heard.signal, wait);
+    whenRemoved(iframe, heard.signal, () => settle(() => reject(new SimulatorError('The frame was removed.'))));
+    if (!isEmpty(iframe)) wait();
   });
 }
 
@@ -89,31 +89,31 @@ function isEmpty({ contentDocument }: HTMLIFrameElement): boolean {
   return contentDocument?.URL === 'about:blank';
 }
 
-/** Calls back whenever the page in a frame says that it is there. */
-function whenHeard(frame: HTMLIFrameElement, signal: AbortSignal, act: () => void): void {
+/** Calls back whenever the page in an iframe says that it is there. */
+function whenHeard(iframe: HTMLIFrameElement, signal: AbortSignal, act: () => void): void {
   const listen = ({ source, data }: MessageEvent) => {
-    if (source === frame.contentWindow && isWord(data, 'here')) act();
+    if (source === iframe.contentWindow && isWord(data, 'here')) act();
   };
   window.addEventListener('message', listen, { signal });
 }
 
 /**
- * Calls back once a frame that was in the document is taken from it or moved, which ends the page in it. Ports do not tell of that
+ * Calls back once an iframe that was in the document is taken from it or moved, which ends the page in it. Ports do not tell of that
  * in all browsers.
  */
-function whenRemoved(frame: HTMLIFrameElement, signal: AbortSignal, act: () => void): void {
-  let inside = frame.contentWindow;
+function whenRemoved(iframe: HTMLIFrameElement, signal: AbortSignal, act: () => void): void {
+  let inside = iframe.contentWindow;
   const observer = new MutationObserver(() => {
-    if (inside && inside !== frame.contentWindow) act();
-    inside = frame.contentWindow;
+    if (inside && inside !== iframe.contentWindow) act();
+    inside = iframe.contentWindow;
   });
-  for (const root of rootsAround(frame)) observer.observe(root, { childList: true, subtree: true });
+  for (const root of rootsAround(iframe)) observer.observe(root, { childList: true, subtree: true });
   signal.addEventListener('abort', () => observer.disconnect());
 }
 
-/** The document and each shadow root around a frame: who observes one does not see into the others. */
-function rootsAround(frame: HTMLIFrameElement): Node[] {
-  const roots: Node[] = [frame.ownerDocument];
-  for (let root = frame.getRootNode(); root instanceof ShadowRoot; root = root.host.getRootNode()) roots.push(root);
+/** The document and each shadow root around an iframe: who observes one does not see into the others. */
+function rootsAround(iframe: HTMLIFrameElement): Node[] {
+  const roots: Node[] = [iframe.ownerDocument];
+  for (let root = iframe.getRootNode(); root instanceof ShadowRoot; root = root.host.getRootNode()) roots.push(root);
   return roots;
 }

@@ -38,7 +38,7 @@ export interface Rows {
 }
 
 /** A row's attributes, unpacked. */
-export interface Attributes {
+export interface RowAttributes {
   /** Roll, fraction of a turn, 0 to 1: about the view axis, or of a puff of lobes about an axis that the seed chooses. */
   roll: number;
   /** Age as a fraction of the lifetime, 0 to 1. */
@@ -54,7 +54,7 @@ export interface Attributes {
 }
 
 /** Unpacks row `index` of an array of attributes; for tests and tools, the shaders do the same for themselves. */
-export function readAttributes(attributes: Uint32Array, index: number): Attributes {
+export function readAttributes(attributes: Uint32Array, index: number): RowAttributes {
   const motion = attributes[ATTRIBUTE_WORDS * index];
   const kind = attributes[ATTRIBUTE_WORDS * index + 1];
   return {

@@ -34,12 +34,12 @@ export class HostPasses {
   }
 }
 
-interface SharedDevice {
+interface BorrowedDevice {
   device: Device;
   users: number;
 }
 
-const devices = new WeakMap<WebGLRenderer, SharedDevice>();
+const devices = new WeakMap<WebGLRenderer, BorrowedDevice>();
 
 /** The device of the host's renderer: all smokes on it share one. Give it back with {@link releaseDevice}. */
 export function borrowDevice(renderer: WebGLRenderer): Device {

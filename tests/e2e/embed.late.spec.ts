@@ -39,9 +39,9 @@ async function hold(page: Page, file: string): Promise<{ asked: Promise<Route> }
   return { asked };
 }
 
-test('what was taken away amid its start has no say when the element is put back', async ({ page, host }) => {
+test('what was taken away amid its start has no say when the element is put back', async ({ page, openPage }) => {
   const request = await hold(page, 'pointers.js');
-  await host(`<cartoon-smoke ${WISP} interactive ${SIZE}></cartoon-smoke>${LISTEN}`);
+  await openPage(`<cartoon-smoke ${WISP} interactive ${SIZE}></cartoon-smoke>${LISTEN}`);
   const route = await request.asked;
   await smokeOn(page).evaluate(async (smoke) => {
     smoke.remove();
@@ -61,9 +61,9 @@ test('what was taken away amid its start has no say when the element is put back
   expect(await notifiedOn(page)).toEqual(before);
 });
 
-test('the failure of what the page wants no more is not told, and what it wants comes', async ({ page, host }) => {
+test('the failure of what the page wants no more is not told, and what it wants comes', async ({ page, openPage }) => {
   const request = await hold(page, 'wisp.js');
-  await host(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke>${LISTEN}`);
+  await openPage(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke>${LISTEN}`);
   const route = await request.asked;
   await smokeOn(page).evaluate((smoke) => smoke.setAttribute('preset', 'air'));
   await route.abort();
@@ -72,8 +72,8 @@ test('the failure of what the page wants no more is not told, and what it wants 
   expect(await notifiedOn(page)).not.toContain('error');
 });
 
-test('a link that shows something still pauses what plays when it comes later, too', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
+test('a link that shows something still pauses what plays when it comes later, too', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
   await stands(page);
   await smokeOn(page).evaluate((smoke: CartoonSmokeElement) => (smoke.src = '?paused=1#preset=wisp'));
   await expect(smokeOn(page)).toHaveAttribute('paused');
@@ -85,9 +85,9 @@ test('a link that shows something still pauses what plays when it comes later, t
 
 test('another link begins anew where it says when, as it would on a fresh element; one that does not say changes what stands', async ({
   page,
-  host,
+  openPage,
 }) => {
-  await host(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke>`);
+  await openPage(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke>`);
   await stands(page);
   const smoke = smokeOn(page).first();
   const steps = () => smoke.evaluate(async (element: CartoonSmokeElement) => (await element.stats()).steps);
@@ -112,8 +112,11 @@ test('another link begins anew where it says when, as it would on a fresh elemen
   await expect(smoke).toHaveAttribute('paused');
 });
 
-test('goes through templates and other documents without a word, and looks the same after', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke><iframe title="Another document"></iframe>`);
+test('goes through templates and other documents without a word, and looks the same after', async ({
+  page,
+  openPage,
+}) => {
+  await openPage(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke><iframe title="Another document"></iframe>`);
   await stands(page);
   const positions = await smokeOn(page).evaluate(async (smoke) => {
     const places = [
@@ -134,8 +137,8 @@ test('goes through templates and other documents without a word, and looks the s
   await stands(page);
 });
 
-test('smoke that is far taller than any picture can be is drawn all the same', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} paused start="3" style="width: 200px; height: 150px"></cartoon-smoke>`);
+test('smoke that is far taller than any picture can be is drawn all the same', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP} paused start="3" style="width: 200px; height: 150px"></cartoon-smoke>`);
   await stands(page);
   const heights = () =>
     smokeOn(page).evaluate((smoke) => {
@@ -148,16 +151,16 @@ test('smoke that is far taller than any picture can be is drawn all the same', a
   }
 });
 
-test('a click on its button is none on the link around it', async ({ page, host }) => {
-  await host(`<a href="#elsewhere"><cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke></a>`);
+test('a click on its button is none on the link around it', async ({ page, openPage }) => {
+  await openPage(`<a href="#elsewhere"><cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke></a>`);
   await stands(page);
   await page.getByRole('button', { name: 'Pause smoke' }).click();
   await expect(smokeOn(page)).toHaveAttribute('paused');
   expect(await page.evaluate(() => location.hash)).toBe('');
 });
 
-test('a view that was let go of unseen does not turn with the pointer', async ({ page, host }) => {
-  await host(
+test('a view that was let go of unseen does not turn with the pointer', async ({ page, openPage }) => {
+  await openPage(
     `<cartoon-smoke ${WISP} paused interactive style="position: absolute; inset: 0 auto auto 0; width: 300px; height: 200px"></cartoon-smoke>`,
   );
   await stands(page);
@@ -183,8 +186,8 @@ test('a view that was let go of unseen does not turn with the pointer', async ({
   await page.mouse.up();
 });
 
-test('what is let go of before the answer that it is held is not shown as held', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} paused interactive ${SIZE}></cartoon-smoke>`);
+test('what is let go of before the answer that it is held is not shown as held', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP} paused interactive ${SIZE}></cartoon-smoke>`);
   await stands(page);
   const held = await smokeOn(page).evaluate(async (smoke: CartoonSmokeElement) => {
     const canvas = smoke.shadowRoot!.querySelector('canvas')!;
@@ -227,8 +230,8 @@ test('an origin that is none is refused at once, and nothing is thrown when the 
 test.describe('with less motion asked for', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
-  test('another preset has its composed still, too', async ({ page, host }) => {
-    await host(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
+  test('another preset has its composed still, too', async ({ page, openPage }) => {
+    await openPage(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
     await stands(page);
     await smokeOn(page).evaluate((smoke: CartoonSmokeElement) => (smoke.preset = 'air'));
     await expect.poll(async () => (await valuesOn(page)).scene).toBe('air');
@@ -238,9 +241,9 @@ test.describe('with less motion asked for', () => {
 
   test('a link to a moment shows that one, and another one its composed still, and none of them moves', async ({
     page,
-    host,
+    openPage,
   }) => {
-    await host(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
+    await openPage(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
     await stands(page);
     const steps = () => smokeOn(page).evaluate(async (smoke: CartoonSmokeElement) => (await smoke.stats()).steps);
     expect(await steps()).toBe(240);
@@ -256,9 +259,9 @@ test.describe('with less motion asked for', () => {
     expect(await smokeOn(page).evaluate((smoke: CartoonSmokeElement) => smoke.playing)).toBe(false);
   });
 
-  test('a person who asks for motion while the smoke is on its way has it', async ({ page, host }) => {
+  test('a person who asks for motion while the smoke is on its way has it', async ({ page, openPage }) => {
     const request = await hold(page, 'session.js');
-    await host(`<cartoon-smoke ${AIR} ${SIZE}></cartoon-smoke>
+    await openPage(`<cartoon-smoke ${AIR} ${SIZE}></cartoon-smoke>
       <button onclick="document.querySelector('cartoon-smoke').play()">Go</button>`);
     const route = await request.asked;
     await page.getByRole('button', { name: 'Go' }).click();

@@ -1,7 +1,7 @@
 /** Tabs that are really hidden, by another one that comes to the front. */
 import type { Page } from '@playwright/test';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
-import { expect, openHost, stands, test, WISP } from '../support/embed.ts';
+import { expect, showPage, stands, test, WISP } from '../support/embed.ts';
 import { isNow, openTabs, type Tabs } from '../support/tabs.ts';
 
 const BOX = 'style="width: 200px; height: 150px"';
@@ -35,7 +35,7 @@ test('in a worker, rests in a hidden tab, goes on in front, and what a person pa
 }) => {
   const tabs = await openTabs(playwright, launchOptions);
   const { page, other } = tabs;
-  await openHost(page, server, `<cartoon-smoke ${WISP.replace('main', 'worker')} ${BOX}></cartoon-smoke>`);
+  await showPage(page, server, `<cartoon-smoke ${WISP.replace('main', 'worker')} ${BOX}></cartoon-smoke>`);
   await stands(page);
   await expect.poll(() => stepsOf(page)).toBeGreaterThan(2);
   await switchTo(tabs, 'other');

@@ -28,11 +28,11 @@ function watchConsole(page: Page): string[] {
   return lines;
 }
 
-test('the second one leaves the element to the first, and says so', async ({ page, host }) => {
+test('the second one leaves the element to the first, and says so', async ({ page, openPage }) => {
   const lines = watchConsole(page);
   await serveOther(page);
   const script = `${NOTICES}${MODULES}<script type="module" src="/other/cartoon-smoke.min.js"></script>`;
-  await host(`<cartoon-smoke ${SMOKE}></cartoon-smoke><script type="module">window.isLoaded = true</script>`, {
+  await openPage(`<cartoon-smoke ${SMOKE}></cartoon-smoke><script type="module">window.isLoaded = true</script>`, {
     script,
   });
   await stands(page);
@@ -45,10 +45,10 @@ test('the second one leaves the element to the first, and says so', async ({ pag
   expect(lines).toEqual([]);
 });
 
-test('under a tag of its own the second one has its smoke beside the first', async ({ page, host }) => {
+test('under a tag of its own the second one has its smoke beside the first', async ({ page, openPage }) => {
   const lines = watchConsole(page);
   await serveOther(page);
-  await host(`<cartoon-smoke ${SMOKE}></cartoon-smoke><other-smoke ${SMOKE}></other-smoke>
+  await openPage(`<cartoon-smoke ${SMOKE}></cartoon-smoke><other-smoke ${SMOKE}></other-smoke>
     <script type="module">
       import { CartoonSmokeElement } from '/other/index.js';
       customElements.define('other-smoke', CartoonSmokeElement);

@@ -3,14 +3,14 @@ import { create, uniqueId } from '../ui/dom.ts';
 import type { Row } from './row.ts';
 import { strings } from '../strings.ts';
 
-type Rows = Iterable<readonly [Parameter, Row]>;
+type ParameterRows = Iterable<readonly [Parameter, Row]>;
 
 /**
  * A field that leaves in the panel what its words speak of: in labels, texts, keys, or names of groups, which open.
  * @param all rows that there are now: those of items come and go
  * @param panel holds the groups
  */
-export function createSearch(all: () => Rows, panel: HTMLElement): HTMLElement {
+export function createSearch(all: () => ParameterRows, panel: HTMLElement): HTMLElement {
   const id = uniqueId();
   const field = create('input', { id, type: 'search', class: 'search-field', placeholder: strings.panel.search });
   field.setAttribute('aria-label', strings.panel.search);
@@ -29,7 +29,7 @@ export function createSearch(all: () => Rows, panel: HTMLElement): HTMLElement {
   return create('div', { class: 'search', role: 'search' }, field, found);
 }
 
-function showOnly(words: readonly string[], rows: Rows, groups: readonly HTMLDetailsElement[]): number {
+function showOnly(words: readonly string[], rows: ParameterRows, groups: readonly HTMLDetailsElement[]): number {
   const titles = new Map(groups.map((group) => [group, group.querySelector('summary')!.textContent]));
   for (const [{ key, label, text }, { element }] of rows) {
     const title = titles.get(element.closest('details')!) ?? '';
@@ -46,7 +46,11 @@ function showOnly(words: readonly string[], rows: Rows, groups: readonly HTMLDet
   return count;
 }
 
-function showAll(rows: Rows, groups: readonly HTMLDetailsElement[], wereOpen: ReadonlySet<Element>): undefined {
+function showAll(
+  rows: ParameterRows,
+  groups: readonly HTMLDetailsElement[],
+  wereOpen: ReadonlySet<Element>,
+): undefined {
   for (const [, { element }] of rows) element.classList.remove('is-filtered');
   for (const group of groups) {
     group.classList.remove('is-filtered');

@@ -1,19 +1,19 @@
 export type Box = Pick<DOMRect, 'left' | 'top' | 'width' | 'height'>;
 
 /**
- * Those boxes that smoke meets first, in the order in which they were given: of what the frame shows, those nearest to where
+ * Those boxes that smoke meets first, in the order in which they were given: of what the smoke's container shows, those nearest to where
  * smoke rises, and only then what lies outside.
- * @param frame of the smoke on the page
+ * @param container of the smoke on the page
  * @param sources what smoke rises from; none where the page does not know
  */
 export function nearest<Given extends Box>(
   boxes: readonly Given[],
   count: number,
-  frame: Box,
+  container: Box,
   sources: readonly Box[],
 ): Given[] {
   if (boxes.length <= count) return [...boxes];
-  const ranked = boxes.map((box) => ({ box, outside: gap(box, frame), way: gapToAny(box, sources) }));
+  const ranked = boxes.map((box) => ({ box, outside: gap(box, container), way: gapToAny(box, sources) }));
   ranked.sort((one, other) => one.outside - other.outside || one.way - other.way);
   const chosen = new Set(ranked.slice(0, count).map(({ box }) => box));
   return boxes.filter((box) => chosen.has(box));

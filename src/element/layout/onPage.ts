@@ -13,7 +13,7 @@ import { ignoreRejection } from '../ignoreRejection.ts';
 interface PageOwner {
   readonly element: HTMLElement;
   /** The box of the smoke. */
-  readonly frame: HTMLElement;
+  readonly container: HTMLElement;
   /** What the smoke is without things of the page. */
   readonly values: () => Values;
   readonly notify: (notices: readonly Notice[]) => void;
@@ -36,7 +36,7 @@ export class OnPage {
     this.stage = stage;
     this.owner = owner;
     this.emitters = new EmitterSwitch(() => this.measure());
-    this.stopWatching = watchLayout(owner.frame, () => this.measure());
+    this.stopWatching = watchLayout(owner.container, () => this.measure());
   }
 
   /** Settled when things of the page are in the smoke for the first time. */
@@ -132,9 +132,9 @@ export class OnPage {
   }
 
   private valuesOn(plane: ScenePlane): Values {
-    const frame = this.owner.frame.getBoundingClientRect();
-    const scale = this.owner.frame.clientWidth / Math.max(frame.width, 1);
-    const place = (box: Box) => placeOnPlane(box, frame, scale, plane);
+    const container = this.owner.container.getBoundingClientRect();
+    const scale = this.owner.container.clientWidth / Math.max(container.width, 1);
+    const place = (box: Box) => placeOnPlane(box, container, scale, plane);
     const own = this.owner.values();
     const emitters = this.emitters.attached
       .filter(isShown)
@@ -145,9 +145,9 @@ export class OnPage {
       .filter(isShown)
       .map((element) => element.getBoundingClientRect())
       .filter(hasArea);
-    const followed = nearest(boxes, MAX_FOLLOWED, frame, sources);
+    const followed = nearest(boxes, MAX_FOLLOWED, container, sources);
     const firstVortex = vorticesOf(own);
-    const curled = nearest(followed, maxCurled(firstVortex), frame, sources);
+    const curled = nearest(followed, maxCurled(firstVortex), container, sources);
     return {
       ...colliderValues(followed.map(place), plane),
       ...curlValues(curled.map(place), plane, firstVortex),
@@ -187,24 +187,24 @@ const LOOK_MS = 400;
 
 /**
  * Calls back when things on a page may have moved against each other: scrolling, sizes, pictures that have come, and now
- * and then while the frame is in view. It may call back although nothing moved.
+ * and then while the container is in view. It may call back although nothing moved.
  * @returns the function that ends it
  */
-function watchLayout(frame: Element, look: () => void): () => void {
+function watchLayout(container: Element, look: () => void): () => void {
   const end = new AbortController();
   const options = { capture: true, passive: true, signal: end.signal } as const;
-  const page = frame.ownerDocument;
+  const page = container.ownerDocument;
   for (const type of ['scroll', 'load', 'transitionend', 'animationend']) page.addEventListener(type, look, options);
   page.defaultView?.addEventListener('resize', look, options);
   const sizes = new ResizeObserver(look);
-  sizes.observe(frame);
+  sizes.observe(container);
   sizes.observe(page.documentElement);
   let timer: ReturnType<typeof setInterval> | undefined;
   const inView = new IntersectionObserver((entries) => {
     clearInterval(timer);
     if (entries[entries.length - 1].isIntersecting) timer = setInterval(look, LOOK_MS);
   });
-  inView.observe(frame);
+  inView.observe(container);
   return () => {
     end.abort();
     sizes.disconnect();

@@ -28,12 +28,12 @@ export interface PlaneRectangle {
 
 /**
  * @param box on the page
- * @param frame of the smoke on the page
+ * @param container of the smoke on the page
  * @param scale CSS pixels of the smoke for one of the page: not 1 where the page is transformed
  */
-export function placeOnPlane(box: Box, frame: Box, scale: number, plane: ScenePlane): PlaneRectangle {
-  const x = (box.left + box.width / 2 - frame.left - frame.width / 2) * scale;
-  const y = (frame.top + frame.height / 2 - box.top - box.height / 2) * scale;
+export function placeOnPlane(box: Box, container: Box, scale: number, plane: ScenePlane): PlaneRectangle {
+  const x = (box.left + box.width / 2 - container.left - container.width / 2) * scale;
+  const y = (container.top + container.height / 2 - box.top - box.height / 2) * scale;
   const up = (box.height / 2) * scale;
   return {
     middle: along(plane, x, y),

@@ -12,7 +12,7 @@ const sheets = new WeakMap<Document, CSSStyleSheet>();
 /** What stands in the element's shadow tree: a place for the canvas, the poster, the fallback and the button. */
 export class Shell {
   /** Takes as much room as the canvas will; as large as the element. */
-  readonly frame = document.createElement('div');
+  readonly container = document.createElement('div');
   readonly button = document.createElement('button');
   private readonly icon = document.createElementNS(SVG, 'path');
   private readonly root: ShadowRoot;
@@ -22,10 +22,10 @@ export class Shell {
   constructor(root: ShadowRoot) {
     this.root = root;
     this.dress();
-    this.frame.className = 'frame';
-    this.frame.part.add('frame');
-    this.frame.append(sizer(), layer('poster', 'poster'), layer('fallback'), this.buildButton());
-    root.append(this.frame);
+    this.container.className = 'frame';
+    this.container.part.add('frame');
+    this.container.append(sizer(), layer('poster', 'poster'), layer('fallback'), this.buildButton());
+    root.append(this.container);
   }
 
   /** Gives the tree its looks; once more in each document that it comes to. Those of templates have no window, and show nothing. */
@@ -47,7 +47,7 @@ export class Shell {
     this.shown?.remove();
     this.shown = canvas;
     this.describe(description);
-    this.frame.prepend(canvas);
+    this.container.prepend(canvas);
     return canvas;
   }
 
@@ -60,8 +60,8 @@ export class Shell {
   }
 
   show(what: Showing): void {
-    this.frame.classList.toggle('shown', what === 'smoke');
-    this.frame.classList.toggle('failed', what === 'failure');
+    this.container.classList.toggle('shown', what === 'smoke');
+    this.container.classList.toggle('failed', what === 'failure');
     if (what !== 'poster') return;
     this.shown?.remove();
     this.shown = undefined;
@@ -72,7 +72,7 @@ export class Shell {
     this.isPlaying = isPlaying;
     this.nameButton();
     this.icon.setAttribute('d', isPlaying ? ICONS.pause : ICONS.play);
-    this.frame.classList.toggle('still', isStill);
+    this.container.classList.toggle('still', isStill);
   }
 
   /** Names the button as the page wants it, in whatever language. */

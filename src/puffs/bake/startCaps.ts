@@ -21,7 +21,7 @@ const BLOCK = 8;
 /**
  * Start caps of all variations. `values[(layer * height + row) * width + column]` is the largest -(p . L) over the
  * points p of a puff's surface with N . L above the threshold: how far behind the centre plane across L the farthest lit
- * point lies, in particle radii. For the direction L towards the light in the puff's own frame,
+ * point lies, in particle radii. For the direction L towards the light in the puff's own space,
  * column = floor((atan2(L.y, L.x) / 2 pi + 1/2) * width), row = floor(acos(L.z) / pi * height).
  */
 export interface StartCaps {

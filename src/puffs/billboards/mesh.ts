@@ -66,7 +66,7 @@ function icosphere(subdivisions: number): Icosphere {
 }
 
 /**
- * The mesh of a puff's lobes in its unit frame.
+ * The mesh of a puff's lobes in its unit space.
  * @param blend share of the overall normal, 0..1
  */
 export function puffMesh(lobes: readonly Lobe[], blend = NORMAL_BLEND, subdivisions = LOBE_SUBDIVISIONS): TriangleMesh {

@@ -48,7 +48,7 @@ export function rasterise(mesh: TriangleMesh, size: number): PuffRaster {
   return { size, normals, depths, coverage };
 }
 
-/** Where a coordinate of the unit frame lies on a grid of `cells` cells, whose centres have whole numbers. */
+/** Where a coordinate of unit space lies on a grid of `cells` cells, whose centres have whole numbers. */
 function toCells(unit: number, cells: number): number {
   return (unit / PUFF_PAD + 1) * 0.5 * cells - 0.5;
 }

@@ -33,7 +33,7 @@ export interface LampModel {
   readonly parts: readonly LampPart[];
   readonly spout: LampSpout;
   /**
-   * A few coarse pieces in the lamp's own frame, for fixed rigids at the lamp's place. They are closed, and leave the
+   * A few coarse pieces in the lamp's own space, for fixed rigids at the lamp's place. They are closed, and leave the
    * spout's mouth and the loop of the handle open.
    */
   readonly collision: readonly RigidShape[];
