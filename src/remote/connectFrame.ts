@@ -11,12 +11,12 @@ export interface ConnectOptions {
 }
 
 /**
- * The stage in a iframe that shows `embed.html`, whatever site and sandbox it is in. Waits until its smoke stands, which asks
- * it to start. The size and what is in view are the iframe's own affair: `resize` and `setVisible` do nothing. Should
- * the iframe load anew, show another page or be removed, pending and later calls reject with a SimulatorError, its stage has an error
- * event, and can be connected to again.
- * @throws what createStage throws in the iframe; ParameterError for an origin that is none; the signal's reason when that aborts;
- * SimulatorError when the iframe is removed meanwhile
+ * The stage in an iframe that shows `embed.html`, whatever site and sandbox it is in. Waits until its smoke stands, which
+ * asks it to start. The size and what is in view are the iframe's own affair: `resize` and `setVisible` do nothing. Should
+ * the iframe load anew, show another page or be removed, pending and later calls reject with a SimulatorError, its stage
+ * has an error event, and can be connected to again.
+ * @throws what createStage throws in the iframe; ParameterError for an origin that is none; the signal's reason when that
+ * aborts; SimulatorError when the iframe is removed meanwhile
  */
 export async function connectFrame(
   iframe: HTMLIFrameElement,
