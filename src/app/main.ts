@@ -146,7 +146,7 @@ function connectInput(stage: Stage, editor: Editor, page: Page, scrubber: Scrubb
     step: () => takeStep(stage),
     stepBack: () => void scrubber.stepBack(),
     shift: (seconds) => void scrubber.shift(seconds),
-    stopOnWay: () => scrubber.stop(),
+    stopSeeking: () => scrubber.stop(),
     fullScreen: () => void toggleFullScreen(),
     restart: () => stage.restart(),
     undo: () => editor.undo(),

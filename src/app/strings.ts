@@ -94,7 +94,7 @@ export const strings = {
     step: 'One step',
     restart: 'Start over',
     timeline: 'Time line',
-    onWay: (seconds: number) => `On the way to ${seconds.toFixed(1)} s\u2026`,
+    seeking: (seconds: number) => `On the way to ${seconds.toFixed(1)} s\u2026`,
     fullScreen: 'Full screen',
     speed: 'Speed',
     speeds: [

@@ -1,6 +1,6 @@
 import { SimulatorError } from '../preset/errors.ts';
 import type { RemoteStage } from '../remote/contract.ts';
-import { isWord, say } from '../remote/handshake.ts';
+import { isHandshake, handshake } from '../remote/handshake.ts';
 import { packError } from '../remote/packedErrors.ts';
 import { OPENING } from '../remote/protocol.ts';
 import { serveStage } from '../remote/serveStage.ts';
@@ -23,7 +23,7 @@ export function answerPage(
   const standing = new Set<MessagePort>();
   window.addEventListener('message', ({ source, origin, data, ports }) => {
     if (source !== window.parent || (allowed !== undefined && origin !== allowed)) return;
-    if (!isWord(data, 'connect') || ports.length !== 1 || ++connections > MAX_CONNECTIONS) return;
+    if (!isHandshake(data, 'connect') || ports.length !== 1 || ++connections > MAX_CONNECTIONS) return;
     const [port] = ports;
     serveStage(port, stage);
     whenStanding().then(
@@ -40,7 +40,7 @@ export function answerPage(
     const error = packError(new SimulatorError('The frame has left its page; connect again.'));
     for (const port of standing) port.postMessage({ id: OPENING, error });
   });
-  window.parent.postMessage(say('here'), allowed ?? '*');
+  window.parent.postMessage(handshake('here'), allowed ?? '*');
 }
 
 /** The origin that a query names, such as `?origin=https://example.org`; empty, for nobody, where it is no address. */

@@ -1,6 +1,6 @@
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { RemoteStage } from './contract.ts';
-import { isWord, say } from './handshake.ts';
+import { isHandshake, handshake } from './handshake.ts';
 import { PortStage } from './portStage.ts';
 
 export interface ConnectOptions {
@@ -29,7 +29,7 @@ export async function connectFrame(
   const connect = () => {
     const { port1, port2 } = new MessageChannel();
     tries.push(new PortStage(port1, 'frame', () => hearing.abort()));
-    iframe.contentWindow?.postMessage(say('connect'), origin, [port2]);
+    iframe.contentWindow?.postMessage(handshake('connect'), origin, [port2]);
     return tries.at(-1)!;
   };
   try {
@@ -92,7 +92,7 @@ function isEmpty({ contentDocument }: HTMLIFrameElement): boolean {
 /** Calls back whenever the page in an iframe says that it is there. */
 function whenHeard(iframe: HTMLIFrameElement, signal: AbortSignal, act: () => void): void {
   const listen = ({ source, data }: MessageEvent) => {
-    if (source === iframe.contentWindow && isWord(data, 'here')) act();
+    if (source === iframe.contentWindow && isHandshake(data, 'here')) act();
   };
   window.addEventListener('message', listen, { signal });
 }

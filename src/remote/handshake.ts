@@ -1,13 +1,13 @@
-/** The first words between a page and the smoke in one of its frames, before they have a port of their own. */
+/** The handshake between a page and the smoke in one of its iframes, before they have a port of their own. */
 import { isPlain } from './shapes.ts';
 
-/** The frame says that it is there; the page, with a port, that it wants the stage. */
-export type Word = 'here' | 'connect';
+/** The iframe says that it is there; the page, with a port, that it wants the stage. */
+export type HandshakeStep = 'here' | 'connect';
 
-export function say(word: Word): { cartoonSmoke: Word } {
-  return { cartoonSmoke: word };
+export function handshake(step: HandshakeStep): { cartoonSmoke: HandshakeStep } {
+  return { cartoonSmoke: step };
 }
 
-export function isWord(message: unknown, word: Word): boolean {
-  return isPlain(message) && message.cartoonSmoke === word && Object.keys(message).length === 1;
+export function isHandshake(message: unknown, step: HandshakeStep): boolean {
+  return isPlain(message) && message.cartoonSmoke === step && Object.keys(message).length === 1;
 }

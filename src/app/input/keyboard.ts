@@ -8,7 +8,7 @@ export interface KeyActions {
   /** Goes on or back by seconds. */
   shift(seconds: number): void;
   /** Ends a way along the time line where it has come to. */
-  stopOnWay(): void;
+  stopSeeking(): void;
   restart(): void;
   share(): void;
   capture(): void;
@@ -74,7 +74,7 @@ function simpleKeys(actions: KeyActions): Readonly<Record<string, () => void>> {
     ',': () => actions.stepBack(),
     '[': () => actions.shift(-1),
     ']': () => actions.shift(1),
-    Escape: () => actions.stopOnWay(),
+    Escape: () => actions.stopSeeking(),
     r: () => actions.restart(),
     s: () => actions.share(),
     c: () => actions.capture(),

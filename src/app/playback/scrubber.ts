@@ -1,7 +1,7 @@
 import { STEP_SECONDS } from '../../sim/clock.ts';
 import type { Stage } from '../../stage/stage.ts';
 
-/** A way to one moment; another one for each that people ask for. */
+/** A seek to one moment; another one for each that people ask for. */
 export interface Seek {
   /** Where it leads, simulated seconds. */
   readonly goal: number;
@@ -9,10 +9,10 @@ export interface Seek {
   share: number;
 }
 
-/** Called with each part of a way; with nothing when it has ended. */
+/** Called with each part of a seek; with nothing when it has ended. */
 type SeekListener = (seek: Seek | undefined) => void;
 
-/** Goes to moments as fast as people ask for them: one way at a time, and of several goals the last counts. */
+/** Goes to moments as fast as people ask for them: one seek at a time, and of several goals the last counts. */
 export class Scrubber {
   private readonly stage: Stage;
   private readonly listeners: SeekListener[] = [];
@@ -30,7 +30,7 @@ export class Scrubber {
     this.listeners.push(listener);
   }
 
-  /** Where people want to be, simulated seconds; undefined where nobody is on the way. */
+  /** Where people want to be, simulated seconds; undefined while nothing seeks. */
   get wanted(): number | undefined {
     return this.goal ?? this.heading;
   }

@@ -58,11 +58,11 @@ export async function windForward(
   }
 }
 
-/** Shorter ways need no word. */
+/** Shorter seeks show no progress. */
 const DELAY_MS = 700;
 
 /**
- * Where a way along the time line takes its time, says so and lets people stop it.
+ * Shows the progress of a seek that takes its time, and lets people stop it.
  * @param container where that is shown
  */
 export function showSlowProgress(scrubber: Scrubber, container: HTMLElement): void {
@@ -79,7 +79,7 @@ export function showSlowProgress(scrubber: Scrubber, container: HTMLElement): vo
     }
     if (!seek || performance.now() - current!.began < DELAY_MS) return;
     if (!progress) {
-      progress = new Progress(strings.transport.onWay(seek.goal), () => scrubber.stop());
+      progress = new Progress(strings.transport.seeking(seek.goal), () => scrubber.stop());
       container.append(progress.element);
     }
     progress.show(seek.share);
