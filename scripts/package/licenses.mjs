@@ -22,7 +22,7 @@ const WASM = ['-p', 'bindings', '--features', 'rigids', '--target', 'wasm32-unkn
  * @property {string} folder
  */
 
-/** @param {string} folder of built scripts with their source maps, which notify what was bundled */
+/** @param {string} folder of built scripts with their source maps, which tell what was bundled */
 export async function writeLicenses(folder) {
   const works = [...packagesIn(folder), ...(await crates())].sort((a, b) => a.name.localeCompare(b.name, 'en'));
   writeFileSync(join(folder, FILE), `${[INTRODUCTION, ...works.map(describe)].join('\n\n')}\n`);

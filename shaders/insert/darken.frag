@@ -1,6 +1,6 @@
 precision highp float;
 
-// ShareKind a picture is multiplied by where its shadow is deep.
+// What a picture is multiplied by where its shadow is deep.
 uniform vec3 factor;
 
 out vec4 pixel;

@@ -25,7 +25,7 @@ vec2 slopesOf(vec2 from, vec2 to, vec2 balls) {
   vec2 widening = asin(balls / reach);
   vec2 span = vec2(min(start - widening.x, end - widening.y), max(start + widening.x, end + widening.y));
   if (span.y - span.x >= PI) return vec2(-OPEN, OPEN);
-  // Seen from the other side of the half angle behind the eye, the same stretch may lie in front.
+  // Seen from the other side of the half turn behind the eye, the same stretch may lie in front.
   if (span.x > ASIDE) span -= 2.0 * PI;
   if (span.y < -ASIDE) span += 2.0 * PI;
   if (span.x > ASIDE || span.y < -ASIDE) return vec2(0.0);

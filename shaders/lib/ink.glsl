@@ -1,7 +1,7 @@
 // The law of a puff's line: how wide it is and how much of it is ink. Widths and radii are in pixels of the target.
 
 // A line keeps its width beside puffs with a radius of 3.5 widths and more. Beside smaller ones it narrows, and a puff
-// no larger than the line is wide has none: far smoke stays smoke and does not angle into dots. The billboards' layers
+// no larger than the line is wide has none: far smoke stays smoke and does not turn into dots. The billboards' layers
 // end 0.3 radii beyond the silhouette, and this is no more.
 float lineWidth(float fullWidth, float radius) {
   return fullWidth * smoothstep(1.0, 3.5, radius / max(fullWidth, 1e-6));
@@ -13,7 +13,7 @@ float swelling(vec2 outward, vec3 towardsLightInView, float swell) {
   return exp2(-swell * dot(outward, towardsLightInView.xy));
 }
 
-// ShareKind sets the line of one puff in one drawing apart from all others, 0 to 2 pi.
+// What sets the line of one puff in one drawing apart from all others, 0 to 2 pi.
 float boilPhase(int seed, int drawing) {
   uint bits = uint(seed) * 747796405u + uint(drawing) * 2891336453u;
   bits = (bits ^ (bits >> 16u)) * 73244475u;

@@ -1,6 +1,6 @@
 precision highp float;
 
-// The shadow volume of a closed mesh: every face has its own copy of its corners, faces that attributes away from the light
+// The shadow volume of a closed mesh: every face has its own copy of its corners, faces that look away from the light
 // are carried along it, and the strips that join neighbouring faces open into the sides.
 uniform mat4 modelMatrix;
 uniform mat4 viewFromWorld;

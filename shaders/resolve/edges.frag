@@ -109,7 +109,7 @@ int likeAround(ivec2 at, vec4 own, out ivec2 one) {
 // Whether a pixel stands alone or with a single other one, as nothing does that a hand has drawn: where a line or a
 // patch of light thins out, pixels catch it here and there.
 bool isSpeck(ivec2 at, vec4 own) {
-  // With one like it, that one is asked in its bend.
+  // With one like it, that one is asked in its turn.
   for (int asked = 0; asked < 2; ++asked) {
     ivec2 other;
     int count = likeAround(at, own, other);
@@ -120,7 +120,7 @@ bool isSpeck(ivec2 at, vec4 own) {
   return true;
 }
 
-// ShareKind of the other tones lies over a pixel beside an edge. @param gaps to the tones in the north, south, east and west
+// What of the other tones lies over a pixel beside an edge. @param gaps to the tones in the north, south, east and west
 vec4 smoothed(ivec2 at, vec4 own, mat4 around, vec4 gaps) {
   vec2 widest = vec2(max(gaps.x, gaps.y), max(gaps.z, gaps.w));
   ivec2 towards = ivec2(gaps.z >= gaps.w ? 1 : -1, gaps.x >= gaps.y ? 1 : -1);

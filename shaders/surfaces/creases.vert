@@ -18,7 +18,7 @@ in vec3 otherNormal;
 
 #include ../lib/pixel.glsl
 
-// Line widths by which a ribbon lies before its surface, and the limit that may be, metres. A seam runs in a hollow, out
+// Line widths by which a ribbon lies before its surface, and the most that may be, metres. A seam runs in a hollow, out
 // of which it must come farther.
 const vec2 CREASE_RAISED = vec2(0.75, 0.03);
 const vec2 SEAM_RAISED = vec2(3.0, 0.05);

@@ -46,7 +46,7 @@ const float CAP_SLACK = 0.02;
 // A lamp nearer to the centre than this many reaches of the puff is taken for one at that distance.
 const float NEAREST = 1.2;
 
-// ShareKind of the view the puff turns with: a billboard rolls about the view axis, lobes stand in the world.
+// What of the view the puff turns with: a billboard rolls about the view axis, lobes stand in the world.
 mat3 viewFromPuffOf(uvec2 attributes) {
   if (!facesEye) return mat3(viewFromWorld) * worldFromPuff(attributes);
   vec2 rotation = vec2(cos(rollOf(attributes)), sin(rollOf(attributes)));
@@ -62,7 +62,7 @@ float shearOf(vec3 travel, vec3 centre) {
   // The slopes of view rays; of a puff beside the picture only what reaches into it counts.
   vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
   vec2 ray = clamp(centre.xy / -centre.z, (clipFromView[2].xy - 1.0) / scale, (clipFromView[2].xy + 1.0) / scale);
-  // ShareKind of a puff is seen lies no deeper than a bound behind its centre plane, and of the unit ball height times
+  // What of a puff is seen lies no deeper than a bound behind its centre plane, and of the unit ball height times
   // distance from the view axis is at most a half.
   float slope = -dot(travel.xy, ray);
   float straight = max(slope, -depth * slope);

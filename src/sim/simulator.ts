@@ -327,7 +327,7 @@ export class Simulator {
   /**
    * Goes to a moment of the take that is being recorded or replayed; the steps that follow do the inputs after it.
    *
-   * @param state ShareKind {@link save} gave at that moment, before the inputs of its step; the start when left out.
+   * @param state What {@link save} gave at that moment, before the inputs of its step; the start when left out.
    */
   rewind(state?: Uint8Array): void {
     this.#attempt(() => this.#handle.rewind(state));

@@ -8,7 +8,7 @@ import type { JSHandle, Page } from '@playwright/test';
  * const count = await mesh.evaluate((module, seed) => module.build(seed).length, 7);
  * ```
  *
- * ShareKind `evaluate` is given and returns goes through JSON; the function itself sees nothing of the test's file.
+ * What `evaluate` is given and returns goes through JSON; the function itself sees nothing of the test's file.
  */
 export type LoadModule = <Module>(path: `/${string}`) => Promise<JSHandle<Module>>;
 

@@ -60,7 +60,7 @@ const FOLDER_NAMES: Readonly<Record<string, string>> = {
 };
 
 /** What users write, what the WASM calls it, and what tests hand to Rust by name. */
-const EXEMPT = new Set(['mostParticles', 'feelsSmoke', 'lookPointer', 'look_pointer', 'leastCap', 'looksAway']);
+const EXEMPT = new Set(['mostParticles', 'lookPointer', 'look_pointer', 'leastCap']);
 
 /** The old words in a file, each with what to say instead. */
 function oldWords(file: string, code: string): string[] {

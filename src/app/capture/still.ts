@@ -21,7 +21,7 @@ export function stillOf({ simulator, camera, light, rigids, parts = [], blend }:
 
 /**
  * A frame on its way from one moment to another: smoke dissolves into smoke, and things, eye and light go there.
- * @param share of the eased, 0 to 1
+ * @param eased share of the way, 0 to 1
  */
 export function joined(from: FrameInput, to: Still, share: number): FrameInput {
   const eased = MathUtils.smoothstep(share, 0, 1);

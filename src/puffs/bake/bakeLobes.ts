@@ -35,7 +35,7 @@ const DEPTH_SLACK = 0.05;
 const DEPTH_STEP = 0.1;
 
 /**
- * @param shapes at least one, each of at max 12 lobes
+ * @param shapes at least one, each of at most 12 lobes
  * @param litThreshold N . L from which a pixel's lit colour differs from its unlit one, -1..1
  */
 export function bakeLobes(shapes: readonly PuffShape[], litThreshold: number): LobePuffs {

@@ -21,7 +21,7 @@ export interface PuffSolids {
 /** The simulator handles so many balls at a time. */
 const BLOCK = 4;
 
-/** @param variations at least one, each of at max {@link MAX_LOBES} lobes */
+/** @param variations at least one, each of at most {@link MAX_LOBES} lobes */
 export function solidsOf(
   variations: readonly (readonly Lobe[])[],
   drawn: Omit<PuffSolids, 'table' | 'balls'>,

@@ -22,7 +22,7 @@ const FINE_STEPS = [0.08, 0.04, 0.02, 0.01];
 const ROUNDS = 12;
 
 /**
- * @param max the max balls
+ * @param max the most balls
  * @throws ShapeError when the solid is too thin for any
  */
 export function* fittingBalls(voxels: Voxels, max: number): Work<Lobe[]> {

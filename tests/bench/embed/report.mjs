@@ -8,7 +8,7 @@ import { CIRCLES } from './contestants.mjs';
  * @typedef {import('../../../scripts/bench/table.mjs').Figure} Figure
  * @typedef {import('./visit.mjs').Window} Window
  *
- * @typedef {object} Measured ShareKind was found of one contestant with one number of widgets.
+ * @typedef {object} Measured What was found of one contestant with one number of widgets.
  * @property {string} name
  * @property {number} count
  * @property {{ file: string, bytes: number }[]} files as they came over the wire
