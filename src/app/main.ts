@@ -74,7 +74,7 @@ async function start(): Promise<void> {
   const page = buildPage(container, { editor, stage, canvas, notices, scrubber, caughtUp, hasStatistics });
   connectInput(stage, editor, page, scrubber);
   notifyOfSlowMachine(stage, notices);
-  describeScene(stage, canvas);
+  describeScene(stage);
   watchSize(canvas, ({ width, height, pixelRatio }) => stage.resize(width, height, pixelRatio));
   restWhileHidden(stage);
   await begin(stage, moment ? { ...environment, time: 0 } : environment, notices);
@@ -179,7 +179,7 @@ function showError(error: unknown): void {
 }
 
 /** Keeps the canvas's label, for who cannot see it, with the scene that is shown. */
-function describeScene(stage: Stage, canvas: HTMLCanvasElement): void {
+function describeScene(stage: Stage): void {
   const show = () => {
     const { picture, hand } = strings.scenes[String(stage.get().scene)];
     const label = strings.picture(picture, hand?.thing);

@@ -124,9 +124,9 @@ const HEAPS = [
 const FLATNESS = 0.22;
 
 /** Skins of clouds to smoke from: heaps above, flat below. Every second one is the mirror image of its neighbours. */
-function cumuli(clouds: readonly Cumulus[]): TriangleMesh {
+function cumuli(all: readonly Cumulus[]): TriangleMesh {
   return merged(
-    ...clouds.flatMap(([x, y, z, half], index) =>
+    ...all.flatMap(([x, y, z, half], index) =>
       HEAPS.map(([aside, up, ahead, radius]) => {
         const mirrored = index % 2 === 0 ? aside : -aside;
         return placed(flattened(radius * half), { at: [x + mirrored * half, y + up * half, z + ahead * half] });
