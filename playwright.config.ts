@@ -3,11 +3,11 @@ import type { WorkerOptions } from './tests/support/fixtures.ts';
 import { demandTestServer } from './tests/support/server.ts';
 
 const isLong = Boolean(process.env.TEST_LONG);
-const FOLDERS = '{support,visual,e2e}';
+const FOLDERS = '{site,visual,e2e}';
 const LONG = `**/${FOLDERS}/**/*.long.{spec,test}.ts`;
 
 const EMBED = isLong ? '**/e2e/embed.*.long.spec.ts' : '**/e2e/embed.*.spec.ts';
-const SITE = isLong ? '**/support/*.long.spec.ts' : '**/support/{policy,site,snippet}.spec.ts';
+const SITE = isLong ? '**/tests/site/*.long.spec.ts' : '**/tests/site/*.spec.ts';
 
 const ignored = isLong ? [] : [LONG];
 // A quarter of the pixels: what is looked at is the page, and where the picture counts tests ask for all.

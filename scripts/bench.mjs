@@ -14,7 +14,7 @@ import { readArguments } from './lib/arguments.mjs';
 import { run } from './lib/command.mjs';
 import { inRoot } from './lib/paths.mjs';
 import { withProgress } from './lib/progress.mjs';
-import { conclude, Refusal } from './lib/refusal.mjs';
+import { conclude, UserError } from './lib/userError.mjs';
 import { setUp, TESTS } from './setup/setup.mjs';
 
 /** @typedef {import('./bench/table.mjs').Figure} Figure */
@@ -28,7 +28,7 @@ await conclude(async () => {
     USAGE,
   );
   const suite = chooseSuite(positionals);
-  // Resolved now, because npm runs this where package.json is, and a refusal should not come after minutes.
+  // Resolved now, because npm runs this where package.json is, and an error should not come after minutes.
   const file = values.json === undefined ? undefined : resolve(values.json);
   await setUp(TESTS);
   const { figures, summary } = await measure(suite, values.quick);
@@ -48,8 +48,8 @@ function chooseSuite(names) {
         .map((name) => name.slice(0, -'.mjs'.length))
     : [];
   const list = known.length > 0 ? `The suites are ${known.join(', ')}.` : 'There are no suites yet.';
-  if (names.length !== 1) throw new Refusal(`Name one suite: ${USAGE}. ${list}`);
-  if (!known.includes(names[0])) throw new Refusal(`There is no suite named ${names[0]}. ${list}`);
+  if (names.length !== 1) throw new UserError(`Name one suite: ${USAGE}. ${list}`);
+  if (!known.includes(names[0])) throw new UserError(`There is no suite named ${names[0]}. ${list}`);
   return names[0];
 }
 
@@ -57,9 +57,9 @@ function chooseSuite(names) {
 async function measure(suite, quick) {
   const module = await import(pathToFileURL(inRoot(`${FOLDER}/${suite}.mjs`)).href);
   if (typeof module.run !== 'function')
-    throw new Refusal(`${FOLDER}/${suite}.mjs is not a suite: it must export run().`);
+    throw new UserError(`${FOLDER}/${suite}.mjs is not a suite: it must export run().`);
   const figures = await withProgress(`Bench ${suite}`, (say) => module.run({ quick, say }));
-  if (!Array.isArray(figures) || figures.length === 0) throw new Refusal(`The suite ${suite} measured nothing.`);
+  if (!Array.isArray(figures) || figures.length === 0) throw new UserError(`The suite ${suite} measured nothing.`);
   return { figures, summary: module.summary?.(figures) };
 }
 

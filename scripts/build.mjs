@@ -5,7 +5,7 @@
 
 import { resolve } from 'node:path';
 import { readArguments } from './lib/arguments.mjs';
-import { conclude } from './lib/refusal.mjs';
+import { conclude } from './lib/userError.mjs';
 import { PAGE, setUp } from './setup/setup.mjs';
 import * as site from './setup/site.mjs';
 import { withProgress } from './lib/progress.mjs';

@@ -3,7 +3,7 @@
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { root } from './lib/paths.mjs';
-import { conclude } from './lib/refusal.mjs';
+import { conclude } from './lib/userError.mjs';
 import { sumEndings } from './test/tally.mjs';
 
 const COMMANDS = [['test'], ['run', 'test:engines']];

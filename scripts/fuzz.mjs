@@ -8,7 +8,7 @@ import { cargo } from './setup/toolchain.mjs';
 import { readArguments } from './lib/arguments.mjs';
 import { run } from './lib/command.mjs';
 import { inRoot } from './lib/paths.mjs';
-import { conclude, Refusal } from './lib/refusal.mjs';
+import { conclude, UserError } from './lib/userError.mjs';
 
 const TARGET = 'x86_64-unknown-linux-gnu';
 /** What makes a stable compiler count edges and comparisons for libFuzzer. */
@@ -28,7 +28,7 @@ await conclude(async () => {
   );
   const minutes = Number(values.minutes);
   if (!(minutes > 0 && minutes <= 1440)) {
-    throw new Refusal(`--minutes ${values.minutes} is out of range: give a number above 0, up to 1440.`);
+    throw new UserError(`--minutes ${values.minutes} is out of range: give a number above 0, up to 1440.`);
   }
   await compile(values.rigids);
   const [seeds, corpus, findings] = ['seeds', 'corpus', 'findings'].map(folder);
@@ -38,7 +38,7 @@ await conclude(async () => {
   const parameters = [...limits, '-print_final_stats=1', `-artifact_prefix=${findings}/`, corpus, seeds];
   const { status, output } = await run(program, parameters, { onLine: (line) => console.log(line) });
   const executions = /number_of_executed_units:\s*(\d+)/.exec(output)?.[1] ?? 'no';
-  if (status !== 0) throw new Refusal(`The simulator failed on the input in ${findings}.`);
+  if (status !== 0) throw new UserError(`The simulator failed on the input in ${findings}.`);
   console.log(`${executions} inputs in ${minutes} minutes without a fault.`);
 });
 
@@ -56,10 +56,10 @@ function compile(/** @type {boolean} */ hasRigids) {
 
 async function demand(
   /** @type {Promise<import('./lib/command.mjs').Outcome>} */ pending,
-  /** @type {string} */ complaint,
+  /** @type {string} */ sentence,
 ) {
   const { status, output } = await pending;
-  if (status !== 0) throw new Refusal(`${complaint}: ${output.split('\n').slice(-5).join(' ')}`);
+  if (status !== 0) throw new UserError(`${sentence}: ${output.split('\n').slice(-5).join(' ')}`);
 }
 
 function folder(/** @type {string} */ name) {

@@ -6,7 +6,7 @@
 import { readArguments } from './lib/arguments.mjs';
 import { inRoot } from './lib/paths.mjs';
 import { withProgress } from './lib/progress.mjs';
-import { conclude } from './lib/refusal.mjs';
+import { conclude } from './lib/userError.mjs';
 import { hashes } from './package/measure.mjs';
 import * as packaged from './setup/package.mjs';
 import { PAGE, setUp } from './setup/setup.mjs';

@@ -6,7 +6,7 @@
 import { writeFileSync } from 'node:fs';
 import { evaluateInPage } from '../tests/bench/support/page.mjs';
 import { readArguments } from './lib/arguments.mjs';
-import { conclude, Refusal } from './lib/refusal.mjs';
+import { conclude, UserError } from './lib/userError.mjs';
 import { setUp, TESTS } from './setup/setup.mjs';
 
 const USAGE = 'npm run poster -- LINK FILE [--size WIDTHxHEIGHT] [--transparent]';
@@ -18,7 +18,7 @@ await conclude(async () => {
   );
   const [link, file] = positionals;
   const size = /^(\d{1,4})x(\d{1,4})$/.exec(values.size);
-  if (positionals.length !== 2 || !size) throw new Refusal(`Name a link and a file. Usage: ${USAGE}`);
+  if (positionals.length !== 2 || !size) throw new UserError(`Name a link and a file. Usage: ${USAGE}`);
   await setUp(TESTS);
   const order = { link, width: Number(size[1]), height: Number(size[2]), isTransparent: values.transparent };
   const draw = `import('/tests/visual/cases/poster.ts').then(({ poster }) => poster(${JSON.stringify(order)}))`;

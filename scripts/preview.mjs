@@ -3,7 +3,7 @@
 import { readArguments, readPort } from './lib/arguments.mjs';
 import { root } from './lib/paths.mjs';
 import { demandFreePort, HOST } from './lib/port.mjs';
-import { conclude } from './lib/refusal.mjs';
+import { conclude } from './lib/userError.mjs';
 import { demandNode } from './setup/node.mjs';
 import { PAGE, setUp } from './setup/setup.mjs';
 import * as site from './setup/site.mjs';

@@ -7,7 +7,7 @@ import { mkdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { build } from 'esbuild';
 import { inRoot } from './lib/paths.mjs';
-import { conclude } from './lib/refusal.mjs';
+import { conclude } from './lib/userError.mjs';
 
 await conclude(async () => {
   mkdirSync(inRoot('.cache'), { recursive: true });

@@ -1,6 +1,6 @@
 /** `npm start [-- --port N]`: gets what is missing and serves the demo page, anew at each change of a source. */
 
-import { conclude } from './lib/refusal.mjs';
+import { conclude } from './lib/userError.mjs';
 import { readArguments, readPort } from './lib/arguments.mjs';
 import { demandFreePort, HOST } from './lib/port.mjs';
 import { PAGE, setUp } from './setup/setup.mjs';

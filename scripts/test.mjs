@@ -11,7 +11,7 @@
 import { readArguments } from './lib/arguments.mjs';
 import { stopPrograms } from './lib/command.mjs';
 import { withProgress } from './lib/progress.mjs';
-import { conclude, Refusal } from './lib/refusal.mjs';
+import { conclude, UserError } from './lib/userError.mjs';
 import { ENGINES } from './setup/engines.mjs';
 import { setUp, TOOLS, WASM } from './setup/setup.mjs';
 import { CHECKS, LONG_CHECKS } from './test/checks.mjs';
@@ -50,7 +50,7 @@ async function setUpEngines() {
     try {
       await setUp([engine]);
     } catch (error) {
-      if (!(error instanceof Refusal)) throw error;
+      if (!(error instanceof UserError)) throw error;
       missing.push(`${error.message} ${process.env.CI === 'true' ? 'Its tests fail.' : 'Its tests are skipped.'}`);
     }
   }
@@ -62,11 +62,11 @@ async function runInLanes(runners) {
   const others = runners.filter(({ lane }) => lane !== 'cargo');
   const stop = new AbortController();
   const lanes = [
-    runInTurn(
+    runInOrder(
       runners.filter(({ lane }) => lane === 'cargo'),
       stop.signal,
     ),
-    setUp(others.length > 0 ? WASM : []).then(() => runInTurn(others, stop.signal)),
+    setUp(others.length > 0 ? WASM : []).then(() => runInOrder(others, stop.signal)),
   ];
   try {
     return (await Promise.all(lanes)).flat();
@@ -80,7 +80,7 @@ async function runInLanes(runners) {
 }
 
 /** @param {import('./test/checks.mjs').Runner[]} runners @param {AbortSignal} signal */
-async function runInTurn(runners, signal) {
+async function runInOrder(runners, signal) {
   const results = [];
   for (const runner of runners) {
     const result = await withProgress(runner.title, runner.run, summary);
@@ -103,7 +103,7 @@ function chooseRunners(choice, names) {
   const all = [...(choice.engines ? [] : checks), ...suites(choice)];
   const unknown = names.find((name) => !all.some((runner) => runner.name === name));
   if (unknown) {
-    throw new Refusal(`There is no suite named ${unknown}: choose from ${all.map(({ name }) => name).join(', ')}.`);
+    throw new UserError(`There is no suite named ${unknown}: choose from ${all.map(({ name }) => name).join(', ')}.`);
   }
   return names.length > 0 ? all.filter((runner) => names.includes(runner.name)) : all;
 }

@@ -6,7 +6,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { evaluateInPage } from '../tests/bench/support/page.mjs';
 import { inRoot } from './lib/paths.mjs';
-import { conclude } from './lib/refusal.mjs';
+import { conclude } from './lib/userError.mjs';
 import { PICTURES, setUp } from './setup/setup.mjs';
 
 await conclude(async () => {

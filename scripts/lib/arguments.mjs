@@ -1,7 +1,7 @@
 /** Reads the arguments of the commands in this folder. */
 
 import { parseArgs } from 'node:util';
-import { Refusal } from './refusal.mjs';
+import { UserError } from './userError.mjs';
 
 /**
  * Parses the process's arguments.
@@ -14,7 +14,7 @@ export function readArguments(options, usage) {
   try {
     return parseArgs({ options, allowPositionals: true, strict: true });
   } catch (error) {
-    throw new Refusal(`${firstSentence(error)} Usage: ${usage}`);
+    throw new UserError(`${firstSentence(error)} Usage: ${usage}`);
   }
 }
 
@@ -28,7 +28,7 @@ export function readPort(text, otherwise) {
   if (text === undefined) return otherwise;
   const port = Number(text);
   if (/^\d+$/.test(String(text)) && port >= 1 && port <= 65535) return port;
-  throw new Refusal(`--port ${text} is not a port: give a whole number from 1 to 65535.`);
+  throw new UserError(`--port ${text} is not a port: give a whole number from 1 to 65535.`);
 }
 
 function firstSentence(/** @type {unknown} */ error) {

@@ -1,7 +1,7 @@
 /** Asks whether a TCP port of this machine can be listened on. */
 
 import { createServer } from 'node:net';
-import { Refusal } from './refusal.mjs';
+import { UserError } from './userError.mjs';
 
 /** The address that the servers of this project listen on: this machine only, reached as `localhost`. */
 export const HOST = '127.0.0.1';
@@ -10,7 +10,7 @@ export const HOST = '127.0.0.1';
  * Refuses with one sentence when a port is taken.
  *
  * Both loopback addresses are tried: a browser that is sent to `localhost` may ask the other one first, and would then
- * reach a stranger's server.
+ * reach somebody else's server.
  *
  * @param {number} port
  * @param {string} command how to call the same command with another port
@@ -19,12 +19,14 @@ export async function demandFreePort(port, command) {
   for (const address of [HOST, '::1']) {
     const code = await listenOnce(port, address);
     if (code === 'EADDRINUSE') {
-      throw new Refusal(
+      throw new UserError(
         `Port ${port} is in use: stop what uses it, or choose another with ${command} --port ${other(port)}.`,
       );
     }
     if (code === 'EACCES') {
-      throw new Refusal(`Port ${port} needs administrator rights: choose one above 1023 with ${command} --port 5173.`);
+      throw new UserError(
+        `Port ${port} needs administrator rights: choose one above 1023 with ${command} --port 5173.`,
+      );
     }
   }
 }
@@ -36,9 +38,9 @@ const [LOWEST, COUNT] = [20_000, 10_000];
 export async function findFreePort() {
   for (;;) {
     const port = LOWEST + Math.floor(Math.random() * COUNT);
-    const refusal = await listenOnce(port, HOST);
-    if (refusal === '') return port;
-    if (refusal !== 'EADDRINUSE') throw new Refusal(`No port is available: ${refusal}.`);
+    const error = await listenOnce(port, HOST);
+    if (error === '') return port;
+    if (error !== 'EADDRINUSE') throw new UserError(`No port is available: ${error}.`);
   }
 }
 

@@ -7,7 +7,7 @@ const LOG_INTERVAL = 10_000;
 const REDRAW_INTERVAL = 200;
 
 /** What is told of each piece of work that is being done. @type {Map<symbol, string>} */
-const told = new Map();
+const notified = new Map();
 
 /**
  * Does a piece of work under a title and shows the time that has passed and the last thing said.
@@ -24,7 +24,7 @@ export async function withProgress(title, work, summary = () => 'done') {
   const key = Symbol(title);
   let last = '';
   const show = process.stdout.isTTY
-    ? (/** @type {string} */ line) => redraw(told.set(key, line))
+    ? (/** @type {string} */ line) => redraw(notified.set(key, line))
     : (/** @type {string} */ line) => console.log(line);
   if (!process.stdout.isTTY) console.log(`${title} ...`);
   const timer = setInterval(
@@ -40,7 +40,7 @@ export async function withProgress(title, work, summary = () => 'done') {
     throw error;
   } finally {
     clearInterval(timer);
-    told.delete(key);
+    notified.delete(key);
   }
 }
 

@@ -29,14 +29,14 @@ const ALONE = { codeSplitting: false, postBanner: LICENSES };
  */
 const TOGETHER = [
   { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
-  { name: 'cartoonSmokeElement', test: /element\/(cartoonSmokeElement|names)\.ts$/, priority: 3 },
+  { name: 'cartoonSmokeElement', test: /element\/(cartoonSmokeElement|attributes\/names)\.ts$/, priority: 3 },
   {
     name: 'session',
-    test: /src\/(preset\/(table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/openStage|element\/(change|fit|playback|session|wish))\.ts$/,
+    test: /src\/(preset\/(table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/openStage|page\/size|element\/(change|playback|session|attributes\/parsedAttributes))\.ts$/,
     priority: 2,
   },
   { name: 'stage', test: /src\/remote\/openHere\.ts$/, priority: 1 },
-  { name: 'models', test: /src\/(sim\/exact\/(sine|turn)|scenes\/models\/(lathe|place|ball|revolve|spline))\.ts$/ },
+  { name: 'models', test: /src\/(sim\/exact\/(sine|rotation)|scenes\/models\/(lathe|place|ball|revolve|spline))\.ts$/ },
 ];
 /** @type {import('rolldown').OutputOptions} */
 const SPLIT = { codeSplitting: { groups: TOGETHER } };
@@ -107,7 +107,7 @@ async function bundle(input, folder, output = {}) {
 
 /** Scenes and their presets lie in files of the same name. @type {import('rolldown').OutputOptions['chunkFileNames']} */
 const chunkName = ({ moduleIds }) =>
-  moduleIds.every((id) => id.includes('/moods/')) ? '[name]Presets.js' : '[name].js';
+  moduleIds.every((id) => id.includes('/byScene/')) ? '[name]Presets.js' : '[name].js';
 
 /** @type {NonNullable<import('rolldown').InputOptions['onLog']>} */
 const onLog = (level, log, handle) => {

@@ -13,7 +13,7 @@ import { sourceModule } from './sourceModule.mjs';
 /** @type {{ table: Parameter[] }} */
 const { table } = await sourceModule('src/preset/table.ts');
 /** @type {{ names: { key: string, attribute: string, property: string }[] }} */
-const { names } = await sourceModule('src/element/names.ts');
+const { names } = await sourceModule('src/element/attributes/names.ts');
 /** @type {typeof import('../../src/element/documentation.ts')} */
 const { attributes } = await sourceModule('src/element/documentation.ts');
 

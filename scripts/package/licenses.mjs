@@ -3,7 +3,7 @@
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { inRoot } from '../lib/paths.mjs';
-import { Refusal } from '../lib/refusal.mjs';
+import { UserError } from '../lib/userError.mjs';
 import { cargo } from '../setup/toolchain.mjs';
 
 export const FILE = 'third-party-licenses.txt';
@@ -76,7 +76,7 @@ async function crates() {
 /** @param {string[]} parameters */
 async function ask(parameters) {
   const { status, output } = await cargo([...parameters, '--locked']);
-  if (status !== 0) throw new Refusal('cargo could not list the crates in the WASM build.', output);
+  if (status !== 0) throw new UserError('cargo could not list the crates in the WASM build.', output);
   return output.split('\n');
 }
 

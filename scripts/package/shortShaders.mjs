@@ -57,8 +57,8 @@ function shadersIn(folder) {
  */
 export function shortNames(shaders) {
   const counts = countNames(shaders);
-  const kept = keptNames(shaders);
-  const renamed = [...declaredNames(shaders)].filter((name) => name.length > 2 && !kept.has(name));
+  const reserved = reservedNames(shaders);
+  const renamed = [...declaredNames(shaders)].filter((name) => name.length > 2 && !reserved.has(name));
   renamed.sort((one, other) => (counts.get(other) ?? 0) - (counts.get(one) ?? 0) || (one < other ? -1 : 1));
   const free = freeNames(counts);
   return new Map(renamed.map((name) => [name, /** @type {string} */ (free.next().value)]));
@@ -80,7 +80,7 @@ function declaredNames(shaders) {
 }
 
 /** What is known elsewhere: to TypeScript, to a struct, to GLSL, or to a macro that calls it. @param {Shader[]} shaders */
-function keptNames(shaders) {
+function reservedNames(shaders) {
   const uniforms = secondsOf(shaders, /\buniform (?:highp )?\w+ (\w+)/g);
   const attributes = secondsOf(
     shaders.filter(({ file }) => file.endsWith('.vert')),

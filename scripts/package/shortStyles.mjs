@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
 
-const STYLES = inRoot('src/element/appearance.ts');
+const STYLES = inRoot('src/element/shell/appearance.ts');
 /** White space that says nothing: beside braces and semicolons, behind the colon of a property, and runs of it. */
 const IDLE = /\s*([{};])\s*|(?<=:) |(?<=,)\s+/g;
 

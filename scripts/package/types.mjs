@@ -4,7 +4,7 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
-import { Refusal } from '../lib/refusal.mjs';
+import { UserError } from '../lib/userError.mjs';
 import { writeElementTypes } from './elementTypes.mjs';
 
 const ENTRIES = ['src/index.ts', 'src/element/define.ts', 'src/preset.ts'];
@@ -17,7 +17,7 @@ export async function writeTypes(folder, say) {
   const config = inRoot('scripts/package/tsconfig.json');
   const parameters = ['-p', config, '--outDir', folder];
   const { status, output } = await run(process.execPath, [compiler, ...parameters], { onLine: say });
-  if (status !== 0) throw new Refusal(`The type declarations of ${ENTRIES.join(', ')} could not be built.`, output);
+  if (status !== 0) throw new UserError(`The type declarations of ${ENTRIES.join(', ')} could not be built.`, output);
   for (const file of GIVEN) {
     mkdirSync(dirname(join(folder, file)), { recursive: true });
     // Disposal by `using` is newer than what most projects compile for, and nobody outside calls these.

@@ -6,7 +6,7 @@
 /** A shader as the build of three.js holds it: text with line breaks in it, on one line. */
 const SHADER = /^((?:var|const) [\w$]+ = )"(?:[^"\\]|\\.)*\\n(?:[^"\\]|\\.)*";$/gm;
 /** Fewer mean that three.js is built another way now, and that this should look there. */
-const LEAST_SHADERS = 100;
+const MIN_SHADERS = 100;
 
 /** Does nothing where nothing is bundled. @returns {import('rolldown').Plugin & { apply: 'build' }} */
 export function withoutShaders() {
@@ -17,7 +17,7 @@ export function withoutShaders() {
       filter: { id: /three\/build\/three\.module\.js$/ },
       handler(code) {
         const count = code.match(SHADER)?.length ?? 0;
-        if (count < LEAST_SHADERS) throw new Error(`Only ${count} shaders of three.js were found to leave out.`);
+        if (count < MIN_SHADERS) throw new Error(`Only ${count} shaders of three.js were found to leave out.`);
         return { code: code.replace(SHADER, '$1"";'), map: null };
       },
     },

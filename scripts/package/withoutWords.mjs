@@ -8,13 +8,13 @@ import { inRoot } from '../lib/paths.mjs';
 import { sourceModule } from './sourceModule.mjs';
 
 /** What smoke needs of a row. */
-const KEPT = ['kind', 'reader', 'isOptional', 'unit', 'min', 'max', 'linkMax', 'default'];
+const USED = ['kind', 'reader', 'isOptional', 'unit', 'min', 'max', 'linkMax', 'default'];
 /** What most rows say, and none has to. @type {Record<string, unknown>} */
 const USUAL = { kind: 'number', reader: 'simulator' };
 const OF_LATER_ITEMS = /^\w+\.[1-7]\./;
 
-/** @type {typeof import('../../src/element/names.ts')} */
-const { names } = await sourceModule('src/element/names.ts');
+/** @type {typeof import('../../src/element/attributes/names.ts')} */
+const { names } = await sourceModule('src/element/attributes/names.ts');
 
 /**
  * @param {readonly import('../../src/preset/parameter.ts').Parameter[]} table as it is
@@ -30,10 +30,10 @@ export function withoutWords(table) {
 /** The module of the table as it would be if rows had no words. @param {readonly { key: string }[]} table */
 function tableModule(table) {
   const stray = table.find(({ key }, index) => key !== names[index].key);
-  if (stray) throw new Error(`${stray.key} is at another place in src/element/names.json.`);
+  if (stray) throw new Error(`${stray.key} is at another place in src/element/attributes/names.json.`);
   const rows = table.filter(({ key }) => !OF_LATER_ITEMS.test(key)).map(bare);
   return `
-    import { names } from '../element/names.ts';
+    import { names } from '../element/attributes/names.ts';
     const bare = ${JSON.stringify(rows)};
     const first = names.filter(({ key }) => !${OF_LATER_ITEMS}.test(key));
     const usual = ${JSON.stringify(USUAL)};
@@ -45,9 +45,9 @@ function tableModule(table) {
 
 /** @param {object} row */
 function bare(row) {
-  const kept = Object.entries(row).filter(([name, value]) => KEPT.includes(name) && value !== USUAL[name]);
+  const used = Object.entries(row).filter(([name, value]) => USED.includes(name) && value !== USUAL[name]);
   const options = 'options' in row ? { options: valuesOf(/** @type {{ value: unknown }[]} */ (row.options)) } : {};
-  return { ...Object.fromEntries(kept), ...options };
+  return { ...Object.fromEntries(used), ...options };
 }
 
 /** @param {{ value: unknown }[]} options */

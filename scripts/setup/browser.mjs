@@ -9,7 +9,7 @@ import { delimiter, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
-import { Refusal } from '../lib/refusal.mjs';
+import { UserError } from '../lib/userError.mjs';
 
 export const title = 'Browser for the tests';
 
@@ -64,13 +64,13 @@ let found;
 /**
  * The path of a Chromium that starts, or undefined. Needs the Node packages.
  *
- * @throws {Refusal} when $CHROMIUM_PATH is set and does not lead to one
+ * @throws {UserError} when $CHROMIUM_PATH is set and does not lead to one
  */
 export async function findBrowser() {
   if (found) return found;
   const chosen = process.env.CHROMIUM_PATH;
   if (chosen && !starts(chosen)) {
-    throw new Refusal(
+    throw new UserError(
       `CHROMIUM_PATH is ${chosen}, which does not start as a browser: correct it or unset it, then try again.`,
     );
   }
@@ -101,13 +101,13 @@ export async function bring(say) {
       ? await playwright(['install-deps', 'chromium'], say)
       : await aptGet(['chromium', 'chromium-headless-shell'], say);
     if (await isFresh()) return;
-    throw refuse(`apt-get: ${lastLine(outcome.output)}`);
+    throw browserError(`apt-get: ${lastLine(outcome.output)}`);
   }
-  throw refuse(`playwright install: ${lastLine(download.output)}`);
+  throw browserError(`playwright install: ${lastLine(download.output)}`);
 }
 
-function refuse(/** @type {string} */ reason) {
-  return new Refusal(
+function browserError(/** @type {string} */ reason) {
+  return new UserError(
     `No Chromium was found and none could be installed (${reason}): install Chromium or Chrome, or set CHROMIUM_PATH, then try again.`,
   );
 }

@@ -7,7 +7,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { inRoot } from '../lib/paths.mjs';
-import { Refusal } from '../lib/refusal.mjs';
+import { UserError } from '../lib/userError.mjs';
 import { aptGet, isDebianRoot, lastLine, playwright } from './browser.mjs';
 
 /**
@@ -40,7 +40,7 @@ function engine(name, title) {
         if (await find()) return;
         reasons.push(lastLine(output));
       }
-      throw new Refusal(`${title} could not be installed (${reasons.join('; ')}).`);
+      throw new UserError(`${title} could not be installed (${reasons.join('; ')}).`);
     },
   };
 }

@@ -2,14 +2,14 @@
 
 import { readFileSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
-import { Refusal } from '../lib/refusal.mjs';
+import { UserError } from '../lib/userError.mjs';
 
 /** Refuses when this Node is older than package.json asks for. */
 export function demandNode() {
   const wanted = JSON.parse(readFileSync(inRoot('package.json'), 'utf8')).engines.node.replace('>=', '');
   const found = process.versions.node;
   if (isAtLeast(found, wanted)) return;
-  throw new Refusal(
+  throw new UserError(
     `Node ${found} is too old: install Node ${wanted} or newer from https://nodejs.org, then try again.`,
   );
 }

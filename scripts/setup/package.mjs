@@ -2,7 +2,7 @@
 
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { inRoot, root } from '../lib/paths.mjs';
-import { Refusal } from '../lib/refusal.mjs';
+import { UserError } from '../lib/userError.mjs';
 import { runNpm } from './packages.mjs';
 import { digestOf } from './sources.mjs';
 
@@ -44,7 +44,7 @@ export async function bring(say) {
   copyFileSync(inRoot('scripts/package/README.md'), inRoot(`${FOLDER}/README.md`));
   say('packing');
   const { status, output } = await runNpm(['pack', '--pack-destination', root], { folder: inRoot(FOLDER) });
-  if (status !== 0) throw new Refusal(`npm pack failed: ${output.split('\n').at(-1)}`);
+  if (status !== 0) throw new UserError(`npm pack failed: ${output.split('\n').at(-1)}`);
   mkdirSync(inRoot('.cache'), { recursive: true });
   writeFileSync(inRoot(STAMP), before);
 }

@@ -3,12 +3,12 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
-import { Refusal } from '../lib/refusal.mjs';
+import { UserError } from '../lib/userError.mjs';
 
 export const title = 'Node packages';
 
 /** npm tries each download three times; where there is no network it should not take more than a minute to say so. */
-const PATIENCE = ['--fetch-retry-mintimeout=2000', '--fetch-retry-maxtimeout=8000'];
+const RETRIES = ['--fetch-retry-mintimeout=2000', '--fetch-retry-maxtimeout=8000'];
 
 /**
  * @typedef {{ version: string, integrity?: string, optional?: boolean, link?: boolean }} Package
@@ -21,27 +21,27 @@ export function isFresh() {
   // npm keeps an account of what it installed and writes it last, so a broken-off installation has none.
   const found = readPackages('node_modules/.package-lock.json');
   if (!wanted || !found) return false;
-  const isKept = Object.entries(wanted).every(([path, entry]) => {
+  const isUnchanged = Object.entries(wanted).every(([path, entry]) => {
     const same = found[path]?.version === entry.version && found[path]?.integrity === entry.integrity;
     // Optional packages are mostly binaries for other systems, which npm leaves out.
     return found[path] ? same && existsSync(inRoot(path)) : Boolean(entry.optional);
   });
-  return isKept && Object.keys(found).every((path) => path in wanted);
+  return isUnchanged && Object.keys(found).every((path) => path in wanted);
 }
 
 /** @param {(line: string) => void} say */
 export async function bring(say) {
   let fetched = 0;
-  const outcome = await runNpm(['ci', '--no-audit', '--no-fund', '--loglevel=http', ...PATIENCE], {
+  const outcome = await runNpm(['ci', '--no-audit', '--no-fund', '--loglevel=http', ...RETRIES], {
     onLine: (line) => say(/http fetch GET 200/.test(line) ? `${++fetched} files fetched` : line),
   });
   if (outcome.status === 0) return;
   if (outcome.status === 127)
-    throw new Refusal('npm was not found: install it with Node from https://nodejs.org, then try again.');
+    throw new UserError('npm was not found: install it with Node from https://nodejs.org, then try again.');
   if (/code EUSAGE/.test(outcome.output)) {
-    throw new Refusal('package-lock.json does not match package.json: run npm install, then try again.');
+    throw new UserError('package-lock.json does not match package.json: run npm install, then try again.');
   }
-  throw new Refusal(
+  throw new UserError(
     `npm ci could not install the packages (${reason(outcome.output)}): check the network and npm's registry setting, then try again.`,
   );
 }

@@ -1,7 +1,7 @@
 /** Finds out what is missing and gets it. */
 
 import { withProgress } from '../lib/progress.mjs';
-import { Refusal } from '../lib/refusal.mjs';
+import { UserError } from '../lib/userError.mjs';
 import * as browser from './browser.mjs';
 import { demandNode } from './node.mjs';
 import * as packages from './packages.mjs';
@@ -12,7 +12,7 @@ import * as wasm from './wasm.mjs';
  * @typedef {object} Component something that has to be there before a command can do its work
  * @property {string} title
  * @property {() => boolean | Promise<boolean>} isFresh whether it is there and up to date; quick, and changes nothing
- * @property {(say: (line: string) => void) => Promise<void>} bring gets it, or throws a Refusal
+ * @property {(say: (line: string) => void) => Promise<void>} bring gets it, or throws a UserError
  */
 
 /** What the page needs, in the order of getting it. @type {Component[]} */
@@ -30,7 +30,7 @@ export const PICTURES = [packages, browser];
  * Brings each component that is not fresh and says so.
  *
  * @param {Component[]} components
- * @throws {Refusal} when one cannot be had
+ * @throws {UserError} when one cannot be had
  */
 export async function setUp(components) {
   demandNode();
@@ -42,7 +42,7 @@ export async function setUp(components) {
     }
     await withProgress(component.title, component.bring);
     if (!(await component.isFresh())) {
-      throw new Refusal(
+      throw new UserError(
         `${component.title}: installed, but still not up to date; if files are being edited, try again.`,
       );
     }

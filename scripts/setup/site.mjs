@@ -3,7 +3,7 @@
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
-import { Refusal } from '../lib/refusal.mjs';
+import { UserError } from '../lib/userError.mjs';
 import { publishedAt } from '../site/published.mjs';
 import { digestOf } from './sources.mjs';
 
@@ -76,7 +76,7 @@ async function bundle(config, folder, say, script) {
   };
   const { status, output } = await run(process.execPath, parameters, { environment, onLine: say });
   if (status === 0) return;
-  throw new Refusal('The site could not be built: see the bundler output above.', withoutStack(output));
+  throw new UserError('The site could not be built: see the bundler output above.', withoutStack(output));
 }
 
 function digest() {

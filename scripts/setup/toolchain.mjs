@@ -5,7 +5,7 @@ import { homedir } from 'node:os';
 import { delimiter, join } from 'node:path';
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
-import { Refusal } from '../lib/refusal.mjs';
+import { UserError } from '../lib/userError.mjs';
 
 export const title = 'Rust toolchain';
 
@@ -41,7 +41,7 @@ export async function isFresh() {
   const { channel, targets, components } = readToolchain();
   const asked = await rustup(['run', channel, 'rustc', '--print', 'sysroot']);
   if (asked.status === 127) {
-    throw new Refusal('rustup was not found: install it from https://rustup.rs, then try again.');
+    throw new UserError('rustup was not found: install it from https://rustup.rs, then try again.');
   }
   if (asked.status !== 0) return false;
   const sysroot = asked.output.split('\n').at(-1) ?? '';
@@ -64,7 +64,7 @@ export async function bring(say) {
   );
   if (outcome.status === 0) return;
   const reason = /^error: (.+)$/m.exec(outcome.output)?.[1] ?? 'no reason given';
-  throw new Refusal(
+  throw new UserError(
     `rustup could not install Rust ${channel} with ${targets.join(', ')} (${reason}): check the network, then try again.`,
   );
 }

@@ -3,7 +3,7 @@
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
-import { Refusal } from '../lib/refusal.mjs';
+import { UserError } from '../lib/userError.mjs';
 import { cargo } from './toolchain.mjs';
 
 export const title = 'WASM build';
@@ -63,11 +63,11 @@ function filesUnder(/** @type {string} */ folder) {
   });
 }
 
-/** @returns {Refusal} */
+/** @returns {UserError} */
 function explain(/** @type {import('../lib/command.mjs').Outcome} */ { output }) {
   const linker = /linker [`']?([\w.-]+)[`']? not found/.exec(output)?.[1];
   if (linker) {
-    return new Refusal(
+    return new UserError(
       `Rust found no linker (${linker}): install a C compiler, on Debian with apt-get install build-essential, then try again.`,
     );
   }
@@ -77,9 +77,9 @@ function explain(/** @type {import('../lib/command.mjs').Outcome} */ { output })
     )
   ) {
     const cause = /(?:Caused by:\s+)(?![\s\S]*Caused by:)(.+)/.exec(output)?.[1] ?? 'no reason given';
-    return new Refusal(
+    return new UserError(
       `cargo could not download the Rust crates (${cause.trim()}): check the network, then try again.`,
     );
   }
-  return new Refusal('The WASM build failed: see the compiler output above.', output);
+  return new UserError('The WASM build failed: see the compiler output above.', output);
 }

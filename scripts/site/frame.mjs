@@ -15,7 +15,7 @@ import { sourceModule } from '../package/sourceModule.mjs';
 import { withoutShaders } from '../package/withoutShaders.mjs';
 import { withoutWords } from '../package/withoutWords.mjs';
 
-const ENTRY = '<script type="module" src="./src/frame/frame.ts"></script>';
+const ENTRY = '<script type="module" src="./src/iframe/frame.ts"></script>';
 
 /** Writes the page and its scripts. @param {string} folder of a site that is built already */
 export async function buildFrame(folder) {
@@ -36,7 +36,7 @@ async function scriptOf(physics) {
     PHYSICS_SCRIPT: JSON.stringify(`./${physics}`),
   };
   const build = await rolldown({
-    input: inRoot('src/frame/frame.ts'),
+    input: inRoot('src/iframe/frame.ts'),
     platform: 'browser',
     plugins: [...(await shortShaders()), shortMembers(), withoutWords(table), withoutShaders()],
     experimental: { nativeMagicString: true },

@@ -10,7 +10,7 @@ import { sourceModule } from '../package/sourceModule.mjs';
 const PICTURE = { width: 192, height: 128 };
 
 /** @typedef {import('../../src/preset/presets.ts').Preset} Preset */
-/** @typedef {typeof import('../../src/app/embed.ts')} Embed */
+/** @typedef {typeof import('../../src/app/share/embed.ts')} Embed */
 
 /**
  * @param {string} folder of the built site
@@ -21,7 +21,7 @@ export async function writeOembed(folder, base = '../') {
   /** @type {{ presets: Preset[] }} */
   const { presets } = await sourceModule('src/preset/presets.ts');
   /** @type {Embed} */
-  const embed = await sourceModule('src/app/embed.ts');
+  const embed = await sourceModule('src/app/share/embed.ts');
   for (const name of ['oembed', 'gallery']) mkdirSync(join(folder, name), { recursive: true });
   for (const preset of presets) {
     const answer = oembedOf(preset, base, embed);

@@ -23,7 +23,7 @@ uniform vec4 rim;
 in vec2 puffPoint;
 in float gradientPosition;
 flat in int variation;
-flat in vec2 rollTurn;
+flat in vec2 rollRotation;
 flat in float inkReach;
 flat in float phase;
 flat in float centreZ;
@@ -46,8 +46,8 @@ layout(location = 1) out vec4 lit;
 const float DEPTH_MARGIN = 4e-7;
 
 // From the frame of the texture to that of the view.
-vec2 turned(vec2 vector) {
-  return vec2(rollTurn.x * vector.x - rollTurn.y * vector.y, rollTurn.x * vector.y + rollTurn.y * vector.x);
+vec2 rotated(vec2 vector) {
+  return vec2(rollRotation.x * vector.x - rollRotation.y * vector.y, rollRotation.x * vector.y + rollRotation.y * vector.x);
 }
 
 void main() {
@@ -55,7 +55,7 @@ void main() {
   vec4 shape = texture(normalDepth, layerPoint);
   vec4 paint = texture(colorCoverage, layerPoint);
   float distanceOutside = (paint.a - 0.5) * distanceRange;
-  vec2 outward = turned(puffPoint) / max(length(puffPoint), 1e-6);
+  vec2 outward = rotated(puffPoint) / max(length(puffPoint), 1e-6);
   float reach = inkReach * exp2(-inkSwell) * swelling(outward, towardsLight, inkSwell);
   reach *= boiling(outward, phase, boil);
   if (distanceOutside > reach) discard;
@@ -64,7 +64,7 @@ void main() {
   float linePixels = reach * radius / pixel;
 
   vec3 normal = shape.rgb * 2.0 - 1.0;
-  normal.xy = turned(normal.xy);
+  normal.xy = rotated(normal.xy);
   normal = normalize(normal);
   float viewZ = centreZ + (shape.a - 0.5) * 2.0 * pad * radius;
   bool isInk = isRing || isSeam(clipFromView, viewZ, normal, pixel, linePixels);

@@ -19,12 +19,12 @@ uniform sampler2DArray normalDepth;
 
 in vec2 corner;
 in vec4 place;
-in uvec2 look;
+in uvec2 attributes;
 
 out vec2 puffPoint;
 out float gradientPosition;
 flat out int variation;
-flat out vec2 rollTurn;
+flat out vec2 rollRotation;
 flat out float inkReach;
 flat out float phase;
 flat out float centreZ;
@@ -36,7 +36,7 @@ flat out vec3 towardsLight;
 #include ../lib/light.glsl
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
-#include ../lib/look.glsl
+#include ../lib/attributes.glsl
 #include ../lib/material.glsl
 
 void main() {
@@ -44,18 +44,18 @@ void main() {
   // A puff that the eye runs into shrinks away instead of being cut by the near plane.
   radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
-  phase = boilPhase(seedOf(look), drawing);
+  phase = boilPhase(seedOf(attributes), drawing);
   inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
   vec2 point = corner * (1.0 + inkReach);
-  rollTurn = vec2(cos(rollOf(look)), sin(rollOf(look)));
-  puffPoint = vec2(rollTurn.x * point.x + rollTurn.y * point.y, rollTurn.x * point.y - rollTurn.y * point.x);
-  variation = variationOf(look) % textureSize(normalDepth, 0).z;
+  rollRotation = vec2(cos(rollOf(attributes)), sin(rollOf(attributes)));
+  puffPoint = vec2(rollRotation.x * point.x + rollRotation.y * point.y, rollRotation.x * point.y - rollRotation.y * point.x);
+  variation = variationOf(attributes) % textureSize(normalDepth, 0).z;
   centreZ = centre.z;
   ringDrop = innerLine * radius;
   towardsLight = towardsLightFrom(lightInView, centre);
-  material = materialOf(look, ramps);
+  material = materialOf(attributes, ramps);
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
-  gradientPosition = dot(gradientWeights, vec3(0.5 + 0.5 * point.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look)));
+  gradientPosition = dot(gradientWeights, vec3(0.5 + 0.5 * point.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(attributes)));
   // Depth is written by the fragments; a constant here keeps the near plane from cutting the quad.
   gl_Position = radius > 0.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
 }

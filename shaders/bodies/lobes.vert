@@ -20,7 +20,7 @@ uniform sampler2D lobeTable;
 
 in vec2 corner;
 in vec4 place;
-in uvec2 look;
+in uvec2 attributes;
 
 // Three vectors besides the lobes cross to the fragments; every device takes fifteen.
 out vec4 pointAndGradient;
@@ -32,7 +32,7 @@ flat out vec4 lobes[LOBES];
 #include ../lib/pixel.glsl
 #include ../lib/depth.glsl
 #include ../lib/ink.glsl
-#include ../lib/look.glsl
+#include ../lib/attributes.glsl
 #include ../lib/material.glsl
 #include ../lib/orientation.glsl
 
@@ -43,8 +43,8 @@ void main() {
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   float inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
 
-  mat3 viewFromPuff = mat3(viewFromWorld) * worldFromPuff(look);
-  int variation = variationOf(look) % textureSize(lobeTable, 0).y;
+  mat3 viewFromPuff = mat3(viewFromWorld) * worldFromPuff(attributes);
+  int variation = variationOf(attributes) % textureSize(lobeTable, 0).y;
   vec2 lowest = vec2(0.0);
   vec2 highest = vec2(0.0);
   #pragma unroll_loop_start
@@ -59,10 +59,10 @@ void main() {
 
   vec2 point = mix(lowest, highest, 0.5 + 0.5 * corner) + corner * inkReach;
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
-  vec3 gradients = vec3(0.5 + 0.5 * point.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(look));
-  pointAndGradient = vec4(point, dot(gradientWeights, gradients), boilPhase(seedOf(look), drawing));
+  vec3 gradients = vec3(0.5 + 0.5 * point.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(attributes));
+  pointAndGradient = vec4(point, dot(gradientWeights, gradients), boilPhase(seedOf(attributes), drawing));
   middleAndInkReach = vec4(middle, inkReach);
-  depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(look, ramps));
+  depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(attributes, ramps));
 #ifdef FLAT
   float drop = gl_VertexID > 3 ? depthsAndRamp.z : 0.0;
   clip.z = (2.0 * windowDepth(clipFromView, centre.z - drop) - 1.0) * clip.w;

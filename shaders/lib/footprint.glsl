@@ -15,19 +15,19 @@ float projectedRadius(vec3 centre, float ball, float near) {
 // Points are (sideways, forward). Balls beside or behind the eye leave a side open; empty where nothing lies in front.
 vec2 slopesOf(vec2 from, vec2 to, vec2 balls) {
   const float OPEN = 1e4;
-  const float HALF_TURN = 3.14159265359;
+  const float PI = 3.14159265359;
   const float ASIDE = 1.57;
   vec2 reach = vec2(length(from), length(to));
   if (any(lessThanEqual(reach, balls))) return vec2(-OPEN, OPEN);
   float start = atan(from.x, from.y);
-  float turn = atan(to.x, to.y) - start;
-  float end = start + turn - 2.0 * HALF_TURN * round(turn / (2.0 * HALF_TURN));
+  float angle = atan(to.x, to.y) - start;
+  float end = start + angle - 2.0 * PI * round(angle / (2.0 * PI));
   vec2 widening = asin(balls / reach);
   vec2 span = vec2(min(start - widening.x, end - widening.y), max(start + widening.x, end + widening.y));
-  if (span.y - span.x >= HALF_TURN) return vec2(-OPEN, OPEN);
+  if (span.y - span.x >= PI) return vec2(-OPEN, OPEN);
   // Seen from the other side of the half turn behind the eye, the same stretch may lie in front.
-  if (span.x > ASIDE) span -= 2.0 * HALF_TURN;
-  if (span.y < -ASIDE) span += 2.0 * HALF_TURN;
+  if (span.x > ASIDE) span -= 2.0 * PI;
+  if (span.y < -ASIDE) span += 2.0 * PI;
   if (span.x > ASIDE || span.y < -ASIDE) return vec2(0.0);
   return vec2(span.x <= -ASIDE ? -OPEN : tan(span.x), span.y >= ASIDE ? OPEN : tan(span.y));
 }

@@ -24,8 +24,8 @@ float boilPhase(int seed, int drawing) {
 // boil is 1. Never more than all, so that quads and volumes stay what they are.
 float boiling(vec2 outward, float phase, float boil) {
   if (boil <= 0.0) return 1.0;
-  float turn = atan(outward.y, outward.x);
-  return 1.0 - boil * (0.25 + 0.125 * (sin(3.0 * turn + phase) + sin(8.0 * turn - 2.7 * phase)));
+  float angle = atan(outward.y, outward.x);
+  return 1.0 - boil * (0.25 + 0.125 * (sin(3.0 * angle + phase) + sin(8.0 * angle - 2.7 * phase)));
 }
 
 // How much of a line is ink and how much the colour of its smoke. Under a pixel a line would break into dots. Beside a

@@ -1,12 +1,12 @@
 // How a puff of lobes stands in the world: turned by its roll about an axis that its seed chooses, one of 256 that lie
-// evenly on the sphere. src/puffs/orientation.ts holds the same. Needs look.glsl.
-mat3 worldFromPuff(uvec2 look) {
+// evenly on the sphere. src/puffs/orientation.ts holds the same. Needs attributes.glsl.
+mat3 worldFromPuff(uvec2 attributes) {
   const float GOLDEN_ANGLE = 2.39996322973;
-  float seed = float(seedOf(look));
+  float seed = float(seedOf(attributes));
   float z = 1.0 - (2.0 * seed + 1.0) / 256.0;
   vec3 axis = vec3(sqrt(1.0 - z * z) * vec2(cos(seed * GOLDEN_ANGLE), sin(seed * GOLDEN_ANGLE)), z);
-  float c = cos(rollOf(look));
-  vec3 s = sin(rollOf(look)) * axis;
+  float c = cos(rollOf(attributes));
+  vec3 s = sin(rollOf(attributes)) * axis;
   vec3 t = (1.0 - c) * axis;
   return mat3(
     t.x * axis + vec3(c, s.z, -s.y),

@@ -44,11 +44,11 @@ vec3 awayFromEye(vec3 centre, vec3 axis) {
   return normalize(dot(across, across) > 1e-10 * dot(sight, sight) ? across : any);
 }
 
-// Whether a cap is drawn at this turn: one that looks away from the eye at first, one that looks at it at last.
-bool isTurn(int turn, float end, vec3 middle, vec3 axis) {
+// Whether a cap is drawn at this pass: one that looks away from the eye at first, one that looks at it at last.
+bool isPass(int pass, float end, vec3 middle, vec3 axis) {
   vec3 sight = clipFromView[2][3] != 0.0 ? middle : vec3(0.0, 0.0, -1.0);
   bool facesEye = dot(sight, axis) * (1.0 - 2.0 * end) > 0.0;
-  return turn == 0 || (turn == 2) == facesEye;
+  return pass == 0 || (pass == 2) == facesEye;
 }
 
 void main() {
@@ -63,7 +63,7 @@ void main() {
   float end = mod(corner.y, 2.0);
   vec3 middle = centre + mix(cap, extent, end) * axis;
   gl_Position = NOWHERE;
-  if (extent <= cap || !isTurn(int(corner.y) / 2, end, middle, axis)) return;
+  if (extent <= cap || !isPass(int(corner.y) / 2, end, middle, axis)) return;
   vec3 away = awayFromEye(centre, axis);
   float angle = (mod(corner.x, SIDES) - 0.5) * 2.0 * PI / SIDES;
   vec3 outward = cos(angle) * away + sin(angle) * cross(axis, away);

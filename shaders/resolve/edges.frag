@@ -43,21 +43,21 @@ vec2 walk(ivec2 at, ivec2 along, ivec2 across, vec4 own, vec4 other) {
   return vec2(LONGEST + 1, 0.0);
 }
 
-// Area of a pixel under the line that falls from a half, at a turn `steps` pixels ahead, to nothing in the middle.
-float areaAt(vec2 turn, float span) {
-  float from = turn.x - 1.0;
+// Area of a pixel under the line that falls from a half, at a bend `steps` pixels ahead, to nothing in the middle.
+float areaAt(vec2 bend, float span) {
+  float from = bend.x - 1.0;
   float reach = clamp(0.5 * span - from, 0.0, 1.0);
-  return turn.y * reach * (0.5 - (from + 0.5 * reach) / span);
+  return bend.y * reach * (0.5 - (from + 0.5 * reach) / span);
 }
 
 // How much of this pixel lies on the other side of its edge towards `across`.
 float shareOf(ivec2 at, ivec2 across, vec4 own, vec4 other) {
-  vec4 turns = vec4(0.0);
+  vec4 bends = vec4(0.0);
   for (int way = -1; way <= 1; way += 2) {
-    turns = vec4(turns.zw, walk(at, way * across.yx, across, own, other));
+    bends = vec4(bends.zw, walk(at, way * across.yx, across, own, other));
   }
-  float span = turns.x + turns.z - 1.0;
-  return areaAt(turns.xy, span) + areaAt(turns.zw, span);
+  float span = bends.x + bends.z - 1.0;
+  return areaAt(bends.xy, span) + areaAt(bends.zw, span);
 }
 
 vec4 blend(vec4 own, vec4 other, float share) {
@@ -152,8 +152,8 @@ vec4 smoothed(ivec2 at, vec4 own, mat4 around, vec4 gaps) {
 // The tone beside a speck that is most like it.
 vec4 nearest(mat4 around, vec4 gaps) {
   vec4 others = mix(gaps, vec4(2.0), lessThanEqual(gaps, vec4(EDGE)));
-  float least = min(min(others.x, others.y), min(others.z, others.w));
-  return least == others.x ? around[0] : least == others.y ? around[1] : least == others.z ? around[2] : around[3];
+  float smallest = min(min(others.x, others.y), min(others.z, others.w));
+  return smallest == others.x ? around[0] : smallest == others.y ? around[1] : smallest == others.z ? around[2] : around[3];
 }
 
 // A pixel as it is where nothing meets; else what lies over it.

@@ -1,7 +1,7 @@
 precision highp float;
 
 // Writes a depth that contradicts the polygon's, and may discard, as the bodies do.
-uniform float leastTone;
+uniform float minTone;
 
 flat in float writtenDepth;
 flat in float shown;
@@ -9,7 +9,7 @@ flat in float shown;
 out vec4 pixel;
 
 void main() {
-  if (shown < leastTone) discard;
+  if (shown < minTone) discard;
   pixel = vec4(shown);
   gl_FragDepth = writtenDepth;
 }

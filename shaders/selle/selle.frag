@@ -14,7 +14,7 @@ flat in float material;
 layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
 
-#include ../lib/look.glsl
+#include ../lib/attributes.glsl
 #include ../lib/material.glsl
 
 void main() {

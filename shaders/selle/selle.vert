@@ -10,20 +10,20 @@ uniform sampler2DArray colorCoverage;
 
 in vec2 corner;
 in vec4 place;
-in uvec2 look;
+in uvec2 attributes;
 
 out vec2 puffPoint;
 flat out int variation;
 flat out float material;
 
-#include ../lib/look.glsl
+#include ../lib/attributes.glsl
 #include ../lib/material.glsl
 
 void main() {
-  vec2 turn = vec2(cos(rollOf(look)), sin(rollOf(look)));
-  puffPoint = vec2(turn.x * corner.x + turn.y * corner.y, turn.x * corner.y - turn.y * corner.x);
-  variation = variationOf(look) % textureSize(colorCoverage, 0).z;
-  material = materialOf(look, ramps);
+  vec2 rotation = vec2(cos(rollOf(attributes)), sin(rollOf(attributes)));
+  puffPoint = vec2(rotation.x * corner.x + rotation.y * corner.y, rotation.x * corner.y - rotation.y * corner.x);
+  variation = variationOf(attributes) % textureSize(colorCoverage, 0).z;
+  material = materialOf(attributes, ramps);
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   gl_Position = clipFromView * vec4(centre + vec3(corner * place.w, 0.0), 1.0);
 }

@@ -11,17 +11,17 @@ uniform sampler2D lobeTable;
 
 in vec2 corner;
 in vec4 place;
-in uvec2 look;
+in uvec2 attributes;
 
 flat out vec4 lobes[LOBES];
 
-#include ../lib/look.glsl
+#include ../lib/attributes.glsl
 #include ../lib/orientation.glsl
 
 void main() {
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
-  mat3 viewFromPuff = place.w * mat3(viewFromWorld) * worldFromPuff(look);
-  int variation = variationOf(look) % textureSize(lobeTable, 0).y;
+  mat3 viewFromPuff = place.w * mat3(viewFromWorld) * worldFromPuff(attributes);
+  int variation = variationOf(attributes) % textureSize(lobeTable, 0).y;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
     lobes[ i ] = texelFetch(lobeTable, ivec2(UNROLLED_LOOP_INDEX, variation), 0);

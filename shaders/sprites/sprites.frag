@@ -14,7 +14,7 @@ flat in float material;
 out vec4 pixel;
 
 #include ../lib/depth.glsl
-#include ../lib/look.glsl
+#include ../lib/attributes.glsl
 #include ../lib/material.glsl
 
 // Alpha in the middle of a sprite at birth.

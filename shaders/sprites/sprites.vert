@@ -8,20 +8,20 @@ uniform sampler2D ramps;
 
 in vec2 corner;
 in vec4 place;
-in uvec2 look;
+in uvec2 attributes;
 
 out vec2 puffPoint;
 flat out vec3 depthRadiusFade;
 flat out float material;
 
-#include ../lib/look.glsl
+#include ../lib/attributes.glsl
 #include ../lib/material.glsl
 
 void main() {
   puffPoint = corner;
-  material = materialOf(look, ramps);
+  material = materialOf(attributes, ramps);
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
-  depthRadiusFade = vec3(-centre.z, place.w, 1.0 - ageOf(look));
+  depthRadiusFade = vec3(-centre.z, place.w, 1.0 - ageOf(attributes));
   vec4 clip = clipFromView * vec4(centre + vec3(corner * place.w, 0.0), 1.0);
   gl_Position = vec4(clip.xy, 0.0, clip.w);
 }

@@ -23,8 +23,8 @@ in vec3 otherNormal;
 const vec2 CREASE_RAISED = vec2(0.75, 0.03);
 const vec2 SEAM_RAISED = vec2(3.0, 0.05);
 
-bool looksAway(mat3 turn, vec3 normal, vec3 towardsEye) {
-  return dot(turn * normal, towardsEye) < 0.0;
+bool looksAway(mat3 rotation, vec3 normal, vec3 towardsEye) {
+  return dot(rotation * normal, towardsEye) < 0.0;
 }
 
 // Pixels of the target from its middle.
@@ -43,10 +43,10 @@ void main() {
   mat4 viewFromModel = viewFromWorld * modelMatrix;
   vec3 from = (viewFromModel * vec4(start, 1.0)).xyz;
   vec3 to = (viewFromModel * vec4(end, 1.0)).xyz;
-  mat3 turn = mat3(viewFromModel);
+  mat3 rotation = mat3(viewFromModel);
   vec3 towardsEye = clipFromView[2][3] != 0.0 ? -from : vec3(0.0, 0.0, 1.0);
   bool isHidden = max(-from.z, -to.z) < near;
-  if (isHidden || looksAway(turn, oneNormal, towardsEye) || looksAway(turn, otherNormal, towardsEye)) {
+  if (isHidden || looksAway(rotation, oneNormal, towardsEye) || looksAway(rotation, otherNormal, towardsEye)) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     return;
   }
@@ -57,8 +57,8 @@ void main() {
   vec2 beside = 0.5 * inkPixels * (corner.y * vec2(-along.y, along.x) + (2.0 * corner.x - 1.0) * along);
   vec4 clip = clipFromView * vec4(place, 1.0);
   clip.xy += beside * 2.0 / viewport * clip.w;
-  vec2 most = oneNormal == vec3(0.0) ? SEAM_RAISED : CREASE_RAISED;
-  float raised = min(most.x * inkPixels * viewUnitsPerPixel(clipFromView, viewport, place.z), most.y);
+  vec2 limit = oneNormal == vec3(0.0) ? SEAM_RAISED : CREASE_RAISED;
+  float raised = min(limit.x * inkPixels * viewUnitsPerPixel(clipFromView, viewport, place.z), limit.y);
   vec4 raisedClip = clipFromView * vec4(0.0, 0.0, min(place.z + raised, -near), 1.0);
   clip.z = raisedClip.z / raisedClip.w * clip.w;
   gl_Position = clip;

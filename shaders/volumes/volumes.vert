@@ -11,7 +11,7 @@ uniform float near;
 uniform vec4 lightInWorld;
 uniform vec3 receiversMin;
 uniform vec3 receiversMax;
-uniform float leastCap;
+uniform float minCap;
 uniform float depth;
 uniform bool facesEye;
 uniform sampler2DArray startCaps;
@@ -22,7 +22,7 @@ uniform float reach;
 
 in vec2 corner;
 in vec4 place;
-in uvec2 look;
+in uvec2 attributes;
 
 // View space in the frame of the volume, which begins at the middle of its start: two axes across the way of the light,
 // then the way; all in puff radii. Its first two axes and its origin, and as fourth components the volume's length, its
@@ -34,7 +34,7 @@ flat out vec4 eyeAndGrowth;
 // Discs on the plane where the scale is 1: centre and squared radius.
 flat out vec3 discs[LOBES];
 
-#include ../lib/look.glsl
+#include ../lib/attributes.glsl
 #include ../lib/orientation.glsl
 #include ../lib/box.glsl
 #include ../lib/light.glsl
@@ -47,10 +47,10 @@ const float CAP_SLACK = 0.02;
 const float NEAREST = 1.2;
 
 // What of the view the puff turns with: a billboard rolls about the view axis, lobes stand in the world.
-mat3 viewFromPuffOf(uvec2 look) {
-  if (!facesEye) return mat3(viewFromWorld) * worldFromPuff(look);
-  vec2 turn = vec2(cos(rollOf(look)), sin(rollOf(look)));
-  return mat3(vec3(turn.x, turn.y, 0.0), vec3(-turn.y, turn.x, 0.0), vec3(0.0, 0.0, 1.0));
+mat3 viewFromPuffOf(uvec2 attributes) {
+  if (!facesEye) return mat3(viewFromWorld) * worldFromPuff(attributes);
+  vec2 rotation = vec2(cos(rollOf(attributes)), sin(rollOf(attributes)));
+  return mat3(vec3(rotation.x, rotation.y, 0.0), vec3(-rotation.y, rotation.x, 0.0), vec3(0.0, 0.0, 1.0));
 }
 
 // A nailboard is sheared along its view rays: its relief moves a fragment sideways, in radii. How much farther behind
@@ -75,10 +75,10 @@ float shearOf(vec3 travel, vec3 centre) {
 float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
   vec3 towards = -travel * viewFromPuff;
   vec2 angles = vec2(atan(towards.y, towards.x) / (2.0 * PI) + 0.5, acos(clamp(towards.z, -1.0, 1.0)) / PI);
-  int variation = variationOf(look) % textureSize(startCaps, 0).z;
+  int variation = variationOf(attributes) % textureSize(startCaps, 0).z;
   float cap = textureLod(startCaps, vec3(angles, float(variation)), 0.0).r;
   float shear = clipFromView[2][3] != 0.0 ? shearOf(travel, centre) : 0.0;
-  return max(cap, leastCap) + shear + CAP_SLACK;
+  return max(cap, minCap) + shear + CAP_SLACK;
 }
 
 // How far beyond the centre the volume has left everything that could receive it, metres; 0 where it holds the light.
@@ -101,7 +101,7 @@ vec3 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
 
 // Writes the discs; returns the radius of the circle about the centre that holds them.
 float spreadDiscs(mat3 frameFromPuff, float growth) {
-  int variation = variationOf(look) % textureSize(casterTable, 0).y;
+  int variation = variationOf(attributes) % textureSize(casterTable, 0).y;
   float widest = 0.0;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
@@ -115,7 +115,7 @@ float spreadDiscs(mat3 frameFromPuff, float growth) {
 void main() {
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   vec3 axis = -towardsLightFrom(viewFromWorld * lightInWorld, centre);
-  mat3 viewFromPuff = viewFromPuffOf(look);
+  mat3 viewFromPuff = viewFromPuffOf(attributes);
   vec3 aside = normalize(abs(axis.x) < 0.7 ? vec3(0.0, -axis.z, axis.y) : vec3(axis.z, 0.0, -axis.x));
   mat3 frameFromView = transpose(mat3(aside, cross(axis, aside), axis));
 
@@ -123,7 +123,7 @@ void main() {
   float growth = lightInWorld.w / distance;
   float widest = spreadDiscs(frameFromView * viewFromPuff, growth);
   float cap = startCap(axis, viewFromPuff, centre);
-  float extent = min(exitOf(place.w * widest, growth / place.w) / place.w, endOf(look)) - cap;
+  float extent = min(exitOf(place.w * widest, growth / place.w) / place.w, endOf(attributes)) - cap;
   if (extent <= 0.0) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     return;

@@ -5,28 +5,28 @@ import { decode, type Decoded } from '../preset/codec.ts';
 import { LoadError } from '../preset/errors.ts';
 import { readEnvironment, type Environment } from '../preset/environment.ts';
 import { createStage, type Stage } from '../stage/stage.ts';
-import { followAddress } from './address.ts';
-import { BallKeys } from './ball.ts';
-import { connectStage } from './connect.ts';
-import { describeScene } from './describeScene.ts';
-import { textButton } from './dom.ts';
-import { Editor } from './editor.ts';
-import { fitStage, pixelRatio, restWhileHidden } from './fit.ts';
-import { toggleFullScreen } from './fullScreen.ts';
-import { GestureEnd } from './gestureEnd.ts';
-import { listenToKeys } from './keyboard.ts';
-import { tellOfLongWays } from './longWay.ts';
-import { goToMoment, type Moment } from './moment.ts';
-import { Notices } from './notices.ts';
+import { followAddress } from './share/address.ts';
+import { BallKeys } from './input/ball.ts';
+import { connectStage } from './editor/connect.ts';
+import { textButton } from './ui/dom.ts';
+import { Editor } from './editor/editor.ts';
+import { ORBIT_PER_KEY } from '../page/gestures.ts';
+import { sizeOf, watchSize } from '../page/size.ts';
+import { restWhileHidden } from '../page/visibility.ts';
+import { toggleFullScreen } from './playback/fullScreen.ts';
+import { GestureEnd } from './input/gestureEnd.ts';
+import { listenToKeys } from './input/keyboard.ts';
+import { showSlowProgress } from './ui/progress.ts';
+import { goToMoment, type LinkedMoment } from './share/moment.ts';
+import { Notices } from './ui/notices.ts';
 import { workOffline } from './offline/register.ts';
 import { buildPage, type Page } from './page.ts';
-import { Pointers } from './pointer.ts';
-import { Progress, windForward } from './progress.ts';
-import { createRefusal } from './refusal.ts';
-import { Scrubber } from './scrubber.ts';
-import { tellOfSlowMachine } from './slowMachine.ts';
+import { Pointers } from './input/pointer.ts';
+import { Progress, windForward } from './ui/progress.ts';
+import { createErrorScreen } from './ui/errorScreen.ts';
+import { Scrubber } from './playback/scrubber.ts';
 import { strings } from './strings.ts';
-import { takeStep, togglePlaying } from './transport.ts';
+import { takeStep, togglePlaying } from './playback/transport.ts';
 
 declare global {
   interface Window {
@@ -37,10 +37,11 @@ declare global {
 
 /** With reduced motion the page starts with a still picture; by then the smoke has filled its column. */
 const STILL_SECONDS = 4;
-const TURN_STEP = Math.PI / 24;
+/** Late frames after which the page says so: the governor has seen by then that it is no passing load. */
+const LATE_FRAMES = 8;
 
 const canvas = document.querySelector<HTMLCanvasElement>('#smoke')!;
-const host = document.querySelector<HTMLElement>('#interface')!;
+const container = document.querySelector<HTMLElement>('#interface')!;
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
 
 async function start(): Promise<void> {
@@ -48,57 +49,55 @@ async function start(): Promise<void> {
   const decoded = await decode(location.hash);
   const editor = new Editor(decoded.state);
   const notices = new Notices();
-  host.classList.toggle('is-bare', !environment.hasInterface);
-  host.append(notices.element);
+  container.classList.toggle('is-bare', !environment.hasInterface);
+  container.append(notices.element);
   const moment = momentOf(decoded, environment);
   const stage = await load(editor, environment);
   // Not with the region for messages, or screen readers would take them for what has always stood there.
-  tellAll(notices, decoded);
-  tellAll(notices, environment);
+  notifyAll(notices, decoded);
+  notifyAll(notices, environment);
   window.cartoonSmoke = stage;
-  if (!stage.stats.writesDepth) notices.tell(strings.notices.flat);
-  stage.on('error', (error) => (error instanceof LoadError ? notices.tell(error.message) : refuse(error)));
+  if (!stage.stats.writesDepth) notices.notify(strings.notices.flat);
+  stage.on('error', (error) => (error instanceof LoadError ? notices.notify(error.message) : showError(error)));
   if (moment) await arriveAt(moment, stage, editor, notices);
-  const caughtUp = connectStage(editor, stage, (message) => notices.tell(message), host);
+  const caughtUp = connectStage(editor, stage, (message) => notices.notify(message), container);
   followAddress(editor, async (read, isNewest) => {
-    tellAll(notices, read);
+    notifyAll(notices, read);
     const shared = momentOf(read);
     if (!shared) return;
     await caughtUp();
-    if (isNewest()) await goToMoment(stage, shared, notices, host);
+    if (isNewest()) await goToMoment(stage, shared, notices, container);
   });
   const scrubber = new Scrubber(stage);
-  tellOfLongWays(scrubber, host);
+  showSlowProgress(scrubber, container);
   const { hasStatistics } = environment;
-  const page = buildPage(host, { editor, stage, canvas, notices, scrubber, caughtUp, hasStatistics });
+  const page = buildPage(container, { editor, stage, canvas, notices, scrubber, caughtUp, hasStatistics });
   connectInput(stage, editor, page, scrubber);
-  tellOfSlowMachine(stage, notices);
-  describeScene(stage, canvas);
-  fitStage(stage, canvas);
+  notifyOfSlowMachine(stage, notices);
+  describeScene(stage);
+  watchSize(canvas, ({ width, height, pixelRatio }) => stage.resize(width, height, pixelRatio));
   restWhileHidden(stage);
   await begin(stage, moment ? { ...environment, time: 0 } : environment, notices);
   workOffline((takeOver) => notices.offer(strings.notices.newVersion, strings.notices.reload, takeOver));
 }
 
-function momentOf({ take, state }: Decoded, environment?: Environment): Moment | undefined {
+function momentOf({ take, state }: Decoded, environment?: Environment): LinkedMoment | undefined {
   return take && { take, state, seconds: environment?.time, isTrusted: false };
 }
 
 /** Before anything follows the stage, so that the address keeps the moment until somebody edits. */
-async function arriveAt(moment: Moment, stage: Stage, editor: Editor, notices: Notices): Promise<void> {
-  await goToMoment(stage, moment, notices, host);
+async function arriveAt(moment: LinkedMoment, stage: Stage, editor: Editor, notices: Notices): Promise<void> {
+  await goToMoment(stage, moment, notices, container);
   editor.adopt(stage.get());
 }
 
 async function load(editor: Editor, { quality, view }: Environment): Promise<Stage> {
   const progress = new Progress(strings.scenes[String(editor.state.values.scene)].loading);
-  host.append(progress.element);
+  container.append(progress.element);
   try {
     return await createStage(canvas, {
       values: editor.state.values,
-      width: canvas.clientWidth,
-      height: canvas.clientHeight,
-      pixelRatio: pixelRatio(),
+      ...sizeOf(canvas),
       quality,
       view,
       visible: false,
@@ -118,7 +117,7 @@ async function begin(stage: Stage, { paused, time }: Environment, notices: Notic
   const playsAtOnce = lead === 0 && !calm.matches && !paused;
   if (playsAtOnce) stage.play();
   stage.visible = true;
-  if (lead > 0 && !(await windForward(stage, lead, host))) {
+  if (lead > 0 && !(await windForward(stage, lead, container))) {
     notices.mention(strings.progress.cancelled(stage.stats.time));
   }
   calm.addEventListener('change', () => calm.matches && stage.pause());
@@ -134,49 +133,73 @@ function offerToPlay(stage: Stage): void {
     button.remove();
     end();
   });
-  host.append(button);
+  container.append(button);
 }
 
 function connectInput(stage: Stage, editor: Editor, page: Page, scrubber: Scrubber): void {
   const ball = new BallKeys(stage);
-  const turnEnd = new GestureEnd(() => editor.settle());
-  new Pointers(stage, canvas, turnEnd, () => page.dragsBlow);
+  const orbitEnd = new GestureEnd(() => editor.settle());
+  new Pointers(stage, canvas, orbitEnd, () => page.dragsBlow);
   listenToKeys({
     ...page,
     togglePlaying: () => togglePlaying(stage),
     step: () => takeStep(stage),
     stepBack: () => void scrubber.stepBack(),
     shift: (seconds) => void scrubber.shift(seconds),
-    stopOnWay: () => scrubber.stop(),
+    stopSeeking: () => scrubber.stop(),
     fullScreen: () => void toggleFullScreen(),
     restart: () => stage.restart(),
     undo: () => editor.undo(),
     redo: () => editor.redo(),
     zoom: (factor) => {
       stage.camera.zoom(factor);
-      turnEnd.postpone();
+      orbitEnd.postpone();
     },
     push: (right, up, near) => ball.push(right, up, near),
-    turn: (right, up) => {
-      stage.camera.orbit(right * TURN_STEP, up * TURN_STEP);
-      turnEnd.postpone();
+    orbit: (right, up) => {
+      stage.camera.orbit(right * ORBIT_PER_KEY, up * ORBIT_PER_KEY);
+      orbitEnd.postpone();
     },
     resetView: () => {
-      turnEnd.now();
+      orbitEnd.now();
       stage.camera.reset();
-      turnEnd.now();
+      orbitEnd.now();
     },
   });
 }
 
-function tellAll(notices: Notices, { notices: list }: Pick<Decoded, 'notices'>): void {
-  for (const { message } of list) notices.tell(message);
+function notifyAll(notices: Notices, { notices: list }: Pick<Decoded, 'notices'>): void {
+  for (const { message } of list) notices.notify(message);
 }
 
-function refuse(error: unknown): void {
+function showError(error: unknown): void {
   canvas.hidden = true;
-  host.replaceChildren(createRefusal(error));
-  host.classList.remove('is-bare');
+  container.replaceChildren(createErrorScreen(error));
+  container.classList.remove('is-bare');
 }
 
-start().catch(refuse);
+/** Keeps the canvas's label, for who cannot see it, with the scene that is shown. */
+function describeScene(stage: Stage): void {
+  const show = () => {
+    const { picture, hand } = strings.scenes[String(stage.get().scene)];
+    const label = strings.picture(picture, hand?.thing);
+    if (canvas.ariaLabel !== label) canvas.ariaLabel = label;
+  };
+  stage.on('statechange', show);
+  show();
+}
+
+/** Says once when this machine keeps up with the smoke by fewer pixels only, and what would help. */
+function notifyOfSlowMachine(stage: Stage, notices: Notices): void {
+  let frames = 0;
+  const stop = stage.on('frame', ({ scale }) => {
+    // What somebody has asked for by `?quality=` is no news.
+    if (scale === 1 || stage.quality !== 'auto') return;
+    frames += 1;
+    if (frames < LATE_FRAMES) return;
+    stop();
+    notices.whisper(strings.notices.slow);
+  });
+}
+
+start().catch(showError);

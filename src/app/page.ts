@@ -1,25 +1,22 @@
 import type { Stage } from '../stage/stage.ts';
-import { createBackstage } from './backstage.ts';
-import { Blowing } from './blowing.ts';
+import { createDebugPanel, Views } from './panel/debugPanel.ts';
 import { CaptureButton } from './capture/button.ts';
-import { createDock } from './dock.ts';
-import { create, iconButton } from './dom.ts';
-import { acceptDrops } from './drops.ts';
-import { DropThings } from './dropThings.ts';
-import type { Editor } from './editor.ts';
-import { SmokeFiles } from './files.ts';
-import { Gizmos } from './gizmos.ts';
-import { Help } from './help.ts';
-import { icon } from './icons.ts';
-import type { Notices } from './notices.ts';
-import { OwnPresets } from './ownPresets.ts';
-import { OwnShape } from './ownShape.ts';
-import { createPanel, PANEL_ID } from './panel.ts';
-import type { Scrubber } from './scrubber.ts';
-import { ShareSheet } from './shareSheet.ts';
-import { createStatistics } from './statistics.ts';
+import { createDock } from './gallery/dock.ts';
+import { create, iconButton } from './ui/dom.ts';
+import { acceptDrops, SmokeFiles } from './share/files.ts';
+import { DropThings } from './input/dropThings.ts';
+import type { Editor } from './editor/editor.ts';
+import { Gizmos } from './gizmos/gizmos.ts';
+import { Help } from './ui/help.ts';
+import { icon } from './ui/icons.ts';
+import type { Notices } from './ui/notices.ts';
+import { OwnPresets } from './gallery/ownPresets.ts';
+import { OwnShape } from './gallery/ownShape.ts';
+import { createPanel, PANEL_ID } from './panel/panel.ts';
+import type { Scrubber } from './playback/scrubber.ts';
+import { ShareSheet } from './share/shareSheet.ts';
+import { createStatistics } from './panel/statistics.ts';
 import { strings } from './strings.ts';
-import { Views } from './views.ts';
 
 /** What the keys need of the page's controls. */
 export interface Page {
@@ -55,21 +52,21 @@ export interface PageParts {
   readonly hasStatistics: boolean;
 }
 
-/** Puts the controls over the canvas. @param host the element that holds them */
-export function buildPage(host: HTMLElement, parts: PageParts): Page {
+/** Puts the controls over the canvas. @param container the element that holds them */
+export function buildPage(container: HTMLElement, parts: PageParts): Page {
   const { editor, stage, notices, scrubber } = parts;
   const help = new Help(stage);
-  const captureButton = new CaptureButton(stage, host, notices);
+  const captureButton = new CaptureButton(stage, container, notices);
   const views = new Views(stage);
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
   toggle.setAttribute('aria-controls', PANEL_ID);
-  const ownShape = new OwnShape(stage, notices, host);
-  const files = new SmokeFiles(parts, host);
+  const ownShape = new OwnShape(stage, notices, container);
+  const files = new SmokeFiles(parts, container);
   const sheet = new ShareSheet(editor, stage, files);
   acceptDrops(document.body, (file) => void (isJson(file) ? files : ownShape).open(file));
   const own = new OwnPresets(editor, stage, notices, files);
   const statistics = createStatistics(stage);
-  const feet = { presets: own.element, puff: ownShape.element, end: createBackstage(stage, statistics) };
+  const feet = { presets: own.element, puff: ownShape.element, end: createDebugPanel(stage, statistics) };
   const panel = createPanel(editor, stage, feet, () => {
     page.togglePanel();
     toggle.focus();
@@ -110,7 +107,7 @@ export function buildPage(host: HTMLElement, parts: PageParts): Page {
       return blowing.takesDrags;
     },
   };
-  host.append(
+  container.append(
     gizmos.element,
     createHeader(page, captureButton.element, gizmoToggle, toggle),
     dock.element,
@@ -140,4 +137,38 @@ function createHeader(page: Page, ...toggles: HTMLElement[]): HTMLElement {
 function createWordmark(): HTMLElement {
   const words = strings.title.split(' ').map((word) => create('span', {}, word));
   return create('h1', { class: 'wordmark', 'aria-label': strings.title }, ...words);
+}
+
+/** Blowing for who has no Alt key: a button by which drags beside things blow, and a gust by the keyboard. */
+class Blowing {
+  readonly element: HTMLButtonElement;
+  private readonly stage: Stage;
+  private readonly canvas: HTMLCanvasElement;
+  private pointer: { x: number; y: number } | undefined;
+  private isOn = false;
+
+  constructor(stage: Stage, canvas: HTMLCanvasElement) {
+    this.stage = stage;
+    this.canvas = canvas;
+    this.element = iconButton('icon-button', strings.blow, icon('wind'), () => this.toggle());
+    this.element.setAttribute('aria-pressed', 'false');
+    canvas.addEventListener('pointermove', ({ offsetX: x, offsetY: y }) => (this.pointer = { x, y }));
+    canvas.addEventListener('pointerleave', () => (this.pointer = undefined));
+  }
+
+  /** Whether a drag that grabs nothing blows instead of turning the view. */
+  get takesDrags(): boolean {
+    return this.isOn;
+  }
+
+  /** A gust away from the viewer: where the pointer is, or in the middle. */
+  here(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    this.stage.blow(this.pointer ?? { x: clientWidth / 2, y: clientHeight / 2 });
+  }
+
+  private toggle(): void {
+    this.isOn = !this.isOn;
+    this.element.setAttribute('aria-pressed', String(this.isOn));
+  }
 }

@@ -121,8 +121,8 @@ export const strings = {
     notSent: 'The link could not be shared. Copy it instead.',
     save: 'Save as file',
     saved: (name: string) => `Saved as ${name}. Drop the file on this page to open it.`,
-    tooLong: (length: number, most: number) =>
-      `The link would have ${length} characters; chats cut links over ${most}. Save a file instead, and drop it on this page to open it.`,
+    tooLong: (length: number, max: number) =>
+      `The link would have ${length} characters; chats cut links over ${max}. Save a file instead, and drop it on this page to open it.`,
     code: 'QR code of the link',
     scan: 'Scan to open on a phone',
     embed: 'Embed in your page',
@@ -135,7 +135,7 @@ export const strings = {
     text: 'Looks saved in this browser. Save a look as a file to share it, or drop a file on the page.',
     keep: 'Save this look',
     kept: (name: string) => `${name} is saved in this browser.`,
-    numbered: (mood: string, number: number) => `${mood} ${number}`,
+    numbered: (preset: string, number: number) => `${preset} ${number}`,
     rename: (name: string) => `Rename ${name}`,
     newName: 'New name',
     save: (name: string) => `Save ${name} as file`,
@@ -149,7 +149,7 @@ export const strings = {
   files: {
     open: 'Open a file\u2026',
     opened: (name: string) => `Opened ${name}.`,
-    refused: (file: string, reason: string) => `${file} could not be opened. ${reason}`,
+    rejected: (file: string, reason: string) => `${file} could not be opened. ${reason}`,
     tooLarge: (megabytes: number) => `The file is too large. The limit is ${megabytes} MB.`,
   },
   capture: {
@@ -190,20 +190,20 @@ export const strings = {
     cancelled: 'Stopped. The smoke is unchanged.',
     saved: (name: string, bytes: number) => `Saved ${name}, ${(bytes / 1e6).toFixed(bytes < 1e5 ? 2 : 1)} MB.`,
     failed: (reason: string) => `The capture failed. ${reason}`,
-    tooLarge: (width: number, height: number, most: number) =>
-      `${width} \u00d7 ${height} pixels are too large for this GPU. The limit is ${most} pixels per side.`,
+    tooLarge: (width: number, height: number, max: number) =>
+      `${width} \u00d7 ${height} pixels are too large for this GPU. The limit is ${max} pixels per side.`,
     noEncoder: (format: string, width: number, height: number) =>
       `This browser cannot encode ${format} at ${width} \u00d7 ${height} pixels. Use a smaller size, the other video format or a PNG sequence.`,
   },
   moment: {
     winding: (seconds: number) => `Replaying ${seconds.toFixed(1)} s\u2026`,
-    refused: (reason: string) => `The moment in the link cannot be shown: ${reason}`,
+    rejected: (reason: string) => `The moment in the link cannot be shown: ${reason}`,
     truncated: 'The recording of this moment is incomplete. The smoke may look different.',
     inexact: 'An older version recorded this moment. The smoke may end differently.',
     tooLate: (seconds: number) => `This moment is later than the limit. The smoke is shown at ${seconds} s.`,
     notFresh: 'it starts from a saved state. Ask for a file instead.',
-    tooMany: (particles: number, most: number) =>
-      `it needs room for ${particles} particles. The limit for links is ${most}.`,
+    tooMany: (particles: number, max: number) =>
+      `it needs room for ${particles} particles. The limit for links is ${max}.`,
   },
   ownShape: {
     choose: 'Use your own mesh\u2026',
@@ -231,7 +231,7 @@ export const strings = {
     overdraw: 'Polygons drawn at a pixel, hidden or not: black is none, red is one, then yellow and white.',
     coverage: 'Coverage grid: puffs behind a tinted cell are not drawn. Bright is near, dark is far.',
   },
-  backstage: {
+  debugPanel: {
     title: 'Debug views',
     view: 'View',
     picture: 'Final picture',
@@ -293,7 +293,7 @@ export const strings = {
     cancel: 'Stop here',
     cancelled: (seconds: number) => `Stopped at ${seconds.toFixed(1)} s.`,
   },
-  refusal: {
+  error: {
     unsupported: {
       title: 'This browser cannot show the smoke',
       advice: [

@@ -8,11 +8,11 @@ import {
   RGBAFormat,
   UnsignedByteType,
 } from 'three';
-import type { PuffLayers } from '../puffs/layers.ts';
-import type { PuffSolids } from '../puffs/solids.ts';
-import type { StartCaps } from '../puffs/startCaps.ts';
+import type { PuffLayers } from '../puffs/billboards/layers.ts';
+import type { PuffSolids } from '../puffs/bake/solids.ts';
+import type { StartCaps } from '../puffs/bake/startCaps.ts';
 import { capRange, capTexture } from './capTexture.ts';
-import type { BillboardPuffs, FormTextures } from './puffTextures.ts';
+import type { BillboardData, FormTextures } from './formTextures.ts';
 
 /** Baked billboards: a layer for each variation. */
 export class BillboardTextures implements FormTextures {
@@ -31,7 +31,7 @@ export class BillboardTextures implements FormTextures {
 
   constructor(
     context: WebGL2RenderingContext,
-    { layers, startCaps, latestCap, casters, solids, reach, depth }: Omit<BillboardPuffs, 'texturesFor'>,
+    { layers, startCaps, latestCap, casters, solids, reach, depth }: BillboardData,
   ) {
     this.layers = layers;
     this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);

@@ -1,10 +1,10 @@
-/** Where volumes may begin, as a texture: see `src/puffs/startCaps.ts`. */
+/** Where volumes may begin, as a texture: see `src/puffs/bake/startCaps.ts`. */
 import { DataArrayTexture, FloatType, NearestFilter, RedFormat } from 'three';
-import type { StartCaps } from '../puffs/startCaps.ts';
+import type { StartCaps } from '../puffs/bake/startCaps.ts';
 
 /** The least and the greatest of all, and 0. */
 export function capRange({ values }: StartCaps): [number, number] {
-  return values.reduce<[number, number]>(([least, most], cap) => [Math.min(least, cap), Math.max(most, cap)], [0, 0]);
+  return values.reduce<[number, number]>(([min, max], cap) => [Math.min(min, cap), Math.max(max, cap)], [0, 0]);
 }
 
 /** A layer for each variation. */

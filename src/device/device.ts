@@ -10,9 +10,9 @@ export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
 export type ContextEvent = 'lost' | 'restored' | 'missing';
 
 /** Browsers restore a context within a second or two, if they do. */
-const PATIENCE_MS = 10_000;
+const TIMEOUT_MS = 10_000;
 /** A context that goes more often than this within two minutes goes by what is drawn, and would go for ever. */
-const MOST_LOSSES = 3;
+const MAX_LOSSES = 3;
 const LOSSES_WITHIN_MS = 120_000;
 
 export interface DeviceOptions {
@@ -39,7 +39,7 @@ export class Device {
   /** When the context went, the latest losses. */
   private losses: number[] = [];
 
-  /** @param ownsRenderer whether renderer and context end with this device; those of a stranger stay as they are */
+  /** @param ownsRenderer whether renderer and context end with this device; those of a host stay as they are */
   constructor(renderer: WebGLRenderer, ownsRenderer: boolean, { failsSelfTest = false }: DeviceOptions = {}) {
     this.renderer = renderer;
     this.ownsRenderer = ownsRenderer;
@@ -99,28 +99,28 @@ export class Device {
     this.isLost = true;
     this.puffs.dispose();
     this.programs.dispose();
-    this.tell('lost');
+    this.notify('lost');
     clearTimeout(this.waiting);
     const now = performance.now();
     this.losses = [...this.losses.filter((at) => now - at < LOSSES_WITHIN_MS), now];
-    if (this.losses.length > MOST_LOSSES) return this.giveUp();
+    if (this.losses.length > MAX_LOSSES) return this.giveUp();
     // Without this the browser never offers the context again.
     event.preventDefault();
-    this.waiting = setTimeout(() => this.giveUp(), PATIENCE_MS);
+    this.waiting = setTimeout(() => this.giveUp(), TIMEOUT_MS);
   };
 
   private readonly handleRestoration = (): void => {
     this.isLost = this.isMissing = false;
     clearTimeout(this.waiting);
-    this.tell('restored');
+    this.notify('restored');
   };
 
   private giveUp(): void {
     this.isMissing = true;
-    this.tell('missing');
+    this.notify('missing');
   }
 
-  private tell(event: ContextEvent): void {
+  private notify(event: ContextEvent): void {
     for (const listener of this.listeners) listener(event);
   }
 }

@@ -11,12 +11,12 @@ import type { Device } from './device.ts';
 export type Fault = 'outOfMemory' | 'contextLostInStart' | 'workerSilent';
 
 /** WASM on 32 bits has no more pages than this. */
-const MOST_PAGES = 65_536;
+const MAX_PAGES = 65_536;
 
 /** Takes all the memory that a module may have, so that its next allocation fails. Browsers only note down what is empty. */
 export function fill(memory: WebAssembly.Memory): void {
   const pages = memory.buffer.byteLength / 65_536;
-  for (let step = MOST_PAGES - pages; step >= 1; step = Math.floor(step / 2)) growBy(memory, step);
+  for (let step = MAX_PAGES - pages; step >= 1; step = Math.floor(step / 2)) growBy(memory, step);
 }
 
 export function loseContext({ renderer }: Device): void {

@@ -1,7 +1,7 @@
 import type { Device } from './device.ts';
 
 /** The GPU draws one frame while it is told the next; more would only make what is seen older. */
-const MOST = 2;
+const MAX_FRAMES = 2;
 
 /**
  * Frames that were handed to the GPU and are not drawn yet. Browsers hold animation frames back for a GPU that falls behind
@@ -18,7 +18,7 @@ export class FramesInFlight {
   /** Whether the next frame had better wait. */
   get isFull(): boolean {
     while (this.fences.length > 0 && this.isDrawn(this.fences[0])) this.context.deleteSync(this.fences.shift()!);
-    return this.fences.length >= MOST;
+    return this.fences.length >= MAX_FRAMES;
   }
 
   /** A frame has just been handed over. */

@@ -15,19 +15,19 @@ export interface Shaders {
  * comes with the same.
  */
 export class ProgramsAhead {
-  private readonly kept = new Map<string, RawShaderMaterial>();
+  private readonly programs = new Map<string, RawShaderMaterial>();
 
   /** Has a program compiled, unless it has been, and does not wait for it. */
   compile(renderer: WebGLRenderer, shaders: Shaders): void {
     const key = JSON.stringify(shaders);
-    if (this.kept.has(key)) return;
+    if (this.programs.has(key)) return;
     const material = new RawShaderMaterial({ ...shaders, glslVersion: GLSL3 });
-    this.kept.set(key, material);
+    this.programs.set(key, material);
     new DrawnMesh(triangle(), material).compile(renderer);
   }
 
   dispose(): void {
-    for (const material of this.kept.values()) material.dispose();
-    this.kept.clear();
+    for (const material of this.programs.values()) material.dispose();
+    this.programs.clear();
   }
 }

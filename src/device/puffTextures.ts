@@ -1,27 +1,18 @@
 import { DataTexture, FloatType, RGBAFormat, type DataArrayTexture } from 'three';
-import type { Casters } from '../puffs/casters.ts';
-import type { LobePuffs } from '../puffs/bakeLobes.ts';
-import type { PuffLayers } from '../puffs/layers.ts';
-import type { PuffSolids } from '../puffs/solids.ts';
-import type { StartCaps } from '../puffs/startCaps.ts';
+import type { LobePuffs } from '../puffs/bake/bakeLobes.ts';
+import type { PuffSolids } from '../puffs/bake/solids.ts';
+import type { StartCaps } from '../puffs/bake/startCaps.ts';
 import type { BillboardTextures } from './billboardTextures.ts';
 import { capRange, capTexture } from './capTexture.ts';
 import { Shared } from './shared.ts';
+import type { BillboardData, FormTextures } from './formTextures.ts';
 
 /** What a puff is on the screen: lobes met per pixel, or the paper's billboards, baked from one side. */
 export type PuffForm = 'lobes' | 'billboards';
 
-/** Billboards as plain data: what the bodies show, and where volumes may begin. */
-export interface BillboardPuffs {
-  readonly layers: PuffLayers;
-  readonly startCaps: StartCaps;
-  readonly latestCap: number;
-  readonly casters: Casters;
-  readonly solids: PuffSolids;
-  /** See {@link PuffExtents}; likewise below. */
-  readonly reach: number;
-  readonly depth: number;
-  /** Makes textures of them; the context decides which filters there are. */
+/** Billboards as plain data, and how they come to the graphics card. */
+export interface BillboardPuffs extends BillboardData {
+  /** The context decides which filters there are. */
   texturesFor(context: WebGL2RenderingContext): BillboardTextures;
 }
 
@@ -30,29 +21,6 @@ export interface BakedPuffs {
   readonly lobes: LobePuffs;
   /** @throws LoadError before anybody has fetched the code of billboards, as a style does that asks for them */
   readonly billboards: BillboardPuffs;
-}
-
-/** How far puffs of one form and their shadows reach, in radii of the particle. */
-export interface PuffExtents {
-  /** Factor on a particle's radius that makes the sphere which holds all of its puff. */
-  readonly reach: number;
-  /** How deep behind the centre plane something of a puff can be seen, in radii of the particle. */
-  readonly depth: number;
-  /** How far behind the centre shadow volumes begin, at least and at most, as the table says. */
-  readonly capRange: readonly [number, number];
-  readonly capTable: StartCaps;
-  readonly solids: PuffSolids;
-}
-
-/** What all that draws asks of the puffs in one form. */
-export interface FormTextures extends PuffExtents {
-  /** See `latestCap` in src/puffs/startCaps.ts. */
-  readonly latestCap: number;
-  /** A layer for each variation. */
-  readonly startCaps: DataArrayTexture;
-  /** A row for each variation: the lobes that the light meets, centre and radius, and how many of them count. */
-  readonly casterTable: DataTexture;
-  readonly casterLobes: number;
 }
 
 /** The textures of all puffs on one device: smokes that show the same puffs share them. */

@@ -88,7 +88,7 @@ function testMaterial(): RawShaderMaterial {
     glslVersion: GLSL3,
     vertexShader,
     fragmentShader,
-    uniforms: { leastTone: { value: 0.25 } },
+    uniforms: { minTone: { value: 0.25 } },
     depthFunc: LessEqualDepth,
     blending: NoBlending,
   });

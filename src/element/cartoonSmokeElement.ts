@@ -5,20 +5,20 @@ import { Deferred } from './deferred.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import type { SmokeEvents } from './events.ts';
 import { HANDED_ON, type HandedOn } from './methods.ts';
-import { keyOfAttribute } from './names.ts';
-import { whenNear } from './near.ts';
+import { keyOfAttribute } from './attributes/names.ts';
+import { whenNear } from '../page/visibility.ts';
 import { fetchAhead, part } from './parts.ts';
-import { defineProperties, FLAGS, takeUpEarlier, TEXTS } from './properties.ts';
-import { quietly } from './quietly.ts';
+import { defineProperties, FLAGS, takeUpEarlier, TEXTS } from './attributes/properties.ts';
+import { ignoreRejection } from './ignoreRejection.ts';
 import type { Session } from './session.ts';
-import { Shell } from './shell.ts';
+import { Shell } from './shell/shell.ts';
 import { version } from './version.ts';
 
 /** On a server there are no elements; importing this must not fail there. */
 const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement);
 
 /** Attributes that say what the smoke is, beside the parameters. */
-const OF_WISH: readonly string[] = ['preset', 'src'];
+const PARSED_TOGETHER: readonly string[] = ['preset', 'src'];
 
 // eslint-disable-next-line typescript/no-unsafe-declaration-merging -- the methods and properties are made from tables below
 export interface CartoonSmokeElement extends HandedOn {
@@ -95,14 +95,14 @@ export class CartoonSmokeElement extends Base {
   /** Settled when the first picture stands; rejects with the error that is told when there will be none. */
   get ready(): Promise<void> {
     const ready = this.#awaited.promise.then(() => undefined);
-    quietly(ready);
+    ignoreRejection(ready);
     return ready;
   }
 
   /** The stage, for its events. Who asks does not wait for the viewport; rejects with the error that is told. */
   get stage(): Promise<RemoteStage> {
     const stage = this.#demand().then((session) => session.stage);
-    quietly(stage);
+    ignoreRejection(stage);
     return stage;
   }
 
@@ -142,7 +142,7 @@ export class CartoonSmokeElement extends Base {
     if (name === 'loading') this.#waitOrStart();
     else if (this.#hasFailed) this.#tryAnew(name);
     else if (!this.#session) this.#changed.add(name);
-    else if (OF_WISH.includes(name) || keyOfAttribute.has(name)) this.#session.follow();
+    else if (PARSED_TOGETHER.includes(name) || keyOfAttribute.has(name)) this.#session.follow();
     else this.#session.takeUp(name);
   }
 
@@ -153,7 +153,7 @@ export class CartoonSmokeElement extends Base {
 
   /** @param name of the attribute that has changed */
   #tryAnew(name: string): void {
-    if (!OF_WISH.includes(name)) return;
+    if (!PARSED_TOGETHER.includes(name)) return;
     this.#end();
     this.#waitOrStart();
   }
@@ -167,7 +167,7 @@ export class CartoonSmokeElement extends Base {
   #waitOrStart(): void {
     if (!this.isConnected || this.#start) return;
     if (this.loading === 'eager') this.#begin();
-    else this.#stopWaiting ??= whenNear(this.#shell.frame, () => this.#begin());
+    else this.#stopWaiting ??= whenNear(this.#shell.container, () => this.#begin());
   }
 
   #begin(): void {
@@ -190,7 +190,7 @@ export class CartoonSmokeElement extends Base {
       {
         element: this,
         shell: this.#shell,
-        tell: (name, detail) => this.#tell(name, detail),
+        notify: (name, detail) => this.#notify(name, detail),
         fail: (error) => this.#fail(error),
         fault: this.#fault,
       },
@@ -205,12 +205,12 @@ export class CartoonSmokeElement extends Base {
     if (this.#isConsented) session.consent();
     this.#shell.show('smoke');
     this.#awaited.resolve(session);
-    this.#tell('ready', { thread: session.stage.thread });
+    this.#notify('ready', { thread: session.stage.thread });
   }
 
   #fail(error: SmokeError): void {
     // Of what failed on its way the page may want no more by now.
-    const isPast = !this.#session && OF_WISH.some((name) => this.#changed.has(name));
+    const isPast = !this.#session && PARSED_TOGETHER.some((name) => this.#changed.has(name));
     this.#start?.abort();
     this.#session = undefined;
     if (isPast) {
@@ -219,7 +219,7 @@ export class CartoonSmokeElement extends Base {
     }
     this.#shell.show('failure');
     this.#awaited.reject(error);
-    this.#tell('error', { error });
+    this.#notify('error', { error });
   }
 
   #end(): void {
@@ -238,7 +238,7 @@ export class CartoonSmokeElement extends Base {
     this.#session?.consent();
   }
 
-  #tell<Name extends keyof SmokeEvents>(name: Name, detail: SmokeEvents[Name]): void {
+  #notify<Name extends keyof SmokeEvents>(name: Name, detail: SmokeEvents[Name]): void {
     this.dispatchEvent(new CustomEvent(name, { detail }));
   }
 

@@ -1,4 +1,4 @@
-import { quietly } from './quietly.ts';
+import { ignoreRejection } from './ignoreRejection.ts';
 
 /** A promise that is settled from outside. Who waits for it hears of a failure; where nobody waits, nobody does. */
 export class Deferred<Value> {
@@ -10,6 +10,6 @@ export class Deferred<Value> {
   });
 
   constructor() {
-    quietly(this.promise);
+    ignoreRejection(this.promise);
   }
 }

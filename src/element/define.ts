@@ -13,11 +13,11 @@ const NAME = 'cartoon-smoke';
 if (globalThis.customElements) {
   const first = customElements.get(NAME);
   if (!first) customElements.define(NAME, CartoonSmokeElement);
-  else if (first !== CartoonSmokeElement) tellOfSecond(first);
+  else if (first !== CartoonSmokeElement) warnOfSecond(first);
 }
 
 /** Elements stay what the first version made of them, and whoever listens to them learns that a second one came. */
-function tellOfSecond(first: CustomElementConstructor): void {
+function warnOfSecond(first: CustomElementConstructor): void {
   const given = CartoonSmokeElement.version;
   const used = (first as Partial<typeof CartoonSmokeElement>).version ?? 'another one';
   const message = `cartoon-smoke ${used} is already in use; version ${given} is ignored.`;

@@ -1,6 +1,6 @@
 import { notice, type Notice } from '../preset/notice.ts';
 import type { Values } from '../preset/parameter.ts';
-import { findParameter } from '../preset/table.ts';
+import { linkCapacity, lookOf } from '../page/moment.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import type { Take } from '../stage/take.ts';
@@ -22,28 +22,22 @@ export async function goToMoment(
 ): Promise<Notice[]> {
   try {
     const take = await stage.readTake(bytes);
-    refuseGreed(take);
+    checkCapacity(take);
     if (take.values.scene !== values.scene) await stage.enter(take.values);
     await stage.playTake(bytes);
-    await stage.set(looksOf(values));
+    await stage.set(lookOf(values));
     await stage.seek(Math.min(seconds ?? take.steps * STEP_SECONDS, LONGEST_SECONDS));
-    const tell = () => 'An older version recorded the moment in the link. The smoke may end differently.';
-    return take.isExact ? [] : [notice('otherVersion', 'take', '', tell)];
+    const sentence = () => 'An older version recorded the moment in the link. The smoke may end differently.';
+    return take.isExact ? [] : [notice('otherVersion', 'take', '', sentence)];
   } catch (error) {
-    const tell = () => `The moment in the link cannot be shown: ${(error as Error).message}`;
-    return [notice('damaged', 'take', '', tell)];
+    const sentence = () => `The moment in the link cannot be shown: ${(error as Error).message}`;
+    return [notice('damaged', 'take', '', sentence)];
   }
 }
 
-/** @throws Error when the take of a stranger asks for more than links may */
-function refuseGreed({ isFresh, mostParticles }: Take): void {
-  const row = findParameter('simulation.maxParticles');
-  const most = row?.kind === 'integer' ? (row.linkMax ?? row.max) : 0;
+/** @throws Error when an untrusted take asks for more than links may */
+function checkCapacity({ isFresh, mostParticles }: Take): void {
+  const max = linkCapacity();
   if (!isFresh) throw new Error('it starts from a saved state.');
-  if (mostParticles > most) throw new Error(`it needs room for ${mostParticles} particles; the limit is ${most}.`);
-}
-
-function looksOf(values: Values): Values {
-  const isLook = (key: string) => ['style', 'light', 'camera'].includes(findParameter(key)!.reader);
-  return Object.fromEntries(Object.entries(values).filter(([key]) => isLook(key)));
+  if (mostParticles > max) throw new Error(`it needs room for ${mostParticles} particles; the limit is ${max}.`);
 }

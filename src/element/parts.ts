@@ -1,24 +1,24 @@
 /** What an element fetches, and when: nothing of it before it nears the viewport, and of the rest only what it asks for. */
-import { fetched } from '../preset/patience.ts';
-import { fetchPreset, FIRST_PRESET } from '../preset/moods/moods.ts';
-import type { Preset } from '../preset/moods/preset.ts';
-import { quietly } from './quietly.ts';
+import { fetched } from '../preset/timeout.ts';
+import { fetchPreset, FIRST_PRESET } from '../preset/byScene/fetchPreset.ts';
+import type { Preset } from '../preset/byScene/preset.ts';
+import { ignoreRejection } from './ignoreRejection.ts';
 
 const parts = {
   /** Always. */
   session: () => import('./session.ts'),
   /** With `src` or `start`. */
-  link: () => import('./link.ts'),
+  link: () => import('./attributes/link.ts'),
   /** Where that leads to the moment of a take. */
   moment: () => import('./moment.ts'),
   /** With `interactive`. */
   pointers: () => import('./pointers.ts'),
   /** With `collide` or `emit-from`. */
-  onPage: () => import('./onPage.ts'),
+  onPage: () => import('./layout/onPage.ts'),
 };
 
 type Name = keyof typeof parts;
-type Part<Each extends Name> = Awaited<ReturnType<(typeof parts)[Each]>>;
+type LazyModule<Each extends Name> = Awaited<ReturnType<(typeof parts)[Each]>>;
 
 const called: Partial<Record<Name, string>> = {
   pointers: 'What turns the view',
@@ -29,8 +29,8 @@ const called: Partial<Record<Name, string>> = {
  * Fetches a part, or gives the one that is here.
  * @throws LoadError when it cannot be fetched
  */
-export function part<Each extends Name>(name: Each): Promise<Part<Each>> {
-  return fetched(called[name] ?? 'The smoke', parts[name]() as Promise<Part<Each>>);
+export function part<Each extends Name>(name: Each): Promise<LazyModule<Each>> {
+  return fetched(called[name] ?? 'The smoke', parts[name]() as Promise<LazyModule<Each>>);
 }
 
 /**
@@ -44,6 +44,6 @@ export function presetOf(element: Element): Promise<Preset | undefined> {
 /** Begins to fetch what the session asks for at once, so that it need not wait. Whoever needs it is told of faults. */
 export function fetchAhead(element: Element): void {
   const asks = (...names: string[]) => names.some((name) => element.hasAttribute(name));
-  if (!asks('src')) quietly(presetOf(element));
-  if (asks('src', 'start')) quietly(part('link'));
+  if (!asks('src')) ignoreRejection(presetOf(element));
+  if (asks('src', 'start')) ignoreRejection(part('link'));
 }

@@ -1,5 +1,5 @@
 import type { RemoteStage } from '../remote/contract.ts';
-import { quietly } from './quietly.ts';
+import { ignoreRejection } from './ignoreRejection.ts';
 
 /** Whether this visitor's system asks for less motion. */
 export const calm = (): MediaQueryList => matchMedia('(prefers-reduced-motion: reduce)');
@@ -10,15 +10,15 @@ export const calm = (): MediaQueryList => matchMedia('(prefers-reduced-motion: r
  */
 export class Playback {
   private readonly stage: RemoteStage;
-  private readonly tell: (state: { isPlaying: boolean; isStill: boolean }) => void;
+  private readonly notify: (state: { isPlaying: boolean; isStill: boolean }) => void;
   private readonly calm = calm();
   private isPaused: boolean;
   private isConsented = false;
 
-  /** @param tell told when it begins, and whenever playing begins or ends as people understand it: out of sight it goes on */
-  constructor(stage: RemoteStage, isPaused: boolean, tell: Playback['tell']) {
+  /** @param notify called when it begins, and whenever playing begins or ends as people understand it: out of sight it goes on */
+  constructor(stage: RemoteStage, isPaused: boolean, notify: Playback['notify']) {
     this.stage = stage;
-    this.tell = tell;
+    this.notify = notify;
     this.isPaused = isPaused;
   }
 
@@ -55,7 +55,7 @@ export class Playback {
 
   private readonly update = (): void => {
     const { isPlaying, isStill } = this;
-    quietly(isPlaying ? this.stage.play() : this.stage.pause());
-    this.tell({ isPlaying, isStill });
+    ignoreRejection(isPlaying ? this.stage.play() : this.stage.pause());
+    this.notify({ isPlaying, isStill });
   };
 }

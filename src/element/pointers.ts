@@ -1,9 +1,8 @@
+import { ORBIT_PER_KEY, ORBIT_PER_PIXEL, spread } from '../page/gestures.ts';
 import type { RemoteStage } from '../remote/contract.ts';
-import { quietly } from './quietly.ts';
-import type { Shell } from './shell.ts';
+import { ignoreRejection } from './ignoreRejection.ts';
+import type { Shell } from './shell/shell.ts';
 
-const TURN_PER_PIXEL = 0.006;
-const TURN_PER_KEY = Math.PI / 24;
 const ZOOM_PER_PIXEL = 0.01;
 const ZOOM_PER_KEY = 1.15;
 
@@ -18,10 +17,10 @@ interface Press {
 
 /** What keys do to the view. */
 const KEYS: Readonly<Record<string, (stage: RemoteStage) => Promise<void>>> = {
-  ArrowLeft: (stage) => stage.orbit(-TURN_PER_KEY, 0),
-  ArrowRight: (stage) => stage.orbit(TURN_PER_KEY, 0),
-  ArrowUp: (stage) => stage.orbit(0, TURN_PER_KEY),
-  ArrowDown: (stage) => stage.orbit(0, -TURN_PER_KEY),
+  ArrowLeft: (stage) => stage.orbit(-ORBIT_PER_KEY, 0),
+  ArrowRight: (stage) => stage.orbit(ORBIT_PER_KEY, 0),
+  ArrowUp: (stage) => stage.orbit(0, ORBIT_PER_KEY),
+  ArrowDown: (stage) => stage.orbit(0, -ORBIT_PER_KEY),
   '+': (stage) => stage.zoom(ZOOM_PER_KEY),
   '=': (stage) => stage.zoom(ZOOM_PER_KEY),
   '-': (stage) => stage.zoom(1 / ZOOM_PER_KEY),
@@ -33,7 +32,7 @@ const KEYS: Readonly<Record<string, (stage: RemoteStage) => Promise<void>>> = {
  * own otherwise. The wheel stays the page's, which scrolls by it; with Ctrl, as of a pinch, it zooms. Likewise swipes up and
  * down scroll the page (`touch-action` of the canvas), and two fingers zoom.
  */
-export class PointerWays {
+export class PointerControls {
   private readonly stage: RemoteStage;
   private readonly shell: Shell;
   private readonly presses = new Map<number, Press>();
@@ -45,8 +44,8 @@ export class PointerWays {
   }
 
   toggle(isInteractive: boolean): void {
-    const { canvas, frame } = this.shell;
-    frame.classList.toggle('interactive', isInteractive);
+    const { canvas, container } = this.shell;
+    container.classList.toggle('interactive', isInteractive);
     if (!canvas || isInteractive === (this.listening !== undefined)) return;
     this.listening?.abort();
     this.listening = undefined;
@@ -78,7 +77,7 @@ export class PointerWays {
     this.presses.set(event.pointerId, press);
     // It may be over by the time of the answer.
     const isOn = () => this.presses.get(event.pointerId) === press;
-    quietly(
+    ignoreRejection(
       isHolding.then((isHeld) => {
         press.isLoose = !isHeld;
         canvas.classList.toggle('holding', isHeld && isOn());
@@ -98,7 +97,7 @@ export class PointerWays {
     const nearer = before > 0 && after > 0 ? after / before : 1;
     const share = 1 / this.presses.size;
     const input = { type: 'move', id: event.pointerId, ...placeOf(event) } as const;
-    quietly(
+    ignoreRejection(
       press.isHolding.then<unknown>((isHeld) =>
         isHeld ? this.stage.pointer(input) : this.look(dx * share, dy * share, nearer),
       ),
@@ -107,14 +106,13 @@ export class PointerWays {
 
   /** By pixels of a drag, and by how much farther two fingers have gone from each other. */
   private look(dx: number, dy: number, nearer: number): Promise<unknown> {
-    const turned = this.stage.orbit(-dx * TURN_PER_PIXEL, dy * TURN_PER_PIXEL);
-    return nearer === 1 ? turned : Promise.all([turned, this.stage.zoom(nearer)]);
+    const orbited = this.stage.orbit(-dx * ORBIT_PER_PIXEL, dy * ORBIT_PER_PIXEL);
+    return nearer === 1 ? orbited : Promise.all([orbited, this.stage.zoom(nearer)]);
   }
 
   /** Distance between two pointers that hold nothing, in pixels; 0 for fewer. */
   private spread(): number {
-    const [a, b] = [...this.presses.values()].filter(({ isLoose }) => isLoose);
-    return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
+    return spread([...this.presses.values()].filter(({ isLoose }) => isLoose));
   }
 
   private release(event: PointerEvent, type: 'up' | 'cancel'): void {
@@ -124,21 +122,21 @@ export class PointerWays {
   private end(id: number, how: { type: 'up' | 'cancel'; x: number; y: number }): void {
     const press = this.presses.get(id);
     this.presses.delete(id);
-    if (press) quietly(press.isHolding.then<unknown>((isHeld) => isHeld && this.stage.pointer({ id, ...how })));
+    if (press) ignoreRejection(press.isHolding.then<unknown>((isHeld) => isHeld && this.stage.pointer({ id, ...how })));
     this.shell.canvas?.classList.remove('holding');
   }
 
   private wheel(event: WheelEvent): void {
     if (!event.ctrlKey) return;
     event.preventDefault();
-    quietly(this.stage.zoom(Math.exp(-event.deltaY * ZOOM_PER_PIXEL)));
+    ignoreRejection(this.stage.zoom(Math.exp(-event.deltaY * ZOOM_PER_PIXEL)));
   }
 
   private key(event: KeyboardEvent): void {
     const act = KEYS[event.key];
     if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
-    quietly(act(this.stage));
+    ignoreRejection(act(this.stage));
   }
 }
 

@@ -8,24 +8,24 @@ import { openStage } from '../remote/openStage.ts';
 import { asSmokeError } from './asSmokeError.ts';
 import { change } from './change.ts';
 import type { SmokeEvents } from './events.ts';
-import { sizeOf, watchSize } from './fit.ts';
-import type { OnPage } from './onPage.ts';
+import { sizeOf, watchSize } from '../page/size.ts';
+import type { OnPage } from './layout/onPage.ts';
 import { part } from './parts.ts';
 import { calm, Playback } from './playback.ts';
-import { FLAGS, LABELS, OF_PAGE } from './properties.ts';
-import type { PointerWays } from './pointers.ts';
-import { quietly } from './quietly.ts';
-import type { Shell } from './shell.ts';
-import { readWish, type Wish } from './wish.ts';
+import { FLAGS, LABELS, OF_PAGE } from './attributes/properties.ts';
+import type { PointerControls } from './pointers.ts';
+import { ignoreRejection } from './ignoreRejection.ts';
+import type { Shell } from './shell/shell.ts';
+import { parseAttributes, type ParsedAttributes } from './attributes/parsedAttributes.ts';
 
 /** With reduced motion a still picture is shown; by then smoke has filled its column. */
 const STILL_SECONDS = 4;
 
 /** What a session needs to know of its element. */
-export interface SessionHost {
+export interface SessionOwner {
   readonly element: HTMLElement;
   readonly shell: Shell;
-  tell<Name extends keyof SmokeEvents>(name: Name, detail: SmokeEvents[Name]): void;
+  notify<Name extends keyof SmokeEvents>(name: Name, detail: SmokeEvents[Name]): void;
   /** The smoke has come to an end by itself. */
   fail(error: SmokeError): void;
   readonly fault: Fault | undefined;
@@ -36,20 +36,20 @@ export interface SessionHost {
  * @param signal ends it, at any time
  * @throws SmokeError saying why there can be none, and `signal` has to be aborted then; the signal's reason when that aborts
  */
-export async function openSession(host: SessionHost, signal: AbortSignal): Promise<Session> {
-  const { element, shell } = host;
-  const wish = await readWish(element);
+export async function openSession(owner: SessionOwner, signal: AbortSignal): Promise<Session> {
+  const { element, shell } = owner;
+  const attributes = await parseAttributes(element);
   signal.throwIfAborted();
   const stage = await openStage(() => shell.makeCanvas(element.getAttribute('alt')), {
-    values: wish.values,
-    ...sizeOf(shell.frame),
+    values: attributes.values,
+    ...sizeOf(shell.container),
     quality: 'auto',
     background: !element.hasAttribute('transparent'),
     thread: threadOf(element),
-    fault: host.fault,
+    fault: owner.fault,
     signal,
   });
-  const session = new Session(host, stage, wish);
+  const session = new Session(owner, stage, attributes);
   const end = () => session.dispose();
   signal.addEventListener('abort', end);
   if (signal.aborted) end();
@@ -61,30 +61,32 @@ export async function openSession(host: SessionHost, signal: AbortSignal): Promi
 /** An element's smoke while it stands. */
 export class Session {
   readonly stage: RemoteStage;
-  private readonly host: SessionHost;
+  private readonly owner: SessionOwner;
   private readonly playback: Playback;
   private readonly endings: (() => void)[];
-  private wish: Wish;
+  private attributes: ParsedAttributes;
   /** Once people could turn the view. */
-  private pointers: PointerWays | undefined;
+  private pointers: PointerControls | undefined;
   /** While the page has things in the smoke. */
   private onPage: OnPage | undefined;
   private isBehind = false;
   private isFollowing = false;
   private isDisposed = false;
 
-  constructor(host: SessionHost, stage: RemoteStage, wish: Wish) {
-    const { element, shell } = host;
-    this.host = host;
+  constructor(owner: SessionOwner, stage: RemoteStage, attributes: ParsedAttributes) {
+    const { element, shell } = owner;
+    this.owner = owner;
     this.stage = stage;
-    this.wish = wish;
-    if (wish.isPaused) element.toggleAttribute('paused', true);
+    this.attributes = attributes;
+    if (attributes.isPaused) element.toggleAttribute('paused', true);
     this.playback = new Playback(stage, element.hasAttribute('paused'), (state) => this.showPlaying(state));
     this.endings = [
-      watchSize(shell.frame, ({ width, height, pixelRatio }) => quietly(stage.resize(width, height, pixelRatio))),
+      watchSize(shell.container, ({ width, height, pixelRatio }) =>
+        ignoreRejection(stage.resize(width, height, pixelRatio)),
+      ),
       stage.on('error', (error) => {
-        if (error instanceof LoadError) this.tellOfMissing(error);
-        else host.fail(asSmokeError(error));
+        if (error instanceof LoadError) this.notifyMissing(error);
+        else owner.fail(asSmokeError(error));
       }),
     ];
   }
@@ -93,11 +95,11 @@ export class Session {
   async begin(): Promise<void> {
     await this.stage.ready;
     await this.lookAtPage();
-    const notices = await lead(this.stage, this.wish);
+    const notices = await lead(this.stage, this.attributes);
     await this.interact();
     if (this.isDisposed) return;
     this.playback.begin();
-    this.tell([...this.wish.notices, ...notices]);
+    this.notify([...this.attributes.notices, ...notices]);
   }
 
   get isPlaying(): boolean {
@@ -106,14 +108,14 @@ export class Session {
 
   /** An attribute that is no parameter has changed. */
   takeUp(name: string): void {
-    const { element, shell } = this.host;
+    const { element, shell } = this.owner;
     const isOn = element.hasAttribute(name);
     if (name === 'alt') shell.describe(element.getAttribute(name));
     else if (LABELS.includes(name)) shell.nameButton();
     else if (name === 'paused') this.playback.set(isOn);
-    else if (name === 'transparent') quietly(this.stage.setBackground(!isOn));
-    else if (name === 'interactive') quietly(this.interact());
-    else if (OF_PAGE.includes(name)) this.lookAtPage().catch((error) => this.tellOfMissing(error));
+    else if (name === 'transparent') ignoreRejection(this.stage.setBackground(!isOn));
+    else if (name === 'interactive') ignoreRejection(this.interact());
+    else if (OF_PAGE.includes(name)) this.lookAtPage().catch((error) => this.notifyMissing(error));
   }
 
   /** A person asked for motion here and now. */
@@ -124,7 +126,7 @@ export class Session {
   /** Parameters have changed: all that changed in one task is taken up at once. */
   follow(): void {
     this.isBehind = true;
-    if (!this.isFollowing) quietly(this.followAll());
+    if (!this.isFollowing) ignoreRejection(this.followAll());
   }
 
   /** Attributes have changed before anybody listened. */
@@ -140,7 +142,7 @@ export class Session {
     this.onPage?.dispose();
     this.pointers?.toggle(false);
     for (const end of this.endings) end();
-    quietly(this.stage.dispose());
+    ignoreRejection(this.stage.dispose());
   }
 
   private async followAll(): Promise<void> {
@@ -148,28 +150,30 @@ export class Session {
     while (this.isBehind && !this.isDisposed) {
       await Promise.resolve();
       this.isBehind = false;
-      const wish = await readWish(this.host.element).catch((error: Error) => this.tellOfMissing(error));
-      if (wish) await this.followWish(wish);
+      const attributes = await parseAttributes(this.owner.element).catch((error: Error) => this.notifyMissing(error));
+      if (attributes) await this.followAttributes(attributes);
     }
     this.isFollowing = false;
   }
 
-  private async followWish(after: Wish): Promise<void> {
-    const before = this.wish;
-    this.wish = after;
-    if (after.isPaused && !before.isPaused) this.host.element.toggleAttribute('paused', true);
-    this.tell(after.notices.filter(({ message }) => !before.notices.some((told) => told.message === message)));
+  private async followAttributes(after: ParsedAttributes): Promise<void> {
+    const before = this.attributes;
+    this.attributes = after;
+    if (after.isPaused && !before.isPaused) this.owner.element.toggleAttribute('paused', true);
+    this.notify(
+      after.notices.filter(({ message }) => !before.notices.some((notified) => notified.message === message)),
+    );
     try {
       // A link that leads to no moment changes smoke that goes on.
       const isOtherMoment = after.link !== before.link && (after.take ?? startOf(after)) !== undefined;
       if (isOtherMoment || after.values.scene !== before.values.scene) {
         await this.stage.enter(after.values);
         await this.onPage?.beginAnew();
-        this.tell(await lead(this.stage, after));
+        this.notify(await lead(this.stage, after));
       } else await this.changeValues(before.values, after.values);
     } catch (error) {
-      if (error instanceof ParameterError) this.tell([noticeOf(error)]);
-      else if (!this.isDisposed) this.host.fail(asSmokeError(error));
+      if (error instanceof ParameterError) this.notify([noticeOf(error)]);
+      else if (!this.isDisposed) this.owner.fail(asSmokeError(error));
     }
   }
 
@@ -183,28 +187,28 @@ export class Session {
 
   /** Lets people move what can be moved and turn the view, or no longer. */
   private async interact(): Promise<void> {
-    const isWanted = () => this.host.element.hasAttribute('interactive');
+    const isWanted = () => this.owner.element.hasAttribute('interactive');
     if (!this.isDisposed && isWanted() && !this.pointers) {
-      const code = await part('pointers').catch((error: Error) => this.tellOfMissing(error));
-      if (code) this.pointers ??= new code.PointerWays(this.stage, this.host.shell);
+      const code = await part('pointers').catch((error: Error) => this.notifyMissing(error));
+      if (code) this.pointers ??= new code.PointerControls(this.stage, this.owner.shell);
     }
     if (!this.isDisposed) this.pointers?.toggle(isWanted());
   }
 
   /** Puts things of the page into the smoke, or looks at them again, or takes them out. */
   private async lookAtPage(): Promise<void> {
-    const { element, shell } = this.host;
+    const { element, shell } = this.owner;
     const hasThings = () => ['collide', 'emit-from'].some((name) => element.hasAttribute(name));
     if (!hasThings()) return this.leavePage();
     if (this.onPage) return this.onPage.measure();
     const { OnPage } = await part('onPage');
     if (this.isDisposed || this.onPage || !hasThings()) return;
-    const values = () => this.wish.values;
+    const values = () => this.attributes.values;
     this.onPage = new OnPage(this.stage, {
       element,
-      frame: shell.frame,
+      container: shell.container,
       values,
-      tell: (notices) => this.tell(notices),
+      notify: (notices) => this.notify(notices),
     });
     await this.onPage.begin();
   }
@@ -215,30 +219,30 @@ export class Session {
   }
 
   private showPlaying({ isPlaying, isStill }: { isPlaying: boolean; isStill: boolean }): void {
-    this.host.shell.showPlaying(isPlaying, isStill);
-    this.host.tell('statechange', { playing: isPlaying, notices: [] });
+    this.owner.shell.showPlaying(isPlaying, isStill);
+    this.owner.notify('statechange', { playing: isPlaying, notices: [] });
   }
 
   /** Something that it can do without could not be fetched; of whatever else goes wrong the stage tells. */
-  private tellOfMissing(error: Error): void {
-    if (error instanceof LoadError) this.tell([notice('malformed', '', '', () => error.message)]);
+  private notifyMissing(error: Error): void {
+    if (error instanceof LoadError) this.notify([notice('malformed', '', '', () => error.message)]);
   }
 
-  private tell(notices: readonly Notice[]): void {
-    if (notices.length > 0 && !this.isDisposed) this.host.tell('statechange', { playing: this.isPlaying, notices });
+  private notify(notices: readonly Notice[]): void {
+    if (notices.length > 0 && !this.isDisposed) this.owner.notify('statechange', { playing: this.isPlaying, notices });
   }
 }
 
 /** Goes to where the smoke shall begin: the moment that was shared, the start that was asked for, or a still picture. */
-async function lead(stage: RemoteStage, wish: Wish): Promise<readonly Notice[]> {
-  const { take, start, values } = wish;
+async function lead(stage: RemoteStage, attributes: ParsedAttributes): Promise<readonly Notice[]> {
+  const { take, start, values } = attributes;
   if (take) return (await part('moment')).goToMoment(stage, take, start, values);
-  const seconds = startOf(wish);
+  const seconds = startOf(attributes);
   if (seconds) await stage.seek(seconds);
   return [];
 }
 
-function startOf({ start }: Wish): number | undefined {
+function startOf({ start }: ParsedAttributes): number | undefined {
   return start ?? (calm().matches ? STILL_SECONDS : undefined);
 }
 

@@ -1,49 +1,49 @@
 import { BufferAttribute, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry } from 'three';
 import type { Rows } from '../sim/rows.ts';
 
-/** Packed words of a row; see shaders/lib/look.glsl. */
-const LOOK_WORDS = 2;
+/** Packed words of a row; see shaders/lib/attributes.glsl. */
+const ATTRIBUTE_WORDS = 2;
 
 /** Corners of the quads that a pass draws for each row; `index` makes triangles of them. */
-export interface Footprint {
+export interface QuadLayout {
   corners: readonly number[];
   index: readonly number[];
 }
 
 /** One quad, seen from its front. */
-export const ONE_QUAD: Footprint = { corners: [-1, -1, 1, -1, 1, 1, -1, 1], index: [0, 1, 2, 0, 2, 3] };
+export const ONE_QUAD: QuadLayout = { corners: [-1, -1, 1, -1, 1, 1, -1, 1], index: [0, 1, 2, 0, 2, 3] };
 
 /** Two quads on the same place, the second one wound the other way: what gl_FrontFacing tells apart. */
-export const FRONT_AND_BACK: Footprint = {
+export const FRONT_AND_BACK: QuadLayout = {
   corners: ONE_QUAD.corners,
   index: [...ONE_QUAD.index, 0, 2, 1, 0, 3, 2],
 };
 
 /** The same with corners of their own for each, which gl_VertexID tells apart in the vertex shader. */
-export const TWO_QUADS: Footprint = {
+export const TWO_QUADS: QuadLayout = {
   corners: [...ONE_QUAD.corners, ...ONE_QUAD.corners],
   index: [...ONE_QUAD.index, 4, 6, 5, 4, 7, 6],
 };
 
 /**
- * Simulator rows as instance attributes: `place` (world x, y, z, radius) and `look` (two packed words), 24 bytes a row.
+ * Simulator rows as instance attributes: `place` (world x, y, z, radius) and `attributes` (two packed words), 24 bytes a row.
  * The arrays belong to JavaScript, so that growing WASM memory can never pull them from under the renderer.
  */
 export class Instances {
   readonly geometry = new InstancedBufferGeometry();
   private readonly place: InstancedBufferAttribute;
-  private readonly look: InstancedBufferAttribute;
+  private readonly attributes: InstancedBufferAttribute;
 
   /** @param capacity the most rows it will ever hold: buffers are made once */
-  constructor(capacity: number, footprint: Footprint) {
+  constructor(capacity: number, layout: QuadLayout) {
     this.place = new InstancedBufferAttribute(new Float32Array(4 * capacity), 4);
-    this.look = new InstancedBufferAttribute(new Uint32Array(LOOK_WORDS * capacity), LOOK_WORDS);
+    this.attributes = new InstancedBufferAttribute(new Uint32Array(ATTRIBUTE_WORDS * capacity), ATTRIBUTE_WORDS);
     this.place.setUsage(DynamicDrawUsage);
-    this.look.setUsage(DynamicDrawUsage);
-    this.geometry.setIndex([...footprint.index]);
-    this.geometry.setAttribute('corner', new BufferAttribute(new Float32Array(footprint.corners), 2));
+    this.attributes.setUsage(DynamicDrawUsage);
+    this.geometry.setIndex([...layout.index]);
+    this.geometry.setAttribute('corner', new BufferAttribute(new Float32Array(layout.corners), 2));
     this.geometry.setAttribute('place', this.place);
-    this.geometry.setAttribute('look', this.look);
+    this.geometry.setAttribute('attributes', this.attributes);
     this.geometry.instanceCount = 0;
   }
 
@@ -57,8 +57,8 @@ export class Instances {
   }
 
   /** The packed words of each row. */
-  protected get looks(): Uint32Array {
-    return this.look.array as Uint32Array;
+  protected get attributeWords(): Uint32Array {
+    return this.attributes.array as Uint32Array;
   }
 
   /** Metres; 0 where there are no rows. */
@@ -71,7 +71,7 @@ export class Instances {
   /** Copies the rows and marks only them for upload. */
   fill(rows: Rows): void {
     copyPrefix(this.place, rows.place, 4 * rows.count);
-    copyPrefix(this.look, rows.look, LOOK_WORDS * rows.count);
+    copyPrefix(this.attributes, rows.attributes, ATTRIBUTE_WORDS * rows.count);
     this.geometry.instanceCount = rows.count;
   }
 
@@ -83,12 +83,12 @@ export class Instances {
 /** Parts of a radius in which the upper half of a caster's first word tells where its shadow may end. */
 const END_STEPS = 256;
 
-/** Rows of casters, whose look tells where their shadows may end. */
-export class Casters extends Instances {
+/** Rows of casters, whose attributes say where their shadows may end. */
+export class CasterInstances extends Instances {
   private readonly ends: Float32Array;
 
-  constructor(capacity: number, footprint: Footprint) {
-    super(capacity, footprint);
+  constructor(capacity: number, layout: QuadLayout) {
+    super(capacity, layout);
     this.ends = new Float32Array(capacity);
   }
 
@@ -97,13 +97,13 @@ export class Casters extends Instances {
    * @param write sets for each row how far behind its centre its shadow may end, metres
    */
   shorten(write: (ends: Float32Array) => void): void {
-    const { places, looks, count } = this;
+    const { places, attributeWords, count } = this;
     const ends = this.ends.subarray(0, count);
     write(ends);
     for (let row = 0; row < count; row++) {
       const end = Math.max(0, Math.ceil((END_STEPS * ends[row]) / places[4 * row + 3]));
-      const word = looks[LOOK_WORDS * row];
-      if (end < word >>> 16) looks[LOOK_WORDS * row] = (end << 16) | (word & 0xffff);
+      const word = attributeWords[ATTRIBUTE_WORDS * row];
+      if (end < word >>> 16) attributeWords[ATTRIBUTE_WORDS * row] = (end << 16) | (word & 0xffff);
     }
   }
 }

@@ -1,6 +1,6 @@
 import { Color as ThreeColor, type WebGLRenderer } from 'three';
 import fragmentShader from '../../shaders/backdrop/backdrop.frag';
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import { FullScreen } from '../device/fullScreen.ts';
 import { writeColor, type Color } from '../device/ramps.ts';
 
@@ -9,7 +9,7 @@ export class BackdropPass {
   private readonly uniforms = { topColor: { value: new ThreeColor() }, bottomColor: { value: new ThreeColor() } };
   private readonly triangle: FullScreen;
 
-  constructor(eye: Eye) {
+  constructor(eye: FrameView) {
     this.triangle = new FullScreen(fragmentShader, { ...this.uniforms, viewport: eye.uniforms.viewport });
   }
 

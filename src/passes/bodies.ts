@@ -13,7 +13,7 @@ import {
 import lobesFragmentShader from '../../shaders/bodies/lobes.frag';
 import lobesVertexShader from '../../shaders/bodies/lobes.vert';
 import { DrawnMesh } from '../device/drawnMesh.ts';
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
@@ -63,7 +63,7 @@ export class BodiesPass {
    * @param isFlat whether bodies are as deep as their quads, for GPUs that do not keep a depth that fragments write
    */
   constructor(
-    eye: Eye,
+    eye: FrameView,
     puffs: PuffTextures,
     ramps: RampTexture,
     rows: BufferGeometry,

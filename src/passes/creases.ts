@@ -13,11 +13,11 @@ import {
 import { PassCamera } from '../device/passCamera.ts';
 import creasesVertexShader from '../../shaders/surfaces/creases.vert';
 import fragmentShader from '../../shaders/surfaces/hull.frag';
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import { creaseEdges, type CreaseEdges } from './creaseEdges.ts';
 import { inOne, type TriangleMesh } from './extrusion.ts';
 import { InkUniforms, type InkLine } from './ink.ts';
-import { keptFor } from './kept.ts';
+import { memoize } from './memoize.ts';
 import { seamEdges } from './seamEdges.ts';
 import type { SurfaceDescription } from './surfaces.ts';
 
@@ -35,7 +35,7 @@ export class CreasesPass {
   private readonly ink = new InkUniforms();
   private readonly material: RawShaderMaterial;
 
-  constructor(eye: Eye, surfaces: readonly SurfaceDescription[]) {
+  constructor(eye: FrameView, surfaces: readonly SurfaceDescription[]) {
     this.material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: creasesVertexShader,
@@ -79,14 +79,16 @@ export class CreasesPass {
   }
 }
 
-export const keptCreases = keptFor((mesh: TriangleMesh) => creaseEdges(mesh, SHARP));
-export const keptSeams = keptFor((one: TriangleMesh) => keptFor((other: TriangleMesh) => seamEdges(one, other)));
+export const memoizedCreases = memoize((mesh: TriangleMesh) => creaseEdges(mesh, SHARP));
+export const memoizedSeams = memoize((one: TriangleMesh) => memoize((other: TriangleMesh) => seamEdges(one, other)));
 
 /** The edges that are drawn with each surface. */
-const edgesOf = keptFor((surfaces: readonly SurfaceDescription[]) =>
+const edgesOf = memoize((surfaces: readonly SurfaceDescription[]) =>
   surfaces.map(({ inked, mesh }, index) =>
     joined(
-      inked ? [keptCreases(mesh), ...meetingBehind(surfaces, index).map((other) => keptSeams(mesh)(other.mesh))] : [],
+      inked
+        ? [memoizedCreases(mesh), ...meetingBehind(surfaces, index).map((other) => memoizedSeams(mesh)(other.mesh))]
+        : [],
     ),
   ),
 );

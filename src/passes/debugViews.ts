@@ -15,7 +15,7 @@ import colorsFragmentShader from '../../shaders/debugViews/colors.frag';
 import coverageFragmentShader from '../../shaders/debugViews/coverage.frag';
 import countsFragmentShader from '../../shaders/debugViews/counts.frag';
 import depthFragmentShader from '../../shaders/debugViews/depth.frag';
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import { ADDS, FullScreen } from '../device/fullScreen.ts';
 import type { DebugView } from '../preset/quality.ts';
 import type { BodiesPass } from './bodies.ts';
@@ -28,7 +28,7 @@ type Redrawn = Pick<BodiesPass | VolumesPass, 'material' | 'drawAs'>;
 
 /** Shows what the passes work with instead of the picture. Nothing of it is compiled before it is asked for. */
 export class DebugViewsPass {
-  private readonly eye: Eye;
+  private readonly eye: FrameView;
   private readonly grid = new GridTexture();
   private readonly uniforms = {
     ...this.grid.uniforms,
@@ -42,7 +42,7 @@ export class DebugViewsPass {
   private readonly variants = new Map<string, RawShaderMaterial>();
   private adding: FullScreen | undefined;
 
-  constructor(eye: Eye) {
+  constructor(eye: FrameView) {
     this.eye = eye;
   }
 
@@ -59,8 +59,8 @@ export class DebugViewsPass {
   }
 
   /** Takes up the grid by which hidden bodies were found, for the view of it. */
-  layGrid(grid: GridOfDepths | undefined): void {
-    this.grid.lay(this.eye, grid);
+  setGrid(grid: GridOfDepths | undefined): void {
+    this.grid.write(this.eye, grid);
   }
 
   /** Writes the counts of the stencil into the targets, bit by bit, instead of what is there. */

@@ -1,4 +1,4 @@
-import { keptFor } from './kept.ts';
+import { memoize } from './memoize.ts';
 
 /** A triangle mesh as plain arrays: xyz triples, unit normals, three indices a triangle wound anticlockwise from outside. */
 export interface TriangleMesh {
@@ -30,7 +30,7 @@ export function inOne(arrays: readonly Float32Array[]): Float32Array {
 const PLACES_A_METRE = 1e5;
 
 /** For each vertex the number of the first vertex at the same place: creases split vertices, shapes do not end there. */
-export const weld = keptFor((positions: Float32Array): Uint32Array => {
+export const weld = memoize((positions: Float32Array): Uint32Array => {
   const places = Float64Array.from(positions, (value) => Math.round(value * PLACES_A_METRE));
   const welded = new Uint32Array(positions.length / 3);
   const slots = new Int32Array(2 ** Math.ceil(Math.log2(2 * welded.length + 1))).fill(-1);

@@ -1,5 +1,5 @@
 import { DataTexture, FloatType, NearestFilter, RedFormat, Vector2, Vector3, type Texture } from 'three';
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 
 /** The grid of src/sim/view.ts, as far as it is looked at. */
 export interface GridOfDepths {
@@ -27,9 +27,9 @@ export class GridTexture {
   private texture: DataTexture | undefined;
 
   /** Takes a grid up as it is; without one, nothing is covered. */
-  lay(eye: Eye, laid: GridOfDepths | undefined): void {
+  write(eye: FrameView, grid: GridOfDepths | undefined): void {
     this.dispose();
-    const { columns, rows, stride, corner, density, depths } = laid ?? EMPTY;
+    const { columns, rows, stride, corner, density, depths } = grid ?? EMPTY;
     const eyeDepth = eye.range[0] - eye.uniforms.near.value;
     const values = depths.map((depth) => (depth < UNCOVERED ? depth - eyeDepth : UNCOVERED));
     this.texture = new DataTexture(values, stride, rows, RedFormat, FloatType);

@@ -16,7 +16,7 @@ import {
 } from 'three';
 import darkenFragmentShader from '../../shaders/insert/darken.frag';
 import fragmentShader from '../../shaders/insert/insert.frag';
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import { FullScreen } from '../device/fullScreen.ts';
 import { writeColor, type Color } from '../device/ramps.ts';
 import type { SmokePictures } from './pictures.ts';
@@ -41,7 +41,7 @@ export class InsertPass {
   private readonly deep = { value: null as Texture | null };
   private readonly factor = { value: new ThreeColor() };
 
-  constructor(eye: Eye) {
+  constructor(eye: FrameView) {
     const { viewportOrigin, clipFromView } = eye.uniforms;
     const onlyDepth = { depthTest: true, depthWrite: true, colorWrite: false };
     const [lit, unlit, deep] = [this.lit, this.unlit, this.deep].map((picture) => {
@@ -60,7 +60,7 @@ export class InsertPass {
     this.unlitTriangle.material.allowOverride = false;
   }
 
-  /** Draws unlit smoke where the stencil counts: the part that can wait for its turn in a stranger's list. */
+  /** Draws unlit smoke where the stencil counts: the part that can wait for its turn in the host's list. */
   get unlitMesh(): Mesh {
     return this.unlitTriangle.mesh;
   }

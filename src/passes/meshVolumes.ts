@@ -10,16 +10,16 @@ import {
 import { PassCamera } from '../device/passCamera.ts';
 import fragmentShader from '../../shaders/meshVolumes/meshVolumes.frag';
 import vertexShader from '../../shaders/meshVolumes/meshVolumes.vert';
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { extrude } from './extrusion.ts';
-import { keptFor } from './kept.ts';
+import { memoize } from './memoize.ts';
 import type { SurfaceDescription } from './surfaces.ts';
 
 /** Depth in metres at which a mesh's volume starts under its lit faces. */
 const INSET = 0.012;
 
-export const keptExtrusion = keptFor(extrude);
+export const memoizedExtrusion = memoize(extrude);
 
 /**
  * Counts the shadow volumes of closed meshes by depth fail, which holds with the eye inside one. Their many triangles
@@ -31,7 +31,7 @@ export class MeshVolumesPass {
   private readonly camera = new PassCamera();
   private readonly meshes = new Map<number, Mesh<BufferGeometry, RawShaderMaterial>>();
 
-  constructor(eye: Eye, surfaces: readonly SurfaceDescription[]) {
+  constructor(eye: FrameView, surfaces: readonly SurfaceDescription[]) {
     surfaces.forEach((surface, index) => {
       if (surface.casts) this.add(eye, surface, index);
     });
@@ -56,8 +56,8 @@ export class MeshVolumesPass {
     }
   }
 
-  private add(eye: Eye, surface: SurfaceDescription, index: number): void {
-    const { positions, faceNormals, indices, longestEdge } = keptExtrusion(surface.mesh);
+  private add(eye: FrameView, surface: SurfaceDescription, index: number): void {
+    const { positions, faceNormals, indices, longestEdge } = memoizedExtrusion(surface.mesh);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(positions, 3));
     geometry.setAttribute('faceNormal', new BufferAttribute(faceNormals, 3));

@@ -2,7 +2,7 @@ import type { InstancedBufferGeometry, RawShaderMaterial, WebGLRenderer } from '
 import fragmentShader from '../../shaders/meshVolumes/meshVolumes.frag';
 import vertexShader from '../../shaders/prismVolumes/prismVolumes.vert';
 import { DrawnMesh } from '../device/drawnMesh.ts';
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { prismsOf } from './prisms.ts';
@@ -22,7 +22,7 @@ export class PrismVolumesPass {
   private readonly puffs: PuffTextures;
   private readonly shadowRadius = { value: 1 };
 
-  constructor(eye: Eye, puffs: PuffTextures, rows: InstancedBufferGeometry) {
+  constructor(eye: FrameView, puffs: PuffTextures, rows: InstancedBufferGeometry) {
     this.puffs = puffs;
     this.rows = rows;
     const uniforms = { ...eye.uniforms, shadowRadius: this.shadowRadius };
@@ -73,8 +73,8 @@ function meanRadius(table: Float32Array, lobeCount: number, count: number): numb
   for (let variation = 0; variation < count; ++variation) {
     const first = 4 * (lobeCount + 1) * variation;
     for (let direction = 0; direction < DIRECTIONS; ++direction) {
-      const turn = (2 * Math.PI * direction) / DIRECTIONS;
-      squares += reachOf(table.subarray(first, first + 4 * lobeCount), Math.cos(turn), Math.sin(turn)) ** 2;
+      const angle = (2 * Math.PI * direction) / DIRECTIONS;
+      squares += reachOf(table.subarray(first, first + 4 * lobeCount), Math.cos(angle), Math.sin(angle)) ** 2;
     }
   }
   return Math.sqrt(squares / (DIRECTIONS * count));

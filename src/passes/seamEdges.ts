@@ -1,6 +1,6 @@
 import type { CreaseEdges } from './creaseEdges.ts';
 import type { TriangleMesh } from './extrusion.ts';
-import { keptFor } from './kept.ts';
+import { memoize } from './memoize.ts';
 
 /** Metres from the plane of a face within which a corner lies on it: what stands on something touches it so. */
 const TOUCHING = 1e-5;
@@ -23,8 +23,8 @@ interface Face extends Box {
  * looks away, close to the silhouette that hides it.
  */
 export function seamEdges(one: TriangleMesh, other: TriangleMesh): CreaseEdges {
-  const faces = facesNear(one, keptBox(other));
-  const others = facesNear(other, keptBox(one)).sort((a, b) => a.low[0] - b.low[0]);
+  const faces = facesNear(one, memoizedBox(other));
+  const others = facesNear(other, memoizedBox(one)).sort((a, b) => a.low[0] - b.low[0]);
   const ends: Vector[] = [];
   for (const face of faces) {
     for (const beside of others) {
@@ -37,7 +37,7 @@ export function seamEdges(one: TriangleMesh, other: TriangleMesh): CreaseEdges {
   return { count: ends.length / 2, ends: flat, faceNormals: new Float32Array(flat.length) };
 }
 
-const keptBox = keptFor(({ positions }: TriangleMesh): Box => {
+const memoizedBox = memoize(({ positions }: TriangleMesh): Box => {
   const low: [number, number, number] = [Infinity, Infinity, Infinity];
   const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
   for (let at = 0; at < positions.length; at++) {

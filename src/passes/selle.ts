@@ -11,7 +11,7 @@ import linesFragmentShader from '../../shaders/selle/lines.frag';
 import fragmentShader from '../../shaders/selle/selle.frag';
 import vertexShader from '../../shaders/selle/selle.vert';
 import { DrawnMesh } from '../device/drawnMesh.ts';
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import { FullScreen } from '../device/fullScreen.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import { writeColor, type Color, type RampTexture } from '../device/ramps.ts';
@@ -28,7 +28,7 @@ export class SellePass {
   private readonly lines: FullScreen;
   private readonly rows: DrawnMesh;
 
-  constructor(eye: Eye, puffs: PuffTextures, ramps: RampTexture, rows: BufferGeometry) {
+  constructor(eye: FrameView, puffs: PuffTextures, ramps: RampTexture, rows: BufferGeometry) {
     this.puffs = puffs;
     this.common = {
       ...eye.uniforms,

@@ -19,7 +19,7 @@ import lobesFragmentShader from '../../shaders/shadowMap/lobes.frag';
 import lobesVertexShader from '../../shaders/shadowMap/lobes.vert';
 import shadowedFragmentShader from '../../shaders/shadowMap/shadowed.frag';
 import { DrawnMesh } from '../device/drawnMesh.ts';
-import { Eye } from '../device/eye.ts';
+import { FrameView } from '../device/frameView.ts';
 import { ADDS, FullScreen } from '../device/fullScreen.ts';
 import { pictureTarget } from '../device/pictureTarget.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
@@ -39,8 +39,8 @@ const BIAS_TEXELS = 3;
 const NEAREST = 0.02;
 /** The widest view by which a lamp sees all receivers at once, degrees; from a nearer place it looks to six sides. */
 const WIDEST = 90;
-/** How a lamp's camera turns from each of the six sides to the next, in its own frame: about an axis, by radians. */
-const TURNS = [
+/** How a lamp's camera turns from each of the six sides to the next, in its own space: about an axis, by radians. */
+const ROTATIONS = [
   [new Vector3(0, 1, 0), 0],
   [new Vector3(0, 1, 0), Math.PI / 2],
   [new Vector3(0, 1, 0), Math.PI / 2],
@@ -53,7 +53,7 @@ const NO_INK: InkLine = { color: [0, 0, 0], pixels: 0, swell: 0 };
 
 /** What the map is drawn from. */
 export interface ShadowMapSources {
-  readonly eye: Eye;
+  readonly eye: FrameView;
   readonly puffs: PuffTextures;
   readonly ramps: RampTexture;
   /** Which ramp is that of the first surface; the others follow. */
@@ -70,8 +70,8 @@ export interface ShadowMapSources {
  * be narrower, and nearer than what the eye sees. Billboards stay what they are.
  */
 export class ShadowMapPass {
-  private readonly eye: Eye;
-  private readonly lightEye = new Eye();
+  private readonly eye: FrameView;
+  private readonly lightEye = new FrameView();
   private readonly sun = new OrthographicCamera();
   private readonly lamp = new PerspectiveCamera();
   private readonly map = new Targets();
@@ -181,7 +181,7 @@ export class ShadowMapPass {
     Object.assign(lamp, { fov: isAmong ? WIDEST : seen, near: isAmong ? NEAREST : near, far: distance + radius });
     lamp.updateProjectionMatrix();
     lamp.lookAt(center);
-    for (const [axis, angle] of isAmong ? TURNS : TURNS.slice(0, 1)) {
+    for (const [axis, angle] of isAmong ? ROTATIONS : ROTATIONS.slice(0, 1)) {
       lamp.rotateOnAxis(axis, angle);
       yield lamp;
     }
@@ -196,7 +196,7 @@ class LobeDepths {
   /** By the number of lobes that are unrolled in them. */
   private readonly materials = new Map<number, RawShaderMaterial>();
 
-  constructor(lightEye: Eye, puffs: PuffTextures, rows: BufferGeometry) {
+  constructor(lightEye: FrameView, puffs: PuffTextures, rows: BufferGeometry) {
     this.puffs = puffs;
     this.uniforms = {
       ...lightEye.uniforms,

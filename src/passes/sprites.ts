@@ -12,7 +12,7 @@ import {
 import fragmentShader from '../../shaders/sprites/sprites.frag';
 import vertexShader from '../../shaders/sprites/sprites.vert';
 import { DrawnMesh } from '../device/drawnMesh.ts';
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import type { RampTexture } from '../device/ramps.ts';
 import type { Targets } from './targets.ts';
 
@@ -24,7 +24,7 @@ export class SpritesPass {
   private readonly rows: DrawnMesh;
   private readonly depth = { value: null as Texture | null };
 
-  constructor(eye: Eye, ramps: RampTexture, rows: BufferGeometry) {
+  constructor(eye: FrameView, ramps: RampTexture, rows: BufferGeometry) {
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,

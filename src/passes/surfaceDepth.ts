@@ -16,7 +16,7 @@ export class SurfaceDepthPass {
     surfaceSlack: IUniform<number>;
   };
   private readonly copy = depthCopy();
-  /** Holds all of a stranger's picture where smoke is drawn into a part of it. */
+  /** Holds all of the host's picture where smoke is drawn into a part of it. */
   private readonly whole = depthCopy();
   private readonly copyable = new CopyableDepths();
   private readonly hasSurfaces: boolean;
@@ -42,12 +42,12 @@ export class SurfaceDepthPass {
   }
 
   /**
-   * Copies the depth of the stranger's picture that is being drawn into, which is then no longer bound. Where that depth
+   * Copies the depth of the host's picture that is being drawn into, which is then no longer bound. Where that depth
    * is of a kind that cannot be copied, surfaces get no lines.
    * @param origin where the part that smoke is drawn into begins, pixels
    * @param size of that part
    */
-  takeFromStranger(renderer: WebGLRenderer, origin: Vector2, size: Vector2, isInked: boolean): void {
+  takeFromHost(renderer: WebGLRenderer, origin: Vector2, size: Vector2, isInked: boolean): void {
     const gl = renderer.getContext() as WebGL2RenderingContext;
     const { surfaceSlack, hasSurfaces } = this.uniforms;
     hasSurfaces.value = isInked && this.copyable.includesBound(gl);

@@ -17,11 +17,11 @@ import hullFragmentShader from '../../shaders/surfaces/hull.frag';
 import hullVertexShader from '../../shaders/surfaces/hull.vert';
 import fragmentShader from '../../shaders/surfaces/surfaces.frag';
 import vertexShader from '../../shaders/surfaces/surfaces.vert';
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
 import { hullNormals, type TriangleMesh } from './extrusion.ts';
 import { InkUniforms, type InkLine } from './ink.ts';
-import { keptFor } from './kept.ts';
+import { memoize } from './memoize.ts';
 
 /** An ordinary mesh of the scene. */
 export interface SurfaceDescription {
@@ -64,7 +64,7 @@ export class SurfacesPass {
   private readonly hullUniforms;
 
   /** @param firstMaterial the ramp of the first surface; the others follow */
-  constructor(eye: Eye, ramps: RampTexture, firstMaterial: number, surfaces: readonly SurfaceDescription[]) {
+  constructor(eye: FrameView, ramps: RampTexture, firstMaterial: number, surfaces: readonly SurfaceDescription[]) {
     this.hullUniforms = { ...eye.uniforms, ...this.ink.uniforms };
     surfaces.forEach((surface, index) => this.add(surface, eye, ramps, firstMaterial + index));
     this.boxes = surfaces.map((surface) => boxOf(surface.mesh));
@@ -110,12 +110,12 @@ export class SurfacesPass {
     for (const geometry of this.geometries) geometry.dispose();
   }
 
-  private add(surface: SurfaceDescription, eye: Eye, ramps: RampTexture, ramp: number): void {
+  private add(surface: SurfaceDescription, eye: FrameView, ramps: RampTexture, ramp: number): void {
     const ownPixels = this.stencilNumber(surface);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(surface.mesh.positions, 3));
     geometry.setAttribute('normal', new BufferAttribute(surface.mesh.normals, 3));
-    geometry.setAttribute('hullNormal', new BufferAttribute(keptHullNormals(surface.mesh), 3));
+    geometry.setAttribute('hullNormal', new BufferAttribute(memoizedHullNormals(surface.mesh), 3));
     geometry.setIndex(new BufferAttribute(surface.mesh.indices, 1));
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
@@ -173,7 +173,7 @@ export class SurfacesPass {
   }
 }
 
-export const keptHullNormals = keptFor(hullNormals);
+export const memoizedHullNormals = memoize(hullNormals);
 
 function boxOf(mesh: TriangleMesh): Box3 {
   return new Box3().setFromArray(mesh.positions);

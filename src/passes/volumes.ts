@@ -2,7 +2,7 @@ import { type BufferGeometry, type IUniform, type RawShaderMaterial, type Textur
 import fragmentShader from '../../shaders/volumes/volumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
 import { DrawnMesh } from '../device/drawnMesh.ts';
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
@@ -23,7 +23,7 @@ export class VolumesPass {
   private readonly puffs: PuffTextures;
   private readonly common: Record<string, IUniform>;
   private readonly uniforms = {
-    leastCap: { value: 0 },
+    minCap: { value: 0 },
     facesEye: { value: false },
     startCaps: { value: null as Texture | null },
     casterTable: { value: null as Texture | null },
@@ -31,7 +31,7 @@ export class VolumesPass {
     depth: { value: 0 },
   };
 
-  constructor(eye: Eye, puffs: PuffTextures, rows: BufferGeometry) {
+  constructor(eye: FrameView, puffs: PuffTextures, rows: BufferGeometry) {
     this.puffs = puffs;
     this.common = { ...eye.uniforms, ...this.uniforms };
     this.rows = new DrawnMesh(rows, this.materialFor('lobes', FIRST_BORDER));
@@ -44,15 +44,15 @@ export class VolumesPass {
 
   /**
    * Follows how puffs become pixels, and which they are, so that no volume takes away what its own puff shows of the light.
-   * @param turn N . L from which a lit pixel differs from one in shadow; below 0 where it does even on the dark side
+   * @param litThreshold N . L from which a lit pixel differs from one in shadow; below 0 where it does even on the dark side
    */
-  follow(form: PuffForm, turn: number): void {
-    this.rows.material = this.materialFor(form, turn);
+  follow(form: PuffForm, litThreshold: number): void {
+    this.rows.material = this.materialFor(form, litThreshold);
   }
 
   /** Radii behind a puff's centre before which no volume begins. */
-  get leastCap(): number {
-    return this.uniforms.leastCap.value;
+  get minCap(): number {
+    return this.uniforms.minCap.value;
   }
 
   draw(renderer: WebGLRenderer): void {
@@ -74,9 +74,9 @@ export class VolumesPass {
   }
 
   /** Puts the puffs of a form into the uniforms. */
-  private materialFor(form: PuffForm, turn: number): RawShaderMaterial {
+  private materialFor(form: PuffForm, litThreshold: number): RawShaderMaterial {
     const { startCaps, latestCap, casterTable, casterLobes, reach, depth } = this.puffs.of(form);
-    this.uniforms.leastCap.value = leastCapOf(turn, latestCap);
+    this.uniforms.minCap.value = minCapOf(litThreshold, latestCap);
     this.uniforms.facesEye.value = form === 'billboards';
     this.uniforms.startCaps.value = startCaps;
     this.uniforms.casterTable.value = casterTable;
@@ -99,10 +99,10 @@ export function lobeVolumeShaders(lobes: number): Shaders {
 
 /**
  * How many radii behind its centre a puff's volume begins at the nearest.
- * @param turn as `follow` takes it
- * @param latestCap of the puffs, see src/puffs/startCaps.ts
+ * @param litThreshold as `follow` takes it
+ * @param latestCap of the puffs, see src/puffs/bake/startCaps.ts
  */
-export function leastCapOf(turn: number, latestCap: number): number {
-  if (turn < 0) return BEHIND_THE_PUFF;
-  return turn < FIRST_BORDER ? latestCap : 0;
+export function minCapOf(litThreshold: number, latestCap: number): number {
+  if (litThreshold < 0) return BEHIND_THE_PUFF;
+  return litThreshold < FIRST_BORDER ? latestCap : 0;
 }

@@ -80,8 +80,8 @@ async function expand(text: string, notices: Notice[]): Promise<string> {
     const inner = await unpack(packed);
     return `${cut(inner.text, inner.isCut, notices)}&${outer}`;
   } catch {
-    const tell = () => 'The link is damaged: its packed part cannot be read. Copy the whole link.';
-    notices.push(notice('damaged', 'z', packed, tell));
+    const sentence = () => 'The link is damaged: its packed part cannot be read. Copy the whole link.';
+    notices.push(notice('damaged', 'z', packed, sentence));
     return outer.toString();
   }
 }
@@ -107,8 +107,8 @@ async function readTake(packed: string | undefined, notices: Notice[]): Promise<
   if (packed === undefined) return undefined;
   const inflated = await unpackBytes(packed, DECODED_LIMIT).catch(() => undefined);
   if (inflated && !inflated.isCut) return inflated.bytes;
-  const tell = () => 'The moment in the link is damaged; the smoke starts from the beginning.';
-  notices.push(notice('damaged', 'take', packed, tell));
+  const sentence = () => 'The moment in the link is damaged; the smoke starts from the beginning.';
+  notices.push(notice('damaged', 'take', packed, sentence));
   return undefined;
 }
 
@@ -117,14 +117,14 @@ const OWN_KEYS: ReadonlySet<string> = new Set(['v', 'preset', 'take']);
 
 /**
  * The state that pairs of text describe, those of a link or of a file, after `migrate`.
- * @param notices told of everything that is not used as it stands
+ * @param notices notified of everything that is not used as it stands
  */
 export function readState(pairs: ReadonlyMap<string, string>, notices: Notice[], source: 'link' | 'file'): State {
   const version = pairs.get('v') ?? VERSION;
-  if (version !== VERSION) notices.push(notice('version', 'v', version, tellVersion));
+  if (version !== VERSION) notices.push(notice('version', 'v', version, versionSentence));
   const name = pairs.get('preset') ?? defaultPreset.name;
   const preset = findPreset(name);
-  if (!preset) notices.push(notice('unknownPreset', 'preset', name, tellPreset));
+  if (!preset) notices.push(notice('unknownPreset', 'preset', name, presetSentence));
   const values = presetValues(preset ?? defaultPreset);
   for (const [key, text] of pairs) {
     if (!OWN_KEYS.has(key)) readPair(key, text, values, notices, source);
@@ -149,10 +149,10 @@ function readPair(
   if (read.notice) notices.push(read.notice);
 }
 
-function tellVersion(given: string): string {
+function versionSentence(given: string): string {
   return `This page reads version ${VERSION}, not ${given}; unknown parts are ignored.`;
 }
 
-function tellPreset(given: string): string {
+function presetSentence(given: string): string {
   return `There is no preset ${given}; \u201c${defaultPreset.name}\u201d is shown.`;
 }

@@ -6,16 +6,16 @@ export interface Stop {
   readonly value: number;
 }
 
-export const LEAST_STOPS = 2;
+export const MIN_STOPS = 2;
 /** As many as the simulator takes. */
-export const MOST_STOPS = 8;
+export const MAX_STOPS = 8;
 
 const NUMBER = /^(0|1|0?\.\d+|1\.0+|0\.0*)$/;
 
 /** The stops of a curve; undefined where the text is none. */
 export function readCurve(text: string): Stop[] | undefined {
   const stops = text.split(',').map(readStop);
-  if (stops.length < LEAST_STOPS || stops.length > MOST_STOPS) return undefined;
+  if (stops.length < MIN_STOPS || stops.length > MAX_STOPS) return undefined;
   if (!stops.every((stop) => stop !== undefined)) return undefined;
   const isRising = stops.every(({ at }, index) => index === 0 || at > stops[index - 1].at);
   return isRising ? stops : undefined;

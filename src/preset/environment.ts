@@ -41,8 +41,8 @@ function isOn(text: string | null, fallback: boolean): boolean {
 
 function readView(text: string | null, notices: Notice[]): DebugView | undefined {
   const view = DEBUG_VIEWS.find((name) => name === text);
-  const tell = (quoted: string) => `view cannot be ${quoted}: it takes ${DEBUG_VIEWS.join(', ')}.`;
-  if (text !== null && !view) notices.push(notice('malformed', 'view', text, tell));
+  const sentence = (quoted: string) => `view cannot be ${quoted}: it takes ${DEBUG_VIEWS.join(', ')}.`;
+  if (text !== null && !view) notices.push(notice('malformed', 'view', text, sentence));
   return view;
 }
 
@@ -50,13 +50,13 @@ function readQuality(text: string | null, notices: Notice[]): Quality {
   if (text === null || text === 'auto') return 'auto';
   const given = readNumber(text);
   if (Number.isNaN(given)) {
-    const tell = (quoted: string) => `quality cannot be ${quoted}: it takes auto or a share such as 0.75.`;
-    notices.push(notice('malformed', 'quality', text, tell));
+    const sentence = (quoted: string) => `quality cannot be ${quoted}: it takes auto or a share such as 0.75.`;
+    notices.push(notice('malformed', 'quality', text, sentence));
     return 'auto';
   }
   const quality = Math.min(Math.max(given, LOWEST_QUALITY), 1);
-  const tell = (quoted: string) => `quality cannot be ${quoted}; ${quality} is used (${LOWEST_QUALITY} to 1).`;
-  if (quality !== given) notices.push(notice('outOfRange', 'quality', text, tell));
+  const sentence = (quoted: string) => `quality cannot be ${quoted}; ${quality} is used (${LOWEST_QUALITY} to 1).`;
+  if (quality !== given) notices.push(notice('outOfRange', 'quality', text, sentence));
   return quality;
 }
 
@@ -73,12 +73,12 @@ export function readTime(text: string | null, notices: Notice[], name: string): 
   if (text === null) return undefined;
   const given = readNumber(text);
   if (Number.isNaN(given)) {
-    const tell = (quoted: string) => `${name} cannot be ${quoted}: it takes seconds, such as 2.5.`;
-    notices.push(notice('malformed', name, text, tell));
+    const sentence = (quoted: string) => `${name} cannot be ${quoted}: it takes seconds, such as 2.5.`;
+    notices.push(notice('malformed', name, text, sentence));
     return undefined;
   }
   const time = Math.min(Math.max(given, 0), LONGEST_LEAD);
-  const tell = (quoted: string) => `${name} cannot be ${quoted}; ${time} s is used (0 to ${LONGEST_LEAD}).`;
-  if (time !== given) notices.push(notice('outOfRange', name, text, tell));
+  const sentence = (quoted: string) => `${name} cannot be ${quoted}; ${time} s is used (0 to ${LONGEST_LEAD}).`;
+  if (time !== given) notices.push(notice('outOfRange', name, text, sentence));
   return time;
 }

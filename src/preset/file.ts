@@ -13,9 +13,9 @@ import { packBytes, unpackBytes } from './packing.ts';
 import { defaultPreset } from './presets.ts';
 
 export const FORMAT = 'cartoon-smoke';
-export const MOST_NAME = 60;
+export const MAX_NAME = 60;
 /** What a take in a file may inflate to, bytes: a saved state of a million particles and all that can be done to it. */
-const MOST_TAKE_BYTES = 128 * 1024 * 1024;
+const MAX_TAKE_BYTES = 128 * 1024 * 1024;
 
 /** What a file holds. */
 export interface SmokeFile {
@@ -90,8 +90,8 @@ function unknown(key: string, value: unknown): Notice {
 }
 
 function unusable(key: string, value: unknown): Notice {
-  const tell = () => `${quoteKey(key)} cannot be ${describe(value)}; it was ignored.`;
-  return notice('malformed', key, describe(value), tell);
+  const sentence = () => `${quoteKey(key)} cannot be ${describe(value)}; it was ignored.`;
+  return notice('malformed', key, describe(value), sentence);
 }
 
 async function readMoment(value: unknown): Promise<NonNullable<SmokeFile['moment']>> {
@@ -100,7 +100,7 @@ async function readMoment(value: unknown): Promise<NonNullable<SmokeFile['moment
     throw new FileError(`"seconds" of "moment" must be a number from 0, not ${describe(seconds)}.`);
   }
   if (typeof take !== 'string') throw new FileError(`"take" of "moment" must be a string, not ${describe(take)}.`);
-  const inflated = await unpackBytes(take, MOST_TAKE_BYTES).catch(() => undefined);
+  const inflated = await unpackBytes(take, MAX_TAKE_BYTES).catch(() => undefined);
   if (!inflated || inflated.isCut) throw new FileError('"take" of "moment" is damaged or too large.');
   return { take: inflated.bytes, seconds };
 }
@@ -108,7 +108,7 @@ async function readMoment(value: unknown): Promise<NonNullable<SmokeFile['moment
 /** A name that fits on a card, whatever stands there. */
 export function nameOf(value: unknown): string {
   const text = typeof value === 'string' ? value.replace(/\p{C}/gu, ' ').trim() : '';
-  return text.slice(0, MOST_NAME) || 'Smoke';
+  return text.slice(0, MAX_NAME) || 'Smoke';
 }
 
 function describe(value: unknown): string {

@@ -1,7 +1,7 @@
 /** Where a text stops being JSON: what browsers say of that differs, and some say nothing. */
 
 /** Counted from 1. */
-export interface Place {
+export interface TextPosition {
   readonly line: number;
   readonly column: number;
 }
@@ -13,7 +13,7 @@ const SCALAR =
 const DEEPEST = 200;
 
 /** The first place at which no JSON can go on as the text does; undefined where it is JSON. */
-export function jsonFault(text: string): Place | undefined {
+export function jsonFault(text: string): TextPosition | undefined {
   const scan = new Scan(text);
   if (scan.takeValue(0) && scan.isAtEnd) return undefined;
   const before = text.slice(0, scan.at).split('\n');

@@ -14,30 +14,30 @@ export interface Notice {
     | 'more';
   /** The key it is about; empty when it is about the link as a whole. */
   readonly key: string;
-  /** The text that was given, shortened; it comes from a stranger and is never to be used as HTML. */
+  /** The text that was given, shortened; it is untrusted and never to be used as HTML. */
   readonly given: string;
   /** One English sentence that names the key, what was given and what is used instead. */
   readonly message: string;
 }
 
 const LONGEST_GIVEN = 40;
-const MOST_NOTICES = 8;
+const MAX_NOTICES = 8;
 
-/** @param tell makes the sentence out of what was given, already quoted and shortened */
-export function notice(code: Notice['code'], key: string, given: string, tell: (given: string) => string): Notice {
+/** @param notify makes the sentence out of what was given, already quoted and shortened */
+export function notice(code: Notice['code'], key: string, given: string, sentence: (given: string) => string): Notice {
   const short = shorten(given);
-  return { code, key: shorten(key), given: short, message: tell(`\u201c${short}\u201d`) };
+  return { code, key: shorten(key), given: short, message: sentence(`\u201c${short}\u201d`) };
 }
 
 /** Keeps the first few notices and says how many more there were, so that a hostile link cannot flood the page. */
 export function summarise(notices: readonly Notice[]): Notice[] {
-  if (notices.length <= MOST_NOTICES) return [...notices];
-  const rest = String(notices.length - MOST_NOTICES);
+  if (notices.length <= MAX_NOTICES) return [...notices];
+  const rest = String(notices.length - MAX_NOTICES);
   const more = notice('more', '', rest, () => `The link has ${rest} more parts that could not be used.`);
-  return [...notices.slice(0, MOST_NOTICES), more];
+  return [...notices.slice(0, MAX_NOTICES), more];
 }
 
-/** Quotes a key of a stranger for a sentence. */
+/** Quotes an untrusted key for a sentence. */
 export function quoteKey(key: string): string {
   return `\u201c${shorten(key)}\u201d`;
 }

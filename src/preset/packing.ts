@@ -39,13 +39,13 @@ export async function unpack(packed: string): Promise<{ text: string; isCut: boo
 export async function unpackBytes(packed: string, limit: number): Promise<Inflated> {
   const reader = inPieces(fromBase64Url(packed)).pipeThrough(new DecompressionStream('deflate-raw')).getReader();
   const parts: Uint8Array<ArrayBuffer>[] = [];
-  let room = limit;
+  let left = limit;
   for (;;) {
     const { done, value } = await reader.read();
     if (done) return { bytes: joined(parts), isCut: false };
-    parts.push(value.subarray(0, room));
-    room -= value.length;
-    if (room < 0) {
+    parts.push(value.subarray(0, left));
+    left -= value.length;
+    if (left < 0) {
       await reader.cancel();
       return { bytes: joined(parts), isCut: true };
     }

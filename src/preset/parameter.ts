@@ -3,8 +3,8 @@
  * element, the table in docs/parameters.md and the values that reach the simulator.
  */
 
-import { LEAST_STOPS, MOST_STOPS } from './curve.ts';
-import { LEAST_COLORS, MOST_COLORS } from './ramp.ts';
+import { MIN_STOPS, MAX_STOPS } from './curve.ts';
+import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
 
 /** A value as callers, links and the simulator see it: a number, the name of a choice, or `#rrggbb`. */
 export type Value = number | string;
@@ -89,9 +89,9 @@ export function accepted(parameter: Parameter): string {
     case 'color':
       return 'a colour such as #f4efe6';
     case 'curve':
-      return `${LEAST_STOPS} to ${MOST_STOPS} stops such as 0:1,.5:.8,1:0, places rising from 0 to 1, values from 0 to 1`;
+      return `${MIN_STOPS} to ${MAX_STOPS} stops such as 0:1,.5:.8,1:0, places rising from 0 to 1, values from 0 to 1`;
     case 'ramp':
-      return `nothing, or ${LEAST_COLORS} to ${MOST_COLORS} stops such as 0:333344,.5:aab0c0,1:ffffff, places rising from 0 to 1`;
+      return `nothing, or ${MIN_COLORS} to ${MAX_COLORS} stops such as 0:333344,.5:aab0c0,1:ffffff, places rising from 0 to 1`;
     case 'choice':
       return parameter.options.map((option) => String(option.value)).join(', ');
     default: {

@@ -1,15 +1,15 @@
 /** The named presets: each says only what differs from the defaults of the table. */
-import { airPresets } from './moods/air.ts';
-import { airplanePresets } from './moods/airplane.ts';
-import { campfirePresets } from './moods/campfire.ts';
-import { cloudscapePresets } from './moods/cloudscape.ts';
-import { dustPresets } from './moods/dust.ts';
-import { geniePresets } from './moods/genie.ts';
-import { lampPresets } from './moods/lamp.ts';
-import type { Preset } from './moods/preset.ts';
-import { rocketPresets } from './moods/rocket.ts';
-import { trainPresets } from './moods/train.ts';
-import { wispPresets } from './moods/wisp.ts';
+import { airPresets } from './byScene/air.ts';
+import { airplanePresets } from './byScene/airplane.ts';
+import { campfirePresets } from './byScene/campfire.ts';
+import { cloudscapePresets } from './byScene/cloudscape.ts';
+import { dustPresets } from './byScene/dust.ts';
+import { geniePresets } from './byScene/genie.ts';
+import { lampPresets } from './byScene/lamp.ts';
+import type { Preset } from './byScene/preset.ts';
+import { rocketPresets } from './byScene/rocket.ts';
+import { trainPresets } from './byScene/train.ts';
+import { wispPresets } from './byScene/wisp.ts';
 
 export { presetValues } from './values.ts';
 export type { Preset };
@@ -33,7 +33,7 @@ const byName: ReadonlyMap<string, Preset> = new Map(presets.map((preset) => [pre
 /** The preset of a link that names none, or one that is not there. */
 export const defaultPreset: Preset = presets[0];
 
-/** The preset of this name, or undefined. Safe for names from strangers. */
+/** The preset of this name, or undefined. Safe for untrusted names. */
 export function findPreset(name: string): Preset | undefined {
   return byName.get(name);
 }

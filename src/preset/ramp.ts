@@ -8,9 +8,9 @@ export interface RampStop {
   readonly color: string;
 }
 
-export const LEAST_COLORS = 2;
+export const MIN_COLORS = 2;
 /** As many as a person can tell apart and the ramp texture has room for. */
-export const MOST_COLORS = 16;
+export const MAX_COLORS = 16;
 
 const STOP = /^(0|1|0?\.\d+|1\.0+|0\.0*):([0-9a-f]{6})$/i;
 
@@ -18,7 +18,7 @@ const STOP = /^(0|1|0?\.\d+|1\.0+|0\.0*):([0-9a-f]{6})$/i;
 export function readRamp(text: string): RampStop[] | undefined {
   if (text === '') return [];
   const stops = text.split(',').map(readStop);
-  if (stops.length < LEAST_COLORS || stops.length > MOST_COLORS) return undefined;
+  if (stops.length < MIN_COLORS || stops.length > MAX_COLORS) return undefined;
   if (!stops.every((stop) => stop !== undefined)) return undefined;
   return stops.every(({ at }, index) => index === 0 || at > stops[index - 1].at) ? stops : undefined;
 }

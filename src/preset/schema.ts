@@ -1,11 +1,11 @@
 /** The schema of the files that `file.ts` reads and writes, made of the parameter table (JSON Schema 2020-12). */
-import { LEAST_STOPS, MOST_STOPS } from './curve.ts';
-import { FORMAT, MOST_NAME } from './file.ts';
+import { MIN_STOPS, MAX_STOPS } from './curve.ts';
+import { FORMAT, MAX_NAME } from './file.ts';
 import { LIST_LIMIT } from './lists.ts';
 import { VERSION } from './migrations.ts';
 import type { Parameter } from './parameter.ts';
 import { presets } from './presets.ts';
-import { LEAST_COLORS, MOST_COLORS } from './ramp.ts';
+import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
 import { table } from './table.ts';
 
 type Schema = Readonly<Record<string, unknown>>;
@@ -21,7 +21,7 @@ export function fileSchema(): Schema {
       $schema: { type: 'string' },
       format: { const: FORMAT },
       version: { const: Number(VERSION) },
-      name: { type: 'string', minLength: 1, maxLength: MOST_NAME, description: 'The display name.' },
+      name: { type: 'string', minLength: 1, maxLength: MAX_NAME, description: 'The display name.' },
       preset: { enum: presets.map(({ name }) => name), description: 'The base preset. The values override it.' },
       values: valuesSchema(),
       moment: MOMENT,
@@ -68,16 +68,16 @@ function valueSchema(parameter: Parameter): Schema {
     case 'color':
       return { type: 'string', pattern: '^#[0-9a-fA-F]{6}$' };
     case 'curve':
-      return { type: 'string', pattern: stops('[0-9.]+', LEAST_STOPS, MOST_STOPS), examples: [parameter.default] };
+      return { type: 'string', pattern: stops('[0-9.]+', MIN_STOPS, MAX_STOPS), examples: [parameter.default] };
     case 'ramp':
-      return { type: 'string', pattern: `^$|${stops('[0-9a-fA-F]{6}', LEAST_COLORS, MOST_COLORS)}` };
+      return { type: 'string', pattern: `^$|${stops('[0-9a-fA-F]{6}', MIN_COLORS, MAX_COLORS)}` };
     default:
       return { type: parameter.kind, minimum: parameter.min, maximum: parameter.max };
   }
 }
 
 /** Stops such as `0:1,.5:.8`; that their places rise no schema can say. */
-function stops(value: string, least: number, most: number): string {
+function stops(value: string, min: number, max: number): string {
   const stop = `[0-9.]+:${value}`;
-  return `^${stop}(,${stop}){${least - 1},${most - 1}}$`;
+  return `^${stop}(,${stop}){${min - 1},${max - 1}}$`;
 }

@@ -52,7 +52,7 @@ export const table: readonly Parameter[] = [
 
 const rows: ReadonlyMap<string, Parameter> = new Map(table.map((parameter) => [parameter.key, parameter]));
 
-/** The row with this key, or undefined. Safe for keys from strangers, `__proto__` included. */
+/** The row with this key, or undefined. Safe for untrusted keys, `__proto__` included. */
 export function findParameter(key: string): Parameter | undefined {
   return rows.get(key);
 }

@@ -1,7 +1,7 @@
 /** Values of the table: their defaults, the check for callers, and reading and writing them as text at the edge. */
 import { readCurve } from './curve.ts';
 import { ParameterError } from './errors.ts';
-import type { Preset } from './moods/preset.ts';
+import type { Preset } from './byScene/preset.ts';
 import { notice, type Notice } from './notice.ts';
 import { accepted, type NumberParameter, type Parameter, type Value, type Values } from './parameter.ts';
 import { readRamp } from './ramp.ts';
@@ -28,25 +28,25 @@ export function presetValues(preset: Preset): Record<string, Value> {
 export function validate(values: Values): void {
   for (const [key, value] of Object.entries(values)) {
     const parameter = findParameter(key);
-    if (!parameter || !isAccepted(parameter, value)) throw refusalOf(key, value, parameter);
+    if (!parameter || !isAccepted(parameter, value)) throw errorOf(key, value, parameter);
   }
 }
 
 /** @throws ParameterError when the table has no such key or its row needs a value */
 export function requireOptional(key: string): void {
   const parameter = findParameter(key);
-  if (!parameter?.isOptional) throw refusalOf(key, undefined, parameter);
+  if (!parameter?.isOptional) throw errorOf(key, undefined, parameter);
 }
 
 /**
  * Checks numbers that are not of the table, by their names in the call. What is none would stay in the smoke.
- * @param least 0 where they may not be negative
- * @throws ParameterError for the first that is not finite or below `least`
+ * @param min 0 where they may not be negative
+ * @throws ParameterError for the first that is not finite or below `min`
  */
-export function requireFinite(numbers: Readonly<Record<string, unknown>>, least?: 0): void {
+export function requireFinite(numbers: Readonly<Record<string, unknown>>, min?: 0): void {
   for (const [key, value] of Object.entries(numbers)) {
-    if (!Number.isFinite(value) || (value as number) < least!) {
-      throw new ParameterError(key, value, least === 0 ? 'a number from 0' : 'a finite number');
+    if (!Number.isFinite(value) || (value as number) < min!) {
+      throw new ParameterError(key, value, min === 0 ? 'a number from 0' : 'a finite number');
     }
   }
 }
@@ -117,17 +117,17 @@ function readNumber(parameter: NumberParameter, text: string, fallback: Value): 
   // The addition turns -0 into 0, which is how it would come back from a link.
   const value = Math.min(Math.max(rounded, parameter.min), parameter.linkMax ?? parameter.max) + 0;
   if (value === given) return { value };
-  const tell = (quoted: string) => `${parameter.key} cannot be ${quoted} here; ${value} is used.`;
-  return { value, notice: notice('outOfRange', parameter.key, text, tell) };
+  const sentence = (quoted: string) => `${parameter.key} cannot be ${quoted} here; ${value} is used.`;
+  return { value, notice: notice('outOfRange', parameter.key, text, sentence) };
 }
 
 function malformed(parameter: Parameter, text: string, fallback: Value): { value: Value; notice: Notice } {
-  const tell = (quoted: string) =>
+  const sentence = (quoted: string) =>
     `${parameter.key} cannot be ${quoted}: it takes ${accepted(parameter)}. ${fallback === '' ? 'None' : fallback} is used.`;
-  return { value: fallback, notice: notice('malformed', parameter.key, text, tell) };
+  return { value: fallback, notice: notice('malformed', parameter.key, text, sentence) };
 }
 
-function refusalOf(key: string, value: unknown, parameter: Parameter | undefined): ParameterError {
+function errorOf(key: string, value: unknown, parameter: Parameter | undefined): ParameterError {
   return new ParameterError(key, value, parameter ? accepted(parameter) : 'no value (no such parameter)');
 }
 

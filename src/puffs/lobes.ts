@@ -1,11 +1,12 @@
 /** A puff of lobes met by rays along -z: what shaders/bodies/lobes.frag computes for each pixel, for tools and tests. */
 import { middleOf, softNormal } from './normals.ts';
-import type { PuffSample } from './layers.ts';
-import type { Lobe } from './shapes.ts';
+import type { PuffSample } from './billboards/layers.ts';
+import type { Lobe, PuffShape } from './shapes.ts';
 import { minus, type Vector } from './vector.ts';
+import { ShapeError } from '../preset/errors.ts';
 
 /** Most lobes of a puff: with three vectors more they are all that is sure to cross to the fragments of WebGL 2. */
-export const MOST_LOBES = 12;
+export const MAX_LOBES = 12;
 
 /** What a ray meets of a puff, in particle radii. */
 export interface LobeHit {
@@ -83,4 +84,24 @@ export function deepestSeen(lobes: readonly Lobe[], cells = 24): number {
     if (distance < 0) deepest = Math.max(deepest, -height);
   }
   return deepest;
+}
+
+/** The most variations that smoke can have. */
+export const MAX_VARIATIONS = 32;
+/** Lobes that were fitted into the unit ball may stand out of it by what rounding adds. */
+const LARGEST_REACH = 1.001;
+
+/** @throws ShapeError for shapes that somebody made otherwise than puffs have to be, naming what would be accepted */
+export function demandShapes(shapes: readonly PuffShape[]): void {
+  if (shapes.length < 1 || shapes.length > MAX_VARIATIONS) {
+    throw new ShapeError(`Smoke cannot have ${shapes.length} puff shapes: it takes 1 to ${MAX_VARIATIONS}.`);
+  }
+  for (const { name, lobes } of shapes) {
+    if (lobes.length < 1 || lobes.length > MAX_LOBES) {
+      throw new ShapeError(`The puff ${name} has ${lobes.length} lobes: it takes 1 to ${MAX_LOBES}.`);
+    }
+    if (!lobes.every(({ radius }) => radius > 0) || !(reachOf(lobes) <= LARGEST_REACH)) {
+      throw new ShapeError(`The puff ${name} must lie in the unit ball and have lobe radii above 0.`);
+    }
+  }
 }

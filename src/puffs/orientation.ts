@@ -5,7 +5,7 @@
 import { spherePoint, type Vector } from './vector.ts';
 import type { Lobe } from './shapes.ts';
 
-/** A rotation of the world from the puff's frame: its three columns. */
+/** A rotation of the world from the puff's space: its three columns. */
 export type Rotation = readonly [Vector, Vector, Vector];
 
 const SEEDS = 256;
@@ -25,10 +25,10 @@ export function orientationOf(seed: number, roll: number): Rotation {
   ];
 }
 
-export function turned([a, b, c]: Rotation, [x, y, z]: Vector): Vector {
+export function rotated([a, b, c]: Rotation, [x, y, z]: Vector): Vector {
   return [a[0] * x + b[0] * y + c[0] * z, a[1] * x + b[1] * y + c[1] * z, a[2] * x + b[2] * y + c[2] * z];
 }
 
-export function turnedLobes(rotation: Rotation, lobes: readonly Lobe[]): Lobe[] {
-  return lobes.map(({ center, radius }) => ({ center: turned(rotation, center), radius }));
+export function rotatedLobes(rotation: Rotation, lobes: readonly Lobe[]): Lobe[] {
+  return lobes.map(({ center, radius }) => ({ center: rotated(rotation, center), radius }));
 }

@@ -1,5 +1,5 @@
 /** Puff shapes made from a seed and three knobs. The same seed and knobs make the same shape everywhere. */
-import { inUnitBall, MOST_LOBES } from './lobes.ts';
+import { inUnitBall, MAX_LOBES } from './lobes.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
 import { normalized, spherePoint } from './vector.ts';
 
@@ -17,11 +17,11 @@ export interface PuffKnobs {
 export const CARTOON_KNOBS: PuffKnobs = { lumpiness: 0.55, flatness: 0.1, roughness: 0.5 };
 
 /** Fewer lobes than this look like a bunch of balls. */
-const LEAST_LOBES = 5;
+const MIN_LOBES = 5;
 
 /**
  * A main mass with `lobes - 1` lobes on all its sides, large and small in turn.
- * @param lobes 5..{@link MOST_LOBES}
+ * @param lobes 5..{@link MAX_LOBES}
  * @throws RangeError naming the knob or the number that is out of its range
  */
 export function proceduralPuff(name: string, seed: number, knobs = CARTOON_KNOBS, lobes = 10): PuffShape {
@@ -36,8 +36,8 @@ function demandRanges(knobs: PuffKnobs, lobes: number): void {
   for (const [knob, value] of Object.entries(knobs)) {
     if (!(value >= 0 && value <= 1)) throw new RangeError(`${knob} is ${value}; it takes a number from 0 to 1.`);
   }
-  if (!Number.isInteger(lobes) || lobes < LEAST_LOBES || lobes > MOST_LOBES) {
-    throw new RangeError(`lobes is ${lobes}; it takes a whole number from ${LEAST_LOBES} to ${MOST_LOBES}.`);
+  if (!Number.isInteger(lobes) || lobes < MIN_LOBES || lobes > MAX_LOBES) {
+    throw new RangeError(`lobes is ${lobes}; it takes a whole number from ${MIN_LOBES} to ${MAX_LOBES}.`);
   }
 }
 

@@ -1,11 +1,11 @@
 /**
  * What a puff is: a handful of overlapping spheres (lobes), one dominant mass and lobes of varied sizes around it.
  *
- * The unit frame of a puff: x right, y up, z towards the viewer, the particle's centre at 0, one unit = the
+ * The unit space of a puff: x right, y up, z towards the viewer, the particle's centre at 0, one unit = the
  * particle's radius.
  */
 
-/** A sphere of a puff, in its unit frame. */
+/** A sphere of a puff, in its unit space. */
 export interface Lobe {
   readonly center: readonly [x: number, y: number, z: number];
   readonly radius: number;

@@ -19,14 +19,14 @@ import {
 } from './shapes.ts';
 
 /** What may be asked of a stage at once, so that a message cannot keep it busy for ever: ten simulated minutes. */
-const MOST_SECONDS = 600;
-const MOST_STEPS = 60 * MOST_SECONDS;
-const MOST_BYTES = 64 * 1024 * 1024;
+const MAX_SECONDS = 600;
+const MAX_STEPS = 60 * MAX_SECONDS;
+const MAX_BYTES = 64 * 1024 * 1024;
 /** Of the box of an element, which may be as long as its page. */
 const LARGEST_SIDE = 65_536;
 /** Farther away than anything on a page or in a scene. */
 const FAR = 1e6;
-const MOST_KEYS = 4000;
+const MAX_KEYS = 4000;
 
 /** The shapes of what a method takes, by place, and of what it gives. */
 interface Call {
@@ -63,7 +63,7 @@ const take = record({
   isExact: flag,
   isTruncated: flag,
   toBytes: nothing,
-  bytes: bytes(MOST_BYTES),
+  bytes: bytes(MAX_BYTES),
 });
 
 const vector = list(place, 3);
@@ -74,26 +74,26 @@ function call(takes: readonly Check[], gives: Check = nothing): Call {
 }
 
 /** Seconds of simulated time. */
-const timed: Call = { ...call([number(MOST_SECONDS, 0)]), demand: (seconds) => requireFinite({ seconds }, 0) };
+const timed: Call = { ...call([number(MAX_SECONDS, 0)]), demand: (seconds) => requireFinite({ seconds }, 0) };
 
 /** All that can be asked of a stage by a message; nothing else is ever called. */
 export const calls: Readonly<Record<keyof RemoteMethods, Call>> = {
   play: call([]),
   pause: call([]),
-  step: { ...call([optional(integer(0, MOST_STEPS))]), demand: (n = 1) => requireWhole('n', n) },
+  step: { ...call([optional(integer(0, MAX_STEPS))]), demand: (n = 1) => requireWhole('n', n) },
   seek: timed,
   advance: timed,
   restart: call([]),
   enter: call([values]),
   set: call([values]),
-  unset: call([list(key, MOST_KEYS)]),
+  unset: call([list(key, MAX_KEYS)]),
   get: call([], values),
   picture: call([], blob),
-  save: call([], bytes(MOST_BYTES)),
-  restore: call([bytes(MOST_BYTES)]),
+  save: call([], bytes(MAX_BYTES)),
+  restore: call([bytes(MAX_BYTES)]),
   take: call([], take),
-  readTake: call([bytes(MOST_BYTES)], take),
-  playTake: call([bytes(MOST_BYTES)]),
+  readTake: call([bytes(MAX_BYTES)], take),
+  playTake: call([bytes(MAX_BYTES)]),
   hash: call([], text),
   stats: call([], figures),
   resize: call([length, length, optional(number(FAR))]),

@@ -3,12 +3,12 @@ export const BEAT = 'beat';
 
 const BEAT_MS = 10_000;
 /** Two minutes: a busy machine answers late, and who is gone never does. */
-const MOST_MISSED = 12;
+const MAX_MISSED = 12;
 
 /** What a worker has to be there for. */
 export interface Watched {
   readonly worker: Pick<Worker, 'postMessage' | 'addEventListener' | 'removeEventListener'>;
-  /** Told once that it does not answer any more. */
+  /** Called once that it does not answer any more. */
   readonly onGone: () => void;
 }
 
@@ -28,7 +28,7 @@ export function watchHeart({ worker, onGone }: Watched): () => void {
   const beat = () => {
     // Browsers may let the workers of hidden pages rest.
     if (document.hidden) return live();
-    if (missed >= MOST_MISSED) {
+    if (missed >= MAX_MISSED) {
       end();
       return onGone();
     }

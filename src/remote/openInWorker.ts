@@ -1,7 +1,7 @@
 import type { RemoteStage, RemoteStageOptions } from './contract.ts';
 import { pageWorker, type Holder } from './pageWorker.ts';
 import { PortStage } from './portStage.ts';
-import type { Order } from './worker.ts';
+import type { OpenRequest } from './worker.ts';
 
 /** Whether this browser can hand a canvas over to a worker. */
 export function canMoveCanvas(): boolean {
@@ -9,7 +9,7 @@ export function canMoveCanvas(): boolean {
 }
 
 /** A worker that is there and can draw. */
-export interface WorkerPlace {
+export interface WorkerSlot {
   /**
    * Opens a stage on a canvas, which then belongs to the worker for ever.
    * @throws what createStage throws
@@ -19,7 +19,7 @@ export interface WorkerPlace {
 }
 
 /** @throws why there is no worker for this page */
-export async function enterWorker(): Promise<WorkerPlace> {
+export async function enterWorker(): Promise<WorkerSlot> {
   let stage: PortStage | undefined;
   let failure: Error | undefined;
   const holder: Holder = {
@@ -37,7 +37,7 @@ export async function enterWorker(): Promise<WorkerPlace> {
       const { port1, port2 } = new MessageChannel();
       const moved = canvas.transferControlToOffscreen();
       stage = new PortStage(port1, 'worker', leave, onProgress);
-      worker.postMessage({ canvas: moved, options, port: port2 } satisfies Order, [moved, port2]);
+      worker.postMessage({ canvas: moved, options, port: port2 } satisfies OpenRequest, [moved, port2]);
       await unlessAborted(stage, signal);
       return stage.face;
     },

@@ -1,8 +1,7 @@
 import { ContextError, UnsupportedError } from '../preset/errors.ts';
-import { fetched } from '../preset/patience.ts';
+import { fetched } from '../preset/timeout.ts';
 import type { RemoteStage, RemoteStageOptions } from './contract.ts';
-import { followSight } from './followSight.ts';
-import type { WorkerPlace } from './openInWorker.ts';
+import type { WorkerSlot } from './openInWorker.ts';
 
 /**
  * Opens a stage in a worker where the browser can and the page allows it, else on this thread, with the same pictures. It
@@ -17,7 +16,7 @@ export async function openStage(
   options: RemoteStageOptions = {},
 ): Promise<RemoteStage> {
   const { thread = 'auto', signal } = options;
-  const place = thread === 'main' ? undefined : await placeInWorker(thread);
+  const place = thread === 'main' ? undefined : await slotInWorker(thread);
   if (place) {
     if (signal?.aborted) place.leave();
     signal?.throwIfAborted();
@@ -36,7 +35,7 @@ export async function openStage(
 }
 
 /** @throws where there has to be a worker and is none */
-async function placeInWorker(thread: 'auto' | 'worker'): Promise<WorkerPlace | undefined> {
+async function slotInWorker(thread: 'auto' | 'worker'): Promise<WorkerSlot | undefined> {
   try {
     const { canMoveCanvas, enterWorker } = await fetched('The worker', import('./openInWorker.ts'));
     if (!canMoveCanvas()) throw new UnsupportedError('This browser cannot transfer a canvas to a worker.');
@@ -56,5 +55,39 @@ function following(canvas: HTMLCanvasElement, stage: RemoteStage): RemoteStage {
       stopFollowing();
       return stage.dispose();
     },
+  };
+}
+
+/** Drawing begins so many pixels before the canvas comes into view. */
+const MARGIN = '64px';
+
+/**
+ * Lets a stage rest while its canvas is out of view or its page is hidden. What somebody paused stays paused.
+ * @returns the function that ends this
+ */
+function followSight(canvas: HTMLCanvasElement, stage: Pick<RemoteStage, 'setVisible'>): () => void {
+  const page = canvas.ownerDocument;
+  let isNear = true;
+  let notified = true;
+  const notify = () => {
+    const isVisible = isNear && !page.hidden;
+    if (isVisible === notified) return;
+    notified = isVisible;
+    // A stage that has ended meanwhile refuses, and needs to know no more.
+    stage.setVisible(isVisible).catch(() => undefined);
+  };
+  const observer = new IntersectionObserver(
+    (entries) => {
+      isNear = entries.at(-1)!.isIntersecting;
+      notify();
+    },
+    { rootMargin: MARGIN },
+  );
+  observer.observe(canvas);
+  page.addEventListener('visibilitychange', notify);
+  notify();
+  return () => {
+    observer.disconnect();
+    page.removeEventListener('visibilitychange', notify);
   };
 }

@@ -1,5 +1,5 @@
 import { LoadError, SimulatorError } from '../preset/errors.ts';
-import { afterRunning } from '../preset/patience.ts';
+import { afterRunning } from '../preset/timeout.ts';
 import { watchHeart } from './heartbeat.ts';
 import type { Greeting } from './worker.ts';
 import { unpackError } from './packedErrors.ts';
@@ -8,13 +8,13 @@ import { startWorker } from './startWorker.ts';
 /** Until then a worker has to have come and said that it can draw; time in which the page runs. */
 const GREETING_MS = 30_000;
 /** A worker that ends more often than this ends by what is drawn, and would do so for ever. */
-const MOST_DEATHS = 3;
+const MAX_DEATHS = 3;
 /** Who comes back soon, as on a page that moves its widgets about, finds the worker as it was. */
 const GRACE_MS = 5_000;
 
 /** A stage in the worker. */
 export interface Holder {
-  /** Told when the worker has ended; it is held no more then. */
+  /** Called when the worker has ended; it is held no more then. */
   fail(error: Error): void;
 }
 
@@ -25,7 +25,7 @@ class PageWorker {
   private holders = new Set<Holder>();
   private deaths = 0;
   private farewell: ReturnType<typeof setTimeout> | undefined;
-  private refusal: Error | undefined;
+  private failure: Error | undefined;
   private stopWatching: (() => void) | undefined;
 
   /**
@@ -34,14 +34,14 @@ class PageWorker {
    * @throws why it cannot be had
    */
   async hold(holder: Holder): Promise<Worker> {
-    if (this.refusal) throw this.refusal;
+    if (this.failure) throw this.failure;
     clearTimeout(this.farewell);
     this.holders.add(holder);
     this.starting ??= this.start();
     try {
       return await this.starting;
     } catch (error) {
-      this.refusal = error as Error;
+      this.failure = error as Error;
       this.holders.delete(holder);
       throw error;
     }
@@ -61,7 +61,7 @@ class PageWorker {
     this.holders.clear();
     this.end();
     this.deaths += 1;
-    if (this.deaths >= MOST_DEATHS) this.refusal = error;
+    if (this.deaths >= MAX_DEATHS) this.failure = error;
     for (const holder of holders) holder.fail(error);
   }
 
@@ -97,12 +97,12 @@ class PageWorker {
 /** Settled when a worker says whether it can draw, does not come, or keeps silent for too long. */
 function greeted(worker: Worker): Promise<void> {
   return new Promise((resolve, reject) => {
-    const refuse = (reason: string) => reject(new LoadError(`The worker could not be started: ${reason}`));
-    const stopWaiting = afterRunning(GREETING_MS, () => refuse('it did not answer in time.'));
+    const fail = (reason: string) => reject(new LoadError(`The worker could not be started: ${reason}`));
+    const stopWaiting = afterRunning(GREETING_MS, () => fail('it did not answer in time.'));
     worker.onerror = (event) => {
       event.preventDefault();
       stopWaiting();
-      refuse(event.message ?? 'the page or the browser does not allow it.');
+      fail(event.message ?? 'the page or the browser does not allow it.');
     };
     worker.onmessage = ({ data }: MessageEvent<Greeting>) => {
       stopWaiting();

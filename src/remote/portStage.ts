@@ -4,7 +4,7 @@ import type { StageEvents } from '../stage/contract.ts';
 import { Listeners } from '../stage/listeners.ts';
 import { calls } from './calls.ts';
 import type { RemoteMethods, RemoteStage, Thread } from './contract.ts';
-import { OPENING, packArgument, readReply, readTold, type EventName, type Method } from './protocol.ts';
+import { OPENING, packArgument, readReply, readNotification, type EventName, type Method } from './protocol.ts';
 
 interface Waiting {
   readonly method: Method;
@@ -51,14 +51,14 @@ export class PortStage {
   fail(error: Error): void {
     if (this.hasEnded || this.failure) return;
     this.failure = error;
-    this.refuseAll(error);
-    this.listeners.tell('error', error);
+    this.rejectAll(error);
+    this.listeners.notify('error', error);
   }
 
   /** Ends this connection, and leaves the stage as it is. */
   abandon(): void {
     this.hasEnded = true;
-    this.refuseAll(ended());
+    this.rejectAll(ended());
     this.port.close();
   }
 
@@ -96,9 +96,9 @@ export class PortStage {
       this.waiting.delete(reply.id);
       return 'thrown' in reply ? reject(reply.thrown) : resolve(reply.value);
     }
-    const told = readTold(message);
-    if (told?.event === 'progress') this.onProgress?.(told.detail as LoadProgress);
-    else if (told) this.listeners.tell(told.event, told.detail as never);
+    const notified = readNotification(message);
+    if (notified?.event === 'progress') this.onProgress?.(notified.detail as LoadProgress);
+    else if (notified) this.listeners.notify(notified.event, notified.detail as never);
   }
 
   private listen<Name extends EventName>(event: Name, listener: (detail: StageEvents[Name]) => void): () => void {
@@ -125,7 +125,7 @@ export class PortStage {
     this.release();
   }
 
-  private refuseAll(error: Error): void {
+  private rejectAll(error: Error): void {
     for (const { reject } of this.waiting.values()) reject(error);
     this.waiting.clear();
   }

@@ -39,31 +39,31 @@ export interface Request {
 
 export type Reply = { readonly id: number; readonly value?: unknown; readonly error?: PackedError };
 
-export interface Told {
+export interface Notification {
   readonly event: EventName | 'progress';
   readonly detail: unknown;
 }
 
 /** A request that was understood, or one whose sender can be told why it was not. */
-export type ReadRequest = Request | { readonly id: number; readonly refusal: Error };
+export type ReadRequest = Request | { readonly id: number; readonly error: Error };
 
 const isId = integer(1, 2 ** 53 - 1);
-const MOST_ARGUMENTS = 8;
+const MAX_ARGUMENTS = 8;
 
 /** @returns undefined for what is no request at all */
 export function readRequest(message: unknown): ReadRequest | undefined {
   if (!isPlain(message) || !isId(message.id)) return undefined;
   const { id, method, args = [] } = message as { id: number; method: unknown; args: unknown };
   const takes = takenBy(method);
-  if (!takes) return { id, refusal: new ParameterError('method', describe(method), Object.keys(calls).join(', ')) };
-  if (!Array.isArray(args) || args.length > MOST_ARGUMENTS)
-    return { id, refusal: new ParameterError('args', describe(args), `an array of at most ${MOST_ARGUMENTS}`) };
+  if (!takes) return { id, error: new ParameterError('method', describe(method), Object.keys(calls).join(', ')) };
+  if (!Array.isArray(args) || args.length > MAX_ARGUMENTS)
+    return { id, error: new ParameterError('args', describe(args), `an array of at most ${MAX_ARGUMENTS}`) };
   const wrong = takes.findIndex((check, place) => !check(args[place]));
   if (wrong >= 0) {
-    const refusal = demandedBy(method as keyof RemoteMethods, args[0]);
-    if (refusal) return { id, refusal };
+    const error = demandedBy(method as keyof RemoteMethods, args[0]);
+    if (error) return { id, error };
     const name = `argument ${wrong + 1} of ${String(method)}`;
-    return { id, refusal: new ParameterError(name, describe(args[wrong]), takes[wrong].words) };
+    return { id, error: new ParameterError(name, describe(args[wrong]), takes[wrong].words) };
   }
   return { id, method: method as Method, args: args.slice(0, takes.length) as unknown[] };
 }
@@ -84,7 +84,7 @@ function demandedBy(method: keyof RemoteMethods, first: unknown): Error | undefi
   }
 }
 
-/** Short, and without asking a stranger's object to describe itself. */
+/** Short, and without asking an untrusted object to describe itself. */
 function describe(value: unknown): unknown {
   if (typeof value === 'string') return value.slice(0, 40);
   if (Array.isArray(value)) return 'an array';
@@ -111,7 +111,7 @@ export function readReply(
   return isRight ? { id, value: unpackValue(method, value) } : undefined;
 }
 
-const details: Readonly<Record<Told['event'], (detail: unknown) => boolean>> = {
+const details: Readonly<Record<Notification['event'], (detail: unknown) => boolean>> = {
   statechange: record({ playing: flag }),
   frame: figures,
   error: (detail) => unpackError(detail) !== undefined,
@@ -119,15 +119,15 @@ const details: Readonly<Record<Told['event'], (detail: unknown) => boolean>> = {
 };
 
 /** @returns undefined for what tells of nothing */
-export function readTold(message: unknown): Told | undefined {
+export function readNotification(message: unknown): Notification | undefined {
   if (!isPlain(message) || typeof message.event !== 'string' || !Object.hasOwn(details, message.event))
     return undefined;
-  const event = message.event as Told['event'];
+  const event = message.event as Notification['event'];
   if (!details[event](message.detail)) return undefined;
   return { event, detail: event === 'error' ? unpackError(message.detail) : message.detail };
 }
 
-export function tellOf(event: Told['event'], detail: unknown): Told {
+export function notificationOf(event: Notification['event'], detail: unknown): Notification {
   return { event, detail: event === 'error' ? packError(detail) : detail };
 }
 

@@ -1,6 +1,6 @@
 import type { RemoteStage } from './contract.ts';
 import { packError } from './packedErrors.ts';
-import { packValue, readRequest, tellOf, type EventName, type Method, type ReadRequest } from './protocol.ts';
+import { packValue, readRequest, notificationOf, type EventName, type Method, type ReadRequest } from './protocol.ts';
 
 /** Lets whoever has the other end of a port have a stage: answers what is asked, and tells of what is listened to. */
 export function serveStage(port: MessagePort, stage: RemoteStage): void {
@@ -24,7 +24,7 @@ class Service {
   async answer(request: ReadRequest): Promise<void> {
     const { id } = request;
     try {
-      if ('refusal' in request) throw request.refusal;
+      if ('error' in request) throw request.error;
       const { value, moved } = packValue(request.method, await this.act(request.method, request.args));
       this.port.postMessage({ id, value }, moved);
       if (request.method === 'dispose') this.port.close();
@@ -41,7 +41,7 @@ class Service {
 
   private listen(event: EventName): void {
     this.unlisten(event);
-    const end = this.stage.on(event, (detail) => this.port.postMessage(tellOf(event, detail)));
+    const end = this.stage.on(event, (detail) => this.port.postMessage(notificationOf(event, detail)));
     this.ends.set(event, end);
   }
 

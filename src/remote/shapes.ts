@@ -9,7 +9,7 @@ export interface Check {
 const KEY = /^[A-Za-z][A-Za-z0-9]*(\.[A-Za-z0-9]+)*$/;
 const LONGEST_KEY = 100;
 const LONGEST_TEXT = 8192;
-const MOST_VALUES = 4000;
+const MAX_VALUES = 4000;
 
 function shape(words: string, passes: (value: unknown) => boolean): Check {
   return Object.assign((value: unknown) => passes(value), { words });
@@ -21,12 +21,9 @@ export const nothing = shape('nothing', (value) => value === undefined);
 
 export const flag = shape('true or false', (value) => typeof value === 'boolean');
 
-/** Finite, and not farther from zero than `most` where no least is given. */
-export function number(most: number, least = -most): Check {
-  return shape(
-    `a number from ${least} to ${most}`,
-    (value) => typeof value === 'number' && value >= least && value <= most,
-  );
+/** Finite, and not farther from zero than `max` where no least is given. */
+export function number(max: number, min = -max): Check {
+  return shape(`a number from ${min} to ${max}`, (value) => typeof value === 'number' && value >= min && value <= max);
 }
 
 export function integer(min: number, max: number): Check {
@@ -46,10 +43,10 @@ export function optional(check: Check): Check {
   return shape(check.words, (value) => value === undefined || check(value));
 }
 
-export function bytes(most: number): Check {
+export function bytes(max: number): Check {
   return shape(
-    `a Uint8Array of at most ${most} bytes`,
-    (value) => value instanceof Uint8Array && value.byteLength <= most,
+    `a Uint8Array of at most ${max} bytes`,
+    (value) => value instanceof Uint8Array && value.byteLength <= max,
   );
 }
 
@@ -61,10 +58,10 @@ export const key = shape(
   (value) => typeof value === 'string' && value.length <= LONGEST_KEY && KEY.test(value),
 );
 
-export function list(check: Check, most: number): Check {
+export function list(check: Check, max: number): Check {
   return shape(
-    `an array of at most ${most}, each ${check.words}`,
-    (value) => Array.isArray(value) && value.length <= most && value.every(check),
+    `an array of at max ${max}, each ${check.words}`,
+    (value) => Array.isArray(value) && value.length <= max && value.every(check),
   );
 }
 
@@ -82,7 +79,7 @@ export const values = shape('an object of numbers and strings by parameter key',
   if (!isPlain(value)) return false;
   const entries = Object.entries(value);
   return (
-    entries.length <= MOST_VALUES && entries.every(([name, each]) => key(name) && (Number.isFinite(each) || text(each)))
+    entries.length <= MAX_VALUES && entries.every(([name, each]) => key(name) && (Number.isFinite(each) || text(each)))
   );
 });
 

@@ -3,11 +3,11 @@ import type { RemoteStageOptions } from './contract.ts';
 import { BEAT, beatWhile } from './heartbeat.ts';
 import { demandDrawing, openHere } from './openHere.ts';
 import { packError } from './packedErrors.ts';
-import { OPENING, tellOf } from './protocol.ts';
+import { OPENING, notificationOf } from './protocol.ts';
 import { serveStage } from './serveStage.ts';
 
 /** What the page sends for each stage. */
-export interface Order {
+export interface OpenRequest {
   readonly canvas: OffscreenCanvas;
   readonly options: RemoteStageOptions;
   readonly port: MessagePort;
@@ -19,7 +19,7 @@ export type Greeting = { readonly greeting: true; readonly error?: unknown };
 /** What TypeScript's library of the page lacks. */
 interface WorkerScope {
   postMessage(message: Greeting | typeof BEAT): void;
-  addEventListener(type: 'message', listener: (event: MessageEvent<Order | typeof BEAT>) => void): void;
+  addEventListener(type: 'message', listener: (event: MessageEvent<OpenRequest | typeof BEAT>) => void): void;
   close(): void;
 }
 
@@ -28,9 +28,9 @@ const beat = () => worker.postMessage(BEAT);
 /** Thousands of steps at once leave no time to answer. */
 const onStep = beatWhile(beat);
 
-async function open({ canvas, options, port }: Order): Promise<void> {
+async function open({ canvas, options, port }: OpenRequest): Promise<void> {
   if (import.meta.env.DEV && options.fault === 'workerSilent') return worker.close();
-  const onProgress = (progress: unknown) => port.postMessage(tellOf('progress', progress));
+  const onProgress = (progress: unknown) => port.postMessage(notificationOf('progress', progress));
   try {
     serveStage(port, await openHere(canvas, { ...options, onProgress, onStep }, 'worker'));
     port.postMessage({ id: OPENING });

@@ -17,7 +17,7 @@ export function air(): Scene {
       elevation: 0,
       distance: 12,
       fieldOfView: 0.3,
-      leastWidth: 0.01,
+      minWidth: 0.01,
       pixelsPerMetre: 150,
     },
     backdrop: { top: [154, 196, 214], bottom: [246, 226, 198] },

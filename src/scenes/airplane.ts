@@ -2,16 +2,16 @@ import { atan2, tan } from '../sim/exact/arc.ts';
 import { exp } from '../sim/exact/power.ts';
 import { anglesYZX, multiply } from '../sim/exact/quaternion.ts';
 import { sin } from '../sim/exact/sine.ts';
-import { turnBy } from '../sim/exact/turn.ts';
+import { quaternionFromAngles } from '../sim/exact/rotation.ts';
 import { airplane as airplaneModel, airplaneHull, HALF_SPAN, HUB, KNOT } from './models/airplane.ts';
 import { placement } from './models/place.ts';
-import type { Guide, Handle, Moment, Part, Scene, Vector } from './scene.ts';
+import type { Guide, Handle, SceneState, MovingPart, Scene, Vector } from './scene.ts';
 
 const PLANE = 0;
 /** Speed of the clouds past the airplane, m/s: it flies on the spot, and the air comes to meet it. */
 export const AIRSPEED = 3.4;
 /** Turns of the propeller a second, and the sense about the nose's direction: clockwise for the pilot. */
-const TURNS = 3.2;
+const REVOLUTIONS_PER_SECOND = 3.2;
 export const PROPELLER_SENSE = 1;
 
 const HANDLE: Handle = {
@@ -35,17 +35,17 @@ export function airplane(): Scene {
     parts: PARTS,
     handle: HANDLE,
     camera: { target: [-0.5, 0.15, 0], azimuth: 0.42, elevation: 0.26, distance: 8.2, fieldOfView: 0.6 },
-    portrait: { target: [-0.1, 0.3, 0], azimuth: 0.75, distance: 8.6, leastWidth: 0.44 },
+    portrait: { target: [-0.1, 0.3, 0], azimuth: 0.75, distance: 8.6, minWidth: 0.44 },
     cameraMove: (seconds) => ({ azimuth: 0.16 * sin(seconds / 5), elevation: 0.07 * sin(seconds / 3.7) }),
     backdrop: { top: [72, 138, 204], bottom: [232, 214, 232] },
   };
 }
 
-const PARTS: readonly Part[] = [
+const PARTS: readonly MovingPart[] = [
   {
     name: 'Propeller',
     rigid: PLANE,
-    pose: (seconds) => placement(HUB, [PROPELLER_SENSE * 2 * Math.PI * TURNS * seconds, 0, 0]),
+    pose: (seconds) => placement(HUB, [PROPELLER_SENSE * 2 * Math.PI * REVOLUTIONS_PER_SECOND * seconds, 0, 0]),
   },
   {
     name: 'Scarf',
@@ -76,12 +76,12 @@ export const fly: Guide = (moment) => {
   const heading = -0.5 * atan2(sideways, AIRSPEED);
   const velocity = [ahead, AIRSPEED * tan(nextPitch), sideways];
   const [x, y, z] = position.map((from, axis) => from + moment.dt * velocity[axis]);
-  const turn = multiply(turnBy([0, heading, 0]), turnBy([nextRoll, 0, nextPitch]));
-  return [{ rigid: PLANE, position: [x, y, z], rotation: turn }];
+  const nextRotation = multiply(quaternionFromAngles([0, heading, 0]), quaternionFromAngles([nextRoll, 0, nextPitch]));
+  return [{ rigid: PLANE, position: [x, y, z], rotation: nextRotation }];
 };
 
 /** The place where people want it, around which it bobs through the tops of the clouds. */
-function goalOf({ seconds, control }: Moment): Vector {
+function goalOf({ seconds, control }: SceneState): Vector {
   const [x, y, z] = HANDLE.steers!.map((channel, axis) => {
     const [min, max] = [HANDLE.min[axis], HANDLE.max[axis]];
     return min + ((max - min) / 2) * (1 + control(channel));

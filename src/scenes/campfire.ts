@@ -16,7 +16,7 @@ export function campfire(): Scene {
       ...camp(),
     ],
     camera: { target: [0, 1.25, 0], azimuth: 0.25, elevation: 0.26, distance: 8.4, fieldOfView: 0.56 },
-    portrait: { target: [0, 1.75, 0], elevation: 0.3, distance: 9.4, leastWidth: 0.5 },
+    portrait: { target: [0, 1.75, 0], elevation: 0.3, distance: 9.4, minWidth: 0.5 },
     cameraMove: (seconds) => ({ azimuth: 0.3 * sin(seconds / 7), elevation: 0.04 * sin(seconds / 4.6) }),
     backdrop: { top: [32, 34, 82], bottom: [142, 88, 128] },
   };

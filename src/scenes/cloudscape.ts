@@ -1,9 +1,10 @@
 import { atan2 } from '../sim/exact/arc.ts';
 import { cos, sin } from '../sim/exact/sine.ts';
-import { cumuli, type Cumulus } from './models/cumulus.ts';
 import { AXLE, hills, sheep, sun, windmill } from './models/meadow.ts';
-import { placement } from './models/place.ts';
+import { placement, merged, placed } from './models/place.ts';
 import type { LightMove, Scene, Vector } from './scene.ts';
+import type { TriangleMesh } from '../passes/extrusion.ts';
+import { ballMesh } from './models/ball.ts';
 
 /** Of the wind, m/s: negative blows to the left. */
 export const WIND = -0.42;
@@ -38,11 +39,11 @@ export function cloudscape(): Scene {
     surfaces: [...hills(), ...windmill(SAILS), ...sheep(FLOCK), ...sun(RAYS, FACE)],
     parts: [
       { name: 'Windmill sails', pose: (seconds) => placement(AXLE, [0, 0, 0.9 * WIND * seconds]) },
-      { name: 'Sun rays', pose: (seconds) => placement(sunPlace(seconds), [0, 0, sunTurn(seconds)]) },
+      { name: 'Sun rays', pose: (seconds) => placement(sunPlace(seconds), [0, 0, sunAngle(seconds)]) },
       { name: 'Sun face', pose: (seconds) => placement(sunPlace(seconds), [0, 0, 0.1 * sin(seconds)]) },
     ],
     camera: { target: [0, 1.15, 0], azimuth: 0, elevation: 0.06, distance: 9.6, fieldOfView: 0.58 },
-    portrait: { target: [-0.7, 0.75, 0], distance: 11, leastWidth: 0.44 },
+    portrait: { target: [-0.7, 0.75, 0], distance: 11, minWidth: 0.44 },
     cameraMove: (seconds) => ({ azimuth: 0.06 * sin(seconds / 8), elevation: 0.02 * sin(seconds / 5) }),
     lightMove,
     lightCentre: CENTRE,
@@ -64,7 +65,7 @@ export function sunPlace(seconds: number): Vector {
 }
 
 /** Its rays turn on its way; its bright side stays towards the light. */
-function sunTurn(seconds: number): number {
+function sunAngle(seconds: number): number {
   const [x, y] = sunPlace(seconds);
   return atan2(y - CENTRE[1], x - CENTRE[0]);
 }
@@ -105,4 +106,36 @@ function clouds(
     ...(surface > 0 && { 'envelope.period': WIDTH / -WIND }),
   };
   return Object.fromEntries(Object.entries(values).map(([key, value]) => [`emitters.${emitter}.${key}`, value]));
+}
+
+/** Where a cloud's flat base has its middle, and half of its width; metres. */
+type Cumulus = readonly [x: number, y: number, z: number, half: number];
+
+/** Heaps of a cloud of half width 1: where their middles are over its base, and their radii. */
+const HEAPS = [
+  [0, 0.3, 0, 0.52],
+  [-0.42, 0.14, 0.06, 0.36],
+  [0.46, 0.16, -0.04, 0.38],
+  [-0.76, 0.04, -0.05, 0.22],
+  [0.8, 0.05, 0.05, 0.22],
+  [0.16, 0.56, 0.04, 0.32],
+] as const;
+/** How much of its height a heap keeps below its middle. */
+const FLATNESS = 0.22;
+
+/** Skins of clouds to smoke from: heaps above, flat below. Every second one is the mirror image of its neighbours. */
+function cumuli(all: readonly Cumulus[]): TriangleMesh {
+  return merged(
+    ...all.flatMap(([x, y, z, half], index) =>
+      HEAPS.map(([aside, up, ahead, radius]) => {
+        const mirrored = index % 2 === 0 ? aside : -aside;
+        return placed(flattened(radius * half), { at: [x + mirrored * half, y + up * half, z + ahead * half] });
+      }),
+    ),
+  );
+}
+
+function flattened(radius: number): TriangleMesh {
+  const { positions, normals, indices } = ballMesh(radius, 8);
+  return { positions: positions.map((at, i) => (i % 3 === 1 && at < 0 ? FLATNESS * at : at)), normals, indices };
 }

@@ -1,6 +1,6 @@
 import type { Color } from '../device/ramps.ts';
 import { cos, hypot, sin } from '../sim/exact/sine.ts';
-import { turnBy } from '../sim/exact/turn.ts';
+import { quaternionFromAngles } from '../sim/exact/rotation.ts';
 import type { RigidDescription } from '../sim/rigid.ts';
 import { cloudOf, dustRule, type Cloud, type Toy } from './dustRule.ts';
 import { desert, desertRigids, DESERT_RADIUS } from './models/desert.ts';
@@ -8,7 +8,7 @@ import { mole, MOLE_HALF, MOLE_RADIUS } from './models/mole.ts';
 import { placement } from './models/place.ts';
 import { ballModel, crateModel, jollyBall, jollyCrate } from './models/toys.ts';
 import { MOLE_START, moleGuide, moleHeight } from './moleGuide.ts';
-import type { Guide, Handle, MovingMoment, Scene, Vector } from './scene.ts';
+import type { Guide, Handle, MovingSceneState, Scene, Vector } from './scene.ts';
 
 const CREAM: Color = [252, 226, 178];
 
@@ -44,7 +44,7 @@ export function dust(): Scene {
     handle: HANDLE,
     drops: TOYS.map(({ rigid }) => rigid),
     camera: { target: [0, 0.75, 0], azimuth: 0.1, elevation: 0.28, distance: 9.4, fieldOfView: 0.56 },
-    portrait: { target: [0, 0.55, 0], elevation: 0.36, distance: 11.5, leastWidth: 0.54 },
+    portrait: { target: [0, 0.55, 0], elevation: 0.36, distance: 11.5, minWidth: 0.54 },
     cameraMove: (seconds) => ({ azimuth: 0.16 * sin(seconds / 6), elevation: 0.03 * sin(seconds / 4.3) }),
     backdrop: { top: [104, 122, 190], bottom: [255, 196, 148] },
   };
@@ -54,7 +54,7 @@ function toyRigid({ size, isCrate, start }: (typeof TOYS)[number]): RigidDescrip
   const shape = isCrate
     ? ({ type: 'cuboid', halfExtents: [size, size, size] } as const)
     : ({ type: 'ball', radius: size } as const);
-  const rotation = turnBy(isCrate ? [0.5, 0.4, 0.3] : [-0.15, 0, 0]);
+  const rotation = quaternionFromAngles(isCrate ? [0.5, 0.4, 0.3] : [-0.15, 0, 0]);
   return { kind: 'dynamic', shape, position: start, rotation, restitution: isCrate ? 0.25 : 0.75, friction: 0.7 };
 }
 
@@ -85,12 +85,12 @@ const guide: Guide = (moment) => {
   return [...dig(moment), ...again];
 };
 
-function clouds(moment: MovingMoment): Cloud[] {
+function clouds(moment: MovingSceneState): Cloud[] {
   return [...TOYS.map((toy) => cloudOf(toy, moment, DESERT_RADIUS)), moleCloud(moment)];
 }
 
 /** What the mole throws up while it digs, and when it comes out or goes down. */
-function moleCloud({ pose, before, dt }: MovingMoment): Cloud {
+function moleCloud({ pose, before, dt }: MovingSceneState): Cloud {
   const [now, then] = [pose(MOLE).position, before(MOLE).position];
   const [across, up] = [hypot(now[0] - then[0], now[2] - then[2]) / dt, Math.abs(now[1] - then[1]) / dt];
   return {

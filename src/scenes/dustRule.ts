@@ -1,7 +1,8 @@
 /** How much dust rises where things meet the sand: more the harder they hit and the faster they roll. */
 import { pow } from '../sim/exact/power.ts';
+import type { Quaternion } from '../sim/exact/rotation.ts';
 import { hypot } from '../sim/exact/sine.ts';
-import type { MovingMoment, Placement, Rule, Turn, Vector } from './scene.ts';
+import type { MovingSceneState, Placement, Rule, Vector } from './scene.ts';
 
 /** Something that falls on the sand. */
 export interface Toy {
@@ -24,7 +25,7 @@ export interface Cloud {
 export const BY_HIT = 1.3;
 export const POWER = 1.5;
 /** No hit raises more puffs. */
-export const MOST_PUFFS = 32;
+export const MAX_PUFFS = 32;
 /** Puffs a step that rolling at 1 m/s raises, and where it begins, m/s. */
 const BY_ROLLING = 0.16;
 const SLOWEST = 0.35;
@@ -35,7 +36,7 @@ const GRAVITY = 9.81;
 export const DUST_RATE = 5000;
 
 /** What a toy raises in the coming step. @param radius of the sand about the origin */
-export function cloudOf(toy: Toy, { pose, before, dt }: MovingMoment, radius: number): Cloud {
+export function cloudOf(toy: Toy, { pose, before, dt }: MovingSceneState, radius: number): Cloud {
   const [now, then] = [pose(toy.rigid), before(toy.rigid)];
   const [x, , z] = now.position;
   const low = lowest(toy, now);
@@ -51,7 +52,7 @@ export function cloudOf(toy: Toy, { pose, before, dt }: MovingMoment, radius: nu
 
 /** Puffs of a hit at so many m/s. */
 export function hitPuffs(speed: number): number {
-  return Math.min(BY_HIT * pow(speed, POWER), MOST_PUFFS);
+  return Math.min(BY_HIT * pow(speed, POWER), MAX_PUFFS);
 }
 
 /**
@@ -59,7 +60,7 @@ export function hitPuffs(speed: number): number {
  * births.
  * @param count of clouds
  */
-export function dustRule(count: number, clouds: (moment: MovingMoment) => readonly Cloud[]): Rule {
+export function dustRule(count: number, clouds: (moment: MovingSceneState) => readonly Cloud[]): Rule {
   const numbers = Array.from({ length: count }, (_, emitter) => emitter);
   return {
     keys: [...numbers.flatMap(emitterKeys), `emitters.${count}.share`],
@@ -92,6 +93,6 @@ function lowest({ size, isCrate }: Toy, { position: [, y], rotation }: Placement
 }
 
 /** How far the corner of a cube that points down most lies below its middle, in halves of a side. */
-function upShares([x, y, z, w]: Turn): number {
+function upShares([x, y, z, w]: Quaternion): number {
   return Math.abs(2 * (x * y + z * w)) + Math.abs(1 - 2 * (x * x + z * z)) + Math.abs(2 * (y * z - x * w));
 }

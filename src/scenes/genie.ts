@@ -4,13 +4,13 @@ import type { SurfaceDescription } from '../passes/surfaces.ts';
 import { exp } from '../sim/exact/power.ts';
 import { slerp } from '../sim/exact/quaternion.ts';
 import { sin } from '../sim/exact/sine.ts';
-import { turnBy } from '../sim/exact/turn.ts';
+import { quaternionFromAngles } from '../sim/exact/rotation.ts';
 import type { RigidDescription } from '../sim/rigid.ts';
 import { genie as genieModel, HEAD, HEAD_RADIUS, HIP, SHOULDER, WAVE } from './models/genie.ts';
 import { lampModel, type LampRole } from './models/lamp.ts';
 import { placed, placement } from './models/place.ts';
 import { tableMesh } from './models/table.ts';
-import type { Guide, Handle, Moment, Part, Scene, Vector } from './scene.ts';
+import type { Guide, Handle, SceneState, MovingPart, Scene, Vector } from './scene.ts';
 
 const GENIE = 0;
 const HAND = 0;
@@ -53,7 +53,7 @@ export function genie(): Scene {
       { shape: { type: 'ball', radius: 0.36 }, position: [LAMP[0], 0.2, LAMP[2]] },
     ],
     camera: { target: [0, 1.8, 0], azimuth: 0.1, elevation: 0.1, distance: 7.4, fieldOfView: 0.58 },
-    portrait: { target: [-0.05, 1.6, 0], distance: 7.6, leastWidth: 0.4 },
+    portrait: { target: [-0.05, 1.6, 0], distance: 7.6, minWidth: 0.4 },
     cameraMove: (seconds) => ({ azimuth: 0.18 * sin(seconds / 5), elevation: 0.05 * sin(seconds / 3.3) }),
     backdrop: { top: [58, 38, 92], bottom: [240, 140, 112] },
   };
@@ -67,7 +67,7 @@ const GENIE_RIGID: RigidDescription = {
   friction: 0.1,
 };
 
-const PARTS: readonly Part[] = [
+const PARTS: readonly MovingPart[] = [
   { name: 'Hand', rigid: GENIE, pose: (seconds) => placement(WAVE, [0, -0.2, -0.35 + 0.4 * sin(5.2 * seconds)]) },
 ];
 
@@ -81,18 +81,18 @@ const LEAN = 0.22;
 export const float: Guide = (moment) => {
   const { position, rotation } = moment.pose(GENIE);
   const goal = goalOf(moment);
-  const wish = new Vector3(...goal)
+  const pull = new Vector3(...goal)
     .sub(new Vector3(...position))
     .multiplyScalar(EAGERNESS)
     .clampLength(0, TOP_SPEED);
-  const [x, y, z] = new Vector3(...position).addScaledVector(wish, moment.dt);
+  const [x, y, z] = new Vector3(...position).addScaledVector(pull, moment.dt);
   const nod = 0.07 * sin(1.7 * moment.seconds);
-  const lean = turnBy([nod + LEAN * wish.z, 0.12 * sin(0.6 * moment.seconds), -LEAN * wish.x]);
+  const lean = quaternionFromAngles([nod + LEAN * pull.z, 0.12 * sin(0.6 * moment.seconds), -LEAN * pull.x]);
   return [{ rigid: GENIE, position: [x, y, z], rotation: slerp(rotation, lean, 1 - exp(-5 * moment.dt)) }];
 };
 
 /** The place where people want him, around which he sways. */
-function goalOf({ seconds, control }: Moment): Vector {
+function goalOf({ seconds, control }: SceneState): Vector {
   const [x, y, z] = HANDLE.steers!.map((channel, axis) => {
     const [start, end] = [HANDLE.start[axis], control(channel) < 0 ? HANDLE.min[axis] : HANDLE.max[axis]];
     return start + (end - start) * Math.abs(control(channel));

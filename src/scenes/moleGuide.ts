@@ -4,7 +4,7 @@ import { sin } from '../sim/exact/sine.ts';
 import { DESERT_RADIUS } from './models/desert.ts';
 import { MOLE_HALF, MOLE_RADIUS } from './models/mole.ts';
 import { placement } from './models/place.ts';
-import type { Guide, Moment, Placement } from './scene.ts';
+import type { Guide, SceneState, Placement } from './scene.ts';
 
 /** Seconds from one look out to the next, and of them digging, coming out, looking around and going down again. */
 const PERIOD = 3.8;
@@ -48,7 +48,7 @@ export function moleGuide(mole: number, toys: readonly number[]): Guide {
 }
 
 /** Where the nearest toy lies; the middle where none does. */
-function goal({ pose }: Moment, from: Vector2, toys: readonly number[]): Vector2 {
+function goal({ pose }: SceneState, from: Vector2, toys: readonly number[]): Vector2 {
   const lying = toys
     .map((toy) => pose(toy).position)
     .filter(([, y]) => y > 0 && y < LYING)

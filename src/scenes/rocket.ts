@@ -33,7 +33,7 @@ export function rocket(): Scene {
       { shape: { type: 'cuboid', halfExtents: [0.26, 1.15, 0.26] }, position: [-1.05, 1.15, -0.3] },
     ],
     camera: { target: [0, 1.3, 0], azimuth: 0.22, elevation: 0.2, distance: 10.6, fieldOfView: 0.6 },
-    portrait: { target: [0, 1.5, 0], distance: 12.4, leastWidth: 0.53 },
+    portrait: { target: [0, 1.5, 0], distance: 12.4, minWidth: 0.53 },
     cameraMove: (seconds) => ({
       target: [0, FOLLOWING * height(seconds), 0],
       azimuth: 0.22 * sin(seconds / 6),

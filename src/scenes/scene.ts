@@ -1,16 +1,15 @@
 import type { Color } from '../device/ramps.ts';
 import type { TriangleMesh } from '../passes/extrusion.ts';
 import type { SurfaceDescription } from '../passes/surfaces.ts';
+import type { Quaternion } from '../sim/exact/rotation.ts';
 import type { RigidDescription, RigidPart } from '../sim/rigid.ts';
 
 export type Vector = readonly [x: number, y: number, z: number];
-/** A unit quaternion. */
-export type Turn = readonly [x: number, y: number, z: number, w: number];
 
 /** Where a thing is and how it is turned; metres. */
 export interface Placement {
   readonly position: Vector;
-  readonly rotation: Turn;
+  readonly rotation: Quaternion;
 }
 
 /** Where a scene wants its camera: angles in radians, lengths in metres. */
@@ -24,7 +23,7 @@ export interface CameraPose {
   /** Vertical field of view. */
   fieldOfView: number;
   /** However narrow the window, so much is seen from side to side. */
-  leastWidth?: number;
+  minWidth?: number;
   /** In the place of the distance: a metre is so many CSS pixels, so that smoke is as large in small pictures as in large. */
   pixelsPerMetre?: number;
 }
@@ -66,7 +65,7 @@ export interface Handle {
 }
 
 /** What a guide knows of the step that comes. All of it is in saved states, so that seeking and takes stay exact. */
-export interface Moment {
+export interface SceneState {
   /** Simulated time at the end of the coming step, seconds. */
   readonly seconds: number;
   /** Length of a step, seconds. */
@@ -78,7 +77,7 @@ export interface Moment {
 }
 
 /** The same, and what rules need besides. */
-export interface MovingMoment extends Moment {
+export interface MovingSceneState extends SceneState {
   /** Where a rigid was one step earlier. */
   readonly before: (rigid: number) => Placement;
 }
@@ -88,21 +87,21 @@ export interface MovingMoment extends Moment {
  * ones shall begin it, at rest. It keeps nothing itself; what must last from step to step is in the poses that it reads
  * back.
  */
-export type Guide = (moment: Moment) => readonly (Placement & { readonly rigid: number })[];
+export type Guide = (moment: SceneState) => readonly (Placement & { readonly rigid: number })[];
 
 /** Simulator values that follow from what the rigids do. No take and no link holds them: they are set again. */
 export interface Rule {
   /** Of all values that it ever sets. */
   readonly keys: readonly string[];
   /** What to set before the coming step, by flat key. As a guide it keeps nothing itself. */
-  readonly values: (moment: MovingMoment) => Readonly<Record<string, number>>;
+  readonly values: (moment: MovingSceneState) => Readonly<Record<string, number>>;
 }
 
 /**
  * Something that moves and that no smoke bumps into, such as a wheel: drawn where its pose says. Emitters and forces can
  * ride on it.
  */
-export interface Part {
+export interface MovingPart {
   /** What people call it. */
   readonly name: string;
   /** Number of the rigid that carries it, in whose space the pose is meant; the world's where absent. */
@@ -124,7 +123,7 @@ export interface Scene {
   rule?: Rule;
   surfaces: readonly SurfaceDescription[];
   /** In the order of the numbers by which surfaces name them, 64 at most. */
-  parts?: readonly Part[];
+  parts?: readonly MovingPart[];
   /** Meshes that emitters smoke from, in the order of their numbers; none of them is drawn. */
   emissionSurfaces?: readonly Pick<TriangleMesh, 'positions' | 'indices'>[];
   handle?: Handle;

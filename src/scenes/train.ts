@@ -2,10 +2,10 @@ import { cos, sin } from '../sim/exact/sine.ts';
 import { island, trees } from './models/island.ts';
 import { AXLES, CHIMNEY, CRANK, CYLINDER, locomotive, locomotiveHull, WHEEL_RADIUS } from './models/locomotive.ts';
 import { merged, placed, placement } from './models/place.ts';
-import { ringMesh } from './models/ring.ts';
 import { roundedBox } from './models/roundedBox.ts';
 import { wagon } from './models/wagons.ts';
-import type { Part, Placement, Scene } from './scene.ts';
+import type { MovingPart, Placement, Scene } from './scene.ts';
+import type { TriangleMesh } from '../passes/extrusion.ts';
 
 const LOCOMOTIVE = 0;
 /** Of the circle that the track runs in, and the height of the rails; metres. */
@@ -14,9 +14,9 @@ const RAIL = 0.13;
 /** m/s. */
 export const SPEED = 1.3;
 /** Both ends of the piston's way let steam out. */
-const CHUFFS_A_TURN = 2;
+const CHUFFS_A_REVOLUTION = 2;
 /** Seconds from one puff to the next. */
-export const CHUFF = (2 * Math.PI * WHEEL_RADIUS) / SPEED / CHUFFS_A_TURN;
+export const CHUFF = (2 * Math.PI * WHEEL_RADIUS) / SPEED / CHUFFS_A_REVOLUTION;
 
 /** Numbers of the parts. */
 const [FIRST_AXLE, RIGHT_ROD, LEFT_ROD, TENDER, YELLOW, BLUE] = [0, 3, 4, 5, 6, 7];
@@ -47,7 +47,7 @@ export function train(): Scene {
       })),
     ],
     camera: { target: [0, 0.95, 0], azimuth: 0.12, elevation: 0.36, distance: 10, fieldOfView: 0.58 },
-    portrait: { target: [0, 0.95, 0], elevation: 0.5, distance: 12.5, leastWidth: 0.5 },
+    portrait: { target: [0, 0.95, 0], elevation: 0.5, distance: 12.5, minWidth: 0.5 },
     cameraMove: (seconds) => ({ azimuth: 0.4 * sin(seconds / 9), elevation: 0.05 * sin(seconds / 5) }),
     backdrop: { top: [104, 184, 206], bottom: [252, 226, 188] },
   };
@@ -55,31 +55,31 @@ export function train(): Scene {
 
 /** The place on the track after so many seconds, so many metres behind the locomotive. */
 function onTrack(seconds: number, behind: number): Placement {
-  const turn = Math.PI * 0.98 - (SPEED * seconds - behind) / TRACK;
-  return placement([TRACK * cos(turn), RAIL, TRACK * sin(turn)], [0, Math.PI / 2 - turn, 0]);
+  const angle = Math.PI * 0.98 - (SPEED * seconds - behind) / TRACK;
+  return placement([TRACK * cos(angle), RAIL, TRACK * sin(angle)], [0, Math.PI / 2 - angle, 0]);
 }
 
 /** How far the driving wheels have turned, radians; forwards is negative about their axle, which looks to the right. */
-function wheelTurn(seconds: number): number {
+function wheelAngle(seconds: number): number {
   return (-SPEED * seconds) / WHEEL_RADIUS;
 }
 
-function axle(index: number, name: string): Part {
+function axle(index: number, name: string): MovingPart {
   const radius = index < 2 ? WHEEL_RADIUS : WHEEL_RADIUS * 0.62;
   return {
     name,
     rigid: LOCOMOTIVE,
-    pose: (seconds) => placement([AXLES[index], radius, 0], [0, 0, (wheelTurn(seconds) * WHEEL_RADIUS) / radius]),
+    pose: (seconds) => placement([AXLES[index], radius, 0], [0, 0, (wheelAngle(seconds) * WHEEL_RADIUS) / radius]),
   };
 }
 
 /** A rod stays level while the cranks carry it round; the left ones are a quarter ahead, so that it never sticks. */
-function rod(lead: number, name: string): Part {
-  const place = (turn: number) => placement([CRANK * cos(turn), CRANK * sin(turn), 0]);
-  return { name, rigid: LOCOMOTIVE, pose: (seconds) => place(wheelTurn(seconds) + lead) };
+function rod(lead: number, name: string): MovingPart {
+  const place = (angle: number) => placement([CRANK * cos(angle), CRANK * sin(angle), 0]);
+  return { name, rigid: LOCOMOTIVE, pose: (seconds) => place(wheelAngle(seconds) + lead) };
 }
 
-const PARTS: readonly Part[] = [
+const PARTS: readonly MovingPart[] = [
   axle(0, 'Rear wheels'),
   axle(1, 'Middle wheels'),
   axle(2, 'Front wheels'),
@@ -98,10 +98,10 @@ const TREES = [[-0.55, -0.5, 1.15], [0.35, -0.85, 0.95], [0.95, -0.2, 0.75], [-1
 /** A bed of gravel, sleepers, and two rails. */
 function track(): Scene['surfaces'] {
   const sleepers = Array.from({ length: 44 }, (_, index) => {
-    const turn = (2 * Math.PI * index) / 44;
+    const angle = (2 * Math.PI * index) / 44;
     return placed(roundedBox([0.055, 0.03, 0.3], 0.02, 3), {
-      at: [TRACK * cos(turn), 0.07, TRACK * sin(turn)],
-      turn: [0, Math.PI / 2 - turn, 0],
+      at: [TRACK * cos(angle), 0.07, TRACK * sin(angle)],
+      angles: [0, Math.PI / 2 - angle, 0],
     });
   });
   const rail = (radius: number) => ringMesh(radius - 0.022, radius + 0.022, 0.06, RAIL);
@@ -163,3 +163,33 @@ const RIG: Readonly<Record<string, number>> = {
   'buoyancy.coolingTime': 3,
   'drag.rate': 1.7,
 };
+
+/**
+ * A flat ring about the vertical with a square section, closed, with sharp edges.
+ * @param inner, outer radii; metres, as are the heights of its lower and its upper face
+ */
+function ringMesh(inner: number, outer: number, bottom: number, top: number, segments = 96): TriangleMesh {
+  const positions: number[] = [];
+  const normals: number[] = [];
+  const indices: number[] = [];
+  const band = (from: readonly [number, number], to: readonly [number, number], out: number, up: number) => {
+    const first = positions.length / 3;
+    for (let segment = 0; segment < segments; segment++) {
+      const angle = (2 * Math.PI * segment) / segments;
+      const [x, z] = [cos(angle), sin(angle)];
+      for (const [radius, height] of [from, to]) positions.push(radius * x, height, radius * z);
+      for (let end = 0; end < 2; end++) normals.push(out * x, up, out * z);
+      const [here, next] = [first + 2 * segment, first + 2 * ((segment + 1) % segments)];
+      indices.push(here, here + 1, next + 1, here, next + 1, next);
+    }
+  };
+  band([outer, bottom], [outer, top], 1, 0);
+  band([outer, top], [inner, top], 0, 1);
+  band([inner, top], [inner, bottom], -1, 0);
+  band([inner, bottom], [outer, bottom], 0, -1);
+  return {
+    positions: Float32Array.from(positions),
+    normals: Float32Array.from(normals),
+    indices: Uint32Array.from(indices),
+  };
+}

@@ -11,7 +11,7 @@ export function wisp(): Scene {
     rigidNames: [],
     surfaces: teacup(),
     camera: { target: [0.06, 1.5, 0], azimuth: 0.12, elevation: 0.26, distance: 6.4, fieldOfView: 0.58 },
-    portrait: { distance: 7.2, target: [0.05, 1.2, 0], leastWidth: 0.42 },
+    portrait: { distance: 7.2, target: [0.05, 1.2, 0], minWidth: 0.42 },
     cameraMove: (seconds) => ({ azimuth: 0.22 * sin(seconds / 6), elevation: 0.04 * sin(seconds / 4.1) }),
     backdrop: { top: [92, 148, 162], bottom: [246, 214, 176] },
   };

@@ -7,7 +7,7 @@ export function secondsAt(steps: number, blend: number): number {
 }
 
 // A machine that cannot keep up shows slow motion instead of falling ever further behind.
-const MOST_STEPS_A_TICK = 4;
+const MAX_STEPS_A_TICK = 4;
 
 /** Turns real time into whole steps and the fraction of a step that the picture stands beyond the last but one. */
 export class Clock {
@@ -33,7 +33,7 @@ export class Clock {
   tick(now: number): number {
     const elapsed = this.last === undefined ? 0 : Math.max(0, now - this.last) / 1000;
     this.last = now;
-    this.owed = Math.min(this.owed + (elapsed * this.speed) / STEP_SECONDS, MOST_STEPS_A_TICK + 0.999);
+    this.owed = Math.min(this.owed + (elapsed * this.speed) / STEP_SECONDS, MAX_STEPS_A_TICK + 0.999);
     const steps = Math.floor(this.owed);
     this.owed -= steps;
     return steps;

@@ -2,9 +2,9 @@
  * Fetches and instantiates the WASM of the simulator, once a variant, and makes simulators from it.
  */
 import { LoadError, UnsupportedError } from '../preset/errors.ts';
-import { inTime, whenLate } from '../preset/patience.ts';
+import { inTime, whenLate } from '../preset/timeout.ts';
 import type { TakeInfo } from './input.ts';
-import { explainRefusal, isRefusal } from './refusal.ts';
+import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
 import { Simulator, type SimulatorModule, type SimulatorOptions } from './simulator.ts';
 
 /** How far a download is; `total` is undefined when the server does not tell. Bytes after decompression. */
@@ -41,7 +41,7 @@ export class SimulatorFactory {
     try {
       return this.module.bindings.readTake(bytes) as TakeInfo;
     } catch (error) {
-      throw isRefusal(error) ? explainRefusal(error) : error;
+      throw isSimulatorRejection(error) ? errorOfSimulator(error) : error;
     }
   }
 }

@@ -3,7 +3,7 @@
  */
 import { ParameterError } from '../preset/errors.ts';
 import { requireIndices } from './indices.ts';
-import { poseNumbers, type Quaternion, type Triple } from './pose.ts';
+import { poseNumbers, type QuaternionLike, type Triple } from './pose.ts';
 import { pathNumbers, spinNumbers, type RigidPath, type RigidSpin } from './rigidPath.ts';
 
 /** A single shape stands around its own origin; capsule and cylinder along y. Lengths in metres. */
@@ -24,7 +24,7 @@ export interface RigidPart {
   /** Metres. */
   position: Triple;
   /** Unit quaternion x, y, z, w; no rotation when left out. */
-  rotation?: Quaternion;
+  rotation?: QuaternionLike;
 }
 
 /** One shape, or 1 to 64 of them that move as one. */
@@ -38,7 +38,7 @@ export interface RigidDescription {
   /** Metres. */
   position: Triple;
   /** Unit quaternion x, y, z, w; no rotation when left out. */
-  rotation?: Quaternion;
+  rotation?: QuaternionLike;
   /** 0 (default): nothing bounces. 1: particles and rigids keep their speed. */
   restitution?: number;
   /** 0: smooth. 1: what touches it keeps no speed along it. Default 0.5. */

@@ -2,7 +2,7 @@
  * Paths and spin of kinematic rigids as a caller describes them, and as they cross into WASM.
  */
 import { ParameterError } from '../preset/errors.ts';
-import { poseNumbers, type Quaternion, type Triple } from './pose.ts';
+import { poseNumbers, type QuaternionLike, type Triple } from './pose.ts';
 
 /** A pose at a time of the simulator (s). */
 export interface Keyframe {
@@ -10,7 +10,7 @@ export interface Keyframe {
   /** Metres, world space. */
   position: Triple;
   /** Unit quaternion x, y, z, w; no rotation when left out. */
-  rotation?: Quaternion;
+  rotation?: QuaternionLike;
 }
 
 /**

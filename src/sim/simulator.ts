@@ -8,11 +8,11 @@ import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';
 import { requireIndices } from './indices.ts';
 import type { JointDescription } from './joint.ts';
 import { blendPose, poseNumbers } from './pose.ts';
-import { explainRefusal, isRefusal } from './refusal.ts';
+import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
 import type { RigidDescription } from './rigid.ts';
 import type * as RigidNumbers from './rigidNumbers.ts';
 import type { RigidPath, RigidSpin } from './rigidPath.ts';
-import { LOOK_WORDS, PLACE_FLOATS, POSE_FLOATS, RIGID_FLOATS, type Rows } from './rows.ts';
+import { ATTRIBUTE_WORDS, PLACE_FLOATS, POSE_FLOATS, RIGID_FLOATS, type Rows } from './rows.ts';
 import { VIEW_FLOATS, viewLength, writeView, type CoverageGrid, type View } from './view.ts';
 
 /** An instantiated module: its functions and its memory. */
@@ -171,7 +171,7 @@ export class Simulator {
       return {
         count,
         place: new Float32Array(buffer, this.#handle.placePointer, count * PLACE_FLOATS),
-        look: new Uint32Array(buffer, this.#handle.lookPointer, count * LOOK_WORDS),
+        attributes: new Uint32Array(buffer, this.#handle.lookPointer, count * ATTRIBUTE_WORDS),
       };
     });
   }
@@ -398,7 +398,7 @@ export class Simulator {
   }
 
   #explain(error: unknown): Error {
-    if (isRefusal(error)) return explainRefusal(error);
+    if (isSimulatorRejection(error)) return errorOfSimulator(error);
     if (!(error instanceof WebAssembly.RuntimeError)) {
       return new SimulatorError(`The simulator refused a call: ${String(error)}`, { cause: error });
     }

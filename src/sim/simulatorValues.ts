@@ -1,4 +1,4 @@
-import { MOST_STOPS, readCurve, writeCurve } from '../preset/curve.ts';
+import { MAX_STOPS, readCurve, writeCurve } from '../preset/curve.ts';
 import type { Parameter, Value, Values } from '../preset/parameter.ts';
 import { findParameter, table } from '../preset/table.ts';
 import type { Simulator } from './simulator.ts';
@@ -19,7 +19,7 @@ export function simulatorValues(values: Values): Record<string, number> {
 function stopsOf(curve: string): Record<string, number> {
   const stops = readCurve(curve)!;
   const numbers: Record<string, number> = {};
-  for (let index = 0; index < MOST_STOPS; index++) {
+  for (let index = 0; index < MAX_STOPS; index++) {
     const { at, value } = stops[Math.min(index, stops.length - 1)];
     numbers[`density.${index}.age`] = at;
     numbers[`density.${index}.value`] = value;
@@ -55,7 +55,7 @@ export function valuesIn(simulator: Simulator, values: Values, rig: Readonly<Rec
 function curveIn(numbers: ReadonlyMap<string, number>, known: string): string {
   const isKnown = Object.entries(stopsOf(known)).every(([key, number]) => numbers.get(key) === number);
   if (isKnown) return known;
-  const stops = Array.from({ length: MOST_STOPS }, (_, index) => ({
+  const stops = Array.from({ length: MAX_STOPS }, (_, index) => ({
     at: numbers.get(`density.${index}.age`) ?? 1,
     value: numbers.get(`density.${index}.value`) ?? 0,
   }));

@@ -83,14 +83,14 @@ export interface CoverageView {
   lifters: readonly (readonly number[])[];
   /** Radii behind the centre at which volumes start, at least and at most, before the shear of nailboards moves it. */
   capRange: readonly [number, number];
-  /** The same by the direction of the light, as src/puffs/startCaps.ts tabulates it; where absent, the range holds for all. */
+  /** The same by the direction of the light, as src/puffs/bake/startCaps.ts tabulates it; where absent, the range holds for all. */
   startCaps?: { readonly values: Float32Array };
   /** Radii behind the centre plane that a puff can be seen at; the shear depends on it. */
   depth: number;
   solids: Solids;
 }
 
-/** The balls that puffs consist of, in their radii; see src/puffs/solids.ts. */
+/** The balls that puffs consist of, in their radii; see src/puffs/bake/solids.ts. */
 export interface Solids {
   readonly table: Float32Array;
   /** 4, 8 or 12. */

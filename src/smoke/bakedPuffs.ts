@@ -1,14 +1,14 @@
 import type { BakedPuffs } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
-import { bakingLobes } from '../puffs/bakeLobes.ts';
-import { Kept } from '../puffs/kept.ts';
+import { bakingLobes } from '../puffs/bake/bakeLobes.ts';
+import { LruCache } from '../puffs/lru.ts';
 import { LOBE_SHAPES } from '../puffs/lobeShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { finished, type Work } from '../puffs/work.ts';
 import { codeOf, here } from './extraPasses.ts';
 
 /** Smokes whose puffs are the same object share their textures on a device. */
-const kept = new Kept<BakedPuffs>(8);
+const cache = new LruCache<BakedPuffs>(8);
 /** Puffs that somebody bakes; who wants the same goes on with them. */
 const begun = new Map<string, Work<BakedPuffs>>();
 
@@ -25,7 +25,7 @@ export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuf
 export function* bakingPuffs(shapes: readonly PuffShape[], withBillboards = false): Work<BakedPuffs> {
   const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
   for (;;) {
-    const puffs = kept.get(key) ?? workOn(key, () => bakingNew(shapes));
+    const puffs = cache.get(key) ?? workOn(key, () => bakingNew(shapes));
     if (puffs && withBillboards) yield* here.billboards?.bakingBillboards(shapes) ?? [];
     if (puffs) return puffs;
     yield;
@@ -37,7 +37,7 @@ function workOn(key: string, begin: () => Work<BakedPuffs>): BakedPuffs | undefi
   const work = begun.get(key) ?? begin();
   begun.delete(key);
   const { done, value } = work.next();
-  if (done) kept.add(key, value);
+  if (done) cache.add(key, value);
   else begun.set(key, work);
   return done ? value : undefined;
 }

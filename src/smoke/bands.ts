@@ -1,5 +1,5 @@
 import { blendedAt, toneAt, type Bands, type Color, type Tone } from '../device/ramps.ts';
-import { LOOK_TEMPERATURE_MAX } from '../sim/rows.ts';
+import { TEMPERATURE_MAX } from '../sim/rows.ts';
 import { multiply } from './palette.ts';
 
 /** What colours smoke over its life; see Style. */
@@ -31,7 +31,7 @@ export function bandsOf(coloring: Coloring, first: number): { colors: Color[]; b
   const colors = byHeat.flatMap((heat) => byAge.map((age) => multiply(age.color, heat.color)));
   const bands = {
     ages: BYTES.map((byte) => first + toneAt(byAge, byte / 256)),
-    temperatures: BYTES.map((byte) => byAge.length * toneAt(byHeat, (byte / 255) * LOOK_TEMPERATURE_MAX)),
+    temperatures: BYTES.map((byte) => byAge.length * toneAt(byHeat, (byte / 255) * TEMPERATURE_MAX)),
   };
   return { colors, bands };
 }

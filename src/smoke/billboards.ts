@@ -5,14 +5,14 @@ import { BillboardTextures } from '../device/billboardTextures.ts';
 import type { BillboardPuffs } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
 import type { Shaders } from '../device/programsAhead.ts';
-import { castersOf } from '../puffs/casters.ts';
-import { findingFront } from '../puffs/fronts.ts';
-import { Kept } from '../puffs/kept.ts';
-import { bakingLayers } from '../puffs/layers.ts';
+import { castersOf } from '../puffs/billboards/casters.ts';
+import { findingFront } from '../puffs/billboards/fronts.ts';
+import { LruCache } from '../puffs/lru.ts';
+import { bakingLayers } from '../puffs/billboards/layers.ts';
 import { reachOf } from '../puffs/lobes.ts';
 import { billboardShapes, type PuffShape } from '../puffs/shapes.ts';
-import { solidsOf } from '../puffs/solids.ts';
-import { bakingTable, joined, latestCap } from '../puffs/startCaps.ts';
+import { solidsOf } from '../puffs/bake/solids.ts';
+import { bakingTable, joined, latestCap } from '../puffs/bake/startCaps.ts';
 import type { Work } from '../puffs/work.ts';
 
 /** What bodies draw them with. */
@@ -22,13 +22,13 @@ export const billboardShaders: Shaders = { vertexShader, fragmentShader };
 const LAYER_TOLERANCE = 0.06;
 const LAYER_BLUR = 3;
 
-const kept = new Kept<BillboardPuffs>(4);
+const cache = new LruCache<BillboardPuffs>(4);
 
 /** Bakes billboards in pieces of some milliseconds, or takes them from those that are kept. @param shapes seen from +z */
 export function* bakingBillboards(shapes: readonly PuffShape[]): Work<BillboardPuffs> {
   const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
-  const billboards = kept.get(key) ?? (yield* baking(billboardShapes(shapes)));
-  kept.add(key, billboards);
+  const billboards = cache.get(key) ?? (yield* baking(billboardShapes(shapes)));
+  cache.add(key, billboards);
   return billboards;
 }
 

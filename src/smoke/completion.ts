@@ -14,8 +14,8 @@ export interface Completion {
 /**
  * Brings what pictures need as they are asked for and is not here: all at once, however many wait for it.
  * @param wanted how pictures are asked for now
- * @param show told when something has come
- * @param miss told why something cannot be had, once, where nobody waits for it
+ * @param show called when something has come
+ * @param miss called with why something cannot be had, once, where nobody waits for it
  */
 export function completionOf(
   wanted: () => PictureKind,
@@ -23,7 +23,7 @@ export function completionOf(
   miss: (error: LoadError) => void,
 ): Completion {
   let fetching: Promise<void> | undefined;
-  let telling: Promise<void> | undefined;
+  let notifying: Promise<void> | undefined;
   const isComplete = () => hasExtras(wanted());
   const fetchMissing = async () => {
     while (!isComplete()) {
@@ -32,12 +32,12 @@ export function completionOf(
     }
   };
   const wait = () => (fetching ??= fetchMissing().finally(() => (fetching = undefined)));
-  const tell = (error: LoadError) => (isComplete() ? undefined : miss(error));
+  const notify = (error: LoadError) => (isComplete() ? undefined : miss(error));
   const begin = () => {
     if (!isComplete())
-      telling ??= wait()
-        .catch(tell)
-        .finally(() => (telling = undefined));
+      notifying ??= wait()
+        .catch(notify)
+        .finally(() => (notifying = undefined));
   };
   return { wait, begin };
 }

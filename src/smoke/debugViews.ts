@@ -1,21 +1,21 @@
-import type { Eye } from '../device/eye.ts';
+import type { FrameView } from '../device/frameView.ts';
 import { DebugViewsPass } from '../passes/debugViews.ts';
 import type { DebugView } from '../preset/quality.ts';
 import type { CoverageGrid } from '../sim/view.ts';
-import type { FrameInput } from './frame.ts';
-import type { SmokePasses } from './smoke.ts';
+import type { FrameInput } from './frameInput.ts';
+import type { SmokePasses } from './smokePasses.ts';
 
 /** Shows what the passes work with instead of the picture. */
 export class DebugViews {
   private readonly pass: DebugViewsPass;
 
-  constructor(eye: Eye) {
+  constructor(eye: FrameView) {
     this.pass = new DebugViewsPass(eye);
   }
 
   /** Takes up the grid by which hidden bodies were found, for the view of it. */
-  layGrid(grid: CoverageGrid | undefined): void {
-    this.pass.layGrid(grid);
+  setGrid(grid: CoverageGrid | undefined): void {
+    this.pass.setGrid(grid);
   }
 
   /** Goes on from where the surfaces stand in the targets: as a frame does as far as the view goes, and then the view. */

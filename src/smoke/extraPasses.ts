@@ -3,14 +3,15 @@ import type { PuffForm } from '../device/puffTextures.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { DebugView } from '../preset/quality.ts';
 import { LoadError } from '../preset/errors.ts';
-import { inTime } from '../preset/patience.ts';
+import { inTime } from '../preset/timeout.ts';
 import type { DebugViews } from './debugViews.ts';
-import type { Rivals, RivalSources } from './rivals.ts';
+import type { ComparisonRenderers, ComparisonSources } from './comparisonRenderers.ts';
+import type { FrameExtras } from './smokePasses.ts';
 import type { Renderer } from './style.ts';
 
 const imports = {
   billboards: () => import('./billboards.ts'),
-  rivals: () => import('./rivals.ts'),
+  comparisons: () => import('./comparisonRenderers.ts'),
   debugViews: () => import('./debugViews.ts'),
   prismVolumes: () => import('../passes/prismVolumes.ts'),
 };
@@ -34,7 +35,10 @@ export interface PictureKind {
 function needsOf({ renderer, form, view, isFlat }: PictureKind): Partial<Record<Name, string>> {
   return {
     ...(form === 'billboards' && { billboards: 'Billboards' }),
-    ...(renderer !== 'nailboards' && { billboards: `The renderer ${renderer}`, rivals: `The renderer ${renderer}` }),
+    ...(renderer !== 'nailboards' && {
+      billboards: `The renderer ${renderer}`,
+      comparisons: `The renderer ${renderer}`,
+    }),
     ...(view && { debugViews: `The view ${view}` }),
     ...(isFlat && { prismVolumes: 'Shadows' }),
   };
@@ -74,18 +78,18 @@ async function bring(name: Name, called: string): Promise<void> {
 }
 
 /** What few smokes draw with, for one of them: each is made when it is first asked for; undefined while its code is not here. */
-export class ExtraPasses {
-  private readonly sources: RivalSources;
-  private madeRivals: Rivals | undefined;
+export class ExtraPasses implements FrameExtras {
+  private readonly sources: ComparisonSources;
+  private madeComparisons: ComparisonRenderers | undefined;
   private madeViews: DebugViews | undefined;
 
-  constructor(sources: RivalSources) {
+  constructor(sources: ComparisonSources) {
     this.sources = sources;
   }
 
-  get rivals(): Rivals | undefined {
-    if (here.rivals) this.madeRivals ??= new here.rivals.Rivals(this.sources);
-    return this.madeRivals;
+  get comparisons(): ComparisonRenderers | undefined {
+    if (here.comparisons) this.madeComparisons ??= new here.comparisons.ComparisonRenderers(this.sources);
+    return this.madeComparisons;
   }
 
   get debugViews(): DebugViews | undefined {
@@ -100,7 +104,7 @@ export class ExtraPasses {
 
   /** Lets go of everything; a pass that is drawn again makes its own anew. */
   dispose(): void {
-    this.madeRivals?.dispose();
+    this.madeComparisons?.dispose();
     this.madeViews?.dispose();
   }
 }

@@ -1,61 +1,12 @@
-import { Box3, Vector3, type Camera, type Matrix4, type WebGLRenderTarget } from 'three';
-import type { DebugView } from '../preset/quality.ts';
-import type { Rows } from '../sim/rows.ts';
-import type { Bounds } from '../sim/simulator.ts';
-import type { CoverageGrid, View } from '../sim/view.ts';
-import { homogeneous, type Light } from './light.ts';
-import type { SmokePasses } from './smoke.ts';
-import { THROWS_SHADOW, type Style } from './style.ts';
+import { Box3, Vector3 } from 'three';
+import { homogeneous } from './light.ts';
+import type { SmokePasses } from './smokePasses.ts';
+import { THROWS_SHADOW } from './style.ts';
 import { eyeView, lightView, shownWithin, smokeBox } from './views.ts';
+import type { FrameInput, FrameReport } from './frameInput.ts';
 
 /** Film is drawn on twos: lines boil at half of 24 frames a second. */
 const DRAWINGS_PER_SECOND = 12;
-
-/** The part of a simulator that a frame needs: rows for a view, and the box of what lives. */
-export interface Arranger {
-  arrange(view: View): Rows;
-  readonly bounds: Bounds;
-  /** Of the last arrange. */
-  readonly coverageGrid?: CoverageGrid;
-}
-
-/** What one frame is drawn from. */
-export interface FrameInput {
-  simulator: Arranger;
-  camera: Camera;
-  light: Light;
-  style: Style;
-  /** Where between the previous step (0) and now (1) the picture stands. */
-  blend: number;
-  /** Simulated seconds, by which lines boil; 0 where absent. */
-  time?: number;
-  /** Size of the picture in pixels, and how many of them make a CSS pixel. */
-  width: number;
-  height: number;
-  pixelRatio: number;
-  /** World transforms of the rigids, by their number. */
-  rigids: readonly Matrix4[];
-  /** World transforms of the parts that ride on them or on nothing, by their number. */
-  parts?: readonly Matrix4[];
-  /** What else can receive a shadow besides surfaces and smoke, world space. */
-  receivers?: Box3;
-  /** Leaves out bodies and casters that cannot show; the picture is the same either way. */
-  cull: boolean;
-  /** What is shown instead of the picture, if anything; other renderers than nailboards have no views. */
-  view?: DebugView;
-  /** Leaves out what lies behind everything. */
-  isTransparent?: boolean;
-  /** Where the picture goes; null is the canvas. */
-  output: WebGLRenderTarget | null;
-}
-
-/** What a frame did. */
-export interface FrameReport {
-  bodiesDrawn: number;
-  castersDrawn: number;
-  /** Milliseconds spent in the simulator's arrange. */
-  arrangeMs: number;
-}
 
 /**
  * The whole frame, in order:
@@ -71,7 +22,7 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   passes.surfaces.draw(renderer);
   passes.creases.draw(renderer);
   passes.surfaceDepth.draw(renderer, targets, input.style.outlines);
-  if (input.style.renderer !== 'nailboards') passes.extras.rivals!.draw(input.style.renderer, passes, input);
+  if (input.style.renderer !== 'nailboards') passes.extras.comparisons!.draw(input.style.renderer, passes, input);
   else if (input.view) passes.extras.debugViews!.draw(input.view, passes, input);
   else drawNailboards(passes, input);
   return report;
@@ -102,7 +53,7 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
 
   const started = performance.now();
   bodies.fill(input.simulator.arrange(eyeView(passes, input)));
-  if (input.view === 'coverage') passes.extras.debugViews!.layGrid(input.simulator.coverageGrid);
+  if (input.view === 'coverage') passes.extras.debugViews!.setGrid(input.simulator.coverageGrid);
   const receivers = receiversOf(passes, input);
   eye.receive(receivers);
   const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];

@@ -6,7 +6,7 @@ import { finished, workedFor, type Work } from '../puffs/work.ts';
 import { bakingPuffs } from './bakedPuffs.ts';
 
 /** What to bake, and a text that is the same for the same puffs. */
-interface Order {
+interface PuffRequest {
   readonly key: string;
   begin(): Work<BakedPuffs>;
 }
@@ -18,12 +18,12 @@ interface Order {
 export class LivePuffs {
   private own: readonly PuffShape[] | undefined;
   private variations = 1;
-  private wanted: Order;
+  private wanted: PuffRequest;
   private standing = '';
   private baking: { readonly key: string; readonly work: Work<BakedPuffs> } | undefined;
 
   constructor(values: Values) {
-    this.wanted = this.orderOf(values);
+    this.wanted = this.requestOf(values);
   }
 
   /** The shapes that somebody brought, if anybody has. */
@@ -37,7 +37,7 @@ export class LivePuffs {
    */
   follow(values: Values, alive = 0): void {
     this.variations = Math.max(this.variations, alive);
-    this.wanted = this.orderOf(values);
+    this.wanted = this.requestOf(values);
   }
 
   /** Asks for shapes that somebody brought, or again for those that values describe. */
@@ -72,7 +72,7 @@ export class LivePuffs {
     return puffs;
   }
 
-  private orderOf(values: Values): Order {
+  private requestOf(values: Values): PuffRequest {
     this.variations = Math.max(this.variations, values['puff.variations'] as number);
     const { own, variations } = this;
     const design = designOf(values);

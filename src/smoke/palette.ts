@@ -77,7 +77,7 @@ function rampOfStops(color: Color, stops: readonly Tone[], { shading, isBlended 
 }
 
 /** N.L from which a lit pixel differs from one in shadow; -1 where it does whatever N.L is. */
-export function turnOf(toning: Toning): number {
+export function litThresholdOf(toning: Toning): number {
   if (isFlat(toning)) return -1;
   const { lit, isBlended } = rampOf(WHITE, toning);
   return lit[isBlended ? 0 : 1].from;

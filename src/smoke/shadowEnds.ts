@@ -37,7 +37,7 @@ export class ShadowEnds {
    */
   find(casters: Float32Array, widest: number, receivers: Receivers, travel: Vector3, ends: Float32Array): void {
     this.face(travel);
-    this.lay(receivers.bodies, receivers.reach);
+    this.fill(receivers.bodies, receivers.reach);
     for (let row = 0; 4 * row < casters.length; row++) {
       const radius = widest * casters[4 * row + 3];
       const depth = at(casters, row, this.travel);
@@ -56,7 +56,7 @@ export class ShadowEnds {
   }
 
   /** Keeps in each cell how far along the light the last puff over it reaches. */
-  private lay(bodies: Float32Array, reach: number): void {
+  private fill(bodies: Float32Array, reach: number): void {
     this.measure(bodies, reach);
     this.farthest.fill(-Infinity);
     for (let row = 0; 4 * row < bodies.length; row++) {
@@ -76,14 +76,14 @@ export class ShadowEnds {
   private measure(bodies: Float32Array, reach: number): void {
     let side = 0;
     [this.right, this.up].forEach((axis, index) => {
-      let [least, most] = [Infinity, -Infinity];
+      let [min, max] = [Infinity, -Infinity];
       for (let row = 0; 4 * row < bodies.length; row++) {
         const [middle, radius] = [at(bodies, row, axis), reach * bodies[4 * row + 3]];
-        least = Math.min(least, middle - radius);
-        most = Math.max(most, middle + radius);
+        min = Math.min(min, middle - radius);
+        max = Math.max(max, middle + radius);
       }
-      this.corner[index] = least;
-      side = Math.max(side, most - least);
+      this.corner[index] = min;
+      side = Math.max(side, max - min);
     });
     this.perMetre = side > 0 ? CELLS / side : 0;
   }

@@ -1,57 +1,27 @@
-import type { Matrix4, WebGLRenderer } from 'three';
 import type { Device } from '../device/device.ts';
-import { Eye } from '../device/eye.ts';
-import { PuffTextures, type BakedPuffs, type PuffExtents, type PuffForm } from '../device/puffTextures.ts';
+import { FrameView } from '../device/frameView.ts';
+import { PuffTextures, type BakedPuffs } from '../device/puffTextures.ts';
 import { RampTexture, type Color } from '../device/ramps.ts';
-import { FRONT_AND_BACK, Casters, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
+import { FRONT_AND_BACK, CasterInstances, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
 import { BackdropPass } from '../passes/backdrop.ts';
 import { BodiesPass } from '../passes/bodies.ts';
 import { CreasesPass } from '../passes/creases.ts';
 import { MaskPass } from '../passes/mask.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
-import type { PrismVolumesPass } from '../passes/prismVolumes.ts';
 import { ResolvePass } from '../passes/resolve.ts';
 import { SurfacesPass, type SurfaceDescription } from '../passes/surfaces.ts';
 import { SurfaceDepthPass } from '../passes/surfaceDepth.ts';
 import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
 import { bakedPuffs } from './bakedPuffs.ts';
-import { arrangeFrame, drawFrame, type FrameInput, type FrameReport } from './frame.ts';
+import { arrangeFrame, drawFrame } from './frame.ts';
+import type { FrameInput, FrameReport } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
-import { plainColorOf, rampOf, smokeColorOf, surfaceToning, turnOf, washed } from './palette.ts';
+import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
 import { codeOf, ExtraPasses, hasExtras } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { inkLineOf, type Style } from './style.ts';
-
-/** Everything that a frame draws with; made once for a smoke. */
-export interface SmokePasses {
-  readonly renderer: WebGLRenderer;
-  readonly eye: Eye;
-  readonly targets: Targets;
-  readonly bodies: Instances;
-  readonly casters: Casters;
-  readonly shadowEnds: ShadowEnds;
-  readonly backdrop: BackdropPass;
-  readonly surfaces: SurfacesPass;
-  readonly creases: CreasesPass;
-  readonly surfaceDepth: SurfaceDepthPass;
-  readonly body: BodiesPass;
-  readonly meshVolumes: MeshVolumesPass;
-  readonly volumes: VolumesPass;
-  /** Instead of the volumes, where the depth that fragments write is not kept. */
-  readonly prismVolumes: PrismVolumesPass | undefined;
-  readonly mask: MaskPass;
-  readonly resolve: ResolvePass;
-  /** There is what the input of a frame asks for. */
-  readonly extras: ExtraPasses;
-  readonly hasBackdrop: boolean;
-  /** How far puffs of a form and their shadows reach. */
-  extentsOf(form: PuffForm): PuffExtents;
-  /** @param drawing the passes that draw surfaces; those of every frame where absent */
-  placeSurfaces(rigids: readonly Matrix4[], parts: readonly Matrix4[], drawing?: readonly DrawsSurfaces[]): void;
-}
-
-type DrawsSurfaces = Pick<SurfacesPass, 'place'>;
+import type { SmokePasses } from './smokePasses.ts';
 
 export interface SmokeOptions {
   /** The most particles it will ever be asked to draw. */
@@ -95,10 +65,10 @@ export class SmokeRenderer {
     this.backdrop = backdrop;
     this.puffs = new PuffTextures(device.puffs, puffs);
     this.ramps = new RampTexture(FIRST_SURFACE_RAMP + surfaces.length);
-    const eye = new Eye();
+    const eye = new FrameView();
     const isFlat = !device.writesDepth;
     const bodies = new Instances(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
-    const casters = new Casters(capacity, FRONT_AND_BACK);
+    const casters = new CasterInstances(capacity, FRONT_AND_BACK);
     const surfacesPass = new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces);
     const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0 || isGuest);
     const creases = new CreasesPass(eye, surfaces);
@@ -141,7 +111,7 @@ export class SmokeRenderer {
           for (const pass of drawing) pass.place(surface, transform, isVisible);
         }),
     };
-    // Told later, three.js would try to delete in the restored context what belonged to the lost one.
+    // Notified later, three.js would try to delete in the restored context what belonged to the lost one.
     this.stopListening = device.onContext((event) => (event === 'lost' ? this.release() : undefined));
   }
 
@@ -216,7 +186,7 @@ export class SmokeRenderer {
     body.setForm(extras.billboardsOf(style.form));
     surfaces.setInk(line, style.creases);
     this.passes.creases.setInk(style.creases ? line : { ...line, pixels: 0 });
-    volumes.follow(style.form, turnOf(style));
+    volumes.follow(style.form, litThresholdOf(style));
     prismVolumes?.follow();
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);
     resolve.setDeepShadow(style.deepShadow);

@@ -6,8 +6,8 @@ import type { Values } from '../preset/parameter.ts';
 import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
 /** How puffs become pixels: the product's own way, and three others to compare it with. */
-export type Renderer = 'nailboards' | Rival;
-export type Rival = 'selle' | 'sprites' | 'shadowMap';
+export type Renderer = 'nailboards' | ComparisonRenderer;
+export type ComparisonRenderer = 'selle' | 'sprites' | 'shadowMap';
 
 /** Which renderers ask for casters. */
 export const THROWS_SHADOW: Readonly<Record<Renderer, boolean>> = {

@@ -3,9 +3,9 @@ import { Box3, Vector3 } from 'three';
 import type { Bounds } from '../sim/simulator.ts';
 import { LIFTERS_LIMIT, type CoverageView, type View } from '../sim/view.ts';
 import { widestLine } from '../passes/ink.ts';
-import type { Eye } from '../device/eye.ts';
-import type { FrameInput } from './frame.ts';
-import type { SmokePasses } from './smoke.ts';
+import type { FrameView } from '../device/frameView.ts';
+import type { FrameInput } from './frameInput.ts';
+import type { SmokePasses } from './smokePasses.ts';
 import { inkLineOf } from './style.ts';
 
 /** Ink stands at most this far beside a puff, in its radii; see shaders/lib/ink.glsl. */
@@ -13,7 +13,7 @@ const WIDEST_RING = 0.3;
 /** So much nearer, for each unit beside its puff, a surface may lift it; see shaders/lib/contact.glsl. */
 const STEEPEST = 8;
 /** The simulator counts no farther. */
-const MOST_COVERS = 16;
+const MAX_COVERS = 16;
 
 export function eyeView(passes: SmokePasses, input: FrameInput): View {
   const { eye } = passes;
@@ -61,7 +61,7 @@ function coverageOf(
   { style, pixelRatio, receivers }: FrameInput,
   covers: number,
 ): CoverageView | undefined {
-  // The rivals draw what is hidden, too: they are compared as they are, and blended sprites shine through.
+  // The comparison renderers draw what is hidden, too: they are compared as they are, and blended sprites shine through.
   // Where bodies are as deep as their quads and shadows are prisms, the solids are not what is drawn.
   if (style.renderer !== 'nailboards' || passes.prismVolumes) return undefined;
   const { eye, volumes } = passes;
@@ -69,21 +69,21 @@ function coverageOf(
   const [nearest, farthest] = eye.range;
   const { pixels, swell } = inkLineOf(style, pixelRatio);
   return {
-    covers: covers > MOST_COVERS ? 0 : covers,
+    covers: covers > MAX_COVERS ? 0 : covers,
     pixel: eye.unitsPerPixel,
     nearest,
     farthest,
     lifters: liftersOf(passes, receivers),
     lift: STEEPEST * widestLine(pixels, swell) * eye.unitsPerPixel,
-    capRange: [Math.max(capRange[0], volumes.leastCap), Math.max(capRange[1], volumes.leastCap)],
+    capRange: [Math.max(capRange[0], volumes.minCap), Math.max(capRange[1], volumes.minCap)],
     depth,
     solids,
   };
 }
 
-/** The boxes of the surfaces, a stranger's as one; of too many, one that holds all. */
-function liftersOf({ surfaces }: SmokePasses, strangers: Box3 | undefined): number[][] {
-  const boxes = [...surfaces.worldBoxes(), ...(strangers && !strangers.isEmpty() ? [strangers] : [])];
+/** The boxes of the surfaces, the host's as one; of too many, one that holds all. */
+function liftersOf({ surfaces }: SmokePasses, hostBounds: Box3 | undefined): number[][] {
+  const boxes = [...surfaces.worldBoxes(), ...(hostBounds && !hostBounds.isEmpty() ? [hostBounds] : [])];
   const few = boxes.length > LIFTERS_LIMIT ? [boxes.reduce((all, box) => all.union(box), new Box3())] : boxes;
   return few.map(({ min, max }) => [...min.toArray(), ...max.toArray()]);
 }
@@ -98,6 +98,6 @@ export function smokeBox({ eye }: SmokePasses, { min, max, greatestRadius }: Bou
 }
 
 /** Radii from its centre within which everything is that is seen of a puff with a reach, moved by its relief and ink included. */
-export function shownWithin(reach: number, { steepestSlope }: Eye): number {
+export function shownWithin(reach: number, { steepestSlope }: FrameView): number {
   return (reach + WIDEST_RING) * (1 + steepestSlope);
 }

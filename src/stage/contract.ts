@@ -28,9 +28,9 @@ export interface StageOptions extends DeviceOptions {
   background?: boolean;
   /** Most bytes of states that are kept so that seeking backwards is quick, one a second; 64 MiB when left out. */
   historyBytes?: number;
-  /** Told how much of what must be fetched has come. */
+  /** Called with how much of what must be fetched has come. */
   onProgress?: (progress: LoadProgress) => void;
-  /** Told after each step of the simulator, also amid many that were asked for at once. */
+  /** Called after each step of the simulator, also amid many that were asked for at once. */
   onStep?: () => void;
   /** What goes wrong in the start, to try how an application copes. What is built does not heed it. */
   fault?: Fault;
@@ -64,12 +64,12 @@ export interface StageStats {
 }
 
 export interface EnterOptions {
-  /** Told how much of what must be fetched has come. */
+  /** Called with how much of what must be fetched has come. */
   onProgress?: (progress: LoadProgress) => void;
 }
 
 export interface SeekOptions {
-  /** Told how far the seek has come, 0 to 1. */
+  /** Called with how far the seek has come, 0 to 1. */
   onProgress?: (share: number) => void;
   /** Aborting stops the seek where it is; the promise then rejects with the signal's reason. */
   signal?: AbortSignal;

@@ -6,7 +6,7 @@ import { POSE_FLOATS } from '../sim/rows.ts';
 export const TUMBLED = [0.18, -0.16, 0.24, 0.94] as const;
 
 /** The ground of scenes that have one lies at about 0, metres; what is lower than the cellar carries what waits. */
-const LEAST_HEIGHT = 0.7;
+const MIN_HEIGHT = 0.7;
 const CELLAR = -100;
 const UNSCALED = new Vector3(1, 1, 1);
 
@@ -16,12 +16,12 @@ export class Dropped {
   /** Nothing begins to fall lower, metres. */
   private readonly least: number;
   private readonly places = new Map<number, Vector3>();
-  private readonly turn = new Quaternion(...TUMBLED).normalize();
+  private readonly rotation = new Quaternion(...TUMBLED).normalize();
 
   constructor({ drops = [], rigids }: Scene) {
     this.rigids = drops;
     const hasGround = rigids.some(({ kind, position }) => kind === 'fixed' && position[1] > CELLAR);
-    this.least = hasGround ? LEAST_HEIGHT : -Infinity;
+    this.least = hasGround ? MIN_HEIGHT : -Infinity;
   }
 
   get count(): number {
@@ -50,7 +50,7 @@ export class Dropped {
 
   /** Writes the world transforms of what has been put somewhere and does not fall yet. */
   show(matrices: readonly Matrix4[]): void {
-    for (const [rigid, place] of this.places) matrices[rigid].compose(place, this.turn, UNSCALED);
+    for (const [rigid, place] of this.places) matrices[rigid].compose(place, this.rotation, UNSCALED);
   }
 
   /** All of it falls now, or never was. */

@@ -1,6 +1,5 @@
 import { Clock } from '../sim/clock.ts';
 import { Governor } from './governor.ts';
-import { cancelFrame, requestFrame } from './nextFrame.ts';
 
 /** A frame of a capped loop may come so much earlier than it is due: screens do not keep time to the millisecond. */
 const EARLY_MS = 4;
@@ -111,4 +110,20 @@ export class FrameLoop {
       this.tasks.fail(error as Error);
     }
   };
+}
+
+/** The screen's next frame, on pages and in workers. */
+
+const INTERVAL_MS = 1000 / 60;
+
+/** Some browsers give workers a canvas but no frames; a timer stands in for them. */
+function requestFrame(callback: (now: number) => void): number {
+  if ('requestAnimationFrame' in globalThis) return requestAnimationFrame(callback);
+  const now = performance.now();
+  return Number(setTimeout(() => callback(performance.now()), INTERVAL_MS - (now % INTERVAL_MS)));
+}
+
+function cancelFrame(request: number): void {
+  if ('cancelAnimationFrame' in globalThis) cancelAnimationFrame(request);
+  else clearTimeout(request);
 }

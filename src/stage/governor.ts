@@ -13,8 +13,8 @@ const WINDOW_FRAMES = 8;
 /** So many slow windows one after the other are no passing load. */
 const SLOW_WINDOWS = 2;
 /** Calm milliseconds after which more pixels are tried. Each attempt that fails doubles the wait for the next. */
-const PATIENCE_MS = 4_000;
-const LONGEST_PATIENCE_MS = 120_000;
+const RETRY_DELAY_MS = 4_000;
+const MAX_RETRY_DELAY_MS = 120_000;
 /** Where a quarter of the pixels takes more than this share of the time, pixels are not what takes it. */
 const FUTILE = 0.9;
 const FUTILE_REST_MS = 300_000;
@@ -34,7 +34,7 @@ export class Governor {
   private windowMs = 0;
   private slowWindows = 0;
   private calmMs = 0;
-  private patienceMs = PATIENCE_MS;
+  private retryDelayMs = RETRY_DELAY_MS;
   private hasClimbed = false;
   /** Median of the frames that the way down from full scale began with. */
   private fullScaleMs = 0;
@@ -96,7 +96,7 @@ export class Governor {
   private descend(median: number): void {
     if (this.level === 0) this.fullScaleMs = median;
     if (!this.hasClimbed) return this.moveTo(this.levelFor(median), false);
-    this.patienceMs = Math.min(2 * this.patienceMs, LONGEST_PATIENCE_MS);
+    this.retryDelayMs = Math.min(2 * this.retryDelayMs, MAX_RETRY_DELAY_MS);
     this.moveTo(this.level + 1, false);
   }
 
@@ -116,9 +116,9 @@ export class Governor {
   private keepUp(): void {
     this.slowWindows = 0;
     this.calmMs += this.windowMs;
-    if (this.calmMs < this.patienceMs) return;
+    if (this.calmMs < this.retryDelayMs) return;
     // What was climbed to has held.
-    if (this.hasClimbed) this.patienceMs = PATIENCE_MS;
+    if (this.hasClimbed) this.retryDelayMs = RETRY_DELAY_MS;
     this.moveTo(Math.max(0, this.level - 1), this.level > 0);
   }
 

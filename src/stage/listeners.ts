@@ -13,7 +13,7 @@ export class Listeners<Events> {
     return (this.sets.get(name)?.size ?? 0) > 0;
   }
 
-  tell<Name extends keyof Events>(name: Name, detail: Events[Name]): void {
+  notify<Name extends keyof Events>(name: Name, detail: Events[Name]): void {
     for (const listener of this.sets.get(name) ?? []) (listener as (detail: Events[Name]) => void)(detail);
   }
 

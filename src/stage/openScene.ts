@@ -1,8 +1,8 @@
 import { LoadError } from '../preset/errors.ts';
-import { inTime } from '../preset/patience.ts';
+import { inTime } from '../preset/timeout.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
-import { prepareSurfaces } from '../smoke/prepareSurfaces.ts';
+import { prepareSurfaces } from '../smoke/prepare.ts';
 import { loadSimulators, type LoadOptions, type SimulatorFactory } from '../sim/load.ts';
 
 /** Scenes that somebody shows: stages of the same scene share its models and all that is made of them. */

@@ -5,7 +5,7 @@ import { requireFinite } from '../preset/values.ts';
 import type { CameraPose, Scene } from '../scenes/scene.ts';
 
 /** In a narrow window a scene that says nothing of it still gets this many radians from side to side. */
-const LEAST_WIDTH = 0.56;
+const MIN_WIDTH = 0.56;
 /** What is taken is rounded, so that whoever opens a link to it sees the very same picture. */
 const DECIMALS = { angle: 2, metres: 4 } as const;
 
@@ -57,7 +57,7 @@ export class OrbitCamera {
     const { target, azimuth, elevation, distance } = this.scenes();
     return rounded({
       ...targetValues(target),
-      'camera.azimuth': turned(MathUtils.radToDeg(azimuth)),
+      'camera.azimuth': wrapped(MathUtils.radToDeg(azimuth)),
       'camera.elevation': MathUtils.radToDeg(elevation),
       'camera.distance': distance,
     });
@@ -74,7 +74,7 @@ export class OrbitCamera {
   orbit(azimuth: number, elevation: number): void {
     const { theta, phi } = this.place;
     this.take({
-      'camera.azimuth': turned(MathUtils.radToDeg(theta + azimuth)),
+      'camera.azimuth': wrapped(MathUtils.radToDeg(theta + azimuth)),
       'camera.elevation': 90 - MathUtils.radToDeg(phi - elevation),
     });
   }
@@ -154,8 +154,8 @@ export class OrbitCamera {
   }
 
   private apply(): void {
-    const { fieldOfView, leastWidth = LEAST_WIDTH } = this.home;
-    const widened = 2 * Math.atan(Math.tan(leastWidth / 2) / this.camera.aspect);
+    const { fieldOfView, minWidth = MIN_WIDTH } = this.home;
+    const widened = 2 * Math.atan(Math.tan(minWidth / 2) / this.camera.aspect);
     this.camera.fov = MathUtils.radToDeg(Math.max(fieldOfView, widened));
     this.camera.updateProjectionMatrix();
     this.camera.position.setFromSpherical(this.place).add(this.target);
@@ -169,7 +169,7 @@ function targetValues({ x, y, z }: Vector3): Record<string, number> {
 }
 
 /** The same direction, within half a turn of 0. */
-function turned(degrees: number): number {
+function wrapped(degrees: number): number {
   return MathUtils.euclideanModulo(degrees + 180, 360) - 180;
 }
 

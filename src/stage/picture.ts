@@ -6,7 +6,7 @@ import type { Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import type { PictureKind } from '../smoke/extraPasses.ts';
-import type { FrameReport } from '../smoke/frame.ts';
+import type { FrameReport } from '../smoke/frameInput.ts';
 import { OrbitCamera } from './orbit.ts';
 import type { Presenter } from './presenter.ts';
 import { ShownSmoke } from './shownSmoke.ts';
@@ -16,7 +16,7 @@ const LARGEST_PIXEL_RATIO = 4;
 const BAKING_MS = 5;
 
 /** What a picture is drawn from. */
-export interface Moment {
+export interface PictureState {
   simulator: Simulator;
   /** World transforms of the rigids, by their number. */
   rigids: readonly Matrix4[];
@@ -148,7 +148,7 @@ export class Picture {
   }
 
   /** Draws a moment and shows it; false where nothing can be seen, or where the context is lost, even on the way. */
-  draw(moment: Moment): boolean {
+  draw(moment: PictureState): boolean {
     const { device } = this.presenter;
     if (!this.isVisible || !device.isUsable) return false;
     try {
@@ -171,7 +171,7 @@ export class Picture {
     this.presenter.dispose();
   }
 
-  private drawNow({ simulator, rigids, parts, blend, scale, isPlaying }: Moment): void {
+  private drawNow({ simulator, rigids, parts, blend, scale, isPlaying }: PictureState): void {
     this.smoke.bake(isPlaying ? BAKING_MS : Infinity);
     this.eye.follow(secondsAt(simulator.steps, blend));
     const started = performance.now();

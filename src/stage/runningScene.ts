@@ -14,12 +14,11 @@ import { Gestures } from './gestures.ts';
 import { Listeners } from './listeners.ts';
 import type { OpenedScene } from './openScene.ts';
 import type { OrbitCamera } from './orbit.ts';
-import { Picture, type Moment } from './picture.ts';
+import { Picture, type PictureState } from './picture.ts';
 import type { Presenter } from './presenter.ts';
 import { advanceTo } from './seek.ts';
 import { Sight } from './sight.ts';
 import { Simulation } from './simulation.ts';
-import { statsOf } from './stats.ts';
 
 const HISTORY_BYTES = 64 * 1024 * 1024;
 
@@ -54,7 +53,7 @@ export class RunningScene implements FrameTasks {
     this.completion = completionOf(
       () => this.picture.kind,
       () => this.show(() => undefined),
-      (error) => this.listeners.tell('error', error),
+      (error) => this.listeners.notify('error', error),
     );
     this.device = presenter.device;
     this.inFlight = new FramesInFlight(this.device);
@@ -106,13 +105,13 @@ export class RunningScene implements FrameTasks {
   }
 
   play(): void {
-    if (!this.hasEnded && this.loop.play()) this.tellState();
+    if (!this.hasEnded && this.loop.play()) this.notifyState();
   }
 
   /** Whether it was playing. */
   stop(): boolean {
     const hasStopped = this.loop.stop();
-    if (hasStopped) this.tellState();
+    if (hasStopped) this.notifyState();
     return hasStopped;
   }
 
@@ -191,7 +190,7 @@ export class RunningScene implements FrameTasks {
     this.now = values;
     this.picture.follow(values);
     this.completion.begin();
-    this.tellState();
+    this.notifyState();
   }
 
   /** Where a state comes from elsewhere, its particles may have variations that no value has told of. */
@@ -211,7 +210,7 @@ export class RunningScene implements FrameTasks {
       move(this.picture.eye);
       this.now = { ...this.now, ...this.picture.eye.held };
     });
-    this.tellState();
+    this.notifyState();
   }
 
   /**
@@ -229,8 +228,8 @@ export class RunningScene implements FrameTasks {
     if (!this.loop.isPlaying && !this.simulation.isSteered) this.show(() => this.gestures.showMoved());
   }
 
-  tellState(): void {
-    this.listeners.tell('statechange', { playing: this.loop.isPlaying });
+  notifyState(): void {
+    this.listeners.notify('statechange', { playing: this.loop.isPlaying });
   }
 
   /** Whether anybody can see the pictures. While nobody can, none are drawn; the latest comes when somebody can again. */
@@ -249,11 +248,11 @@ export class RunningScene implements FrameTasks {
     if (this.hasEnded) return;
     const { simulator } = this.simulation;
     const isDrawn = this.picture.draw({ ...this.transforms(), simulator, scale, isPlaying: this.loop.isPlaying });
-    if (isDrawn && this.listeners.has('frame')) this.listeners.tell('frame', this.stats);
+    if (isDrawn && this.listeners.has('frame')) this.listeners.notify('frame', this.stats);
   }
 
   /** Of rigids and parts at the moment that is shown. */
-  private transforms(): Pick<Moment, 'rigids' | 'parts' | 'blend'> {
+  private transforms(): Pick<PictureState, 'rigids' | 'parts' | 'blend'> {
     const { blend } = this.loop.clock;
     const rigids = this.gestures.rigids(blend);
     return { rigids, parts: this.simulation.parts(blend, rigids), blend };
@@ -283,7 +282,7 @@ export class RunningScene implements FrameTasks {
 
   private followContext(event: ContextEvent): void {
     if (event === 'restored') this.drawAnew();
-    if (event === 'missing') this.listeners.tell('error', missingContext());
+    if (event === 'missing') this.listeners.notify('error', missingContext());
   }
 
   private drawAnew(): void {
@@ -308,12 +307,37 @@ export class RunningScene implements FrameTasks {
 
   /** Playing has come to an end by an error. */
   fail(error: Error): void {
-    this.tellState();
-    this.listeners.tell('error', error);
+    this.notifyState();
+    this.listeners.notify('error', error);
   }
 }
 
 /** Of `values`, those that `before` has otherwise. */
 function differing(values: Values, before: Values): Values {
   return Object.fromEntries(Object.entries(values).filter(([key, value]) => before[key] !== value));
+}
+
+/** The figures of a stage as they are now. */
+function statsOf(
+  simulation: Simulation,
+  { smoke, report, renderMs, drawCalls, writesDepth, scale }: Picture,
+): StageStats {
+  const { alive, waiting, steps, inputCount, isTruncated } = simulation.simulator;
+  return {
+    time: steps * STEP_SECONDS,
+    steps,
+    alive,
+    waiting,
+    inputs: inputCount,
+    isTruncated,
+    historyBytes: simulation.historyBytes,
+    ...report,
+    bodiesTotal: alive,
+    castersTotal: smoke.throwsShadow ? alive : 0,
+    simMs: simulation.stepMs,
+    renderMs,
+    drawCalls,
+    writesDepth,
+    scale,
+  };
 }

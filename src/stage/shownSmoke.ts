@@ -5,7 +5,7 @@ import type { Values } from '../preset/parameter.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import type { Scene } from '../scenes/scene.ts';
 import type { PictureKind } from '../smoke/extraPasses.ts';
-import type { FrameInput, FrameReport } from '../smoke/frame.ts';
+import type { FrameInput, FrameReport } from '../smoke/frameInput.ts';
 import { lightOf, moved, type Light } from '../smoke/light.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';

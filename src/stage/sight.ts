@@ -3,7 +3,7 @@ import type { Vector } from '../scenes/scene.ts';
 import type { Picture } from './picture.ts';
 
 /** A place of the picture, CSS pixels from the top left. */
-export interface PicturePlace {
+export interface PicturePoint {
   x: number;
   y: number;
 }
@@ -39,7 +39,7 @@ export class Sight {
   }
 
   /** Where a place is seen; undefined behind the eye. */
-  project(place: Vector, carrier = -1): PicturePlace | undefined {
+  project(place: Vector, carrier = -1): PicturePoint | undefined {
     const point = this.toWorld(place, carrier);
     if (this.depthOf(point) <= 0) return undefined;
     const [width, height] = this.picture.size;

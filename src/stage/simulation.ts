@@ -1,7 +1,7 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
-import type { MovingMoment, Part, Placement, Scene } from '../scenes/scene.ts';
+import type { MovingSceneState, MovingPart, Placement, Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import { POSE_FLOATS } from '../sim/rows.ts';
@@ -10,7 +10,7 @@ import { ALL_THAT_LIVES } from '../sim/view.ts';
 import { Drag } from './drag.ts';
 import { Dropped, TUMBLED } from './dropped.ts';
 import { simulatorValues, valueOf, valuesIn } from '../sim/simulatorValues.ts';
-import { KeptStates } from './states.ts';
+import { SavedStates } from './states.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);
 /** A state is kept each second: saving one costs about as much as two steps. */
@@ -28,7 +28,7 @@ export class Simulation {
   private readonly factory: SimulatorFactory;
   private readonly scene: Scene;
   private readonly matrices: Matrix4[];
-  private readonly states: KeptStates;
+  private readonly states: SavedStates;
   private current: Simulator;
   private start: Values;
   private inputsSeen = 0;
@@ -44,7 +44,7 @@ export class Simulation {
     this.rig = rigValues(scene);
     this.matrices = scene.rigids.map(() => new Matrix4());
     this.dropped = new Dropped(scene);
-    this.states = new KeptStates(historyBytes);
+    this.states = new SavedStates(historyBytes);
     this.current = this.create(values);
     this.start = values;
     this.resetDrag();
@@ -201,9 +201,9 @@ export class Simulation {
 
   /** One more than the highest variation that a living particle has; 0 where none lives. */
   variationsAlive(): number {
-    const { count, look } = this.current.arrange({ ...ALL_THAT_LIVES, blend: 1 });
+    const { count, attributes } = this.current.arrange({ ...ALL_THAT_LIVES, blend: 1 });
     let variations = 0;
-    for (let row = 0; row < count; row++) variations = Math.max(variations, 1 + (look[2 * row + 1] & 0xff));
+    for (let row = 0; row < count; row++) variations = Math.max(variations, 1 + (attributes[2 * row + 1] & 0xff));
     return variations;
   }
 
@@ -254,11 +254,11 @@ export class Simulation {
   private guide(): void {
     const { guide, rule } = this.scene;
     if (!guide && !rule) return;
-    const moment = this.moment();
-    for (const { rigid, position, rotation } of guide?.(moment) ?? []) {
+    const sceneState = this.sceneState();
+    for (const { rigid, position, rotation } of guide?.(sceneState) ?? []) {
       this.current.moveRigid(rigid, position, rotation);
     }
-    if (rule) this.current.set(rule.values(moment));
+    if (rule) this.current.set(rule.values(sceneState));
   }
 
   /**
@@ -279,11 +279,11 @@ export class Simulation {
   }
 
   /** In the space of the rigids that carry them. */
-  private placedParts(seconds: number): readonly (Placement & Pick<Part, 'rigid'>)[] {
+  private placedParts(seconds: number): readonly (Placement & Pick<MovingPart, 'rigid'>)[] {
     return (this.scene.parts ?? []).map(({ rigid, pose }) => ({ rigid, ...pose(seconds) }));
   }
 
-  private moment(): MovingMoment {
+  private sceneState(): MovingSceneState {
     const { current } = this;
     const [then, now] = [current.rigidPoses(0), current.rigidPoses(1)];
     return {

@@ -6,13 +6,13 @@ import type { DebugView, Quality } from '../preset/quality.ts';
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { defaults, requireFinite, requireOptional, requireWhole, validate } from '../preset/values.ts';
-import { demandShapes } from '../puffs/demandShapes.ts';
+import { demandShapes } from '../puffs/lobes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
-import { compileAhead } from '../smoke/compileAhead.ts';
+import { compileAhead } from '../smoke/prepare.ts';
 import { fetchExtras, type PictureKind } from '../smoke/extraPasses.ts';
 import type { Renderer } from '../smoke/style.ts';
-import { bakeAhead } from './bakeAhead.ts';
+import { bakeAhead } from '../smoke/prepare.ts';
 import type { BlowInput } from './blow.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { openScene, type OpenedScene } from './openScene.ts';
@@ -103,7 +103,7 @@ export class Stage {
   set view(view: DebugView | undefined) {
     this.#running.show(() => (this.#picture.view = view));
     this.#running.completion.begin();
-    this.#running.tellState();
+    this.#running.notifyState();
   }
 
   /** Whether pictures show what lies behind everything; without it they are transparent there. */

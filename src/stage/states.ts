@@ -1,5 +1,5 @@
 /** A simulation saved after so many steps. */
-export interface KeptState {
+export interface SavedState {
   readonly step: number;
   readonly bytes: Uint8Array;
 }
@@ -8,9 +8,9 @@ export interface KeptState {
  * Saved states by step, within a budget. When it is spent, states go so that those that stay lie ever farther apart
  * the longer ago they are: a seek to any moment then steps on from one that is near for how far back it is.
  */
-export class KeptStates {
+export class SavedStates {
   private readonly budget: number;
-  private states: KeptState[] = [];
+  private states: SavedState[] = [];
   private size = 0;
 
   /** @param budget in bytes */
@@ -32,15 +32,15 @@ export class KeptStates {
   }
 
   /** Keeps a state at a step that has none. */
-  add(state: KeptState): void {
+  add(state: SavedState): void {
     const at = this.states.findIndex(({ step }) => step > state.step);
     this.states.splice(at < 0 ? this.states.length : at, 0, state);
     this.size += state.bytes.length;
-    while (this.size > this.budget) this.remove(this.mostDispensable());
+    while (this.size > this.budget) this.remove(this.indexToDrop());
   }
 
   /** The latest state that is not later than `step`. */
-  latest(step: number): KeptState | undefined {
+  latest(step: number): SavedState | undefined {
     return this.states.findLast((state) => state.step <= step);
   }
 
@@ -59,7 +59,7 @@ export class KeptStates {
   }
 
   /** The state without which the gap is smallest, compared with how long ago it is. The last goes only by itself. */
-  private mostDispensable(): number {
+  private indexToDrop(): number {
     const last = this.states.length - 1;
     const steps = this.states.map(({ step }) => step);
     let [best, least] = [last, Infinity];

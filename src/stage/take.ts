@@ -40,7 +40,7 @@ export function takeOf(bytes: Uint8Array, { note, end, ...info }: TakeInfo): Tak
   return { ...info, values: valuesOf(note), steps: end, toBytes: () => bytes.slice() };
 }
 
-/** Values that a stranger wrote: keys that the table does not have are left out, values that it does not take refused. */
+/** Untrusted values: keys that the table does not have are left out, values that it does not take refused. */
 function valuesOf(note: string): Values {
   const found = Object.entries(readNote(note)).flatMap(([key, value]): [string, Value][] => {
     const parameter = findParameter(key);
@@ -56,7 +56,7 @@ function readNote(note: string): object {
     const { values } = JSON.parse(note) as { values?: unknown };
     if (typeof values === 'object' && values !== null) return values;
   } catch {
-    // Told below, as for a note that is well-formed and says nothing.
+    // Reported below, as for a note that is well-formed and says nothing.
   }
   throw new SimulatorError('The take was not recorded by a stage.');
 }

@@ -6,7 +6,7 @@ import { writeFileSync } from 'node:fs';
 import { PNG } from 'pngjs';
 import { meetLobes, sampleLobes } from '../../src/puffs/lobes.ts';
 import { DEFAULT_DESIGN, designedShapes } from '../../src/puffs/lobeShapes.ts';
-import { orientationOf, turnedLobes } from '../../src/puffs/orientation.ts';
+import { orientationOf, rotatedLobes } from '../../src/puffs/orientation.ts';
 import type { Lobe, PuffShape } from '../../src/puffs/shapes.ts';
 import { dot, normalized } from '../../src/puffs/vector.ts';
 
@@ -35,8 +35,8 @@ function sheetShapes(): PuffShape[] {
     { lobes: 12 },
     { seed: 1 },
   ];
-  const turned = ends.flatMap((end) => designedShapes({ ...DEFAULT_DESIGN, ...end }, 1));
-  return [...designedShapes(DEFAULT_DESIGN, CHOSEN), ...turned];
+  const varied = ends.flatMap((end) => designedShapes({ ...DEFAULT_DESIGN, ...end }, 1));
+  return [...designedShapes(DEFAULT_DESIGN, CHOSEN), ...varied];
 }
 
 /** Writes the sheet as a PNG. */
@@ -44,7 +44,7 @@ export function writeSheet(file: string, shapes = sheetShapes()): void {
   const png = new PNG({ width: COLUMNS * TILE, height: shapes.length * TILE });
   shapes.forEach(({ lobes }, row) => {
     for (let column = 0; column < COLUMNS; column++) {
-      const view = turnedLobes(orientationOf((53 * column) % 256, column * 0.9), lobes);
+      const view = rotatedLobes(orientationOf((53 * column) % 256, column * 0.9), lobes);
       for (let pixel = 0; pixel < TILE * TILE; pixel++) {
         const [i, j] = [pixel % TILE, Math.floor(pixel / TILE)];
         const at = (row * TILE + j) * png.width + column * TILE + i;

@@ -1,8 +1,8 @@
 /** A contact sheet of the baked puffs: the four channels side by side on white paper. */
 import { writeFileSync } from 'node:fs';
 import { PNG } from 'pngjs';
-import { channelSheet } from '../../src/puffs/channelSheet.ts';
-import { bakePuffs } from '../../src/puffs/layers.ts';
+import { channelSheet } from '../../src/puffs/billboards/channelSheet.ts';
+import { bakePuffs } from '../../src/puffs/billboards/layers.ts';
 import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
 
 /** Pixels along each side of a puff's tile, and around the channels. */

@@ -39,12 +39,12 @@ async function costOf(page: Page): Promise<Cost> {
 
 test('fetches nothing heavy before its figures near, shifts nothing, and holds the page up by little', async ({
   page,
-  host,
+  openPage,
   server,
 }) => {
-  await host(LONG, { script: `${STYLE}${METER}` });
+  await openPage(LONG, { script: `${STYLE}${METER}` });
   const without = await costOf(page);
-  await host(LONG, { script: `${STYLE}${METER}${MODULES}` });
+  await openPage(LONG, { script: `${STYLE}${METER}${MODULES}` });
   await page.waitForFunction(() => customElements.get('cartoon-smoke') && document.readyState === 'complete');
   // Once the observer of the viewport has had its say.
   await scrollPage(page, 0);

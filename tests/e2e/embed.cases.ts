@@ -53,12 +53,12 @@ export function differing(a: Uint32Array, b: Uint32Array): number {
 }
 
 /** What a worker draws comes to the page when it can: so long it has, which no machine needs. */
-const PATIENCE_MS = 60_000;
+const TIMEOUT_MS = 60_000;
 
 /** Pixels of a canvas on the page that differ from what they should be, once none does, or nobody waits any longer. */
 export async function differingShown(canvas: HTMLCanvasElement, expected: Uint32Array): Promise<number> {
   let count = Infinity;
-  for (const until = performance.now() + PATIENCE_MS; count > 0 && performance.now() < until;) {
+  for (const until = performance.now() + TIMEOUT_MS; count > 0 && performance.now() < until;) {
     await new Promise(requestAnimationFrame);
     count = differing(await pixelsOf(canvas), expected);
   }
@@ -68,7 +68,7 @@ export async function differingShown(canvas: HTMLCanvasElement, expected: Uint32
 /** Colours on a canvas of the page, once it shows more than so few: it may show earlier pictures for a while. */
 export async function colorsShown(canvas: HTMLCanvasElement, few: number): Promise<number> {
   let colors = 0;
-  for (const until = performance.now() + PATIENCE_MS; colors <= few && performance.now() < until;) {
+  for (const until = performance.now() + TIMEOUT_MS; colors <= few && performance.now() < until;) {
     await new Promise(requestAnimationFrame);
     colors = new Set(await pixelsOf(canvas)).size;
   }
@@ -124,7 +124,7 @@ export async function goesOn(stage: RemoteStage, steps = 5): Promise<void> {
 }
 
 /** Settled when whoever observes what is in view has been told how that is now. */
-export async function sightIsTold(): Promise<void> {
+export async function sightIsNotified(): Promise<void> {
   await new Promise((resolve) => new IntersectionObserver(resolve).observe(document.body));
   // All observers are told in one task.
   await new Promise((resolve) => setTimeout(resolve));
@@ -132,7 +132,7 @@ export async function sightIsTold(): Promise<void> {
 
 /** Steps that a stage takes within so many frames of this page, once it has been told of what came before. */
 export async function stepsWithin(stage: RemoteStage, frames: number): Promise<number> {
-  await sightIsTold();
+  await sightIsNotified();
   const before = (await stage.stats()).steps;
   for (let frame = 0; frame < frames; ++frame) await new Promise(requestAnimationFrame);
   return (await stage.stats()).steps - before;
@@ -150,10 +150,10 @@ export async function thrownBy(act: () => Promise<unknown>) {
 }
 
 /** What goes wrong in each place, and what stays as it was. */
-export async function refusals(thread: 'main' | 'worker') {
+export async function errors(thread: 'main' | 'worker') {
   const { stage } = await open({ thread });
   const before = await stage.hash();
-  const refused = {
+  const rejected = {
     range: await thrownBy(() => stage.set({ 'emission.rate': -5 })),
     text: await thrownBy(() => stage.set({ 'emission.rate': '60' })),
     unknown: await thrownBy(() => stage.set({ nothing: 1 })),
@@ -168,7 +168,7 @@ export async function refusals(thread: 'main' | 'worker') {
   const isSame = before === (await stage.hash());
   await stage.dispose();
   await stage.dispose();
-  return { ...refused, after: await thrownBy(() => stage.play()), isSame };
+  return { ...rejected, after: await thrownBy(() => stage.play()), isSame };
 }
 
 /** A take and a state that went to the worker and back: hashes that have to be equal. */
@@ -193,8 +193,8 @@ export async function sendBytes() {
 /** Events that come, and messages that come without anybody listening. */
 export async function listen(seen: ReturnType<typeof watch>) {
   const { stage } = await open({ thread: 'worker' });
-  const told: boolean[] = [];
-  const end = stage.on('statechange', ({ playing }) => told.push(playing));
+  const notified: boolean[] = [];
+  const end = stage.on('statechange', ({ playing }) => notified.push(playing));
   await stage.play();
   await stage.pause();
   end();
@@ -205,7 +205,7 @@ export async function listen(seen: ReturnType<typeof watch>) {
   const silent = seen.messages - before;
   const steps = await new Promise<number>((resolve) => stage.on('frame', (stats) => resolve(stats.steps)));
   await stage.dispose();
-  return { told, silent, steps };
+  return { notified, silent, steps };
 }
 
 /** Scrolls a stage away and back, playing and paused: steps that it takes meanwhile. */

@@ -6,7 +6,7 @@ type Shared = typeof import('../../src/remote/sharedDevice.ts');
 type Thread = Pick<Worker, 'evaluate' | 'evaluateHandle'>;
 
 /** Takes the context of a thread away or gives it back, and waits until that has happened. */
-export async function turnContext(thread: Thread, way: 'loseContext' | 'restoreContext'): Promise<void> {
+export async function changeContext(thread: Thread, way: 'loseContext' | 'restoreContext'): Promise<void> {
   const shared = await thread.evaluateHandle(`import('/src/remote/sharedDevice.ts')`);
   await thread.evaluate(
     async ([module, method]) => {
@@ -31,7 +31,7 @@ export async function turnContext(thread: Thread, way: 'loseContext' | 'restoreC
  * How long a thread waits for what may take ten seconds or more, such as a context that is to come back: for ever, however slow
  * the machine is, or not at all. No test can turn the clock of a worker.
  */
-export async function setPatience(thread: Thread, patience: 'endless' | 'none'): Promise<void> {
+export async function setTimeouts(thread: Thread, timeout: 'endless' | 'none'): Promise<void> {
   await thread.evaluate((given) => {
     const kept = globalThis as { original?: typeof setTimeout };
     const original = (kept.original ??= globalThis.setTimeout);
@@ -40,5 +40,5 @@ export async function setPatience(thread: Thread, patience: 'endless' | 'none'):
       return given === 'none' ? original(act) : 0;
     };
     Object.assign(globalThis, { setTimeout: wait });
-  }, patience);
+  }, timeout);
 }

@@ -3,20 +3,20 @@ import { expect, scrollPage, stands, test, WISP } from '../support/embed.ts';
 
 declare global {
   interface Window {
-    told: { type: string; detail: { playing?: boolean; notices?: { message: string }[]; error?: Error } }[];
+    notified: { type: string; detail: { playing?: boolean; notices?: { message: string }[]; error?: Error } }[];
   }
 }
 
 /** Notes down all events of the first element, from before it is upgraded. */
 const LISTEN = `<script>
-  window.told = [];
+  window.notified = [];
   for (const type of ['ready', 'error', 'statechange']) {
-    document.querySelector('cartoon-smoke').addEventListener(type, ({ detail }) => window.told.push({ type, detail }));
+    document.querySelector('cartoon-smoke').addEventListener(type, ({ detail }) => window.notified.push({ type, detail }));
   }
 </script>`;
 
-test('draws smoke of its attributes, and plays', async ({ page, host }) => {
-  await host(
+test('draws smoke of its attributes, and plays', async ({ page, openPage }) => {
+  await openPage(
     `<cartoon-smoke ${WISP} emission-rate="60" seed="7" style="width: 320px; height: 240px"></cartoon-smoke>${LISTEN}`,
   );
   await stands(page);
@@ -26,13 +26,17 @@ test('draws smoke of its attributes, and plays', async ({ page, host }) => {
   await expect
     .poll(() => element.evaluate(async (smoke: CartoonSmokeElement) => (await smoke.stats()).alive))
     .toBeGreaterThan(3);
-  const told = await page.evaluate(() => window.told.map(({ type, detail }) => [type, detail.playing]));
-  expect(told).toContainEqual(['ready', undefined]);
-  expect(told).toContainEqual(['statechange', true]);
+  const notified = await page.evaluate(() => window.notified.map(({ type, detail }) => [type, detail.playing]));
+  expect(notified).toContainEqual(['ready', undefined]);
+  expect(notified).toContainEqual(['statechange', true]);
 });
 
-test('fetches nothing but itself until the viewport nears, and then shifts nothing', async ({ page, host, server }) => {
-  await host(`<div style="height: 4000px">An article</div>
+test('fetches nothing but itself until the viewport nears, and then shifts nothing', async ({
+  page,
+  openPage,
+  server,
+}) => {
+  await openPage(`<div style="height: 4000px">An article</div>
     <cartoon-smoke ${WISP} style="height: 240px"></cartoon-smoke><p>More of it</p>
     <script>
       window.shift = 0;
@@ -49,8 +53,8 @@ test('fetches nothing but itself until the viewport nears, and then shifts nothi
   expect(await page.evaluate(() => (window as unknown as { shift: number }).shift)).toBe(0);
 });
 
-test('takes what was set before its class was known, and reflects what is set later', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP}></cartoon-smoke>
+test('takes what was set before its class was known, and reflects what is set later', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP}></cartoon-smoke>
     <script>Object.assign(document.querySelector('cartoon-smoke'), { emissionRate: 44, paused: true });</script>`);
   await stands(page);
   const element = page.locator('cartoon-smoke');
@@ -65,29 +69,32 @@ test('takes what was set before its class was known, and reflects what is set la
   expect(await element.evaluate((smoke: CartoonSmokeElement) => Reflect.get(smoke, 'styleTones'))).toBe(3);
 });
 
-test('refuses what a program asks for out of range, and changes nothing', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} paused emission-rate="33"></cartoon-smoke>`);
+test('refuses what a program asks for out of range, and changes nothing', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP} paused emission-rate="33"></cartoon-smoke>`);
   await stands(page);
   const report = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
-    const refused = await smoke.set({ 'emission.rate': -5, 'emission.lifetime': 2 }).then(
+    const rejected = await smoke.set({ 'emission.rate': -5, 'emission.lifetime': 2 }).then(
       () => undefined,
       ({ name, message }: Error) => `${name}: ${message}`,
     );
     const { 'emission.rate': rate, 'emission.lifetime': lifetime } = await smoke.get();
-    return { refused, rate, isSame: lifetime !== 2 };
+    return { rejected, rate, isSame: lifetime !== 2 };
   });
   expect(report).toMatchObject({ rate: 33, isSame: true });
-  expect(report.refused).toMatch(/^ParameterError: emission.rate cannot be -5: it takes /);
+  expect(report.rejected).toMatch(/^ParameterError: emission.rate cannot be -5: it takes /);
 });
 
-test('shows the default for what it cannot take, tells it, and leaves the console alone', async ({ page, host }) => {
+test('shows the default for what it cannot take, tells it, and leaves the console alone', async ({
+  page,
+  openPage,
+}) => {
   const lines: string[] = [];
   page.on('console', (message) => lines.push(message.text()));
-  await host(`<cartoon-smoke preset="fog" scene="wisp" emission-rate="plenty" emission-lifetime="1000" thread="main"
+  await openPage(`<cartoon-smoke preset="fog" scene="wisp" emission-rate="plenty" emission-lifetime="1000" thread="main"
     simulation-max-particles="300" loading="soon" start="dusk" style="height: 200px"></cartoon-smoke>${LISTEN}`);
   await stands(page);
-  const told = await page.evaluate(() => window.told.flatMap(({ detail }) => detail.notices ?? []));
-  const messages = told.map(({ message }) => message).join('\n');
+  const notified = await page.evaluate(() => window.notified.flatMap(({ detail }) => detail.notices ?? []));
+  const messages = notified.map(({ message }) => message).join('\n');
   expect(messages).toContain('no preset');
   for (const name of ['emission.rate', 'emission.lifetime', 'loading', 'start']) {
     expect(messages).toMatch(new RegExp(`^${name} cannot be`, 'm'));
@@ -97,10 +104,10 @@ test('shows the default for what it cannot take, tells it, and leaves the consol
   expect(lines).toEqual([]);
 });
 
-test('a poster with sources to choose from is as wide as the smoke will be', async ({ page, host }) => {
+test('a poster with sources to choose from is as wide as the smoke will be', async ({ page, openPage }) => {
   const drawing = (width: number) =>
     `data:image/svg+xml,%3Csvg%20xmlns='http://www.w3.org/2000/svg'%20width='${width}'%20height='300'/%3E`;
-  await host(`<div style="height: 5000px">An article</div>
+  await openPage(`<div style="height: 5000px">An article</div>
     <cartoon-smoke ${WISP} style="width: 200px; height: 150px">
       <picture slot="poster">
         <source media="(min-width: 1px)" srcset="${drawing(400)}" /><img src="${drawing(900)}" alt="" />
@@ -115,8 +122,8 @@ test('a poster with sources to choose from is as wide as the smoke will be', asy
   expect(image).toEqual(smoke);
 });
 
-test('stays the same smoke when it is moved, and begins anew when it comes back', async ({ page, host }) => {
-  await host(`<div id="a"><cartoon-smoke ${WISP} paused></cartoon-smoke></div><dialog open id="b"></dialog>`);
+test('stays the same smoke when it is moved, and begins anew when it comes back', async ({ page, openPage }) => {
+  await openPage(`<div id="a"><cartoon-smoke ${WISP} paused></cartoon-smoke></div><dialog open id="b"></dialog>`);
   await stands(page);
   const smoke = page.locator('cartoon-smoke');
   const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
@@ -131,8 +138,8 @@ test('stays the same smoke when it is moved, and begins anew when it comes back'
   expect(await steps()).toBe(0);
 });
 
-test('a copy is an element of its own', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} paused emission-rate="33"></cartoon-smoke>`);
+test('a copy is an element of its own', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP} paused emission-rate="33"></cartoon-smoke>`);
   await stands(page);
   const values = await page.evaluate(async () => {
     const copy = document.querySelector('cartoon-smoke')!.cloneNode(true) as CartoonSmokeElement;
@@ -142,8 +149,8 @@ test('a copy is an element of its own', async ({ page, host }) => {
   expect(values['emission.rate']).toBe(33);
 });
 
-test('lets pointers through unless it is interactive', async ({ page, host }) => {
-  await host(`<a href="#under" style="position: absolute; inset: 0 auto auto 0; width: 300px; height: 200px">Below</a>
+test('lets pointers through unless it is interactive', async ({ page, openPage }) => {
+  await openPage(`<a href="#under" style="position: absolute; inset: 0 auto auto 0; width: 300px; height: 200px">Below</a>
     <cartoon-smoke ${WISP} paused style="position: absolute; inset: 0 auto auto 0; width: 300px; height: 200px"></cartoon-smoke>`);
   await stands(page);
   const below = () => page.evaluate(() => document.elementFromPoint(150, 100)?.localName);
@@ -161,14 +168,14 @@ test('lets pointers through unless it is interactive', async ({ page, host }) =>
   await expect.poll(async () => before.equals(await azimuth())).toBe(false);
 });
 
-test('is registered once, whichever script comes second', async ({ page, host }) => {
+test('is registered once, whichever script comes second', async ({ page, openPage }) => {
   const script = `<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>
     <script type="module">
       const first = await import('/package/dist/cartoon-smoke.min.js');
       window.first = first.CartoonSmokeElement;
     </script>
     <script type="importmap">{ "imports": { "three": "/node_modules/three/build/three.module.js" } }</script>`;
-  await host(
+  await openPage(
     `<cartoon-smoke ${WISP} paused></cartoon-smoke>
     <script type="module">import '/package/dist/element.js'; window.second = true;</script>`,
     { script },

@@ -41,21 +41,24 @@ const FAULTS: Record<string, (page: Page) => Promise<unknown>> = {
 
 for (const [fault, provoke] of Object.entries(FAULTS)) {
   for (const thread of ['main', 'worker']) {
-    test(`a simulator that is ${fault} leaves the poster and tells a LoadError: ${thread}`, async ({ page, host }) => {
+    test(`a simulator that is ${fault} leaves the poster and tells a LoadError: ${thread}`, async ({
+      page,
+      openPage,
+    }) => {
       await provoke(page);
-      await host(failing(thread));
+      await openPage(failing(thread));
       expect(await failure(page)).toMatch(/^LoadError: /);
       await expectPoster(page);
     });
   }
 }
 
-test('a simulator of which nothing comes is waited for, then told as a LoadError', async ({ page, host }) => {
+test('a simulator of which nothing comes is waited for, then told as a LoadError', async ({ page, openPage }) => {
   await page.clock.install();
   const asked = page.waitForRequest(WASM);
   // Never answered.
   await page.route(WASM, () => undefined);
-  await host(failing('main'));
+  await openPage(failing('main'));
   await asked;
   await page.clock.runFor(61_000);
   expect(await failure(page)).toMatch(/^LoadError: .*no data for/);
@@ -78,33 +81,33 @@ const SCRIPTS = {
 for (const [file, rest] of Object.entries(SCRIPTS)) {
   test(`without ${file} there is the poster and a LoadError: at once where it is refused, else within a minute`, async ({
     page,
-    host,
+    openPage,
   }) => {
     await page.route(`**/dist/${file}`, (route) => route.abort());
-    await host(failing('main', rest));
+    await openPage(failing('main', rest));
     expect(await failure(page)).toMatch(/^LoadError: /);
     await expectPoster(page);
     await page.unroute(`**/dist/${file}`);
     await page.clock.install();
     const asked = page.waitForRequest(`**/dist/${file}`);
     await page.route(`**/dist/${file}`, () => undefined);
-    await host(failing('main', rest));
+    await openPage(failing('main', rest));
     await asked;
     // Some scripts are asked for ahead, and waited for from a later moment on.
     const known = () =>
       page.evaluate(() => Promise.race([Reflect.get(window, 'failure') as Promise<string>, Promise.resolve('')]));
-    const told = expect.poll(() => page.clock.runFor(61_000).then(known));
-    await told.toMatch(/^LoadError: .*no data for 60 s/);
+    const notified = expect.poll(() => page.clock.runFor(61_000).then(known));
+    await notified.toMatch(/^LoadError: .*no data for 60 s/);
     await expectPoster(page);
   });
 }
 
-test('what comes after its minute is there for whoever asks for other smoke', async ({ page, host }) => {
+test('what comes after its minute is there for whoever asks for other smoke', async ({ page, openPage }) => {
   await page.clock.install();
   const asked = page.waitForRequest('**/dist/stage.js');
   let answer = () => Promise.resolve();
   await page.route('**/dist/stage.js', (route) => void (answer = () => route.continue()));
-  await host(failing('main'));
+  await openPage(failing('main'));
   await asked;
   await page.clock.runFor(61_000);
   await failure(page);
@@ -117,21 +120,21 @@ test('what comes after its minute is there for whoever asks for other smoke', as
 
 test('a worker whose script never comes is given up after half a minute: by itself, smoke goes without it', async ({
   page,
-  host,
+  openPage,
 }) => {
   await page.clock.install();
   await page.context().route('**/dist/worker.js', () => undefined);
   const asked = page.waitForRequest('**/dist/worker.js');
-  await host(`${failing('worker')}<cartoon-smoke id="auto" ${WISP.replace('main', 'auto')}></cartoon-smoke>`);
+  await openPage(`${failing('worker')}<cartoon-smoke id="auto" ${WISP.replace('main', 'auto')}></cartoon-smoke>`);
   await asked;
   await page.clock.runFor(31_000);
   expect(await failure(page)).toMatch(/^LoadError: .*did not answer/);
   await stands(page, '#auto');
 });
 
-test('smoke stands without what turns its view, and says so', async ({ page, host }) => {
+test('smoke stands without what turns its view, and says so', async ({ page, openPage }) => {
   await page.route('**/pointers.js', (route) => route.abort());
-  await host(`${failing('main', 'interactive paused simulation-max-particles="300"')}<script>
+  await openPage(`${failing('main', 'interactive paused simulation-max-particles="300"')}<script>
     window.notices = [];
     document.querySelector('cartoon-smoke').addEventListener('statechange', ({ detail }) => window.notices.push(...detail.notices));
   </script>`);
@@ -140,24 +143,24 @@ test('smoke stands without what turns its view, and says so', async ({ page, hos
   expect(notices.map(({ message }) => message)).toEqual([expect.stringContaining('pointers.js')]);
 });
 
-test('a page whose rules forbid WebAssembly has the poster', async ({ page, host }) => {
+test('a page whose rules forbid WebAssembly has the poster', async ({ page, openPage }) => {
   const rules = "script-src 'self' 'unsafe-inline'; worker-src 'self'";
-  await host(failing('main'), { headers: { 'content-security-policy': rules } });
+  await openPage(failing('main'), { headers: { 'content-security-policy': rules } });
   expect(await failure(page)).toMatch(/^(LoadError|UnsupportedError): /);
   await expectPoster(page);
 });
 
-test('a browser without WebGL 2 has the poster', async ({ page, host }) => {
+test('a browser without WebGL 2 has the poster', async ({ page, openPage }) => {
   await page.addInitScript(() => {
     for (const Canvas of [HTMLCanvasElement, OffscreenCanvas]) Canvas.prototype.getContext = () => null;
   });
-  await host(failing('main'));
+  await openPage(failing('main'));
   expect(await failure(page)).toMatch(/^UnsupportedError: /);
   await expectPoster(page);
 });
 
-test('before it is an element, poster and fallback stand', async ({ page, host }) => {
-  await host(failing('main'), { script: '' });
+test('before it is an element, poster and fallback stand', async ({ page, openPage }) => {
+  await openPage(failing('main'), { script: '' });
   await expect(page.locator('#poster')).toBeVisible();
   await expect(page.locator('#fallback')).toBeVisible();
 });
@@ -165,8 +168,8 @@ test('before it is an element, poster and fallback stand', async ({ page, host }
 test.describe('without JavaScript', () => {
   test.use({ javaScriptEnabled: false });
 
-  test('poster and fallback stand, and nothing is fetched', async ({ page, host, server }) => {
-    await host(failing('main'));
+  test('poster and fallback stand, and nothing is fetched', async ({ page, openPage, server }) => {
+    await openPage(failing('main'));
     await expect(page.locator('#poster')).toBeVisible();
     await expect(page.locator('#fallback')).toBeVisible();
     expect(server.sent).toEqual([]);

@@ -34,15 +34,15 @@ export async function endsAndBegins(address: string): Promise<{ other: string; s
   await other.step(5);
   await stage.dispose();
   // It is on its way to the frame, by another port.
-  let told: string | undefined;
-  while (!told) {
-    told = await other.hash().then(
+  let notified: string | undefined;
+  while (!notified) {
+    notified = await other.hash().then(
       () => undefined,
       ({ name }: Error) => name,
     );
   }
   const { steps } = await (await connectFrame(element)).stats();
-  return { other: told, steps };
+  return { other: notified, steps };
 }
 
 /** How the page around a frame ends what is in it. */
@@ -105,11 +105,11 @@ export async function isSized({ frame: { width, height }, stage }: Framed): Prom
   while ((await size()) !== [width, height].join()) await new Promise(requestAnimationFrame);
 }
 
-/** Whether a frame that is there lets this page in. @param patience milliseconds after which it does not, where it says nothing */
-export async function letsIn(address: string, patience?: number): Promise<boolean> {
+/** Whether a frame that is there lets this page in. @param timeout milliseconds after which it does not, where it says nothing */
+export async function letsIn(address: string, timeout?: number): Promise<boolean> {
   const element = frame(address);
   await new Promise((resolve) => element.addEventListener('load', resolve));
-  const signal = patience === undefined ? undefined : AbortSignal.timeout(patience);
+  const signal = timeout === undefined ? undefined : AbortSignal.timeout(timeout);
   return connectFrame(element, { signal }).then(
     () => true,
     () => false,
@@ -122,7 +122,7 @@ export async function stateOf(stage: RemoteStage) {
   return { hash: await stage.hash(), values: await stage.get(), steps, alive };
 }
 
-/** Sends hostile messages to a frame's window and to a port of its own; how many answers were no refusals. */
+/** Sends hostile messages to a frame's window and to a port of its own; how many answers were no errors. */
 export async function attack(element: HTMLIFrameElement, count: number): Promise<{ accepted: number; sent: number }> {
   const { port1, port2 } = new MessageChannel();
   const report = { accepted: 0, sent: 0 };

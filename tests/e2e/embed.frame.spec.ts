@@ -68,23 +68,23 @@ test('plays, tells, refuses and ends as any stage does', async ({ load, baseURL 
     SANDBOX,
   ] as const);
   const report = await cases.evaluate(async (module, { stage, frame }) => {
-    const told: boolean[] = [];
-    stage.on('statechange', ({ playing }) => told.push(playing));
+    const notified: boolean[] = [];
+    stage.on('statechange', ({ playing }) => notified.push(playing));
     await stage.play();
     await module.goesOn(stage, 2);
     await stage.pause();
     await stage.get();
-    const refused = await module.thrownBy(() => stage.set({ 'emission.rate': -5 }));
+    const rejected = await module.thrownBy(() => stage.set({ 'emission.rate': -5 }));
     await stage.set({ 'emission.rate': 50 });
     const rate = (await stage.get())['emission.rate'];
     const hasEnded = new Promise<string>((resolve) => stage.on('error', ({ name }) => resolve(name)));
     frame.src = frame.src.replace('paused=1', 'paused=true');
     const ended = await hasEnded;
     await stage.dispose();
-    return { told, refused, rate, ended, after: (await module.thrownBy(() => stage.play()))?.name };
+    return { notified, rejected, rate, ended, after: (await module.thrownBy(() => stage.play()))?.name };
   }, framed);
-  expect(report.told.slice(0, 2)).toEqual([true, false]);
-  expect(report.refused).toMatchObject({ name: 'ParameterError', key: 'emission.rate', value: -5, isOurs: true });
+  expect(report.notified.slice(0, 2)).toEqual([true, false]);
+  expect(report.rejected).toMatchObject({ name: 'ParameterError', key: 'emission.rate', value: -5, isOurs: true });
   expect(report).toMatchObject({ rate: 50, ended: 'SimulatorError', after: 'SimulatorError' });
 });
 
@@ -113,8 +113,14 @@ test('pending and later calls end with an error when the frame is removed, moved
       SANDBOX,
       how,
     ] as const);
-    const told = `The frame ${reason}; connect again.`;
-    expect(report, how).toEqual({ reasons: [told, told], later: told, errors: [told], before: 1, after: 0 });
+    const notified = `The frame ${reason}; connect again.`;
+    expect(report, how).toEqual({
+      reasons: [notified, notified],
+      later: notified,
+      errors: [notified],
+      before: 1,
+      after: 0,
+    });
   }
   const waiting = await frames.evaluate(
     (module, url) => module.removeWhileWaiting(url),
@@ -156,13 +162,13 @@ test.describe('without its physics', () => {
     const cases = await load<Cases>('/tests/e2e/embed.cases.ts');
     await blank.route('**/embed-physics*', (route) => route.abort());
     const address = `${baseURL}/embed.html?paused=1#v=1&preset=lamp&simulation.maxParticles=300`;
-    const refused = await cases.evaluate(
+    const rejected = await cases.evaluate(
       (module, [connecting, url, sandbox]) => module.thrownBy(() => connecting.connect(url, sandbox)),
       [frames, address, SANDBOX] as const,
     );
     await blank.unroute('**/embed-physics*');
-    expect(refused).toMatchObject({ name: 'LoadError', isOurs: true });
-    expect(refused?.message).toContain('could not be fetched');
+    expect(rejected).toMatchObject({ name: 'LoadError', isOurs: true });
+    expect(rejected?.message).toContain('could not be fetched');
     await expect(blank.frameLocator('iframe').locator('cartoon-smoke p')).toBeVisible();
   });
 });
@@ -170,14 +176,14 @@ test.describe('without its physics', () => {
 test('only the origin that the address names may have the stage', async ({ load, baseURL }) => {
   const frames = await load<FrameCases>(FRAMES);
   const origin = await frames.evaluate(() => location.origin);
-  const letsIn = (query: string, patience?: number) =>
+  const letsIn = (query: string, timeout?: number) =>
     frames.evaluate((module, given) => module.letsIn(...given), [
       `${baseURL}/embed.html?${query}${WISP.slice(1)}`,
-      patience,
+      timeout,
     ] as const);
   expect(await letsIn(`origin=${origin}&`)).toBe(true);
-  const strangers = ['https://example.org', 'null', '*'].map((other) => letsIn(`origin=${other}&`, 3_000));
-  expect(await Promise.all(strangers)).toEqual([false, false, false]);
+  const untrusted = ['https://example.org', 'null', '*'].map((other) => letsIn(`origin=${other}&`, 3_000));
+  expect(await Promise.all(untrusted)).toEqual([false, false, false]);
 });
 
 test('a frame of a named origin is waited for without a word on the console', async ({ load, blank, baseURL }) => {

@@ -1,4 +1,4 @@
-import { names } from '../../src/element/names.ts';
+import { names } from '../../src/element/attributes/names.ts';
 import { expect, MODULES, stands, test, WISP } from '../support/embed.ts';
 
 const OWN = [
@@ -22,11 +22,11 @@ const VALUES = ['', '0', '1', '-1', '1e308', 'NaN', '-Infinity', '\u0000', '9'.r
 
 test('5,000 hostile attributes change nothing outside of the element, and the smoke goes on', async ({
   page,
-  host,
+  openPage,
 }) => {
   const lines: string[] = [];
   page.on('console', (message) => lines.push(message.text()));
-  await host(`<p id="neighbour">Somebody's text</p>
+  await openPage(`<p id="neighbour">Somebody's text</p>
     <cartoon-smoke ${WISP} paused style="width: 64px; height: 48px"></cartoon-smoke>`);
   await stands(page);
   const report = await page.evaluate(
@@ -73,26 +73,26 @@ for (const link of [
   SCRIPT,
   '#v=9&preset=wisp&simulation.maxParticles=1e9',
 ]) {
-  test(`a link such as ${link.slice(0, 40)} shows something that works, and says so`, async ({ page, host }) => {
-    await host(`<cartoon-smoke paused scene="wisp" thread="main" simulation-max-particles="300" style="width: 64px; height: 48px"></cartoon-smoke>
+  test(`a link such as ${link.slice(0, 40)} shows something that works, and says so`, async ({ page, openPage }) => {
+    await openPage(`<cartoon-smoke paused scene="wisp" thread="main" simulation-max-particles="300" style="width: 64px; height: 48px"></cartoon-smoke>
       <script>
         window.notices = [];
         document.querySelector('cartoon-smoke').addEventListener('statechange', ({ detail }) => window.notices.push(...detail.notices));
         document.querySelector('cartoon-smoke').setAttribute('src', ${JSON.stringify(link)});
       </script>`);
     await stands(page);
-    const told = await page.evaluate(() => (Reflect.get(window, 'notices') as unknown[]).length);
-    expect(told).toBeGreaterThan(0);
+    const notified = await page.evaluate(() => (Reflect.get(window, 'notices') as unknown[]).length);
+    expect(notified).toBeGreaterThan(0);
   });
 }
 
-test('works under a strict policy, in a worker', async ({ page, host }) => {
+test('works under a strict policy, in a worker', async ({ page, openPage }) => {
   const rules =
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' 'sha256-HASH'; worker-src 'self'; connect-src 'self'; style-src 'self'";
   const { createHash } = await import('node:crypto');
   const map = /<script type="importmap">(.*?)<\/script>/.exec(MODULES)![1];
   const hash = createHash('sha256').update(map).digest('base64');
-  await host(`<cartoon-smoke preset="wisp" simulation-max-particles="300" paused></cartoon-smoke>`, {
+  await openPage(`<cartoon-smoke preset="wisp" simulation-max-particles="300" paused></cartoon-smoke>`, {
     style: '',
     headers: { 'content-security-policy': rules.replace('HASH', hash) },
   });

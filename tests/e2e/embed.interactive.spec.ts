@@ -1,14 +1,14 @@
 /** What pointers, fingers and keys do to an interactive element, and what they leave to the page. */
 import type { Page } from '@playwright/test';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
-import { expect, stands, test, WISP, type OpenHost } from '../support/embed.ts';
+import { expect, stands, test, WISP, type OpenPage } from '../support/embed.ts';
 import { fingerOf, fingersOf } from './touch.ts';
 
 const BOX = 'position: absolute; left: 0; top: 0; width: 300px; height: 200px';
 
-async function opened(page: Page, host: OpenHost, style = ''): Promise<void> {
+async function opened(page: Page, openPage: OpenPage, style = ''): Promise<void> {
   const tall = '<div style="height: 3000px"></div>';
-  await host(`<cartoon-smoke ${WISP} paused interactive style="${BOX}"></cartoon-smoke>${tall}`, { style });
+  await openPage(`<cartoon-smoke ${WISP} paused interactive style="${BOX}"></cartoon-smoke>${tall}`, { style });
   await stands(page);
   // What hears pointers is fetched first.
   await expect(page.locator('cartoon-smoke canvas')).toHaveAttribute('tabindex');
@@ -28,8 +28,8 @@ async function distance(page: Page): Promise<number> {
 
 const scrolled = (page: Page) => page.evaluate(() => scrollY);
 
-test('keys come nearer, go farther, turn, and bring the first view back', async ({ page, host }) => {
-  await opened(page, host);
+test('keys come nearer, go farther, turn, and bring the first view back', async ({ page, openPage }) => {
+  await opened(page, openPage);
   await page.locator('cartoon-smoke canvas').focus();
   await page.keyboard.press('-');
   await expect.poll(() => distance(page)).toBeGreaterThan(0);
@@ -48,8 +48,8 @@ test('keys come nearer, go farther, turn, and bring the first view back', async 
   await expect.poll(() => eye(page)).toEqual({ azimuth: undefined, distance: undefined });
 });
 
-test('the wheel scrolls the page, and pinching on a pad zooms', async ({ page, host }) => {
-  await opened(page, host);
+test('the wheel scrolls the page, and pinching on a pad zooms', async ({ page, openPage }) => {
+  await opened(page, openPage);
   await page.mouse.move(150, 100);
   await page.mouse.wheel(0, 50);
   await expect.poll(() => scrolled(page)).toBe(50);
@@ -66,8 +66,8 @@ test('the wheel scrolls the page, and pinching on a pad zooms', async ({ page, h
 test.describe('by touch', () => {
   test.use({ hasTouch: true });
 
-  test('two fingers zoom', async ({ page, host }) => {
-    await opened(page, host);
+  test('two fingers zoom', async ({ page, openPage }) => {
+    await opened(page, openPage);
     const pinch = await fingersOf(page);
     await pinch([140, 160], [60, 240]);
     await expect.poll(() => distance(page)).toBeGreaterThan(0);
@@ -77,8 +77,8 @@ test.describe('by touch', () => {
     expect(await scrolled(page)).toBe(0);
   });
 
-  test('swipes up scroll the page, and swipes to the side turn the view', async ({ page, host }) => {
-    await opened(page, host);
+  test('swipes up scroll the page, and swipes to the side turn the view', async ({ page, openPage }) => {
+    await opened(page, openPage);
     const swipe = await fingerOf(page);
     await swipe({ x: 200, y: 100 }, { x: 120, y: 100 });
     await expect.poll(async () => (await eye(page)).azimuth).toBeDefined();
@@ -89,8 +89,8 @@ test.describe('by touch', () => {
     expect((await eye(page)).azimuth).toBe(azimuth);
   });
 
-  test('a page may give it all swipes', async ({ page, host }) => {
-    await opened(page, host, 'cartoon-smoke::part(canvas) { touch-action: none }');
+  test('a page may give it all swipes', async ({ page, openPage }) => {
+    await opened(page, openPage, 'cartoon-smoke::part(canvas) { touch-action: none }');
     const swipe = await fingerOf(page);
     await swipe({ x: 150, y: 160 }, { x: 150, y: 60 });
     await expect.poll(async () => (await eye(page)).azimuth).toBeDefined();

@@ -20,9 +20,12 @@ for (const size of [
   { width: 1024, height: 700 },
   { width: 390, height: 844 },
 ]) {
-  test(`smoke lies over a landing page of ${size.width} pixels, and nothing is in its way`, async ({ page, host }) => {
+  test(`smoke lies over a landing page of ${size.width} pixels, and nothing is in its way`, async ({
+    page,
+    openPage,
+  }) => {
     await page.setViewportSize(size);
-    await host(LANDING, { script: `${STYLE}${SHIFT}${MODULES}` });
+    await openPage(LANDING, { script: `${STYLE}${SHIFT}${MODULES}` });
     await stands(page);
     const smoke = page.locator('cartoon-smoke').first();
     const values = await smoke.evaluate((element: CartoonSmokeElement) => element.get());

@@ -13,14 +13,14 @@ const AIR = 'preset="air" simulation-max-particles="300" puff-variations="1" thr
 
 /** Notes down what the first element tells, from before it is upgraded. */
 const LISTEN = `<script>
-  window.told = [];
+  window.notified = [];
   for (const type of ['ready', 'error', 'statechange']) {
-    document.querySelector('cartoon-smoke').addEventListener(type, () => window.told.push(type));
+    document.querySelector('cartoon-smoke').addEventListener(type, () => window.notified.push(type));
   }
 </script>`;
 
-function toldOn(page: Page): Promise<string[]> {
-  return page.evaluate(() => Reflect.get(window, 'told') as unknown as string[]);
+function notifiedOn(page: Page): Promise<string[]> {
+  return page.evaluate(() => Reflect.get(window, 'notified') as unknown as string[]);
 }
 
 function smokeOn(page: Page) {
@@ -39,9 +39,9 @@ async function hold(page: Page, file: string): Promise<{ asked: Promise<Route> }
   return { asked };
 }
 
-test('what was taken away amid its start has no say when the element is put back', async ({ page, host }) => {
+test('what was taken away amid its start has no say when the element is put back', async ({ page, openPage }) => {
   const request = await hold(page, 'pointers.js');
-  await host(`<cartoon-smoke ${WISP} interactive ${SIZE}></cartoon-smoke>${LISTEN}`);
+  await openPage(`<cartoon-smoke ${WISP} interactive ${SIZE}></cartoon-smoke>${LISTEN}`);
   const route = await request.asked;
   await smokeOn(page).evaluate(async (smoke) => {
     smoke.remove();
@@ -50,7 +50,7 @@ test('what was taken away amid its start has no say when the element is put back
     document.body.append(smoke);
   });
   await stands(page);
-  const before = await toldOn(page);
+  const before = await notifiedOn(page);
   expect(before.filter((type) => type === 'ready')).toHaveLength(1);
   await route.continue();
   // It waits for the same file, and for longer than the start that was called off.
@@ -58,22 +58,22 @@ test('what was taken away amid its start has no say when the element is put back
     smokeOn(page).evaluate((smoke) => smoke.shadowRoot!.querySelector('.frame')!.matches('.interactive'));
   await smokeOn(page).evaluate((smoke) => smoke.toggleAttribute('interactive', true));
   await expect.poll(isInteractive).toBe(true);
-  expect(await toldOn(page)).toEqual(before);
+  expect(await notifiedOn(page)).toEqual(before);
 });
 
-test('the failure of what the page wants no more is not told, and what it wants comes', async ({ page, host }) => {
+test('the failure of what the page wants no more is not told, and what it wants comes', async ({ page, openPage }) => {
   const request = await hold(page, 'wisp.js');
-  await host(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke>${LISTEN}`);
+  await openPage(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke>${LISTEN}`);
   const route = await request.asked;
   await smokeOn(page).evaluate((smoke) => smoke.setAttribute('preset', 'air'));
   await route.abort();
   await stands(page);
   expect((await valuesOn(page)).scene).toBe('air');
-  expect(await toldOn(page)).not.toContain('error');
+  expect(await notifiedOn(page)).not.toContain('error');
 });
 
-test('a link that shows something still pauses what plays when it comes later, too', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
+test('a link that shows something still pauses what plays when it comes later, too', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
   await stands(page);
   await smokeOn(page).evaluate((smoke: CartoonSmokeElement) => (smoke.src = '?paused=1#preset=wisp'));
   await expect(smokeOn(page)).toHaveAttribute('paused');
@@ -85,9 +85,9 @@ test('a link that shows something still pauses what plays when it comes later, t
 
 test('another link begins anew where it says when, as it would on a fresh element; one that does not say changes what stands', async ({
   page,
-  host,
+  openPage,
 }) => {
-  await host(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke>`);
+  await openPage(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke>`);
   await stands(page);
   const smoke = smokeOn(page).first();
   const steps = () => smoke.evaluate(async (element: CartoonSmokeElement) => (await element.stats()).steps);
@@ -112,8 +112,11 @@ test('another link begins anew where it says when, as it would on a fresh elemen
   await expect(smoke).toHaveAttribute('paused');
 });
 
-test('goes through templates and other documents without a word, and looks the same after', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke><iframe title="Another document"></iframe>`);
+test('goes through templates and other documents without a word, and looks the same after', async ({
+  page,
+  openPage,
+}) => {
+  await openPage(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke><iframe title="Another document"></iframe>`);
   await stands(page);
   const positions = await smokeOn(page).evaluate(async (smoke) => {
     const places = [
@@ -134,8 +137,8 @@ test('goes through templates and other documents without a word, and looks the s
   await stands(page);
 });
 
-test('smoke that is far taller than any picture can be is drawn all the same', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} paused start="3" style="width: 200px; height: 150px"></cartoon-smoke>`);
+test('smoke that is far taller than any picture can be is drawn all the same', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP} paused start="3" style="width: 200px; height: 150px"></cartoon-smoke>`);
   await stands(page);
   const heights = () =>
     smokeOn(page).evaluate((smoke) => {
@@ -148,20 +151,20 @@ test('smoke that is far taller than any picture can be is drawn all the same', a
   }
 });
 
-test('a click on its button is none on the link around it', async ({ page, host }) => {
-  await host(`<a href="#elsewhere"><cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke></a>`);
+test('a click on its button is none on the link around it', async ({ page, openPage }) => {
+  await openPage(`<a href="#elsewhere"><cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke></a>`);
   await stands(page);
   await page.getByRole('button', { name: 'Pause smoke' }).click();
   await expect(smokeOn(page)).toHaveAttribute('paused');
   expect(await page.evaluate(() => location.hash)).toBe('');
 });
 
-test('a view that was let go of unseen does not turn with the pointer', async ({ page, host }) => {
-  await host(
+test('a view that was let go of unseen does not turn with the pointer', async ({ page, openPage }) => {
+  await openPage(
     `<cartoon-smoke ${WISP} paused interactive style="position: absolute; inset: 0 auto auto 0; width: 300px; height: 200px"></cartoon-smoke>`,
   );
   await stands(page);
-  const turned = async () => Math.round(Number((await valuesOn(page))['camera.azimuth'] ?? 0));
+  const azimuth = async () => Math.round(Number((await valuesOn(page))['camera.azimuth'] ?? 0));
   const drag = async (left: number) => {
     await page.mouse.move(left, 60);
     await page.mouse.down();
@@ -169,22 +172,22 @@ test('a view that was let go of unseen does not turn with the pointer', async ({
   };
   await drag(60);
   // From 6.9 degrees on, by 13.75 with each of them.
-  await expect.poll(turned).toBe(-7);
+  await expect.poll(azimuth).toBe(-7);
   await smokeOn(page).evaluate((smoke) => smoke.removeAttribute('interactive'));
   await page.mouse.up();
   await smokeOn(page).evaluate((smoke) => smoke.toggleAttribute('interactive', true));
   await drag(100);
-  await expect.poll(turned).toBe(-21);
+  await expect.poll(azimuth).toBe(-21);
   await smokeOn(page).evaluate((smoke) => document.body.appendChild(document.createElement('div')).append(smoke));
   await page.mouse.move(500, 300);
   await page.mouse.up();
   await drag(60);
-  await expect.poll(turned).toBe(-34);
+  await expect.poll(azimuth).toBe(-34);
   await page.mouse.up();
 });
 
-test('what is let go of before the answer that it is held is not shown as held', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} paused interactive ${SIZE}></cartoon-smoke>`);
+test('what is let go of before the answer that it is held is not shown as held', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP} paused interactive ${SIZE}></cartoon-smoke>`);
   await stands(page);
   const held = await smokeOn(page).evaluate(async (smoke: CartoonSmokeElement) => {
     const canvas = smoke.shadowRoot!.querySelector('canvas')!;
@@ -212,13 +215,13 @@ test('an origin that is none is refused at once, and nothing is thrown when the 
   const remote = await load<Connect>('/src/remote/connectFrame.ts');
   const said = await remote.evaluate(async ({ connectFrame }) => {
     const frame = document.body.appendChild(document.createElement('iframe'));
-    const refused = connectFrame(frame, { origin: 'somewhere' }).catch(
+    const rejected = connectFrame(frame, { origin: 'somewhere' }).catch(
       ({ name, message }: Error) => `${name}: ${message}`,
     );
     const heard = new Promise((resolve) => window.addEventListener('message', resolve, { once: true }));
     frame.srcdoc = '<script>parent.postMessage({ cartoonSmoke: "here" }, "*")</script>';
     await heard;
-    return refused;
+    return rejected;
   });
   expect(said).toMatch(/^ParameterError: origin cannot be “somewhere”: it takes an address/);
   expect(blank.url()).toContain('blank');
@@ -227,8 +230,8 @@ test('an origin that is none is refused at once, and nothing is thrown when the 
 test.describe('with less motion asked for', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
-  test('another preset has its composed still, too', async ({ page, host }) => {
-    await host(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
+  test('another preset has its composed still, too', async ({ page, openPage }) => {
+    await openPage(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
     await stands(page);
     await smokeOn(page).evaluate((smoke: CartoonSmokeElement) => (smoke.preset = 'air'));
     await expect.poll(async () => (await valuesOn(page)).scene).toBe('air');
@@ -238,9 +241,9 @@ test.describe('with less motion asked for', () => {
 
   test('a link to a moment shows that one, and another one its composed still, and none of them moves', async ({
     page,
-    host,
+    openPage,
   }) => {
-    await host(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
+    await openPage(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
     await stands(page);
     const steps = () => smokeOn(page).evaluate(async (smoke: CartoonSmokeElement) => (await smoke.stats()).steps);
     expect(await steps()).toBe(240);
@@ -256,9 +259,9 @@ test.describe('with less motion asked for', () => {
     expect(await smokeOn(page).evaluate((smoke: CartoonSmokeElement) => smoke.playing)).toBe(false);
   });
 
-  test('a person who asks for motion while the smoke is on its way has it', async ({ page, host }) => {
+  test('a person who asks for motion while the smoke is on its way has it', async ({ page, openPage }) => {
     const request = await hold(page, 'session.js');
-    await host(`<cartoon-smoke ${AIR} ${SIZE}></cartoon-smoke>
+    await openPage(`<cartoon-smoke ${AIR} ${SIZE}></cartoon-smoke>
       <button onclick="document.querySelector('cartoon-smoke').play()">Go</button>`);
     const route = await request.asked;
     await page.getByRole('button', { name: 'Go' }).click();

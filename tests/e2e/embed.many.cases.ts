@@ -1,5 +1,5 @@
 /** Many stages on one page. */
-import { goesOn, open, sightIsTold, type Opened } from './embed.cases.ts';
+import { goesOn, open, sightIsNotified, type Opened } from './embed.cases.ts';
 
 const TINY = { width: 32, height: 24 };
 
@@ -32,7 +32,7 @@ export async function openMany(count: number, inView: number, thread: 'main' | '
 /** Plays all until those in view have gone on: which have taken steps. */
 export async function whichGoOn(opened: readonly Opened[], inView: number): Promise<boolean[]> {
   await Promise.all(opened.map(({ stage }) => stage.play()));
-  await sightIsTold();
+  await sightIsNotified();
   const before = await stepsOf(opened);
   await Promise.all(opened.slice(0, inView).map(({ stage }) => goesOn(stage, 2)));
   const after = await stepsOf(opened);

@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { expect } from '../support/fixtures.ts';
 import type { LoadModule } from '../support/modules.ts';
-import { setPatience, turnContext } from './embed.context.ts';
+import { setTimeouts, changeContext } from './embed.context.ts';
 
 type ProvokedCases = typeof import('./embed.provoked.cases.ts');
 type Cases = typeof import('./embed.cases.ts');
@@ -43,14 +43,14 @@ export async function expectBack(
 ): Promise<void> {
   const cases = await load<ProvokedCases>('/tests/e2e/embed.provoked.cases.ts');
   const shown = await cases.evaluateHandle((module, given) => module.showSome(...given), [count, thread] as const);
-  const told = () => shown.evaluate((all) => all.map((one) => one.told.join()));
+  const notified = () => shown.evaluate((all) => all.map((one) => one.notified.join()));
   await shown.evaluate((all) => Promise.all(all.map(({ element }) => element.ready)));
   const drawing = thread === 'main' ? blank : blank.workers()[0];
-  await setPatience(drawing, 'endless');
+  await setTimeouts(drawing, 'endless');
   for (let loss = 0; loss < 2; ++loss) {
-    await turnContext(drawing, 'loseContext');
-    await turnContext(drawing, 'restoreContext');
+    await changeContext(drawing, 'loseContext');
+    await changeContext(drawing, 'restoreContext');
   }
   await cases.evaluate((module, all) => module.allDraw(all), shown);
-  expect(await told()).toEqual(Array(count).fill(`ready on ${thread}`));
+  expect(await notified()).toEqual(Array(count).fill(`ready on ${thread}`));
 }

@@ -30,9 +30,9 @@ async function risingOn(page: Page): Promise<boolean[]> {
 
 test('boxes of the page stand in the smoke where they stand on the page, and go where they go', async ({
   page,
-  host,
+  openPage,
 }) => {
-  await host(`<cartoon-smoke ${AIR} paused collide="button"></cartoon-smoke>${box('a', 170, 85, 300, 75)}`);
+  await openPage(`<cartoon-smoke ${AIR} paused collide="button"></cartoon-smoke>${box('a', 170, 85, 300, 75)}`);
   await stands(page);
   const values = () =>
     page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => smoke.get()) as Promise<Numbers>;
@@ -55,11 +55,11 @@ test('boxes of the page stand in the smoke where they stand on the page, and go 
 
 test('a smoke that stays while the page scrolls sees its boxes go by: of many those around it, and it says so', async ({
   page,
-  host,
+  openPage,
 }) => {
   // One every 200 pixels, from 85 below the top; the middle of the smoke is 235 below.
   const boxes = Array.from({ length: 12 }, (_, index) => box(`a${index}`, 170, 85 + 200 * index, 300, 75));
-  await host(`<cartoon-smoke ${AIR.replace('absolute', 'fixed')} paused collide="button"></cartoon-smoke>
+  await openPage(`<cartoon-smoke ${AIR.replace('absolute', 'fixed')} paused collide="button"></cartoon-smoke>
     ${boxes.join('')}<div style="height: 3000px"></div>${NOTICES}`);
   await stands(page);
   /** The numbers of the boxes that smoke flows around and those of the boxes that it curls at. */
@@ -84,12 +84,12 @@ test('a smoke that stays while the page scrolls sees its boxes go by: of many th
 
 test('a link to a moment finds the page in the smoke all the way there, whether it comes first or later', async ({
   page,
-  host,
+  openPage,
 }) => {
   const [first, later] = ['?paused=1#preset=air', '?paused=1&t=3#preset=air'];
   const smoke = page.locator('cartoon-smoke');
   const show = async (link: string) => {
-    await host(`${box('a', 170, 225, 300, 75)}${box('fire', 220, 420, 200, 10)}
+    await openPage(`${box('a', 170, 225, 300, 75)}${box('fire', 220, 420, 200, 10)}
       <cartoon-smoke ${AIR} src="${link}" collide="#a" emit-from="#fire"></cartoon-smoke>`);
     await stands(page);
   };
@@ -106,8 +106,8 @@ test('a link to a moment finds the page in the smoke all the way there, whether 
   expect(await arrived()).toBe(hash);
 });
 
-test('no smoke is drawn where a box of the page stands, and some is around it', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${AIR} paused start="5" collide="button" emit-from="#fire"></cartoon-smoke>
+test('no smoke is drawn where a box of the page stands, and some is around it', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${AIR} paused start="5" collide="button" emit-from="#fire"></cartoon-smoke>
     ${box('a', 260, 160, 120, 60)}<i id="fire" style="position: absolute; left: 300px; top: 420px; width: 40px; height: 10px"></i>`);
   await stands(page);
   const covered = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
@@ -125,8 +125,8 @@ test('no smoke is drawn where a box of the page stands, and some is around it', 
   expect(covered.below).toBeGreaterThan(0.1);
 });
 
-test('what is transparent lets the page through by its alpha', async ({ page, host }) => {
-  await host(
+test('what is transparent lets the page through by its alpha', async ({ page, openPage }) => {
+  await openPage(
     `<cartoon-smoke preset="wisp" simulation-max-particles="300" thread="main" transparent paused start="4"
       style="position: absolute; inset: 0 auto auto 0; width: 200px; height: 150px"></cartoon-smoke>`,
     { style: 'body { background: rgb(40, 160, 90) } cartoon-smoke::part(button) { visibility: hidden }' },
@@ -159,8 +159,8 @@ test('what is transparent lets the page through by its alpha', async ({ page, ho
   expect(report.farthest).toBeLessThan(4);
 });
 
-test('smoke rises from what is hovered, what the keyboard is on, and from nothing else', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${AIR} emit-from="button" emit-on="hover"></cartoon-smoke>
+test('smoke rises from what is hovered, what the keyboard is on, and from nothing else', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${AIR} emit-from="button" emit-on="hover"></cartoon-smoke>
     ${box('a', 60, 380, 100, 40)}${box('b', 400, 380, 100, 40)}`);
   await stands(page);
   const smoke = page.locator('cartoon-smoke');
@@ -177,8 +177,8 @@ test('smoke rises from what is hovered, what the keyboard is on, and from nothin
   await expect.poll(values).toMatchObject({ 'emitters.0.share': 1, 'emitters.1.share': 0, 'emission.rate': 16 });
 });
 
-test('smoke rises from what the pointer or the keyboard was on before there was smoke', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${AIR} paused emit-on="hover"></cartoon-smoke>
+test('smoke rises from what the pointer or the keyboard was on before there was smoke', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${AIR} paused emit-on="hover"></cartoon-smoke>
     ${['a', 'b', 'c'].map((id, index) => box(id, 60 + 170 * index, 380, 100, 40)).join('')}`);
   await stands(page);
   await page.focus('#a');
@@ -190,9 +190,9 @@ test('smoke rises from what the pointer or the keyboard was on before there was 
 
 test('what the pointer leaves goes on under the keyboard, and the other way round; what was clicked does not', async ({
   page,
-  host,
+  openPage,
 }) => {
-  await host(`${['a', 'b', 'c'].map((id, index) => box(id, 60 + 170 * index, 380, 100, 40)).join('')}
+  await openPage(`${['a', 'b', 'c'].map((id, index) => box(id, 60 + 170 * index, 380, 100, 40)).join('')}
     <cartoon-smoke ${AIR} paused emit-from="button" emit-on="hover"></cartoon-smoke>`);
   await stands(page);
   const rises = expect.poll(() => risingOn(page));
@@ -216,10 +216,10 @@ test('what the pointer leaves goes on under the keyboard, and the other way roun
 test.describe('by touch', () => {
   test.use({ hasTouch: true });
 
-  test('a tap on what smoke rises from under a pointer lets it rise for a moment', async ({ page, host }) => {
+  test('a tap on what smoke rises from under a pointer lets it rise for a moment', async ({ page, openPage }) => {
     await page.clock.install();
     await page.addInitScript(gpuKeepsUp);
-    await host(`<cartoon-smoke ${AIR} emit-from="button" emit-on="hover"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
+    await openPage(`<cartoon-smoke ${AIR} emit-from="button" emit-on="hover"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
       <script>document.querySelector('button').onclick = () => (window.clicked = true);</script>`);
     await stands(page);
     // From here on time passes, and smoke plays, only as far as they are told to.
@@ -238,9 +238,9 @@ test.describe('by touch', () => {
 
 test('what the page has in the smoke holds over attributes that change later, until it leaves', async ({
   page,
-  host,
+  openPage,
 }) => {
-  await host(
+  await openPage(
     `<cartoon-smoke ${AIR} paused emit-from="#a" emit-on="hover"></cartoon-smoke>${box('a', 60, 380, 100, 40)}`,
   );
   await stands(page);
@@ -255,8 +255,8 @@ test('what the page has in the smoke holds over attributes that change later, un
   await expect.poll(values).toMatchObject({ 'emission.rate': 50, 'emitters.0.position.x': 3, 'light.azimuth': 12 });
 });
 
-test('what is folded away is no obstacle', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${AIR} paused collide="h2"></cartoon-smoke>
+test('what is folded away is no obstacle', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${AIR} paused collide="h2"></cartoon-smoke>
     <details style="position: absolute; left: 170px; top: 85px"><summary>More</summary><h2>A headline</h2></details>`);
   await stands(page);
   const smoke = page.locator('cartoon-smoke');
@@ -269,10 +269,10 @@ test('what is folded away is no obstacle', async ({ page, host }) => {
   await expect.poll(obstacles).toEqual(['colliders.0.shape']);
 });
 
-test('a click lets smoke rise for a moment, and reaches what was clicked', async ({ page, host }) => {
+test('a click lets smoke rise for a moment, and reaches what was clicked', async ({ page, openPage }) => {
   await page.clock.install();
   await page.addInitScript(gpuKeepsUp);
-  await host(`<cartoon-smoke ${AIR} emit-from="button" emit-on="click"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
+  await openPage(`<cartoon-smoke ${AIR} emit-from="button" emit-on="click"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
     <script>document.querySelector('button').onclick = () => (window.clicked = true);</script>`);
   await stands(page);
   // From here on time passes, and smoke plays, only as far as they are told to.
@@ -291,8 +291,8 @@ test('a click lets smoke rise for a moment, and reaches what was clicked', async
   expect(await page.evaluate(() => Reflect.get(window, 'clicked'))).toBe(true);
 });
 
-test('a selector that is none is told, and changes nothing', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${AIR} paused collide="!!"></cartoon-smoke>${NOTICES}`);
+test('a selector that is none is told, and changes nothing', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${AIR} paused collide="!!"></cartoon-smoke>${NOTICES}`);
   await stands(page);
   expect((await noticesOf(page)).join()).toContain('takes a CSS selector');
 });

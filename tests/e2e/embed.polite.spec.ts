@@ -8,10 +8,10 @@ const BOX = 'style="width: 200px; height: 150px"';
 test.describe('with less motion asked for', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
-  test('shows one still picture with smoke in it, until somebody plays', async ({ page, host }) => {
+  test('shows one still picture with smoke in it, until somebody plays', async ({ page, openPage }) => {
     // What tests run in a page counts as done by a person.
     await page.addInitScript(() => Object.defineProperty(navigator, 'userActivation', { value: { isActive: false } }));
-    await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
+    await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
     await stands(page);
     const smoke = page.locator('cartoon-smoke');
     const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
@@ -28,9 +28,9 @@ test.describe('with less motion asked for', () => {
 
 test('has a button that pauses, by keys too, and what it paused stays paused out of sight and back', async ({
   page,
-  host,
+  openPage,
 }) => {
-  await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke><div style="height: 3000px"></div>`);
+  await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke><div style="height: 3000px"></div>`);
   await stands(page);
   await page.keyboard.press('Tab');
   await page.keyboard.press('Enter');
@@ -45,10 +45,10 @@ test('has a button that pauses, by keys too, and what it paused stays paused out
   expect(await steps()).toBe(before);
 });
 
-test('tells once that it was paused, and once that it plays', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
+test('tells once that it was paused, and once that it plays', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
   await stands(page);
-  const told = await page.locator('cartoon-smoke').evaluate((element: CartoonSmokeElement) => {
+  const notified = await page.locator('cartoon-smoke').evaluate((element: CartoonSmokeElement) => {
     const heard: boolean[] = [];
     element.addEventListener('statechange', ({ detail }) => heard.push(detail.playing));
     const button = element.shadowRoot!.querySelector('button')!;
@@ -56,11 +56,11 @@ test('tells once that it was paused, and once that it plays', async ({ page, hos
     button.click();
     return heard;
   });
-  expect(told).toEqual([false, true]);
+  expect(notified).toEqual([false, true]);
 });
 
-test('calls its canvas and its button as the page wants, in any language, also later', async ({ page, host }) => {
-  await host(
+test('calls its canvas and its button as the page wants, in any language, also later', async ({ page, openPage }) => {
+  await openPage(
     `<cartoon-smoke ${WISP} paused alt="Eine Tasse Tee" label-play="Abspielen" label-pause="Anhalten" ${BOX}></cartoon-smoke>`,
   );
   await stands(page);
@@ -75,13 +75,13 @@ test('calls its canvas and its button as the page wants, in any language, also l
 
 test('starts far below where the page wants that, or asks for something; its button looks as the page wants', async ({
   page,
-  host,
+  openPage,
 }) => {
   const parts = `cartoon-smoke::part(button) { border-radius: 3px } cartoon-smoke::part(canvas) { opacity: .5 }
     cartoon-smoke { --cartoon-smoke-button-size: 50px; --cartoon-smoke-button-inset: 4px;
       --cartoon-smoke-button-color: rgb(1, 2, 3); --cartoon-smoke-button-background: rgb(4, 5, 6);
       --cartoon-smoke-focus-color: rgb(7, 8, 9) }`;
-  await host(
+  await openPage(
     `<div style="height: 5000px">An article</div>
     <cartoon-smoke id="eager" loading="eager" ${WISP} paused ${BOX}></cartoon-smoke>
     <cartoon-smoke id="asked" ${WISP} paused ${BOX}></cartoon-smoke>
@@ -104,15 +104,15 @@ test('starts far below where the page wants that, or asks for something; its but
   expect(looks).toEqual(['50px', '3px', '4px', 'rgb(1, 2, 3)', 'rgb(4, 5, 6)', 'rgb(7, 8, 9)', '0.5']);
 });
 
-test('is accessible to those who check it', async ({ page, host }) => {
-  await host(`<main><h1>A page</h1><cartoon-smoke ${WISP} paused ${BOX}></cartoon-smoke></main>`);
+test('is accessible to those who check it', async ({ page, openPage }) => {
+  await openPage(`<main><h1>A page</h1><cartoon-smoke ${WISP} paused ${BOX}></cartoon-smoke></main>`);
   await stands(page);
   const { violations } = await new AxeBuilder({ page }).analyze();
   expect(violations.map(({ id }) => id)).toEqual([]);
 });
 
-test('rests out of sight, and goes on in sight', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke><div style="height: 3000px"></div>`);
+test('rests out of sight, and goes on in sight', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke><div style="height: 3000px"></div>`);
   await stands(page);
   const smoke = page.locator('cartoon-smoke');
   const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
@@ -125,9 +125,9 @@ test('rests out of sight, and goes on in sight', async ({ page, host }) => {
   await expect.poll(steps).toBeGreaterThan(before);
 });
 
-test('draws sixty pictures a second on a screen that shows four times as many', async ({ page, host }) => {
+test('draws sixty pictures a second on a screen that shows four times as many', async ({ page, openPage }) => {
   await page.addInitScript(gpuKeepsUp);
-  await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
+  await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
   await stands(page);
   const drawn = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
     const stage = await smoke.stage;
@@ -155,8 +155,8 @@ test('draws sixty pictures a second on a screen that shows four times as many', 
   expect(drawn.steps).toBeGreaterThan(55);
 });
 
-test('has as many pixels as the screen when the page is zoomed while it plays', async ({ page, host }) => {
-  await host(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
+test('has as many pixels as the screen when the page is zoomed while it plays', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
   await stands(page);
   const smoke = page.locator('cartoon-smoke');
   const size = () =>
@@ -178,8 +178,8 @@ test('has as many pixels as the screen when the page is zoomed while it plays', 
   await expect.poll(steps).toBeGreaterThan(before);
 });
 
-test('survives nothing, being hidden, a shadow tree, a dialog and a table cell', async ({ page, host }) => {
-  await host(`<div id="box" style="width: 200px; height: 150px"><cartoon-smoke ${WISP} paused start="1" style="height: 100%"></cartoon-smoke></div>
+test('survives nothing, being hidden, a shadow tree, a dialog and a table cell', async ({ page, openPage }) => {
+  await openPage(`<div id="box" style="width: 200px; height: 150px"><cartoon-smoke ${WISP} paused start="1" style="height: 100%"></cartoon-smoke></div>
     <dialog></dialog><table><tr><td></td></tr></table><div id="tree"></div>`);
   await stands(page);
   const sized = (width: string, height: string) =>
@@ -214,8 +214,8 @@ test('survives nothing, being hidden, a shadow tree, a dialog and a table cell',
   for (const width of kept.widths) expect(width).toBeGreaterThan(100);
 });
 
-test('keeps its box and its button on a page that unsets everything, turns and blurs', async ({ page, host }) => {
-  await host(
+test('keeps its box and its button on a page that unsets everything, turns and blurs', async ({ page, openPage }) => {
+  await openPage(
     `<main style="transform: rotate(2deg) scale(.9); filter: hue-rotate(20deg)"><div style="width: 320px"><cartoon-smoke ${WISP} paused></cartoon-smoke></div></main>`,
     { style: '* { all: unset !important }' },
   );

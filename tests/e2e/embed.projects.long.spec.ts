@@ -14,8 +14,8 @@ smoke.addEventListener('error', ({ detail }) => (document.title = detail.error.m
 smoke.addEventListener('ready', async ({ detail }) => {
   smoke.emissionRate = 20;
   const { state } = await decode('#v=1&preset=wisp');
-  const refusal: unknown = await smoke.set({ 'emission.rate': -1 }).catch((error: unknown) => error);
-  document.title = [detail.thread, isOne, table.length > 100, state.preset, refusal instanceof ParameterError].join();
+  const error: unknown = await smoke.set({ 'emission.rate': -1 }).catch((thrown: unknown) => thrown);
+  document.title = [detail.thread, isOne, table.length > 100, state.preset, error instanceof ParameterError].join();
 });
 `;
 const READY = 'worker,true,true,wisp,true';

@@ -5,7 +5,7 @@ import { CartoonSmokeElement } from '../../src/element/define.ts';
 export interface Shown {
   readonly element: CartoonSmokeElement;
   /** What the element told, by type and by the name of the error. */
-  readonly told: string[];
+  readonly notified: string[];
 }
 
 /** Puts a small wisp with a poster and a fallback on the page. */
@@ -14,11 +14,11 @@ export function show(thread: 'auto' | 'main' | 'worker', options: ElementOptions
   Object.assign(element, { preset: 'wisp', simulationMaxParticles: 300, thread, loading: 'eager' });
   element.style.cssText = 'display: block; width: 160px; height: 120px';
   element.innerHTML = '<p slot="poster">Poster</p><p>Fallback</p>';
-  const told: string[] = [];
-  element.addEventListener('ready', ({ detail }) => told.push(`ready on ${detail.thread}`));
-  element.addEventListener('error', ({ detail }) => told.push(detail.error.name));
+  const notified: string[] = [];
+  element.addEventListener('ready', ({ detail }) => notified.push(`ready on ${detail.thread}`));
+  element.addEventListener('error', ({ detail }) => notified.push(detail.error.name));
   document.body.append(element);
-  return { element, told };
+  return { element, notified };
 }
 
 /** Several of them, beside each other. */

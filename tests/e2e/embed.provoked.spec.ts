@@ -3,7 +3,7 @@ import type { JSHandle, Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import type { LoadModule } from '../support/modules.ts';
 import type { Shown } from './embed.provoked.cases.ts';
-import { setPatience, turnContext } from './embed.context.ts';
+import { setTimeouts, changeContext } from './embed.context.ts';
 import { expectBack } from './embed.many.ts';
 
 type Cases = typeof import('./embed.provoked.cases.ts');
@@ -11,9 +11,9 @@ const CASES = '/tests/e2e/embed.provoked.cases.ts';
 
 test.use({ ownPage: true, allowed: /context lost|context restored|CONTEXT_LOST/i });
 
-async function expectGivenUp(load: LoadModule, shown: JSHandle<Shown>, told: string[]): Promise<void> {
+async function expectGivenUp(load: LoadModule, shown: JSHandle<Shown>, notified: string[]): Promise<void> {
   const cases = await load<Cases>(CASES);
-  await expect.poll(() => shown.evaluate((one) => one.told)).toEqual(told);
+  await expect.poll(() => shown.evaluate((one) => one.notified)).toEqual(notified);
   expect(await cases.evaluate((module, one) => module.isGivenUp(one), shown)).toBe(true);
 }
 
@@ -36,25 +36,25 @@ for (const thread of ['main', 'worker'] as const) {
   }) => {
     const cases = await load<Cases>(CASES);
     const shown = await cases.evaluateHandle((module, where) => module.show(where), thread);
-    const told = () => shown.evaluate((one) => one.told);
+    const notified = () => shown.evaluate((one) => one.notified);
     const ready = `ready on ${thread}`;
-    await expect.poll(told).toEqual([ready]);
+    await expect.poll(notified).toEqual([ready]);
     const drawing = () => (thread === 'main' ? blank : blank.workers().at(-1)!);
-    await setPatience(drawing(), 'endless');
+    await setTimeouts(drawing(), 'endless');
     for (let loss = 0; loss < 3; ++loss) {
-      await turnContext(drawing(), 'loseContext');
-      await turnContext(drawing(), 'restoreContext');
+      await changeContext(drawing(), 'loseContext');
+      await changeContext(drawing(), 'restoreContext');
     }
-    await turnContext(drawing(), 'loseContext');
+    await changeContext(drawing(), 'loseContext');
     await expectGivenUp(load, shown, [ready, 'ContextError']);
     await shown.evaluate(({ element }) => element.setAttribute('src', '#preset=wisp'));
-    await expect.poll(told).toEqual([ready, 'ContextError', ready]);
+    await expect.poll(notified).toEqual([ready, 'ContextError', ready]);
     // It goes while the next smoke starts, which may stand blank before it is given up. A worker that had nothing to draw for
     // long has made way for another.
-    await setPatience(drawing(), 'none');
+    await setTimeouts(drawing(), 'none');
     const options = { fault: 'contextLostInStart' } as const;
     const late = await cases.evaluateHandle((module, given) => module.show(...given), [thread, options] as const);
-    await expect.poll(() => late.evaluate((one) => one.told.at(-1))).toBe('ContextError');
+    await expect.poll(() => late.evaluate((one) => one.notified.at(-1))).toBe('ContextError');
     expect(await cases.evaluate((module, one) => module.isGivenUp(one), late)).toBe(true);
     await expectGivenUp(load, shown, [ready, 'ContextError', ready, 'ContextError']);
   });
@@ -71,11 +71,11 @@ test('a worker that ends in the start is noticed, and the next smoke has a new o
   const shown = await cases.evaluateHandle((module) => module.show('worker', { fault: 'workerSilent' }));
   await expect.poll(() => shown.evaluate(({ element }) => element.shadowRoot!.querySelector('canvas'))).not.toBeNull();
   await beats(blank, 5);
-  expect(await shown.evaluate(({ told }) => told)).toEqual([]);
+  expect(await shown.evaluate(({ notified }) => notified)).toEqual([]);
   await beats(blank, 9);
   await expectGivenUp(load, shown, ['SimulatorError']);
   const next = await cases.evaluateHandle((module) => module.show('auto'));
-  await expect.poll(() => next.evaluate(({ told }) => told)).toEqual(['ready on worker']);
+  await expect.poll(() => next.evaluate(({ notified }) => notified)).toEqual(['ready on worker']);
   await expect.poll(() => blank.workers().length).toBe(1);
 });
 
@@ -98,16 +98,16 @@ test('a worker that ends while it plays ends all its smoke, which lives again wh
   await blank.clock.install();
   const cases = await load<Cases>(CASES);
   const shown = await cases.evaluateHandle((module) => module.showSome(2, 'worker'));
-  const told = () => shown.evaluate((all) => all.map((one) => one.told.splice(0).join()));
+  const notified = () => shown.evaluate((all) => all.map((one) => one.notified.splice(0).join()));
   const areGivenUp = () => cases.evaluate((module, all) => all.every(module.isGivenUp), shown);
   for (const way of ['close', 'throw', 'close'] as const) {
     await expect.poll(() => shown.evaluate((all) => all.every(({ element }) => element.playing))).toBe(true);
     await cases.evaluate((module, all) => module.allDraw(all), shown);
-    expect(await told()).toEqual(Array(2).fill('ready on worker'));
+    expect(await notified()).toEqual(Array(2).fill('ready on worker'));
     expect(blank.workers()).toHaveLength(1);
     await kill(blank, way);
     await expect.poll(areGivenUp).toBe(true);
-    expect(await told()).toEqual(Array(2).fill('SimulatorError'));
+    expect(await notified()).toEqual(Array(2).fill('SimulatorError'));
     await shown.evaluate(([first, second]) => {
       first.element.setAttribute('src', `#preset=wisp&seed=${Math.random()}`);
       second.element.remove();
@@ -115,8 +115,8 @@ test('a worker that ends while it plays ends all its smoke, which lives again wh
     });
   }
   await expect.poll(areGivenUp).toBe(true);
-  expect(await told()).toEqual(Array(2).fill('SimulatorError'));
+  expect(await notified()).toEqual(Array(2).fill('SimulatorError'));
   expect(blank.workers()).toHaveLength(0);
   const next = await cases.evaluateHandle((module) => module.show('auto'));
-  await expect.poll(() => next.evaluate((one) => one.told)).toEqual(['ready on main']);
+  await expect.poll(() => next.evaluate((one) => one.notified)).toEqual(['ready on main']);
 });

@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { loadModule } from '../support/modules.ts';
-import { setPatience } from './embed.context.ts';
+import { setTimeouts } from './embed.context.ts';
 
 type Cases = typeof import('./embed.cases.ts');
 type Shared = typeof import('../../src/remote/sharedDevice.ts');
@@ -86,7 +86,7 @@ test('a context that does not come back is told as a ContextError, once, and may
   await openUnder(page);
   const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
   const shared = await loadModule<Shared>(page, '/src/remote/sharedDevice.ts');
-  const told = await cases.evaluateHandle(async (module) => {
+  const notified = await cases.evaluateHandle(async (module) => {
     const errors: string[] = [];
     const { stage } = await module.open({ thread: 'main' });
     stage.on('error', ({ name }) => errors.push(name));
@@ -106,10 +106,10 @@ test('a context that does not come back is told as a ContextError, once, and may
   });
   expect(await device.evaluate(({ isUsable }) => isUsable)).toBe(false);
   await page.clock.fastForward(9_000);
-  expect(await told.evaluate(({ errors }) => errors)).toEqual([]);
+  expect(await notified.evaluate(({ errors }) => errors)).toEqual([]);
   await page.clock.fastForward(60_000);
-  expect(await told.evaluate(({ errors }) => errors)).toEqual(['ContextError']);
-  const late = await told.evaluate(
+  expect(await notified.evaluate(({ errors }) => errors)).toEqual(['ContextError']);
+  const late = await notified.evaluate(
     ({ stage }) => new Promise((resolve) => stage.on('error', ({ name }) => resolve(name))),
   );
   expect(late, 'what somebody hears who comes later').toBe('ContextError');
@@ -142,7 +142,7 @@ test('a device that ended while its context was lost gives it back as soon as th
 
 test('a context that is lost in mid-start has its smoke when it comes back', async ({ page }) => {
   await openUnder(page);
-  await setPatience(page, 'endless');
+  await setTimeouts(page, 'endless');
   const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
   const shared = await loadModule<Shared>(page, '/src/remote/sharedDevice.ts');
   const differing = await cases.evaluate(async (module, { threadDevice }) => {

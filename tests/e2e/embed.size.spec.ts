@@ -21,7 +21,7 @@ const isThree = (file: string) => file.includes('node_modules/three');
 
 /** What no wisp on a page's main thread needs. */
 const RARITIES =
-  'lamp train physics worker preset.js presets.js rivals debugViews billboards prismVolumes link moment pointers onPage';
+  'lamp train physics worker preset.js presets.js comparisonRenderers debugViews billboards prismVolumes link moment pointers onPage';
 
 function judge(figures: readonly Figure[]): void {
   for (const { name, kB, limit, goal } of figures) {
@@ -31,8 +31,8 @@ function judge(figures: readonly Figure[]): void {
   }
 }
 
-test('on the main thread, beside the three.js of the page', async ({ page, host, server }) => {
-  await host('<cartoon-smoke preset="wisp" thread="main" paused></cartoon-smoke>');
+test('on the main thread, beside the three.js of the page', async ({ page, openPage, server }) => {
+  await openPage('<cartoon-smoke preset="wisp" thread="main" paused></cartoon-smoke>');
   await stands(page);
   judge([
     { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 60, goal: 60 },
@@ -42,8 +42,8 @@ test('on the main thread, beside the three.js of the page', async ({ page, host,
   for (const rarity of RARITIES.split(' ')) expect(names).not.toContain(rarity);
 });
 
-test('in a worker, which brings its own three.js', async ({ page, host, server }) => {
-  await host('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>');
+test('in a worker, which brings its own three.js', async ({ page, openPage, server }) => {
+  await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>');
   await stands(page);
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
@@ -53,16 +53,16 @@ test('in a worker, which brings its own three.js', async ({ page, host, server }
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
 });
 
-test('by the one file for CDNs, three.js included', async ({ page, host, server }) => {
+test('by the one file for CDNs, three.js included', async ({ page, openPage, server }) => {
   const script = '<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>';
-  await host('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
+  await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
   await stands(page);
   judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 230, goal: 230 }]);
   expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
 });
 
-test('with rigids, the other simulator in the place of the small one', async ({ page, host, server }) => {
-  await host('<cartoon-smoke preset="lamp" simulation-max-particles="300" paused></cartoon-smoke>');
+test('with rigids, the other simulator in the place of the small one', async ({ page, openPage, server }) => {
+  await openPage('<cartoon-smoke preset="lamp" simulation-max-particles="300" paused></cartoon-smoke>');
   await stands(page);
   judge([{ name: 'embed.physicsKb', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 560, goal: 560 }]);
   expect(server.sent.map(({ file }) => file).join()).not.toContain('core/bindings_bg.wasm');

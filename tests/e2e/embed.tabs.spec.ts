@@ -1,12 +1,12 @@
 /** Tabs that are really hidden, by another one that comes to the front. */
 import type { Page } from '@playwright/test';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
-import { expect, openHost, stands, test, WISP } from '../support/embed.ts';
+import { expect, showPage, stands, test, WISP } from '../support/embed.ts';
 import { isNow, openTabs, type Tabs } from '../support/tabs.ts';
 
 const BOX = 'style="width: 200px; height: 150px"';
 
-async function turnTo(tabs: Tabs, which: 'page' | 'other'): Promise<void> {
+async function switchTo(tabs: Tabs, which: 'page' | 'other'): Promise<void> {
   await tabs[which].bringToFront();
   await isNow(tabs.page, which === 'page' ? 'visible' : 'hidden');
 }
@@ -35,18 +35,18 @@ test('in a worker, rests in a hidden tab, goes on in front, and what a person pa
 }) => {
   const tabs = await openTabs(playwright, launchOptions);
   const { page, other } = tabs;
-  await openHost(page, server, `<cartoon-smoke ${WISP.replace('main', 'worker')} ${BOX}></cartoon-smoke>`);
+  await showPage(page, server, `<cartoon-smoke ${WISP.replace('main', 'worker')} ${BOX}></cartoon-smoke>`);
   await stands(page);
   await expect.poll(() => stepsOf(page)).toBeGreaterThan(2);
-  await turnTo(tabs, 'other');
+  await switchTo(tabs, 'other');
   expect(await stepsWhile(page, other)).toBe(0);
   expect(await page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => smoke.playing)).toBe(true);
   const before = await stepsOf(page);
-  await turnTo(tabs, 'page');
+  await switchTo(tabs, 'page');
   await expect.poll(() => stepsOf(page)).toBeGreaterThan(before);
   await page.getByRole('button', { name: 'Pause smoke' }).click();
-  await turnTo(tabs, 'other');
-  await turnTo(tabs, 'page');
+  await switchTo(tabs, 'other');
+  await switchTo(tabs, 'page');
   expect(await stepsWhile(page, page)).toBe(0);
   await expect(page.getByRole('button', { name: 'Play smoke' })).toBeVisible();
   await tabs.close();

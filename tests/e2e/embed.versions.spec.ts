@@ -9,8 +9,8 @@ const OTHER = '9.8.7';
 const DIST = fileURLToPath(new URL('../../package/dist/', import.meta.url));
 const SMOKE = 'preset="wisp" simulation-max-particles="300" paused style="width: 64px; height: 48px"';
 const NOTICES = `<script>
-  window.told = [];
-  document.addEventListener('statechange', ({ detail }) => window.told.push(...detail.notices), true);
+  window.notified = [];
+  document.addEventListener('statechange', ({ detail }) => window.notified.push(...detail.notices), true);
 </script>`;
 
 /** What the page loads of `/other/` is the package as a later version has it. */
@@ -28,27 +28,27 @@ function watchConsole(page: Page): string[] {
   return lines;
 }
 
-test('the second one leaves the element to the first, and says so', async ({ page, host }) => {
+test('the second one leaves the element to the first, and says so', async ({ page, openPage }) => {
   const lines = watchConsole(page);
   await serveOther(page);
   const script = `${NOTICES}${MODULES}<script type="module" src="/other/cartoon-smoke.min.js"></script>`;
-  await host(`<cartoon-smoke ${SMOKE}></cartoon-smoke><script type="module">window.isLoaded = true</script>`, {
+  await openPage(`<cartoon-smoke ${SMOKE}></cartoon-smoke><script type="module">window.isLoaded = true</script>`, {
     script,
   });
   await stands(page);
   await page.waitForFunction(() => 'isLoaded' in window);
   const used = await page.evaluate(() => Reflect.get(customElements.get('cartoon-smoke')!, 'version') as string);
   expect(used).toBe(version);
-  const told = await page.evaluate(() => Reflect.get(window, 'told') as unknown[]);
+  const notified = await page.evaluate(() => Reflect.get(window, 'notified') as unknown[]);
   const message = `cartoon-smoke ${version} is already in use; version ${OTHER} is ignored.`;
-  expect(told).toEqual([{ code: 'otherVersion', key: 'version', given: OTHER, message }]);
+  expect(notified).toEqual([{ code: 'otherVersion', key: 'version', given: OTHER, message }]);
   expect(lines).toEqual([]);
 });
 
-test('under a tag of its own the second one has its smoke beside the first', async ({ page, host }) => {
+test('under a tag of its own the second one has its smoke beside the first', async ({ page, openPage }) => {
   const lines = watchConsole(page);
   await serveOther(page);
-  await host(`<cartoon-smoke ${SMOKE}></cartoon-smoke><other-smoke ${SMOKE}></other-smoke>
+  await openPage(`<cartoon-smoke ${SMOKE}></cartoon-smoke><other-smoke ${SMOKE}></other-smoke>
     <script type="module">
       import { CartoonSmokeElement } from '/other/index.js';
       customElements.define('other-smoke', CartoonSmokeElement);

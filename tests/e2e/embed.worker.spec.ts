@@ -1,6 +1,6 @@
 /** Stages in a worker: the same pictures, one worker and one context for all, and nothing that the page need notice. */
 import { expect, test } from '../support/fixtures.ts';
-import { setPatience, turnContext } from './embed.context.ts';
+import { setTimeouts, changeContext } from './embed.context.ts';
 
 type Cases = typeof import('./embed.cases.ts');
 const CASES = '/tests/e2e/embed.cases.ts';
@@ -17,7 +17,7 @@ test('a worker draws the same picture as the main thread', async ({ load }) => {
 test('errors are of the same class and say the same from a worker as from the main thread', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const [worker, main] = await cases.evaluate((module) =>
-    Promise.all([module.refusals('worker'), module.refusals('main')]),
+    Promise.all([module.errors('worker'), module.errors('main')]),
   );
   expect(worker).toEqual(main);
   expect(worker.range).toMatchObject({ name: 'ParameterError', key: 'emission.rate', value: -5, isOurs: true });
@@ -46,7 +46,7 @@ test('takes and states go to the worker and back', async ({ load }) => {
 test('a playing stage sends no message unless somebody listens', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const report = await cases.evaluate((module) => module.listen(module.watch()));
-  expect(report.told).toEqual([true, false]);
+  expect(report.notified).toEqual([true, false]);
   expect(report.silent).toBe(0);
   expect(report.steps).toBeGreaterThan(0);
 });
@@ -84,7 +84,7 @@ test.describe('on a page of their own', () => {
 
   test('what fails in the worker is told to its stages and not to the page', async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
-    const told = await cases.evaluateHandle(async (module) => {
+    const notified = await cases.evaluateHandle(async (module) => {
       const { stage } = await module.open();
       const error = new Promise<Error>((resolve) => stage.on('error', resolve));
       // Listening is asked for by a message, and this one comes after it.
@@ -97,7 +97,7 @@ test.describe('on a page of their own', () => {
           throw new Error('out of order');
         }),
     );
-    const { name, message } = await told.evaluate(async ({ error }) => {
+    const { name, message } = await notified.evaluate(async ({ error }) => {
       const { name: its, message: words } = await error;
       return { name: its, message: words };
     });
@@ -132,14 +132,14 @@ test.describe('on a page of their own', () => {
       return two;
     });
     const [worker] = blank.workers();
-    await setPatience(worker, 'endless');
-    await turnContext(worker, 'loseContext');
-    await turnContext(worker, 'restoreContext');
-    await turnContext(worker, 'loseContext');
-    const refused = await opened.evaluate(([{ stage }]) => stage.picture().catch((error: Error) => error.name));
-    expect(refused).toBe('ContextError');
+    await setTimeouts(worker, 'endless');
+    await changeContext(worker, 'loseContext');
+    await changeContext(worker, 'restoreContext');
+    await changeContext(worker, 'loseContext');
+    const rejected = await opened.evaluate(([{ stage }]) => stage.picture().catch((error: Error) => error.name));
+    expect(rejected).toBe('ContextError');
     await opened.evaluate(([first, second]) => Promise.all([first.stage.step(50), second.stage.step(50)]));
-    await turnContext(worker, 'restoreContext');
+    await changeContext(worker, 'restoreContext');
     const changed = await cases.evaluate(async (module, two) => {
       const alone = await module.open({ thread: 'main' });
       await alone.stage.step(150);

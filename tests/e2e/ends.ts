@@ -69,10 +69,10 @@ export function withoutEffectOnState(page: Page, trials: readonly Trial[]): Prom
     const stage = window.cartoonSmoke!;
     // Nobody sees the pictures.
     stage.resize(0, 0);
-    const room = Number(stage.get()['simulation.maxParticles']);
+    const capacity = Number(stage.get()['simulation.maxParticles']);
     const start = stage.save();
     const after = (values: Record<string, string | number>) => {
-      stage.set({ 'simulation.maxParticles': room });
+      stage.set({ 'simulation.maxParticles': capacity });
       stage.restore(start);
       stage.set(values);
       stage.step(1);

@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { table } from '../../src/preset/table.ts';
 import { expect, test } from '../support/fixtures.ts';
-import { QUIET_MS } from '../../src/app/gestureEnd.ts';
+import { QUIET_MS } from '../../src/app/input/gestureEnd.ts';
 import { ask, expectHash, expectSteps, expectValue, LIGHT, open } from './page.ts';
 import { fingerOf, mouseOf } from './touch.ts';
 
@@ -41,7 +41,7 @@ const burst = (page: Page, type: 'wheel' | 'keydown', detail: object) =>
   page.evaluate(
     async ([name, given, quiet]) => {
       const kinds = { wheel: WheelEvent, keydown: KeyboardEvent };
-      for (let turn = 0; turn < 3; ++turn) {
+      for (let round = 0; round < 3; ++round) {
         const event = new kinds[name](name, { ...given, bubbles: true, cancelable: true });
         document.querySelector('canvas')!.dispatchEvent(event);
       }
@@ -73,7 +73,7 @@ test('turning, shifting and zooming go into the link, and a second page has the 
   await expect(other.locator('.notice')).toHaveCount(0);
 });
 
-test('a gesture is undone in one step, and moods of a scene keep the view', async ({ page }) => {
+test('a gesture is undone in one step, and presets of a scene keep the view', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await test.step('a gesture is undone in one step, by mouse, wheel and keys', async () => {
     const gestures = [
@@ -98,7 +98,7 @@ test('a gesture is undone in one step, and moods of a scene keep the view', asyn
     await page.keyboard.press('Control+Shift+z');
     await expect.poll(() => eyeOf(page)).toEqual(eyes[1]);
   });
-  await test.step('moods of a scene are seen from where people look; another scene from its own place', async () => {
+  await test.step('presets of a scene are seen from where people look; another scene from its own place', async () => {
     await ask(page, (stage) => stage.set({ 'camera.azimuth': 90, 'camera.elevation': 0 }));
     const [x, ahead] = await ask(page, (stage) => [stage.sight.along([0, 0, 1])[0], stage.camera.azimuth()]);
     expect(x).toBeCloseTo(1, 6);
@@ -115,15 +115,15 @@ test('a gesture is undone in one step, and moods of a scene keep the view', asyn
 
 test('the eye that is turned while an edit waits for the next frame goes into the link beside it', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  const { edited, turned } = await page.evaluate(() => {
+  const { edited, orbited } = await page.evaluate(() => {
     const stage = window.cartoonSmoke!;
     const size = document.querySelector<HTMLInputElement>('[data-key="puff.size"] input[type=number]')!;
     size.value = '2';
     size.dispatchEvent(new Event('input'));
     stage.camera.orbit(0.5, 0);
-    return { edited: stage.get()['puff.size'], turned: 'camera.azimuth' in stage.get() };
+    return { edited: stage.get()['puff.size'], orbited: 'camera.azimuth' in stage.get() };
   });
-  expect([edited, turned]).toEqual([1, true]);
+  expect([edited, orbited]).toEqual([1, true]);
   await expectLink(page, LIGHT.replace('&puff', '&puff.size=2&puff'));
   await expectValue(page, 'puff.size', 2);
 });

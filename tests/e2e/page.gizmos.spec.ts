@@ -102,8 +102,8 @@ test('a vortex is attached to the propeller, where its handle stands, and let go
   const distance = async () => {
     const expected = await ask(page, (stage) => {
       // 0.7 m from the hub on a blade that makes 3.2 turns a second, in the space of the airplane.
-      const turn = 2 * Math.PI * 3.2;
-      const seen = stage.sight.project([0.98, 0.02 + 0.7 * Math.cos(turn), 0.7 * Math.sin(turn)], 0)!;
+      const angle = 2 * Math.PI * 3.2;
+      const seen = stage.sight.project([0.98, 0.02 + 0.7 * Math.cos(angle), 0.7 * Math.sin(angle)], 0)!;
       const { left, top } = (stage.canvas as HTMLCanvasElement).getBoundingClientRect();
       return { x: left + seen.x, y: top + seen.y };
     });

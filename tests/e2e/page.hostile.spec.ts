@@ -16,25 +16,29 @@ interface Hostile {
   name: string;
   link: string;
   /** Part of what is told. */
-  told: string;
+  notified: string;
 }
 
 async function hostileLinks(): Promise<Hostile[]> {
   const bomb = await pack('a'.repeat(20 * 1024 * 1024));
   const zeros = await packBytes(new Uint8Array(20 * 1024 * 1024));
   return [
-    { name: '100 kB', link: `&${'x'.repeat(100_000)}`, told: 'The link is too long' },
-    { name: 'wrong base64', link: '&z=%%%!', told: 'The link is damaged' },
-    { name: 'a deflate bomb', link: `&z=${bomb}`, told: 'The link is too long' },
-    { name: 'a deflate bomb for a take', link: `&take=${zeros}`, told: 'The moment in the link is damaged' },
-    { name: 'prototype keys', link: '&__proto__=1&constructor=1&__proto__.ran=1&toString=1', told: '“__proto__”' },
-    { name: 'script in a key', link: `&${script}=1`, told: 'There is no parameter' },
-    { name: 'script in a preset', link: `&preset=${script}`, told: 'There is no preset' },
-    { name: 'script packed', link: `&z=${await pack(`preset=${SCRIPT}&scene=${SCRIPT}`)}`, told: 'There is no preset' },
-    { name: 'script as a take', link: `&take=${script}`, told: 'The moment in the link is damaged' },
-    { name: 'NaN', link: '&puff.size=NaN&seed=NaN&light.azimuth=-Infinity', told: 'puff.size cannot be “NaN”' },
-    { name: '1e308', link: '&puff.size=1e308&forces.wind.x=-1e308', told: 'puff.size cannot be “1e308”' },
-    { name: 'an unknown scene', link: '&scene=nowhere', told: 'scene cannot be “nowhere”' },
+    { name: '100 kB', link: `&${'x'.repeat(100_000)}`, notified: 'The link is too long' },
+    { name: 'wrong base64', link: '&z=%%%!', notified: 'The link is damaged' },
+    { name: 'a deflate bomb', link: `&z=${bomb}`, notified: 'The link is too long' },
+    { name: 'a deflate bomb for a take', link: `&take=${zeros}`, notified: 'The moment in the link is damaged' },
+    { name: 'prototype keys', link: '&__proto__=1&constructor=1&__proto__.ran=1&toString=1', notified: '“__proto__”' },
+    { name: 'script in a key', link: `&${script}=1`, notified: 'There is no parameter' },
+    { name: 'script in a preset', link: `&preset=${script}`, notified: 'There is no preset' },
+    {
+      name: 'script packed',
+      link: `&z=${await pack(`preset=${SCRIPT}&scene=${SCRIPT}`)}`,
+      notified: 'There is no preset',
+    },
+    { name: 'script as a take', link: `&take=${script}`, notified: 'The moment in the link is damaged' },
+    { name: 'NaN', link: '&puff.size=NaN&seed=NaN&light.azimuth=-Infinity', notified: 'puff.size cannot be “NaN”' },
+    { name: '1e308', link: '&puff.size=1e308&forces.wind.x=-1e308', notified: 'puff.size cannot be “1e308”' },
+    { name: 'an unknown scene', link: '&scene=nowhere', notified: 'scene cannot be “nowhere”' },
   ];
 }
 
@@ -43,29 +47,29 @@ const traces = (page: Page) =>
   page.evaluate(() => ({
     ran: (window as { ran?: unknown }).ran ?? ({} as { ran?: unknown }).ran,
     title: document.title,
-    strangers: document.querySelectorAll('.notices img, .notices script, .panel script, .notices a').length,
+    untrusted: document.querySelectorAll('.notices img, .notices script, .panel script, .notices a').length,
   }));
-const NOTHING = { ran: undefined, title: 'Cartoon Smoke', strangers: 0 };
+const NOTHING = { ran: undefined, title: 'Cartoon Smoke', untrusted: 0 };
 
 test('each leaves a running page and a notice, asks nobody and runs nothing', async ({ page, baseURL }) => {
   const links = await hostileLinks();
-  const strangers: string[] = [];
-  page.on('request', (request) => request.url().startsWith(baseURL!) || strangers.push(request.url()));
-  page.on('dialog', (dialog) => strangers.push(dialog.message()));
+  const untrusted: string[] = [];
+  page.on('request', (request) => request.url().startsWith(baseURL!) || untrusted.push(request.url()));
+  page.on('dialog', (dialog) => untrusted.push(dialog.message()));
   await open(page, `?paused=1${SMALL}`);
-  for (const { name, link, told } of links) {
+  for (const { name, link, notified } of links) {
     await test.step(name, async () => {
       await page.evaluate((hash) => {
         document.querySelectorAll<HTMLElement>('.notice button').forEach((button) => button.click());
         location.hash = hash;
       }, `#v=1${link}&emission.rate=20&puff.variations=1&simulation.maxParticles=100`);
-      await expect(page.locator('.notices')).toContainText(told);
+      await expect(page.locator('.notices')).toContainText(notified);
       const steps = await ask(page, (stage) => (stage.step(1), stage.stats.steps));
       expect(steps).toBeGreaterThan(0);
       expect(await traces(page)).toEqual(NOTHING);
     });
   }
-  expect(strangers).toEqual([]);
+  expect(untrusted).toEqual([]);
 });
 
 test('script in every text value leaves the values as they were', async ({ page }) => {
@@ -79,9 +83,9 @@ test('script in every text value leaves the values as they were', async ({ page 
 
 test('the worst opens a page of its own as well', async ({ page }) => {
   const [long, , bomb, zeros] = await hostileLinks();
-  for (const { link, told } of [long, bomb, zeros]) {
+  for (const { link, notified } of [long, bomb, zeros]) {
     await open(page, `?paused=1${SMALL}${link}`);
-    await expect(page.locator('.notices')).toContainText(told);
+    await expect(page.locator('.notices')).toContainText(notified);
     expect(await ask(page, (stage) => (stage.step(1), stage.stats.steps))).toBe(1);
     expect(await traces(page)).toEqual(NOTHING);
   }

@@ -1,11 +1,11 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
-import { ask, ballPlace, closeSheet, LIGHT, open, type Place } from './page.ts';
+import { ask, ballPlace, closeSheet, LIGHT, open, type Point } from './page.ts';
 
 // Long enough for the ball to come after the pointer: its spring leaves a 400th of the way after 20 steps.
 const arrive = (page: Page) => ask(page, (stage) => stage.step(20));
 
-async function expectBallAt(page: Page, { x, y }: Place): Promise<void> {
+async function expectBallAt(page: Page, { x, y }: Point): Promise<void> {
   const ball = (await ballPlace(page))!;
   expect(Math.hypot(ball.x - x, ball.y - y), `ball at ${ball.x}, ${ball.y} instead of ${x}, ${y}`).toBeLessThan(12);
 }
@@ -20,8 +20,8 @@ test('the mouse drags the ball and turns the view beside it, and arrow keys move
     await page.mouse.down();
     await page.mouse.move(240, 150, { steps: 4 });
     await page.mouse.up();
-    const turned = (await ballPlace(page))!;
-    expect(Math.hypot(turned.x - start.x, turned.y - start.y)).toBeGreaterThan(20);
+    const orbited = (await ballPlace(page))!;
+    expect(Math.hypot(orbited.x - start.x, orbited.y - start.y)).toBeGreaterThan(20);
     await page.keyboard.press('0');
     await expectBallAt(page, start);
     expect(await ask(page, (stage) => stage.hash())).toBe(hash);
@@ -142,7 +142,7 @@ test.describe('on a phone', () => {
       await arrive(page);
       const start = (await ballPlace(page))!;
       const session = await page.context().newCDPSession(page);
-      const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: Place[]) =>
+      const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: Point[]) =>
         session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
       await touch('touchStart', [start]);
       await touch('touchMove', [{ x: start.x - 30, y: start.y - 30 }]);
@@ -161,7 +161,7 @@ test.describe('on a phone', () => {
         };
       });
       const session = await page.context().newCDPSession(page);
-      const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: (Place & { id: number })[]) =>
+      const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: (Point & { id: number })[]) =>
         session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
       const pair = (gap: number) => [
         { x: 195, y: 120 - gap, id: 0 },

@@ -60,7 +60,7 @@ test.describe('on a phone that is turned', () => {
       // Who listens to the size is told before the next frame.
       await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
     };
-    const turn = async (isOpen: boolean) => {
+    const rotate = async (isOpen: boolean) => {
       await page.setViewportSize({ width: 664, height: 390 });
       await expectWidth(664);
       await expect(gallery).toBeHidden();
@@ -68,10 +68,10 @@ test.describe('on a phone that is turned', () => {
       await expectWidth(390);
       await expect(gallery).toBeVisible({ visible: isOpen });
     };
-    await turn(true);
+    await rotate(true);
     await page.getByRole('button', { name: 'Presets' }).tap();
     await expect(gallery).toBeHidden();
-    await turn(false);
+    await rotate(false);
   });
 
   test('a gallery that was put away does not come back for a window that is turned there and back at once', async ({
@@ -86,18 +86,18 @@ test.describe('on a phone that is turned', () => {
     });
     await open(page, `?paused=1${LIGHT}`);
     const gallery = page.locator('.gallery');
-    const tell = (matches: boolean) =>
+    const notify = (matches: boolean) =>
       page.evaluate((is) => {
         const { low } = window as unknown as { low: MediaQueryList };
         Object.assign(low, { matches: is }).dispatchEvent(new Event('change'));
       }, matches);
-    await tell(true);
+    await notify(true);
     await expect(gallery).toBeHidden();
-    await tell(false);
+    await notify(false);
     await expect(gallery).toBeVisible();
     await page.getByRole('button', { name: 'Presets' }).tap();
     await expect(gallery).toBeHidden();
-    await tell(false);
+    await notify(false);
     await expect(gallery).toBeHidden();
   });
 });

@@ -110,9 +110,9 @@ test('a moment is its time alone while nobody touches it; a long take is done ag
     await crawl(page);
     await page.goto(link);
     await expect(page.getByRole('progressbar', { name: 'Replaying 66.7 s' })).toBeVisible();
-    const told = await messagesOf(page);
+    const notified = await messagesOf(page);
     await page.getByRole('button', { name: 'Stop here' }).click();
-    await expect.poll(told).toEqual([expect.stringContaining('Stopped at')]);
+    await expect.poll(notified).toEqual([expect.stringContaining('Stopped at')]);
     expect(await ask(page, (stage) => stage.stats.steps)).toBeLessThan(4_000);
   });
 });

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { sceneEntries } from '../../src/scenes/scenes.ts';
-import { ask, ballPlace, closeSheet, expectHash, expectValue, hold, open, type Place } from './page.ts';
+import { ask, ballPlace, closeSheet, expectHash, expectValue, hold, open, type Point } from './page.ts';
 import { doubleTap, fingerOf } from './touch.ts';
 
 test.use({ viewport: { width: 480, height: 320 } });
@@ -105,7 +105,7 @@ test.describe('with fingers', () => {
 });
 
 /** Share of the picture around a place, in CSS pixels, that another picture has otherwise. */
-async function changedAround(page: Page, { x, y }: Place, act: () => Promise<void>): Promise<boolean> {
+async function changedAround(page: Page, { x, y }: Point, act: () => Promise<void>): Promise<boolean> {
   const clip = { x: x - 30, y: y - 30, width: 60, height: 60 };
   const before = await page.screenshot({ clip });
   await act();

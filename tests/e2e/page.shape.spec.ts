@@ -75,19 +75,19 @@ test('what is no closed mesh is refused in words, and the puffs stay', async ({ 
   await page.keyboard.press('p');
   await page.locator('summary', { hasText: 'Shape of the puffs' }).click();
   const chooser = page.getByLabel('Use your own mesh').last();
-  const refused = async (file: ReturnType<typeof cubeObject>, words: RegExp) => {
+  const rejected = async (file: ReturnType<typeof cubeObject>, words: RegExp) => {
     await chooser.setInputFiles(file);
     await expect(page.getByText(words)).toBeVisible();
   };
-  await refused(cubeObject('lid.obj', 5), /The mesh is open: 4 of its 17 edges/);
-  await refused(cubeObject('empty.obj', 0), /empty/);
-  await refused({ ...cubeObject('cube.stl'), name: 'cube.stl' }, /cube\.stl is not a supported mesh\./);
-  await refused(
+  await rejected(cubeObject('lid.obj', 5), /The mesh is open: 4 of its 17 edges/);
+  await rejected(cubeObject('empty.obj', 0), /empty/);
+  await rejected({ ...cubeObject('cube.stl'), name: 'cube.stl' }, /cube\.stl is not a supported mesh\./);
+  await rejected(
     { name: 'torn.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('glTF') },
     /torn\.glb could not be read/,
   );
-  await refused(cubeScene('parts.gltf', 'https://example.org/cube.bin'), /refers to other files/);
-  await refused(
+  await rejected(cubeScene('parts.gltf', 'https://example.org/cube.bin'), /refers to other files/);
+  await rejected(
     { ...cubeObject('huge.obj'), buffer: Buffer.alloc(17 * 1024 * 1024, ' ') },
     /huge\.obj has 17 MB\. The limit is 16 MB\./,
   );

@@ -14,13 +14,13 @@ test('a machine that is late is told once, politely, and draws fewer pixels', as
   });
   await page.setViewportSize({ width: 200, height: 150 });
   await open(page, LIGHT);
-  const told = await messagesOf(page);
+  const notified = await messagesOf(page);
   await expect.poll(() => ask(page, (stage) => stage.stats.steps)).toBeGreaterThan(60);
   expect(await ask(page, (stage) => stage.stats.scale)).toBe(1);
-  expect(await told()).toEqual([]);
+  expect(await notified()).toEqual([]);
   await page.evaluate(() => Object.assign(window, { frameMs: 100 }));
-  await expect.poll(told).toEqual([expect.stringContaining('playback uses fewer pixels')]);
+  await expect.poll(notified).toEqual([expect.stringContaining('playback uses fewer pixels')]);
   const steps = await ask(page, (stage) => stage.stats.steps);
   await expect.poll(() => ask(page, (stage) => stage.stats.steps)).toBeGreaterThan(steps + 120);
-  expect(await told()).toHaveLength(1);
+  expect(await notified()).toHaveLength(1);
 });

@@ -65,9 +65,9 @@ test('a long way forward shows progress and can be stopped', async ({ page }) =>
   await crawl(page);
   await open(page, `?paused=1&t=600${LIGHT}`);
   await expect(page.getByRole('progressbar')).toBeVisible();
-  const told = await messagesOf(page);
+  const notified = await messagesOf(page);
   await page.getByRole('button', { name: 'Stop here' }).click();
-  await expect.poll(told).toEqual([expect.stringContaining('Stopped at')]);
+  await expect.poll(notified).toEqual([expect.stringContaining('Stopped at')]);
   await expect(page.getByRole('progressbar')).toHaveCount(0);
   expect(await ask(page, (stage) => stage.stats.steps)).toBeLessThan(36_000);
 });

@@ -18,13 +18,13 @@ async function scrub(page: Page, drag: Drag, from: number, to: number): Promise<
   await drag(place(from), place(to));
 }
 
-interface Moment {
+interface KnobState {
   steps: number;
   hash: string;
 }
 
 /** Waits until the smoke has come to where the knob is, within some steps; only then nobody is on the way any more. */
-async function arrival(page: Page, isThere: (steps: number) => boolean): Promise<Moment> {
+async function arrival(page: Page, isThere: (steps: number) => boolean): Promise<KnobState> {
   const look = () =>
     ask(page, (stage) => {
       const wanted = document.querySelector<HTMLInputElement>('input.timeline')!.valueAsNumber;

@@ -62,7 +62,7 @@ export async function expectSteps(page: Page, count: number): Promise<void> {
 
 /** What the page tells people from now on: some of it goes by itself, so that looking now and then could miss it. */
 export async function messagesOf(page: Page): Promise<() => Promise<string[]>> {
-  const told = await page.evaluateHandle(() => {
+  const notified = await page.evaluateHandle(() => {
     const texts: string[] = [];
     const note = (node: Node) => {
       if (node instanceof Element && node.checkVisibility()) texts.push(node.textContent ?? '');
@@ -73,7 +73,7 @@ export async function messagesOf(page: Page): Promise<() => Promise<string[]>> {
     });
     return texts;
   });
-  return () => told.jsonValue();
+  return () => notified.jsonValue();
 }
 
 /** Closes the sheet that is open. Only when it is gone are keys the page's again, which on a busy machine may take a while. */
@@ -98,7 +98,7 @@ export function row(page: Page, key: string) {
   return page.locator(`[data-key="${key}"]`);
 }
 
-export interface Place {
+export interface Point {
   x: number;
   y: number;
 }
@@ -107,7 +107,7 @@ export interface Place {
  * The middle of what can be grabbed, in CSS pixels: found by trying, as a person would, in a picture that has the size
  * of its canvas, which it gets with the next frame.
  */
-export function ballPlace(page: Page): Promise<Place | null> {
+export function ballPlace(page: Page): Promise<Point | null> {
   return page.evaluate(async () => {
     const stage = window.cartoonSmoke!;
     const canvas = document.querySelector('canvas')!;

@@ -1,8 +1,8 @@
 /** Fingers for tests of the page. */
 import type { Page } from '@playwright/test';
-import type { Place } from './page.ts';
+import type { Point } from './page.ts';
 
-export type Drag = (from: Place, to: Place) => Promise<void>;
+export type Drag = (from: Point, to: Point) => Promise<void>;
 
 /** Seconds at which a finger comes down, is half way there, is there, has come to rest, and lifts. */
 const [DOWN, HALF_WAY, THERE, AT_REST, UP] = [0, 0.1, 0.2, 0.8, 1];
@@ -15,7 +15,7 @@ export async function fingerOf(page: Page): Promise<Drag> {
   const session = await page.context().newCDPSession(page);
   return async (from, to) => {
     const start = Date.now() / 1000 - 2;
-    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', seconds: number, ...touchPoints: Place[]) =>
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', seconds: number, ...touchPoints: Point[]) =>
       session.send('Input.dispatchTouchEvent', { type, touchPoints, timestamp: start + seconds });
     await touch('touchStart', DOWN, from);
     await touch('touchMove', HALF_WAY, { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 });
@@ -39,7 +39,7 @@ export async function fingersOf(page: Page): Promise<(from: [number, number], to
 }
 
 /** Two taps a tenth of a second apart, however long the page takes over the first. */
-export async function doubleTap(page: Page, place: Place): Promise<void> {
+export async function doubleTap(page: Page, place: Point): Promise<void> {
   const session = await page.context().newCDPSession(page);
   const start = Date.now() / 1000;
   const events = ['touchStart', 'touchEnd', 'touchStart', 'touchEnd'] as const;
@@ -60,7 +60,7 @@ export function mouseOf({ mouse }: Page): Drag {
 }
 
 /** The middle of what a selector finds, when it is seen: what a tap shows comes after the tap. */
-export async function middleOf(page: Page, selector: string): Promise<Place> {
+export async function middleOf(page: Page, selector: string): Promise<Point> {
   const found = page.locator(selector);
   await found.waitFor();
   const box = (await found.boundingBox())!;

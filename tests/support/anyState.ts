@@ -1,10 +1,10 @@
 /** Random states that a link may carry. Made of few plain numbers, so that ten thousand take seconds, and shrink well. */
 import fc from 'fast-check';
 import type { State } from '../../src/preset/codec.ts';
-import { MOST_STOPS, writeCurve } from '../../src/preset/curve.ts';
+import { MAX_STOPS, writeCurve } from '../../src/preset/curve.ts';
 import type { NumberParameter, Parameter, Value, Values } from '../../src/preset/parameter.ts';
 import { presets, presetValues } from '../../src/preset/presets.ts';
-import { MOST_COLORS, writeRamp } from '../../src/preset/ramp.ts';
+import { MAX_COLORS, writeRamp } from '../../src/preset/ramp.ts';
 import { table } from '../../src/preset/table.ts';
 
 /** Which row, and a number that its value is made of. */
@@ -35,9 +35,9 @@ function valueOf(parameter: Parameter, share: number): Value {
         .toString(16)
         .padStart(6, '0')}`;
     case 'curve':
-      return writeCurve(places(share, 2, MOST_STOPS).map((at) => ({ at, value: (7 * at + share) % 1 })));
+      return writeCurve(places(share, 2, MAX_STOPS).map((at) => ({ at, value: (7 * at + share) % 1 })));
     case 'ramp':
-      return share < 0.1 ? '' : writeRamp(places(share, 2, MOST_COLORS).map((at) => ({ at, color: gray(at) })));
+      return share < 0.1 ? '' : writeRamp(places(share, 2, MAX_COLORS).map((at) => ({ at, color: gray(at) })));
     default:
       return numberIn(parameter, share);
   }
@@ -52,8 +52,8 @@ function numberIn({ kind, min, max, linkMax = max }: NumberParameter, share: num
 }
 
 /** Rising places, the first below 1, in whole thousandths. */
-function places(share: number, least: number, most: number): number[] {
-  const count = least + Math.floor(share * (most - least + 1));
+function places(share: number, min: number, max: number): number[] {
+  const count = min + Math.floor(share * (max - min + 1));
   return Array.from({ length: count }, (_, index) => Math.floor((1000 * (index + share)) / count) / 1000);
 }
 

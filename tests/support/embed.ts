@@ -1,9 +1,9 @@
 /** The `test` of pages of other people: they get the package as npm has it, without a bundler. */
 import type { Page } from '@playwright/test';
 import { expect, test as base } from './fixtures.ts';
-import type { SiteServer as Server } from './plainHost.ts';
+import type { SiteServer as Server } from './plainPage.ts';
 
-export interface HostOptions {
+export interface PageOptions {
   /** What the page loads; the modules of the package by default, three.js beside them. */
   script?: string;
   style?: string;
@@ -11,7 +11,7 @@ export interface HostOptions {
 }
 
 /** Opens a page with this body; answers when it was loaded. */
-export type OpenHost = (body: string, options?: HostOptions) => Promise<void>;
+export type OpenPage = (body: string, options?: PageOptions) => Promise<void>;
 
 export const MODULES = `
   <script type="importmap">{ "imports": { "three": "/node_modules/three/build/three.module.js" } }</script>
@@ -19,20 +19,20 @@ export const MODULES = `
 /** The smallest smoke there is. */
 export const WISP = 'preset="wisp" simulation-max-particles="300" puff-variations="1" thread="main"';
 
-export const test = base.extend<{ host: OpenHost }>({
-  host: async ({ page, server }, use) => {
-    await use((body, options) => openHost(page, server, body, options));
+export const test = base.extend<{ openPage: OpenPage }>({
+  openPage: async ({ page, server }, use) => {
+    await use((body, options) => showPage(page, server, body, options));
   },
 });
 
 export { expect, type Server };
 
 /** Shows a page of somebody else's with this body. */
-export async function openHost(
+export async function showPage(
   page: Page,
   server: Server,
   body: string,
-  { script: loaded = MODULES, style = '', headers = {} }: HostOptions = {},
+  { script: loaded = MODULES, style = '', headers = {} }: PageOptions = {},
 ): Promise<void> {
   server.sent.length = 0;
   const head = `<meta charset="utf-8"><title>Somebody's page</title>${style && `<style>${style}</style>`}${loaded}`;
@@ -54,8 +54,8 @@ export async function scrollPage(page: Page, top: number): Promise<void> {
 
 /** Lets a page show so many frames. */
 export async function frames(page: Page, count: number): Promise<void> {
-  await page.evaluate(async (most) => {
-    for (let frame = 0; frame < most; ++frame) await new Promise(requestAnimationFrame);
+  await page.evaluate(async (max) => {
+    for (let frame = 0; frame < max; ++frame) await new Promise(requestAnimationFrame);
   }, count);
 }
 

@@ -4,10 +4,10 @@
  */
 import { expect, test as base, type Page } from '@playwright/test';
 import { serveBuiltSite } from './builtSite.ts';
-import { watchComplaints } from './complaints.ts';
-import { KeptPage } from './keptPage.ts';
+import { watchConsoleErrors } from './consoleErrors.ts';
+import { ReusedPage } from './reusedPage.ts';
 import { loadModule, type LoadModule } from './modules.ts';
-import { serveRepository, type SiteServer } from './plainHost.ts';
+import { serveRepository, type SiteServer } from './plainPage.ts';
 
 interface TestFixtures {
   /** Complaints of the page that a test provokes on purpose; any other makes it fail. `test.use({ allowed: /…/ })` */
@@ -16,7 +16,7 @@ interface TestFixtures {
   ownPage: boolean;
   /** A page without anything of ours on it, for tests of single modules: one for all tests of a file. */
   blank: Page;
-  /** Imports a source module inside the blank page, such as '/src/puffs/mesh.ts', and gives a handle on it. */
+  /** Imports a source module inside the blank page, such as '/src/puffs/billboards/mesh.ts', and gives a handle on it. */
   load: LoadModule;
 }
 
@@ -30,7 +30,7 @@ interface WorkerFixtures extends WorkerOptions {
   site: string | undefined;
   /** The unmasked renderer string of WebGL 2, checked once for each browser that is started. */
   renderer: string;
-  kept: KeptPage;
+  reused: ReusedPage;
   /** For pages of other people. It stands here so that their tests and others of the element take turns in one browser. */
   server: SiteServer;
 }
@@ -60,11 +60,11 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
   baseURL: async ({ baseURL, site }, use) => {
     await use(site ?? baseURL);
   },
-  kept: [
+  reused: [
     async ({ browser }, use, { project }) => {
-      const kept = new KeptPage(browser, project.use);
-      await use(kept);
-      await kept.close();
+      const reused = new ReusedPage(browser, project.use);
+      await use(reused);
+      await reused.close();
     },
     { scope: 'worker' },
   ],
@@ -78,14 +78,14 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
     { scope: 'worker' },
   ],
   page: async ({ page, allowed }, use) => {
-    const complaints = watchComplaints(page);
+    const consoleErrors = watchConsoleErrors(page);
     await use(page);
-    expectNone(complaints, allowed);
+    expectNone(consoleErrors, allowed);
   },
-  blank: async ({ browser, kept, ownPage, allowed }, use, { file, project }) => {
-    const one = ownPage ? new KeptPage(browser, project.use) : kept;
+  blank: async ({ browser, reused, ownPage, allowed }, use, { file, project }) => {
+    const one = ownPage ? new ReusedPage(browser, project.use) : reused;
     await use(await one.forTestOf(file));
-    expectNone(await one.complaints(), allowed);
+    expectNone(await one.consoleErrors(), allowed);
     if (ownPage) await one.close();
   },
   load: async ({ blank }, use) => {
@@ -95,9 +95,9 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
 
 export { expect };
 
-function expectNone(complaints: string[], allowed: RegExp): void {
-  const unexpected = complaints.filter((text) => !allowed.test(text));
-  expect(unexpected, 'complaints of the page').toEqual([]);
+function expectNone(consoleErrors: string[], allowed: RegExp): void {
+  const unexpected = consoleErrors.filter((text) => !allowed.test(text));
+  expect(unexpected, 'errors on the console of the page').toEqual([]);
 }
 
 function rendererString(): string {

@@ -4,7 +4,7 @@ import type { JSHandle, Page } from '@playwright/test';
  * Imports a module inside a page, by its path on the server, which is its path in the repository.
  *
  * ```ts
- * const mesh = await load<typeof import('../../src/puffs/mesh')>('/src/puffs/mesh.ts');
+ * const mesh = await load<typeof import('../../src/puffs/mesh')>('/src/puffs/billboards/mesh.ts');
  * const count = await mesh.evaluate((module, seed) => module.build(seed).length, 7);
  * ```
  *

@@ -56,7 +56,7 @@ export class Project {
   /** Sets up single components, named by their files. */
   setUp(components: string[], environment: Record<string, string> = {}): Ending {
     const code = [
-      `import { conclude } from './scripts/lib/refusal.mjs';`,
+      `import { conclude } from './scripts/lib/userError.mjs';`,
       `import { setUp } from './scripts/setup/setup.mjs';`,
       ...components.map((name) => `import * as ${name} from './scripts/setup/${name}.mjs';`),
       `await conclude(() => setUp([${components.join(', ')}]));`,

@@ -57,10 +57,10 @@ export interface Drawn {
 }
 
 /** Within regions nothing can round to the other side of a border. */
-const MOST_WITHIN = 0.0001;
+const MAX_WITHIN = 0.0001;
 /** Of the pixels at edges: single precision, and corners of boards that lie on a raster of sixteenths of a pixel. */
-const MOST_OF_EDGES = 0.01;
-const MOST_COUNTS = 0.001;
+const MAX_OF_EDGES = 0.01;
+const MAX_COUNTS = 0.001;
 
 /**
  * Demands that a picture is the reference's: far less than 0.5 % of its pixels may be of another colour. Prints the
@@ -72,7 +72,7 @@ export async function expectReference(
   name: string,
   drawn: Drawn,
   testInfo: TestInfo,
-  { mostWithin = MOST_WITHIN, mostOfEdges = MOST_OF_EDGES }: { mostWithin?: number; mostOfEdges?: number } = {},
+  { maxWithin = MAX_WITHIN, maxOfEdges = MAX_OF_EDGES }: { maxWithin?: number; maxOfEdges?: number } = {},
 ): Promise<void> {
   const reference = await referencePicture(drawn.description);
   const [colors, counts] = [drawn.pixels, drawn.counts].map((text) => Uint8Array.from(Buffer.from(text, 'base64')));
@@ -83,12 +83,12 @@ export async function expectReference(
     `${name}: ${percent(difference.colors)} of the pixels differ, ${percent(difference.colorsAtEdges)} more at edges,`,
     `${percent(difference.counts)} of the counts; ${percent(difference.edges)} are edges`,
   );
-  const isSame = share(difference.colors) <= mostWithin && difference.colorsAtEdges <= mostOfEdges * difference.edges;
+  const isSame = share(difference.colors) <= maxWithin && difference.colorsAtEdges <= maxOfEdges * difference.edges;
   if (!isSame) {
     await testInfo.attach(`${name}.png`, { body: sheetOf(reference, colors), contentType: 'image/png' });
   }
   expect.soft(isSame, `${name} is the reference's picture`).toBe(true);
-  expect.soft(share(difference.counts), `${name}: shadow counts`).toBeLessThanOrEqual(MOST_COUNTS);
+  expect.soft(share(difference.counts), `${name}: shadow counts`).toBeLessThanOrEqual(MAX_COUNTS);
 }
 
 async function referencePicture(description: string): Promise<ReferencePicture> {

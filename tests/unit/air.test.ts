@@ -1,6 +1,6 @@
 /** Open air: whatever box a page puts into it, no smoke gets in, and smoke is of one size in pictures of all sizes. */
 import { expect, test } from 'vitest';
-import { colliderValues, curlValues } from '../../src/element/pageValues.ts';
+import { colliderValues, curlValues } from '../../src/element/layout/pageValues.ts';
 import type { Values } from '../../src/preset/parameter.ts';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import { air } from '../../src/scenes/air.ts';

@@ -60,7 +60,7 @@ describe('the swirl behind the propeller', () => {
       [-1, -0.3],
       [-3.4, -2.7],
       [-6, -5],
-    ].map(([low, high]) => sense * turnRate(simulator, HUB[0] + low, HUB[0] + high));
+    ].map(([low, high]) => sense * angularRate(simulator, HUB[0] + low, HUB[0] + high));
     expect(behind).toBeGreaterThan(1);
     expect(before).toBeLessThan(0.5 * behind);
     expect(later).toBeLessThan(0.75 * behind);
@@ -79,7 +79,7 @@ describe('the swirl behind the propeller', () => {
   }
 
   /** Mean angular velocity about the hub's axis of the tracers between two places along it, rad/s. */
-  function turnRate(simulator: Simulator, low: number, high: number): number {
+  function angularRate(simulator: Simulator, low: number, high: number): number {
     const { x, y, z, py, pz } = readParticles(simulator);
     const rates: number[] = [];
     x.forEach((along, i) => {
@@ -137,12 +137,12 @@ describe('in flight', () => {
   });
 
   test('clouds turn as the propeller does, beside it and behind the tail', () => {
-    const [turned, still] = [true, false].map((hasSlipstream) => {
+    const [inverse, still] = [true, false].map((hasSlipstream) => {
       const flights = [1, 2, 3, 4].map((seed) => cloudsInFlight(seed, hasSlipstream));
       return { beside: meanSwirl(flights, 'beside'), behind: meanSwirl(flights, 'behind') };
     });
-    expect(PROPELLER_SENSE * turned.beside).toBeGreaterThan(0.35);
-    expect(PROPELLER_SENSE * turned.behind).toBeGreaterThan(0.9);
+    expect(PROPELLER_SENSE * inverse.beside).toBeGreaterThan(0.35);
+    expect(PROPELLER_SENSE * inverse.behind).toBeGreaterThan(0.9);
     // The hull and the vortices of the wings alone turn the clouds to neither side.
     expect(Math.abs(still.beside)).toBeLessThan(0.05);
     expect(Math.abs(still.behind)).toBeLessThan(0.2);
@@ -170,14 +170,14 @@ describe('in flight', () => {
 
   function addSwirl(simulator: Simulator, { beside, behind }: Swirl): void {
     const pose = simulator.rigidPoses(1);
-    const turned = new Quaternion(...pose.subarray(3, 7)).invert();
+    const inverse = new Quaternion(...pose.subarray(3, 7)).invert();
     const { x, y, z, px, py, pz } = readParticles(simulator);
     x.forEach((_, i) => {
-      const place = new Vector3(x[i] - pose[0], y[i] - pose[1], z[i] - pose[2]).applyQuaternion(turned);
+      const place = new Vector3(x[i] - pose[0], y[i] - pose[1], z[i] - pose[2]).applyQuaternion(inverse);
       const [along, up, aside] = place.toArray().map((value, axis) => value - HUB[axis]);
       const radius = Math.hypot(up, aside);
       if (radius < 0.1 || radius > 1.2) return;
-      const way = new Vector3(x[i] - px[i], y[i] - py[i], z[i] - pz[i]).applyQuaternion(turned);
+      const way = new Vector3(x[i] - px[i], y[i] - py[i], z[i] - pz[i]).applyQuaternion(inverse);
       const speed = (STEPS_A_SECOND * (up * way.z - aside * way.y)) / radius;
       if (along > 0 && along < 0.6) beside.push(speed);
       if (along > -7 && along < -2.5) behind.push(speed);
@@ -217,8 +217,8 @@ describe('in flight', () => {
       const pose = Float32Array.from(simulation.simulator.rigidPoses(1));
       const way = Math.hypot(...[0, 1, 2].map((axis) => pose[axis] - before[axis]));
       expect(way).toBeLessThan(0.08);
-      const turn = new Quaternion(...pose.subarray(3));
-      roll = Math.max(roll, new Vector3(0, 0, 1).applyQuaternion(turn).y * -1);
+      const quaternion = new Quaternion(...pose.subarray(3));
+      roll = Math.max(roll, new Vector3(0, 0, 1).applyQuaternion(quaternion).y * -1);
       before = pose;
     }
     expect(roll).toBeGreaterThan(0.2);
@@ -236,7 +236,7 @@ describe('in flight', () => {
 /** How deep the deepest particle lies in the hull, metres. */
 function depthOf(simulator: Simulator): number {
   const pose = simulator.rigidPoses(1);
-  const turned = new Quaternion(...pose.subarray(3, 7)).invert();
+  const inverse = new Quaternion(...pose.subarray(3, 7)).invert();
   const hull = airplaneHull();
   const parts = hull.type === 'compound' ? hull.parts : [];
   expect(parts.length).toBeGreaterThan(2);
@@ -245,7 +245,7 @@ function depthOf(simulator: Simulator): number {
     const place = new Vector3(x[i] - pose[0], y[i] - pose[1], z[i] - pose[2]);
     // No part of the hull reaches farther.
     if (place.length() > 1.8) return -Infinity;
-    return Math.max(...parts.map((part) => depthIn(part, place.clone().applyQuaternion(turned))));
+    return Math.max(...parts.map((part) => depthIn(part, place.clone().applyQuaternion(inverse))));
   });
   return depths.reduce((most, depth) => Math.max(most, depth), -Infinity);
 }

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { figure, type Figure } from '../bench/support/figures.ts';
 import { median, ratios, slope, spread } from '../bench/support/statistics.ts';
 import { meanDistance, type Contestant } from '../bench/sim/contestant.ts';
-import { takeTurns, type Plan } from '../bench/sim/rounds.ts';
+import { interleave, type Plan } from '../bench/sim/rounds.ts';
 
 // Its path is no literal, because the compiler has no types for plain JavaScript here.
 const path = '../bench/sim/costsTable.mjs';
@@ -81,7 +81,7 @@ describe('turns', () => {
   it('give nanoseconds for a particle and a step, whatever the pace', async () => {
     const log: string[] = [];
     const [quick, slow] = [new Clockwork('quick', 0.5, log), new Clockwork('slow', 100, log)];
-    const costs = await takeTurns([quick, slow], [1000, 500], plan, 'test');
+    const costs = await interleave([quick, slow], [1000, 500], plan, 'test');
     expect(costs.quick).toHaveLength(3);
     for (const cost of costs.quick) expect(cost).toBeCloseTo(500, 9);
     for (const cost of costs.slow) expect(cost).toBeCloseTo(200_000, 6);
@@ -99,15 +99,15 @@ describe('turns', () => {
         dispose() {},
       };
     };
-    expect((await takeTurns([moody()], [1000], plan, 'test')).moody).toEqual([4000, 4000, 4000]);
-    expect((await takeTurns([moody()], [1000], { ...plan, cost: 'cheapest' }, 'test')).moody).toEqual([
+    expect((await interleave([moody()], [1000], plan, 'test')).moody).toEqual([4000, 4000, 4000]);
+    expect((await interleave([moody()], [1000], { ...plan, cost: 'cheapest' }, 'test')).moody).toEqual([
       2000, 2000, 2000,
     ]);
   });
 
   it('change who is first, and never let one run through its share alone', async () => {
     const log: string[] = [];
-    await takeTurns([new Clockwork('a', 1, log), new Clockwork('b', 1, log)], [1, 1], plan, 'test');
+    await interleave([new Clockwork('a', 1, log), new Clockwork('b', 1, log)], [1, 1], plan, 'test');
     const played = log.slice(-24);
     expect(played).toHaveLength(24);
     expect(played.join('')).not.toMatch(/aaa|bbb/);

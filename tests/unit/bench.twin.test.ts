@@ -78,7 +78,7 @@ describe('the twin', () => {
     expect(twin.alive).toBe(left.x.length);
     expect(twin.alive).toBeLessThan(COUNT);
     expect(twin.alive).toBeGreaterThan(0);
-    expect([...twin.particles.look.subarray(0, twin.alive)]).toEqual([...left.look]);
+    expect([...twin.particles.attributes.subarray(0, twin.alive)]).toEqual([...left.attributes]);
     expect(largestDifference(left, twin.particles)).toBeLessThan(TOLERANCE);
   });
 });

@@ -22,8 +22,8 @@ test('every flame and every spark cools exponentially, and what is higher is col
   const cooling = scene.rig['buoyancy.coolingTime'];
   const seen = new Set<number>();
   temperature.forEach((warm, i) => {
-    const born = warm * Math.exp(age[i] / cooling);
-    const source = births.findIndex((at) => Math.abs(born - at) < 0.02 * at);
+    const spawned = warm * Math.exp(age[i] / cooling);
+    const source = births.findIndex((at) => Math.abs(spawned - at) < 0.02 * at);
     expect(source).toBeGreaterThanOrEqual(0);
     seen.add(source);
   });

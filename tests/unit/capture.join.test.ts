@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { joined, stillOf } from '../../src/app/capture/still.ts';
 import { NO_END, type Rows } from '../../src/sim/rows.ts';
 import type { View } from '../../src/sim/view.ts';
-import type { Arranger, FrameInput } from '../../src/smoke/frame.ts';
+import type { Arranger, FrameInput } from '../../src/smoke/frameInput.ts';
 
 const SEEDS = [0, 100, 255];
 const VIEW = { purpose: 'eye', cull: true, coverage: {} } as unknown as View;
@@ -11,8 +11,8 @@ const VIEW = { purpose: 'eye', cull: true, coverage: {} } as unknown as View;
 /** A puff of radius 2 for each seed, at a height. */
 function smokeAt(height: number): Arranger & { asked: View[] } {
   const place = Float32Array.from(SEEDS.flatMap((_, at) => [at, height, 0, 2]));
-  const look = Uint32Array.from(SEEDS.flatMap((seed) => [0x12345678, seed << 8]));
-  const rows: Rows = { count: SEEDS.length, place, look };
+  const attributes = Uint32Array.from(SEEDS.flatMap((seed) => [0x12345678, seed << 8]));
+  const rows: Rows = { count: SEEDS.length, place, attributes };
   const asked: View[] = [];
   const arrange = (view: View) => {
     asked.push(view);
@@ -51,8 +51,8 @@ test('on its way from one moment to another smoke dissolves puff by puff, while 
 test('nothing is left out, and shadows end nowhere, because what hides them changes', () => {
   const from = frameAt(1);
   const frame = joined(from, stillOf(frameAt(5)), 0.5);
-  const { look } = frame.simulator.arrange({ ...VIEW, purpose: 'light' });
-  for (const word of look.filter((_, at) => at % 2 === 0)) expect(word).toBe((NO_END | 0x5678) >>> 0);
+  const { attributes } = frame.simulator.arrange({ ...VIEW, purpose: 'light' });
+  for (const word of attributes.filter((_, at) => at % 2 === 0)) expect(word).toBe((NO_END | 0x5678) >>> 0);
   const [view] = (from.simulator as ReturnType<typeof smokeAt>).asked;
   expect(view).toMatchObject({ cull: false, coverage: undefined });
   expect(frame.simulator.bounds).toEqual({ min: [0, 1, 0], max: [2, 5, 0], greatestRadius: 2 });

@@ -11,8 +11,8 @@ function sectors(size = 64): ImageData {
   const pixels = Uint32Array.from({ length: size * size }, (_, at) => {
     const [x, y] = [(at % size) - size / 2.3, Math.floor(at / size) - size / 2.1];
     if (Math.hypot(x - 14, y - 8) < 7) return BLUE;
-    const turn = Math.atan2(y, x);
-    return turn > 2 ? GREEN : turn > -1 ? RED : BLUE;
+    const angle = Math.atan2(y, x);
+    return angle > 2 ? GREEN : angle > -1 ? RED : BLUE;
   });
   return { data: new Uint8ClampedArray(pixels.buffer), width: size, height: size } as unknown as ImageData;
 }

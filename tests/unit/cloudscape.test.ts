@@ -12,9 +12,12 @@ const values = presetValues(findPreset('cloudscape')!);
 
 /** Places of the puffs that were born at the start, in the order of their seeds, which stay theirs. */
 function firstOnes(simulation: Simulation): Map<string, [x: number, y: number, z: number]> {
-  const { x, y, z, size, look, age } = readParticles(simulation.simulator);
+  const { x, y, z, size, attributes, age } = readParticles(simulation.simulator);
   const oldest = Math.max(...age) - 0.1;
-  const entries = Array.from(x, (_, i) => [`${look[i] & 0xffff} ${size[i]}`, [x[i], y[i], z[i]], age[i]] as const);
+  const entries = Array.from(
+    x,
+    (_, i) => [`${attributes[i] & 0xffff} ${size[i]}`, [x[i], y[i], z[i]], age[i]] as const,
+  );
   return new Map(entries.flatMap(([key, place, seconds]) => (seconds > oldest ? [[key, [...place]]] : [])));
 }
 

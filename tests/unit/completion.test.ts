@@ -24,14 +24,14 @@ const settled = () => new Promise((resolve) => setTimeout(resolve));
 /** A completion, what is wanted of it, and what it tells. */
 function begun() {
   const wanted: { renderer: PictureKind['renderer'] } = { renderer: 'selle' };
-  const told: string[] = [];
+  const notified: string[] = [];
   const completion = completionOf(
     () => ({ ...wanted, form: 'lobes' }),
-    () => told.push('shown'),
-    ({ message }) => told.push(message),
+    () => notified.push('shown'),
+    ({ message }) => notified.push(message),
   );
   completion.begin();
-  return { completion, wanted, told };
+  return { completion, wanted, notified };
 }
 
 beforeEach(() => {
@@ -40,22 +40,22 @@ beforeEach(() => {
 });
 
 test('what fails is told once, however often it was asked for meanwhile, and tried anew by the next who asks', async () => {
-  const { completion, told } = begun();
+  const { completion, notified } = begun();
   completion.begin();
   const waiting = expect(completion.wait()).rejects.toThrow('gone');
   requests[0].fail(new Error('gone'));
   await waiting;
   await settled();
   expect(requests).toHaveLength(1);
-  expect(told).toEqual(['gone']);
+  expect(notified).toEqual(['gone']);
   completion.begin();
   requests[1].come();
   await completion.wait();
-  expect(told).toEqual(['gone', 'shown']);
+  expect(notified).toEqual(['gone', 'shown']);
 });
 
 test('what came to be wanted on the way is fetched, too, before anybody goes on', async () => {
-  const { completion, wanted, told } = begun();
+  const { completion, wanted, notified } = begun();
   const done = vi.fn<() => void>();
   const waiting = completion.wait().then(done);
   wanted.renderer = 'sprites';
@@ -66,16 +66,16 @@ test('what came to be wanted on the way is fetched, too, before anybody goes on'
   expect(done).not.toHaveBeenCalled();
   requests[1].come();
   await waiting;
-  expect(told).toEqual(['shown', 'shown']);
+  expect(notified).toEqual(['shown', 'shown']);
 });
 
 test('what nobody wants any longer is not missed, and what is here is not asked for', async () => {
-  const { completion, wanted, told } = begun();
+  const { completion, wanted, notified } = begun();
   here.add((wanted.renderer = 'nailboards'));
   requests[0].fail(new Error('gone'));
   await settled();
   completion.begin();
   await completion.wait();
   expect(requests).toHaveLength(1);
-  expect(told).toEqual([]);
+  expect(notified).toEqual([]);
 });

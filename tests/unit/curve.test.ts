@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { moved } from '../../src/app/curveControl.ts';
+import { moved } from '../../src/app/panel/curveControl.ts';
 import { readCurve, writeCurve } from '../../src/preset/curve.ts';
 import { simulatorValues } from '../../src/sim/simulatorValues.ts';
 

@@ -66,15 +66,15 @@ test('it rises where the ball hits, and none while that is in the air', () => {
 
 test('what bounces raises dust again at each hit, less each time', () => {
   const simulation = alone(BALL, [0, 2.4, 0], 0.9);
-  const born: number[] = [];
+  const spawned: number[] = [];
   let alive = 0;
   for (let step = 0; step < 150; step++) {
     simulation.advance(1);
-    if (simulation.simulator.alive > alive) born.push(simulation.simulator.alive - alive);
+    if (simulation.simulator.alive > alive) spawned.push(simulation.simulator.alive - alive);
     alive = simulation.simulator.alive;
   }
-  expect(born.length).toBeGreaterThanOrEqual(3);
-  const [first, second, third] = born;
+  expect(spawned.length).toBeGreaterThanOrEqual(3);
+  const [first, second, third] = spawned;
   expect(second).toBeLessThan(first);
   expect(third).toBeLessThan(second);
   simulation.dispose();

@@ -1,7 +1,7 @@
 /** What the attribute `src` of an element takes. */
 import { expect, test } from 'vitest';
-import { readLink } from '../../src/element/link.ts';
-import { FIRST_PRESET } from '../../src/preset/moods/moods.ts';
+import { readLink } from '../../src/element/attributes/link.ts';
+import { FIRST_PRESET } from '../../src/preset/byScene/fetchPreset.ts';
 import type { Notice } from '../../src/preset/notice.ts';
 
 const PAGE = 'https://example.org/page.html';

@@ -1,13 +1,13 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { HANDED_ON } from '../../src/element/methods.ts';
-import { keyOfAttribute, names } from '../../src/element/names.ts';
+import { keyOfAttribute, names } from '../../src/element/attributes/names.ts';
 import type { Parameter } from '../../src/preset/parameter.ts';
 import { listNames } from '../../src/preset/lists.ts';
 import { table } from '../../src/preset/table.ts';
 import { calls } from '../../src/remote/calls.ts';
 
-const FILE = new URL('../../src/element/names.json', import.meta.url);
+const FILE = new URL('../../src/element/attributes/names.json', import.meta.url);
 
 function isNumber(row: Parameter): boolean {
   return row.kind === 'number' || row.kind === 'integer' || typeof row.default === 'number';

@@ -6,10 +6,10 @@ import { acos, asin, atan2, tan } from '../../src/sim/exact/arc.ts';
 import { exp, pow } from '../../src/sim/exact/power.ts';
 import { anglesYZX, multiply, slerp } from '../../src/sim/exact/quaternion.ts';
 import { cos, hypot, sin } from '../../src/sim/exact/sine.ts';
-import { rotate, turnBy } from '../../src/sim/exact/turn.ts';
+import { rotate, quaternionFromAngles } from '../../src/sim/exact/rotation.ts';
 import { random } from '../visual/random.ts';
 
-type Range = readonly [least: number, most: number];
+type Range = readonly [min: number, max: number];
 type Function = (...given: number[]) => number;
 
 /** Seconds of ten hours times the fastest rate of a scene, 47 rad/s. */
@@ -36,7 +36,7 @@ const FUNCTIONS: readonly [string, Function, Function, readonly Range[], number,
 /** So many rows of numbers in ranges, the same each time. */
 function rows(count: number, ranges: readonly Range[]): number[][] {
   const next = random(7);
-  return Array.from({ length: count }, () => ranges.map(([least, most]) => least + (most - least) * next()));
+  return Array.from({ length: count }, () => ranges.map(([min, max]) => min + (max - min) * next()));
 }
 
 test.each(FUNCTIONS)('%s is as accurate as the engine', (_, own, engine, ranges, bound, kind) => {
@@ -100,26 +100,35 @@ function closeTo(found: readonly number[], expected: readonly number[]): void {
 
 test.each(ORDERS)('angles make the quaternions of three.js in the order %s', (order) => {
   for (const [x, y, z] of ANGLES) {
-    const turn = order === 'ZYX' ? turnBy([x, y, z]) : multiply(turnBy([0, y, 0]), turnBy([x, 0, z]));
-    closeTo(turn, new Quaternion().setFromEuler(new Euler(x, y, z, order)).toArray());
+    const quaternion =
+      order === 'ZYX'
+        ? quaternionFromAngles([x, y, z])
+        : multiply(quaternionFromAngles([0, y, 0]), quaternionFromAngles([x, 0, z]));
+    closeTo(quaternion, new Quaternion().setFromEuler(new Euler(x, y, z, order)).toArray());
   }
 });
 
 test('quaternions turn vectors as those of three.js do', () => {
   for (const [index, angles] of ANGLES.entries()) {
-    const [turn, vector] = [turnBy(angles), ANGLES[199 - index]];
-    closeTo(rotate(turn, vector), new Vector3(...vector).applyQuaternion(new Quaternion(...turn)).toArray());
+    const [quaternion, vector] = [quaternionFromAngles(angles), ANGLES[199 - index]];
+    closeTo(
+      rotate(quaternion, vector),
+      new Vector3(...vector).applyQuaternion(new Quaternion(...quaternion)).toArray(),
+    );
   }
 });
 
 test('a quaternion gives its angles back', () => {
   for (const [x, y, z] of ANGLES) {
     const angles = [x, 2 * y, z / 2.1];
-    const turn = multiply(turnBy([0, angles[1], 0]), turnBy([angles[0], 0, angles[2]]));
+    const quaternion = multiply(
+      quaternionFromAngles([0, angles[1], 0]),
+      quaternionFromAngles([angles[0], 0, angles[2]]),
+    );
     // Near z = pi / 2 the angles of a rounded quaternion are uncertain.
-    anglesYZX(turn).forEach((angle, axis) => expect(Math.abs(angle - angles[axis])).toBeLessThan(1e-13));
+    anglesYZX(quaternion).forEach((angle, axis) => expect(Math.abs(angle - angles[axis])).toBeLessThan(1e-13));
   }
-  const upright = multiply(turnBy([0, 0.4, 0]), turnBy([0, 0, Math.PI / 2]));
+  const upright = multiply(quaternionFromAngles([0, 0.4, 0]), quaternionFromAngles([0, 0, Math.PI / 2]));
   const [x, y, z] = anglesYZX(upright);
   expect(x).toBe(0);
   expect(y).toBeCloseTo(0.4, 12);
@@ -128,9 +137,9 @@ test('a quaternion gives its angles back', () => {
 
 test('blends between quaternions are those of three.js, near and far apart', () => {
   for (const [index, angles] of ANGLES.entries()) {
-    const from = turnBy(angles);
-    const near = multiply(turnBy([0.01, 0, 0.005]), from);
-    for (const to of [turnBy(ANGLES[199 - index]), near, from]) {
+    const from = quaternionFromAngles(angles);
+    const near = multiply(quaternionFromAngles([0.01, 0, 0.005]), from);
+    for (const to of [quaternionFromAngles(ANGLES[199 - index]), near, from]) {
       for (const share of [0, 0.08, 0.5, 1]) {
         const expected = new Quaternion(...from).slerp(new Quaternion(...to), share).normalize();
         closeTo(slerp(from, to, share), expected.toArray());

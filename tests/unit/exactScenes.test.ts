@@ -3,7 +3,7 @@
  * scenes run with the engine's functions and with bent ones, by far more than any two engines differ.
  */
 import { expect, test, vi } from 'vitest';
-import type { MovingMoment, Placement, Scene } from '../../src/scenes/scene.ts';
+import type { MovingSceneState, Placement, Scene } from '../../src/scenes/scene.ts';
 import { random } from '../visual/random.ts';
 
 const STEPS = 120;
@@ -65,12 +65,12 @@ async function hashes(): Promise<Record<string, string>> {
 }
 
 /** Poses that a guide or a rule may find, the same each time: lying, flying and fallen. */
-function moments(): MovingMoment[] {
+function moments(): MovingSceneState[] {
   const next = random(3);
   const somewhere = (): Placement => {
-    const turn = [next() - 0.5, next() - 0.5, next() - 0.5, next() + 0.1] as const;
-    const length = Math.sqrt(turn.reduce((sum, part) => sum + part * part, 0));
-    const [x, y, z, w] = turn.map((part) => part / length);
+    const quaternion = [next() - 0.5, next() - 0.5, next() - 0.5, next() + 0.1] as const;
+    const length = Math.sqrt(quaternion.reduce((sum, part) => sum + part * part, 0));
+    const [x, y, z, w] = quaternion.map((part) => part / length);
     return { position: [4 * next() - 2, 9 * next() - 7, 4 * next() - 2], rotation: [x, y, z, w] };
   };
   return Array.from({ length: 300 }, (_, index) => {

@@ -50,9 +50,9 @@ describe('extrude', () => {
   });
 
   it('refuses a mesh with a face turned inside out', () => {
-    const turned = { ...CUBE, indices: CUBE.indices.slice() };
-    turned.indices.set([turned.indices[1], turned.indices[0]], 0);
-    expect(() => extrude(turned)).toThrow(RangeError);
+    const flipped = { ...CUBE, indices: CUBE.indices.slice() };
+    flipped.indices.set([flipped.indices[1], flipped.indices[0]], 0);
+    expect(() => extrude(flipped)).toThrow(RangeError);
   });
 });
 

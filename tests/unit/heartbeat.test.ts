@@ -1,6 +1,6 @@
 /** A worker that is gone is told from one that had no time to answer, and from a page that did not run meanwhile. */
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { afterRunning, fetched } from '../../src/preset/patience.ts';
+import { afterRunning, fetched } from '../../src/preset/timeout.ts';
 import { beatWhile, watchHeart } from '../../src/remote/heartbeat.ts';
 
 const MINUTE = 60_000;

@@ -1,6 +1,6 @@
 import { Object3D, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { capsule, follow } from '../../src/host/proxies.ts';
+import { capsule, follow } from '../../src/three/proxies.ts';
 
 const LIMB = { from: new Vector3(0, 0, 0), to: new Vector3(0, 2, 0), radius: 0.3 };
 

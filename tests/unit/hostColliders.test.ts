@@ -15,9 +15,9 @@ import {
   Vector3,
 } from 'three';
 import { beforeAll, expect, test } from 'vitest';
-import { Colliders } from '../../src/host/colliders.ts';
-import { ballsOf } from '../../src/host/proxies.ts';
-import { shapeOf } from '../../src/host/shapes.ts';
+import { Colliders } from '../../src/three/colliders.ts';
+import { ballsOf } from '../../src/three/proxies.ts';
+import { shapeOf } from '../../src/three/shapes.ts';
 import type { SimulatorFactory } from '../../src/sim/load.ts';
 import { POSE_FLOATS } from '../../src/sim/rows.ts';
 import { loadVariant } from './simWasm.ts';

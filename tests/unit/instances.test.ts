@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { Casters, ONE_QUAD } from '../../src/instances/instances.ts';
+import { CasterInstances, ONE_QUAD } from '../../src/instances/instances.ts';
 import type { Rows } from '../../src/sim/rows.ts';
 
 const ROLL = 0x1234;
@@ -9,18 +9,18 @@ function rowsEnding(ends: number[]): Rows {
   return {
     count: ends.length,
     place: Float32Array.from({ length: 4 * ends.length }, () => 0.5),
-    look: Uint32Array.from(ends.flatMap((end) => [((end << 16) | ROLL) >>> 0, 7])),
+    attributes: Uint32Array.from(ends.flatMap((end) => [((end << 16) | ROLL) >>> 0, 7])),
   };
 }
 
-function castersEnding(...ends: number[]): Casters {
-  const casters = new Casters(8, ONE_QUAD);
+function castersEnding(...ends: number[]): CasterInstances {
+  const casters = new CasterInstances(8, ONE_QUAD);
   casters.fill(rowsEnding(ends));
   return casters;
 }
 
-function wordsOf(casters: Casters): number[] {
-  return Array.from(casters.geometry.getAttribute('look').array.slice(0, 2 * casters.count));
+function wordsOf(casters: CasterInstances): number[] {
+  return Array.from(casters.geometry.getAttribute('attributes').array.slice(0, 2 * casters.count));
 }
 
 test('a shadow ends where it is told in metres, rounded up to what a row can hold', () => {

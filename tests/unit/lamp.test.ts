@@ -131,8 +131,8 @@ describe('the collision pieces', () => {
   /** Directions all round, on a spiral. */
   const directions = Array.from({ length: 600 }, (_, i): Vector => {
     const y = 1 - (2 * i + 1) / 600;
-    const turn = i * Math.PI * (3 - Math.sqrt(5));
-    return [Math.sqrt(1 - y * y) * Math.cos(turn), y, Math.sqrt(1 - y * y) * Math.sin(turn)];
+    const angle = i * Math.PI * (3 - Math.sqrt(5));
+    return [Math.sqrt(1 - y * y) * Math.cos(angle), y, Math.sqrt(1 - y * y) * Math.sin(angle)];
   });
 
   /** How far a point lies outside the hull of some corners (a lower bound), negative inside. */

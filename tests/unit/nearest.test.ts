@@ -1,6 +1,6 @@
 /** Which boxes of a page count where the simulator has no room for all. */
 import { expect, test } from 'vitest';
-import { nearest } from '../../src/element/nearest.ts';
+import { nearest } from '../../src/element/layout/nearest.ts';
 
 const FRAME = { left: 0, top: 0, width: 600, height: 400 };
 /** Twelve boxes one below the other, 100 pixels apart: four of them are in the frame. */

@@ -3,12 +3,12 @@ import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { expect, it } from 'vitest';
 
-interface Place {
+interface NamePosition {
   readonly start: number;
   readonly end: number;
 }
 interface Members {
-  privatePlaces(file: string, code: string): Map<string, Place[]>[];
+  privatePlaces(file: string, code: string): Map<string, NamePosition[]>[];
 }
 interface Shaders {
   shortNames(shaders: { file: string; text: string }[]): Map<string, string>;

@@ -6,7 +6,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 import { publint } from 'publint';
 import { rolldown, type Plugin } from 'rolldown';
 import { beforeAll, expect, it } from 'vitest';
-import { names } from '../../src/element/names.ts';
+import { names } from '../../src/element/attributes/names.ts';
 import { version } from '../../src/element/version.ts';
 import { table } from '../../src/preset/table.ts';
 

@@ -1,7 +1,7 @@
 /** Boxes of a page in the smoke, for eyes from all around: the cut of each obstacle with the plane of the picture is the box. */
 import { Quaternion, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { colliderValues, emitterValues } from '../../src/element/pageValues.ts';
+import { colliderValues, emitterValues } from '../../src/element/layout/pageValues.ts';
 import type { ScenePlane } from '../../src/stage/sight.ts';
 
 const PIXEL = 0.01;
@@ -36,11 +36,11 @@ test.each(EYES)('an obstacle is as wide and high as its box, from %f and %f', (a
   const values = colliderValues([PLACE], planeOf(axes)) as Record<string, number>;
   const read = (name: string) => new Vector3(...['x', 'y', 'z'].map((axis) => values[`colliders.0.${name}.${axis}`]));
   // As the simulator turns a box: its y axis to the given one, by the shortest way.
-  const turn = new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), read('axis').normalize());
+  const rotation = new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), read('axis').normalize());
   const half = read('halfExtents');
   const isWithin = (x: number, y: number) => {
     const place = MIDDLE.clone().addScaledVector(axes.right, x).addScaledVector(axes.up, y);
-    const local = place.sub(read('position')).applyQuaternion(turn.clone().invert());
+    const local = place.sub(read('position')).applyQuaternion(rotation.clone().invert());
     return Math.abs(local.x) <= half.x && Math.abs(local.y) <= half.y && Math.abs(local.z) <= half.z;
   };
   const edge = 0.004;

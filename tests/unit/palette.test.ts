@@ -10,7 +10,7 @@ import {
   smokeColorOf,
   surfaceShadowOf,
   surfaceToning,
-  turnOf,
+  litThresholdOf,
   washed,
 } from '../../src/smoke/palette.ts';
 import { automaticColors, styleOf } from '../../src/smoke/style.ts';
@@ -71,11 +71,11 @@ describe('ramps of chosen stops', () => {
   });
 
   it('tell where they leave shadow', () => {
-    expect(turnOf(toning)).toBe(0.125);
-    expect(turnOf({ ...toning, isBlended: true })).toBe(0);
-    expect(turnOf({ ...toning, shading: false })).toBe(-1);
-    expect(turnOf({ tones: 3, shading: true })).toBe(FIRST_BORDER);
-    expect(turnOf({ tones: 1, shading: true })).toBe(-1);
+    expect(litThresholdOf(toning)).toBe(0.125);
+    expect(litThresholdOf({ ...toning, isBlended: true })).toBe(0);
+    expect(litThresholdOf({ ...toning, shading: false })).toBe(-1);
+    expect(litThresholdOf({ tones: 3, shading: true })).toBe(FIRST_BORDER);
+    expect(litThresholdOf({ tones: 1, shading: true })).toBe(-1);
   });
 
   it('run into each other when blended, and begin with the shadow', () => {

@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest';
-import { keptCreases, keptSeams } from '../../src/passes/creases.ts';
-import { keptExtrusion } from '../../src/passes/meshVolumes.ts';
+import { memoizedCreases, memoizedSeams } from '../../src/passes/creases.ts';
+import { memoizedExtrusion } from '../../src/passes/meshVolumes.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
-import { preparingSurfaces } from '../../src/smoke/prepareSurfaces.ts';
+import { preparingSurfaces } from '../../src/smoke/prepare.ts';
 import { box, ground } from '../visual/solids.ts';
 
 const [FLOOR, BOX, PLAIN] = [ground(0, 5).mesh, box([0, 0.5, 0], [0.5, 0.5, 0.5]), box([2, 2, 2], [1, 1, 1])];
@@ -25,8 +25,8 @@ test('what was prepared is not made again', () => {
   // What is kept stays as it was made, though the mesh is another now.
   BOX.positions.fill(0);
   FLOOR.positions.fill(0);
-  expect(keptExtrusion(BOX).longestEdge).toBeGreaterThan(1);
-  expect(keptCreases(BOX).count).toBe(12);
-  expect(keptSeams(BOX)(FLOOR).count).toBeGreaterThan(0);
+  expect(memoizedExtrusion(BOX).longestEdge).toBeGreaterThan(1);
+  expect(memoizedCreases(BOX).count).toBe(12);
+  expect(memoizedSeams(BOX)(FLOOR).count).toBeGreaterThan(0);
   [BOX, FLOOR].forEach((mesh, index) => mesh.positions.set(meshes[index]));
 });

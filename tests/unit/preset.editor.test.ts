@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { Editor, type Changes } from '../../src/app/editor.ts';
-import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from '../../src/app/slider.ts';
+import { Editor, type Changes } from '../../src/app/editor/editor.ts';
+import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from '../../src/app/panel/slider.ts';
 import { defaultState } from '../../src/preset/codec.ts';
 import type { NumberParameter, Value, Values } from '../../src/preset/parameter.ts';
 import { findParameter, table } from '../../src/preset/table.ts';
@@ -10,30 +10,30 @@ import { isAccepted } from '../../src/preset/values.ts';
 const numbers = table.filter((row): row is NumberParameter => row.kind === 'number' || row.kind === 'integer');
 const RATE = 'emission.rate';
 
-function editing(): { editor: Editor; told: Changes[]; rate: () => unknown } {
+function editing(): { editor: Editor; notified: Changes[]; rate: () => unknown } {
   const editor = new Editor(defaultState());
-  const told: Changes[] = [];
-  editor.listen((_state, changed) => told.push(changed));
-  return { editor, told, rate: () => editor.state.values[RATE] };
+  const notified: Changes[] = [];
+  editor.listen((_state, changed) => notified.push(changed));
+  return { editor, notified, rate: () => editor.state.values[RATE] };
 }
 
 describe('Editor', () => {
   it('tells what changed, and nothing when nothing did', () => {
-    const { editor, told } = editing();
+    const { editor, notified } = editing();
     editor.change(RATE, 200);
     editor.change(RATE, 200);
-    expect(told).toEqual([{ [RATE]: 200 }]);
+    expect(notified).toEqual([{ [RATE]: 200 }]);
   });
 
   it('tells of an optional value that was taken away, as undefined', () => {
-    const { editor, told } = editing();
+    const { editor, notified } = editing();
     editor.change('camera.distance', 5);
     editor.changeAll({ 'camera.distance': undefined });
-    expect(told).toEqual([{ 'camera.distance': 5 }, { 'camera.distance': undefined }]);
+    expect(notified).toEqual([{ 'camera.distance': 5 }, { 'camera.distance': undefined }]);
   });
 
   it('compares what is set, not all rows of the table', () => {
-    const { editor, told } = editing();
+    const { editor, notified } = editing();
     let reads = 0;
     const values: Values = { ...editor.state.values, [RATE]: 200 };
     const counting = new Proxy(values, {
@@ -43,7 +43,7 @@ describe('Editor', () => {
       },
     });
     editor.adopt(counting);
-    expect(told).toEqual([{ [RATE]: 200 }]);
+    expect(notified).toEqual([{ [RATE]: 200 }]);
     expect(reads).toBeLessThan(4 * Object.keys(values).length);
   });
 

@@ -68,8 +68,8 @@ describe('the simulator', () => {
     const base = { ...axis, ...wind, 'vortices.0.circulation': 2, 'turbulence.speed': 1, 'gravity.acceleration': 1 };
     const shown = (values: Record<string, number>) => {
       const simulator = smoking({ ...base, ...values });
-      const { place, look } = simulator.arrange(EVERYTHING);
-      const picture = `${place.join()} ${look.join()}`;
+      const { place, attributes } = simulator.arrange(EVERYTHING);
+      const picture = `${place.join()} ${attributes.join()}`;
       simulator.dispose();
       return picture;
     };

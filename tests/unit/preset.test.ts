@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { readEnvironment } from '../../src/preset/environment.ts';
 import { ParameterError } from '../../src/preset/errors.ts';
-import { fetchPreset, FIRST_PRESET } from '../../src/preset/moods/moods.ts';
+import { fetchPreset, FIRST_PRESET } from '../../src/preset/byScene/fetchPreset.ts';
 import { defaultPreset, findPreset, presets, presetValues } from '../../src/preset/presets.ts';
 import { findParameter, groups, itemGroups, table } from '../../src/preset/table.ts';
 import { defaults, isAccepted, validate } from '../../src/preset/values.ts';

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { nearestCells, signedDistance } from '../../src/puffs/distance.ts';
+import { nearestCells, signedDistance } from '../../src/puffs/billboards/distance.ts';
 
 /** A grid of zeros and ones from a predicate of the cell's column and row. */
 function grid(size: number, isCovered: (x: number, y: number) => boolean): Uint8Array {

@@ -1,14 +1,14 @@
 import { expect, test } from 'vitest';
 import { ShapeError } from '../../src/preset/errors.ts';
-import { BallCover } from '../../src/puffs/ballCover.ts';
-import { closedMesh, MOST_TRIANGLES, type PlainMesh } from '../../src/puffs/closedMesh.ts';
-import { demandShapes } from '../../src/puffs/demandShapes.ts';
-import { fitPuff } from '../../src/puffs/fitPuff.ts';
+import { BallCover } from '../../src/puffs/fit/ballCover.ts';
+import { closedMesh, MAX_TRIANGLES, type PlainMesh } from '../../src/puffs/fit/closedMesh.ts';
+import { demandShapes } from '../../src/puffs/lobes.ts';
+import { fitPuff } from '../../src/puffs/fit/fitPuff.ts';
 import { reachOf } from '../../src/puffs/lobes.ts';
 import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
-import { puffMesh } from '../../src/puffs/mesh.ts';
+import { puffMesh } from '../../src/puffs/billboards/mesh.ts';
 import type { Lobe } from '../../src/puffs/shapes.ts';
-import { centreOf, depthsOf, voxelsOf } from '../../src/puffs/voxels.ts';
+import { centreOf, depthsOf, voxelsOf } from '../../src/puffs/fit/voxels.ts';
 import { box } from '../visual/solids.ts';
 
 const BALL: Lobe = { center: [0, 0, 0], radius: 1 };
@@ -90,13 +90,13 @@ const cases: readonly (readonly [string, PlainMesh, RegExp])[] = [
   ['open', { positions: ball.positions, indices: ball.indices.subarray(3) }, /open: 3 of its/],
   ['of one point', { positions: [1, 1, 1], indices: [0, 0, 0] }, /no size/],
   ['flat', box([0, 0, 0], [1, 1, 0.001]), /too thin/],
-  ['too large', { positions: ball.positions, indices: new Uint32Array(3 * MOST_TRIANGLES + 3) }, /250001 triangles/],
+  ['too large', { positions: ball.positions, indices: new Uint32Array(3 * MAX_TRIANGLES + 3) }, /250001 triangles/],
 ];
 
 test.each(cases)('a mesh that is %s is refused in words', async (_, mesh, message) => {
-  const refused = fitPuff(mesh);
-  await expect(refused).rejects.toThrow(ShapeError);
-  await expect(refused).rejects.toThrow(message);
+  const rejected = fitPuff(mesh);
+  await expect(rejected).rejects.toThrow(ShapeError);
+  await expect(rejected).rejects.toThrow(message);
 });
 
 test('fitting can be ended', async () => {

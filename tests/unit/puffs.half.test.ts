@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { fromHalf, toHalf } from '../../src/puffs/half.ts';
+import { fromHalf, toHalf } from '../../src/puffs/billboards/layers.ts';
 
 test('every half float that is a number survives a round trip', () => {
   const halves = Array.from({ length: 65536 }, (_, half) => half).filter((half) => !Number.isNaN(fromHalf(half)));

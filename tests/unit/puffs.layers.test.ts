@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import { fromHalf } from '../../src/puffs/half.ts';
-import { bakePuffs, samplePuff } from '../../src/puffs/layers.ts';
-import { puffMesh } from '../../src/puffs/mesh.ts';
-import { PUFF_PAD, rasterise } from '../../src/puffs/rasterise.ts';
+import { fromHalf } from '../../src/puffs/billboards/layers.ts';
+import { bakePuffs, samplePuff } from '../../src/puffs/billboards/layers.ts';
+import { puffMesh } from '../../src/puffs/billboards/mesh.ts';
+import { PUFF_PAD, rasterise } from '../../src/puffs/billboards/rasterise.ts';
 import type { Lobe } from '../../src/puffs/shapes.ts';
 import { FRONTS } from './fronts.ts';
 
@@ -115,8 +115,8 @@ describe('the layers of all shapes', () => {
         if (length < 1.8 * texel) continue; // A ridge between two lobes: two borders are as near.
         const back = outside.distance + texel;
         const border = samplePuff(layers, layer, x - (gradient[0] / length) * back, y - (gradient[1] / length) * back);
-        const turn = outside.normal.reduce((sum, n, axis) => sum + n * border.normal[axis], 0);
-        expect(turn).toBeGreaterThan(0.75);
+        const agreement = outside.normal.reduce((sum, n, axis) => sum + n * border.normal[axis], 0);
+        expect(agreement).toBeGreaterThan(0.75);
         expect(Math.abs(outside.height - border.height)).toBeLessThan(0.3);
       }
     }

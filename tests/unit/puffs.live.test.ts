@@ -6,7 +6,7 @@ import { LivePuffs } from '../../src/smoke/livePuffs.ts';
 
 const ONE: Values = { ...presetValues(defaultPreset), 'puff.variations': 1 };
 /** A value of each row that shapes puffs, other than its default. */
-const TURNED: readonly (readonly [key: string, value: number])[] = [
+const CHANGED: readonly (readonly [key: string, value: number])[] = [
   ['puff.lumpiness', 0.2],
   ['puff.flatness', 0.9],
   ['puff.roughness', 0.1],
@@ -22,7 +22,7 @@ function layersOf(values: Values) {
   return new LivePuffs({ ...ONE, ...values }).finish()!.billboards.layers;
 }
 
-test.each(TURNED)('billboards, and so the puffs of Selle, take their shapes from %s', (key, value) => {
+test.each(CHANGED)('billboards, and so the puffs of Selle, take their shapes from %s', (key, value) => {
   const [before, after] = [layersOf({}), layersOf({ [key]: value })];
   // Normals and reliefs inside, and the silhouette.
   const changed = (name: 'normalDepth' | 'colorCoverage') =>

@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest';
-import { bakeLobes } from '../../src/puffs/bakeLobes.ts';
-import { meetLobes, MOST_LOBES, reachOf, sampleLobes, silhouetteRadius } from '../../src/puffs/lobes.ts';
+import { bakeLobes } from '../../src/puffs/bake/bakeLobes.ts';
+import { meetLobes, MAX_LOBES, reachOf, sampleLobes, silhouetteRadius } from '../../src/puffs/lobes.ts';
 import { DEFAULT_DESIGN, designedShapes, LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
-import { orientationOf, turnedLobes } from '../../src/puffs/orientation.ts';
+import { orientationOf, rotatedLobes } from '../../src/puffs/orientation.ts';
 import { CARTOON_KNOBS, proceduralPuff } from '../../src/puffs/procedural.ts';
 import type { Lobe, PuffShape } from '../../src/puffs/shapes.ts';
 import { dot } from '../../src/puffs/vector.ts';
@@ -28,7 +28,7 @@ test('a puff of one lobe is a ball: silhouette, height, normal', () => {
 test('heights are those of the surface: a point there lies on one lobe and in none', () => {
   for (const { lobes } of LOBE_SHAPES) {
     for (const side of SIDES.slice(0, 6)) {
-      const view = turnedLobes(side, lobes);
+      const view = rotatedLobes(side, lobes);
       for (const [x, y] of GRID) {
         const { distance, height } = meetLobes(view, x, y);
         if (distance >= 0) continue;
@@ -52,7 +52,7 @@ test('normals are of unit length, and those of a smooth place lean by the share 
 
 test.each(LOBE_SHAPES)('$name is a lobed, roundish thing from every side', ({ lobes }) => {
   for (const side of SIDES) {
-    const view = turnedLobes(side, lobes);
+    const view = rotatedLobes(side, lobes);
     const radius = silhouetteRadius(view);
     expect(radius).toBeGreaterThan(0.7);
     expect(radius).toBeLessThan(0.9);
@@ -69,7 +69,7 @@ test('all of a puff fits the unit ball, and what is seen of it lies no deeper th
     expect(reachOf(lobes)).toBeLessThanOrEqual(1);
     expect(reachOf(lobes)).toBeGreaterThan(0.95);
     for (const side of SIDES) {
-      const view = turnedLobes(side, lobes);
+      const view = rotatedLobes(side, lobes);
       for (const [x, y] of GRID) expect(meetLobes(view, x, y).height).toBeGreaterThan(-0.6);
     }
   }
@@ -121,8 +121,8 @@ test('every variation of every seed is a shape of its own, at any knobs', () => 
 test('knobs and numbers out of range are refused by name', () => {
   expect(() => proceduralPuff('x', 1, { ...CARTOON_KNOBS, flatness: 1.5 })).toThrow(/flatness is 1.5/);
   expect(() => proceduralPuff('x', 1, { ...CARTOON_KNOBS, lumpiness: NaN })).toThrow(/lumpiness is NaN/);
-  expect(() => proceduralPuff('x', 1, CARTOON_KNOBS, MOST_LOBES + 1)).toThrow(/lobes is 13/);
-  const many = { name: 'many', lobes: Array.from({ length: MOST_LOBES + 1 }, () => BALL) };
+  expect(() => proceduralPuff('x', 1, CARTOON_KNOBS, MAX_LOBES + 1)).toThrow(/lobes is 13/);
+  const many = { name: 'many', lobes: Array.from({ length: MAX_LOBES + 1 }, () => BALL) };
   expect(() => bakeLobes([many], 0.3)).toThrow(/13 lobes/);
 });
 

@@ -1,11 +1,11 @@
 import { expect, test } from 'vitest';
-import { orientationOf, turned, type Rotation } from '../../src/puffs/orientation.ts';
+import { orientationOf, rotated, type Rotation } from '../../src/puffs/orientation.ts';
 import { dot, lengthOf, minus, spherePoint } from '../../src/puffs/vector.ts';
 
 const SEEDS = Array.from({ length: 256 }, (_, seed) => seed);
 
 function product(a: Rotation, b: Rotation): Rotation {
-  return [turned(a, b[0]), turned(a, b[1]), turned(a, b[2])];
+  return [rotated(a, b[0]), rotated(a, b[1]), rotated(a, b[2])];
 }
 
 function trace([a, b, c]: Rotation): number {
@@ -17,15 +17,15 @@ test('an orientation is a rotation by the roll about the axis of the seed', () =
     const roll = (seed * 2.4) % 6.28;
     const rotation = orientationOf(seed, roll);
     const axis = spherePoint(seed, 256);
-    expect(lengthOf(minus(turned(rotation, axis), axis))).toBeLessThan(1e-12);
+    expect(lengthOf(minus(rotated(rotation, axis), axis))).toBeLessThan(1e-12);
     expect(trace(rotation)).toBeCloseTo(1 + 2 * Math.cos(roll), 12);
     const [x, y, z] = rotation;
     for (const [a, b] of [[x, y], [y, z], [z, x]] as const) expect(dot(a, b)).toBeCloseTo(0, 12); // prettier-ignore
     // Right-handed about the axis, as a mirror image or the other sense would not be.
-    const side = turned(orientationOf(seed, Math.PI / 2), turned(orientationOf(seed, Math.PI / 2), x));
-    expect(lengthOf(minus(side, turned(orientationOf(seed, Math.PI), x)))).toBeLessThan(1e-12);
+    const side = rotated(orientationOf(seed, Math.PI / 2), rotated(orientationOf(seed, Math.PI / 2), x));
+    expect(lengthOf(minus(side, rotated(orientationOf(seed, Math.PI), x)))).toBeLessThan(1e-12);
   }
-  expect(turned(orientationOf(0, Math.PI / 2), [1, 0, 0])[1]).toBeGreaterThan(0.98);
+  expect(rotated(orientationOf(0, Math.PI / 2), [1, 0, 0])[1]).toBeGreaterThan(0.98);
 });
 
 test('rolls add up, and a whole turn is none', () => {

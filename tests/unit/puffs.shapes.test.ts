@@ -1,6 +1,6 @@
 /** What billboards show of the default puffs. */
 import { expect, test } from 'vitest';
-import { bakePuffs, type PuffLayers } from '../../src/puffs/layers.ts';
+import { bakePuffs, type PuffLayers } from '../../src/puffs/billboards/layers.ts';
 import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
 
 const layers = bakePuffs(LOBE_SHAPES);

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { bakePuffs, samplePuff } from '../../src/puffs/layers.ts';
+import { bakePuffs, samplePuff } from '../../src/puffs/billboards/layers.ts';
 import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
 import { billboardShapes } from '../../src/puffs/shapes.ts';
-import { solidsOf, type PuffSolids } from '../../src/puffs/solids.ts';
+import { solidsOf, type PuffSolids } from '../../src/puffs/bake/solids.ts';
 import { finished } from '../../src/puffs/work.ts';
 import { bakingBillboards } from '../../src/smoke/billboards.ts';
 

@@ -1,12 +1,12 @@
 import { expect, test } from 'vitest';
-import { bakePuffs, samplePuff } from '../../src/puffs/layers.ts';
+import { bakePuffs, samplePuff } from '../../src/puffs/billboards/layers.ts';
 import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
 import { middleOf, softNormal } from '../../src/puffs/normals.ts';
-import { frontsOf } from '../../src/puffs/fronts.ts';
-import { POINT_STRIDE, surfaceOf } from '../../src/puffs/patches.ts';
+import { frontsOf } from '../../src/puffs/billboards/fronts.ts';
+import { POINT_STRIDE, surfaceOf } from '../../src/puffs/bake/patches.ts';
 import type { Lobe } from '../../src/puffs/shapes.ts';
-import { NOTHING_LIT } from '../../src/puffs/patchBounds.ts';
-import { bakeStartCaps, startCapAt, type StartCaps } from '../../src/puffs/startCaps.ts';
+import { NOTHING_LIT } from '../../src/puffs/bake/patchBounds.ts';
+import { bakeStartCaps, startCapAt, type StartCaps } from '../../src/puffs/bake/startCaps.ts';
 import { minus } from '../../src/puffs/vector.ts';
 
 type Vector = [number, number, number];

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { bakeLobes, bakingLobes } from '../../src/puffs/bakeLobes.ts';
-import { Kept } from '../../src/puffs/kept.ts';
+import { bakeLobes, bakingLobes } from '../../src/puffs/bake/bakeLobes.ts';
+import { LruCache } from '../../src/puffs/lru.ts';
 import { DEFAULT_DESIGN, designedShapes } from '../../src/puffs/lobeShapes.ts';
 import { bakingPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { finished, inPieces, workedFor, type Work } from '../../src/puffs/work.ts';
@@ -24,11 +24,11 @@ test('work goes on where it was left, and one piece is always done', () => {
 
 test('between pieces all others have their turn', async () => {
   const done: number[] = [];
-  const turns: number[] = [];
-  const take = (): unknown => (turns.push(done.length), done.length < 4 && setTimeout(take));
+  const counts: number[] = [];
+  const take = (): unknown => (counts.push(done.length), done.length < 4 && setTimeout(take));
   setTimeout(take);
   expect(await inPieces(counted(4, done), 0)).toBe('ready');
-  for (const pieces of [1, 2, 3]) expect(turns).toContain(pieces);
+  for (const pieces of [1, 2, 3]) expect(counts).toContain(pieces);
 });
 
 test('puffs baked in pieces are those that are baked at once', () => {
@@ -43,7 +43,7 @@ test('puffs baked in pieces are those that are baked at once', () => {
 
 test('who wants puffs that somebody is baking goes on with them', () => {
   const works = [1, 2].map(() => bakingPuffs(designedShapes({ ...DEFAULT_DESIGN, seed: 8 }, 1)));
-  const alone = bakingLobes(designedShapes({ ...DEFAULT_DESIGN, seed: 9 }, 1), 0.3);
+  const alone = bakingLobes(designedShapes({ ...DEFAULT_DESIGN, seed: 59 }, 1), 0.3);
   let pieces = 0;
   while (!workedFor(alone, 0)) pieces++;
   const baked: unknown[] = [undefined, undefined];
@@ -71,10 +71,10 @@ test('one variation more bakes only that one', () => {
 });
 
 test('what was longest not asked for goes first', () => {
-  const kept = new Kept<number>(2);
-  kept.add('a', 1);
-  kept.add('b', 2);
-  expect(kept.get('a')).toBe(1);
-  kept.add('c', 3);
-  expect([kept.get('a'), kept.get('b'), kept.get('c')]).toEqual([1, undefined, 3]);
+  const cache = new LruCache<number>(2);
+  cache.add('a', 1);
+  cache.add('b', 2);
+  expect(cache.get('a')).toBe(1);
+  cache.add('c', 3);
+  expect([cache.get('a'), cache.get('b'), cache.get('c')]).toEqual([1, undefined, 3]);
 });

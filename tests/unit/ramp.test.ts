@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { withPlace } from '../../src/app/rampControl.ts';
+import { withPlace } from '../../src/app/panel/rampControl.ts';
 import { decode } from '../../src/preset/codec.ts';
 import { ParameterError } from '../../src/preset/errors.ts';
-import { MOST_COLORS, readRamp, writeRamp } from '../../src/preset/ramp.ts';
+import { MAX_COLORS, readRamp, writeRamp } from '../../src/preset/ramp.ts';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import { validate } from '../../src/preset/values.ts';
 
@@ -41,8 +41,8 @@ describe('ramps', () => {
   ])('are refused where they are none: %s', (text) => expect(readRamp(text)).toBeUndefined());
 
   it('have at most 16 stops', () => {
-    expect(readRamp(stopsText(MOST_COLORS))).toHaveLength(16);
-    expect(readRamp(stopsText(MOST_COLORS + 1))).toBeUndefined();
+    expect(readRamp(stopsText(MAX_COLORS))).toHaveLength(16);
+    expect(readRamp(stopsText(MAX_COLORS + 1))).toBeUndefined();
   });
 
   it('are checked by name when a caller sets them', () => {

@@ -12,7 +12,14 @@ import {
 import { calls } from '../../src/remote/calls.ts';
 import { packError, unpackError } from '../../src/remote/packedErrors.ts';
 import { PortStage } from '../../src/remote/portStage.ts';
-import { packArgument, packValue, readReply, readRequest, readTold, tellOf } from '../../src/remote/protocol.ts';
+import {
+  packArgument,
+  packValue,
+  readReply,
+  readRequest,
+  readNotification,
+  notificationOf,
+} from '../../src/remote/protocol.ts';
 import { hostileMessages } from '../support/hostileMessages.ts';
 
 const TAKE = {
@@ -53,7 +60,7 @@ test.each([
   ['a pointer with more to it', { method: 'pointer', args: [{ type: 'up', id: 1, x: 0, y: 0, z: 0 }] }],
 ])('%s is refused to whoever asked', (_, message) => {
   const read = readRequest({ id: 1, ...message });
-  expect(read).toMatchObject({ id: 1, refusal: { name: 'ParameterError' } });
+  expect(read).toMatchObject({ id: 1, error: { name: 'ParameterError' } });
 });
 
 test.each([
@@ -69,9 +76,9 @@ test.each([
   ['unset', ['a'], 'argument 1 of unset cannot be “a”: it takes an array of at most 4000, each a key.'],
   ['blow', [{}], 'argument 1 of blow cannot be “an object”: it takes an object of x, y, dx, dy, radius, seconds.'],
 ])('%s(%o) is refused in words', (method, args, words) => {
-  const { refusal } = readRequest({ id: 1, method, args }) as { refusal: Error };
-  expect(refusal.message).toBe(words);
-  expect(unpackError(structuredClone(packError(refusal)))?.message).toBe(words);
+  const { error } = readRequest({ id: 1, method, args }) as { error: Error };
+  expect(error.message).toBe(words);
+  expect(unpackError(structuredClone(packError(error)))?.message).toBe(words);
 });
 
 test('of five thousand hostile messages none is understood, and none is a reply or an event', () => {
@@ -81,7 +88,7 @@ test('of five thousand hostile messages none is understood, and none is a reply 
     // What has the right shape is the stage's to refuse, by its values.
     if (read && 'method' in read) expect(['set', 'enter', 'restore', 'playTake', 'readTake']).toContain(read.method);
     expect(readReply(message, () => 'hash')).toBeUndefined();
-    expect(readTold(message)).toBeUndefined();
+    expect(readNotification(message)).toBeUndefined();
     count += 1;
   }
   expect(count).toBe(5_000);
@@ -146,11 +153,11 @@ test('a reply that has not the shape of what was asked for is no reply', () => {
 });
 
 test('events are told and read', () => {
-  expect(readTold(tellOf('statechange', { playing: true }))).toEqual({
+  expect(readNotification(notificationOf('statechange', { playing: true }))).toEqual({
     event: 'statechange',
     detail: { playing: true },
   });
-  expect(readTold(tellOf('error', new ContextError('lost')))?.detail).toBeInstanceOf(ContextError);
-  expect(readTold({ event: 'statechange', detail: { playing: 'yes' } })).toBeUndefined();
-  expect(readTold({ event: 'toString', detail: {} })).toBeUndefined();
+  expect(readNotification(notificationOf('error', new ContextError('lost')))?.detail).toBeInstanceOf(ContextError);
+  expect(readNotification({ event: 'statechange', detail: { playing: 'yes' } })).toBeUndefined();
+  expect(readNotification({ event: 'toString', detail: {} })).toBeUndefined();
 });

@@ -7,8 +7,8 @@ const featuresIn = (text: string) => /--disable-features=(\S+)/.exec(text)![1].s
 
 test('whatever Playwright turns off in the browser is turned off by our flag, which stands in for its own', async () => {
   // Who cannot start a browser says what it was to be started with.
-  const complaint = await chromium.launch({ executablePath: process.execPath }).then(() => '', String);
-  const theirs = featuresIn(complaint);
+  const error = await chromium.launch({ executablePath: process.execPath }).then(() => '', String);
+  const theirs = featuresIn(error);
   expect(theirs.length).toBeGreaterThan(0);
   const { CHROMIUM_FLAGS } = await script<{ CHROMIUM_FLAGS: string[] }>('setup/browser.mjs');
   expect(featuresIn(CHROMIUM_FLAGS.join(' '))).toEqual(expect.arrayContaining(theirs));

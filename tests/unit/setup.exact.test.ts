@@ -14,8 +14,8 @@ beforeEach(() => {
 });
 afterEach(() => project.dispose());
 
-/** The refusals of our own rules, for files and their code. */
-function refusals(files: Readonly<Record<string, string>>): string[] {
+/** The errors of our own rules, for files and their code. */
+function errors(files: Readonly<Record<string, string>>): string[] {
   for (const [path, code] of Object.entries(files)) project.write(path, code);
   const oxlint = `${ROOT}/node_modules/oxlint/bin/oxlint`;
   const { stdout } = spawnSync(process.execPath, [oxlint, '--format=unix', 'src'], {
@@ -25,7 +25,7 @@ function refusals(files: Readonly<Record<string, string>>): string[] {
   return stdout.split('\n').filter((line) => line.includes('Error/exact'));
 }
 
-const REFUSED = [
+const REJECTED = [
   ...'sin cos tan asin acos atan atan2 exp expm1 log log2 log10 log1p pow hypot cbrt sinh tanh random'
     .split(' ')
     .map((name) => [`Math.${name}`, `export const own = Math.${name}();`]),
@@ -40,10 +40,10 @@ const REFUSED = [
 ] as const;
 
 test('each of them is refused in scenes, with the reason', () => {
-  const files = REFUSED.map(([, code], index) => [`src/scenes/user${index}.ts`, `${code}\n`]);
-  const lines = refusals(Object.fromEntries(files) as Record<string, string>);
-  expect(lines).toHaveLength(REFUSED.length);
-  for (const [index, [what]] of REFUSED.entries()) {
+  const files = REJECTED.map(([, code], index) => [`src/scenes/user${index}.ts`, `${code}\n`]);
+  const lines = errors(Object.fromEntries(files) as Record<string, string>);
+  expect(lines).toHaveLength(REJECTED.length);
+  for (const [index, [what]] of REJECTED.entries()) {
     const line = lines.find((said) => said.includes(`user${index}.ts`));
     expect(line).toContain(what);
     expect(line).toMatch(/last bits differ between engines.*src\/sim\/exact/);
@@ -56,13 +56,13 @@ test('what is exact by definition is accepted', () => {
     export const way = (turn: Quaternion) => new Vector3(turn.x, Math.PI, Math.SQRT2);
     export const own = (a: number) => Math.sqrt(Math.abs(a % 3) + Math.min(Math.floor(a), Math.max(Math.round(a), 1)));
   `;
-  expect(refusals({ 'src/scenes/user.ts': code })).toEqual([]);
+  expect(errors({ 'src/scenes/user.ts': code })).toEqual([]);
 });
 
 test('the rules hold for all that feeds the simulator, and for nothing else', () => {
   const code = 'export const own = Math.sin(1);\n';
   const fed = ['scenes/models/a.ts', 'sim/a.ts', 'preset/a.ts', 'stage/simulation.ts', 'stage/dropped.ts'];
   const free = ['stage/orbit.ts', 'passes/a.ts', 'host/a.ts', 'app/a.ts'];
-  const lines = refusals(Object.fromEntries([...fed, ...free].map((path) => [`src/${path}`, code])));
+  const lines = errors(Object.fromEntries([...fed, ...free].map((path) => [`src/${path}`, code])));
   expect(lines.map((line) => /src\/([^:]*):/.exec(line)![1]).toSorted()).toEqual(fed.toSorted());
 });

@@ -16,7 +16,7 @@ test('every test file lies where a runner finds it', () => {
   const files = filesIn('tests');
   const tests = files.filter((path) => /[.](test|spec)\.[cm]?[jt]sx?$/.test(path));
   const stray = tests.filter(
-    (path) => !/^(unit|engines)\/.+\.test\.ts$|^(support|visual|e2e)\/.+\.(spec|test)\.ts$/.test(path),
+    (path) => !/^(unit|engines)\/.+\.test\.ts$|^(site|visual|e2e)\/.+\.(spec|test)\.ts$/.test(path),
   );
   expect(stray).toEqual([]);
   expect(tests.length).toBeGreaterThan(0);

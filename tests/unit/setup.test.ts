@@ -237,7 +237,7 @@ describe('engines', () => {
       [
         '--input-type=module',
         '--eval',
-        `import { conclude } from './scripts/lib/refusal.mjs';
+        `import { conclude } from './scripts/lib/userError.mjs';
          import { setUp } from './scripts/setup/setup.mjs';
          import { ENGINES } from './scripts/setup/engines.mjs';
          await conclude(async () => {

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import {
-  LOOK_TEMPERATURE_MAX,
-  LOOK_WORDS,
+  TEMPERATURE_MAX,
+  ATTRIBUTE_WORDS,
   PLACE_FLOATS,
-  readLook,
+  readAttributes,
   RIGID_FLOATS,
   ROW_BYTES,
 } from '../../src/sim/rows.ts';
@@ -17,7 +17,7 @@ describe('the layout of rows and views', () => {
   it('is the one that the WASM reports', async () => {
     for (const [variant, { layout }] of Object.entries({ core, physics })) {
       await loadVariant(variant as 'core' | 'physics');
-      expect([...layout()], variant).toEqual([PLACE_FLOATS, LOOK_WORDS, VIEW_FLOATS, RIGID_FLOATS]);
+      expect([...layout()], variant).toEqual([PLACE_FLOATS, ATTRIBUTE_WORDS, VIEW_FLOATS, RIGID_FLOATS]);
     }
     expect(ROW_BYTES).toBe(24);
   });
@@ -73,7 +73,7 @@ describe('the layout of rows and views', () => {
     simulator.dispose();
   });
 
-  it('unpacks the look of a row', async () => {
+  it('unpacks the attributes of a row', async () => {
     const simulator = (await loadVariant('core')).create({ capacity: 64, seed: 1 });
     simulator.set({
       ...JET,
@@ -83,8 +83,8 @@ describe('the layout of rows and views', () => {
       'buoyancy.coolingTime': 1e3,
     });
     simulator.step(20);
-    const { count, look } = simulator.arrange(EVERYTHING);
-    const rows = Array.from({ length: count }, (_, index) => readLook(look, index));
+    const { count, attributes } = simulator.arrange(EVERYTHING);
+    const rows = Array.from({ length: count }, (_, index) => readAttributes(attributes, index));
     expect(new Set(rows.map((row) => row.variation))).toEqual(new Set([0, 1, 2, 3, 4]));
     expect(new Set(rows.map((row) => row.seed)).size).toBeGreaterThan(20);
     for (const row of rows) {
@@ -94,7 +94,7 @@ describe('the layout of rows and views', () => {
       expect(row.temperature).toBeLessThan(2.1);
       expect(row.roll).toBeLessThan(1);
     }
-    expect(LOOK_TEMPERATURE_MAX).toBe(4);
+    expect(TEMPERATURE_MAX).toBe(4);
     simulator.dispose();
   });
 });

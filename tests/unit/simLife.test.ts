@@ -87,7 +87,7 @@ describe('a simulator', () => {
 
   it('refuses what is no number, no key, no count and no capacity', async () => {
     const { factory, simulator } = await jet();
-    const refused: [() => unknown, string][] = [
+    const rejected: [() => unknown, string][] = [
       [() => simulator.set({ 'emission.rate': '5' as unknown as number }), 'emission.rate'],
       [() => simulator.set({ 'emission.colour': 5 }), 'emission.colour'],
       [() => simulator.set({ 'emitters.8.size': 0.1 }), 'emitters.8.size'],
@@ -98,7 +98,7 @@ describe('a simulator', () => {
       [() => factory.create({ capacity: 4_294_967_295, seed: 1 }), 'simulation.maxParticles'],
       [() => factory.create({ capacity: 10, seed: -1 }), 'seed'],
     ];
-    for (const [action, word] of refused) {
+    for (const [action, word] of rejected) {
       const error = caught(action);
       expect(error, word).toBeInstanceOf(ParameterError);
       expect(error.message).toContain(word);

@@ -3,7 +3,7 @@ import { ParameterError, SimulatorError } from '../../src/preset/errors.ts';
 import type { RigidDescription, RigidPart, RigidShape } from '../../src/sim/rigid.ts';
 import type { JointDescription } from '../../src/sim/joint.ts';
 import type { RigidPath } from '../../src/sim/rigidPath.ts';
-import { readLook } from '../../src/sim/rows.ts';
+import { readAttributes } from '../../src/sim/rows.ts';
 import { EVERYTHING } from '../support/everything.ts';
 import { JET, loadVariant } from './simWasm.ts';
 
@@ -207,8 +207,8 @@ describe('rigids', () => {
       const plate: RigidShape = { type: 'cuboid', halfExtents: [2, 0.1, 2] };
       simulator.addRigid({ ...still(plate), position: [0, 1, 0], action, tint: 9 });
       simulator.step(120);
-      const { count, look } = simulator.arrange(EVERYTHING);
-      const tints = new Set(Array.from({ length: count }, (_, row) => readLook(look, row).tint));
+      const { count, attributes } = simulator.arrange(EVERYTHING);
+      const tints = new Set(Array.from({ length: count }, (_, row) => readAttributes(attributes, row).tint));
       expect(tints).toEqual(new Set(action === 'kill' ? [0] : [0, 9]));
       expect(simulator.bounds.max[1] > 1.5).toBe(action === 'tint');
       simulator.dispose();

@@ -42,14 +42,14 @@ describe('a surface of a mesh', () => {
       [VERTICES, [0, 1, 1], 'surface.area'],
     ];
     for (const [vertices, indices, key] of cases) {
-      let refused: unknown;
+      let rejected: unknown;
       try {
         simulator.addSurface(vertices, indices);
       } catch (error) {
-        refused = error;
+        rejected = error;
       }
-      expect(refused, key).toBeInstanceOf(ParameterError);
-      expect((refused as ParameterError).key).toBe(key);
+      expect(rejected, key).toBeInstanceOf(ParameterError);
+      expect((rejected as ParameterError).key).toBe(key);
     }
     simulator.dispose();
   });

@@ -184,7 +184,7 @@ describe('a take', () => {
     expect(core.readTake(again).isExact).toBe(true);
     // What is sent on from here is of version 3, and differs by that alone.
     expect([...again]).toEqual([...bytes].with(4, 3));
-    for (const [kept, isTold] of [
+    for (const [kept, isNotified] of [
       [bytes, true],
       [again, false],
     ] as const) {
@@ -196,7 +196,7 @@ describe('a take', () => {
       };
       const notices = await goToMoment(stage as unknown as RemoteStage, kept, undefined, take.values);
       expect(notices.map(({ message }) => message)).toEqual(
-        isTold ? [expect.stringContaining('may end differently')] : [],
+        isNotified ? [expect.stringContaining('may end differently')] : [],
       );
     }
     simulation.dispose();
@@ -251,7 +251,7 @@ describe('inputs', () => {
     const { simulator } = lampSimulation(factory);
     const before = [simulator.hash(), simulator.inputCount];
     const blow = { origin: [0, 0, 0], ray: [0, 0, 1], velocity: [0, 0, 0], radius: 0.5, seconds: 1 };
-    const refused: [() => void, string][] = [
+    const rejected: [() => void, string][] = [
       [() => simulator.inputSteer(8, 0), 'steer.channel'],
       [() => simulator.inputSteer(-1, 0), 'steer.channel'],
       [() => simulator.inputSteer(0, 1.01), 'steer.value'],
@@ -262,7 +262,7 @@ describe('inputs', () => {
       [() => simulator.inputValues({ 'emission.rate': 1e9 }), 'emission.rate'],
       [() => simulator.inputCapacity(0), 'simulation.maxParticles'],
     ];
-    for (const [action, key] of refused) {
+    for (const [action, key] of rejected) {
       expect(action).toThrow(ParameterError);
       expect(action).toThrow(expect.objectContaining({ key }));
     }

@@ -14,8 +14,8 @@ const scene = train();
 /** How far the first axle has turned at a time, in half turns, 0 to 1. */
 function phase(seconds: number): number {
   const spoke = new Vector3(1, 0, 0).applyQuaternion(new Quaternion(...scene.parts![0].pose(seconds).rotation));
-  const halfTurns = -Math.atan2(spoke.y, spoke.x) / Math.PI;
-  return halfTurns - Math.floor(halfTurns);
+  const halfRevolutions = -Math.atan2(spoke.y, spoke.x) / Math.PI;
+  return halfRevolutions - Math.floor(halfRevolutions);
 }
 
 test('puffs keep time with the wheels', async () => {
@@ -23,22 +23,22 @@ test('puffs keep time with the wheels', async () => {
   const simulation = new Simulation(factory, scene, presetValues(findPreset('train')!), 1e6);
   const phases: number[] = [];
   let bursts = 0;
-  let wasBorn = false;
+  let wasSpawned = false;
   for (let step = 0; step < 600; step++) {
     simulation.advance(1);
     const { age, y } = readParticles(simulation.simulator);
     // From the chimney, not from the cylinders.
-    const born = age.filter((seconds, i) => seconds <= STEP && y[i] > 0.9);
-    if (born.length > 0 && !wasBorn) bursts += 1;
-    wasBorn = born.length > 0;
-    born.forEach((seconds) => phases.push(phase((step + 1) * STEP - seconds)));
+    const spawned = age.filter((seconds, i) => seconds <= STEP && y[i] > 0.9);
+    if (spawned.length > 0 && !wasSpawned) bursts += 1;
+    wasSpawned = spawned.length > 0;
+    spawned.forEach((seconds) => phases.push(phase((step + 1) * STEP - seconds)));
   }
   expect(phases.length).toBeGreaterThan(100);
   // A third of the stroke, and the rounding of ages.
   for (const at of phases) expect(at).toBeLessThan(0.37);
   expect(Math.max(...phases) - Math.min(...phases)).toBeGreaterThan(0.2);
-  const turns = (600 * STEP * SPEED) / (2 * Math.PI * WHEEL_RADIUS);
-  expect(Math.abs(bursts - 2 * turns)).toBeLessThanOrEqual(1);
+  const revolutions = (600 * STEP * SPEED) / (2 * Math.PI * WHEEL_RADIUS);
+  expect(Math.abs(bursts - 2 * revolutions)).toBeLessThanOrEqual(1);
   expect(CHUFF * 2).toBeCloseTo((2 * Math.PI * WHEEL_RADIUS) / SPEED, 9);
   simulation.dispose();
 });

@@ -3,17 +3,17 @@ import { Matrix4 } from 'three';
 import type { Color, Ramp } from '../../src/device/ramps.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { TriangleMesh } from '../../src/passes/extrusion.ts';
-import { fromHalf } from '../../src/puffs/half.ts';
+import { fromHalf } from '../../src/puffs/billboards/layers.ts';
 import type { Rows } from '../../src/sim/rows.ts';
 import type { View } from '../../src/sim/view.ts';
 import type { PuffForm } from '../../src/device/puffTextures.ts';
 import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { bandsOf } from '../../src/smoke/bands.ts';
-import type { FrameInput } from '../../src/smoke/frame.ts';
+import type { FrameInput } from '../../src/smoke/frameInput.ts';
 import type { Light } from '../../src/smoke/light.ts';
-import { plainColorOf, rampOf, smokeColorOf, surfaceToning, turnOf, washed } from '../../src/smoke/palette.ts';
+import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from '../../src/smoke/palette.ts';
 import { inkLineOf, type Style } from '../../src/smoke/style.ts';
-import { leastCapOf } from '../../src/passes/volumes.ts';
+import { minCapOf } from '../../src/passes/volumes.ts';
 
 type Triple = readonly [number, number, number];
 
@@ -69,11 +69,11 @@ function backdropOf({ backdropColors = [] }: Style, own: { top: Color; bottom: C
   return { top: top ?? own.top, bottom: bottom ?? own.bottom };
 }
 
-function rowsAsObjects({ count, place, look }: Rows): object[] {
+function rowsAsObjects({ count, place, attributes }: Rows): object[] {
   return Array.from({ length: count }, (_, row) => ({
     place: [...place.subarray(4 * row, 4 * row + 3)],
     radius: place[4 * row + 3],
-    look: [...look.subarray(2 * row, 2 * row + 2)],
+    look: [...attributes.subarray(2 * row, 2 * row + 2)],
   }));
 }
 
@@ -106,7 +106,7 @@ function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): obje
     rimColor: style.rimColor,
     shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,
     deepShadow: style.deepShadow,
-    leastCap: leastCapOf(turnOf(style), bakedPuffs()[style.form].latestCap),
+    leastCap: minCapOf(litThresholdOf(style), bakedPuffs()[style.form].latestCap),
   };
 }
 

@@ -5,7 +5,7 @@ const CASES = '/tests/visual/cases/flat.ts';
 
 test('the self test tells whether written depth counts, and can be told to fail', async ({ load }) => {
   const cases = await load<Cases>(CASES);
-  expect(await cases.evaluate((module) => module.selfTest())).toEqual({ passes: true, told: false, error: 0 });
+  expect(await cases.evaluate((module) => module.selfTest())).toEqual({ passes: true, notified: false, error: 0 });
   expect(await cases.evaluate((module) => module.selfTestWithoutWriting())).toBe(false);
 });
 

@@ -5,13 +5,13 @@ type Billboards = typeof import('./cases/hostBillboards.ts');
 type Ink = typeof import('./cases/hostInk.ts');
 type Meshes = typeof import('./cases/hostMeshes.ts');
 type Output = typeof import('./cases/hostOutput.ts');
-type Refusals = typeof import('./cases/hostRefusals.ts');
+type Errors = typeof import('./cases/hostErrors.ts');
 type Shadow = typeof import('./cases/hostShadow.ts');
 const BILLBOARDS = '/tests/visual/cases/hostBillboards.ts';
 const INK = '/tests/visual/cases/hostInk.ts';
 const MESHES = '/tests/visual/cases/hostMeshes.ts';
 const OUTPUT = '/tests/visual/cases/hostOutput.ts';
-const REFUSALS = '/tests/visual/cases/hostRefusals.ts';
+const ERRORS = '/tests/visual/cases/hostErrors.ts';
 const SHADOW = '/tests/visual/cases/hostShadow.ts';
 
 for (const { antialias, toneMapped, reversedDepthBuffer } of [
@@ -70,7 +70,7 @@ for (const [antialias, origin] of [
   [true, 20],
 ] as const) {
   const where = `${origin > 0 ? 'in a part of ' : 'on '}a ${antialias ? 'smoothed' : 'plain'} canvas`;
-  test(`ink closes where smoke sinks into a stranger's floor, ${where}`, async ({ load }) => {
+  test(`ink closes where smoke sinks into the host's floor, ${where}`, async ({ load }) => {
     const cases = await load<Ink>(INK);
     const { border, inked } = await cases.evaluate((module, [a, b]) => module.contactLine(a, b), [
       antialias,
@@ -158,12 +158,12 @@ for (const [kind, most] of [
   });
 }
 
-test.describe('refusals', () => {
+test.describe('errors', () => {
   test.use({ allowed: /stencil|depth/i });
 
   test('say what is wrong and what to do', async ({ load }) => {
-    const cases = await load<Refusals>(REFUSALS);
-    const said = await cases.evaluate((module) => module.refusals());
+    const cases = await load<Errors>(ERRORS);
+    const said = await cases.evaluate((module) => module.errors());
     expect(said.stencil).toMatch(/^UnsupportedError: .*stencil: true/);
     expect(said.logarithmic).toMatch(/^UnsupportedError: .*without logarithmicDepthBuffer/);
     expect(said.light).toMatch(/^ParameterError: keyLight cannot be “HemisphereLight”: .*DirectionalLight/);
@@ -190,7 +190,7 @@ test.describe('of billboards that are not here yet', () => {
   test.use({ ownPage: true, allowed: /ERR_FAILED/ });
 
   const CODE = '**/src/smoke/billboards.ts*';
-  const refuse = (page: Page) => page.route(CODE, (route) => route.abort());
+  const block = (page: Page) => page.route(CODE, (route) => route.abort());
   /** The request for it, which waits for its answer. */
   const held = async (page: Page) => {
     let take!: (route: Route) => void;
@@ -209,7 +209,7 @@ test.describe('of billboards that are not here yet', () => {
     await asked.evaluate(({ smoke }) => smoke.complete());
     expect(await cases.evaluate((module, one) => module.frames(one), asked)).toBeGreaterThan(100);
     expect(await cases.evaluate((module, one) => module.fromStart(one), asked)).toBe(0);
-    expect(await asked.evaluate(({ told }) => told)).toEqual([]);
+    expect(await asked.evaluate(({ notified }) => notified)).toEqual([]);
   });
 
   test('where it cannot be had lobes go on, which is told once and thrown into no frame, until it can', async ({
@@ -217,21 +217,21 @@ test.describe('of billboards that are not here yet', () => {
     blank,
   }) => {
     const cases = await load<Billboards>(BILLBOARDS);
-    await refuse(blank);
+    await block(blank);
     const asked = await cases.evaluateHandle((module) => module.ask());
-    const told = () => asked.evaluate((one) => one.told);
+    const notified = () => asked.evaluate((one) => one.notified);
     const once = [expect.stringMatching(/^LoadError: Billboards could not be loaded/)];
-    await expect.poll(told).toEqual(once);
+    await expect.poll(notified).toEqual(once);
     expect(await cases.evaluate((module, one) => module.frames(one), asked)).toBe(0);
     const thrown = await asked.evaluate(({ smoke }) => smoke.complete().catch((error: Error) => error.name));
     expect(thrown).toBe('LoadError');
     // Each frame had the time to try and to tell: who asked just now has waited for as long.
-    expect(await told()).toEqual(once);
+    expect(await notified()).toEqual(once);
     await asked.evaluate(({ smoke }) => {
       smoke.set({ 'puff.form': 'lobes' });
       smoke.set({ 'puff.form': 'billboards' });
     });
-    await expect.poll(told).toEqual([...once, ...once]);
+    await expect.poll(notified).toEqual([...once, ...once]);
     await blank.unroute(CODE);
     await asked.evaluate(({ smoke }) => smoke.complete());
     expect(await cases.evaluate((module, one) => module.frames(one), asked)).toBeGreaterThan(100);
@@ -243,9 +243,9 @@ test.describe('of billboards that are not here yet', () => {
     const asked = await cases.evaluateHandle((module) => module.ask());
     const route = await request.asked;
     await asked.evaluate(({ smoke }) => smoke.set({ 'puff.form': 'lobes' }));
-    await refuse(blank);
+    await block(blank);
     await route.abort();
     expect(await cases.evaluate((module) => module.beginWith())).toBe('LoadError');
-    expect(await asked.evaluate(({ told }) => told)).toEqual([]);
+    expect(await asked.evaluate(({ notified }) => notified)).toEqual([]);
   });
 });

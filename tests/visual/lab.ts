@@ -18,9 +18,9 @@ import type { Color } from '../../src/device/ramps.ts';
 import type { DebugView } from '../../src/preset/quality.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { PuffShape } from '../../src/puffs/shapes.ts';
-import { LOOK_WORDS, NO_END, type Rows } from '../../src/sim/rows.ts';
+import { ATTRIBUTE_WORDS, NO_END, type Rows } from '../../src/sim/rows.ts';
 import { fetchExtras } from '../../src/smoke/extraPasses.ts';
-import type { Arranger, FrameInput } from '../../src/smoke/frame.ts';
+import type { Arranger, FrameInput } from '../../src/smoke/frameInput.ts';
 import type { Light } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import type { Style } from '../../src/smoke/style.ts';
@@ -58,7 +58,7 @@ export interface LabScene {
   backdrop?: { top: Color; bottom: Color };
   camera?: Camera;
   towardsLight?: readonly [number, number, number];
-  /** Draws with a depth buffer that is reversed, as a stranger's renderer may have it. */
+  /** Draws with a depth buffer that is reversed, as the host's renderer may have it. */
   reversedDepth?: boolean;
   /** Place of a lamp, instead of a sun. */
   lamp?: readonly [number, number, number];
@@ -120,22 +120,23 @@ export interface LabPicture {
 /** Packs puffs as the simulator would. */
 export function rowsOf(puffs: readonly LabPuff[]): Rows {
   const place = new Float32Array(4 * puffs.length);
-  const look = new Uint32Array(2 * puffs.length);
+  const attributes = new Uint32Array(2 * puffs.length);
   puffs.forEach((puff, index) => {
-    const turn = (puff.roll ?? 0) / (2 * Math.PI);
+    const rotation = (puff.roll ?? 0) / (2 * Math.PI);
     place.set([...puff.place, puff.radius], 4 * index);
-    look[2 * index] =
-      (Math.round((turn - Math.floor(turn)) * 65536) & 0xffff) | (Math.round((puff.age ?? 0) * 65535) << 16);
+    attributes[2 * index] =
+      (Math.round((rotation - Math.floor(rotation)) * 65536) & 0xffff) | (Math.round((puff.age ?? 0) * 65535) << 16);
     const heat = Math.round(((puff.temperature ?? 0) / 4) * 255);
-    look[2 * index + 1] = (puff.variation ?? 0) | ((puff.seed ?? 0) << 8) | (heat << 16) | ((puff.tint ?? 0) << 24);
+    attributes[2 * index + 1] =
+      (puff.variation ?? 0) | ((puff.seed ?? 0) << 8) | (heat << 16) | ((puff.tint ?? 0) << 24);
   });
-  return { count: puffs.length, place, look };
+  return { count: puffs.length, place, attributes };
 }
 
 /** The same as casters whose shadows have no end. */
 function castersOf(puffs: readonly LabPuff[]): Rows {
   const rows = rowsOf(puffs);
-  for (let word = 0; word < rows.look.length; word += LOOK_WORDS) rows.look[word] |= NO_END;
+  for (let word = 0; word < rows.attributes.length; word += ATTRIBUTE_WORDS) rows.attributes[word] |= NO_END;
   return rows;
 }
 
@@ -174,9 +175,9 @@ export class Lab {
     const { width, height, puffs, casters = [], surfaces = [], backdrop, capacity = 1 } = options;
     this.device = options.reversedDepth ? reversedDevice() : createDevice(new OffscreenCanvas(1, 1), options);
     this.device.renderer.setSize(width, height, false);
-    const most = Math.max(capacity, puffs.length, casters.length);
+    const max = Math.max(capacity, puffs.length, casters.length);
     const baked = bakedPuffs(options.shapes);
-    this.smoke = new SmokeRenderer(this.device, { capacity: most, surfaces, backdrop, puffs: baked });
+    this.smoke = new SmokeRenderer(this.device, { capacity: max, surfaces, backdrop, puffs: baked });
   }
 
   /** The error that WebGL has noted since this was last asked; 0 for none. */

@@ -39,16 +39,16 @@ test('each link shows what was recorded', async ({ load }, testInfo) => {
     const recorded = links[name];
     const opened = await cases.evaluateHandle((module, link) => module.openLink(link), recorded.link);
     const { hash, notices } = await opened.evaluate((it) => ({ hash: it.hash, notices: it.notices }));
-    const told = notices.map(({ code, key }) => `${code} ${key}`).join(', ');
+    const notified = notices.map(({ code, key }) => `${code} ${key}`).join(', ');
     const picture = await bytesOf(await opened.evaluateHandle((it) => it.picture));
     const path = `${FOLDER}${name}.png`;
     if (UPDATE_LINKS) {
       console.log(`${name}: ${changeOf(recorded.hash, hash)}, ${pictureChange(path, picture)}`);
       writeFileSync(path, picture);
-      links[name] = { ...recorded, hash, notices: told };
+      links[name] = { ...recorded, hash, notices: notified };
       writeFileSync(FILE, `${JSON.stringify(links, null, 2)}\n`);
     } else {
-      expect.soft({ hash, notices: told }, name).toEqual({ hash: recorded.hash, notices: recorded.notices });
+      expect.soft({ hash, notices: notified }, name).toEqual({ hash: recorded.hash, notices: recorded.notices });
       await expectSame(picture, readFileSync(path), { name, ...DIFFERENCE }, testInfo);
     }
   }

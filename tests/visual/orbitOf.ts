@@ -8,7 +8,7 @@ type Cases = typeof import('./cases/orbit.ts');
  * a point of the smoke moves, and one pixel. Slivers of light, shadow and ink that come up from behind a lobe are born
  * so, a few pixels at a time; a puff that switched its view would change hundreds.
  */
-const BORN_AT_ONCE = { puff: 12, cluster: 30 };
+const SPAWNED_AT_ONCE = { puff: 12, cluster: 30 };
 
 /** Nothing jumps while the camera goes round by so many steps of a degree. */
 export async function expectNoJump(load: LoadModule, what: 'puff' | 'cluster', steps: number): Promise<void> {
@@ -17,5 +17,5 @@ export async function expectNoJump(load: LoadModule, what: 'puff' | 'cluster', s
   console.log(`orbit of a ${what}:`, report);
   expect(report.painted).toBeGreaterThan(5_000);
   expect(report.motion).toBeLessThan(2);
-  expect(report.largest).toBeLessThanOrEqual(BORN_AT_ONCE[what]);
+  expect(report.largest).toBeLessThanOrEqual(SPAWNED_AT_ONCE[what]);
 }

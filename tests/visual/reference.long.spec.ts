@@ -42,7 +42,7 @@ const FEWEST = 60;
  * SwiftShader clips triangles at the border of the picture, where edges that two of them share come apart. Pixels of the
  * meadow fall through the cracks of volumes that leave the picture under it: 13 in 76,800.
  */
-const MOST_WITHIN: Readonly<Record<string, number>> = { cloudscape: 0.0003, 'cloudscape-gouache': 0.0003 };
+const MAX_WITHIN: Readonly<Record<string, number>> = { cloudscape: 0.0003, 'cloudscape-gouache': 0.0003 };
 
 /** Pictures that are handed over at once: a description with all its triangles takes a megabyte. */
 const BATCH = 12;
@@ -74,7 +74,7 @@ for (const [form, names] of [
       const input = [name, form, SECONDS] as const;
       const picture = await cases.evaluate((module, given) => module.drawnPreset(...given), input);
       expect(picture.bodies).toBeGreaterThan(FEWEST);
-      await expectReference(`${name} of ${form}`, picture, testInfo, { mostWithin: MOST_WITHIN[name] });
+      await expectReference(`${name} of ${form}`, picture, testInfo, { maxWithin: MAX_WITHIN[name] });
     });
   }
 }

@@ -4,12 +4,12 @@ import { createDevice } from '../../src/device/device.ts';
 import { widestLine } from '../../src/passes/ink.ts';
 import type { Values } from '../../src/preset/parameter.ts';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
-import type { CameraPose, Part, Scene } from '../../src/scenes/scene.ts';
+import type { CameraPose, MovingPart, Scene } from '../../src/scenes/scene.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { loadSimulators } from '../../src/sim/load.ts';
 import { PLACE_FLOATS } from '../../src/sim/rows.ts';
 import type { Simulator } from '../../src/sim/simulator.ts';
-import type { Arranger, FrameInput, FrameReport } from '../../src/smoke/frame.ts';
+import type { Arranger, FrameInput, FrameReport } from '../../src/smoke/frameInput.ts';
 import { lightOf } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import { inkLineOf, styleOf, type Style } from '../../src/smoke/style.ts';
@@ -25,7 +25,7 @@ export interface SceneChoice {
   /** On top of the scene's own. */
   values?: Values;
   /** Keeps the parts that turn by themselves as they are turned at the start. */
-  holdsTurns?: boolean;
+  holdsRotations?: boolean;
 }
 
 export interface FrameOptions {
@@ -72,7 +72,7 @@ export class SceneLab {
     const values = { ...presetValues(findPreset(preset)!), ...SMALL, ...choice.values };
     const { load, hasRigids } = sceneNamed(values.scene as string);
     const [loaded, factory] = await Promise.all([load(), loadSimulators({ physics: hasRigids })]);
-    const scene = choice.holdsTurns ? withHeldTurns(loaded) : loaded;
+    const scene = choice.holdsRotations ? withHeldRotations(loaded) : loaded;
     return new SceneLab(scene, new Simulation(factory, scene, values, 0), values, choice);
   }
 
@@ -165,8 +165,8 @@ export class SceneLab {
   }
 }
 
-function withHeldTurns(scene: Scene): Scene {
-  const held = ({ pose, ...part }: Part): Part => {
+function withHeldRotations(scene: Scene): Scene {
+  const held = ({ pose, ...part }: MovingPart): MovingPart => {
     const { rotation } = pose(0);
     return { ...part, pose: (seconds) => ({ position: pose(seconds).position, rotation }) };
   };

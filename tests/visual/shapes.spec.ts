@@ -21,17 +21,17 @@ test('smokes on one device keep puffs of their own, and nothing is left of them 
   expect(report.held).toEqual([2, 2, 1, 0]);
 });
 
-const TURNED: readonly Values[] = [
+const CHANGED: readonly Values[] = [
   { 'puff.lumpiness': 0.1, 'puff.flatness': 1 },
   { 'puff.seed': 12, 'puff.lobes': 6 },
 ];
 
-for (const values of TURNED) {
+for (const values of CHANGED) {
   test(`knobs reshape a still picture as if it had been made so, and turn back: ${Object.keys(values).join()}`, async ({
     load,
   }) => {
     const cases = await load<Cases>(CASES);
-    const report = await cases.evaluate((module, given) => module.turnKnobs(given), values);
+    const report = await cases.evaluate((module, given) => module.changeKnobs(given), values);
     expect(report.changed).toBeGreaterThan(100);
     expect(report.asMade).toBe(0);
     expect(report.back).toBe(0);
@@ -55,7 +55,7 @@ test('a shape of one’s own shows in both forms, goes again, and is no part of 
 
 test('while smoke plays, new puffs are baked beside the pictures', async ({ load }) => {
   const cases = await load<Cases>(CASES);
-  const report = await cases.evaluate((module) => module.turnWhilePlaying());
+  const report = await cases.evaluate((module) => module.changeWhilePlaying());
   console.log('a knob turns while smoke plays:', report);
   expect(report.frames).toBeGreaterThan(3);
   expect(report.frames).toBeLessThan(200);

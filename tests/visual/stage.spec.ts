@@ -6,7 +6,7 @@ type Pictures = typeof import('./cases/stage.ts');
 type Backlog = typeof import('./cases/stageBacklog.ts');
 type Devices = typeof import('./cases/stageDevices.ts');
 type Quality = typeof import('./cases/stageQuality.ts');
-type Refusals = typeof import('./cases/stageRefusals.ts');
+type Errors = typeof import('./cases/stageErrors.ts');
 type Renderers = typeof import('./cases/stageRenderers.ts');
 type Times = typeof import('./cases/stageTimes.ts');
 
@@ -14,7 +14,7 @@ const PICTURES = '/tests/visual/cases/stage.ts';
 const BACKLOG = '/tests/visual/cases/stageBacklog.ts';
 const DEVICES = '/tests/visual/cases/stageDevices.ts';
 const QUALITY = '/tests/visual/cases/stageQuality.ts';
-const REFUSALS = '/tests/visual/cases/stageRefusals.ts';
+const ERRORS = '/tests/visual/cases/stageErrors.ts';
 const RENDERERS = '/tests/visual/cases/stageRenderers.ts';
 const TIMES = '/tests/visual/cases/stageTimes.ts';
 
@@ -58,7 +58,7 @@ test('a stage that may choose draws fewer pixels while it is late, and all of th
 
 test('no frames pile up for a GPU that falls behind, even where the browser shows none of them', async ({ load }) => {
   const cases = await load<Backlog>(BACKLOG);
-  expect(await cases.evaluate((module) => module.mostInFlight(12))).toBeLessThanOrEqual(2);
+  expect(await cases.evaluate((module) => module.maxInFlight(12))).toBeLessThanOrEqual(2);
 });
 
 test('memory that grows in mid-run keeps drawing', async ({ load }) => {
@@ -75,7 +75,7 @@ test.describe('loss', () => {
   test('a lost context comes back with the simulation unharmed', async ({ load }) => {
     const cases = await load<Devices>(DEVICES);
     const report = await cases.evaluate((module) => module.loseContext());
-    expect(report).toEqual({ changed: 0, sameHash: true, refused: true });
+    expect(report).toEqual({ changed: 0, sameHash: true, rejected: true });
   });
 
   // More than the sixteen contexts that a browser lets live at a time.
@@ -124,14 +124,14 @@ test('seeking back and forth passes the same moments, with everything that was d
 });
 
 test('what is no number is refused by its name and leaves nothing behind', async ({ load }) => {
-  const cases = await load<Refusals>(REFUSALS);
-  const { told, wanted, ...after } = await cases.evaluate((module) => module.refuseNaN());
-  expect(told).toEqual(wanted);
+  const cases = await load<Errors>(ERRORS);
+  const { notified, wanted, ...after } = await cases.evaluate((module) => module.rejectNaN());
+  expect(notified).toEqual(wanted);
   expect(after).toEqual({ isSame: true, errors: 0, isDrawn: true });
 });
 
 test('a seek that was called off before goes nowhere, and says why', async ({ load }) => {
-  const cases = await load<Refusals>(REFUSALS);
+  const cases = await load<Errors>(ERRORS);
   const { steps, reasons } = await cases.evaluate((module) => module.seekCalledOff());
   expect(steps).toEqual([70, 70, 70]);
   expect(reasons).toHaveLength(3);
@@ -161,9 +161,9 @@ test.describe('of a renderer that is not here yet', () => {
 
   test('people are told when it cannot be fetched, and nailboards go on', async ({ load, blank }) => {
     const cases = await load<Renderers>(RENDERERS);
-    await blank.route('**/src/smoke/rivals.ts*', (route) => route.abort());
-    const { told, thrown, steps, drawn } = await cases.evaluate((module) => module.lostRenderer());
-    expect(told[0]).toContain('LoadError: The renderer selle could not be loaded');
+    await blank.route('**/src/smoke/comparisonRenderers.ts*', (route) => route.abort());
+    const { notified, thrown, steps, drawn } = await cases.evaluate((module) => module.lostRenderer());
+    expect(notified[0]).toContain('LoadError: The renderer selle could not be loaded');
     expect(thrown).toBe('LoadError');
     expect(steps).toBe(60);
     expect(drawn).toBeGreaterThan(0);

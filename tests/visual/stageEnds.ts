@@ -7,7 +7,7 @@ type Devices = typeof import('./cases/stageDevices.ts');
 /** Stages after which the modules hold what they keep for all stages, and most functions are compiled. */
 const WARM_UP = 2;
 /** By so many bytes for each stage may arrays and objects grow together. */
-const MOST_BYTES = 500;
+const MAX_BYTES = 500;
 
 /**
  * Makes and ends stages, one after the other, between two snapshots of the heap: their contexts are gone, and of no class
@@ -34,7 +34,7 @@ export async function expectGone(load: LoadModule, page: Page, stages: number): 
   const grown = [...after.objects].map(([name, count]) => ({ name, more: count - (before.objects.get(name) ?? 0) }));
   expect(grown).toContainEqual({ name: 'LeftOnPurpose', more: 1 });
   expect(grown.filter(({ more }) => more >= stages)).toEqual([]);
-  expect(after.bytes - before.bytes).toBeLessThan(stages * MOST_BYTES);
+  expect(after.bytes - before.bytes).toBeLessThan(stages * MAX_BYTES);
 }
 
 /** As V8 writes it: numbers one after the other for each node and each edge. */

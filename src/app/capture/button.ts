@@ -1,22 +1,22 @@
 import type { Stage } from '../../stage/stage.ts';
 import type { CaptureDialog } from './dialog.ts';
-import { iconButton } from '../dom.ts';
-import { icon } from '../icons.ts';
-import type { Notices } from '../notices.ts';
+import { iconButton } from '../ui/dom.ts';
+import { icon } from '../ui/icons.ts';
+import type { Notices } from '../ui/notices.ts';
 import { strings } from '../strings.ts';
 
 /** Opens the sheet of captures, which comes with its code when it is first asked for. */
 export class CaptureButton {
   readonly element = iconButton('icon-button', strings.capture.button, icon('camera'), () => this.press());
   private readonly stage: Stage;
-  private readonly host: HTMLElement;
+  private readonly container: HTMLElement;
   private readonly notices: Notices;
   private dialog: Promise<CaptureDialog> | undefined;
 
-  /** @param host where the sheet is put */
-  constructor(stage: Stage, host: HTMLElement, notices: Notices) {
+  /** @param container where the sheet is put */
+  constructor(stage: Stage, container: HTMLElement, notices: Notices) {
     this.stage = stage;
-    this.host = host;
+    this.container = container;
     this.notices = notices;
   }
 
@@ -27,7 +27,7 @@ export class CaptureButton {
       (error: unknown) => {
         // Asked for again, it may come.
         this.dialog = undefined;
-        this.notices.tell(strings.capture.failed((error as Error).message));
+        this.notices.notify(strings.capture.failed((error as Error).message));
       },
     );
   }
@@ -35,7 +35,7 @@ export class CaptureButton {
   private async load(): Promise<CaptureDialog> {
     const { CaptureDialog } = await import('./dialog.ts');
     const dialog = new CaptureDialog(this.stage);
-    this.host.append(dialog.element);
+    this.container.append(dialog.element);
     return dialog;
   }
 }

@@ -1,11 +1,11 @@
 import { nextTask } from '../../stage/seek.ts';
-import { frameCount, type Order } from './order.ts';
+import { frameCount, type CaptureSettings } from './settings.ts';
 import type { Studio } from './studio.ts';
 
 /** Work that takes its time, and that somebody may want to end. */
 export interface Task {
   readonly signal: AbortSignal;
-  /** Told how much is done, 0 to 1. */
+  /** Called with how much is done, 0 to 1. */
   readonly onProgress: (share: number) => void;
 }
 
@@ -17,14 +17,14 @@ export interface Task {
  */
 export async function shootClip(
   { stage, draw }: Studio,
-  order: Order,
+  settings: CaptureSettings,
   { signal, onProgress }: Task,
   shoot: (frame: number) => Promise<void> | void,
 ): Promise<void> {
-  const count = frameCount(order);
+  const count = frameCount(settings);
   for (let frame = 0; frame < count; ++frame) {
     if (frame === 0) draw();
-    else stage.advance(1 / order.rate);
+    else stage.advance(1 / settings.rate);
     await shoot(frame);
     onProgress((frame + 1) / count);
     await nextTask();

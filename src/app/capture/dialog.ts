@@ -1,17 +1,18 @@
 import type { Stage } from '../../stage/stage.ts';
-import { create, textButton } from '../dom.ts';
-import { download } from '../download.ts';
-import { Progress } from '../progress.ts';
+import { create, textButton } from '../ui/dom.ts';
+import { download } from '../ui/download.ts';
+import { Progress } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
-import { capture } from './capture.ts';
-import { OrderForm } from './orderForm.ts';
-import type { Order } from './order.ts';
+import { SettingsForm } from './settingsForm.ts';
+import type { CaptureSettings, Format } from './settings.ts';
+import type { Task } from './clip.ts';
+import { openStudio, type Studio } from './studio.ts';
 
 /** Where people choose what to capture, wait for it, and may change their mind. The smoke rests meanwhile. */
 export class CaptureDialog {
   readonly element: HTMLDialogElement;
   private readonly stage: Stage;
-  private readonly form = new OrderForm();
+  private readonly form = new SettingsForm();
   private readonly outcome = create('div', { class: 'capture-outcome', role: 'status' });
   private readonly start = create('button', { type: 'submit', class: 'loud' }, strings.capture.start);
   private work: AbortController | undefined;
@@ -28,7 +29,7 @@ export class CaptureDialog {
     this.element = create('dialog', attributes, heading, this.form.element);
     this.form.element.addEventListener('submit', (event) => {
       event.preventDefault();
-      void this.run(this.form.order());
+      void this.run(this.form.settings());
     });
     this.element.addEventListener('close', () => this.leave());
   }
@@ -51,7 +52,7 @@ export class CaptureDialog {
     this.wasPlaying = undefined;
   }
 
-  private async run(order: Order): Promise<void> {
+  private async run(settings: CaptureSettings): Promise<void> {
     const work = (this.work = new AbortController());
     const progress = new Progress(strings.capture.working, () => work.abort());
     progress.element.classList.remove('card');
@@ -59,8 +60,8 @@ export class CaptureDialog {
     this.form.isLocked = this.start.disabled = true;
     try {
       const onProgress = (share: number) => progress.show(share);
-      const file = await capture(this.stage, order, { signal: work.signal, onProgress });
-      this.say(this.save(order, file));
+      const file = await capture(this.stage, settings, { signal: work.signal, onProgress });
+      this.say(this.save(settings, file));
     } catch (error) {
       this.say(work.signal.aborted ? strings.capture.cancelled : strings.capture.failed((error as Error).message));
     } finally {
@@ -68,7 +69,7 @@ export class CaptureDialog {
     }
   }
 
-  private save({ format }: Order, file: Blob): string {
+  private save({ format }: CaptureSettings, file: Blob): string {
     const { scene } = this.stage.get();
     const name = `${String(scene)}-${this.stage.stats.time.toFixed(2)}s.${format}`;
     download(name, file);
@@ -77,5 +78,32 @@ export class CaptureDialog {
 
   private say(message: string): void {
     this.outcome.replaceChildren(create('p', {}, message));
+  }
+}
+
+type Maker = (studio: Studio, settings: CaptureSettings, task: Task) => Promise<Blob>;
+
+/** Each comes with its library, and only when it is asked for. */
+const makers: Readonly<Record<Format, () => Promise<Maker>>> = {
+  png: async () => (await import('./png.ts')).makePng,
+  svg: async () => (await import('./svg.ts')).makeSvg,
+  gif: async () => (await import('./gif.ts')).makeGif,
+  webm: async () => (await import('./video.ts')).makeVideo,
+  mp4: async () => (await import('./video.ts')).makeVideo,
+  zip: async () => (await import('./pngSequence.ts')).makePngSequence,
+};
+
+/**
+ * What a stage shows, from this moment on, as a file. The stage is left as it is.
+ * @throws the reason of the task's signal when it was aborted, VideoError where the browser has no encoder for the format
+ */
+export async function capture(stage: Stage, settings: CaptureSettings, task: Task): Promise<Blob> {
+  const make = await makers[settings.format]();
+  const studio = await openStudio(stage, settings);
+  try {
+    task.signal.throwIfAborted();
+    return await make(studio, settings, task);
+  } finally {
+    studio.stage.dispose();
   }
 }

@@ -1,6 +1,6 @@
 import { quantize } from 'gifenc';
 
-const MOST = 256;
+const MAX_COLORS = 256;
 /** So many entries hold the commonest colours as they are: flat tones, ink, and the rows of a backdrop. */
 const EXACT = 208;
 /** Below half of it a pixel is left out: a GIF knows no half. */
@@ -22,11 +22,11 @@ export function indexFrame({ data }: ImageData): IndexedFrame {
   const pixels = new Uint32Array(data.buffer);
   const counts = countColors(pixels);
   const hasHoles = counts.delete(0);
-  const room = MOST - Number(hasHoles);
+  const capacity = MAX_COLORS - Number(hasHoles);
   const ordered = [...counts.keys()].sort((a, b) => counts.get(b)! - counts.get(a)!);
-  const exact = ordered.length <= room ? ordered : ordered.slice(0, EXACT);
+  const exact = ordered.length <= capacity ? ordered : ordered.slice(0, EXACT);
   const rest = ordered.slice(exact.length);
-  const palette = [...exact.map(channels), ...mixtures(rest, room - exact.length)];
+  const palette = [...exact.map(channels), ...mixtures(rest, capacity - exact.length)];
   const numbers = new Map(exact.map((color, number) => [color, number]));
   for (const color of rest) numbers.set(color, nearest(palette, channels(color)));
   const transparent = hasHoles ? palette.length : undefined;

@@ -1,34 +1,38 @@
 import { MathUtils } from 'three';
-import { LOOK_WORDS, NO_END, PLACE_FLOATS, type Rows } from '../../sim/rows.ts';
+import { ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS, type Rows } from '../../sim/rows.ts';
 import type { Bounds } from '../../sim/simulator.ts';
 import type { View } from '../../sim/view.ts';
-import type { Arranger } from '../../smoke/frame.ts';
+import type { Arranger } from '../../smoke/frameInput.ts';
 
 /** Puffs come and go one after the other, by their seeds; each takes this share of the whole time. */
 const ONE_PUFF = 0.4;
-const MOST_SEED = 255;
+const MAX_SEED = 255;
 
 /** All puffs of a moment and the box around them. */
-export interface KeptSmoke {
+export interface RetainedSmoke {
   readonly rows: Rows;
   readonly bounds: Bounds;
 }
 
 /** All puffs that an arranger has, in arrays of their own. */
-export function keep(smoke: Arranger, view: View): KeptSmoke {
-  const { count, place, look } = smoke.arrange(everything(view));
-  const rows = { count, place: place.slice(0, PLACE_FLOATS * count), look: look.slice(0, LOOK_WORDS * count) };
+export function keep(smoke: Arranger, view: View): RetainedSmoke {
+  const { count, place, attributes } = smoke.arrange(everything(view));
+  const rows = {
+    count,
+    place: place.slice(0, PLACE_FLOATS * count),
+    attributes: attributes.slice(0, ATTRIBUTE_WORDS * count),
+  };
   return { rows, bounds: smoke.bounds };
 }
 
 /** Smoke on its way from one moment to another: puffs of the first shrink until they are gone, those of the second swell. */
 export class JoinedSmoke implements Arranger {
   private readonly from: Arranger;
-  private readonly to: KeptSmoke;
+  private readonly to: RetainedSmoke;
   private readonly share: number;
 
   /** @param share of the way, 0 to 1 */
-  constructor(from: Arranger, to: KeptSmoke, share: number) {
+  constructor(from: Arranger, to: RetainedSmoke, share: number) {
     this.from = from;
     this.to = to;
     this.share = share;
@@ -56,7 +60,7 @@ export class JoinedSmoke implements Arranger {
 
   /** Share of its radius that a puff of the second moment has. */
   private swelling(seed: number): number {
-    const begin = (1 - ONE_PUFF) * (seed / MOST_SEED);
+    const begin = (1 - ONE_PUFF) * (seed / MAX_SEED);
     return MathUtils.smoothstep(this.share, begin, begin + ONE_PUFF);
   }
 }
@@ -64,7 +68,7 @@ export class JoinedSmoke implements Arranger {
 /** Rows that are added up from several lists. */
 class RowList {
   private readonly place: number[] = [];
-  private readonly look: number[] = [];
+  private readonly attributes: number[] = [];
   private readonly isForLight: boolean;
 
   constructor(isForLight: boolean) {
@@ -72,20 +76,24 @@ class RowList {
   }
 
   get rows(): Rows {
-    const { place, look } = this;
-    return { count: look.length / LOOK_WORDS, place: Float32Array.from(place), look: Uint32Array.from(look) };
+    const { place, attributes } = this;
+    return {
+      count: attributes.length / ATTRIBUTE_WORDS,
+      place: Float32Array.from(place),
+      attributes: Uint32Array.from(attributes),
+    };
   }
 
   /** @param scaleOf share of the radius that is left to a row, by its seed */
-  add({ count, place, look }: Rows, scaleOf: (seed: number) => number): void {
+  add({ count, place, attributes }: Rows, scaleOf: (seed: number) => number): void {
     for (let row = 0; row < count; ++row) {
-      const kind = look[LOOK_WORDS * row + 1];
+      const kind = attributes[ATTRIBUTE_WORDS * row + 1];
       const scale = scaleOf((kind >>> 8) & 0xff);
       if (scale === 0) continue;
       const [x, y, z, radius] = place.subarray(PLACE_FLOATS * row);
-      const motion = look[LOOK_WORDS * row];
+      const motion = attributes[ATTRIBUTE_WORDS * row];
       this.place.push(x, y, z, scale * radius);
-      this.look.push(this.isForLight ? (motion & 0xffff) | NO_END : motion, kind);
+      this.attributes.push(this.isForLight ? (motion & 0xffff) | NO_END : motion, kind);
     }
   }
 }

@@ -9,9 +9,9 @@ export interface Labels {
 }
 
 /** A colour with fewer pixels is taken for a smoothed edge. */
-const LEAST_SHARE = 1 / 20_000;
-const LEAST_PIXELS = 4;
-const MOST_COLORS = 64;
+const MIN_SHARE = 1 / 20_000;
+const MIN_PIXELS = 4;
+const MAX_COLORS = 64;
 const HALF = 128;
 
 /**
@@ -44,9 +44,9 @@ function commonestColors(pixels: Uint32Array): number[] {
     const color = settled(pixel);
     if (color > 1) counts.set(color, (counts.get(color) ?? 0) + 1);
   }
-  const least = Math.max(LEAST_PIXELS, LEAST_SHARE * pixels.length);
+  const least = Math.max(MIN_PIXELS, MIN_SHARE * pixels.length);
   const common = [...counts].filter(([, count]) => count >= least).sort(([, a], [, b]) => b - a);
-  return [0, ...common.slice(0, MOST_COLORS).map(([color]) => color)];
+  return [0, ...common.slice(0, MAX_COLORS).map(([color]) => color)];
 }
 
 /** Numbers of the colours around a pixel; all of them where none is around it. */

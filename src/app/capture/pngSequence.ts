@@ -2,14 +2,14 @@ import { Zip, ZipPassThrough } from 'fflate';
 import { encodePng } from '../../stage/presenter.ts';
 import { shootClip, type Task } from './clip.ts';
 import { LayerCamera } from './layers.ts';
-import { pixelSize, type Order } from './order.ts';
+import { pixelSize, type CaptureSettings } from './settings.ts';
 import type { Studio } from './studio.ts';
 
 /** PNGs by number in a zip, with alpha; in layers a folder each. */
-export async function makePngSequence(studio: Studio, order: Order, task: Task): Promise<Blob> {
+export async function makePngSequence(studio: Studio, settings: CaptureSettings, task: Task): Promise<Blob> {
   const archive = new Archive();
-  const layers = order.inLayers ? new LayerCamera(studio, ...pixelSize(order)) : undefined;
-  await shootClip(studio, order, task, async (frame) => {
+  const layers = settings.inLayers ? new LayerCamera(studio, ...pixelSize(settings)) : undefined;
+  await shootClip(studio, settings, task, async (frame) => {
     const name = `${String(frame + 1).padStart(4, '0')}.png`;
     if (!layers) return archive.add(`frame-${name}`, await encodePng(studio.canvas));
     for (const [layer, picture] of await layers.shoot()) await archive.add(`${layer}/${name}`, picture);

@@ -1,12 +1,12 @@
 import { MathUtils, Matrix4, Quaternion, Vector3, type Camera } from 'three';
 import { ALL_THAT_LIVES } from '../../sim/view.ts';
-import type { FrameInput } from '../../smoke/frame.ts';
+import type { FrameInput } from '../../smoke/frameInput.ts';
 import type { Light } from '../../smoke/light.ts';
-import { JoinedSmoke, keep, type KeptSmoke } from './joinedSmoke.ts';
+import { JoinedSmoke, keep, type RetainedSmoke } from './joinedSmoke.ts';
 
 /** What a frame was drawn from, kept while the stage goes on. */
 export interface Still {
-  readonly smoke: KeptSmoke;
+  readonly smoke: RetainedSmoke;
   readonly camera: Camera;
   readonly light: Light;
   readonly rigids: readonly Matrix4[];
@@ -21,39 +21,39 @@ export function stillOf({ simulator, camera, light, rigids, parts = [], blend }:
 
 /**
  * A frame on its way from one moment to another: smoke dissolves into smoke, and things, eye and light go there.
- * @param share of the way, 0 to 1
+ * @param eased share of the way, 0 to 1
  */
 export function joined(from: FrameInput, to: Still, share: number): FrameInput {
-  const way = MathUtils.smoothstep(share, 0, 1);
-  const between = (a: readonly Matrix4[], b: readonly Matrix4[]) => a.map((matrix, at) => mixed(matrix, b[at], way));
+  const eased = MathUtils.smoothstep(share, 0, 1);
+  const between = (a: readonly Matrix4[], b: readonly Matrix4[]) => a.map((matrix, at) => mixed(matrix, b[at], eased));
   return {
     ...from,
     simulator: new JoinedSmoke(from.simulator, to.smoke, share),
-    camera: seenBetween(from.camera, to.camera, way),
-    light: litBetween(from.light, to.light, way),
+    camera: seenBetween(from.camera, to.camera, eased),
+    light: litBetween(from.light, to.light, eased),
     rigids: between(from.rigids, to.rigids),
     parts: between(from.parts ?? [], to.parts),
   };
 }
 
-function seenBetween(from: Camera, to: Camera, way: number): Camera {
+function seenBetween(from: Camera, to: Camera, eased: number): Camera {
   const camera = from.clone();
-  camera.position.lerp(to.position, way);
-  camera.quaternion.slerp(to.quaternion, way);
+  camera.position.lerp(to.position, eased);
+  camera.quaternion.slerp(to.quaternion, eased);
   camera.updateMatrixWorld();
   return camera;
 }
 
-function litBetween(from: Light, to: Light, way: number): Light {
+function litBetween(from: Light, to: Light, eased: number): Light {
   if (from.kind !== 'sun' || to.kind !== 'sun') return from;
-  return { kind: 'sun', towards: from.towards.clone().lerp(to.towards, way).normalize() };
+  return { kind: 'sun', towards: from.towards.clone().lerp(to.towards, eased).normalize() };
 }
 
 /** Of two places of a thing. */
-function mixed(from: Matrix4, to: Matrix4, way: number): Matrix4 {
-  const [place, turn, size] = [new Vector3(), new Quaternion(), new Vector3()];
-  const [otherPlace, otherTurn] = [new Vector3(), new Quaternion()];
-  from.decompose(place, turn, size);
-  to.decompose(otherPlace, otherTurn, new Vector3());
-  return new Matrix4().compose(place.lerp(otherPlace, way), turn.slerp(otherTurn, way), size);
+function mixed(from: Matrix4, to: Matrix4, eased: number): Matrix4 {
+  const [place, rotation, size] = [new Vector3(), new Quaternion(), new Vector3()];
+  const [otherPlace, otherRotation] = [new Vector3(), new Quaternion()];
+  from.decompose(place, rotation, size);
+  to.decompose(otherPlace, otherRotation, new Vector3());
+  return new Matrix4().compose(place.lerp(otherPlace, eased), rotation.slerp(otherRotation, eased), size);
 }

@@ -1,6 +1,6 @@
 import type { Stage } from '../../stage/stage.ts';
 import { strings } from '../strings.ts';
-import { pixelSize, type Order } from './order.ts';
+import { pixelSize, type CaptureSettings } from './settings.ts';
 
 /** A stage on a canvas that nobody sees. */
 export interface Studio {
@@ -15,24 +15,24 @@ export interface Studio {
  * studio.
  * @throws RangeError for more pixels than the graphics card has room for
  */
-export async function openStudio(stage: Stage, order: Order): Promise<Studio> {
-  const [width, height] = pixelSize(order);
-  const { scale, hasBackground } = order;
+export async function openStudio(stage: Stage, settings: CaptureSettings): Promise<Studio> {
+  const [width, height] = pixelSize(settings);
+  const { scale, hasBackground } = settings;
   // WebKitGTK has no WebGL on an OffscreenCanvas.
   const canvas = document.createElement('canvas');
   const options = { width: 1, height: 1, background: hasBackground, historyBytes: 0 };
   const copy = await stage.copy(canvas, options);
-  const most = mostPixels(canvas);
-  if (Math.max(width, height) > most) {
+  const max = maxPixels(canvas);
+  if (Math.max(width, height) > max) {
     copy.dispose();
-    throw new RangeError(strings.capture.tooLarge(width, height, most));
+    throw new RangeError(strings.capture.tooLarge(width, height, max));
   }
   // Until somebody wants a picture, as few pixels as possible are drawn.
   const draw = () => copy.resize(width / scale, height / scale, scale);
   return { stage: copy, canvas, draw };
 }
 
-function mostPixels(canvas: HTMLCanvasElement): number {
+function maxPixels(canvas: HTMLCanvasElement): number {
   const context = canvas.getContext('webgl2')!;
   return context.getParameter(context.MAX_RENDERBUFFER_SIZE) as number;
 }

@@ -1,5 +1,5 @@
 import { labelColors, type Labels } from './labels.ts';
-import { pixelSize, type Order } from './order.ts';
+import { pixelSize, type CaptureSettings } from './settings.ts';
 import { PixelReader } from './pixels.ts';
 import type { Point } from './simplify.ts';
 import type { Studio } from './studio.ts';
@@ -13,20 +13,20 @@ const STOPS = 9;
  * The picture as a drawing: backdrop, flats with their shadow, and ink, each a group with a name, and in it a path for each
  * colour. Where ink lies, flats go on beneath it. Colours that change all the way, as gradients do, become steps.
  */
-export async function makeSvg(studio: Studio, order: Order): Promise<Blob> {
-  const [width, height] = pixelSize(order);
+export async function makeSvg(studio: Studio, settings: CaptureSettings): Promise<Blob> {
+  const [width, height] = pixelSize(settings);
   const { stage, canvas, draw } = studio;
   const reader = new PixelReader(width, height);
   const inkColor = String(stage.get()['style.inkColor']).toLowerCase();
   draw();
   const whole = reader.read(canvas);
-  if (order.hasBackground) stage.background = false;
-  const cut = order.hasBackground ? reader.read(canvas) : whole;
+  if (settings.hasBackground) stage.background = false;
+  const cut = settings.hasBackground ? reader.read(canvas) : whole;
   stage.set({ 'style.outlines': 0 });
   const flats = labelColors(reader.read(canvas));
   const ink = labelColors(cut);
   const groups = [
-    ...(order.hasBackground ? [backdrop(whole, cut)] : []),
+    ...(settings.hasBackground ? [backdrop(whole, cut)] : []),
     group('flats', flats, flats.colors.slice(1)),
     group(
       'ink',
@@ -34,7 +34,7 @@ export async function makeSvg(studio: Studio, order: Order): Promise<Blob> {
       ink.colors.filter((color) => hexOf(color) === inkColor),
     ),
   ];
-  const size = `width="${order.width}" height="${order.height}" viewBox="0 0 ${width} ${height}"`;
+  const size = `width="${settings.width}" height="${settings.height}" viewBox="0 0 ${width} ${height}"`;
   const text = `<svg xmlns="http://www.w3.org/2000/svg" ${size}>\n${groups.join('\n')}\n</svg>\n`;
   return new Blob([text], { type: 'image/svg+xml' });
 }

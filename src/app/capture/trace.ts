@@ -4,7 +4,7 @@ import { simplifyArc, type Point } from './simplify.ts';
 const OUTSIDE = -1;
 
 /** Right, down, left, up. */
-const TURNS = [
+const STEPS = [
   [1, 0],
   [0, 1],
   [-1, 0],
@@ -48,8 +48,8 @@ function walk(labels: Labels, number: number, first: number, seen: Uint8Array): 
   do {
     points.push([x, y]);
     if (heading === 0) seen[y * labels.width + x] = 1;
-    x += TURNS[heading][0];
-    y += TURNS[heading][1];
+    x += STEPS[heading][0];
+    y += STEPS[heading][1];
     heading = nextHeading(labels, number, x, y, heading);
   } while (x !== start[0] || y !== start[1] || heading !== 0);
   return points;
@@ -58,7 +58,7 @@ function walk(labels: Labels, number: number, first: number, seen: Uint8Array): 
 /** Keeps the region on the right; where two of its pixels touch by a corner alone, they stay apart. */
 function nextHeading(labels: Labels, number: number, x: number, y: number, heading: number): number {
   const isInside = (ahead: number) => {
-    const [px, py] = [TURNS[ahead], TURNS[(ahead + 1) % 4]].reduce(([sx, sy], [dx, dy]) => [sx + dx, sy + dy], [0, 0]);
+    const [px, py] = [STEPS[ahead], STEPS[(ahead + 1) % 4]].reduce(([sx, sy], [dx, dy]) => [sx + dx, sy + dy], [0, 0]);
     return numberAt(labels, x + (px - 1) / 2, y + (py - 1) / 2) === number;
   };
   if (!isInside(heading)) return (heading + 1) % 4;

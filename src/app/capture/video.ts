@@ -11,7 +11,7 @@ import {
 } from 'mediabunny';
 import { strings } from '../strings.ts';
 import { shootClip, type Task } from './clip.ts';
-import { pixelSize, type Order } from './order.ts';
+import { pixelSize, type CaptureSettings } from './settings.ts';
 import type { Studio } from './studio.ts';
 
 /** What plays in most places comes first. */
@@ -29,16 +29,16 @@ export class VideoError extends Error {
  * A WebM or MP4 with every frame, encoded by the browser.
  * @throws VideoError where the browser cannot encode the format in this size
  */
-export async function makeVideo(studio: Studio, order: Order, task: Task): Promise<Blob> {
-  const source = new VideoSampleSource(await encodingOf(order));
+export async function makeVideo(studio: Studio, settings: CaptureSettings, task: Task): Promise<Blob> {
+  const source = new VideoSampleSource(await encodingOf(settings));
   const target = new BufferTarget();
-  const isMp4 = order.format === 'mp4';
+  const isMp4 = settings.format === 'mp4';
   const format = isMp4 ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat();
   const output = new Output({ format, target });
-  output.addVideoTrack(source, { frameRate: order.rate });
+  output.addVideoTrack(source, { frameRate: settings.rate });
   await output.start();
   try {
-    await shootClip(studio, order, task, (frame) => addFrame(source, studio.canvas, frame, order.rate));
+    await shootClip(studio, settings, task, (frame) => addFrame(source, studio.canvas, frame, settings.rate));
   } catch (error) {
     await output.cancel();
     throw error;
@@ -59,17 +59,17 @@ async function addFrame(
   sample.close();
 }
 
-async function encodingOf(order: Order) {
-  const [width, height] = pixelSize(order);
-  const format = order.format as keyof typeof CODECS;
+async function encodingOf(settings: CaptureSettings) {
+  const [width, height] = pixelSize(settings);
+  const format = settings.format as keyof typeof CODECS;
   const encoding = {
     quality: new Quality('very-high'),
-    alpha: format === 'webm' && !order.hasBackground ? ('keep' as const) : ('discard' as const),
+    alpha: format === 'webm' && !settings.hasBackground ? ('keep' as const) : ('discard' as const),
   };
   const codec =
     typeof VideoEncoder === 'undefined'
       ? null
-      : await getFirstEncodableVideoCodec(CODECS[format], { width, height, frameRate: order.rate, ...encoding });
+      : await getFirstEncodableVideoCodec(CODECS[format], { width, height, frameRate: settings.rate, ...encoding });
   if (!codec) throw new VideoError(strings.capture.noEncoder(strings.capture.formats[format], width, height));
   return { codec, ...encoding };
 }

@@ -25,7 +25,7 @@ interface WorkerScope {
 declare const HASHED_FILES: readonly string[];
 
 /** A page that the network has not begun to send by then is taken from the cache. */
-const PATIENCE_MS = 4000;
+const TIMEOUT_MS = 4000;
 
 const worker = self as unknown as WorkerScope;
 const { scope } = worker.registration;
@@ -49,8 +49,8 @@ worker.addEventListener('fetch', (event) => {
 /** Puts files into the cache that are not there yet; the start page anew. */
 async function keep(files: readonly string[]): Promise<void> {
   const cache = await caches.open(CACHE);
-  const kept = new Set((await cache.keys()).map(({ url }) => url));
-  await cache.addAll(files.filter((file) => file === scope || !kept.has(file)));
+  const cached = new Set((await cache.keys()).map(({ url }) => url));
+  await cache.addAll(files.filter((file) => file === scope || !cached.has(file)));
 }
 
 /** Drops the files of other versions; pages stay. */
@@ -63,8 +63,8 @@ async function forget(): Promise<void> {
 
 async function cacheFirst(request: Request): Promise<Response> {
   const cache = await caches.open(CACHE);
-  const kept = await cache.match(request.url);
-  if (kept) return kept;
+  const cached = await cache.match(request.url);
+  if (cached) return cached;
   const answer = await fetch(request);
   if (answer.ok) await cache.put(request.url, answer.clone());
   return answer;
@@ -73,15 +73,15 @@ async function cacheFirst(request: Request): Promise<Response> {
 async function networkFirst(request: Request): Promise<Response> {
   const cache = await caches.open(CACHE);
   const page = request.url.replace(/[?#].*$/, '');
-  const patience = new AbortController();
-  const timer = setTimeout(() => patience.abort(), PATIENCE_MS);
+  const controller = new AbortController();
+  const timer = setTimeout(() => controller.abort(), TIMEOUT_MS);
   try {
-    const answer = await fetch(request, { signal: patience.signal });
+    const answer = await fetch(request, { signal: controller.signal });
     if (answer.ok) await cache.put(page, answer.clone());
     return answer;
   } catch (error) {
-    const kept = await cache.match(page);
-    if (kept) return kept;
+    const cached = await cache.match(page);
+    if (cached) return cached;
     throw error;
   } finally {
     clearTimeout(timer);

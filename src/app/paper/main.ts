@@ -5,13 +5,13 @@
 import { encode } from '../../preset/codec.ts';
 import type { Values } from '../../preset/parameter.ts';
 import { findPreset, presetValues } from '../../preset/presets.ts';
-import { channelSheet, lobeSheet, type ChannelPicture } from '../../puffs/channelSheet.ts';
-import { bakePuffs } from '../../puffs/layers.ts';
+import { channelSheet, lobeSheet, type ChannelPicture } from '../../puffs/billboards/channelSheet.ts';
+import { bakePuffs } from '../../puffs/billboards/layers.ts';
 import { LOBE_SHAPES } from '../../puffs/lobeShapes.ts';
 import { billboardShapes } from '../../puffs/shapes.ts';
 import { createStage, type Stage } from '../../stage/stage.ts';
-import { create } from '../dom.ts';
-import { createRefusal } from '../refusal.ts';
+import { create } from '../ui/dom.ts';
+import { createErrorScreen } from '../ui/errorScreen.ts';
 
 interface Means {
   readonly id: 'paper' | 'ours';
@@ -141,5 +141,5 @@ try {
   await drawFigures();
   document.querySelector('#progress')!.remove();
 } catch (error) {
-  document.querySelector('#progress')!.replaceWith(createRefusal(error));
+  document.querySelector('#progress')!.replaceWith(createErrorScreen(error));
 }

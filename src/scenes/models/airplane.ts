@@ -68,7 +68,7 @@ export function airplaneHull(): RigidShape {
 
 /** A turned thing that lies along x. */
 function lying(mesh: TriangleMesh, at: Vector = [0, 0, 0]): TriangleMesh {
-  return placed(mesh, { at, turn: [0, 0, -Math.PI / 2] });
+  return placed(mesh, { at, angles: [0, 0, -Math.PI / 2] });
 }
 
 function fuselage(): TriangleMesh {
@@ -108,7 +108,7 @@ function propeller(): TriangleMesh {
   const blade = (side: 1 | -1) =>
     placed(roundedBox([0.028, 0.3, 0.085], [0.028, 0.14, 0.085]), {
       at: [0, side * 0.33, 0],
-      turn: [0, side * 0.5, 0],
+      angles: [0, side * 0.5, 0],
     });
   return merged(blade(1), blade(-1));
 }
@@ -131,8 +131,9 @@ function bands(): TriangleMesh {
 
 function struts(): TriangleMesh {
   const strut = (x: number, z: number, lean: number) =>
-    placed(roundedBox([0.03, 0.37, 0.022], 0.02), { at: [x, 0.13, z], turn: [lean, 0, -0.1] });
-  const leg = (z: number) => placed(roundedBox([0.03, 0.17, 0.03], 0.025), { at: [0.42, -0.42, z], turn: [z, 0, 0.2] });
+    placed(roundedBox([0.03, 0.37, 0.022], 0.02), { at: [x, 0.13, z], angles: [lean, 0, -0.1] });
+  const leg = (z: number) =>
+    placed(roundedBox([0.03, 0.17, 0.03], 0.025), { at: [0.42, -0.42, z], angles: [z, 0, 0.2] });
   return merged(...[0.92, -0.92].flatMap((z) => [strut(0.34, z, 0), strut(0.06, z, 0)]), ...[0.3, -0.3].map(leg));
 }
 
@@ -147,14 +148,14 @@ function wheels(): TriangleMesh {
 
 function tail(): TriangleMesh {
   const plane = placed(roundedBox([0.2, 0.045, 0.5], [0.2, 0.045, 0.24]), { at: [-1.22, 0.06, 0] });
-  const fin = placed(roundedBox([0.2, 0.3, 0.045], [0.19, 0.2, 0.045]), { at: [-1.27, 0.3, 0], turn: [0, 0, 0.25] });
+  const fin = placed(roundedBox([0.2, 0.3, 0.045], [0.19, 0.2, 0.045]), { at: [-1.27, 0.3, 0], angles: [0, 0, 0.25] });
   return merged(plane, fin);
 }
 
 function cap(): TriangleMesh {
   return placed(lathe(24, [[0, -0.02], [0.18, -0.02]], [[0.18, -0.02], [0.182, 0.06], [0.14, 0.15], [0, 0.19]]), {
     at: [-0.34, 0.51, 0],
-    turn: [0, 0, 0.25],
+    angles: [0, 0, 0.25],
   }); // prettier-ignore
 }
 

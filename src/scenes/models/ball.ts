@@ -8,9 +8,9 @@ export function ballMesh(radius: number, rings = 20): TriangleMesh {
   for (let ring = 1; ring < rings; ++ring) {
     const polar = (Math.PI * ring) / rings;
     for (let segment = 0; segment < segments; ++segment) {
-      const turn = (2 * Math.PI * segment) / segments;
+      const angle = (2 * Math.PI * segment) / segments;
       const around = radius * sin(polar);
-      positions.push(around * sin(turn), radius * cos(polar), around * cos(turn));
+      positions.push(around * sin(angle), radius * cos(polar), around * cos(angle));
     }
   }
   positions.push(0, -radius, 0);

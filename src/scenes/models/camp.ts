@@ -27,7 +27,7 @@ export function camp(): SurfaceDescription[] {
   const look = { casts: true, inked: true };
   const quiet = { casts: false, inked: false };
   const { features, cheeks } = friendlyFace(0.24, 0.16);
-  const turn: Vector = [0, 0.2, 0];
+  const angles: Vector = [0, 0.2, 0];
   const front: Vector = [TREAT[0] + 0.16 * sin(0.2), TREAT[1] + 0.02, TREAT[2] + 0.16 * cos(0.2)];
   return [
     { name: 'stones', mesh: stones(), color: STONE, ...look },
@@ -38,8 +38,8 @@ export function camp(): SurfaceDescription[] {
     { name: 'door', mesh: tent(0.02, 0.7), color: INSIDE, ...quiet },
     { name: 'stick', mesh: stick(), color: BARK, ...look },
     { name: 'treat', mesh: treat(), color: SWEET, ...look },
-    { name: 'face', mesh: placed(features, { at: front, turn }), color: FACE, ...quiet },
-    { name: 'cheeks', mesh: placed(cheeks, { at: front, turn }), color: CHEEK, ...quiet },
+    { name: 'face', mesh: placed(features, { at: front, angles }), color: FACE, ...quiet },
+    { name: 'cheeks', mesh: placed(cheeks, { at: front, angles }), color: CHEEK, ...quiet },
   ];
 }
 
@@ -47,12 +47,12 @@ function stones(): TriangleMesh {
   const count = 11;
   return merged(
     ...Array.from({ length: count }, (_, index) => {
-      const turn = (2 * Math.PI * index) / count;
+      const angles = (2 * Math.PI * index) / count;
       const size = 0.125 + 0.03 * sin(5.3 * index);
       return placed(ballMesh(1, 9), {
-        at: [0.62 * cos(turn), 0.07, 0.62 * sin(turn)],
+        at: [0.62 * cos(angles), 0.07, 0.62 * sin(angles)],
         scale: [1.25 * size, size, size],
-        turn: [0, 1.5708 - turn + 0.3 * sin(index), 0],
+        angles: [0, 1.5708 - angles + 0.3 * sin(index), 0],
       });
     }),
   );
@@ -96,7 +96,7 @@ function between(foot: Vector, tip: Vector, radius: number, tipRadius: number): 
     [[tipRadius, length], [0, length]],
   ); // prettier-ignore
   const lean = acos(way[1] / length);
-  return placed(placed(bar, { turn: [0, 0, -lean] }), { at: foot, turn: [0, atan2(-way[2], way[0]), 0] });
+  return placed(placed(bar, { angles: [0, 0, -lean] }), { at: foot, angles: [0, atan2(-way[2], way[0]), 0] });
 }
 
 /** A ridge tent: a prism with soft edges. @param out how far its ends stand out, metres; @param size a factor */
@@ -116,7 +116,7 @@ function tent(out: number, size: number): TriangleMesh {
   }
   return placed(
     { positions, normals, indices: box.indices },
-    { at: [-1.3, 0, -0.95], turn: [0, 0.42, 0], scale: 1.25 },
+    { at: [-1.3, 0, -0.95], angles: [0, 0.42, 0], scale: 1.25 },
   );
 }
 

@@ -66,7 +66,7 @@ export function desertRigids(): RigidDescription[] {
 
 function cacti(): SurfaceDescription[] {
   const each = (mesh: TriangleMesh) =>
-    merged(...CACTI.map(([x, z, scale]) => placed(mesh, { at: [x, -0.03, z], scale, turn: [0, -0.2 * x, 0] })));
+    merged(...CACTI.map(([x, z, scale]) => placed(mesh, { at: [x, -0.03, z], scale, angles: [0, -0.2 * x, 0] })));
   const face = friendlyFace(0.42, 0.3);
   const front = { at: [0, 0.98, 0.28] } as const;
   const flat = { casts: false, inked: false };
@@ -81,7 +81,7 @@ function cacti(): SurfaceDescription[] {
 /** A trunk with two arms, closed. */
 function cactus(): TriangleMesh {
   const trunk = lathe(20, [[0, -0.1], [0.25, -0.1]], [[0.25, -0.1], [0.3, 0.5], [0.3, 1], [0.22, 1.35], [0, 1.46]]); // prettier-ignore
-  const arm = (turn: number, y: number) =>
+  const arm = (angle: number, y: number) =>
     placed(
       pipe(
         14,
@@ -89,15 +89,15 @@ function cactus(): TriangleMesh {
         [[0, 0], [0.11, 0]],
         [[0.11, 0], [0.13, 0.4], [0.13, 0.8], [0.08, 0.95], [0, 1]],
       ),
-      { at: [0, y, 0], turn: [0, turn, 0] },
+      { at: [0, y, 0], angles: [0, angle, 0] },
     ); // prettier-ignore
   return merged(trunk, arm(0, 0.66), arm(Math.PI, 0.5));
 }
 
 function blossoms(): TriangleMesh {
   const at = (petal: number): Vector => {
-    const turn = (2 * Math.PI * petal) / 5;
-    return [0.09 * cos(turn), 1.47, 0.09 * sin(turn)];
+    const angle = (2 * Math.PI * petal) / 5;
+    return [0.09 * cos(angle), 1.47, 0.09 * sin(angle)];
   };
   return merged(...[0, 1, 2, 3, 4].map((petal) => placed(ballMesh(0.075, 8), { at: at(petal) })));
 }

@@ -47,8 +47,8 @@ export function genie(rigid: number, hand: number): SurfaceDescription[] {
     { name: 'turban', mesh: turban(), color: SILK, ...look, group: 'turban' },
     { name: 'feather', mesh: feather(), color: RUBY, ...look },
     { name: 'jewel', mesh: onHead(ballMesh(1, 12), [0, 0.37, 0.4], [0.075, 0.1, 0.06]), color: RUBY, ...quiet },
-    { name: 'fist', mesh: placed(mitten(-1), { at: HIP, turn: [0, 0.4, 0.7] }), color: SKIN, ...look },
-    { name: 'cuff', mesh: placed(cuff(), { at: HIP, turn: [0, 0.4, 0.7] }), color: GOLD, ...quiet },
+    { name: 'fist', mesh: placed(mitten(-1), { at: HIP, angles: [0, 0.4, 0.7] }), color: SKIN, ...look },
+    { name: 'cuff', mesh: placed(cuff(), { at: HIP, angles: [0, 0.4, 0.7] }), color: GOLD, ...quiet },
     { name: 'hand', mesh: openHand(), color: SKIN, casts: true, inked: true, part: hand, group: 'hand' },
     { name: 'bangle', mesh: cuff(), color: GOLD, casts: false, inked: true, part: hand },
   ];
@@ -58,9 +58,9 @@ function onHead(
   mesh: TriangleMesh,
   [x, y, z]: Vector,
   scale: Vector = [1, 1, 1],
-  turn: Vector = [0, 0, 0],
+  angles: Vector = [0, 0, 0],
 ): TriangleMesh {
-  return placed(mesh, { at: [HEAD[0] + x, HEAD[1] + y, HEAD[2] + z], scale, turn });
+  return placed(mesh, { at: [HEAD[0] + x, HEAD[1] + y, HEAD[2] + z], scale, angles });
 }
 
 function both(make: (side: 1 | -1) => TriangleMesh): TriangleMesh {
@@ -154,10 +154,10 @@ function openHand(): TriangleMesh {
     return placed(ballMesh(1, 10), {
       at: [-0.42 * sin(lean) * 0.8, 0.34 * cos(lean), 0],
       scale: [0.052, 0.13, 0.055],
-      turn: [0, 0, lean],
+      angles: [0, 0, lean],
     });
   };
-  const thumb = placed(ballMesh(1, 10), { at: [-0.17, 0.14, 0.03], scale: [0.11, 0.052, 0.055], turn: [0, 0, -0.5] });
+  const thumb = placed(ballMesh(1, 10), { at: [-0.17, 0.14, 0.03], scale: [0.11, 0.052, 0.055], angles: [0, 0, -0.5] });
   return merged(
     placed(ballMesh(1, 14), { at: [0, 0.16, 0], scale: [0.15, 0.14, 0.1] }),
     thumb,

@@ -5,7 +5,7 @@
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { RigidShape } from '../../sim/rigid.ts';
 import { BELLY, COLLAR, CURL, FOOT, GEM, HANDLE, LID, OPENING, SPOUT, SPOUT_PATH } from './lampShape.ts';
-import { circle, planarAxis, revolve, type Turning } from './revolve.ts';
+import { circle, planarAxis, revolve, type SurfaceOfRevolution } from './revolve.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
 
@@ -33,7 +33,7 @@ export interface LampModel {
   readonly parts: readonly LampPart[];
   readonly spout: LampSpout;
   /**
-   * A few coarse pieces in the lamp's own frame, for fixed rigids at the lamp's place. They are closed, and leave the
+   * A few coarse pieces in the lamp's own space, for fixed rigids at the lamp's place. They are closed, and leave the
    * spout's mouth and the loop of the handle open.
    */
   readonly collision: readonly RigidShape[];
@@ -78,10 +78,10 @@ function collisionPieces(): RigidShape[] {
 }
 
 /** Points round a stretch of a turning at a share of its length; one where it meets the axis. */
-function ring(turning: Turning, stretch: number, share: number, corners: number): (readonly number[])[] {
-  const { curve } = turning.profile[stretch];
+function ring(surface: SurfaceOfRevolution, stretch: number, share: number, corners: number): (readonly number[])[] {
+  const { curve } = surface.profile[stretch];
   const count = curve(share)[0] === 0 ? 1 : corners;
-  const pointAt = circle(turning, curve, share);
+  const pointAt = circle(surface, curve, share);
   return Array.from({ length: count }, (_, i) => pointAt((2 * Math.PI * i) / corners));
 }
 
@@ -90,8 +90,8 @@ function hull(points: readonly (readonly number[])[]): RigidShape {
 }
 
 /** A bent part as triangles: hulls of so thin a loop would have to be many. */
-function coarse(turning: Turning): RigidShape {
-  const profile = turning.profile.map(({ curve, bands }) => ({ curve, bands: Math.ceil(bands / 3) }));
-  const { positions, indices } = revolve({ ...turning, profile, segments: 6 });
+function coarse(surface: SurfaceOfRevolution): RigidShape {
+  const profile = surface.profile.map(({ curve, bands }) => ({ curve, bands: Math.ceil(bands / 3) }));
+  const { positions, indices } = revolve({ ...surface, profile, segments: 6 });
   return { type: 'trimesh', vertices: positions, indices };
 }

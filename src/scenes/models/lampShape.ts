@@ -3,7 +3,7 @@
  * a curve (spout, handle, curl). Metres, but places along the curves are shares of them.
  */
 import { cos } from '../../sim/exact/sine.ts';
-import { planarAxis, uprightAxis, type Stretch, type Turning } from './revolve.ts';
+import { planarAxis, uprightAxis, type Stretch, type SurfaceOfRevolution } from './revolve.ts';
 import { spline } from './spline.ts';
 
 /** Along [x, y]: out of the belly, low, up in a long swing, and outwards at the mouth. */
@@ -48,12 +48,12 @@ function stretch(bands: number, ...points: readonly (readonly number[])[]): Stre
 }
 
 /** The belly swells towards the spout, as if drawn out of it. */
-function swell(turn: number): number {
-  const towards = Math.max(0, cos(turn));
+function swell(angle: number): number {
+  const towards = Math.max(0, cos(angle));
   return 1 + 0.1 * towards * towards;
 }
 
-export const FOOT: Turning = {
+export const FOOT: SurfaceOfRevolution = {
   axis: uprightAxis,
   segments: 32,
   profile: [
@@ -65,7 +65,7 @@ export const FOOT: Turning = {
   ],
 };
 
-export const BELLY: Turning = {
+export const BELLY: SurfaceOfRevolution = {
   axis: uprightAxis,
   segments: 40,
   swell,
@@ -85,7 +85,7 @@ export const BELLY: Turning = {
   ],
 };
 
-export const COLLAR: Turning = {
+export const COLLAR: SurfaceOfRevolution = {
   axis: uprightAxis,
   segments: 32,
   swell,
@@ -96,7 +96,7 @@ export const COLLAR: Turning = {
   ],
 };
 
-export const LID: Turning = {
+export const LID: SurfaceOfRevolution = {
   axis: uprightAxis,
   segments: 32,
   profile: [
@@ -106,13 +106,13 @@ export const LID: Turning = {
   ],
 };
 
-export const GEM: Turning = {
+export const GEM: SurfaceOfRevolution = {
   axis: uprightAxis,
   segments: 20,
   profile: [stretch(10, [0, 0.625], [0.045, 0.633], [0.067, 0.67], [0.053, 0.715], [0.022, 0.755], [0, 0.785])],
 };
 
-export const SPOUT: Turning = {
+export const SPOUT: SurfaceOfRevolution = {
   axis: planarAxis(SPOUT_PATH),
   segments: 20,
   profile: [
@@ -134,7 +134,7 @@ export const SPOUT: Turning = {
   ],
 };
 
-export const HANDLE: Turning = {
+export const HANDLE: SurfaceOfRevolution = {
   axis: planarAxis(HANDLE_PATH),
   segments: 12,
   profile: [
@@ -144,7 +144,7 @@ export const HANDLE: Turning = {
   ],
 };
 
-export const CURL: Turning = {
+export const CURL: SurfaceOfRevolution = {
   axis: planarAxis(CURL_PATH),
   segments: 10,
   profile: [

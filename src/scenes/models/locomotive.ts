@@ -84,14 +84,14 @@ export function axleMesh(radius: number): TriangleMesh {
       [[radius * 0.8, 0.045], [radius * 0.76, 0.01]],
       [[radius * 0.76, 0.01], [0, 0.01]],
     ); // prettier-ignore
-    const spoke = (turn: number) =>
+    const spoke = (angle: number) =>
       placed(roundedBox([radius * 0.78, 0.022, 0.026], 0.012, 3), {
-        turn: [0, 0, turn],
+        angles: [0, 0, angle],
         at: [0, 0, z + Math.sign(z) * 0.02],
       });
     const hub = placed(ballMesh(radius * 0.24, 8), { at: [0, 0, z + Math.sign(z) * 0.02] });
     return [
-      placed(disc, { at: [0, 0, z], turn: [(Math.sign(z) * Math.PI) / 2, 0, 0] }),
+      placed(disc, { at: [0, 0, z], angles: [(Math.sign(z) * Math.PI) / 2, 0, 0] }),
       ...[0, 1, 2].map((third) => spoke((third * Math.PI) / 3)),
       hub,
     ];
@@ -113,7 +113,7 @@ export function locomotiveHull(): RigidShape {
 }
 
 function along(mesh: TriangleMesh, y: number, z = 0): TriangleMesh {
-  return placed(mesh, { at: [0, y, z], turn: [0, 0, -Math.PI / 2] });
+  return placed(mesh, { at: [0, y, z], angles: [0, 0, -Math.PI / 2] });
 }
 
 function frame(): TriangleMesh {
@@ -121,7 +121,7 @@ function frame(): TriangleMesh {
   const buffer = (z: number) =>
     placed(lathe(14, [[0, 0], [0.035, 0]], [[0.035, 0], [0.035, 0.09]], [[0.035, 0.09], [0.08, 0.1], [0.07, 0.13], [0, 0.14]]), {
       at: [0.79, 0.3, z],
-      turn: [0, 0, -Math.PI / 2],
+      angles: [0, 0, -Math.PI / 2],
     }); // prettier-ignore
   return merged(
     placed(roundedBox([0.78, 0.05, 0.31], 0.04), { at: [-0.02, 0.34, 0] }),
@@ -161,7 +161,7 @@ function face(): TriangleMesh {
     [[0.012, 0.01], [0.019, 0.5], [0.012, 0.99]],
     [[0.012, 0.99], [0, 1]],
   ); // prettier-ignore
-  return merged(eye(0.085), eye(-0.085), placed(smile, { at: [0.738, 0.555, 0], turn: [0, Math.PI / 2, 0] }));
+  return merged(eye(0.085), eye(-0.085), placed(smile, { at: [0.738, 0.555, 0], angles: [0, Math.PI / 2, 0] }));
 }
 
 function cheeks(): TriangleMesh {

@@ -75,21 +75,21 @@ export function windmill(sails: number): SurfaceDescription[] {
 }
 
 function spar(quarter: number): TriangleMesh {
-  return placed(placed(roundedBox([0.03, 0.46, 0.025], 0.02, 5), { at: [0, 0.46, 0] }), turned(quarter));
+  return placed(placed(roundedBox([0.03, 0.46, 0.025], 0.02, 5), { at: [0, 0.46, 0] }), rotated(quarter));
 }
 
 function sail(quarter: number): TriangleMesh {
-  return placed(placed(roundedBox([0.12, 0.33, 0.02], 0.02, 5), { at: [0.1, 0.55, 0.05] }), turned(quarter));
+  return placed(placed(roundedBox([0.12, 0.33, 0.02], 0.02, 5), { at: [0.1, 0.55, 0.05] }), rotated(quarter));
 }
 
-function turned(quarter: number): { turn: Vector } {
-  return { turn: [0, 0, (quarter * Math.PI) / 2] };
+function rotated(quarter: number): { angles: Vector } {
+  return { angles: [0, 0, (quarter * Math.PI) / 2] };
 }
 
 /** Sheep that graze, each towards the left or the right. */
 export function sheep(stands: readonly (readonly [at: Vector, side: 1 | -1])[]): SurfaceDescription[] {
   const each = (make: (side: 1 | -1) => TriangleMesh) =>
-    merged(...stands.map(([at, side]) => placed(make(side), { at, turn: [0, side > 0 ? 0.35 : -0.35, 0] })));
+    merged(...stands.map(([at, side]) => placed(make(side), { at, angles: [0, side > 0 ? 0.35 : -0.35, 0] })));
   return [
     { name: 'wool', mesh: each(wool), color: WOOL, casts: true, inked: true },
     { name: 'heads', mesh: each(headAndLegs), color: DARK, casts: true, inked: true },
@@ -112,7 +112,7 @@ function headAndLegs(side: 1 | -1): TriangleMesh {
   const leg = (x: number, z: number) => placed(roundedBox([0.028, 0.1, 0.028], 0.02, 5), { at: [x, 0.1, z] });
   const ear = (z: number) => placed(ballMesh(1, 8), { at: [side * 0.26, 0.4, z], scale: [0.035, 0.03, 0.06] });
   return merged(
-    placed(ballMesh(1, 12), { at: [side * 0.29, 0.33, 0.04], scale: [0.1, 0.085, 0.075], turn: [0, 0, -side * 0.5] }),
+    placed(ballMesh(1, 12), { at: [side * 0.29, 0.33, 0.04], scale: [0.1, 0.085, 0.075], angles: [0, 0, -side * 0.5] }),
     ear(0.12),
     ear(-0.04),
     leg(0.1, 0.06),
@@ -144,10 +144,10 @@ export function sun(rays: number, face: number): SurfaceDescription[] {
 }
 
 function ray(index: number): TriangleMesh {
-  const turn = (2 * Math.PI * index) / 12;
+  const angle = (2 * Math.PI * index) / 12;
   const out = SUN + 0.05;
   const cone = lathe(10, [[0, 0], [0.13, 0]], [[0.13, 0], [0, index % 2 === 0 ? 0.34 : 0.22]]); // prettier-ignore
-  return placed(cone, { at: [-sin(turn) * out, cos(turn) * out, -0.02], turn: [0, 0, turn] });
+  return placed(cone, { at: [-sin(angle) * out, cos(angle) * out, -0.02], angles: [0, 0, angle] });
 }
 
 /** What shines itself has no dark side: a cover that is shaded as if all of it looked towards the light. */

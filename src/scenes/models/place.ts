@@ -1,5 +1,5 @@
 import { inOne, type TriangleMesh } from '../../passes/extrusion.ts';
-import { rotate, turnBy } from '../../sim/exact/turn.ts';
+import { rotate, quaternionFromAngles } from '../../sim/exact/rotation.ts';
 import type { Placement, Vector } from '../scene.ts';
 import { normalized } from './revolve.ts';
 
@@ -7,7 +7,7 @@ import { normalized } from './revolve.ts';
 export interface Stand {
   readonly at?: Vector;
   /** Radians about x, then y, then z, each about the world's axis. */
-  readonly turn?: Vector;
+  readonly angles?: Vector;
   /** Along each of its own axes; above 0. */
   readonly scale?: Vector | number;
 }
@@ -15,10 +15,10 @@ export interface Stand {
 /** The mesh where it stands, with unit normals. */
 export function placed(
   { positions, normals, indices }: TriangleMesh,
-  { at = [0, 0, 0], turn = [0, 0, 0], scale = 1 }: Stand,
+  { at = [0, 0, 0], angles = [0, 0, 0], scale = 1 }: Stand,
 ): TriangleMesh {
   const [a, b, c] = typeof scale === 'number' ? [scale, scale, scale] : scale;
-  const rotation = turnBy(turn);
+  const rotation = quaternionFromAngles(angles);
   return {
     positions: mapped(positions, (x, y, z) =>
       rotate(rotation, [a * x, b * y, c * z]).map((along, axis) => along + at[axis]),
@@ -44,8 +44,8 @@ export function merged(...meshes: readonly TriangleMesh[]): TriangleMesh {
 }
 
 /** Where nothing is moved and nothing turned but what is given. */
-export function placement(position: Vector = [0, 0, 0], turn: Vector = [0, 0, 0]): Placement {
-  return { position, rotation: turnBy(turn) };
+export function placement(position: Vector = [0, 0, 0], angles: Vector = [0, 0, 0]): Placement {
+  return { position, rotation: quaternionFromAngles(angles) };
 }
 
 function mapped(triples: Float32Array, map: (x: number, y: number, z: number) => readonly number[]): Float32Array {

@@ -7,7 +7,7 @@
  */
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import { cos, hypot, sin } from '../../sim/exact/sine.ts';
-import { cross } from '../../sim/exact/turn.ts';
+import { cross } from '../../sim/exact/rotation.ts';
 import type { Curve } from './spline.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
@@ -29,13 +29,13 @@ export interface Stretch {
   readonly bands: number;
 }
 
-export interface Turning {
+export interface SurfaceOfRevolution {
   readonly axis: Axis;
   readonly profile: readonly Stretch[];
   /** Triangles round the axis. */
   readonly segments: number;
   /** Factor on the radius at a turn (radians) from `across` towards `side`; 1 when left out. */
-  readonly swell?: (turn: number) => number;
+  readonly swell?: (angle: number) => number;
 }
 
 /** The vertical through the origin; places along it are heights. Turns run from +x towards +z. */
@@ -54,21 +54,21 @@ export function planarAxis(path: Curve): Axis {
 const STEP = 1e-4;
 
 /** The closed mesh of a turning. */
-export function revolve(turning: Turning): TriangleMesh {
-  const { profile, segments } = turning;
+export function revolve(surface: SurfaceOfRevolution): TriangleMesh {
+  const { profile, segments } = surface;
   const positions: number[] = [];
   const normals: number[] = [];
   const indices: number[] = [];
   /** Vertices round the axis, or the one on it. */
   const ring = (curve: Curve, parameter: number, isPole: boolean): ((segment: number) => number) => {
     const first = positions.length / 3;
-    const pointAt = circle(turning, curve, parameter);
-    const normalAt = isPole ? () => poleNormal(turning, curve, parameter) : normalsOn(turning, curve, parameter);
+    const pointAt = circle(surface, curve, parameter);
+    const normalAt = isPole ? () => poleNormal(surface, curve, parameter) : normalsOn(surface, curve, parameter);
     const count = isPole ? 1 : segments;
     for (let segment = 0; segment < count; segment++) {
-      const turn = (2 * Math.PI * segment) / segments;
-      positions.push(...pointAt(turn));
-      normals.push(...normalAt(turn));
+      const angle = (2 * Math.PI * segment) / segments;
+      positions.push(...pointAt(angle));
+      normals.push(...normalAt(angle));
     }
     return (segment) => first + (segment % count);
   };
@@ -92,37 +92,37 @@ export function revolve(turning: Turning): TriangleMesh {
 }
 
 /** What is at a turn (radians) from `across` towards `side`. */
-type ByTurn = (turn: number) => readonly number[];
+type ByAngle = (angle: number) => readonly number[];
 
 /** The points of a turning at a share of one of its curves. */
-export function circle({ axis, swell }: Turning, curve: Curve, parameter: number): ByTurn {
+export function circle({ axis, swell }: SurfaceOfRevolution, curve: Curve, parameter: number): ByAngle {
   const [radius, along] = curve(parameter);
   const { origin, across, side } = axis(along);
-  return (turn) => {
-    const reach = radius * (swell?.(turn) ?? 1);
-    const [u, v] = [reach * cos(turn), reach * sin(turn)];
+  return (angle) => {
+    const reach = radius * (swell?.(angle) ?? 1);
+    const [u, v] = [reach * cos(angle), reach * sin(angle)];
     return origin.map((at, i) => at + u * across[i] + v * side[i]);
   };
 }
 
 /** Unit normals from differences along the profile and round the axis, one-sided at a crease. */
-function normalsOn(turning: Turning, curve: Curve, parameter: number): ByTurn {
-  const lower = circle(turning, curve, Math.max(0, parameter - STEP));
-  const middle = circle(turning, curve, parameter);
-  const higher = circle(turning, curve, Math.min(1, parameter + STEP));
-  return (turn) => {
-    const along = minus(higher(turn), lower(turn));
-    const round = minus(middle(turn + STEP), middle(turn - STEP));
+function normalsOn(surface: SurfaceOfRevolution, curve: Curve, parameter: number): ByAngle {
+  const lower = circle(surface, curve, Math.max(0, parameter - STEP));
+  const middle = circle(surface, curve, parameter);
+  const higher = circle(surface, curve, Math.min(1, parameter + STEP));
+  return (angle) => {
+    const along = minus(higher(angle), lower(angle));
+    const round = minus(middle(angle + STEP), middle(angle - STEP));
     return normalized(cross(along, round));
   };
 }
 
 /** At a pole the normals round it are averaged. */
-function poleNormal(turning: Turning, curve: Curve, parameter: number): readonly number[] {
-  const normalAt = normalsOn(turning, curve, parameter === 0 ? STEP : 1 - STEP);
+function poleNormal(surface: SurfaceOfRevolution, curve: Curve, parameter: number): readonly number[] {
+  const normalAt = normalsOn(surface, curve, parameter === 0 ? STEP : 1 - STEP);
   const sum: [number, number, number] = [0, 0, 0];
-  for (let segment = 0; segment < turning.segments; segment++) {
-    const normal = normalAt((2 * Math.PI * segment) / turning.segments);
+  for (let segment = 0; segment < surface.segments; segment++) {
+    const normal = normalAt((2 * Math.PI * segment) / surface.segments);
     normal.forEach((value, axis) => (sum[axis] += value));
   }
   return normalized(sum);

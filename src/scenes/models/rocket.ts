@@ -51,7 +51,7 @@ export function launchPad(): SurfaceDescription[] {
   const post = (x: number, z: number) =>
     placed(roundedBox([0.035, 1.15, 0.035], 0.02, 3), { at: [-1.05 + x, 1.15, -0.3 + z] });
   const arm = (y: number) =>
-    placed(roundedBox([0.26, 0.03, 0.05], 0.025, 3), { at: [-0.66, y, -0.2], turn: [0, -0.25, 0] });
+    placed(roundedBox([0.26, 0.03, 0.05], 0.025, 3), { at: [-0.66, y, -0.2], angles: [0, -0.25, 0] });
   const lamp = placed(lathe(16, [[0, 0], [0.09, 0]], [[0.09, 0], [0.09, 0.08], [0.05, 0.15], [0, 0.17]]), { at: [-1.05, 2.33, -0.3] }); // prettier-ignore
   return [
     { name: 'pad', mesh: pad(), color: PAD, ...look, casts: false },
@@ -69,7 +69,7 @@ export function launchPad(): SurfaceDescription[] {
     { name: 'tanks', mesh: tanks(), color: STEEL, ...look },
     {
       name: 'bunker',
-      mesh: placed(roundedBox([0.42, 0.2, 0.3], [0.1, 0.18, 0.1]), { at: [1.75, 0.14, 0.75], turn: [0, -0.5, 0] }),
+      mesh: placed(roundedBox([0.42, 0.2, 0.3], [0.1, 0.18, 0.1]), { at: [1.75, 0.14, 0.75], angles: [0, -0.5, 0] }),
       color: WHITE,
       ...look,
     },
@@ -77,7 +77,7 @@ export function launchPad(): SurfaceDescription[] {
       name: 'window',
       mesh: placed(roundedBox([0.24, 0.05, 0.31], [0.04, 0.04, 0.03], 5), {
         at: [1.75, 0.2, 0.75],
-        turn: [0, -0.5, 0],
+        angles: [0, -0.5, 0],
       }),
       color: DARK,
       ...look,
@@ -113,7 +113,7 @@ function belt(): TriangleMesh {
 }
 
 function fins(): TriangleMesh {
-  const fin = (turn: number) => {
+  const fin = (angle: number) => {
     const blade = roundedBox([0.2, 0.34, 0.045], [0.14, 0.2, 0.045]);
     const swept = {
       ...blade,
@@ -121,7 +121,7 @@ function fins(): TriangleMesh {
         i % 3 === 1 ? value - 0.8 * (blade.positions[i - 1] + 0.2) : value,
       ),
     };
-    return placed(placed(swept, { at: [0.38, 0.46, 0] }), { turn: [0, turn, 0] });
+    return placed(placed(swept, { at: [0.38, 0.46, 0] }), { angles: [0, angle, 0] });
   };
   return merged(...[0.5, 1.5, 2.5, 3.5].map((quarter) => fin((quarter * Math.PI) / 2)));
 }

@@ -11,8 +11,8 @@ export function tableMesh(radius: number, thickness: number): TriangleMesh {
   const ring = (y: number, normal: (x: number, z: number) => number[]) => {
     const first = positions.length / 3;
     for (let segment = 0; segment < SEGMENTS; ++segment) {
-      const turn = (2 * Math.PI * segment) / SEGMENTS;
-      const [x, z] = [sin(turn), cos(turn)];
+      const angle = (2 * Math.PI * segment) / SEGMENTS;
+      const [x, z] = [sin(angle), cos(angle)];
       positions.push(radius * x, y, radius * z);
       normals.push(...normal(x, z));
     }

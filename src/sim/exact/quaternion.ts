@@ -1,7 +1,7 @@
 /** What few scenes do with unit quaternions x, y, z, w, with the same bits in every engine: see `sine.ts`. */
 import { acos, asin, atan2 } from './arc.ts';
 import { hypot, sin } from './sine.ts';
-import type { Quaternion } from './turn.ts';
+import type { Quaternion } from './rotation.ts';
 
 /** From this cosine between them on, quaternions are blended along the straight line. */
 const CLOSE = 0.9995;

@@ -26,8 +26,8 @@ function grid(columns, rows) {
 
 /** On the unit ball. @param {number} around 0 to 1 @param {number} down 0 to 1 */
 function pointAt(around, down) {
-  const [turn, fall] = [2 * Math.PI * around, Math.PI * down];
-  return [Math.sin(fall) * Math.cos(turn), Math.cos(fall), -Math.sin(fall) * Math.sin(turn)];
+  const [angle, fall] = [2 * Math.PI * around, Math.PI * down];
+  return [Math.sin(fall) * Math.cos(angle), Math.cos(fall), -Math.sin(fall) * Math.sin(angle)];
 }
 
 /** @param {number} places bytes @param {number} order bytes */

@@ -4,7 +4,7 @@ import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { run } from '../../../scripts/lib/command.mjs';
 import { inRoot } from '../../../scripts/lib/paths.mjs';
-import { Refusal } from '../../../scripts/lib/refusal.mjs';
+import { UserError } from '../../../scripts/lib/userError.mjs';
 
 export const VERSIONS = { '@google/model-viewer': '4.4.0', '@tsparticles/slim': '4.4.0' };
 /** Relative to the root. */
@@ -26,5 +26,5 @@ export async function bringPeers(say) {
   // Their scripts bring three.js of their own: what they would have beside them is not needed.
   const parameters = ['install', '--legacy-peer-deps', '--ignore-scripts', '--no-audit', '--no-fund'];
   const { status, output } = await run('npm', parameters, { folder, onLine: say });
-  if (status !== 0) throw new Refusal('model-viewer and tsParticles could not be fetched from npm.', output);
+  if (status !== 0) throw new UserError('model-viewer and tsParticles could not be fetched from npm.', output);
 }

@@ -10,8 +10,8 @@ const SETTLING_MS = 500;
 /** Of a processor: what a browser takes for itself. */
 const RESTING_SHARE = 0.1;
 /** With what is drawn slowly, and with what was not drawn yet. */
-const PATIENCE_MS = 20_000;
-const GREATER_PATIENCE_MS = 120_000;
+const TIMEOUT_MS = 20_000;
+const LONG_TIMEOUT_MS = 120_000;
 
 /**
  * @typedef {object} Window
@@ -71,7 +71,7 @@ export class Visit {
     if (this.isAnimated) await this.waitForFrame();
     const begin = performance.now();
     let window = await this.measure(ms);
-    while (this.isAnimated && window.frames < frames && performance.now() - begin < PATIENCE_MS)
+    while (this.isAnimated && window.frames < frames && performance.now() - begin < TIMEOUT_MS)
       window = together(window, await this.measure(ms));
     if (this.isAnimated && window.frames === 0) throw new Error(`${this.page?.url()} draws nothing.`);
     return window;
@@ -86,7 +86,7 @@ export class Visit {
     await this.scroll(1);
     const begin = performance.now();
     let window = await this.measure(SETTLING_MS);
-    while (!isAtRest(window) && performance.now() - begin < PATIENCE_MS) window = await this.measure(SETTLING_MS);
+    while (!isAtRest(window) && performance.now() - begin < TIMEOUT_MS) window = await this.measure(SETTLING_MS);
     return this.measure(ms);
   }
 
@@ -107,7 +107,7 @@ export class Visit {
   async waitForFrame() {
     const begin = performance.now();
     const first = await this.frames();
-    while ((await this.frames()) === first && performance.now() - begin < GREATER_PATIENCE_MS) await pause(SETTLING_MS);
+    while ((await this.frames()) === first && performance.now() - begin < LONG_TIMEOUT_MS) await pause(SETTLING_MS);
   }
 
   /** @param {0 | 1} end of the page */

@@ -5,7 +5,7 @@ import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { tableMesh } from '../../../src/scenes/models/table.ts';
 import { loadSimulators } from '../../../src/sim/load.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
-import type { FrameInput, FrameReport } from '../../../src/smoke/frame.ts';
+import type { FrameInput, FrameReport } from '../../../src/smoke/frameInput.ts';
 import { towardsLight } from '../../../src/smoke/light.ts';
 import { SmokeRenderer, type SmokeOptions } from '../../../src/smoke/smoke.ts';
 import type { Style } from '../../../src/smoke/style.ts';

@@ -18,14 +18,14 @@ export function seededPlume(count: number, seed: number): Particles {
   for (let i = 0; i < count; i++) {
     const age = OLDEST * next();
     const reach = (0.06 + 0.75 * age) * Math.sqrt(next());
-    const turn = 2 * Math.PI * next();
-    particles.x[i] = 0.1 + 5.5 * age * age + reach * Math.cos(turn);
+    const angle = 2 * Math.PI * next();
+    particles.x[i] = 0.1 + 5.5 * age * age + reach * Math.cos(angle);
     particles.y[i] = 0.2 + 3.8 * age ** 0.8 + 0.3 * (next() - 0.5);
-    particles.z[i] = reach * Math.sin(turn);
+    particles.z[i] = reach * Math.sin(angle);
     particles.age[i] = age * LIFETIME;
     particles.size[i] = (0.06 + 0.36 * age) * (0.7 + 0.6 * next());
-    const look = Math.floor(VARIATIONS * next()) + 2 ** 16 * Math.floor(2 ** 12 * next());
-    particles.look[i] = look + 2 ** 8 * Math.floor(2 ** 8 * ownNumber());
+    const attributes = Math.floor(VARIATIONS * next()) + 2 ** 16 * Math.floor(2 ** 12 * next());
+    particles.attributes[i] = attributes + 2 ** 8 * Math.floor(2 ** 8 * ownNumber());
   }
   for (const axis of ['x', 'y', 'z'] as const) particles[`p${axis}`].set(particles[axis]);
   particles.lifetime.fill(LIFETIME);
@@ -44,13 +44,13 @@ export function saturatedColumn(count: number, seed: number): Particles {
   const particles = emptyParticles(count);
   for (let i = 0; i < count; i++) {
     const reach = COLUMN.radius * Math.sqrt(next());
-    const turn = 2 * Math.PI * next();
-    particles.x[i] = COLUMN.x + reach * Math.cos(turn);
+    const angle = 2 * Math.PI * next();
+    particles.x[i] = COLUMN.x + reach * Math.cos(angle);
     particles.y[i] = 0.1 + COLUMN.height * next();
-    particles.z[i] = reach * Math.sin(turn);
+    particles.z[i] = reach * Math.sin(angle);
     particles.size[i] = COLUMN.size * (0.7 + 0.6 * next());
-    const look = Math.floor(VARIATIONS * next()) + 2 ** 16 * Math.floor(2 ** 12 * next());
-    particles.look[i] = look + 2 ** 8 * Math.floor(2 ** 8 * next());
+    const attributes = Math.floor(VARIATIONS * next()) + 2 ** 16 * Math.floor(2 ** 12 * next());
+    particles.attributes[i] = attributes + 2 ** 8 * Math.floor(2 ** 8 * next());
   }
   for (const axis of ['x', 'y', 'z'] as const) particles[`p${axis}`].set(particles[axis]);
   particles.lifetime.fill(LIFETIME);

@@ -7,7 +7,7 @@ import { measureInside } from './inside.ts';
 import { measureVisible } from './visible.ts';
 import { measureUploads } from './uploads.ts';
 import { measureAgainstQuarks } from './versusQuarks.ts';
-import { measureAgainstRivals } from './versusRivals.ts';
+import { measureAgainstComparisons } from './versusComparisons.ts';
 
 export async function measure(quick: boolean): Promise<Figure[]> {
   if (!globalThis.crossOriginIsolated) throw new Error('The page is not isolated, so its clock is too coarse.');
@@ -15,7 +15,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measurePasses(quick)),
     ...(await measureForms(quick)),
     ...(await measureAgainstQuarks(quick)),
-    ...(await measureAgainstRivals(quick)),
+    ...(await measureAgainstComparisons(quick)),
     ...(await measureInside(quick)),
     ...(await measureVisible(quick)),
     ...(await measureUploads()),

@@ -14,11 +14,11 @@ export async function measureAgainstQuarks(quick: boolean): Promise<Figure[]> {
   const rounds = quick ? 5 : 9;
   for (let round = 0; round < rounds; round++) {
     await say(`render.vsQuarks, round ${round + 1} of ${rounds}`);
-    const turns = [
+    const runs = [
       () => ours.push(bench.timeDrawing(() => bench.draw(true))),
       () => theirs.push(bench.timeDrawing(() => quarks.draw(bench.device.renderer, bench.camera))),
     ];
-    for (const turn of round % 2 === 0 ? turns : turns.toReversed()) turn();
+    for (const run of round % 2 === 0 ? runs : runs.toReversed()) run();
   }
   quarks.dispose();
   bench.dispose();

@@ -23,7 +23,7 @@ interface Frames {
 export async function measureVisible(quick: boolean): Promise<Figure[]> {
   const rounds = quick ? 3 : 5;
   const compared = quick ? COMPARED.filter((count) => count <= 10_000) : COMPARED;
-  const kept = await keptOfPlumes(rounds);
+  const kept = await drawnShareOfPlumes(rounds);
   const plumes = await framesOf('plume', compared, rounds, seededPlume);
   const column = await framesOf('column', COLUMN, rounds, saturatedColumn);
   return [
@@ -36,7 +36,7 @@ export async function measureVisible(quick: boolean): Promise<Figure[]> {
   ];
 }
 
-async function keptOfPlumes(rounds: number): Promise<Figure[]> {
+async function drawnShareOfPlumes(rounds: number): Promise<Figure[]> {
   await say(`render, what stays of plumes of ${ARRANGED.join(', ')}`);
   const figures: Figure[] = [];
   for (const count of ARRANGED) {

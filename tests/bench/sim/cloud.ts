@@ -42,7 +42,7 @@ export function seededCloud(count: number, seed: number, lifetime = LIFETIME): P
   }
   for (let i = 0; i < count; i++) particles.temperature[i] = 0.5 + next();
   for (let i = 0; i < count; i++) particles.lifetime[i] = lifetime * (0.5 + next());
-  for (let i = 0; i < count; i++) particles.look[i] = next() * 2 ** 32;
+  for (let i = 0; i < count; i++) particles.attributes[i] = next() * 2 ** 32;
   particles.size.fill(0.2);
   return particles;
 }

@@ -70,20 +70,20 @@ function playRound(near: Scene, withFar: Scene, tenths: readonly Uint32Array[], 
   near.restart();
   withFar.restart();
   const { rapier } = near.measured;
-  const least: Round = { near: Infinity, withFar: Infinity, touched: Infinity, naive: 0 };
-  const leastOfTenths = tenths.map(() => Infinity);
+  const min: Round = { near: Infinity, withFar: Infinity, touched: Infinity, naive: 0 };
+  const minOfTenths = tenths.map(() => Infinity);
   for (let step = 0; step < steps; step++) {
     const scenes = step % 2 === 0 ? [near, withFar] : [withFar, near];
     const costs = new Map(scenes.map((scene) => [scene, scene.step().collision]));
-    least.near = Math.min(least.near, costs.get(near) ?? Infinity);
-    least.withFar = Math.min(least.withFar, costs.get(withFar) ?? Infinity);
-    least.touched = Math.min(least.touched, rapier.projectionTime(rapier.findInTouchedBoxes(), LIMIT));
+    min.near = Math.min(min.near, costs.get(near) ?? Infinity);
+    min.withFar = Math.min(min.withFar, costs.get(withFar) ?? Infinity);
+    min.touched = Math.min(min.touched, rapier.projectionTime(rapier.findInTouchedBoxes(), LIMIT));
     tenths.forEach((asked, tenth) => {
-      leastOfTenths[tenth] = Math.min(leastOfTenths[tenth], rapier.projectionTime(asked, EVERYWHERE));
+      minOfTenths[tenth] = Math.min(minOfTenths[tenth], rapier.projectionTime(asked, EVERYWHERE));
     });
   }
   demandAlike(near, withFar);
-  return { ...least, naive: leastOfTenths.reduce((sum, cost) => sum + cost, 0) };
+  return { ...min, naive: minOfTenths.reduce((sum, cost) => sum + cost, 0) };
 }
 
 function demandAlike(near: Scene, withFar: Scene): void {

@@ -6,7 +6,7 @@ import { Memory, Native, NativeMemory } from './limits.ts';
 import { Nebula } from './nebula.ts';
 import { JavaScript, Wasm } from './ours.ts';
 import { Quarks } from './quarks.ts';
-import { takeTurns, type Costs, type Plan } from './rounds.ts';
+import { interleave, type Costs, type Plan } from './rounds.ts';
 import { largestDifference } from './twin.ts';
 
 /** Metres, and what else a particle has: single precision at 5 m over the steps that are compared. */
@@ -45,7 +45,7 @@ export async function hold(count: number, plan: Plan): Promise<Costs> {
   const { wasm, native, javaScript, memory, engines } = field;
   const contestants: Contestant[] = [wasm, native, javaScript, memory, new NativeMemory(), ...engines];
   const before = engines.map((engine) => engine.places());
-  const costs = await takeTurns(
+  const costs = await interleave(
     contestants,
     contestants.map(() => count),
     plan,

@@ -16,11 +16,11 @@ export function costsTable(figures) {
     return cost ? cost.value.toPrecision(3) : 'not measured';
   };
   const rows = part(2).map((contestant) => [contestant, ...counts.map((count) => cell(contestant, count))]);
-  return layOut([['ns a particle and step', ...counts.map((count) => Number(count).toLocaleString('en'))], ...rows]);
+  return format([['ns a particle and step', ...counts.map((count) => Number(count).toLocaleString('en'))], ...rows]);
 }
 
 /** @param {string[][]} rows the first column is text, the others are numbers */
-function layOut(rows) {
+function format(rows) {
   const widths = rows[0].map((_, column) => Math.max(...rows.map((row) => row[column].length)));
   const pad = (/** @type {string} */ cell, /** @type {number} */ column) =>
     column === 0 ? cell.padEnd(widths[0]) : cell.padStart(widths[column]);

@@ -4,7 +4,7 @@ import { spawn } from 'node:child_process';
 import { existsSync, mkdirSync } from 'node:fs';
 import { createInterface } from 'node:readline';
 import { inRoot } from '../../../scripts/lib/paths.mjs';
-import { Refusal } from '../../../scripts/lib/refusal.mjs';
+import { UserError } from '../../../scripts/lib/userError.mjs';
 import { cargo, rustc } from '../../../scripts/setup/toolchain.mjs';
 
 const FOLDER = 'sim-wasm/target/bench';
@@ -31,7 +31,7 @@ function demandBuilt(
   /** @type {string} */ example,
   /** @type {import('../../../scripts/lib/command.mjs').Outcome} */ { status, output },
 ) {
-  if (status !== 0) throw new Refusal(`The example ${example} does not compile: see the lines above.`, output);
+  if (status !== 0) throw new UserError(`The example ${example} does not compile: see the lines above.`, output);
 }
 
 /** The running program; it ends with its standard input, and so with this process. */
@@ -41,7 +41,7 @@ export class Native {
   #child;
 
   constructor() {
-    if (!existsSync(inRoot(PROGRAM))) throw new Refusal(`${PROGRAM} was not built.`);
+    if (!existsSync(inRoot(PROGRAM))) throw new UserError(`${PROGRAM} was not built.`);
     this.#child = spawn(inRoot(PROGRAM), { stdio: ['pipe', 'pipe', 'inherit'] });
     createInterface({ input: this.#child.stdout }).on('line', (line) => this.#waiting.shift()?.(line));
     this.#child.on('exit', () => this.#waiting.splice(0).forEach((answer) => answer('')));

@@ -8,6 +8,6 @@ export const STEP = 1 / 60;
 export const TYPICAL_DISTANCE = 3.8;
 
 /** Radians a second at which the vortex turns what is so many metres from its axis, outside of its core. */
-export function turnRate(distance: number): number {
+export function angularRate(distance: number): number {
   return SIX_FORCES['vortices.0.circulation'] / (2 * Math.PI * distance ** 2);
 }

@@ -4,7 +4,7 @@ import { time } from '../support/figures.ts';
 import type { Particles } from '../support/snapshot.ts';
 import { SIX_FORCES } from './cloud.ts';
 import type { Contestant } from './contestant.ts';
-import { STEP, TYPICAL_DISTANCE, turnRate } from './nearest.ts';
+import { STEP, TYPICAL_DISTANCE, angularRate } from './nearest.ts';
 
 /** A Force multiplies its numbers by this. */
 const MEASURE = 100;
@@ -71,7 +71,7 @@ function behaviours() {
     new Vortex(
       new Vector3D(SIX_FORCES['vortices.0.position.x'], 0, 0),
       new Vector3D(...axis),
-      turnRate(TYPICAL_DISTANCE) * TYPICAL_DISTANCE ** 2 * drag,
+      angularRate(TYPICAL_DISTANCE) * TYPICAL_DISTANCE ** 2 * drag,
       0,
       2,
     ),

@@ -5,7 +5,7 @@ import { SIX_FORCES } from './cloud.ts';
 import type { Contestant } from './contestant.ts';
 import { Memory } from './limits.ts';
 import { Wasm } from './ours.ts';
-import { takeTurns, type Costs, type Plan } from './rounds.ts';
+import { interleave, type Costs, type Plan } from './rounds.ts';
 
 const COUNT = 100_000;
 
@@ -49,7 +49,7 @@ export async function measureParts(quick: boolean): Promise<Figure[]> {
     cost: 'cheapest',
   };
   const counts = contestants.map(() => COUNT);
-  const costs = await takeTurns(contestants, counts, plan, 'parts of a step');
+  const costs = await interleave(contestants, counts, plan, 'parts of a step');
   contestants.forEach((contestant) => contestant.dispose());
   return figures(costs);
 }

@@ -16,7 +16,7 @@ import { time } from '../support/figures.ts';
 import type { Particles } from '../support/snapshot.ts';
 import { SIX_FORCES } from './cloud.ts';
 import type { Contestant } from './contestant.ts';
-import { STEP, TYPICAL_DISTANCE, turnRate } from './nearest.ts';
+import { STEP, TYPICAL_DISTANCE, angularRate } from './nearest.ts';
 
 /** LimitSpeedOverLife takes away `dampen` * 20 of the excess speed in a second. */
 const DAMPEN_PER_SECOND = 20;
@@ -100,7 +100,7 @@ function behaviours(): Behavior[] {
       new Vector3(swirl, swirl, swirl),
       new Vector3(pace, pace, pace),
     ),
-    new OrbitOverLife(new ConstantValue(turnRate(TYPICAL_DISTANCE)), new Vector3(...axis).normalize()),
+    new OrbitOverLife(new ConstantValue(angularRate(TYPICAL_DISTANCE)), new Vector3(...axis).normalize()),
     new LimitSpeedOverLife(NONE, drag / DAMPEN_PER_SECOND),
   ];
 }

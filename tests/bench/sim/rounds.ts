@@ -31,7 +31,7 @@ const SHORTEST_STEP = 1e-4;
  *
  * @param counts How many particles each has, in the order of the contestants.
  */
-export async function takeTurns(
+export async function interleave(
   contestants: readonly Contestant[],
   counts: readonly number[],
   plan: Plan,
@@ -79,8 +79,8 @@ async function playRound(contestants: readonly Contestant[], paces: readonly Pac
   for (const contestant of contestants) await contestant.restart();
   const longest = Math.max(...paces.map(({ slices }) => slices));
   for (let slice = 0; slice < longest; slice++) {
-    for (let turn = 0; turn < contestants.length; turn++) {
-      const i = (turn + slice + round) % contestants.length;
+    for (let position = 0; position < contestants.length; position++) {
+      const i = (position + slice + round) % contestants.length;
       if (slice < paces[i].slices) taken[i].push(await contestants[i].advance(paces[i].steps));
     }
   }

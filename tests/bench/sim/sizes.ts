@@ -3,7 +3,7 @@ import { figure, type Figure } from '../support/figures.ts';
 import { median, spread } from '../support/statistics.ts';
 import type { Contestant } from './contestant.ts';
 import { Wasm } from './ours.ts';
-import { takeTurns, type Plan } from './rounds.ts';
+import { interleave, type Plan } from './rounds.ts';
 
 const SIZES = [10_000, 30_000, 100_000, 300_000, 1_000_000];
 
@@ -28,7 +28,7 @@ export async function measureSizes(quick: boolean): Promise<Figure[]> {
     slice: LONGEST_STEP,
     cost: 'cheapest',
   };
-  const costs = await takeTurns(contestants, SIZES, plan, 'sizes');
+  const costs = await interleave(contestants, SIZES, plan, 'sizes');
   contestants.forEach((contestant) => contestant.dispose());
   const rounds = Array.from({ length: plan.rounds }, (_, round) => spread(SIZES.map((size) => costs[size][round])));
   const list = SIZES.map((size) => `${size}: ${median(costs[size]).toFixed(1)}`).join(', ');

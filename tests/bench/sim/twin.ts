@@ -53,7 +53,7 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
   const { age: AGE, lifetime: LIFETIME, temperature: TEMPERATURE } = particles;
   const { dt, kept, first, second, gravity, buoyancy, cooling, windX, windZ } = constants;
   const { frequency, fractionX, fractionY, fractionZ, key, parity, wave, amplitude } = constants;
-  const { axisX, axisY, axisZ, originX, originY, originZ, turn, perCore, perReach } = constants;
+  const { axisX, axisY, axisZ, originX, originY, originZ, swirl, perCore, perReach } = constants;
   const quarter = dt * 0.25;
   const perQuarter = 1 / quarter;
 
@@ -224,7 +224,7 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
         const square = left * left;
         divisor += square * square * square * (1 + q * (-0.029029946 + q * (-0.024458739 + q * 0.0034428624)));
       }
-      const dividend = turn * beyond * beyond * quarter;
+      const dividend = swirl * beyond * beyond * quarter;
       const share = dividend / (divisor * divisor + dividend * dividend);
       const sine = divisor * share;
       const cosineLack = dividend * share;
@@ -273,7 +273,7 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
 /** Puts the last living particle into the place of a dead one. */
 function bury(particles: Particles, dead: number, last: number): void {
   for (const name of FLOAT_COLUMNS) particles[name][dead] = particles[name][last];
-  particles.look[dead] = particles.look[last];
+  particles.attributes[dead] = particles.attributes[last];
 }
 
 /** The largest difference between two sets of particles in place (m), slip (m/s), age (s) and temperature. */

@@ -43,7 +43,7 @@ function turbulenceOf(values: ForceValues, { seed, drift, phase }: Memory) {
   const skew = (straight[0] + straight[1] + straight[2]) / 3;
   const cells = straight.map((component) => component + skew + SHIFT);
   const [fractionX, fractionY, fractionZ] = cells.map((cell) => Math.fround(cell - Math.floor(cell)));
-  const turns = phase / (2 * Math.PI);
+  const cycles = phase / (2 * Math.PI);
   return {
     frequency: Math.fround(frequency),
     fractionX,
@@ -54,7 +54,7 @@ function turbulenceOf(values: ForceValues, { seed, drift, phase }: Memory) {
       Math.imul(seed, 0x9e3779b9),
     ),
     parity: cells.reduce((sum, cell) => (sum - Math.floor(cell)) | 0, 0),
-    wave: Math.floor((turns - Math.floor(turns)) * 2 ** 32) | 0,
+    wave: Math.floor((cycles - Math.floor(cycles)) * 2 ** 32) | 0,
     amplitude: Math.fround(values['turbulence.speed'] / Math.sqrt(COMPONENT_VARIANCE * CELL_VARIANCE)),
   };
 }
@@ -71,7 +71,7 @@ function vortexOf(values: ForceValues) {
     originX: Math.fround(values['vortices.0.position.x']),
     originY: 0,
     originZ: 0,
-    turn: Math.fround(values['vortices.0.circulation'] / (2 * Math.PI * coreSquared)),
+    swirl: Math.fround(values['vortices.0.circulation'] / (2 * Math.PI * coreSquared)),
     perCore: Math.fround(1 / coreSquared),
     perReach: Math.fround(1 / values['vortices.0.reach'] ** 2),
   };

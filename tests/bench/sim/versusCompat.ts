@@ -12,7 +12,7 @@ const COUNT = 10_000;
 const STEP = 1 / 60;
 const WARMING_STEPS = 30;
 /** Steps in a row, as the bindings answer query after query: each side finds caches as it left them. */
-const TURN = 5;
+const CHUNK = 5;
 /** Metres that a particle and a rigid may come nearer to each other within a step, which only ours follows. */
 const WAY = 0.06;
 /** Metres by which both may disagree on where a rigid is. */
@@ -79,33 +79,33 @@ class Contest {
   }
 
   round(steps: number): Round {
-    const least = { withRigids: Infinity, without: Infinity };
-    const leastOfTenths = Array.from({ length: 10 }, () => Infinity);
-    const take = (name: keyof typeof least) => {
-      least[name] = Math.min(
-        least[name],
+    const min = { withRigids: Infinity, without: Infinity };
+    const minOfTenths = Array.from({ length: 10 }, () => Infinity);
+    const take = (name: keyof typeof min) => {
+      min[name] = Math.min(
+        min[name],
         time(() => this[name].step()),
       );
     };
-    for (let turn = 0; turn < steps / TURN; turn++) {
-      for (let step = 0; step < TURN; step++) {
+    for (let chunk = 0; chunk < steps / CHUNK; chunk++) {
+      for (let step = 0; step < CHUNK; step++) {
         this.sendOurs();
         take('withRigids');
       }
-      for (let step = 0; step < TURN; step++) take('without');
+      for (let step = 0; step < CHUNK; step++) take('without');
       this.compat.moveTo(this.seconds);
       const { place, count } = this.withRigids.arrange(EVERYTHING);
       demand(count === COUNT, `${count} particles live`);
       // All at once take so long that others on the machine always come between.
-      leastOfTenths.forEach((cost, tenth) => {
+      minOfTenths.forEach((cost, tenth) => {
         const rows = place.subarray((4 * tenth * count) / 10, (4 * (tenth + 1) * count) / 10);
-        leastOfTenths[tenth] = Math.min(
+        minOfTenths[tenth] = Math.min(
           cost,
           time(() => this.compat.projectAll(rows, count / 10)),
         );
       });
     }
-    return { ...least, compat: leastOfTenths.reduce((sum, cost) => sum + cost, 0) };
+    return { ...min, compat: minOfTenths.reduce((sum, cost) => sum + cost, 0) };
   }
 
   dispose(): void {

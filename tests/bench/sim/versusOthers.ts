@@ -44,8 +44,8 @@ function planFor(size: number, quick: boolean): Plan {
 
 function judge(costs: Costs, ways: Readonly<Record<string, number>>): Figure[] {
   const work = `${JUDGED} particles, six forces, one octave`;
-  const against = (name: string, rival: string, note: string) =>
-    figure(name, 'x', ratios(costs[rival], costs.wasm), `${work}; ${note}`);
+  const against = (name: string, other: string, note: string) =>
+    figure(name, 'x', ratios(costs[other], costs.wasm), `${work}; ${note}`);
   const engine = (name: 'quarks' | 'nebula') =>
     `${CONTESTANTS[name]}, through ours; ${UNEQUAL[name]}, its particles go ${ways[name].toPrecision(2)} times as far`;
   return [

@@ -5,7 +5,7 @@ import { readParticles, sectionLength, withParticles } from '../support/snapshot
 import { SIX_FORCES, seededCloud } from './cloud.ts';
 import { meanDistance, type Contestant } from './contestant.ts';
 import { Wasm } from './ours.ts';
-import { takeTurns, type Plan } from './rounds.ts';
+import { interleave, type Plan } from './rounds.ts';
 
 const COUNT = 20_000;
 const VORTEX_PARTICLES = 1000;
@@ -32,15 +32,15 @@ const NO_MORE = { 'shedders.0.rate': 0 };
 
 export async function measureVortexParticles(quick: boolean): Promise<Figure[]> {
   const without = await Wasm.create(COUNT);
-  const stirred = await Wasm.create(COUNT, { ...SIX_FORCES, ...SHEDDER });
-  const start = shed(stirred);
+  const withVortices = await Wasm.create(COUNT, { ...SIX_FORCES, ...SHEDDER });
+  const start = shed(withVortices);
   const withThem: Contestant = {
-    name: 'stirred',
-    restart: () => stirred.simulator.restore(start),
-    advance: (steps) => stirred.advance(steps),
-    dispose: () => stirred.dispose(),
+    name: 'withVortices',
+    restart: () => withVortices.simulator.restore(start),
+    advance: (steps) => withVortices.advance(steps),
+    dispose: () => withVortices.dispose(),
   };
-  await demandStirring(without, stirred, withThem);
+  await demandMotion(without, withVortices, withThem);
   const plan: Plan = {
     rounds: quick ? 5 : 11,
     share: quick ? 60 : 150,
@@ -48,15 +48,15 @@ export async function measureVortexParticles(quick: boolean): Promise<Figure[]> 
     slice: 10,
     cost: 'cheapest',
   };
-  const costs = await takeTurns([without, withThem], [COUNT, COUNT], plan, 'vortex particles');
-  demand(stirred.simulator.alive === COUNT, `${stirred.simulator.alive} of ${COUNT} particles live`);
+  const costs = await interleave([without, withThem], [COUNT, COUNT], plan, 'vortex particles');
+  demand(withVortices.simulator.alive === COUNT, `${withVortices.simulator.alive} of ${COUNT} particles live`);
   without.dispose();
   withThem.dispose();
   return [
     figure(
       'sim.vortexParticles',
       'x',
-      ratios(costs.stirred, costs.wasm),
+      ratios(costs.withVortices, costs.wasm),
       `a step of ${COUNT} particles, six forces, one octave, with ${VORTEX_PARTICLES} vortex particles through the step without; a place is within the reach of six; goal <= 6`,
     ),
   ];
@@ -76,12 +76,12 @@ function shed({ simulator }: Wasm): Uint8Array {
 }
 
 /** What stirs nothing costs nothing either. */
-async function demandStirring(without: Wasm, stirred: Wasm, withThem: Contestant): Promise<void> {
+async function demandMotion(without: Wasm, withVortices: Wasm, withThem: Contestant): Promise<void> {
   await withThem.restart();
   without.restart();
-  demand(readParticles(stirred.simulator).x.length === COUNT, 'the cloud has another size');
+  demand(readParticles(withVortices.simulator).x.length === COUNT, 'the cloud has another size');
   without.advance(5);
   await withThem.advance(5);
-  const apart = meanDistance(without.places(), stirred.places());
+  const apart = meanDistance(without.places(), withVortices.places());
   demand(apart > 0.01, `vortex particles move smoke by ${apart} m`);
 }

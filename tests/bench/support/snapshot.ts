@@ -22,7 +22,7 @@ export const FLOAT_COLUMNS = [
 ] as const;
 
 /** Struct of arrays; units as in sim-wasm/sim/src/particles.rs. */
-export type Particles = Record<(typeof FLOAT_COLUMNS)[number], Float32Array> & { look: Uint32Array };
+export type Particles = Record<(typeof FLOAT_COLUMNS)[number], Float32Array> & { attributes: Uint32Array };
 
 /** What a simulator that has made no step yet remembers besides its particles, as far as the twin needs it. */
 export interface Memory {
@@ -46,7 +46,7 @@ const PARTICLE = 4 * (FLOAT_COLUMNS.length + 1);
 
 export function emptyParticles(count: number): Particles {
   const columns = FLOAT_COLUMNS.map((name) => [name, new Float32Array(count)]);
-  return { ...Object.fromEntries(columns), look: new Uint32Array(count) } as Particles;
+  return { ...Object.fromEntries(columns), attributes: new Uint32Array(count) } as Particles;
 }
 
 /** The living particles, copied. */
@@ -56,8 +56,8 @@ export function readParticles(simulator: Saving): Particles {
   const count = viewOf(saved).getUint32(content, true);
   const words = saved.slice(content + 4, end).buffer;
   const columns = FLOAT_COLUMNS.map((name, index) => [name, new Float32Array(words, 4 * count * index, count)]);
-  const look = new Uint32Array(words, 4 * count * FLOAT_COLUMNS.length, count);
-  return { ...Object.fromEntries(columns), look } as Particles;
+  const attributes = new Uint32Array(words, 4 * count * FLOAT_COLUMNS.length, count);
+  return { ...Object.fromEntries(columns), attributes } as Particles;
 }
 
 /** The simulator's state with other particles, for restore. */
@@ -72,7 +72,7 @@ export function withParticles(simulator: Saving, particles: Particles): Uint8Arr
   const view = viewOf(bytes);
   view.setUint32(content - 4, length, true);
   view.setUint32(content, count, true);
-  const columns = [...FLOAT_COLUMNS.map((name) => particles[name]), particles.look];
+  const columns = [...FLOAT_COLUMNS.map((name) => particles[name]), particles.attributes];
   columns.forEach((column, index) =>
     bytes.set(new Uint8Array(column.buffer, column.byteOffset, 4 * count), content + 4 + 4 * count * index),
   );

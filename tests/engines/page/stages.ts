@@ -1,6 +1,6 @@
 /** Runs in a page: stages on the page's own thread, small because software draws them. */
-import { capture } from '../../../src/app/capture/capture.ts';
-import type { Format } from '../../../src/app/capture/order.ts';
+import { capture } from '../../../src/app/capture/dialog.ts';
+import type { Format } from '../../../src/app/capture/settings.ts';
 import { encode } from '../../../src/preset/codec.ts';
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import type { Values } from '../../../src/preset/parameter.ts';

@@ -14,7 +14,7 @@ import {
 import type { Color } from '../../../src/device/ramps.ts';
 import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
-import { orientationOf, turnedLobes } from '../../../src/puffs/orientation.ts';
+import { orientationOf, rotatedLobes } from '../../../src/puffs/orientation.ts';
 import type { PuffShape } from '../../../src/puffs/shapes.ts';
 import { Lab, takePicture, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
@@ -145,9 +145,9 @@ function puffs(): LabPuff[] {
 }
 
 function crates(): Crate[] {
-  const turned = new Matrix4().makeRotationFromEuler(new Euler(0.3, 0.5, 0.2)).setPosition(1, -0.3, 0.5);
+  const rotated = new Matrix4().makeRotationFromEuler(new Euler(0.3, 0.5, 0.2)).setPosition(1, -0.3, 0.5);
   return [
-    { half: [0.35, 0.2, 0.25], worldFromModel: turned },
+    { half: [0.35, 0.2, 0.25], worldFromModel: rotated },
     { half: [0.3, 0.25, 0.2], worldFromModel: new Matrix4().setPosition(-1.1, -0.5, -0.3) },
     PARKED,
   ];
@@ -182,7 +182,7 @@ export function mapErrors(name: keyof typeof MAP_VIEWS): { shadow: number; missi
 
 /** The balls that a puff of the default shapes is made of. */
 function lobesOf({ place, radius, variation = 0, seed = 0, roll = 0 }: LabPuff): LabPuff[] {
-  return turnedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes).map((lobe) => ({
+  return rotatedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes).map((lobe) => ({
     place: new Vector3(...lobe.center)
       .multiplyScalar(radius)
       .add(new Vector3(...place))

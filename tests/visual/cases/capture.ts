@@ -1,12 +1,12 @@
 /** Captures of a small lamp, and what somebody who opens the files finds in them. */
 import { unzipSync } from 'fflate';
 import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
-import { capture } from '../../../src/app/capture/capture.ts';
-import type { Order } from '../../../src/app/capture/order.ts';
+import { capture } from '../../../src/app/capture/dialog.ts';
+import type { CaptureSettings } from '../../../src/app/capture/settings.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 
 const [WIDTH, HEIGHT] = [160, 120];
-const PLAIN: Order = {
+const PLAIN: CaptureSettings = {
   format: 'png',
   width: WIDTH,
   height: HEIGHT,
@@ -31,8 +31,8 @@ function lamp(): Promise<Stage> {
   return opened;
 }
 
-async function captured(order: Partial<Order>, signal = new AbortController().signal): Promise<Blob> {
-  return capture(await lamp(), { ...PLAIN, ...order }, { signal, onProgress: () => undefined });
+async function captured(settings: Partial<CaptureSettings>, signal = new AbortController().signal): Promise<Blob> {
+  return capture(await lamp(), { ...PLAIN, ...settings }, { signal, onProgress: () => undefined });
 }
 
 /** Whatever is done with the captures, the smoke must stay as it is. */
@@ -119,8 +119,8 @@ export function video(format: 'webm' | 'mp4', hasBackground = true) {
 
 export function sequence(inLayers: boolean) {
   return untouched(async () => {
-    const order = inLayers ? { inLayers, scale: 2, seconds: 0.04 } : { seconds: 0.125 };
-    const blob = await captured({ ...order, format: 'zip', hasBackground: false });
+    const settings = inLayers ? { inLayers, scale: 2, seconds: 0.04 } : { seconds: 0.125 };
+    const blob = await captured({ ...settings, format: 'zip', hasBackground: false });
     const entries = unzipSync(await bytesOf(blob));
     const names = Object.keys(entries).sort();
     const pictures = await Promise.all(names.map((name) => pixelsOfBytes(entries[name])));

@@ -3,7 +3,7 @@ import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'thr
 import { defaultPreset, findPreset, presetValues, type Preset } from '../../../src/preset/presets.ts';
 import type { Value, Values } from '../../../src/preset/parameter.ts';
 import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
-import type { FrameInput } from '../../../src/smoke/frame.ts';
+import type { FrameInput } from '../../../src/smoke/frameInput.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { RenderBench } from '../../bench/render/bench.ts';
@@ -21,7 +21,7 @@ export interface Comparison {
 }
 
 /** From the front as the scene has it, from the side and above, from within a plume, and from behind the smoke. */
-export type Place = 'scene' | 'above' | 'inside' | 'behind' | 'orthographic';
+export type Viewpoint = 'scene' | 'above' | 'inside' | 'behind' | 'orthographic';
 
 const [WIDTH, HEIGHT] = [320, 240];
 
@@ -29,7 +29,7 @@ const [WIDTH, HEIGHT] = [320, 240];
 export async function compareScene(
   { preset, ...values }: Values,
   seconds: number,
-  places: readonly Place[],
+  places: readonly Viewpoint[],
 ): Promise<Comparison[]> {
   const comparisons: Comparison[] = [];
   const { draw } = SmokeRenderer.prototype;
@@ -67,7 +67,7 @@ function presetNamed(name: Value | undefined): Preset {
 export async function comparePlume(
   particles: number,
   style: Partial<Style>,
-  places: readonly Exclude<Place, 'behind'>[],
+  places: readonly Exclude<Viewpoint, 'behind'>[],
 ): Promise<Comparison[]> {
   const bench = await RenderBench.create(0.5, particles);
   bench.style = { ...bench.style, ...style };
@@ -92,7 +92,7 @@ function cameraBehind({ camera, simulator }: FrameInput): Camera {
 }
 
 /** Both lamp and plume rise at the origin. */
-function cameraAt(place: Exclude<Place, 'behind'>, scene: Camera): Camera {
+function cameraAt(place: Exclude<Viewpoint, 'behind'>, scene: Camera): Camera {
   if (place === 'scene') return scene;
   const aspect = WIDTH / HEIGHT;
   const camera =

@@ -195,7 +195,7 @@ export function overdraw(): { bodies: string[]; expected: string[]; withVolumes:
 export async function coverageTints(): Promise<{ tinted: number; wrong: number; missing: number; clear: number }> {
   const bench = await RenderBench.create(0.5, 1500);
   const input = bench['input'](true);
-  const none = { count: 0, place: new Float32Array(), look: new Uint32Array() };
+  const none = { count: 0, place: new Float32Array(), attributes: new Uint32Array() };
   const shown = (view: DebugView, extra = {}) => {
     bench.smoke.draw({ ...input, ...extra, view });
     return reader(bench.picture());

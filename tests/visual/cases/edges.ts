@@ -261,8 +261,8 @@ function sumsOfRows(values: Float64Array): number[] {
 function sumsOfSectors(values: Float64Array): number[] {
   const sums = Array<number>(48).fill(0);
   eachPixel(0, (x, y) => {
-    const turn = Math.atan2(y + 0.5 - SIZE / 2, x + 0.5 - SIZE / 2) / (2 * Math.PI) + 0.5;
-    sums[Math.min(47, Math.floor(48 * turn))] += values[y * SIZE + x];
+    const fraction = Math.atan2(y + 0.5 - SIZE / 2, x + 0.5 - SIZE / 2) / (2 * Math.PI) + 0.5;
+    sums[Math.min(47, Math.floor(48 * fraction))] += values[y * SIZE + x];
   });
   return sums;
 }

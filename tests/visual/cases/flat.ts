@@ -16,13 +16,13 @@ type Triple = [number, number, number];
 const SUN = new Vector3(-0.5, 0.8, 0.4).normalize().toArray();
 
 /** Whether this machine passes the self test, and whether a device can be told to fail it. */
-export function selfTest(): { passes: boolean; told: boolean; error: number } {
-  const [device, told] = [{}, { failsSelfTest: true }].map((options) =>
+export function selfTest(): { passes: boolean; notified: boolean; error: number } {
+  const [device, notified] = [{}, { failsSelfTest: true }].map((options) =>
     createDevice(new OffscreenCanvas(1, 1), options),
   );
   const error = device.renderer.getContext().getError();
-  const report = { passes: device.writesDepth, told: told.writesDepth, error };
-  for (const each of [device, told]) each.dispose();
+  const report = { passes: device.writesDepth, notified: notified.writesDepth, error };
+  for (const each of [device, notified]) each.dispose();
   return report;
 }
 

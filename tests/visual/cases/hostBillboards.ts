@@ -1,5 +1,5 @@
-/** Smoke in a stranger's scene that is asked for billboards, whose code is not here yet. */
-import type { CartoonSmoke } from '../../../src/host/cartoonSmoke.ts';
+/** Smoke in the host's scene that is asked for billboards, whose code is not here yet. */
+import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { changedPixels, dispose, draw, emptyHost, HANGING, smokeIn, type Host, type Pixels } from './hostScene.ts';
 
@@ -11,7 +11,7 @@ export interface Asked {
   /** The picture before anybody asked. */
   readonly before: Pixels;
   /** What was told since. */
-  readonly told: string[];
+  readonly notified: string[];
 }
 
 /** Smoke as lobes, which is then asked for billboards. */
@@ -19,13 +19,13 @@ export async function ask(): Promise<Asked> {
   const host = emptyHost();
   const smoke = await smokeIn(host);
   const before = draw(host);
-  const told: string[] = [];
-  smoke.addEventListener('error', ({ error }) => told.push(`${error.name}: ${error.message}`));
+  const notified: string[] = [];
+  smoke.addEventListener('error', ({ error }) => notified.push(`${error.name}: ${error.message}`));
   smoke.set(BILLBOARDS);
-  return { host, smoke, before, told };
+  return { host, smoke, before, notified };
 }
 
-/** Some frames of the stranger's in which a knob is turned: pixels by which the last one differs from what was before. */
+/** Some frames of the host in which a knob is turned: pixels by which the last one differs from what was before. */
 export function frames({ host, smoke, before }: Asked): number {
   const { 'style.outlineWidth': width } = smoke.get();
   for (const changed of [1, 2, 3, Number(width)]) {

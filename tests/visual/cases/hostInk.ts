@@ -1,4 +1,4 @@
-/** Ink of smoke in a stranger's scene: along surfaces, and in time. */
+/** Ink of smoke in the host's scene: along surfaces, and in time. */
 import { Mesh, MeshBasicMaterial, PlaneGeometry, Vector2 } from 'three';
 import {
   changedPixels,

@@ -1,4 +1,4 @@
-/** A stranger's scene for the tests of src/host: meshes of every kind, a renderer, and what it draws as bytes. */
+/** the host's scene for the tests of src/three: meshes of every kind, a renderer, and what it draws as bytes. */
 import {
   AmbientLight,
   Bone,
@@ -25,8 +25,8 @@ import {
   type ToneMapping,
   type WebGLRendererParameters,
 } from 'three';
-import { CartoonSmoke } from '../../../src/host/cartoonSmoke.ts';
-import type { CartoonSmokeOptions } from '../../../src/host/options.ts';
+import { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
+import type { CartoonSmokeOptions } from '../../../src/three/options.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 
 export const WIDTH = 200;

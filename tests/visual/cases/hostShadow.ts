@@ -1,4 +1,4 @@
-/** The shadow of smoke and of casters in a stranger's scene, against the same scene without its key light. */
+/** The shadow of smoke and of casters in the host's scene, against the same scene without its key light. */
 import {
   ACESFilmicToneMapping,
   BoxGeometry,
@@ -12,8 +12,8 @@ import {
   type Object3D,
   type WebGLRendererParameters,
 } from 'three';
-import type { CartoonSmoke } from '../../../src/host/cartoonSmoke.ts';
-import { boneBalls, capsule, follow, instanceBalls, type BallAt } from '../../../src/host/proxies.ts';
+import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
+import { boneBalls, capsule, follow, instanceBalls, type BallAt } from '../../../src/three/proxies.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import {
   differences,

@@ -3,7 +3,7 @@ import { OrthographicCamera, type PerspectiveCamera } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { middleOf } from '../../../src/puffs/normals.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
-import { orientationOf, turnedLobes } from '../../../src/puffs/orientation.ts';
+import { orientationOf, rotatedLobes } from '../../../src/puffs/orientation.ts';
 import { frontCamera, Lab, PLAIN_STYLE, takePicture, type LabPuff } from '../lab.ts';
 import { random } from '../random.ts';
 import { roundedRoll, seenOf } from './puffs.ts';
@@ -73,8 +73,8 @@ function trembling(boil: number, seed: number, x: number, y: number): number {
   const hashed = Math.imul(seed, 747796405) + Math.imul(DRAWING, 2891336453);
   const bits = Math.imul(hashed ^ (hashed >>> 16), 73244475) >>> 0;
   const phase = ((bits >>> 8) & 0xffff) * ((2 * Math.PI) / 65536);
-  const turn = Math.atan2(y, x);
-  return 1 - boil * (0.25 + 0.125 * (Math.sin(3 * turn + phase) + Math.sin(8 * turn - 2.7 * phase)));
+  const angle = Math.atan2(y, x);
+  return 1 - boil * (0.25 + 0.125 * (Math.sin(3 * angle + phase) + Math.sin(8 * angle - 2.7 * phase)));
 }
 
 /** Compares the lines of lone puffs, pixel by pixel, with distances to their silhouettes that the CPU computes. */
@@ -98,7 +98,7 @@ function measureLine(lab: Lab, line: LineCase, variation: number): LineReport {
   const expectedShare = inkShare(expectedWidth, fullWidth, radius);
   const seen = seenOf(form, variation, seed, roundedRoll(roll));
   const middle =
-    form === 'lobes' ? middleOf(turnedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes)) : [0, 0];
+    form === 'lobes' ? middleOf(rotatedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes)) : [0, 0];
   const report = { worst: 0, ink: 0, expectedWidth, radius, share: expectedShare, expectedShare };
   for (let pixel = 0; pixel < SIZE * SIZE; pixel++) {
     const [x, y] = [pixel % SIZE, Math.floor(pixel / SIZE)].map((at) => (at + 0.5 - SIZE / 2) / radius);

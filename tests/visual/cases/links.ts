@@ -1,5 +1,5 @@
 /** Share links, opened as an element opens them. */
-import { readLink } from '../../../src/element/link.ts';
+import { readLink } from '../../../src/element/attributes/link.ts';
 import { goToMoment } from '../../../src/element/moment.ts';
 import type { Notice } from '../../../src/preset/notice.ts';
 import { openHere } from '../../../src/remote/openHere.ts';

@@ -42,7 +42,7 @@ export function selfMasked(
   const lab = new Lab({ width: WIDTH, height: HEIGHT, puffs: [], shapes, capacity: trials });
   const result = { lit: 0, masked: 0 };
   for (let drawn = 0; drawn < trials;) {
-    const camera = turnedCamera(next);
+    const camera = rotatedCamera(next);
     const { puffs, ...lighting } = (light === 'sun' ? sunny : aroundLamp)(camera, trials - drawn, next);
     for (const puff of puffs) puff.variation = drawn++ % shapes.length;
     const scene = { width: WIDTH, height: HEIGHT, puffs, camera, ...lighting };
@@ -58,7 +58,7 @@ export function selfMasked(
 type Random = () => number;
 type Triple = [number, number, number];
 
-function turnedCamera(next: Random): Camera {
+function rotatedCamera(next: Random): Camera {
   const camera = new PerspectiveCamera(78, WIDTH / HEIGHT, 0.1, 50);
   camera.quaternion.copy(new Quaternion(next() - 0.5, next() - 0.5, next() - 0.5, next() - 0.5).normalize());
   camera.updateMatrixWorld();
@@ -70,23 +70,23 @@ function direction(next: Random): Vector3 {
 }
 
 /** Puffs before a camera whose lines along the light keep apart. */
-function sunny(camera: Camera, most: number, next: Random): { puffs: LabPuff[]; towardsLight: Triple } {
+function sunny(camera: Camera, max: number, next: Random): { puffs: LabPuff[]; towardsLight: Triple } {
   const towards = direction(next);
   const across = (puff: LabPuff) => new Vector3(...puff.place).projectOnPlane(towards);
   const distance = (a: LabPuff, b: LabPuff) => across(a).distanceTo(across(b)) / (a.radius + b.radius);
-  const puffs = keptApart(most, distance, () => turnedPuff(next, seenPlace(camera, next), 0.35 + 0.25 * next()));
+  const puffs = spacedApart(max, distance, () => rotatedPuff(next, seenPlace(camera, next), 0.35 + 0.25 * next()));
   return { puffs, towardsLight: towards.toArray() };
 }
 
 /** Puffs around a lamp, two radii from it each. */
-function aroundLamp(camera: Camera, most: number, next: Random): { puffs: LabPuff[]; lamp: Triple } {
+function aroundLamp(camera: Camera, max: number, next: Random): { puffs: LabPuff[]; lamp: Triple } {
   const lamp = new Vector3(next() - 0.5, next() - 0.5, -2).applyMatrix4(camera.matrixWorld);
   const towards = (puff: LabPuff) => new Vector3(...puff.place).sub(lamp).normalize();
   // Each is as wide as half its distance, so that the sum of two radii is 1 on the unit sphere about the lamp.
   const distance = (a: LabPuff, b: LabPuff) => towards(a).distanceTo(towards(b));
-  const puffs = keptApart(most, distance, () => {
+  const puffs = spacedApart(max, distance, () => {
     const radius = 0.35 + 0.25 * next();
-    return turnedPuff(
+    return rotatedPuff(
       next,
       direction(next)
         .multiplyScalar(2 * radius)
@@ -97,10 +97,10 @@ function aroundLamp(camera: Camera, most: number, next: Random): { puffs: LabPuf
   return { puffs, lamp: lamp.toArray() };
 }
 
-/** At least one puff, at most `most`. @param distance of two puffs as the light sees them, in sums of their radii */
-function keptApart(most: number, distance: (a: LabPuff, b: LabPuff) => number, seek: () => LabPuff): LabPuff[] {
+/** At least one puff, at max `max`. @param distance of two puffs as the light sees them, in sums of their radii */
+function spacedApart(max: number, distance: (a: LabPuff, b: LabPuff) => number, seek: () => LabPuff): LabPuff[] {
   const puffs: LabPuff[] = [];
-  for (let tries = 0; tries < TRIES && puffs.length < most; ++tries) {
+  for (let tries = 0; tries < TRIES && puffs.length < max; ++tries) {
     const puff = seek();
     if (puffs.every((other) => distance(puff, other) > APART)) puffs.push(puff);
   }
@@ -110,13 +110,13 @@ function keptApart(most: number, distance: (a: LabPuff, b: LabPuff) => number, s
 /** A place up to 35 degrees off the camera's axis. */
 function seenPlace(camera: Camera, next: Random): Vector3 {
   const slope = Math.tan((35 * Math.PI) / 180) * Math.sqrt(next());
-  const turn = next() * 2 * Math.PI;
+  const angle = next() * 2 * Math.PI;
   const depth = 1.6 + 1.4 * next();
-  const place = new Vector3(Math.cos(turn) * slope * depth, Math.sin(turn) * slope * depth, -depth);
+  const place = new Vector3(Math.cos(angle) * slope * depth, Math.sin(angle) * slope * depth, -depth);
   return place.applyMatrix4(camera.matrixWorld);
 }
 
-function turnedPuff(next: Random, place: Vector3, radius: number): LabPuff {
+function rotatedPuff(next: Random, place: Vector3, radius: number): LabPuff {
   return { place: place.toArray(), radius, roll: next() * 2 * Math.PI, seed: Math.floor(next() * 256) };
 }
 

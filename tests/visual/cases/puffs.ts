@@ -2,11 +2,11 @@
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
-import { samplePuff, type PuffSample } from '../../../src/puffs/layers.ts';
+import { samplePuff, type PuffSample } from '../../../src/puffs/billboards/layers.ts';
 import { sampleLobes } from '../../../src/puffs/lobes.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
 import type { PuffShape } from '../../../src/puffs/shapes.ts';
-import { orientationOf, turnedLobes } from '../../../src/puffs/orientation.ts';
+import { orientationOf, rotatedLobes } from '../../../src/puffs/orientation.ts';
 import { parseStops, rampOf } from '../../../src/smoke/palette.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { frontCamera, Lab, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
@@ -49,7 +49,7 @@ function heap(count: number, seed: number): LabPuff[] {
 /** A puff without roll as a camera that looks along -z sees it, by (x, y) in radii: computed without a GPU. */
 export function seenOf(form: PuffForm, variation: number, seed = 0, roll = 0): (x: number, y: number) => PuffSample {
   if (form === 'billboards') return (x, y) => samplePuff(bakedPuffs().billboards.layers, variation, x, y);
-  const lobes = turnedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes);
+  const lobes = rotatedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes);
   return (x, y) => sampleLobes(lobes, x, y);
 }
 

@@ -98,8 +98,8 @@ function beside(camera: Camera): Shown {
   const casters = Array.from({ length: 30 }, (_, index) => {
     const z = index % 3 ? 0.1 * (next() - 0.7) : next();
     const place = new Vector3(0.4 + 0.8 * next(), 0.5 * next() - 0.2, z).applyMatrix4(camera.matrixWorld);
-    const turn = { roll: next() * 2 * Math.PI, variation: index % 4, seed: Math.floor(next() * 256) };
-    return { place: place.toArray(), radius: 0.05 + 0.1 * next(), ...turn };
+    const rotation = { roll: next() * 2 * Math.PI, variation: index % 4, seed: Math.floor(next() * 256) };
+    return { place: place.toArray(), radius: 0.05 + 0.1 * next(), ...rotation };
   });
   return shadowsOnly(camera, casters, [0.6, 0.5, 0.6]);
 }

@@ -73,7 +73,7 @@ async function stageOf(values: Values = {}, canvas = new OffscreenCanvas(WIDTH, 
  * A stage in a pause whose knobs turn: pixels that differ from before, from a stage that was made so, and, after turning
  * back, from the first picture.
  */
-export async function turnKnobs(values: Values): Promise<{ changed: number; asMade: number; back: number }> {
+export async function changeKnobs(values: Values): Promise<{ changed: number; asMade: number; back: number }> {
   const [stage, made] = [await stageOf(), await stageOf(values)];
   for (const each of [stage, made]) each.step(80);
   const before = await pixelsOf(stage);
@@ -134,7 +134,7 @@ export async function bringShape(): Promise<{ lobes: number; billboards: number;
  * is then the one that a pause shows. Whatever looks at the time finds a millisecond gone, so that frames are counted and
  * no machine is measured.
  */
-export async function turnWhilePlaying(): Promise<{ frames: number; leftOver: number }> {
+export async function changeWhilePlaying(): Promise<{ frames: number; leftOver: number }> {
   let frame: FrameRequestCallback = () => {};
   gpuKeepsUp();
   const { requestAnimationFrame } = globalThis;

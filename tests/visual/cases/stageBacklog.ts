@@ -5,7 +5,7 @@ import { lampStage, visibleCanvas } from './stage.ts';
  * Plays so many frames below the viewport, where no browser holds them back.
  * @returns how many of them were under way at once, at most
  */
-export async function mostInFlight(frames: number): Promise<number> {
+export async function maxInFlight(frames: number): Promise<number> {
   const canvas = visibleCanvas();
   canvas.style.cssText = 'position: fixed; top: 110vh';
   const stage = await lampStage(canvas);

@@ -55,7 +55,7 @@ export async function useCanvasAgain(): Promise<string> {
 }
 
 /** Takes the context away and gives it back in mid-run: pixels that differ from a run without the loss, and the hash. */
-export async function loseContext(): Promise<{ changed: number; sameHash: boolean; refused: boolean }> {
+export async function loseContext(): Promise<{ changed: number; sameHash: boolean; rejected: boolean }> {
   const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
   const stage = await lampStage(canvas);
   stage.step(60);
@@ -67,7 +67,7 @@ export async function loseContext(): Promise<{ changed: number; sameHash: boolea
   // The browser decides about restoring only after the event's last listener.
   await new Promise((resolve) => setTimeout(resolve));
   stage.step(30);
-  const refused = await stage.picture().then(
+  const rejected = await stage.picture().then(
     () => false,
     (error: Error) => error.name === 'ContextError',
   );
@@ -80,7 +80,7 @@ export async function loseContext(): Promise<{ changed: number; sameHash: boolea
   const [a, b] = await Promise.all([stage, twin].map(async (each) => pixelsOf(await each.picture())));
   const sameHash = stage.hash() === twin.hash();
   for (const each of [stage, twin]) each.dispose();
-  return { changed: differing(a, b), sameHash, refused };
+  return { changed: differing(a, b), sameHash, rejected };
 }
 
 /** Steps on each side of a growth of the WASM memory: pixels that changed, and whether the buffer is another one. */

@@ -24,10 +24,10 @@ export async function lateRenderer(): Promise<{ atOnce: number; later: number; f
 }
 
 /** What a stage says of a renderer and of a view whose code cannot be fetched, and whether it goes on. */
-export async function lostRenderer(): Promise<{ told: string[]; thrown: string; steps: number; drawn: number }> {
+export async function lostRenderer(): Promise<{ notified: string[]; thrown: string; steps: number; drawn: number }> {
   const stage = await lampStage(visibleCanvas());
-  const told: string[] = [];
-  stage.on('error', (error) => told.push(`${error.name}: ${error.message}`));
+  const notified: string[] = [];
+  stage.on('error', (error) => notified.push(`${error.name}: ${error.message}`));
   stage.set({ 'style.renderer': 'selle' });
   const thrown = await stage.picture().then(
     () => 'nothing',
@@ -36,5 +36,5 @@ export async function lostRenderer(): Promise<{ told: string[]; thrown: string; 
   await stage.seek(1);
   const { steps, bodiesDrawn } = stage.stats;
   stage.dispose();
-  return { told, thrown, steps, drawn: bodiesDrawn };
+  return { notified, thrown, steps, drawn: bodiesDrawn };
 }

@@ -30,7 +30,7 @@ export interface Steadiness {
 
 /** Pictures of successive steps; what turns by itself, such as a propeller, stands still. */
 export async function timePassing(scene: string, fromStep: number, steps: number): Promise<Steadiness> {
-  const lab = await SceneLab.create(scene, { ...SIZE, holdsTurns: true });
+  const lab = await SceneLab.create(scene, { ...SIZE, holdsRotations: true });
   lab.step(fromStep);
   let corners = surfaceCorners(lab);
   const report = await watch(lab, lab.camera(), steps, () => {
@@ -45,7 +45,7 @@ export async function timePassing(scene: string, fromStep: number, steps: number
 
 /** Pictures a degree apart, with time stopped, from so far that no smoke comes near the eye. */
 export async function orbiting(scene: string, atStep: number, degrees: number): Promise<Steadiness> {
-  const lab = await SceneLab.create(scene, { ...SIZE, holdsTurns: true });
+  const lab = await SceneLab.create(scene, { ...SIZE, holdsRotations: true });
   lab.step(atStep);
   const { azimuth, distance: own, target } = lab.scene.camera;
   const [, particles] = particlePaths(lab);

@@ -86,9 +86,9 @@ function sceneOf(width: number, height: number): LabScene {
 function heap(): LabPuff[] {
   const next = random(13);
   return Array.from({ length: 48 }, (_, index) => {
-    const [turn, away, up] = [2.4 * index, 0.75 * Math.sqrt(next()), next()];
+    const [angle, away, up] = [2.4 * index, 0.75 * Math.sqrt(next()), next()];
     return {
-      place: [away * (1.2 - up) * Math.cos(turn), 1.7 * up - 0.7, away * (1.2 - up) * Math.sin(turn)],
+      place: [away * (1.2 - up) * Math.cos(angle), 1.7 * up - 0.7, away * (1.2 - up) * Math.sin(angle)],
       radius: 0.34 - 0.16 * up + 0.08 * next(),
       roll: 6.28 * next(),
       variation: index % 4,

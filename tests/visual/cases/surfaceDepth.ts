@@ -9,12 +9,12 @@ const [WIDTH, HEIGHT] = [240, 180];
 const FLOOR = 0;
 const WALL_COLOR = [90, 160, 120] as const;
 
-type Place = [number, number, number];
+type Position = [number, number, number];
 
 function cameraAt(elevation: number, distance: number, height = 0.3): PerspectiveCamera {
   const camera = new PerspectiveCamera(40, WIDTH / HEIGHT, 0.1, 100);
-  const turn = (elevation * Math.PI) / 180;
-  camera.position.set(0, height + distance * Math.sin(turn), distance * Math.cos(turn));
+  const angle = (elevation * Math.PI) / 180;
+  camera.position.set(0, height + distance * Math.sin(angle), distance * Math.cos(angle));
   camera.lookAt(0, height, 0);
   camera.updateMatrixWorld();
   return camera;
@@ -103,7 +103,7 @@ export function atWall(form: PuffForm, side: 'behind' | 'before', gap: number): 
   const mesh = box([0, 0, 0], [3, top, depth]);
   const surfaces: SurfaceDescription[] = [{ name: 'wall', mesh, color: WALL_COLOR, casts: false, inked: false }];
   const away = (side === 'behind' ? -1 : 1) * (depth + 0.62 + gap);
-  const place: Place = [0, top, away];
+  const place: Position = [0, top, away];
   const scene = {
     width: WIDTH,
     height: HEIGHT,

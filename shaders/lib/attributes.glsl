@@ -1,0 +1,34 @@
+// The two words of a row's attributes, packed by arrange in the simulator.
+float rollOf(uvec2 attributes) {
+  return float(attributes.x & 0xffffu) * (6.28318530718 / 65536.0);
+}
+
+// Age as a fraction of the lifetime.
+float ageOf(uvec2 attributes) {
+  return float(attributes.x >> 16u) / 65535.0;
+}
+
+// Of a caster instead: how many radii behind its centre its shadow may end, because others go on or nothing is left there.
+float endOf(uvec2 attributes) {
+  uint end = attributes.x >> 16u;
+  return end == 0xffffu ? 1e9 : float(end) / 256.0;
+}
+
+int variationOf(uvec2 attributes) {
+  return int(attributes.y & 0xffu);
+}
+
+int seedOf(uvec2 attributes) {
+  return int((attributes.y >> 8u) & 0xffu);
+}
+
+// 0 for none, else 1 to 15.
+int tintOf(uvec2 attributes) {
+  return int(attributes.y >> 24u);
+}
+
+// Which of the smoke's ramps: 0 without a tint, else one of the three tints by turns.
+int toneOf(uvec2 attributes) {
+  int tint = tintOf(attributes);
+  return tint == 0 ? 0 : 1 + (tint - 1) % 3;
+}

@@ -1,0 +1,118 @@
+import { create } from '../ui/dom.ts';
+import { strings } from '../strings.ts';
+import {
+  FASTEST_GIF,
+  FORMATS,
+  frameCount,
+  LONGEST,
+  pixelSize,
+  RATES,
+  SCALES,
+  type Format,
+  type CaptureSettings,
+} from './settings.ts';
+
+/** Sizes to choose from besides the window's, CSS pixels. */
+const SIZES = ['1920x1080', '1280x720', '640x360', '1080x1080', '1080x1920'] as const;
+const WINDOW = 'window';
+/** A drawing is traced from a picture twice as fine. */
+const DRAWING_SCALE = 2;
+
+/** What to capture, in native fields. */
+export class SettingsForm {
+  readonly element = create('form', { class: 'capture-form' });
+  private readonly fields = create('fieldset', { class: 'capture-fields' });
+  private readonly summary = create('p', { class: 'capture-summary' });
+  private readonly format = choice('format', Object.keys(FORMATS) as Format[], (name) => strings.capture.formats[name]);
+  private readonly size = choice('size', [WINDOW, ...SIZES], (name) => name.replace('x', ' \u00d7 '));
+  private readonly scale = choice('scale', SCALES, (scale) => strings.capture.times(scale));
+  private readonly rate = choice('rate', RATES, (rate) => strings.capture.perSecond(rate));
+  private readonly seconds = create('input', { type: 'number', name: 'seconds', min: 0.1, max: LONGEST, step: 'any' });
+  private readonly background = create('input', { type: 'checkbox', name: 'background', checked: true });
+  private readonly layers = create('input', { type: 'checkbox', name: 'layers' });
+
+  constructor() {
+    const { labels } = strings.capture;
+    this.seconds.value = '3';
+    this.rate.value = '24';
+    this.fields.append(
+      row(labels.format, this.format),
+      row(labels.size, this.size),
+      row(labels.scale, this.scale),
+      row(labels.seconds, this.seconds),
+      row(labels.rate, this.rate),
+      row(labels.background, this.background),
+      row(labels.layers, this.layers),
+    );
+    this.element.append(this.fields, this.summary);
+    this.element.addEventListener('input', () => this.follow());
+    this.measureWindow();
+  }
+
+  set isLocked(isLocked: boolean) {
+    this.fields.disabled = isLocked;
+  }
+
+  /** Offers the window as large as it is now. */
+  measureWindow(): void {
+    this.size.options[0].textContent = strings.capture.window(innerWidth, innerHeight);
+    this.follow();
+  }
+
+  settings(): CaptureSettings {
+    const format = this.format.value as Format;
+    const [width, height] =
+      this.size.value === WINDOW ? [innerWidth, innerHeight] : this.size.value.split('x').map(Number);
+    return {
+      format,
+      width,
+      height,
+      scale: format === 'svg' ? DRAWING_SCALE : Number(this.scale.value),
+      hasBackground: this.background.checked || !FORMATS[format].hasAlpha,
+      seconds: Number(this.seconds.value),
+      rate: Number(this.rate.value),
+      inLayers: this.layers.checked,
+    };
+  }
+
+  /** Shows the fields that the format has, and what comes of them. */
+  private follow(): void {
+    const format = this.format.value as Format;
+    const { isClip, hasAlpha } = FORMATS[format];
+    show(this.scale, format !== 'svg');
+    show(this.seconds, isClip);
+    show(this.rate, isClip);
+    show(this.background, hasAlpha);
+    show(this.layers, format === 'zip');
+    for (const option of this.rate.options) option.disabled = format === 'gif' && Number(option.value) > FASTEST_GIF;
+    if (this.rate.selectedOptions[0].disabled) this.rate.value = String(FASTEST_GIF);
+    this.notify();
+  }
+
+  private notify(): void {
+    const settings = this.settings();
+    const [width, height] = pixelSize(settings);
+    const { isClip } = FORMATS[settings.format];
+    const { frames, size, notes } = strings.capture;
+    const sized =
+      settings.format === 'svg' ? '' : isClip ? frames(frameCount(settings), width, height) : size(width, height);
+    this.summary.textContent = `${sized} ${notes[settings.format]}`.trim();
+  }
+}
+
+function choice<Value extends string | number>(
+  name: string,
+  values: readonly Value[],
+  label: (value: Value) => string,
+) {
+  return create('select', { name }, ...values.map((value) => create('option', { value }, label(value))));
+}
+
+function row(label: string, field: HTMLElement): HTMLLabelElement {
+  return create('label', { class: 'capture-row' }, create('span', {}, label), field);
+}
+
+function show(field: HTMLInputElement | HTMLSelectElement, isShown: boolean): void {
+  field.closest('label')!.hidden = !isShown;
+  field.disabled = !isShown;
+}

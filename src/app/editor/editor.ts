@@ -1,0 +1,130 @@
+import type { State } from '../../preset/codec.ts';
+import type { Value, Values } from '../../preset/parameter.ts';
+import { defaultPreset, findPreset, presetValues } from '../../preset/presets.ts';
+import { findParameter } from '../../preset/table.ts';
+import { History } from './history.ts';
+
+/** What changed: the new values, and undefined for optional ones that went back to what the scene has. */
+export type Changes = Readonly<Record<string, Value | undefined>>;
+
+/** Called after each change: the state as it is now and what is new in it. */
+export type EditListener = (state: State, changed: Changes) => void;
+
+/** What the page edits: a preset and its values, with undo. Panel, stage and address bar listen; none of them is known here. */
+export class Editor {
+  private current: State;
+  private readonly history = new History<State>();
+  private readonly listeners: EditListener[] = [];
+
+  constructor(state: State) {
+    this.current = state;
+  }
+
+  get state(): State {
+    return this.current;
+  }
+
+  get canUndo(): boolean {
+    return this.history.canUndo;
+  }
+
+  get canRedo(): boolean {
+    return this.history.canRedo;
+  }
+
+  /** The values that "reset" goes back to: the preset's own. */
+  get base(): Values {
+    return presetValues(findPreset(this.current.preset) ?? defaultPreset);
+  }
+
+  listen(listener: EditListener): void {
+    this.listeners.push(listener);
+  }
+
+  /** Sets one value. Changes of the same gesture are undone together, until `settle`. */
+  change(key: string, value: Value, gesture?: string): void {
+    this.changeAll({ [key]: value }, gesture);
+  }
+
+  /** Sets several values, or takes optional ones away, as one change. */
+  changeAll(changes: Changes, gesture?: string): void {
+    const entries = Object.entries({ ...this.current.values, ...changes });
+    const values = Object.fromEntries(entries.filter((entry): entry is [string, Value] => entry[1] !== undefined));
+    this.replace({ ...this.current, values }, gesture);
+  }
+
+  /** Ends a gesture. */
+  settle(): void {
+    this.history.settle(this.current, (a, b) => a.preset === b.preset && isEmpty(differences(a.values, b.values)));
+    this.notify({});
+  }
+
+  reset(key: string): void {
+    this.changeAll({ [key]: this.base[key] });
+  }
+
+  resetAll(): void {
+    this.replace({ ...this.current, values: this.base });
+  }
+
+  /** Shows a preset. In the same scene people go on looking from where they look. */
+  choose(preset: string, gesture?: string): void {
+    const values = presetValues(findPreset(preset) ?? defaultPreset);
+    const eye = values.scene === this.current.values.scene ? eyeOf(this.current.values) : {};
+    this.replace({ preset, values: { ...eye, ...values } }, gesture);
+  }
+
+  /** Takes up a whole state, as from a link; it can be undone. */
+  load(state: State): void {
+    this.replace(state);
+  }
+
+  /** Takes up the values of the stage, which somebody changed directly, as from the console; a run is undone together. */
+  adopt(values: Values): void {
+    this.replace({ ...this.current, values }, 'stage');
+  }
+
+  undo(): void {
+    this.goTo(this.history.undo(this.current));
+  }
+
+  redo(): void {
+    this.goTo(this.history.redo(this.current));
+  }
+
+  private replace(next: State, gesture?: string): void {
+    const changed = differences(this.current.values, next.values);
+    if (next.preset === this.current.preset && isEmpty(changed)) return;
+    this.history.record(this.current, gesture);
+    this.show(next, changed);
+  }
+
+  private goTo(next: State | undefined): void {
+    if (next) this.show(next, differences(this.current.values, next.values));
+  }
+
+  private show(next: State, changed: Changes): void {
+    this.current = next;
+    this.notify(changed);
+  }
+
+  private notify(changed: Changes): void {
+    for (const listener of this.listeners) listener(this.current, changed);
+  }
+}
+
+/** Of these values, where the eye is. */
+function eyeOf(values: Values): Values {
+  return Object.fromEntries(Object.entries(values).filter(([key]) => findParameter(key)?.reader === 'camera'));
+}
+
+/** What `after` has otherwise than `before`. */
+export function differences(before: Values, after: Values): Changes {
+  // States hold a few dozen of the table's thousands of keys.
+  const keys = new Set([...Object.keys(before), ...Object.keys(after)]);
+  return Object.fromEntries([...keys].filter((key) => before[key] !== after[key]).map((key) => [key, after[key]]));
+}
+
+function isEmpty(values: Changes): boolean {
+  return Object.keys(values).length === 0;
+}

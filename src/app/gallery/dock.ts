@@ -1,0 +1,40 @@
+import type { Stage } from '../../stage/stage.ts';
+import { create, iconButton } from '../ui/dom.ts';
+import type { Editor } from '../editor/editor.ts';
+import { createGallery } from './gallery.ts';
+import { icon } from '../ui/icons.ts';
+import type { Scrubber } from '../playback/scrubber.ts';
+import { strings } from '../strings.ts';
+import { createTransport } from '../playback/transport.ts';
+
+/** What stands below the smoke: the transport, and the gallery, which can be put away. */
+export interface Dock {
+  readonly element: HTMLElement;
+  toggleGallery(): void;
+  closeGallery(): void;
+}
+
+/** @param play buttons for what people can do to the smoke */
+export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...play: HTMLElement[]): Dock {
+  const gallery = createGallery(editor);
+  const toggle = iconButton('icon-button', strings.gallery.toggle, icon('pictures'), () => dock.toggleGallery());
+  const show = (isOpen: boolean) => {
+    gallery.hidden = !isOpen;
+    toggle.setAttribute('aria-expanded', String(isOpen));
+  };
+  const element = create('div', { class: 'dock' }, createTransport(stage, scrubber, ...play, toggle), gallery);
+  const dock = { element, toggleGallery: () => show(gallery.hidden !== false), closeGallery: () => show(false) };
+  const low = matchMedia(`(max-height: ${MIN_HEIGHT - 1}px)`);
+  let comesBack = false;
+  low.addEventListener('change', () => {
+    // Of a window that is turned back at once this is told later, when it is as it was.
+    comesBack ||= !gallery.hidden;
+    show(!low.matches && comesBack);
+    if (!low.matches) comesBack = false;
+  });
+  show(!low.matches);
+  return dock;
+}
+
+/** Lower windows, such as phones on their side, keep their height for the smoke at first, and when they are turned. CSS pixels. */
+const MIN_HEIGHT = 600;

@@ -1,0 +1,95 @@
+import type { State } from '../../preset/codec.ts';
+import { presets, presetValues, type Preset } from '../../preset/presets.ts';
+import { findParameter } from '../../preset/table.ts';
+import { create } from '../ui/dom.ts';
+import type { Editor } from '../editor/editor.ts';
+import { strings } from '../strings.ts';
+
+/** Pixels of a thumbnail; `npm run thumbnails` makes them. */
+const SIZE = { width: 192, height: 128 };
+
+/**
+ * The presets as a strip of pictures, those of a scene together: radio buttons, so that it is one stop for Tab and the
+ * arrow keys go along it.
+ */
+export function createGallery(editor: Editor): HTMLElement {
+  const inputs = new Map(presets.map((preset) => [preset.name, createInput(preset)]));
+  const scenes = [...byScene()].map(([scene, members]) =>
+    createScene(
+      scene,
+      members.map((preset) => createCard(preset, inputs.get(preset.name)!)),
+    ),
+  );
+  const label = { class: 'gallery card', role: 'radiogroup', 'aria-label': strings.gallery.title };
+  const element = create('div', label, ...scenes);
+  followChoices(element, editor);
+  let shown: string | undefined;
+  const show = ({ preset }: State) => {
+    if (preset === shown) return;
+    shown = preset;
+    for (const [name, input] of inputs) input.checked = name === preset;
+    const card = inputs.get(preset)?.parentElement;
+    if (card) requestAnimationFrame(() => bringIntoSight(card, element));
+  };
+  editor.listen(show);
+  show(editor.state);
+  return element;
+}
+
+/** Around the chosen card, pixels. */
+const MARGIN = 14;
+
+/** Moves the strip alone, and not the page. */
+function bringIntoSight(card: HTMLElement, strip: HTMLElement): void {
+  const [at, frame] = [card.getBoundingClientRect(), strip.getBoundingClientRect()];
+  const way = (from: number, to: number, min: number, max: number) =>
+    from < min + MARGIN ? from - min - MARGIN : Math.max(0, to + MARGIN - max);
+  strip.scrollBy(way(at.left, at.right, frame.left, frame.right), way(at.top, at.bottom, frame.top, frame.bottom));
+}
+
+/** Each press of a pointer is a choice; all presets that people come past by keys are one, which is undone together. */
+function followChoices(gallery: HTMLElement, editor: Editor): void {
+  let gesture: string | undefined;
+  gallery.addEventListener('pointerdown', () => (gesture = undefined));
+  gallery.addEventListener('keydown', () => (gesture = 'gallery'));
+  gallery.addEventListener('change', ({ target }) => editor.choose((target as HTMLInputElement).value, gesture));
+  gallery.addEventListener('focusout', ({ relatedTarget }) => {
+    if (!gallery.contains(relatedTarget as Node | null)) editor.settle();
+  });
+}
+
+function byScene(): ReadonlyMap<string, Preset[]> {
+  const scenes = new Map<string, Preset[]>();
+  for (const preset of presets) {
+    const scene = String(presetValues(preset).scene);
+    scenes.set(scene, [...(scenes.get(scene) ?? []), preset]);
+  }
+  return scenes;
+}
+
+function createScene(scene: string, cards: readonly HTMLElement[]): HTMLElement {
+  const row = findParameter('scene')!;
+  const label = (row.kind === 'choice' && row.options.find(({ value }) => value === scene)?.label) || scene;
+  const heading = create('span', { class: 'gallery-scene', 'aria-hidden': 'true' }, label);
+  const list = create('div', { class: 'gallery-list' }, ...cards);
+  return create('div', { role: 'group', 'aria-label': label }, heading, list);
+}
+
+function createInput({ name }: Preset): HTMLInputElement {
+  const input = create('input', { type: 'radio', name: 'preset', value: name });
+  input.addEventListener('focus', () => input.parentElement!.scrollIntoView({ block: 'nearest', inline: 'nearest' }));
+  return input;
+}
+
+function createCard({ name, label, text }: Preset, input: HTMLInputElement): HTMLElement {
+  const source = `./thumbnails/${name}.webp`;
+  const picture = create('img', {
+    src: source,
+    alt: '',
+    ...SIZE,
+    loading: 'lazy',
+    decoding: 'async',
+    draggable: 'false',
+  });
+  return create('label', { class: 'gallery-card', title: text }, input, picture, create('span', {}, label));
+}

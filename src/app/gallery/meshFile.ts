@@ -1,0 +1,73 @@
+/** Files of meshes as plain triangles. What reads them is fetched when the first file comes. */
+import { LoadingManager, Mesh, type BufferGeometry, type Matrix4, type Object3D } from 'three';
+import { ShapeError } from '../../preset/errors.ts';
+import type { PlainMesh } from '../../puffs/fit/closedMesh.ts';
+
+/** What a chooser of files offers. */
+export const MESH_TYPES = '.glb,.gltf,.obj';
+/** The largest file that is read: a puff keeps little of it. */
+const MAX_BYTES = 16 * 1024 * 1024;
+
+/** @throws ShapeError when the file is too large, of another kind, or cannot be read */
+export async function readMesh(file: File): Promise<PlainMesh> {
+  if (file.size > MAX_BYTES) {
+    const size = (file.size / 1024 / 1024).toFixed(0);
+    throw new ShapeError(
+      `${file.name} has ${size} MB. The limit is ${MAX_BYTES / 1024 / 1024} MB. Simplify the mesh first.`,
+    );
+  }
+  return trianglesOf(await objectIn(file));
+}
+
+async function objectIn(file: File): Promise<Object3D> {
+  const kind = file.name.toLowerCase().split('.').at(-1);
+  try {
+    if (kind === 'obj') {
+      const { OBJLoader } = await import('three/examples/jsm/loaders/OBJLoader.js');
+      return new OBJLoader().parse(await file.text());
+    }
+    if (kind === 'glb' || kind === 'gltf') {
+      const { GLTFLoader } = await import('three/examples/jsm/loaders/GLTFLoader.js');
+      const { scene } = await new GLTFLoader(embeddedOnly()).parseAsync(await file.arrayBuffer(), '');
+      return scene;
+    }
+  } catch (error) {
+    throw new ShapeError(`${file.name} could not be read: ${(error as Error).message}`, { cause: error });
+  }
+  throw new ShapeError(`${file.name} is not a supported mesh. Use .glb, .gltf with embedded data, or .obj.`);
+}
+
+/** Files that point to others, on this machine or the web, cannot be followed there. */
+function embeddedOnly(): LoadingManager {
+  const manager = new LoadingManager();
+  manager.setURLModifier((address) => {
+    if (/^(data|blob):/.test(address)) return address;
+    throw new Error('it refers to other files. Save it with embedded data, as .glb.');
+  });
+  return manager;
+}
+
+/** All triangles of all meshes where they stand. */
+function trianglesOf(root: Object3D): PlainMesh {
+  const positions: number[] = [];
+  const indices: number[] = [];
+  root.updateMatrixWorld(true);
+  root.traverse((object) => {
+    if (object instanceof Mesh) addTriangles(object.geometry as BufferGeometry, object.matrixWorld, positions, indices);
+  });
+  return { positions, indices };
+}
+
+function addTriangles(geometry: BufferGeometry, world: Matrix4, positions: number[], indices: number[]): void {
+  const first = positions.length / 3;
+  const places = geometry.getAttribute('position').clone().applyMatrix4(world);
+  for (let vertex = 0; vertex < places.count; vertex++) {
+    positions.push(places.getX(vertex), places.getY(vertex), places.getZ(vertex));
+  }
+  const corners = geometry.index?.array ?? Uint32Array.from({ length: places.count }, (_, vertex) => vertex);
+  // A mirrored part would be inside out beside the others.
+  const [second, third] = world.determinant() < 0 ? [2, 1] : [1, 2];
+  for (let at = 0; at + 2 < corners.length; at += 3) {
+    indices.push(first + corners[at], first + corners[at + second], first + corners[at + third]);
+  }
+}

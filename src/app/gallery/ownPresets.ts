@@ -1,0 +1,162 @@
+import { MAX_NAME, nameOf, readFile, writeFile } from '../../preset/file.ts';
+import { findPreset } from '../../preset/presets.ts';
+import type { Stage } from '../../stage/stage.ts';
+import { create, iconButton, textButton } from '../ui/dom.ts';
+import type { Editor } from '../editor/editor.ts';
+import { saveText, type SmokeFiles } from '../share/files.ts';
+import { icon } from '../ui/icons.ts';
+import type { Notices } from '../ui/notices.ts';
+import { localPresetStorage, type StoredPreset } from './presetStorage.ts';
+import { strings } from '../strings.ts';
+
+const words = strings.own;
+
+/** What the visitor has kept: cards to go back to, rename, save and remove, and a way to keep more. */
+export class OwnPresets {
+  /** For the panel. */
+  readonly element: HTMLElement;
+  private readonly editor: Editor;
+  private readonly stage: Stage;
+  private readonly notices: Notices;
+  private readonly presetStorage = localPresetStorage();
+  private readonly cards = create('ul', { class: 'own-cards' });
+  private readonly keepButton = textButton('quiet', words.keep, () => void this.attempt(() => this.keep()));
+
+  constructor(editor: Editor, stage: Stage, notices: Notices, files: SmokeFiles) {
+    this.editor = editor;
+    this.stage = stage;
+    this.notices = notices;
+    const buttons = create('div', { class: 'own-buttons' }, this.keepButton, files.createOpener());
+    const attributes = { class: 'own-presets', role: 'group', 'aria-label': words.title, 'data-text': words.text };
+    this.element = create('div', attributes, create('h3', {}, words.title), this.cards, buttons);
+    this.presetStorage.onChange = () => this.show();
+    if (this.presetStorage.error !== undefined) notices.notify(this.presetStorage.error);
+    this.show();
+  }
+
+  private show(): void {
+    this.cards.replaceChildren(...this.presetStorage.all.map((kept) => this.createCard(kept)));
+    this.cards.hidden = this.presetStorage.all.length === 0;
+  }
+
+  private async keep(): Promise<void> {
+    const { state } = this.editor;
+    const preset = findPreset(state.preset)?.label ?? strings.title;
+    const name = words.numbered(
+      preset,
+      this.presetStorage.all.filter(({ name: other }) => other.startsWith(preset)).length + 1,
+    );
+    const picture = await shrink(await this.stage.picture());
+    const kept = this.presetStorage.keep(name, await writeFile({ name, state }, ''), picture);
+    this.notices.mention(words.kept(kept.name));
+  }
+
+  private createCard(kept: StoredPreset): HTMLElement {
+    const { id, name } = kept;
+    const picture = createThumbnail();
+    void drawThumbnail(picture, kept.picture);
+    const label = create('span', {}, name);
+    const show = create('button', { type: 'button', class: 'own-show' }, picture, label);
+    show.addEventListener('click', () => void this.attempt(() => this.open(kept)));
+    const rename = iconButton('icon-button', words.rename(name), icon('rename'), () => this.rename(card, kept));
+    const save = iconButton('icon-button', words.save(name), icon('download'), () => this.save(kept));
+    const remove = iconButton('icon-button', words.remove(name), icon('remove'), () => this.remove(kept));
+    const card = create('li', { 'data-id': id }, show, create('div', {}, rename, save, remove));
+    return card;
+  }
+
+  private async open({ file, name }: StoredPreset): Promise<void> {
+    const { state, notices } = await readFile(file);
+    for (const { message } of notices) this.notices.notify(message);
+    this.editor.load(state);
+    this.notices.mention(strings.files.opened(name));
+  }
+
+  /** Writes where the name stands: Enter and leaving keep it, Escape does not. */
+  private rename(card: HTMLElement, { id, name }: StoredPreset): void {
+    const field = create('input', { type: 'text', value: name, maxlength: MAX_NAME, 'aria-label': words.newName });
+    let isDone = false;
+    const finish = (isConfirmed: boolean) => {
+      if (isDone) return;
+      isDone = true;
+      void this.attempt(() => (isConfirmed ? this.presetStorage.rename(id, nameOf(field.value)) : this.show()));
+      this.focusOn(id);
+    };
+    field.addEventListener('keydown', (event) => {
+      if (event.key !== 'Enter' && event.key !== 'Escape') return;
+      event.stopPropagation();
+      // What else the key does would be done to what has the focus then: Enter would press the card.
+      event.preventDefault();
+      finish(event.key === 'Enter');
+    });
+    field.addEventListener('blur', () => finish(true));
+    card.append(field);
+    field.select();
+    field.focus();
+  }
+
+  private save({ file, name }: StoredPreset): void {
+    void this.attempt(async () => void (await saveText(file, name)));
+  }
+
+  private remove({ id, name }: StoredPreset): void {
+    void this.attempt(() => {
+      const bringBack = this.presetStorage.remove(id);
+      this.notices.offer(words.removed(name), words.bringBack, () => void this.attempt(bringBack));
+      this.keepButton.focus();
+    });
+  }
+
+  private focusOn(id: string): void {
+    this.cards.querySelector<HTMLElement>(`[data-id="${CSS.escape(id)}"] .own-show`)?.focus();
+  }
+
+  /** What cannot be done is said, and nothing has changed. */
+  private async attempt(action: () => void | Promise<void>): Promise<void> {
+    try {
+      await action();
+    } catch (error) {
+      this.notices.notify((error as Error).message);
+    }
+  }
+}
+
+/** Small pictures of the smoke, as text that fits into the browser's storage. */
+
+const [WIDTH, HEIGHT] = [160, 100];
+const QUALITY = 0.8;
+/** Of the picture, from its middle: the smoke shall be seen, not the room around it. */
+const SHOWN = 0.72;
+
+/** The middle of a picture, small, as base64. */
+async function shrink(picture: Blob): Promise<string> {
+  const whole = await createImageBitmap(picture);
+  const scale = SHOWN * Math.min(whole.width / WIDTH, whole.height / HEIGHT);
+  const [width, height] = [WIDTH * scale, HEIGHT * scale];
+  const canvas = createThumbnail();
+  const context = canvas.getContext('2d')!;
+  context.imageSmoothingQuality = 'high';
+  const [left, top] = [(whole.width - width) / 2, (whole.height - height) / 2];
+  context.drawImage(whole, left, top, width, height, 0, 0, WIDTH, HEIGHT);
+  whole.close();
+  return canvas.toDataURL('image/webp', QUALITY).split(',')[1];
+}
+
+/** Draws one that `shrink` made; what cannot be read leaves the canvas empty. No address is loaded for it. */
+async function drawThumbnail(canvas: HTMLCanvasElement, picture: string): Promise<void> {
+  try {
+    const bytes = Uint8Array.from(atob(picture), (character) => character.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes]));
+    canvas.getContext('2d')!.drawImage(image, 0, 0, WIDTH, HEIGHT);
+    image.close();
+  } catch {
+    canvas.classList.add('is-empty');
+  }
+}
+
+/** An empty one. */
+function createThumbnail(): HTMLCanvasElement {
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = [WIDTH, HEIGHT];
+  return canvas;
+}

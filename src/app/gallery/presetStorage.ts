@@ -1,0 +1,106 @@
+/** Presets of the visitor's own, kept in the browser. Nothing is thrown away: what cannot be read is set aside. */
+import { SmokeError } from '../../preset/errors.ts';
+import { nameOf } from '../../preset/file.ts';
+import { strings } from '../strings.ts';
+
+/** One of them. */
+export interface StoredPreset {
+  readonly id: string;
+  readonly name: string;
+  /** As a file holds it. */
+  readonly file: string;
+  /** A small picture as base64, in a format that browsers know; empty for none. */
+  readonly picture: string;
+}
+
+const KEY = 'cartoon-smoke.presets';
+const SET_ASIDE = 'cartoon-smoke.presets.damaged';
+
+/** The presets in the order in which they were kept. Other tabs of the same site have the same ones. */
+export class PresetStorage {
+  /** Called after each change, also of another tab. */
+  onChange: () => void = () => undefined;
+  /** What could not be read, for people; undefined where all could. */
+  readonly error: string | undefined;
+  private stored: readonly StoredPreset[] = [];
+  private readonly storage: Storage | undefined;
+
+  /** @param storage undefined where the browser lets the page keep nothing */
+  constructor(storage: Storage | undefined) {
+    this.storage = storage;
+    this.error = this.read();
+    globalThis.addEventListener?.('storage', ({ key }) => {
+      if (key !== KEY) return;
+      this.read();
+      this.onChange();
+    });
+  }
+
+  get all(): readonly StoredPreset[] {
+    return this.stored;
+  }
+
+  /** @throws SmokeError when the browser keeps no more; nothing has changed then */
+  keep(name: string, file: string, picture: string): StoredPreset {
+    const stored = { id: crypto.randomUUID(), name: nameOf(name), file, picture };
+    this.write([...this.stored, stored]);
+    return stored;
+  }
+
+  /** @throws SmokeError when the browser keeps no more; nothing has changed then */
+  rename(id: string, name: string): void {
+    this.write(this.stored.map((stored) => (stored.id === id ? { ...stored, name: nameOf(name) } : stored)));
+  }
+
+  /** @returns what brings it back to where it was */
+  remove(id: string): () => void {
+    const at = this.stored.findIndex((stored) => stored.id === id);
+    const removed = this.stored[at];
+    this.write(this.stored.filter((stored) => stored !== removed));
+    return () => this.write([...this.stored.slice(0, at), removed, ...this.stored.slice(at)]);
+  }
+
+  private write(next: readonly StoredPreset[]): void {
+    try {
+      if (!this.storage) throw new SmokeError(strings.own.noStorage);
+      this.storage.setItem(KEY, JSON.stringify(next));
+    } catch (error) {
+      if (error instanceof SmokeError) throw error;
+      throw new SmokeError(strings.own.full, { cause: error });
+    }
+    this.stored = next;
+    this.onChange();
+  }
+
+  private read(): string | undefined {
+    const text = this.storage?.getItem(KEY) ?? '[]';
+    const found = parsed(text);
+    this.stored = Array.isArray(found) ? found.filter(isStoredPreset) : [];
+    if (Array.isArray(found) && found.length === this.stored.length) return undefined;
+    this.storage?.setItem(SET_ASIDE, text);
+    return strings.own.damaged(SET_ASIDE);
+  }
+}
+
+/** The browser's own storage; undefined where it refuses, as in frames of some sites. */
+export function localPresetStorage(): PresetStorage {
+  try {
+    return new PresetStorage(localStorage);
+  } catch {
+    return new PresetStorage(undefined);
+  }
+}
+
+function parsed(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch {
+    return undefined;
+  }
+}
+
+function isStoredPreset(value: unknown): value is StoredPreset {
+  if (typeof value !== 'object' || value === null) return false;
+  const { id, name, file, picture } = value as Partial<Record<keyof StoredPreset, unknown>>;
+  return [id, name, file, picture].every((part) => typeof part === 'string');
+}

@@ -1,0 +1,102 @@
+import type { Values } from '../../preset/parameter.ts';
+import { DIRECTIONS, type Direction } from '../input/directions.ts';
+import { create } from '../ui/dom.ts';
+import type { Changes, Editor } from '../editor/editor.ts';
+import { icon, type IconName } from '../ui/icons.ts';
+import { strings } from '../strings.ts';
+
+/** Something in the scene that can be taken by a handle on the picture. */
+export interface Gizmo {
+  /** Tells it apart, in gestures and tests. */
+  readonly key: string;
+  readonly icon: IconName;
+  /** For people, with what it is set to. */
+  describe(values: Values): string;
+  /** Where its handle is, CSS pixels from the top left of the overlay; undefined out of sight. */
+  place(values: Values): { x: number; y: number } | undefined;
+  /** What changes when its handle goes so many CSS pixels to the right, up and towards the viewer. */
+  move(from: Values, way: Direction): Changes;
+}
+
+/** Pixels that a press of an arrow key is worth, and with Shift. */
+const NUDGE = 8;
+const LEAP = 40;
+
+/** The handle of a gizmo: dragged by mouse or finger, or moved by arrow keys while it has the focus. */
+export class GizmoHandle {
+  readonly element: HTMLButtonElement;
+  private readonly gizmo: Gizmo;
+  private readonly editor: Editor;
+  private readonly valuesNow: () => Values;
+  private held: { id: number; x: number; y: number; from: Values } | undefined;
+
+  /** @param valuesNow with what the scene sets of the optional ones */
+  constructor(gizmo: Gizmo, editor: Editor, valuesNow: () => Values) {
+    this.gizmo = gizmo;
+    this.editor = editor;
+    this.valuesNow = valuesNow;
+    const attributes = {
+      type: 'button',
+      class: 'gizmo',
+      'data-gizmo': gizmo.key,
+      'aria-description': strings.gizmos.how,
+    };
+    this.element = create('button', attributes, icon(gizmo.icon));
+    this.listen();
+  }
+
+  show(): void {
+    const values = this.valuesNow();
+    const place = this.gizmo.place(values);
+    this.element.hidden = place === undefined;
+    if (place) this.element.style.translate = `${place.x.toFixed(1)}px ${place.y.toFixed(1)}px`;
+    const name = this.gizmo.describe(values);
+    if (this.element.title === name) return;
+    this.element.title = name;
+    this.element.setAttribute('aria-label', name);
+  }
+
+  private listen(): void {
+    const { element } = this;
+    element.addEventListener('pointerdown', (event) => this.grab(event));
+    element.addEventListener('pointermove', (event) => this.drag(event));
+    element.addEventListener('pointerup', (event) => this.release(event));
+    element.addEventListener('pointercancel', (event) => this.release(event));
+    element.addEventListener('keydown', (event) => this.press(event));
+    element.addEventListener('keyup', () => this.editor.settle());
+    element.addEventListener('blur', () => this.editor.settle());
+  }
+
+  private grab(event: PointerEvent): void {
+    if (event.button !== 0 || this.held) return;
+    this.element.setPointerCapture(event.pointerId);
+    this.held = { id: event.pointerId, x: event.clientX, y: event.clientY, from: this.valuesNow() };
+  }
+
+  /** From where it was grabbed, so that what is rounded or clamped on the way does not add up. */
+  private drag(event: PointerEvent): void {
+    if (event.pointerId !== this.held?.id) return;
+    const { x, y, from } = this.held;
+    this.apply(from, [event.clientX - x, y - event.clientY, 0]);
+  }
+
+  private release(event: PointerEvent): void {
+    if (event.pointerId !== this.held?.id) return;
+    this.held = undefined;
+    this.editor.settle();
+  }
+
+  private press(event: KeyboardEvent): void {
+    const way = DIRECTIONS[event.key];
+    if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    // The arrows of the page move its ball.
+    event.stopPropagation();
+    const pixels = event.shiftKey ? LEAP : NUDGE;
+    this.apply(this.valuesNow(), [pixels * way[0], pixels * way[1], pixels * way[2]]);
+  }
+
+  private apply(from: Values, way: Direction): void {
+    this.editor.changeAll(this.gizmo.move(from, way), `gizmo ${this.gizmo.key}`);
+  }
+}

@@ -1,0 +1,111 @@
+import { LIST_LIMIT, startValues } from '../../preset/lists.ts';
+import type { Values } from '../../preset/parameter.ts';
+import type { Stage } from '../../stage/stage.ts';
+import { create, createSvg, textButton } from '../ui/dom.ts';
+import type { Editor } from '../editor/editor.ts';
+import { GizmoHandle, type Gizmo } from './gizmo.ts';
+import { PlaceGizmo } from './placeGizmo.ts';
+import { Riding } from './riding.ts';
+import { strings } from '../strings.ts';
+import { SunGizmo } from './sunGizmo.ts';
+import { WindGizmo } from './windGizmo.ts';
+
+const INDICES = Array.from({ length: LIST_LIMIT }, (_, index) => index);
+
+/** Handles on the picture for what shapes the smoke: sun, wind, emitters and vortices. */
+export class Gizmos {
+  readonly element: HTMLElement;
+  private readonly editor: Editor;
+  private readonly stage: Stage;
+  private readonly arc = createSvg('path', { class: 'gizmo-arc' });
+  private readonly arrow = createSvg('path', { class: 'gizmo-arrow' });
+  private readonly sun = new SunGizmo(() => ({ ...this.size(), azimuth: this.stage.camera.azimuth() }));
+  private readonly wind = new WindGizmo(
+    () => this.stage.sight,
+    () => this.size(),
+  );
+  private readonly places: readonly PlaceGizmo[];
+  private readonly handles: ReadonlyMap<Gizmo, GizmoHandle>;
+  private readonly riding: Riding;
+
+  constructor(editor: Editor, stage: Stage) {
+    this.editor = editor;
+    this.stage = stage;
+    this.places = (['emitters', 'vortices'] as const).flatMap((list) =>
+      INDICES.map((index) => this.placeOf(list, index)),
+    );
+    const gizmos: readonly Gizmo[] = [this.sun, this.wind, ...this.places];
+    this.handles = new Map(gizmos.map((gizmo) => [gizmo, new GizmoHandle(gizmo, editor, () => this.values)]));
+    this.riding = new Riding(editor, stage, () => this.values);
+    const drawing = createSvg('svg', { class: 'gizmo-lines', 'aria-hidden': 'true' }, this.arc, this.arrow);
+    const addWhirl = textButton('quiet', strings.gizmos.addWhirl, () => this.addWhirl());
+    const tools = create('div', { class: 'gizmo-tools card' }, addWhirl, this.riding.element);
+    this.element = create('div', { class: 'gizmos', role: 'group', 'aria-label': strings.gizmos.title, hidden: true });
+    this.element.append(drawing, ...[...this.handles.values()].map(({ element }) => element), tools);
+    this.listen();
+  }
+
+  /** Shows or hides them. @returns whether they are shown now */
+  toggle(): boolean {
+    this.element.hidden = !this.element.hidden;
+    this.show();
+    return !this.element.hidden;
+  }
+
+  private listen(): void {
+    this.editor.listen(() => this.show());
+    this.stage.on('frame', () => this.show());
+    for (const place of this.places) {
+      this.handles.get(place)!.element.addEventListener('focus', () => this.riding.choose(place));
+    }
+  }
+
+  private show(): void {
+    if (this.element.hidden) return;
+    const { values } = this;
+    for (const [gizmo, handle] of this.handles) {
+      if (gizmo instanceof PlaceGizmo && !isPresent(gizmo.key, values)) handle.element.hidden = true;
+      else handle.show();
+    }
+    this.arc.setAttribute('d', this.sun.arc(values));
+    const [from, to] = [this.wind.begin, this.wind.place(values)];
+    this.arrow.setAttribute('d', `M${from.x} ${from.y}L${to.x} ${to.y}`);
+    this.riding.show();
+  }
+
+  private get values(): Values {
+    return { ...this.stage.rig, ...this.editor.state.values };
+  }
+
+  private size(): { width: number; height: number } {
+    return { width: this.element.clientWidth, height: this.element.clientHeight };
+  }
+
+  private placeOf(list: 'emitters' | 'vortices', index: number): PlaceGizmo {
+    const offset = () => {
+      const [picture, overlay] = [this.stage.canvas as HTMLCanvasElement, this.element].map((element) =>
+        element.getBoundingClientRect(),
+      );
+      return { x: picture.left - overlay.left, y: picture.top - overlay.top };
+    };
+    return new PlaceGizmo(list, index, () => this.stage.sight, offset);
+  }
+
+  /** A vortex where the eye looks, which turns about the line of sight. */
+  private addWhirl(): void {
+    const free = INDICES.find((index) => !isPresent(`vortices.${index}`, this.values));
+    if (free === undefined) return;
+    const gizmo = this.places.find(({ key }) => key === `vortices.${free}`)!;
+    const [x, y, z] = this.stage.sight.centre.map((metres) => Number(metres.toFixed(3)));
+    const place = { [`${gizmo.key}.position.x`]: x, [`${gizmo.key}.position.y`]: y, [`${gizmo.key}.position.z`]: z };
+    this.editor.changeAll({ ...startValues('vortices', free), ...place });
+    this.show();
+    this.handles.get(gizmo)!.element.focus();
+  }
+}
+
+/** A vortex without circulation is none; an emitter is there as soon as anything of it is set. */
+function isPresent(key: string, values: Values): boolean {
+  if (key.startsWith('vortices')) return Number(values[`${key}.circulation`] ?? 0) !== 0;
+  return Object.keys(values).some((name) => name.startsWith(`${key}.`));
+}

@@ -1,0 +1,73 @@
+import { itemLabel } from '../../preset/lists.ts';
+import type { Values } from '../../preset/parameter.ts';
+import { findParameter } from '../../preset/table.ts';
+import type { Stage } from '../../stage/stage.ts';
+import { clampTo } from './clampTo.ts';
+import type { Changes } from '../editor/editor.ts';
+import type { Direction } from '../input/directions.ts';
+import type { Gizmo } from './gizmo.ts';
+
+type Vector = readonly [x: number, y: number, z: number];
+type List = 'emitters' | 'vortices';
+
+const AXES = ['x', 'y', 'z'] as const;
+
+/** An emitter or a vortex, which is where it is in the scene, or on what it rides on. */
+export class PlaceGizmo implements Gizmo {
+  readonly key: string;
+  readonly icon: 'emitter' | 'vortex';
+  private readonly label: string;
+  private readonly sight: () => Stage['sight'];
+  private readonly offset: () => { x: number; y: number };
+
+  /** @param offset of the picture from the overlay, CSS pixels */
+  constructor(list: List, index: number, sight: () => Stage['sight'], offset: () => { x: number; y: number }) {
+    this.key = `${list}.${index}`;
+    this.icon = list === 'emitters' ? 'emitter' : 'vortex';
+    this.label = itemLabel(list, index);
+    this.sight = sight;
+    this.offset = offset;
+  }
+
+  describe(): string {
+    return this.label;
+  }
+
+  place(values: Values): { x: number; y: number } | undefined {
+    const seen = this.sight().project(this.positionIn(values), this.carrierIn(values));
+    const { x, y } = this.offset();
+    return seen && { x: seen.x + x, y: seen.y + y };
+  }
+
+  move(from: Values, way: Direction): Changes {
+    return this.at(this.sight().shift(this.positionIn(from), way, this.carrierIn(from)));
+  }
+
+  /** Lets it ride on a carrier, by the number that `carrierChoices` has, -1 for none, without moving it. */
+  ride(from: Values, carrier: number): Changes {
+    const place = this.sight().change(this.positionIn(from), this.carrierIn(from), carrier);
+    return { ...this.at(place), [`${this.key}.rigid`]: carrier };
+  }
+
+  /** The number of what it rides on, -1 for none. */
+  carrierIn(values: Values): number {
+    return Number(values[`${this.key}.rigid`] ?? -1);
+  }
+
+  private at(place: Vector): Changes {
+    return Object.fromEntries(
+      AXES.map((axis, index) => [
+        `${this.key}.position.${axis}`,
+        clampTo(`${this.key}.position.${axis}`, place[index], 3),
+      ]),
+    );
+  }
+
+  private positionIn(values: Values): Vector {
+    const [x, y, z] = AXES.map((axis) => {
+      const key = `${this.key}.position.${axis}`;
+      return Number(values[key] ?? findParameter(key)!.default);
+    });
+    return [x, y, z];
+  }
+}

@@ -1,0 +1,118 @@
+import { DIRECTIONS } from './directions.ts';
+
+/** What the keys of the page do; the page fills it in. */
+export interface KeyActions {
+  togglePlaying(): void;
+  step(): void;
+  stepBack(): void;
+  /** Goes on or back by seconds. */
+  shift(seconds: number): void;
+  /** Ends a way along the time line where it has come to. */
+  stopSeeking(): void;
+  restart(): void;
+  share(): void;
+  capture(): void;
+  help(): void;
+  togglePanel(): void;
+  search(): void;
+  toggleGallery(): void;
+  toggleGizmos(): void;
+  toggleStatistics(): void;
+  /** Drops something into the smoke. */
+  drop(): void;
+  /** Blows into the smoke. */
+  blow(): void;
+  fullScreen(): void;
+  nextView(): void;
+  undo(): void;
+  redo(): void;
+  resetView(): void;
+  zoom(factor: number): void;
+  /** Turns the view: right and up, in steps. */
+  orbit(right: number, up: number): void;
+  /** Where the held keys push what people can move: right, up, towards the viewer, each -1, 0 or 1. */
+  push(right: number, up: number, near: number): void;
+}
+
+const ZOOM_STEP = 1.15;
+
+/** Holding these down does them again and again. */
+const REPEATING = new Set([',', '.', '[', ']', '+', '=', '-']);
+
+/** Listens to the keys of the whole page, but leaves alone what a focused input needs itself. */
+export function listenToKeys(actions: KeyActions): void {
+  const simple = simpleKeys(actions);
+  const held = new Set<string>();
+  const push = () => {
+    const [right, up, near] = [0, 1, 2].map((axis) => [...held].reduce((sum, key) => sum + DIRECTIONS[key][axis], 0));
+    actions.push(Math.sign(right), Math.sign(up), Math.sign(near));
+  };
+  const release = (key: string) => {
+    if (held.delete(key)) push();
+  };
+  addEventListener('keydown', (event) => {
+    if (isUndo(event)) return undoOrRedo(event, actions);
+    if (event.ctrlKey || event.metaKey || event.altKey || belongsToFocus(event)) return;
+    const direction = DIRECTIONS[event.key];
+    const action = simple[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!direction && !action) return;
+    event.preventDefault();
+    if (action) return event.repeat && !REPEATING.has(event.key) ? undefined : action();
+    if (event.shiftKey) return actions.orbit(direction[0], direction[1]);
+    held.add(event.key);
+    push();
+  });
+  addEventListener('keyup', (event) => release(event.key));
+  // Keys that are let go while another window has the focus never say so.
+  addEventListener('blur', () => [...held].forEach(release));
+}
+
+function simpleKeys(actions: KeyActions): Readonly<Record<string, () => void>> {
+  return {
+    ' ': () => actions.togglePlaying(),
+    '.': () => actions.step(),
+    ',': () => actions.stepBack(),
+    '[': () => actions.shift(-1),
+    ']': () => actions.shift(1),
+    Escape: () => actions.stopSeeking(),
+    r: () => actions.restart(),
+    s: () => actions.share(),
+    c: () => actions.capture(),
+    p: () => actions.togglePanel(),
+    v: () => actions.nextView(),
+    '/': () => actions.search(),
+    g: () => actions.toggleGallery(),
+    h: () => actions.toggleGizmos(),
+    i: () => actions.toggleStatistics(),
+    d: () => actions.drop(),
+    b: () => actions.blow(),
+    f: () => actions.fullScreen(),
+    '?': () => actions.help(),
+    '0': () => actions.resetView(),
+    '+': () => actions.zoom(ZOOM_STEP),
+    '=': () => actions.zoom(ZOOM_STEP),
+    '-': () => actions.zoom(1 / ZOOM_STEP),
+  };
+}
+
+function isUndo(event: KeyboardEvent): boolean {
+  return (event.ctrlKey || event.metaKey) && !event.altKey && ['z', 'y'].includes(event.key.toLowerCase());
+}
+
+function undoOrRedo(event: KeyboardEvent, actions: KeyActions): void {
+  event.preventDefault();
+  if (event.shiftKey || event.key.toLowerCase() === 'y') actions.redo();
+  else actions.undo();
+}
+
+/** Typing belongs to fields, arrows to sliders and choices, the space bar to whatever can be pressed. */
+function belongsToFocus({ target, key }: KeyboardEvent): boolean {
+  if (!(target instanceof Element)) return false;
+  // Not by the focus: a button that is disabled loses it.
+  if (document.querySelector('dialog:modal')) return key !== '?';
+  // A field of a dialog that was just closed keeps the focus until the next frame.
+  if (target.getClientRects().length === 0) return false;
+  if (target.matches('select, input:not([type=range], [type=checkbox], [type=color], [type=radio])')) return true;
+  if (target.matches('input[type=range], input[type=radio]')) return key === ' ' || key in DIRECTIONS;
+  return key === ' ' && target.matches('button, summary, input, a');
+}

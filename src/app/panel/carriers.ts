@@ -1,0 +1,28 @@
+import { FIRST_PART } from '../../sim/rows.ts';
+import { strings } from '../strings.ts';
+
+/** Names of what a scene has to ride on, by their numbers. */
+export interface CarrierNames {
+  readonly rigidNames: readonly string[];
+  readonly partNames: readonly string[];
+}
+
+/** A choice of what to ride on, by the value of parameters such as `vortices.0.rigid`. */
+export interface CarrierChoice {
+  readonly value: number;
+  readonly label: string;
+}
+
+/** Nothing, then the rigids, then the parts. */
+export function carrierChoices({ rigidNames, partNames }: CarrierNames): readonly CarrierChoice[] {
+  return [
+    { value: -1, label: strings.items.world },
+    ...rigidNames.map((label, rigid) => ({ value: rigid, label })),
+    ...partNames.map((label, part) => ({ value: FIRST_PART + part, label })),
+  ];
+}
+
+/** Whether both offer the same; another scene has other carriers. */
+export function areSame(some: readonly CarrierChoice[], others: readonly CarrierChoice[]): boolean {
+  return JSON.stringify(some) === JSON.stringify(others);
+}

@@ -1,0 +1,112 @@
+import type { ChoiceParameter, NumberParameter, Parameter, Value } from '../../preset/parameter.ts';
+import { isAccepted } from '../../preset/values.ts';
+import { createCurve } from './curveControl.ts';
+import { create, uniqueId } from '../ui/dom.ts';
+import { createRamp } from './rampControl.ts';
+import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from './slider.ts';
+import { strings } from '../strings.ts';
+import type { Control, ControlListener } from './controlTypes.ts';
+
+/** Native inputs for a row of the table. @param describedBy id of the element with its text */
+export function createControl(parameter: Parameter, describedBy: string, listener: ControlListener): Control {
+  switch (parameter.kind) {
+    case 'toggle':
+      return createToggle(describedBy, listener);
+    case 'choice':
+      return createChoice(parameter, describedBy, listener);
+    case 'color':
+      return createColor(describedBy, listener);
+    case 'curve':
+      return createCurve(describedBy, parameter.label, listener);
+    case 'ramp':
+      return createRamp(describedBy, parameter.label, listener);
+    default:
+      return createNumber(parameter, describedBy, listener);
+  }
+}
+
+function createToggle(describedBy: string, listener: ControlListener): Control {
+  const id = uniqueId();
+  const input = create('input', { id, type: 'checkbox', role: 'switch', 'aria-describedby': describedBy });
+  input.addEventListener('change', () => {
+    listener.change(input.checked ? 1 : 0);
+    listener.settle();
+  });
+  return { elements: [input], id, show: (value) => void (input.checked = value === 1) };
+}
+
+function createChoice({ options }: ChoiceParameter, describedBy: string, listener: ControlListener): Control {
+  const id = uniqueId();
+  const entries = options.map(({ value, label }) => create('option', { value }, label));
+  const select = create('select', { id, 'aria-describedby': describedBy }, ...entries);
+  select.addEventListener('change', () => {
+    listener.change(options[select.selectedIndex].value);
+    listener.settle();
+  });
+  const show = (value: Value) => void (select.selectedIndex = options.findIndex((option) => option.value === value));
+  return { elements: [select], id, show };
+}
+
+function createColor(describedBy: string, listener: ControlListener): Control {
+  const id = uniqueId();
+  const input = create('input', { id, type: 'color', 'aria-describedby': describedBy });
+  input.addEventListener('input', () => listener.change(input.value));
+  input.addEventListener('change', () => listener.settle());
+  return { elements: [input], id, show: (value) => void (input.value = String(value)) };
+}
+
+function createNumber(parameter: NumberParameter, describedBy: string, listener: ControlListener): Control {
+  const id = uniqueId();
+  const range = createRange(parameter, id, describedBy, listener);
+  const exact = createExact(parameter, listener);
+  let shown = parameter.default;
+  range.addEventListener('keydown', (event) => {
+    const steps = ARROWS[event.key];
+    if (steps === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    listener.change(stepBy(parameter, shown, event.shiftKey ? 10 * steps : steps));
+  });
+  range.addEventListener('keyup', () => listener.settle());
+  const show = (value: Value) => {
+    shown = Number(value);
+    range.value = String(placeOf(parameter, shown));
+    range.setAttribute('aria-valuetext', `${shown} ${parameter.unit}`.trim());
+    range.style.setProperty('--filled', String(filledShare(parameter, shown)));
+    if (exact.value === '' || Number(exact.value) !== shown) exact.value = String(shown);
+    exact.removeAttribute('aria-invalid');
+  };
+  return { elements: [exact, range], id, show };
+}
+
+const ARROWS: Readonly<Record<string, number>> = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
+
+function createRange(parameter: NumberParameter, id: string, describedBy: string, listener: ControlListener) {
+  const limits = { min: lowestPlace(parameter), max: PLACES, step: 1 };
+  const range = create('input', { id, type: 'range', ...limits, 'aria-describedby': describedBy });
+  range.addEventListener('input', () => listener.change(valueAt(parameter, range.valueAsNumber)));
+  range.addEventListener('change', () => listener.settle());
+  return range;
+}
+
+function createExact(parameter: NumberParameter, listener: ControlListener): HTMLInputElement {
+  const { min, max, label } = parameter;
+  const name = strings.panel.exactly(label);
+  const exact = create('input', { type: 'number', min, max, step: 'any', inputmode: 'decimal', 'aria-label': name });
+  exact.addEventListener('input', () => {
+    const value = exact.valueAsNumber;
+    exact.setAttribute('aria-invalid', String(!isAccepted(parameter, value)));
+    if (isAccepted(parameter, value)) listener.change(value);
+  });
+  exact.addEventListener('change', () => {
+    // What was typed beyond the range goes to its end, as in a link; what is no number goes back to what was.
+    const value = parameter.kind === 'integer' ? Math.round(exact.valueAsNumber) : exact.valueAsNumber;
+    if (!Number.isNaN(value)) listener.change(Math.min(Math.max(value, min), max));
+    listener.settle();
+  });
+  return exact;
+}
+
+function filledShare(parameter: NumberParameter, value: number): number {
+  const lowest = lowestPlace(parameter);
+  return (placeOf(parameter, value) - lowest) / (PLACES - lowest);
+}

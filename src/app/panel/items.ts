@@ -1,0 +1,134 @@
+import type { State } from '../../preset/codec.ts';
+import { listLabel, listNames, startValues } from '../../preset/lists.ts';
+import type { ChoiceParameter, Parameter, Value, Values } from '../../preset/parameter.ts';
+import { findParameter, itemGroups, table } from '../../preset/table.ts';
+import { areSame, carrierChoices, type CarrierNames } from './carriers.ts';
+import { create, textButton } from '../ui/dom.ts';
+import type { Editor } from '../editor/editor.ts';
+import { createRow, type Row } from './row.ts';
+import { strings } from '../strings.ts';
+
+/** What the scene says of the lists. */
+export interface SceneLists extends CarrierNames {
+  /** Values of optional parameters that hold where nobody has set one. */
+  readonly rig: Values;
+}
+
+/** A part of the panel. */
+export interface Section {
+  readonly element: HTMLElement;
+  show(state: State): void;
+}
+
+interface Item extends Section {
+  readonly element: HTMLDetailsElement;
+  /** Its rows, made by now. */
+  rows(): ReadonlyMap<Parameter, Row>;
+}
+
+export interface Items extends Section {
+  /** Those of all items that are there. */
+  rows(): (readonly [Parameter, Row])[];
+}
+
+/** Emitters, vortices and the other lists: the items that the scene or somebody has set, and a way to add more. */
+export function createItems(editor: Editor, scene: SceneLists): Items {
+  const items = new Map<string, Item>();
+  const holder = create('div', { class: 'items' });
+  const reveal = (key: string) => {
+    const added = items.get(key)!;
+    added.rows();
+    added.element.open = true;
+    added.element.scrollIntoView();
+  };
+  const element = create('div', {}, createAdder(editor, scene, reveal), holder);
+  let offered = carrierChoices(scene);
+  const show = (state: State) => {
+    const choices = carrierChoices(scene);
+    if (!areSame(offered, choices)) {
+      items.clear();
+      holder.replaceChildren();
+      offered = choices;
+    }
+    const present = itemsOf({ ...scene.rig, ...state.values });
+    for (const [key, item] of items) item.element.hidden = !present.has(key);
+    for (const { key, label } of itemGroups) {
+      if (!present.has(key)) continue;
+      if (!items.has(key)) {
+        items.set(key, createItem(key, label, editor, scene));
+        holder.append(items.get(key)!.element);
+      }
+      items.get(key)!.show(state);
+    }
+  };
+  const rows = () => [...items.values()].flatMap((item) => (item.element.hidden ? [] : [...item.rows()]));
+  return { element, show, rows };
+}
+
+/** Groups, such as `vortices.0`, of the items that have a value. */
+function itemsOf(values: Values): ReadonlySet<string> {
+  return new Set(Object.keys(values).flatMap((key) => findParameter(key)?.group ?? []));
+}
+
+/** Adds the first item of a list that is not there yet. @param reveal shows the group that was added */
+function createAdder(editor: Editor, scene: SceneLists, reveal: (group: string) => void): HTMLElement {
+  const options = listNames.map((list) => create('option', { value: list }, listLabel(list)));
+  const select = create('select', { 'aria-label': strings.items.kind }, ...options);
+  const button = textButton('quiet', strings.items.add, () => {
+    const present = itemsOf({ ...scene.rig, ...editor.state.values });
+    const free = itemGroups.find(({ list, key }) => list === select.value && !present.has(key));
+    if (!free) return;
+    editor.changeAll(startValues(free.list, Number(free.key.split('.')[1])));
+    reveal(free.key);
+  });
+  return create('div', { class: 'adder' }, select, button);
+}
+
+/** One item, whose rows are made when somebody looks at them or searches: there may be dozens. */
+function createItem(group: string, label: string, editor: Editor, scene: SceneLists): Item {
+  const rows = new Map<Parameter, Row>();
+  const remove = textButton('quiet', strings.items.remove(label), () => editor.changeAll(removal(group, editor)));
+  const foot = create('div', { class: 'item-foot' }, remove);
+  const element = create('details', { class: 'group' }, create('summary', {}, label));
+  const show = ({ values }: State) => {
+    remove.hidden = !canBeRemoved(group, editor, scene);
+    const [base, rig] = [editor.base, scene.rig];
+    for (const [parameter, row] of rows) {
+      const scenes = rig[parameter.key] ?? parameter.default;
+      row.show(values[parameter.key] ?? scenes, base[parameter.key] ?? scenes);
+    }
+  };
+  const make = () => {
+    if (rows.size > 0) return rows;
+    for (const parameter of table.filter((row) => row.group === group)) {
+      const row = createRow(riding(parameter, scene), editor);
+      rows.set(parameter, row);
+      element.append(row.element);
+    }
+    element.append(foot);
+    show(editor.state);
+    return rows;
+  };
+  element.addEventListener('toggle', () => {
+    if (element.open) make();
+  });
+  return { element, show, rows: make };
+}
+
+/** The number of a carrier as a choice among the names that the scene's carriers have. */
+function riding(parameter: Parameter, scene: SceneLists): Parameter {
+  if (parameter.kind !== 'integer' || !parameter.key.endsWith('.rigid')) return parameter;
+  const { key, group, label, text, reader } = parameter;
+  const options = carrierChoices(scene);
+  return { kind: 'choice', key, group, label, text, reader, options, default: -1 } satisfies ChoiceParameter;
+}
+
+/** What the scene or the preset has can be turned down but not taken away. */
+function canBeRemoved(group: string, editor: Editor, scene: SceneLists): boolean {
+  return !itemsOf({ ...scene.rig, ...editor.base }).has(group);
+}
+
+function removal(group: string, editor: Editor): Record<string, Value | undefined> {
+  const keys = Object.keys(editor.state.values).filter((key) => findParameter(key)?.group === group);
+  return Object.fromEntries(keys.map((key) => [key, undefined]));
+}

@@ -1,0 +1,90 @@
+import type { State } from '../../preset/codec.ts';
+import type { Parameter } from '../../preset/parameter.ts';
+import { groups, table } from '../../preset/table.ts';
+import { automaticColors } from '../../smoke/style.ts';
+import { create, iconButton, textButton } from '../ui/dom.ts';
+import type { Editor } from '../editor/editor.ts';
+import { icon } from '../ui/icons.ts';
+import { createItems, type SceneLists } from './items.ts';
+import { createRow, type Row } from './row.ts';
+import { createSearch } from './search.ts';
+import { SheetGrip } from './sheet.ts';
+import { strings } from '../strings.ts';
+
+export const PANEL_ID = 'parameters';
+
+/** What stands below the rows of a group, by the group's key, at the top (`presets`) or at the `end`. */
+type Feet = Readonly<Record<string, HTMLElement>>;
+
+/** The panel of live parameters, made from the table. */
+export function createPanel(editor: Editor, scene: SceneLists, feet: Feet, close: () => void): HTMLElement {
+  const shown = table.filter((parameter) => hasChoice(parameter) && isOfPanel(parameter));
+  const rows = new Map(shown.map((parameter) => [parameter, createRow(parameter, editor)]));
+  const head = createHead(editor, close);
+  const caption = create('p', { class: 'caption', 'aria-hidden': 'true' }, strings.panel.caption);
+  const items = createItems(editor, scene);
+  const scroll = create('div', { class: 'scroll' }, ...(feet.presets ? [feet.presets] : []));
+  scroll.append(...createGroups(rows, feet), items.element, ...(feet.end ? [feet.end] : []));
+  const panel = create('section', { id: PANEL_ID, class: 'panel card', 'aria-label': strings.panel.title });
+  const search = createSearch(() => [...rows, ...items.rows()], scroll);
+  panel.append(new SheetGrip(panel, close).element, head.element, search, scroll, caption);
+  explainIn(caption, panel);
+  const show = (state: State) => {
+    head.show();
+    const { base } = editor;
+    const rig = { ...scene.rig, ...automaticColors(state.values) };
+    items.show(state);
+    for (const [{ key, default: initial }, row] of rows) {
+      const scenes = rig[key] ?? initial;
+      row.show(state.values[key] ?? scenes, base[key] ?? scenes);
+    }
+  };
+  editor.listen(show);
+  show(editor.state);
+  return panel;
+}
+
+/** A choice of one is no choice; it comes into the panel when there is a second. */
+function hasChoice(parameter: Parameter): boolean {
+  return parameter.kind !== 'choice' || parameter.options.length > 1;
+}
+
+/** Items of lists come into the panel when they are added. */
+function isOfPanel({ group }: Parameter): boolean {
+  return groups.some(({ key }) => key === group);
+}
+
+function createGroups(rows: ReadonlyMap<Parameter, Row>, feet: Feet): HTMLElement[] {
+  return groups.map(({ key, label, advanced }) => {
+    const elements = [...rows].flatMap(([{ group }, row]) => (group === key ? [row.element] : []));
+    const summary = create('summary', {}, label);
+    const foot = feet[key] ? [feet[key]] : [];
+    return create('details', { class: 'group', open: !advanced }, summary, ...elements, ...foot);
+  });
+}
+
+function createHead(editor: Editor, close: () => void): { element: HTMLElement; show(): void } {
+  const { title, undo, redo, resetAll, close: closeName } = strings.panel;
+  const undoButton = iconButton('icon-button', undo, icon('undo'), () => editor.undo());
+  const redoButton = iconButton('icon-button', redo, icon('redo'), () => editor.redo());
+  const resetButton = textButton('quiet', resetAll, () => editor.resetAll());
+  const closeButton = iconButton('icon-button close', closeName, icon('close'), close);
+  const heading = create('h2', {}, title);
+  return {
+    element: create('header', { class: 'panel-head' }, heading, undoButton, redoButton, resetButton, closeButton),
+    show() {
+      undoButton.disabled = !editor.canUndo;
+      redoButton.disabled = !editor.canRedo;
+    },
+  };
+}
+
+/** Shows what the row under the pointer or the focus does; screen readers get the same text from the row itself. */
+function explainIn(caption: HTMLElement, panel: HTMLElement): void {
+  const explain = ({ target }: Event) => {
+    const row = target instanceof Element ? target.closest<HTMLElement>('[data-text]') : null;
+    if (row) caption.textContent = row.dataset.text!;
+  };
+  panel.addEventListener('pointerover', explain);
+  panel.addEventListener('focusin', explain);
+}

@@ -1,0 +1,191 @@
+import { MIN_COLORS, MAX_COLORS, readRamp, writeRamp, type RampStop } from '../../preset/ramp.ts';
+import type { Control, ControlListener } from './controlTypes.ts';
+import { create, createSvg, textButton, uniqueId } from '../ui/dom.ts';
+import { strings } from '../strings.ts';
+
+const [WIDTH, HEIGHT, MARGIN] = [240, 28, 8];
+const STEP = 0.02;
+/** Stops do not come nearer to each other than this. */
+const MIN_GAP = 0.01;
+/** What a press on the bar of an empty ramp begins with. */
+const FIRST_STOPS: readonly RampStop[] = [
+  { at: 0, color: '#6a6a8c' },
+  { at: 0.5, color: '#ffffff' },
+];
+
+const ARROWS: Readonly<Record<string, number>> = {
+  ArrowLeft: -STEP,
+  ArrowDown: -STEP,
+  ArrowRight: STEP,
+  ArrowUp: STEP,
+};
+
+/**
+ * A bar of colours: stops are dragged, or moved with the arrow keys; a press on the bar adds one, Delete or the button
+ * takes the chosen one, and with fewer than two the ramp is empty. The colour of the chosen stop stands below.
+ */
+export function createRamp(describedBy: string, label: string, listener: ControlListener): Control {
+  const editor = new RampEditor(label, listener);
+  editor.drawing.setAttribute('aria-describedby', describedBy);
+  return { elements: [editor.element], id: editor.drawing.id, show: (text) => editor.show(String(text)) };
+}
+
+class RampEditor {
+  readonly drawing = createSvg('svg', { id: uniqueId(), class: 'ramp', role: 'group' });
+  readonly element: HTMLElement;
+  private readonly fields = createSvg('g', {});
+  private readonly handles = createSvg('g', {});
+  private readonly colorInput = create('input', { type: 'color', 'aria-label': strings.ramp.color });
+  private readonly removeButton = textButton('quiet', strings.ramp.remove, () => this.remove());
+  private readonly tools = create('div', { class: 'ramp-tools' }, this.colorInput, this.removeButton);
+  private readonly listener: ControlListener;
+  private stops: readonly RampStop[] = [];
+  private chosen = 0;
+  private isHeld = false;
+
+  constructor(label: string, listener: ControlListener) {
+    this.listener = listener;
+    const box = `${-MARGIN} -2 ${WIDTH + 2 * MARGIN} ${HEIGHT + MARGIN + 4}`;
+    this.drawing.setAttribute('viewBox', box);
+    this.drawing.setAttribute('aria-label', label);
+    const bar = createSvg('rect', { class: 'ramp-bar', x: 0, y: 0, width: WIDTH, height: HEIGHT });
+    const hint = createSvg('text', { class: 'ramp-hint', x: WIDTH / 2, y: 0.65 * HEIGHT }, strings.ramp.begin);
+    this.drawing.append(this.fields, bar, hint, this.handles);
+    this.element = create('div', { class: 'ramp-holder' }, this.drawing, this.tools);
+    bar.addEventListener('pointerdown', (event) => this.add(event));
+    this.followPointer();
+    this.colorInput.addEventListener('input', () => this.paint(this.colorInput.value));
+    this.colorInput.addEventListener('change', () => listener.settle());
+  }
+
+  show(text: string): void {
+    this.stops = readRamp(text) ?? [];
+    this.chosen = Math.max(0, Math.min(this.chosen, this.stops.length - 1));
+    const isEmpty = this.stops.length === 0;
+    this.tools.hidden = isEmpty;
+    this.drawing.classList.toggle('is-empty', isEmpty);
+    if (!isEmpty) this.colorInput.value = this.stops[this.chosen].color;
+    this.drawFields();
+    this.drawHandles();
+  }
+
+  private drawFields(): void {
+    const fields = this.stops.map(({ at, color }, index) => {
+      const start = index === 0 ? 0 : at;
+      const end = this.stops[index + 1]?.at ?? 1;
+      return createSvg('rect', { x: start * WIDTH, y: 0, width: (end - start) * WIDTH, height: HEIGHT, fill: color });
+    });
+    this.fields.replaceChildren(...fields);
+  }
+
+  /** Handles stay the same elements, so that the one in focus keeps it. */
+  private drawHandles(): void {
+    const { handles, stops } = this;
+    while (handles.childElementCount > stops.length) handles.lastElementChild!.remove();
+    while (handles.childElementCount < stops.length) handles.append(this.createHandle(handles.childElementCount));
+    stops.forEach(({ at, color }, index) => {
+      const handle = handles.children[index];
+      handle.setAttribute('cx', String(at * WIDTH));
+      handle.setAttribute('fill', color);
+      handle.setAttribute('aria-label', strings.ramp.stop(index + 1, color, at));
+      handle.classList.toggle('is-chosen', index === this.chosen);
+    });
+  }
+
+  private createHandle(index: number): SVGElement {
+    const handle = createSvg('circle', { class: 'ramp-stop', cy: HEIGHT, r: 8, tabindex: 0, role: 'button' });
+    handle.addEventListener('focus', () => this.choose(index));
+    handle.addEventListener('pointerdown', (event) => {
+      this.choose(index);
+      this.hold(event);
+    });
+    handle.addEventListener('keydown', (event) => this.press(event, index));
+    handle.addEventListener('keyup', () => this.listener.settle());
+    return handle;
+  }
+
+  private choose(index: number): void {
+    this.chosen = index;
+    this.colorInput.value = this.stops[index].color;
+    this.drawHandles();
+  }
+
+  private press(event: KeyboardEvent, index: number): void {
+    const way = ARROWS[event.key];
+    if (way !== undefined) this.change(withPlace(this.stops, index, this.stops[index].at + way));
+    else if (event.key === 'Delete') this.remove();
+    else if (event.key === 'Enter') this.colorInput.click();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  private add(event: PointerEvent): void {
+    if (this.stops.length === MAX_COLORS) return;
+    if (this.stops.length === 0) return this.settled(FIRST_STOPS);
+    const at = this.placeOf(event);
+    const after = this.stops.findIndex((stop) => stop.at > at);
+    this.chosen = after < 0 ? this.stops.length : after;
+    const { color } = this.stops[Math.max(0, this.chosen - 1)];
+    const stops = this.stops.toSpliced(this.chosen, 0, { at, color });
+    if (hasGaps(stops)) this.change(stops);
+    this.hold(event);
+  }
+
+  private remove(): void {
+    const rest = this.stops.filter((_, index) => index !== this.chosen);
+    this.settled(rest.length < MIN_COLORS ? [] : rest);
+  }
+
+  private paint(color: string): void {
+    this.change(this.stops.with(this.chosen, { ...this.stops[this.chosen], color }));
+  }
+
+  private settled(stops: readonly RampStop[]): void {
+    this.change(stops);
+    this.listener.settle();
+  }
+
+  private change(stops: readonly RampStop[]): void {
+    this.listener.change(writeRamp(stops));
+  }
+
+  private hold({ pointerId }: PointerEvent): void {
+    this.isHeld = true;
+    this.drawing.setPointerCapture(pointerId);
+  }
+
+  private followPointer(): void {
+    this.drawing.addEventListener('pointermove', (event) => {
+      if (this.isHeld) this.change(withPlace(this.stops, this.chosen, this.placeOf(event)));
+    });
+    const release = () => {
+      if (this.isHeld) this.listener.settle();
+      this.isHeld = false;
+    };
+    this.drawing.addEventListener('pointerup', release);
+    this.drawing.addEventListener('pointercancel', release);
+  }
+
+  private placeOf({ clientX }: PointerEvent): number {
+    const box = this.drawing.getBoundingClientRect();
+    const across = ((clientX - box.left) / box.width) * (WIDTH + 2 * MARGIN) - MARGIN;
+    return rounded(Math.max(0, Math.min(1, across / WIDTH)));
+  }
+}
+
+/** The stops with one of them at another place, between its neighbours. */
+export function withPlace(stops: readonly RampStop[], index: number, at: number): RampStop[] {
+  const min = index === 0 ? 0 : stops[index - 1].at + MIN_GAP;
+  const max = index === stops.length - 1 ? 1 : stops[index + 1].at - MIN_GAP;
+  return stops.with(index, { ...stops[index], at: rounded(Math.max(min, Math.min(max, at))) });
+}
+
+function hasGaps(stops: readonly RampStop[]): boolean {
+  return stops.every(({ at }, index) => index === 0 || at >= stops[index - 1].at + MIN_GAP);
+}
+
+/** As precise as the text of a ramp. */
+function rounded(at: number): number {
+  return Number(at.toFixed(3));
+}

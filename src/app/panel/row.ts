@@ -1,0 +1,66 @@
+import type { Parameter, Value } from '../../preset/parameter.ts';
+import { showsBillboards } from '../../smoke/livePuffs.ts';
+import { createControl } from './control.ts';
+import { create, iconButton, uniqueId } from '../ui/dom.ts';
+import type { Editor } from '../editor/editor.ts';
+import { icon } from '../ui/icons.ts';
+import { strings } from '../strings.ts';
+
+/** One parameter in the panel: its name, its inputs and the button that resets it. */
+export interface Row {
+  readonly element: HTMLElement;
+  /** @param base what resetting goes back to */
+  show(value: Value, base: Value): void;
+}
+
+export function createRow(parameter: Parameter, editor: Editor): Row {
+  const { key, label, text, kind } = parameter;
+  const textId = uniqueId();
+  const control = createControl(
+    parameter,
+    textId,
+    connect(parameter, editor, (value) => control.show(value)),
+  );
+  const reset = iconButton('reset', strings.panel.reset(label), icon('reset'), () => editor.reset(key));
+  const name = create('label', { for: control.id }, label, ...unitOf(parameter));
+  const hidden = create('span', { id: textId, class: 'read-aloud' }, text);
+  const attributes = { class: `row row-${kind}`, 'data-key': key, 'data-text': text };
+  const element = create('div', attributes, name, reset, ...control.elements, hidden);
+  let wasIdle: boolean | undefined;
+  return {
+    element,
+    show(value, base) {
+      control.show(value);
+      const isIdle = value === base;
+      if (isIdle === wasIdle) return;
+      wasIdle = isIdle;
+      // Hidden, not disabled: a page of grey buttons would say nothing about what was changed.
+      reset.classList.toggle('is-idle', isIdle);
+      reset.tabIndex = isIdle ? -1 : 0;
+      reset.setAttribute('aria-hidden', String(isIdle));
+    },
+  };
+}
+
+function unitOf(parameter: Parameter): HTMLElement[] {
+  const hasUnit = (parameter.kind === 'number' || parameter.kind === 'integer') && parameter.unit !== '';
+  return hasUnit ? [create('span', { class: 'unit' }, parameter.unit)] : [];
+}
+
+/** What makes a new simulator, or bakes billboards, waits for the end of the gesture; the rest follows the finger. */
+function connect({ key, reader, isBaked }: Parameter, editor: Editor, preview: (value: Value) => void) {
+  let waiting: Value | undefined;
+  return {
+    change(value: Value): void {
+      const isSlow = reader === 'stage' || (isBaked && showsBillboards(editor.state.values));
+      if (!isSlow) return editor.change(key, value, key);
+      waiting = value;
+      preview(value);
+    },
+    settle(): void {
+      if (waiting !== undefined) editor.change(key, waiting);
+      waiting = undefined;
+      editor.settle();
+    },
+  };
+}

@@ -1,0 +1,121 @@
+/** Presets and takes that come and go as files. */
+import type { State } from '../../preset/codec.ts';
+import { FileError } from '../../preset/errors.ts';
+import { nameOf, readFile, writeFile, type SmokeFile } from '../../preset/file.ts';
+import { findPreset } from '../../preset/presets.ts';
+import type { Stage } from '../../stage/stage.ts';
+import { create, textButton } from '../ui/dom.ts';
+import { download } from '../ui/download.ts';
+import type { Editor } from '../editor/editor.ts';
+import { goToMoment } from './moment.ts';
+import type { Notices } from '../ui/notices.ts';
+import type { ShareKind } from './shareKind.ts';
+import { strings } from '../strings.ts';
+
+/** The largest file that is read: a take that begins with a hundred thousand particles has less. */
+const MAX_BYTES = 32 * 1024 * 1024;
+const SCHEMA = 'smoke-file.schema.json';
+
+/** What files are made of, where they lead, and where what is wrong with them is told. */
+interface FileParts {
+  readonly editor: Editor;
+  readonly stage: Stage;
+  readonly notices: Notices;
+  /** Waits until the stage has taken up all edits. */
+  readonly caughtUp: () => Promise<void>;
+}
+
+/** Writes what the page shows into files, and shows what is in files. */
+export class SmokeFiles {
+  private readonly editor: Editor;
+  private readonly stage: Stage;
+  private readonly notices: Notices;
+  private readonly caughtUp: () => Promise<void>;
+  private readonly container: HTMLElement;
+
+  /** @param container where progress is shown */
+  constructor({ editor, stage, notices, caughtUp }: FileParts, container: HTMLElement) {
+    this.editor = editor;
+    this.stage = stage;
+    this.notices = notices;
+    this.caughtUp = caughtUp;
+    this.container = container;
+  }
+
+  /** Hands out a file of what is shown. @returns its name */
+  async save(what: ShareKind): Promise<string> {
+    const name = findPreset(this.editor.state.preset)?.label ?? strings.title;
+    const moment = { take: this.stage.take().toBytes(), seconds: this.stage.stats.time };
+    const file = { name, state: this.editor.state, ...(what === 'moment' && { moment }) };
+    return saveFile(file, what === 'moment' ? 'take' : 'preset');
+  }
+
+  /** Shows what is in a file, or says what is wrong with it; what was shown before can be undone to. */
+  async open(file: File): Promise<void> {
+    try {
+      if (file.size > MAX_BYTES) throw new FileError(strings.files.tooLarge(MAX_BYTES / 1024 / 1024));
+      const { state, moment, notices, name } = await readFile(await file.text());
+      for (const { message } of notices) this.notices.notify(message);
+      this.editor.load(state);
+      if (moment) await this.goTo(moment, state);
+      else this.notices.mention(strings.files.opened(name));
+    } catch (error) {
+      this.notices.notify(strings.files.rejected(file.name, (error as Error).message));
+    }
+  }
+
+  /** A button that asks for a file. */
+  createOpener(): HTMLElement {
+    const chooser = create('input', { type: 'file', accept: '.json', hidden: true, 'aria-label': strings.files.open });
+    chooser.addEventListener('change', () => {
+      const file = chooser.files?.[0];
+      if (file) void this.open(file);
+      chooser.value = '';
+    });
+    const button = textButton('quiet', strings.files.open, () => chooser.click());
+    return create('span', {}, button, chooser);
+  }
+
+  private async goTo({ take, seconds }: NonNullable<SmokeFile['moment']>, state: State): Promise<void> {
+    // What the stage takes up later would be something that was done to the take.
+    await this.caughtUp();
+    await goToMoment(this.stage, { take, seconds, state, isTrusted: true }, this.notices, this.container);
+  }
+}
+
+/** Hands out a file. @returns its name */
+export async function saveFile(file: SmokeFile, kind: 'preset' | 'take'): Promise<string> {
+  const name = `${slug(file.name)}.${kind}.json`;
+  download(name, await writeFile(file, new URL(SCHEMA, document.baseURI).href));
+  return name;
+}
+
+/** Hands out the text of a file that was kept, under the name that it has now. */
+export async function saveText(text: string, name: string): Promise<string> {
+  return saveFile({ ...(await readFile(text)), name }, 'preset');
+}
+
+/** As systems take it for the name of a file. */
+function slug(name: string): string {
+  const plain = nameOf(name).toLowerCase().normalize('NFKD');
+  return plain.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'smoke';
+}
+
+/** Takes files that are dropped anywhere on the page. */
+export function acceptDrops(page: HTMLElement, open: (file: File) => void): void {
+  page.addEventListener('dragover', (event) => {
+    if (!event.dataTransfer?.types.includes('Files')) return;
+    event.preventDefault();
+    page.classList.add('is-dropping');
+  });
+  page.addEventListener('dragleave', (event) => {
+    if (event.relatedTarget === null) page.classList.remove('is-dropping');
+  });
+  page.addEventListener('drop', (event) => {
+    page.classList.remove('is-dropping');
+    const file = event.dataTransfer?.files[0];
+    if (!file) return;
+    event.preventDefault();
+    open(file);
+  });
+}

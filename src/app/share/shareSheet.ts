@@ -1,0 +1,183 @@
+import { LONGEST_LINK } from '../../preset/codec.ts';
+import { linkTo } from './address.ts';
+import { create, iconButton, textButton, createSvg } from '../ui/dom.ts';
+import type { Editor } from '../editor/editor.ts';
+import type { SmokeFiles } from './files.ts';
+import { icon } from '../ui/icons.ts';
+import { linkToMoment } from './moment.ts';
+import { createShareKind, type ShareKind } from './shareKind.ts';
+import type { Stage } from '../../stage/stage.ts';
+import { strings } from '../strings.ts';
+import { elementCode, frameCode, type ElementScript } from './embed.ts';
+import type { Bitmap2D } from 'lean-qr';
+
+const words = strings.share;
+
+/** What people share: the look, or one very moment of it; as a link, a code, a file, or code for a page of theirs. */
+export class ShareSheet {
+  readonly element: HTMLDialogElement;
+  private readonly editor: Editor;
+  private readonly stage: Stage;
+  private readonly files: SmokeFiles;
+  private readonly kind = createShareKind((kind) => this.show(kind));
+  private readonly field = create('input', { type: 'text', readonly: true, 'aria-label': words.link });
+  private readonly copy = textButton('loud', words.copy, () => void this.copyLink());
+  private readonly send = textButton('quiet', words.send, () => void this.sendLink());
+  private readonly status = create('p', { class: 'share-status', role: 'status' });
+  private readonly code = create('figure', { class: 'share-code' });
+  private readonly embed = createEmbed((text) => void this.copyText(text));
+  private links: Record<ShareKind, string> = { look: '', moment: '' };
+
+  constructor(editor: Editor, stage: Stage, files: SmokeFiles) {
+    this.editor = editor;
+    this.stage = stage;
+    this.files = files;
+    const save = textButton('quiet', words.save, () => void this.saveFile());
+    const heading = create('h2', { id: 'share-title' }, words.title);
+    const close = iconButton('icon-button sheet-close', strings.help.close, icon('close'), () => this.element.close());
+    const line = create('div', { class: 'share-line' }, this.field, this.copy);
+    const buttons = create('div', { class: 'share-buttons' }, this.send, save, this.status);
+    const main = create('div', { class: 'share-main' }, this.kind.element, line, buttons);
+    const body = create('div', { class: 'share-body' }, main, this.code);
+    const attributes = { class: 'sheet card share-sheet', 'aria-labelledby': 'share-title' };
+    this.element = create('dialog', attributes, heading, close, body, this.embed.element);
+    this.send.hidden = !('share' in navigator);
+  }
+
+  /** Opens it on what is shown at this very moment. @param mesh name of a mesh that is shown, which no link can hold */
+  async open(mesh?: string): Promise<void> {
+    if (this.element.open) return;
+    // A link of before, or none, must not be handed out while those of now are still written.
+    this.links = { look: '', moment: '' };
+    this.show(this.kind.chosen);
+    this.element.showModal();
+    const moment = linkToMoment(this.editor.state, this.stage);
+    this.links = { look: await linkTo(this.editor), moment: await moment };
+    this.show(this.kind.chosen);
+    if (mesh !== undefined) this.notify(strings.ownShape.unshared(mesh));
+    this.copy.focus();
+  }
+
+  private get link(): string {
+    return this.links[this.kind.chosen];
+  }
+
+  private show(kind: ShareKind): void {
+    const link = this.links[kind];
+    const isTooLong = link.length > LONGEST_LINK;
+    const sent = isTooLong ? '' : link;
+    this.field.value = sent;
+    this.field.disabled = this.copy.disabled = this.send.disabled = sent === '';
+    this.embed.show(sent || undefined);
+    this.notify(isTooLong ? words.tooLong(link.length, LONGEST_LINK) : '');
+    void this.showCode(link);
+  }
+
+  private async showCode(link: string): Promise<void> {
+    this.code.hidden = link === '' || link.length > MAX_QR_CHARACTERS;
+    if (this.code.hidden) return;
+    const picture = await createQr(link, words.code);
+    if (link === this.link) this.code.replaceChildren(picture, create('figcaption', {}, words.scan));
+  }
+
+  private async copyLink(): Promise<void> {
+    if (await this.copyText(this.link)) return;
+    this.field.focus();
+    this.field.select();
+  }
+
+  private async copyText(text: string): Promise<boolean> {
+    const isCopied = await copyText(text);
+    this.notify(isCopied ? words.copied : words.byHand);
+    return isCopied;
+  }
+
+  private async sendLink(): Promise<void> {
+    try {
+      await navigator.share({ title: strings.title, url: this.link });
+    } catch (error) {
+      // Whoever closes the sheet of the platform has changed their mind.
+      if ((error as Error).name !== 'AbortError') this.notify(words.notSent);
+    }
+  }
+
+  private async saveFile(): Promise<void> {
+    const name = await this.files.save(this.kind.chosen);
+    this.notify(words.saved(name));
+  }
+
+  private notify(message: string): void {
+    this.status.textContent = message;
+  }
+}
+
+/** Copies text. @returns whether the browser let the page do it */
+async function copyText(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** Code to put this smoke on another page, folded until somebody wants it. @param copy copies a text */
+function createEmbed(copy: (text: string) => void): { element: HTMLElement; show(link?: string): void } {
+  const frame = createSnippet(words.frame, copy);
+  const component = createSnippet(words.element, copy);
+  const element = create('details', { class: 'group share-embed' }, create('summary', {}, words.embed));
+  element.append(frame.element, component.element);
+  return {
+    element,
+    show(link) {
+      element.hidden = link === undefined;
+      if (link === undefined) return;
+      frame.field.value = frameCode(link, strings.title);
+      component.field.value = elementCode(link, publishedScript());
+    },
+  };
+}
+
+/** The copy that lies in the built site, at the address where the site is published; the development server has none. */
+function publishedScript(): ElementScript | undefined {
+  const path = import.meta.env.VITE_ELEMENT_SCRIPT as string | undefined;
+  const integrity = import.meta.env.VITE_ELEMENT_INTEGRITY as string;
+  return path ? { address: new URL(path, document.baseURI).href, integrity } : undefined;
+}
+
+function createSnippet(name: string, copy: (text: string) => void) {
+  const field = create('textarea', { readonly: true, rows: 3, 'aria-label': name, spellcheck: 'false' });
+  field.addEventListener('focus', () => field.select());
+  const button = textButton('quiet', words.copyCode, () => copy(field.value));
+  const head = create('div', { class: 'share-snippet-head' }, create('span', {}, name), button);
+  return { element: create('div', { class: 'share-snippet' }, head, field), field };
+}
+
+/** Around a code; a reader needs this many empty modules. */
+const QUIET = 4;
+/** The most that a code holds, bytes; one that full is too fine for many a camera. */
+const MAX_QR_CHARACTERS = 1200;
+
+/** A QR code of a link. What computes it is fetched when the first one is wanted. */
+async function createQr(link: string, name: string): Promise<SVGSVGElement> {
+  const { correction, generate } = await import('lean-qr');
+  const code = generate(link, { minCorrectionLevel: correction.L });
+  const size = code.size + 2 * QUIET;
+  const picture = createSvg('svg', { viewBox: `0 0 ${size} ${size}`, class: 'qr', role: 'img', 'aria-label': name });
+  picture.append(
+    createSvg('rect', { width: size, height: size, fill: '#ffffff' }),
+    createSvg('path', { d: modulesOf(code), fill: '#000000', 'shape-rendering': 'crispEdges' }),
+  );
+  return picture;
+}
+
+/** A square for each dark module. */
+function modulesOf(code: Bitmap2D): string {
+  const squares: string[] = [];
+  for (let y = 0; y < code.size; y++) {
+    for (let x = 0; x < code.size; x++) {
+      if (code.get(x, y)) squares.push(`M${x + QUIET} ${y + QUIET}h1v1h-1z`);
+    }
+  }
+  return squares.join('');
+}

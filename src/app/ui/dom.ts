@@ -1,0 +1,52 @@
+/** Building elements without markup: untrusted text can only ever become text. */
+type Children = readonly (Node | string)[];
+type Attributes = Readonly<Record<string, string | number | boolean | undefined>>;
+
+/**
+ * An element with attributes and children. `true` sets an empty attribute, `false` and undefined set none.
+ */
+export function create<Tag extends keyof HTMLElementTagNameMap>(
+  tag: Tag,
+  attributes: Attributes = {},
+  ...children: Children
+): HTMLElementTagNameMap[Tag] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value !== undefined && value !== false) element.setAttribute(name, value === true ? '' : String(value));
+  }
+  element.append(...children);
+  return element;
+}
+
+/** An element of a drawing. */
+export function createSvg<Tag extends keyof SVGElementTagNameMap>(
+  tag: Tag,
+  attributes: Readonly<Record<string, string | number>> = {},
+  ...children: Children
+): SVGElementTagNameMap[Tag] {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  element.append(...children);
+  return element;
+}
+
+/** A button with an icon and a name; the name is read aloud and shown by a tool tip. */
+export function iconButton(className: string, name: string, icon: Node, press: () => void): HTMLButtonElement {
+  const button = create('button', { type: 'button', class: className, 'aria-label': name, title: name }, icon);
+  button.addEventListener('click', press);
+  return button;
+}
+
+/** A button with its name written on it. */
+export function textButton(className: string, name: string, press: () => void): HTMLButtonElement {
+  const button = create('button', { type: 'button', class: className }, name);
+  button.addEventListener('click', press);
+  return button;
+}
+
+let count = 0;
+
+/** An id that is not used elsewhere in the page. */
+export function uniqueId(): string {
+  return `id-${++count}`;
+}

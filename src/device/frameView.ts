@@ -1,0 +1,115 @@
+import { Matrix4, Vector2, Vector3, Vector4, type Box3, type Camera, type IUniform } from 'three';
+
+/** What the shaders know of the camera, the light and the target; one object that all passes of a smoke share. */
+export interface ViewUniforms extends Record<string, IUniform> {
+  viewFromWorld: IUniform<Matrix4>;
+  clipFromView: IUniform<Matrix4>;
+  /** Size of the target in its own pixels. */
+  viewport: IUniform<Vector2>;
+  /** Where the picture begins in the target that volumes are counted in, in its pixels. */
+  viewportOrigin: IUniform<Vector2>;
+  /** View depth of the near plane. */
+  near: IUniform<number>;
+  /** (unit vector towards the light, 0) or (its place, 1), see shaders/lib/light.glsl. */
+  lightInWorld: IUniform<Vector4>;
+  lightInView: IUniform<Vector4>;
+  /** The box beyond which nothing receives shadow: volumes end where they have left it. */
+  receiversMin: IUniform<Vector3>;
+  receiversMax: IUniform<Vector3>;
+}
+
+/** A camera and a light as the passes see them during one frame. */
+export class FrameView {
+  readonly uniforms: ViewUniforms = {
+    viewFromWorld: { value: new Matrix4() },
+    clipFromView: { value: new Matrix4() },
+    viewport: { value: new Vector2(1, 1) },
+    viewportOrigin: { value: new Vector2() },
+    near: { value: 0.1 },
+    lightInWorld: { value: new Vector4(0, 1, 0, 0) },
+    lightInView: { value: new Vector4(0, 1, 0, 0) },
+    receiversMin: { value: new Vector3() },
+    receiversMax: { value: new Vector3() },
+  };
+  readonly clipFromWorld = new Matrix4();
+  /** Unit vector in world space along which the camera looks. */
+  readonly forward = new Vector3();
+  /** Depth of the eye itself. */
+  private depth = 0;
+
+  /**
+   * @param light (unit vector towards it, 0) or (its place, 1), world space
+   * @param width, height of the target in pixels
+   * @param reversedDepth whether the renderer puts the near plane at window depth 1 and the far one at 0
+   */
+  look(camera: Camera, light: Vector4, width: number, height: number, reversedDepth = false): void {
+    const { uniforms } = this;
+    camera.updateMatrixWorld();
+    uniforms.viewFromWorld.value.copy(camera.matrixWorldInverse);
+    const clipFromView = uniforms.clipFromView.value.copy(camera.projectionMatrix);
+    if (reversedDepth && !camera.reversedDepth) reverseDepth(clipFromView);
+    uniforms.viewport.value.set(width, height);
+    uniforms.near.value = nearOf(clipFromView);
+    uniforms.lightInWorld.value.copy(light);
+    uniforms.lightInView.value.copy(light).applyMatrix4(camera.matrixWorldInverse);
+    this.clipFromWorld.multiplyMatrices(clipFromView, camera.matrixWorldInverse);
+    this.forward.set(0, 0, -1).transformDirection(camera.matrixWorld);
+    this.depth = new Vector3().setFromMatrixPosition(camera.matrixWorld).dot(this.forward);
+  }
+
+  /** Unit vector along which the light travels at a place, world space. */
+  travelAt(place: Vector3): Vector3 {
+    const { x, y, z, w } = this.uniforms.lightInWorld.value;
+    return new Vector3(x, y, z).addScaledVector(place, -w).normalize().negate();
+  }
+
+  /** Whether the light's rays are parallel. */
+  get isLitBySun(): boolean {
+    return this.uniforms.lightInWorld.value.w === 0;
+  }
+
+  /** @param box of everything that can receive a shadow, world space */
+  receive(box: Box3): void {
+    this.uniforms.receiversMin.value.copy(box.min);
+    this.uniforms.receiversMax.value.copy(box.max);
+  }
+
+  /** Depths along {@link forward}, from the world's origin, at which the near and the far plane stand. */
+  get range(): [number, number] {
+    return [this.depth + this.uniforms.near.value, this.depth + farOf(this.uniforms.clipFromView.value)];
+  }
+
+  /** Tangent of the largest angle between a view ray and the view axis; 0 where all rays are parallel. */
+  get steepestSlope(): number {
+    const e = this.uniforms.clipFromView.value.elements;
+    if (e[11] === 0) return 0;
+    return Math.hypot((1 + Math.abs(e[8])) / e[0], (1 + Math.abs(e[9])) / e[5]);
+  }
+
+  /** World units that one pixel spans, for each unit of clip w. */
+  get unitsPerPixel(): number {
+    return 2 / (this.uniforms.clipFromView.value.elements[5] * this.uniforms.viewport.value.y);
+  }
+}
+
+/** Gives a projection the depth that three.js gives it when it first draws with a reversed depth buffer. */
+function reverseDepth({ elements }: Matrix4): void {
+  for (const column of [0, 4, 8, 12]) elements[column + 2] = 0.5 * (elements[column + 3] - elements[column + 2]);
+}
+
+/** View depth of the plane that a projection has as its near one. */
+function nearOf(clipFromView: Matrix4): number {
+  const e = clipFromView.elements;
+  // Reversed, see shaders/lib/depth.glsl: clip z = clip w at the near plane.
+  if (e[14] > 0) return (e[14] - e[15]) / (e[10] - e[11]);
+  // clip z = -clip w there: e10 z + e14 = -(e11 z + e15), solved for z = -near.
+  return (e[14] + e[15]) / (e[10] + e[11]);
+}
+
+/** View depth of its far plane; that of a projection without an end is far beyond all. */
+function farOf(clipFromView: Matrix4): number {
+  const BOUNDLESS = 1e9;
+  const e = clipFromView.elements;
+  const far = e[14] > 0 ? e[14] / e[10] : (e[14] - e[15]) / (e[10] - e[11]);
+  return far < BOUNDLESS ? far : BOUNDLESS;
+}

@@ -1,0 +1,35 @@
+/** What a share link asks of an element, and moments as links name them. */
+import { decode } from '../../preset/codec.ts';
+import { readEnvironment, readTime } from '../../preset/environment.ts';
+import { notice, type Notice } from '../../preset/notice.ts';
+import { defaultPreset } from '../../preset/presets.ts';
+import type { Base } from './parsedAttributes.ts';
+
+/** Reads `src`. Never rejects. */
+export async function readLink(link: string, base: string, notices: Notice[]): Promise<Base> {
+  const { hash, search } = addressOf(link, base, notices);
+  const { state, take, notices: ofHash } = await decode(hash);
+  const { time, paused, notices: ofQuery } = readEnvironment(search);
+  notices.push(...ofHash, ...ofQuery);
+  return { link, values: state.values, start: time, isPaused: paused, take };
+}
+
+function addressOf(link: string, base: string, notices: Notice[]): Pick<URL, 'hash' | 'search'> {
+  try {
+    const address = new URL(link, base);
+    if (address.hash === '') {
+      const sentence = (given: string) =>
+        `src cannot be ${given}: it takes a share link, such as #v=1&preset=wisp. \u201c${defaultPreset.name}\u201d is shown.`;
+      notices.push(notice('malformed', 'src', link, sentence));
+    }
+    return address;
+  } catch {
+    notices.push(notice('damaged', 'src', link, (given) => `src cannot be ${given}: it takes a share link.`));
+    return { hash: '', search: '' };
+  }
+}
+
+/** Reads the start as the `t` of a link is read. */
+export function readStart(text: string, notices: Notice[]): number | undefined {
+  return readTime(text, notices, 'start');
+}

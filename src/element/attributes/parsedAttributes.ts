@@ -1,0 +1,80 @@
+import { notice, summarise, type Notice } from '../../preset/notice.ts';
+import type { Values } from '../../preset/parameter.ts';
+import { fetchPreset, FIRST_PRESET } from '../../preset/byScene/fetchPreset.ts';
+import { findParameter } from '../../preset/table.ts';
+import { presetValues, readText } from '../../preset/values.ts';
+import { keyOfAttribute } from './names.ts';
+import { part, presetOf } from '../parts.ts';
+import { EMIT_ON } from './properties.ts';
+
+/** What an element asks for by its attributes. */
+export interface ParsedAttributes {
+  /** The share link as `src` has it. */
+  readonly link: string | null;
+  readonly values: Values;
+  /** Simulated seconds before the first picture. */
+  readonly start: number | undefined;
+  /** Whether the link shows something still. */
+  readonly isPaused: boolean;
+  /** Bytes of a take out of a share link, which leads to one moment. */
+  readonly take: Uint8Array | undefined;
+  /** What was not taken as it stands. */
+  readonly notices: readonly Notice[];
+}
+
+/** What attributes take that are no parameters; the first is what holds without one. */
+const CHOICES = [
+  ['thread', ['auto', 'main', 'worker']],
+  ['loading', ['lazy', 'eager']],
+  ['emit-on', EMIT_ON],
+] as const;
+
+/**
+ * Reads `src`, `preset`, `start` and the parameters: a link, or else a preset, and over it each parameter by itself.
+ * Attributes may ask for no more than links, because on many pages untrusted people can write them.
+ * @throws LoadError when what reads links cannot be fetched
+ */
+export async function parseAttributes(element: Element): Promise<ParsedAttributes> {
+  const notices: Notice[] = [];
+  const base = await readBase(element, notices);
+  const values = { ...base.values };
+  for (const { name, value } of element.attributes) {
+    const parameter = findParameter(keyOfAttribute.get(name) ?? '');
+    if (!parameter) continue;
+    const read = readText(parameter, value, values[parameter.key]);
+    values[parameter.key] = read.value;
+    if (read.notice) notices.push(read.notice);
+  }
+  for (const [name, options] of CHOICES) readChoice(element, name, options, notices);
+  const start = element.getAttribute('start');
+  return {
+    ...base,
+    values,
+    start: start === null ? base.start : (await part('link')).readStart(start, notices),
+    notices: summarise(notices),
+  };
+}
+
+/** What the parameters stand over. */
+export type Base = Omit<ParsedAttributes, 'notices'>;
+
+async function readBase(element: Element, notices: Notice[]): Promise<Base> {
+  const link = element.getAttribute('src');
+  if (link !== null) return (await part('link')).readLink(link, element.baseURI, notices);
+  const name = element.getAttribute('preset');
+  const preset = await presetOf(element);
+  if (!preset && name !== null) {
+    const sentence = (given: string) => `There is no preset ${given}; \u201c${FIRST_PRESET}\u201d is shown.`;
+    notices.push(notice('unknownPreset', 'preset', name, sentence));
+  }
+  const values = presetValues(preset ?? (await fetchPreset(FIRST_PRESET))!);
+  return { link, values, start: undefined, isPaused: false, take: undefined };
+}
+
+function readChoice(element: Element, name: string, options: readonly string[], notices: Notice[]): void {
+  const given = element.getAttribute(name);
+  if (given === null || options.includes(given)) return;
+  const sentence = (quoted: string) =>
+    `${name} cannot be ${quoted}: it takes ${options.join(', ')}. ${options[0]} is used.`;
+  notices.push(notice('malformed', name, given, sentence));
+}

@@ -1,0 +1,126 @@
+import { css } from './appearance.ts';
+
+const SVG = 'http://www.w3.org/2000/svg';
+const ICONS = { pause: 'M5 3h4v14H5zM11 3h4v14h-4z', play: 'M5 2.5 17 10 5 17.5z' } as const;
+
+/** What the shell shows: the poster, the smoke, or that there will be none. */
+export type Showing = 'poster' | 'smoke' | 'failure';
+
+/** One for all elements of a document; those of another document may not use it. */
+const sheets = new WeakMap<Document, CSSStyleSheet>();
+
+/** What stands in the element's shadow tree: a place for the canvas, the poster, the fallback and the button. */
+export class Shell {
+  /** Takes as much room as the canvas will; as large as the element. */
+  readonly container = document.createElement('div');
+  readonly button = document.createElement('button');
+  private readonly icon = document.createElementNS(SVG, 'path');
+  private readonly root: ShadowRoot;
+  private shown: HTMLCanvasElement | undefined;
+  private isPlaying = false;
+
+  constructor(root: ShadowRoot) {
+    this.root = root;
+    this.dress();
+    this.container.className = 'frame';
+    this.container.part.add('frame');
+    this.container.append(sizer(), layer('poster', 'poster'), layer('fallback'), this.buildButton());
+    root.append(this.container);
+  }
+
+  /** Gives the tree its looks; once more in each document that it comes to. Those of templates have no window, and show nothing. */
+  dress(): void {
+    const { ownerDocument } = this.root;
+    if (ownerDocument.defaultView) this.root.adoptedStyleSheets = [sheetOf(ownerDocument)];
+  }
+
+  /** Where the smoke is drawn; none before it starts and after it has ended. */
+  get canvas(): HTMLCanvasElement | undefined {
+    return this.shown;
+  }
+
+  /** A fresh canvas in the place of the one before: one that was handed to a worker cannot be used again. */
+  makeCanvas(description: string | null): HTMLCanvasElement {
+    const canvas = document.createElement('canvas');
+    canvas.className = 'layer';
+    canvas.part.add('canvas');
+    this.shown?.remove();
+    this.shown = canvas;
+    this.describe(description);
+    this.container.prepend(canvas);
+    return canvas;
+  }
+
+  /** @param description what screen readers say; nothing when it is empty, because the smoke is ornament then */
+  describe(description: string | null): void {
+    const { canvas } = this;
+    if (!canvas) return;
+    canvas.role = description === '' ? 'presentation' : 'img';
+    canvas.ariaLabel = description === '' ? null : (description ?? 'Cartoon smoke');
+  }
+
+  show(what: Showing): void {
+    this.container.classList.toggle('shown', what === 'smoke');
+    this.container.classList.toggle('failed', what === 'failure');
+    if (what !== 'poster') return;
+    this.shown?.remove();
+    this.shown = undefined;
+  }
+
+  /** @param isStill whether nothing moves until somebody plays, so that the button stands out */
+  showPlaying(isPlaying: boolean, isStill: boolean): void {
+    this.isPlaying = isPlaying;
+    this.nameButton();
+    this.icon.setAttribute('d', isPlaying ? ICONS.pause : ICONS.play);
+    this.container.classList.toggle('still', isStill);
+  }
+
+  /** Names the button as the page wants it, in whatever language. */
+  nameButton(): void {
+    const { host } = this.root;
+    this.button.ariaLabel = this.isPlaying
+      ? (host.getAttribute('label-pause') ?? 'Pause smoke')
+      : (host.getAttribute('label-play') ?? 'Play smoke');
+  }
+
+  private buildButton(): HTMLButtonElement {
+    const svg = document.createElementNS(SVG, 'svg');
+    svg.setAttribute('viewBox', '0 0 20 20');
+    svg.ariaHidden = 'true';
+    svg.append(this.icon);
+    this.button.type = 'button';
+    this.button.part.add('button');
+    this.button.append(svg);
+    return this.button;
+  }
+}
+
+/** In the flow, and replaced: so the element has a size of its own where nobody gives one, in table cells too. */
+function sizer(): SVGElement {
+  const svg = document.createElementNS(SVG, 'svg');
+  svg.setAttribute('viewBox', '0 0 16 9');
+  svg.classList.add('sizer');
+  svg.ariaHidden = 'true';
+  return svg;
+}
+
+function layer(name: string, slot?: string): HTMLElement {
+  const element = document.createElement('div');
+  element.className = `layer ${name}`;
+  element.part.add(name);
+  const inner = document.createElement('slot');
+  if (slot) inner.name = slot;
+  element.append(inner);
+  return element;
+}
+
+/** @param owner has a window */
+function sheetOf(owner: Document): CSSStyleSheet {
+  let sheet = sheets.get(owner);
+  if (!sheet) {
+    sheet = new owner.defaultView!.CSSStyleSheet();
+    sheet.replaceSync(css);
+    sheets.set(owner, sheet);
+  }
+  return sheet;
+}

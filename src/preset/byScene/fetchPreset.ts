@@ -1,0 +1,30 @@
+/** The presets of one scene by themselves, for who needs no others. */
+import { fetched } from '../timeout.ts';
+import type { Preset } from './preset.ts';
+
+const byScene: Readonly<Record<string, () => Promise<readonly Preset[]>>> = {
+  lamp: async () => (await import('./lamp.ts')).lampPresets,
+  airplane: async () => (await import('./airplane.ts')).airplanePresets,
+  train: async () => (await import('./train.ts')).trainPresets,
+  campfire: async () => (await import('./campfire.ts')).campfirePresets,
+  rocket: async () => (await import('./rocket.ts')).rocketPresets,
+  genie: async () => (await import('./genie.ts')).geniePresets,
+  dust: async () => (await import('./dust.ts')).dustPresets,
+  cloudscape: async () => (await import('./cloudscape.ts')).cloudscapePresets,
+  wisp: async () => (await import('./wisp.ts')).wispPresets,
+  air: async () => (await import('./air.ts')).airPresets,
+};
+
+/** The preset that is shown where none of another name is. */
+export const FIRST_PRESET = 'lamp';
+
+/**
+ * The preset of this name, or undefined. Safe for untrusted names.
+ * @throws LoadError when it cannot be fetched
+ */
+export async function fetchPreset(name: string): Promise<Preset | undefined> {
+  const [scene] = name.split('-', 1);
+  if (!Object.hasOwn(byScene, scene)) return undefined;
+  const presets = await fetched(`The preset ${name}`, byScene[scene]());
+  return presets.find((preset) => preset.name === name);
+}

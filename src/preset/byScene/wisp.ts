@@ -1,0 +1,48 @@
+import type { Values } from '../parameter.ts';
+import type { Preset } from './preset.ts';
+
+/** What the smoke of this scene is in each of its presets. */
+const smoke: Values = {
+  scene: 'wisp',
+  'emission.rate': 18,
+  'emission.lifetime': 4.5,
+  'emission.growthTime': 2.2,
+  'forces.turbulence': 1.2,
+  'turbulence.scale': 0.7,
+  'simulation.maxParticles': 400,
+};
+
+export const wispPresets: readonly Preset[] = [
+  {
+    name: 'wisp',
+    label: 'Cup of tea',
+    text: 'A little steam from a cup that is glad to see you.',
+    values: {
+      ...smoke,
+      'vortices.0.circulation': -1.6,
+      'vortices.0.coreRadius': 0.4,
+      'vortices.0.reach': 1.6,
+      'vortices.0.position.x': -0.25,
+      'vortices.0.position.y': 2.1,
+      'style.smokeColor': '#fffaf0',
+      'light.azimuth': 30,
+      'light.elevation': 40,
+    },
+  },
+  {
+    name: 'wisp-matcha',
+    label: 'Matcha',
+    text: 'One green for everything, in three tones and fine lines.',
+    values: {
+      ...smoke,
+      'style.ramp': '0:7fa878,.34:bcd6a4,.7:f2f7dc',
+      'style.inkColor': '#24452f',
+      'style.outlineWidth': 1.5,
+      'style.backdrop': '0:e4efc8,1:8fb98a',
+      'style.wash': 0.9,
+      'style.washColor': '#dcecb4',
+      'light.azimuth': 30,
+      'light.elevation': 40,
+    },
+  },
+];

@@ -1,0 +1,21 @@
+/** Billboards as the light sees them: it meets the lobes that they were baked from. */
+import type { PuffShape } from '../shapes.ts';
+
+/** All lengths in particle radii. */
+export interface CasterTable {
+  /** Number of variations. */
+  readonly count: number;
+  /** The most lobes that a variation has. */
+  readonly lobeCount: number;
+  /** For each variation `lobeCount` lobes of four numbers, centre and radius; absent ones are points within the first. */
+  readonly table: Float32Array;
+}
+
+export function castersOf(shapes: readonly PuffShape[]): CasterTable {
+  const lobeCount = Math.max(...shapes.map(({ lobes }) => lobes.length));
+  const table = shapes.flatMap(({ lobes }) => {
+    const absent = Array.from({ length: lobeCount - lobes.length }, () => ({ center: lobes[0].center, radius: 0 }));
+    return [...lobes, ...absent].flatMap(({ center, radius }) => [...center, radius]);
+  });
+  return { count: shapes.length, lobeCount, table: Float32Array.from(table) };
+}

@@ -1,0 +1,157 @@
+/**
+ * A small software rasteriser: a puff's mesh, orthographically from +z, into normal, depth and coverage.
+ * It runs on the CPU so that the layers are the same bits on every GPU and can be tested without one.
+ *
+ * Grids are square and span [-PUFF_PAD, PUFF_PAD]^2, row 0 at the bottom (y = -PUFF_PAD), as WebGL counts texture
+ * rows. Visibility is decided at the centres of SUPERSAMPLE^2 cells a texel; normal and depth of a texel are the mean
+ * over its covered cells, because a crease that is sampled once a texel would cut two-tone light in stairs.
+ */
+import type { TriangleMesh } from './mesh.ts';
+
+/** Half the width of a nailboard in units of the particle's radius: room for the ink ring round the silhouette. */
+export const PUFF_PAD = 1.35;
+
+/** Cells for each texel of a layer, along x and along y. */
+export const SUPERSAMPLE = 4;
+
+/** What is seen of a puff from +z. */
+export interface PuffRaster {
+  /** Texels along each side. */
+  readonly size: number;
+  /** x, y, z a texel; unit length where something is, 0 elsewhere. */
+  readonly normals: Float32Array;
+  /** Relief in quad widths, positive towards the viewer, 0 in the centre plane; -Infinity where nothing is. */
+  readonly depths: Float32Array;
+  /** 1 where something is, on the grid of size * SUPERSAMPLE cells. */
+  readonly coverage: Uint8Array;
+}
+
+/** The nearest triangle at each cell's centre. */
+interface Visibility {
+  readonly cells: number;
+  /** Index of the triangle's first entry in the mesh's indices; -1 where nothing is. */
+  readonly triangles: Int32Array;
+  /** z in particle radii. */
+  readonly heights: Float32Array;
+}
+
+/** Draws the mesh into a layer of `size` texels. */
+export function rasterise(mesh: TriangleMesh, size: number): PuffRaster {
+  const visible = findVisible(mesh, size * SUPERSAMPLE);
+  const normals = new Float32Array(3 * size * size);
+  const depths = new Float32Array(size * size).fill(-Infinity);
+  for (let y = 0; y < size; y++) {
+    for (let x = 0; x < size; x++) gatherTexel(mesh, visible, x, y, y * size + x, normals, depths);
+  }
+  const coverage = new Uint8Array(visible.triangles.length);
+  for (let cell = 0; cell < coverage.length; cell++) coverage[cell] = visible.triangles[cell] < 0 ? 0 : 1;
+  return { size, normals, depths, coverage };
+}
+
+/** Where a coordinate of unit space lies on a grid of `cells` cells, whose centres have whole numbers. */
+function toCells(unit: number, cells: number): number {
+  return (unit / PUFF_PAD + 1) * 0.5 * cells - 0.5;
+}
+
+function findVisible(mesh: TriangleMesh, cells: number): Visibility {
+  const visible = {
+    cells,
+    triangles: new Int32Array(cells * cells).fill(-1),
+    heights: new Float32Array(cells * cells).fill(-Infinity),
+  };
+  for (let triangle = 0; triangle < mesh.indices.length; triangle += 3) scanTriangle(mesh, triangle, visible);
+  return visible;
+}
+
+/** Depth-tests one triangle if it faces the viewer. Borders belong to both neighbours, so that nothing is missed. */
+function scanTriangle({ positions, indices }: TriangleMesh, triangle: number, visible: Visibility): void {
+  const { cells, triangles, heights } = visible;
+  const [a, b, c] = [3 * indices[triangle], 3 * indices[triangle + 1], 3 * indices[triangle + 2]];
+  const [ax, ay] = [toCells(positions[a], cells), toCells(positions[a + 1], cells)];
+  const [bx, by] = [toCells(positions[b], cells), toCells(positions[b + 1], cells)];
+  const [cx, cy] = [toCells(positions[c], cells), toCells(positions[c + 1], cells)];
+  const area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+  if (area <= 0) return;
+  const left = Math.max(0, Math.ceil(Math.min(ax, bx, cx)));
+  const right = Math.min(cells - 1, Math.floor(Math.max(ax, bx, cx)));
+  const bottom = Math.max(0, Math.ceil(Math.min(ay, by, cy)));
+  const top = Math.min(cells - 1, Math.floor(Math.max(ay, by, cy)));
+  for (let y = bottom; y <= top; y++) {
+    for (let x = left; x <= right; x++) {
+      const wa = (bx - x) * (cy - y) - (by - y) * (cx - x);
+      const wb = (cx - x) * (ay - y) - (cy - y) * (ax - x);
+      const wc = area - wa - wb;
+      if (wa < 0 || wb < 0 || wc < 0) continue;
+      const height = (wa * positions[a + 2] + wb * positions[b + 2] + wc * positions[c + 2]) / area;
+      const cell = y * cells + x;
+      if (height <= heights[cell]) continue;
+      heights[cell] = height;
+      triangles[cell] = triangle;
+    }
+  }
+}
+
+/** Writes the means over the covered cells of texel (x, y); leaves the texel as it is if none is covered. */
+function gatherTexel(
+  mesh: TriangleMesh,
+  { cells, triangles, heights }: Visibility,
+  x: number,
+  y: number,
+  texel: number,
+  normals: Float32Array,
+  depths: Float32Array,
+): void {
+  const sum = normals.subarray(3 * texel, 3 * texel + 3);
+  let height = 0;
+  let covered = 0;
+  for (let j = y * SUPERSAMPLE; j < (y + 1) * SUPERSAMPLE; j++) {
+    for (let i = x * SUPERSAMPLE; i < (x + 1) * SUPERSAMPLE; i++) {
+      const triangle = triangles[j * cells + i];
+      if (triangle < 0) continue;
+      addNormal(mesh, triangle, i, j, cells, sum);
+      height += heights[j * cells + i];
+      covered++;
+    }
+  }
+  if (covered === 0) return;
+  depths[texel] = height / covered / (2 * PUFF_PAD);
+  normalise(sum);
+}
+
+/** Adds the unit normal of a triangle at the centre of cell (x, y). */
+function addNormal(
+  { positions, normals, indices }: TriangleMesh,
+  triangle: number,
+  x: number,
+  y: number,
+  cells: number,
+  sum: Float32Array,
+): void {
+  const a = 3 * indices[triangle];
+  const b = 3 * indices[triangle + 1];
+  const c = 3 * indices[triangle + 2];
+  const ax = toCells(positions[a], cells) - x;
+  const ay = toCells(positions[a + 1], cells) - y;
+  const bx = toCells(positions[b], cells) - x;
+  const by = toCells(positions[b + 1], cells) - y;
+  const cx = toCells(positions[c], cells) - x;
+  const cy = toCells(positions[c + 1], cells) - y;
+  const wa = bx * cy - by * cx;
+  const wb = cx * ay - cy * ax;
+  const wc = ax * by - ay * bx;
+  const nx = wa * normals[a] + wb * normals[b] + wc * normals[c];
+  const ny = wa * normals[a + 1] + wb * normals[b + 1] + wc * normals[c + 1];
+  const nz = wa * normals[a + 2] + wb * normals[b + 2] + wc * normals[c + 2];
+  const scale = 1 / Math.sqrt(nx * nx + ny * ny + nz * nz);
+  sum[0] += nx * scale;
+  sum[1] += ny * scale;
+  sum[2] += nz * scale;
+}
+
+function normalise(vector: Float32Array): void {
+  const [x, y, z] = vector;
+  const scale = 1 / Math.sqrt(x * x + y * y + z * z);
+  vector[0] = x * scale;
+  vector[1] = y * scale;
+  vector[2] = z * scale;
+}

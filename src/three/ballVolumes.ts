@@ -1,0 +1,82 @@
+import type { Object3D, WebGLRenderer } from 'three';
+import type { Device } from '../device/device.ts';
+import type { FrameView } from '../device/frameView.ts';
+import { PuffTextures } from '../device/puffTextures.ts';
+import { FRONT_AND_BACK, Instances } from '../instances/instances.ts';
+import { VolumesPass } from '../passes/volumes.ts';
+import { ParameterError } from '../preset/errors.ts';
+import type { PuffShape } from '../puffs/shapes.ts';
+import { ATTRIBUTE_WORDS, NO_END, type Rows } from '../sim/rows.ts';
+import { bakedPuffs } from '../smoke/bakedPuffs.ts';
+import type { BallAt } from './proxies.ts';
+import { isShown } from './shown.ts';
+
+/** The most balls that can stand in for what bends or is open. */
+const MAX_BALLS = 512;
+/** A puff of one lobe, which is a ball of the particle's radius. */
+const BALL: readonly PuffShape[] = [{ name: 'ball', lobes: [{ center: [0, 0, 0], radius: 1 }] }];
+/** N . L from which the host's materials are taken to be lit: a ball's volume begins behind all of it that is. */
+const LIT_THRESHOLD = 0;
+
+/** Balls that stand in for an object. */
+interface BallsOf {
+  readonly object: Object3D;
+  readonly balls: readonly BallAt[];
+}
+
+/** Shadow volumes of balls, by the particles' own shader: each is a puff of one lobe. */
+export class BallVolumes {
+  private readonly groups: BallsOf[] = [];
+  private count = 0;
+  private readonly puffs: PuffTextures;
+  private readonly rows = new Instances(MAX_BALLS, FRONT_AND_BACK);
+  private readonly volumes: VolumesPass;
+  private readonly place = new Float32Array(4 * MAX_BALLS);
+  // They may fall on anything of the host's scene.
+  private readonly attributes = new Uint32Array(ATTRIBUTE_WORDS * MAX_BALLS).map((_, word) =>
+    word % ATTRIBUTE_WORDS === 0 ? NO_END : 0,
+  );
+
+  constructor(device: Device, eye: FrameView) {
+    this.puffs = new PuffTextures(device.puffs, bakedPuffs(BALL));
+    this.volumes = new VolumesPass(eye, this.puffs, this.rows.geometry);
+    this.volumes.follow('lobes', LIT_THRESHOLD);
+  }
+
+  /** @throws ParameterError when there are too many */
+  add(balls: readonly BallAt[], object: Object3D): void {
+    const count = this.count + balls.length;
+    if (count > MAX_BALLS) throw new ParameterError('cast.proxies', count, `at most ${MAX_BALLS} balls in all`);
+    this.count = count;
+    this.groups.push({ object, balls });
+  }
+
+  /** @param scene of which the picture is: what is not in it or hidden throws no shadow */
+  draw(renderer: WebGLRenderer, scene: Object3D): void {
+    const balls = this.groups.flatMap((group) => (isShown(group.object, scene) ? group.balls : []));
+    if (balls.length === 0) return;
+    this.rows.fill(this.rowsOf(balls));
+    this.volumes.draw(renderer);
+  }
+
+  /** Lets go of what is on the device; what is drawn again gets it anew. */
+  release(): void {
+    this.rows.dispose();
+    this.volumes.dispose();
+  }
+
+  dispose(): void {
+    this.release();
+    this.puffs.dispose();
+  }
+
+  private rowsOf(balls: readonly BallAt[]): Rows {
+    const { place, attributes } = this;
+    balls.forEach((ballAt, index) => {
+      const { center, radius } = ballAt();
+      center.toArray(place, 4 * index);
+      place[4 * index + 3] = radius;
+    });
+    return { count: balls.length, place, attributes };
+  }
+}

@@ -1,0 +1,128 @@
+import {
+  Matrix4,
+  Quaternion,
+  Vector3,
+  type Mesh,
+  type Object3D,
+  type WebGLRenderer,
+  Box3,
+  type InstancedMesh,
+  type SkinnedMesh,
+} from 'three';
+import type { Device } from '../device/device.ts';
+import type { FrameView } from '../device/frameView.ts';
+import { MeshVolumesPass } from '../passes/meshVolumes.ts';
+import { ParameterError } from '../preset/errors.ts';
+import { BallVolumes } from './ballVolumes.ts';
+import { ballsOf, follow, type ProxyBall } from './proxies.ts';
+import { poseOf, scaleOf, trianglesOf, type Pose } from './shapes.ts';
+import { isShown } from './shown.ts';
+import { isBlended, materialsOf } from './materials.ts';
+
+const UNSCALED = new Vector3(1, 1, 1);
+
+/** A rigid closed mesh and its shadow volume. */
+interface MeshCaster {
+  mesh: Mesh;
+  volume: MeshVolumesPass;
+}
+
+/**
+ * What throws shadow volumes in the host's scene besides smoke: rigid closed meshes by their silhouettes; what is
+ * skinned, instanced or open by balls.
+ */
+export class HostCasters {
+  private readonly eye: FrameView;
+  private readonly meshes: MeshCaster[] = [];
+  private readonly balls: BallVolumes;
+
+  constructor(device: Device, eye: FrameView) {
+    this.eye = eye;
+    this.balls = new BallVolumes(device, eye);
+  }
+
+  /** @throws ParameterError when there is no mesh, when one is open and has no proxies, or when there are too many balls */
+  add(object: Object3D, proxies: readonly ProxyBall[] | undefined): void {
+    object.updateWorldMatrix(true, true);
+    if (proxies) return this.balls.add(proxies.map(follow), object);
+    const meshes: Mesh[] = [];
+    object.traverse((part) => ('isMesh' in part ? meshes.push(part as Mesh) : undefined));
+    if (meshes.length === 0)
+      throw new ParameterError('cast', object.name || object.type, 'an object with a mesh in it');
+    for (const mesh of meshes) this.addMesh(mesh);
+  }
+
+  /** Counts the volumes of meshes, which wrap, and then those of balls, which clamp as the particles' do. */
+  draw(renderer: WebGLRenderer, scene: Object3D): void {
+    const pose: Pose = poseScratch;
+    for (const { mesh, volume } of this.meshes) {
+      if (!isShown(mesh, scene)) continue;
+      poseOf(mesh.matrixWorld, pose);
+      volume.place(0, world.compose(pose.position, pose.rotation, UNSCALED));
+      volume.draw(renderer);
+    }
+    this.balls.draw(renderer, scene);
+  }
+
+  /** Lets go of what is on the device; what is drawn again gets it anew. */
+  release(): void {
+    for (const { volume } of this.meshes) volume.dispose();
+    this.balls.release();
+  }
+
+  dispose(): void {
+    this.release();
+    this.balls.dispose();
+  }
+
+  private addMesh(mesh: Mesh): void {
+    const balls = ballsOf(mesh);
+    if (balls.length > 0) return this.balls.add(balls, mesh);
+    const triangles = trianglesOf(mesh.geometry, scaleOf(mesh.matrixWorld));
+    try {
+      const surface = { name: mesh.name, mesh: triangles, color: [0, 0, 0], casts: true, inked: false } as const;
+      this.meshes.push({ mesh, volume: new MeshVolumesPass(this.eye, [surface]) });
+    } catch (error) {
+      if (error instanceof RangeError) throw openMesh(mesh);
+      throw error;
+    }
+  }
+}
+
+const world = new Matrix4();
+const poseScratch: Pose = { position: new Vector3(), rotation: new Quaternion() };
+
+function openMesh({ name, type }: Mesh): ParameterError {
+  return new ParameterError(
+    'cast',
+    name || type,
+    'a closed mesh (every edge joins two triangles) or an object with proxies: cast(mesh, { proxies })',
+  );
+}
+
+const scratch = new Box3();
+
+/** The box of all that is opaque in a scene, world space: beyond it no shadow can be seen. */
+export function receiversIn(scene: Object3D, into: Box3): Box3 {
+  into.makeEmpty();
+  scene.traverseVisible((object) => {
+    if (!('isMesh' in object)) return;
+    const mesh = object as Mesh;
+    if (materialsOf(mesh).some((material) => !isBlended(material))) into.union(boxOf(mesh, scratch));
+  });
+  return into;
+}
+
+/** As three.js bounds them for culling: deformed meshes by a sphere that they themselves keep. */
+function boxOf(mesh: Mesh, into: Box3): Box3 {
+  const deformed = mesh as Mesh &
+    Partial<Pick<SkinnedMesh | InstancedMesh, 'boundingSphere' | 'computeBoundingSphere'>>;
+  if (deformed.computeBoundingSphere) {
+    if (!deformed.boundingSphere) deformed.computeBoundingSphere();
+    deformed.boundingSphere!.getBoundingBox(into);
+  } else {
+    if (!mesh.geometry.boundingBox) mesh.geometry.computeBoundingBox();
+    into.copy(mesh.geometry.boundingBox!);
+  }
+  return into.applyMatrix4(mesh.matrixWorld);
+}

@@ -1,0 +1,124 @@
+import { Matrix4, Vector3, type Bone, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh } from 'three';
+import { ParameterError } from '../preset/errors.ts';
+
+/** A ball that stands in for a part of something that bends: it follows an object, such as a bone. */
+export interface ProxyBall {
+  follows: Object3D;
+  /** Its centre in the space of what it follows; the origin there when left out. */
+  center?: Vector3;
+  /** In the space of what it follows, which may be scaled. */
+  radius: number;
+}
+
+/** A capsule that stands in for a limb or a beam: a segment in the space of what it follows, and a radius. */
+export interface ProxyCapsule {
+  follows: Object3D;
+  from: Vector3;
+  to: Vector3;
+  radius: number;
+}
+
+/** Of its radius, how far apart the balls of a capsule stand at most: their outline dips by 3 % of the radius then. */
+const CAPSULE_PITCH = 0.5;
+
+/**
+ * A capsule as the balls that `cast` and `collide` take: a row without gaps.
+ * @throws ParameterError when the radius is not above 0
+ */
+export function capsule({ follows, from, to, radius }: ProxyCapsule): ProxyBall[] {
+  if (!(radius > 0)) throw new ParameterError('capsule.radius', radius, 'a length above 0');
+  const steps = Math.ceil(from.distanceTo(to) / (CAPSULE_PITCH * radius));
+  return Array.from({ length: steps + 1 }, (_, step) => ({
+    follows,
+    center: from.clone().lerp(to, steps > 0 ? step / steps : 0),
+    radius,
+  }));
+}
+
+/** A ball in world space. */
+export interface Ball {
+  center: Vector3;
+  radius: number;
+}
+
+/** Tells where a ball is now; the same object each time. */
+export type BallAt = () => Ball;
+
+/** Balls stay within the skin, where their shadows do not touch its lit side. */
+const FILLING = 0.9;
+/** A thin limb has no more balls than this and one. */
+const MAX_GAPS = 7;
+
+/** Follows a proxy through the world. */
+export function follow({ follows, center, radius }: ProxyBall): BallAt {
+  const ball = { center: new Vector3(), radius };
+  return () => {
+    if (center) ball.center.copy(center).applyMatrix4(follows.matrixWorld);
+    else ball.center.setFromMatrixPosition(follows.matrixWorld);
+    ball.radius = radius * follows.matrixWorld.getMaxScaleOnAxis();
+    return ball;
+  };
+}
+
+/** A ball for each instance of a mesh, as large as the mesh. */
+export function instanceBalls(mesh: InstancedMesh): BallAt[] {
+  if (!mesh.geometry.boundingSphere) mesh.geometry.computeBoundingSphere();
+  const sphere = mesh.geometry.boundingSphere!;
+  const world = new Matrix4();
+  return Array.from({ length: mesh.count }, (_, index) => {
+    const ball = { center: new Vector3(), radius: 0 };
+    return () => {
+      mesh.getMatrixAt(index, world);
+      world.premultiply(mesh.matrixWorld);
+      ball.center.copy(sphere.center).applyMatrix4(world);
+      ball.radius = sphere.radius * world.getMaxScaleOnAxis();
+      return ball;
+    };
+  });
+}
+
+/** Balls along each bone that moves some of the skin more than any other bone does, as thick as that. */
+export function boneBalls(mesh: SkinnedMesh): ProxyBall[] {
+  const parts = new Map<number, Vector3[]>();
+  const { position, skinIndex, skinWeight } = mesh.geometry.attributes;
+  for (let vertex = 0; vertex < position.count; ++vertex) {
+    const weights = [0, 1, 2, 3].map((slot) => skinWeight.getComponent(vertex, slot));
+    const bone = skinIndex.getComponent(vertex, weights.indexOf(Math.max(...weights)));
+    if (!parts.has(bone)) parts.set(bone, []);
+    const place = new Vector3().fromBufferAttribute(position, vertex).applyMatrix4(mesh.bindMatrix);
+    parts.get(bone)!.push(place.applyMatrix4(mesh.skeleton.boneInverses[bone]));
+  }
+  return [...parts].flatMap(([number, places]) => {
+    const bone = mesh.skeleton.bones[number];
+    return ballsAlong(places, axisOf(bone)).map((ball) => ({ follows: bone, ...ball }));
+  });
+}
+
+/** The balls that stand in for a mesh of which the parts move by themselves; none for one that is rigid. */
+export function ballsOf(mesh: Mesh): BallAt[] {
+  if ('isSkinnedMesh' in mesh) return boneBalls(mesh as SkinnedMesh).map(follow);
+  if ('isInstancedMesh' in mesh) return instanceBalls(mesh as InstancedMesh);
+  return [];
+}
+
+/** Where a bone leads: to its first child, or on from its parent. */
+function axisOf(bone: Bone): Vector3 {
+  const child = bone.children.find((each) => 'isBone' in each);
+  const axis = (child ?? bone).position.clone();
+  return axis.lengthSq() > 0 ? axis.normalize() : axis.set(0, 1, 0);
+}
+
+/** Balls in a row along an axis through the middle of some skin, each as thick as the skin is about it. */
+function ballsAlong(places: readonly Vector3[], axis: Vector3): Ball[] {
+  const middle = new Vector3();
+  for (const place of places) middle.addScaledVector(place, 1 / places.length);
+  const along = places.map((place) => place.clone().sub(middle).dot(axis));
+  const across = places.map((place, index) => place.distanceTo(middle.clone().addScaledVector(axis, along[index])));
+  const radius = (FILLING * across.reduce((sum, distance) => sum + distance, 0)) / places.length;
+  const [first, last] = [Math.min(...along) + radius, Math.max(...along) - radius];
+  const gaps = Math.min(MAX_GAPS, Math.max(0, Math.ceil((last - first) / radius)));
+  return Array.from({ length: gaps + 1 }, (_, ball) => {
+    const at = gaps === 0 ? (first + last) / 2 : first + ((last - first) * ball) / gaps;
+    return { center: middle.clone().addScaledVector(axis, at), radius };
+  });
+}

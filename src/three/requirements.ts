@@ -1,0 +1,46 @@
+import { LinearSRGBColorSpace, SRGBColorSpace, type Camera, type WebGLRenderer } from 'three';
+import { UnsupportedError } from '../preset/errors.ts';
+
+/**
+ * What smoke needs of a renderer for as long as that lives.
+ * @throws UnsupportedError that says what to create it with
+ */
+export function requireRenderer(renderer: WebGLRenderer): void {
+  if (!('isWebGLRenderer' in renderer)) throw new UnsupportedError('Smoke needs a WebGLRenderer of three.js.');
+  if (renderer.capabilities.logarithmicDepthBuffer)
+    throw new UnsupportedError(
+      'Smoke cannot use a logarithmic depth buffer: create the renderer without logarithmicDepthBuffer.',
+    );
+  const attributes = renderer.getContext().getContextAttributes();
+  if (attributes?.stencil && attributes.depth) return;
+  throw new UnsupportedError('Smoke needs stencil and depth: create the renderer with { stencil: true, depth: true }.');
+}
+
+/**
+ * Why smoke cannot be drawn where the renderer draws just now; undefined when it can.
+ * A render target is judged like the canvas, for the renderer may draw into another one next.
+ */
+export function requirementError(renderer: WebGLRenderer, camera: Camera): UnsupportedError | undefined {
+  const target = renderer.getRenderTarget();
+  if (renderer.xr.isPresenting) return new UnsupportedError('Smoke cannot be drawn in an XR session.');
+  // The cameras of an array carry a viewport of their own, which drawing in between would lose.
+  if ('viewport' in camera && camera.viewport)
+    return new UnsupportedError('Smoke cannot be drawn by an ArrayCamera: render with one camera at a time.');
+  if (target && !(target.stencilBuffer && target.depthBuffer))
+    return new UnsupportedError(
+      'Smoke needs stencil and depth: create the render target with { stencilBuffer: true }, or hide smoke from its camera with layers.',
+    );
+  if (target && target.textures.length > 1)
+    return new UnsupportedError('Smoke cannot be drawn into a render target with several textures.');
+  const { outputColorSpace } = renderer;
+  if (outputColorSpace !== SRGBColorSpace && outputColorSpace !== LinearSRGBColorSpace)
+    return new UnsupportedError(
+      `renderer.outputColorSpace cannot be ${outputColorSpace}: smoke needs SRGBColorSpace or LinearSRGBColorSpace.`,
+    );
+  return undefined;
+}
+
+/** Whether the picture that is drawn just now holds linear colour, as render targets do, instead of display-encoded. */
+export function isLinearPicture(renderer: WebGLRenderer): boolean {
+  return renderer.getRenderTarget() !== null || renderer.outputColorSpace === LinearSRGBColorSpace;
+}

@@ -1,0 +1,155 @@
+/** The built site on a plain host: from a folder deep inside, packed by gzip, under a strict Content-Security-Policy. */
+import { cpSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { Page } from '@playwright/test';
+import { expect, test } from '../support/fixtures.ts';
+import { serveStrictly, type SiteServer } from '../support/plainPage.ts';
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+const WISP = '#v=1&preset=wisp&simulation.maxParticles=500';
+
+let folder: string;
+let server: SiteServer;
+
+test.beforeEach(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'cartoon-smoke-site-'));
+  cpSync(join(ROOT, 'dist'), folder, { recursive: true });
+  server = await serveStrictly(folder);
+});
+test.afterEach(async ({ page }) => {
+  // Before its server: what it still fetches would fail, and it would complain.
+  await page.close();
+  await server.close();
+  rmSync(folder, { recursive: true });
+});
+
+test('runs from any folder, because its addresses are relative', async ({ page }) => {
+  const missing: string[] = [];
+  page.on('response', (response) => response.status() >= 400 && missing.push(response.url()));
+  await page.goto(`${server.address}#v=1&preset=lamp&emission.rate=40&simulation.maxParticles=500`);
+  await smokes(page);
+  expect(missing).toEqual([]);
+});
+
+test('says whose work it holds, under which licence, and where the source of it is', async ({ page }) => {
+  await page.goto(`${server.address}?paused=1${WISP}`);
+  await page.getByRole('button', { name: 'Help' }).click();
+  const link = page.getByRole('link', { name: 'Third-party licences' });
+  const answer = await page.request.get(new URL((await link.getAttribute('href'))!, server.address).href);
+  const text = await answer.text();
+  // Bundled, fetched on demand, of an example, and linked into the WASM.
+  for (const name of ['three', 'mediabunny', 'gifenc', 'react-dom', 'rapier3d', 'glam']) {
+    expect(text).toMatch(new RegExp(`^${name} \\d+\\.\\d+\\.\\d+ \\([^\n]+\\)\nhttps://`, 'm'));
+  }
+  expect(text).toContain('(MPL-2.0)\nhttps://github.com/Vanilagy/mediabunny.git');
+  expect(text).toContain('Mozilla Public License Version 2.0');
+});
+
+/** Kilobytes of JavaScript and WASM, as they come over the wire, that may come before the first smoke. */
+const LIMITS = { wisp: 400, lamp: 900 };
+
+test.describe('before its first smoke', () => {
+  // It fetches after that, and what it fetches is not meant here.
+  test.use({ serviceWorkers: 'block' });
+
+  for (const [preset, limit] of Object.entries(LIMITS)) {
+    test(`${preset} fetches at most ${limit} kB of code`, async ({ page }) => {
+      await page.goto(`${server.address}?paused=1#v=1&preset=${preset}`);
+      await page.waitForFunction(() => window.cartoonSmoke !== undefined);
+      const needed = (await fetched(page)).filter((file) => /\.(js|wasm)$/.test(file));
+      const sent = server.sent.filter(({ file }) => needed.includes(file));
+      expect(sent.reduce((sum, { bytes }) => sum + bytes, 0) / 1000).toBeLessThan(limit);
+      // What only some people ever need.
+      const names = needed.join(' ');
+      for (const rarity of ['GLTFLoader', 'OBJLoader', 'paper', 'draco']) expect(names).not.toContain(rarity);
+      expect(names).not.toContain(preset === 'wisp' ? 'lamp-' : 'wisp-');
+    });
+  }
+});
+
+test.describe('without a network', () => {
+  test.use({ allowed: /ERR_CONNECTION_REFUSED/ });
+
+  test('what was looked at once works again', async ({ page }) => {
+    await page.goto(`${server.address}${WISP}`);
+    await isCached(page, 'bindings_bg');
+    await server.close();
+    await page.reload();
+    await smokes(page);
+  });
+});
+
+test('a new version is offered, takes over when asked to, and leaves nothing of the old one behind', async ({
+  page,
+}) => {
+  await page.goto(`${server.address}${WISP}`);
+  await isCached(page, 'main-');
+  const [before, after] = renameMain(folder);
+  await page.reload();
+  await page.evaluate(() => Object.assign(window, { isOld: true }));
+  await page.getByRole('button', { name: 'Reload' }).click();
+  await page.waitForFunction(() => !('isOld' in window));
+  await smokes(page);
+  await isCached(page, after);
+  expect((await cached(page)).join(' ')).not.toContain(before);
+  await expect(page.getByRole('button', { name: 'Reload' })).toBeHidden();
+});
+
+test('a new version is offered that the browser has found before the page looks for one', async ({ page }) => {
+  await page.goto(`${server.address}${WISP}`);
+  await isCached(page, 'main-');
+  renameMain(folder);
+  await page.addInitScript(() => {
+    const register = navigator.serviceWorker.register.bind(navigator.serviceWorker);
+    navigator.serviceWorker.register = async (...given) => {
+      const registration = await register(...given);
+      const found = new Promise((resolve) => registration.addEventListener('updatefound', resolve, { once: true }));
+      void registration.update();
+      if (!registration.installing && !registration.waiting) await found;
+      return registration;
+    };
+  });
+  await page.reload();
+  await expect(page.getByRole('button', { name: 'Reload' })).toBeVisible();
+});
+
+/** Waits for it, also where the page is about to be another. */
+async function smokes(page: Page): Promise<void> {
+  await page.waitForFunction(() => (window.cartoonSmoke?.stats.alive ?? 0) > 0);
+}
+
+/** What the page has fetched so far, relative to its folder. */
+function fetched(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const base = new URL('.', location.href).href;
+    return performance.getEntriesByType('resource').map(({ name }) => name.slice(base.length));
+  });
+}
+
+async function isCached(page: Page, file: string): Promise<void> {
+  await expect.poll(async () => (await cached(page)).join(' ')).toContain(file);
+}
+
+/** What the service worker has kept. A reload on the way answers with nothing. */
+async function cached(page: Page): Promise<string[]> {
+  const list = page.evaluate(async () => {
+    const keys = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
+    return keys.flat().map(({ url }) => url);
+  });
+  return list.catch(() => []);
+}
+
+/** Publishes the site anew with another name for the page's main chunk. */
+function renameMain(site: string): [before: string, after: string] {
+  const before = readdirSync(join(site, 'assets')).find((name) => /^main-.+\.js$/.test(name))!;
+  const after = 'main-Another1.js';
+  renameSync(join(site, 'assets', before), join(site, 'assets', after));
+  const naming = ['index.html', 'sw.js', ...readdirSync(join(site, 'assets')).map((name) => `assets/${name}`)];
+  for (const name of naming.filter((each) => /\.(html|js)$/.test(each))) {
+    const text = readFileSync(join(site, name), 'utf8');
+    if (text.includes(before)) writeFileSync(join(site, name), text.replaceAll(before, after));
+  }
+  return [before, after];
+}

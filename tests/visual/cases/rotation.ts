@@ -1,0 +1,80 @@
+/** Puffs that turn by little while time stands still: how much of the picture changes, and whether it is the right one. */
+import { PerspectiveCamera } from 'three';
+import type { Drawn } from '../../support/reference.ts';
+import { describe } from '../description.ts';
+import { inputOf, Lab, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
+
+export type RotationKind = 'orbit' | 'roll';
+
+/** Shares of what smoke covers that change from one picture to the next. */
+export interface RotationReport {
+  /** The largest and the mean over all steps. */
+  largest: number;
+  mean: number;
+  /** Fewest pixels that smoke covers. */
+  covered: number;
+}
+
+const SIZE = 200;
+const TOWARDS_LIGHT = [0.5, 0.8, 0.6] as const;
+/** Two puffs that run into each other: their seam tells depths, three tones normals, and there is ink inside and round. */
+const PUFFS: readonly LabPuff[] = [
+  { place: [-0.25, 0.05, 0.1], radius: 0.7, variation: 0, seed: 90, roll: 2 },
+  { place: [0.4, -0.1, -0.15], radius: 0.6, variation: 1, seed: 17, roll: 5, tint: 1 },
+];
+
+/** Turns the camera round the puffs, or each puff about its own axis, by steps of some degrees. */
+export function rotating(by: RotationKind, degrees: number, steps: number): RotationReport {
+  const lab = new Lab(sceneAt(by, 0));
+  const report = { largest: 0, mean: 0, covered: Infinity };
+  let before = lab.draw(sceneAt(by, 0));
+  for (let step = 1; step <= steps; step++) {
+    const now = lab.draw(sceneAt(by, step * degrees));
+    const covered = now.pixels.filter((value, index) => index % 4 === 3 && value > 0).length;
+    const share = differing(before, now) / covered;
+    report.largest = Math.max(report.largest, share);
+    report.mean += share / steps;
+    report.covered = Math.min(report.covered, covered);
+    before = now;
+  }
+  lab.dispose();
+  return report;
+}
+
+/** What is seen at some angles, to be compared with the reference. */
+export function rotated(by: RotationKind, angles: readonly number[]): Drawn[] {
+  const lab = new Lab(sceneAt(by, 0));
+  const pictures = angles.map((degrees) => {
+    const scene = sceneAt(by, degrees);
+    const { pixels, counts } = lab.draw({ ...scene, readCounts: true });
+    return {
+      description: describe({ input: inputOf(scene), surfaces: [] }),
+      pixels: base64(pixels),
+      counts: base64(counts),
+    };
+  });
+  lab.dispose();
+  return pictures;
+}
+
+function sceneAt(by: RotationKind, degrees: number): LabScene {
+  const angle = (degrees * Math.PI) / 180;
+  const puffs = by === 'orbit' ? PUFFS : PUFFS.map((puff) => ({ ...puff, roll: puff.roll! + angle }));
+  const camera = new PerspectiveCamera(32, 1, 0.1, 50);
+  const azimuth = by === 'orbit' ? angle : 0;
+  camera.position.set(4 * Math.sin(azimuth), 1, 4 * Math.cos(azimuth));
+  camera.lookAt(0, 0, 0);
+  camera.updateMatrixWorld();
+  return { width: SIZE, height: SIZE, puffs, camera, towardsLight: TOWARDS_LIGHT, style: { tones: 3, innerLine: 0.3 } };
+}
+
+function differing(a: LabPicture, b: LabPicture): number {
+  const [from, to] = [a, b].map(({ pixels }) => new Uint32Array(pixels.buffer));
+  return from.reduce((count, pixel, index) => count + (pixel === to[index] ? 0 : 1), 0);
+}
+
+function base64(bytes: Uint8Array): string {
+  let text = '';
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return btoa(text);
+}
