@@ -10,8 +10,9 @@ const EMBED = isLong ? '**/e2e/embed.*.long.spec.ts' : '**/e2e/embed.*.spec.ts';
 const SITE = isLong ? '**/tests/site/*.long.spec.ts' : '**/tests/site/*.spec.ts';
 
 const ignored = isLong ? [] : [LONG];
-// A quarter of the pixels: what is looked at is the page, and where the picture counts tests ask for all.
-const fewPixels = { deviceScaleFactor: 0.5 };
+// What these tests check is the page. Where the picture counts, they ask for all pixels.
+const fewPixels = { deviceScaleFactor: 0.25 };
+const halfThePixels = { deviceScaleFactor: 0.5 };
 // Letters and boxes, and pixels on their way to be read, are drawn sooner by the page itself than by SwiftShader. What is
 // drawn with WebGL stays as it is.
 const plainCanvases = ['--disable-gpu-rasterization', '--disable-accelerated-2d-canvas'];
@@ -51,7 +52,7 @@ export default defineConfig<object, WorkerOptions>({
       use: { ...fewPixels, showsBuiltSite: true, serviceWorkers: 'block' },
     },
     // Pages of other people, with what npm and CDNs would give them.
-    { name: 'embed', testMatch: EMBED, testIgnore: ignored, ...builtFirst },
+    { name: 'embed', testMatch: EMBED, testIgnore: ignored, ...builtFirst, use: halfThePixels },
   ],
   reporter: 'list',
   use: {

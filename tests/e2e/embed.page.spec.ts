@@ -106,57 +106,61 @@ test('a link to a moment finds the page in the smoke all the way there, whether 
   expect(await arrived()).toBe(hash);
 });
 
-test('no smoke is drawn where a box of the page stands, and some is around it', async ({ page, openPage }) => {
-  await openPage(`<cartoon-smoke ${AIR} paused start="5" collide="button" emit-from="#fire"></cartoon-smoke>
-    ${box('a', 260, 160, 120, 60)}<i id="fire" style="position: absolute; left: 300px; top: 420px; width: 40px; height: 10px"></i>`);
-  await stands(page);
-  const covered = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
-    const picture = await createImageBitmap(await smoke.picture());
-    const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d')!;
-    context.drawImage(picture, 0, 0);
-    const share = (x: number, y: number, width: number, height: number) => {
-      const { data } = context.getImageData(x, y, width, height);
-      return data.filter((value, index) => index % 4 === 3 && value > 0).length / (width * height);
-    };
-    // Puffs may stand over its edge by their radius: their middles may not.
-    return { within: share(280, 175, 40, 10), below: share(200, 220, 200, 190) };
-  });
-  expect(covered.within).toBe(0);
-  expect(covered.below).toBeGreaterThan(0.1);
-});
+test.describe('with all pixels', () => {
+  test.use({ deviceScaleFactor: 1 });
 
-test('what is transparent lets the page through by its alpha', async ({ page, openPage }) => {
-  await openPage(
-    `<cartoon-smoke preset="wisp" simulation-max-particles="300" thread="main" transparent paused start="4"
-      style="position: absolute; inset: 0 auto auto 0; width: 200px; height: 150px"></cartoon-smoke>`,
-    { style: 'body { background: rgb(40, 160, 90) } cartoon-smoke::part(button) { visibility: hidden }' },
-  );
-  await stands(page);
-  const screenshot = await page.screenshot({ clip: { x: 0, y: 0, width: 200, height: 150 } });
-  const report = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement, shown) => {
-    const read = async (blob: Blob) => {
-      const picture = await createImageBitmap(blob, { premultiplyAlpha: 'none' });
-      const context = new OffscreenCanvas(200, 150).getContext('2d')!;
+  test('no smoke is drawn where a box of the page stands, and some is around it', async ({ page, openPage }) => {
+    await openPage(`<cartoon-smoke ${AIR} paused start="5" collide="button" emit-from="#fire"></cartoon-smoke>
+      ${box('a', 260, 160, 120, 60)}<i id="fire" style="position: absolute; left: 300px; top: 420px; width: 40px; height: 10px"></i>`);
+    await stands(page);
+    const covered = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
+      const picture = await createImageBitmap(await smoke.picture());
+      const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d')!;
       context.drawImage(picture, 0, 0);
-      return context.getImageData(0, 0, 200, 150).data;
-    };
-    const bytes = Uint8Array.from(atob(shown), (letter) => letter.charCodeAt(0));
-    const [own, seen] = [await read(await smoke.picture()), await read(new Blob([bytes]))];
-    const behind = [40, 160, 90];
-    const kinds = { clear: 0, solid: 0, between: 0, farthest: 0 };
-    for (let pixel = 0; pixel < own.length; pixel += 4) {
-      const alpha = own[pixel + 3] / 255;
-      kinds[alpha === 0 ? 'clear' : alpha === 1 ? 'solid' : 'between'] += 1;
-      for (let channel = 0; channel < 3; ++channel) {
-        const expected = own[pixel + channel] * alpha + behind[channel] * (1 - alpha);
-        kinds.farthest = Math.max(kinds.farthest, Math.abs(seen[pixel + channel] - expected));
+      const share = (x: number, y: number, width: number, height: number) => {
+        const { data } = context.getImageData(x, y, width, height);
+        return data.filter((value, index) => index % 4 === 3 && value > 0).length / (width * height);
+      };
+      // Puffs may stand over its edge by their radius: their middles may not.
+      return { within: share(280, 175, 40, 10), below: share(200, 220, 200, 190) };
+    });
+    expect(covered.within).toBe(0);
+    expect(covered.below).toBeGreaterThan(0.1);
+  });
+
+  test('what is transparent lets the page through by its alpha', async ({ page, openPage }) => {
+    await openPage(
+      `<cartoon-smoke preset="wisp" simulation-max-particles="300" thread="main" transparent paused start="4"
+        style="position: absolute; inset: 0 auto auto 0; width: 200px; height: 150px"></cartoon-smoke>`,
+      { style: 'body { background: rgb(40, 160, 90) } cartoon-smoke::part(button) { visibility: hidden }' },
+    );
+    await stands(page);
+    const screenshot = await page.screenshot({ clip: { x: 0, y: 0, width: 200, height: 150 } });
+    const report = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement, shown) => {
+      const read = async (blob: Blob) => {
+        const picture = await createImageBitmap(blob, { premultiplyAlpha: 'none' });
+        const context = new OffscreenCanvas(200, 150).getContext('2d')!;
+        context.drawImage(picture, 0, 0);
+        return context.getImageData(0, 0, 200, 150).data;
+      };
+      const bytes = Uint8Array.from(atob(shown), (letter) => letter.charCodeAt(0));
+      const [own, seen] = [await read(await smoke.picture()), await read(new Blob([bytes]))];
+      const behind = [40, 160, 90];
+      const kinds = { clear: 0, solid: 0, between: 0, farthest: 0 };
+      for (let pixel = 0; pixel < own.length; pixel += 4) {
+        const alpha = own[pixel + 3] / 255;
+        kinds[alpha === 0 ? 'clear' : alpha === 1 ? 'solid' : 'between'] += 1;
+        for (let channel = 0; channel < 3; ++channel) {
+          const expected = own[pixel + channel] * alpha + behind[channel] * (1 - alpha);
+          kinds.farthest = Math.max(kinds.farthest, Math.abs(seen[pixel + channel] - expected));
+        }
       }
-    }
-    return kinds;
-  }, screenshot.toString('base64'));
-  for (const kind of ['clear', 'solid', 'between'] as const) expect(report[kind]).toBeGreaterThan(50);
-  // Both pictures are rounded, and the one of its own is taken apart by its alpha.
-  expect(report.farthest).toBeLessThan(4);
+      return kinds;
+    }, screenshot.toString('base64'));
+    for (const kind of ['clear', 'solid', 'between'] as const) expect(report[kind]).toBeGreaterThan(50);
+    // Both pictures are rounded, and the one of its own is taken apart by its alpha.
+    expect(report.farthest).toBeLessThan(4);
+  });
 });
 
 test('smoke rises from what is hovered, what the keyboard is on, and from nothing else', async ({ page, openPage }) => {

@@ -155,27 +155,31 @@ test('draws sixty pictures a second on a screen that shows four times as many', 
   expect(drawn.steps).toBeGreaterThan(55);
 });
 
-test('has as many pixels as the screen when the page is zoomed while it plays', async ({ page, openPage }) => {
-  await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
-  await stands(page);
-  const smoke = page.locator('cartoon-smoke');
-  const size = () =>
-    smoke.evaluate(async (element) => {
-      const canvas = element.shadowRoot!.querySelector('canvas')!;
-      const { width, height } = await createImageBitmap(canvas);
-      return [width, height, canvas.clientWidth];
-    });
-  const session = await page.context().newCDPSession(page);
-  for (const zoom of [1, 2, 1.25]) {
-    // As zooming does it: there are fewer CSS pixels, and each has more of the screen's.
-    const [width, height] = [640 / zoom, 360 / zoom];
-    const metrics = { width, height, mobile: false, deviceScaleFactor: zoom };
-    await session.send('Emulation.setDeviceMetricsOverride', metrics);
-    await expect.poll(size).toEqual([200 * zoom, Math.round(150 * zoom), 200]);
-  }
-  const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
-  const before = await steps();
-  await expect.poll(steps).toBeGreaterThan(before);
+test.describe('with all pixels', () => {
+  test.use({ deviceScaleFactor: 1 });
+
+  test('has as many pixels as the screen when the page is zoomed while it plays', async ({ page, openPage }) => {
+    await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
+    await stands(page);
+    const smoke = page.locator('cartoon-smoke');
+    const size = () =>
+      smoke.evaluate(async (element) => {
+        const canvas = element.shadowRoot!.querySelector('canvas')!;
+        const { width, height } = await createImageBitmap(canvas);
+        return [width, height, canvas.clientWidth];
+      });
+    const session = await page.context().newCDPSession(page);
+    for (const zoom of [1, 2, 1.25]) {
+      // As zooming does it: there are fewer CSS pixels, and each has more of the screen's.
+      const [width, height] = [640 / zoom, 360 / zoom];
+      const metrics = { width, height, mobile: false, deviceScaleFactor: zoom };
+      await session.send('Emulation.setDeviceMetricsOverride', metrics);
+      await expect.poll(size).toEqual([200 * zoom, Math.round(150 * zoom), 200]);
+    }
+    const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
+    const before = await steps();
+    await expect.poll(steps).toBeGreaterThan(before);
+  });
 });
 
 test('survives nothing, being hidden, a shadow tree, a dialog and a table cell', async ({ page, openPage }) => {

@@ -125,7 +125,7 @@ test('a moment that cannot be shown leaves the look, and a notice', async ({ pag
   });
   const tooMany = await packBytes(Uint8Array.from(bytes));
   for (const [take, message] of [
-    [tooMany, 'it has 60000 particles. The limit for links is 50000.'],
+    [tooMany, 'it needs room for 60000 particles. The limit for links is 50000.'],
     ['AAAA', 'The moment in the link is damaged'],
     ['AwA', 'The moment in the link cannot be shown'],
   ]) {
