@@ -10,25 +10,25 @@ mod with_rapier {
     use sim::rigids::{Grab, JointDescription, Path, RigidDescription, RigidNumbers, Rigids, pose_of};
     use wasm_bindgen::JsValue;
 
-    use crate::refusal::parameter_refusal;
+    use crate::error::parameter_error;
 
     pub fn add(rigids: &mut Rigids, numbers: &RigidNumbers) -> Result<u32, JsValue> {
-        let description = RigidDescription::from_numbers(numbers).map_err(parameter_refusal)?;
-        rigids.add(description).map_err(parameter_refusal)
+        let description = RigidDescription::from_numbers(numbers).map_err(parameter_error)?;
+        rigids.add(description).map_err(parameter_error)
     }
 
     pub fn move_to(rigids: &mut Rigids, index: u32, pose: &[f32]) -> Result<(), JsValue> {
-        let pose = pose_of(pose).map_err(parameter_refusal)?;
-        rigids.move_to(index, pose).map_err(parameter_refusal)
+        let pose = pose_of(pose).map_err(parameter_error)?;
+        rigids.move_to(index, pose).map_err(parameter_error)
     }
 
     pub fn set_path(rigids: &mut Rigids, index: u32, numbers: &[f32]) -> Result<(), JsValue> {
-        let path = Path::from_numbers(numbers).map_err(parameter_refusal)?;
-        rigids.set_path(index, path).map_err(parameter_refusal)
+        let path = Path::from_numbers(numbers).map_err(parameter_error)?;
+        rigids.set_path(index, path).map_err(parameter_error)
     }
 
     pub fn set_spin(rigids: &mut Rigids, index: u32, axis: [f32; 3], rate: f32) -> Result<(), JsValue> {
-        rigids.set_spin(index, axis, rate).map_err(parameter_refusal)
+        rigids.set_spin(index, axis, rate).map_err(parameter_error)
     }
 
     pub fn drag(
@@ -38,23 +38,23 @@ mod with_rapier {
         target: [f32; 3],
         stiffness: f32,
     ) -> Result<(), JsValue> {
-        let grab = Grab::from_numbers(anchor, target, stiffness).map_err(parameter_refusal)?;
-        rigids.drag(index, grab).map_err(parameter_refusal)
+        let grab = Grab::from_numbers(anchor, target, stiffness).map_err(parameter_error)?;
+        rigids.drag(index, grab).map_err(parameter_error)
     }
 
     pub fn join(rigids: &mut Rigids, numbers: &[f32]) -> Result<u32, JsValue> {
-        let joint = JointDescription::from_numbers(numbers).map_err(parameter_refusal)?;
-        rigids.add_joint(&joint).map_err(parameter_refusal)
+        let joint = JointDescription::from_numbers(numbers).map_err(parameter_error)?;
+        rigids.add_joint(&joint).map_err(parameter_error)
     }
 
     pub fn release(rigids: &mut Rigids, index: u32) -> Result<(), JsValue> {
-        rigids.release(index).map_err(parameter_refusal)
+        rigids.release(index).map_err(parameter_error)
     }
 }
 
 #[cfg(not(feature = "rigids"))]
 pub fn without_rapier() -> JsValue {
-    crate::refusal::plain_refusal("This simulator has no rigids: use loadSimulators({ physics: true }).")
+    crate::error::plain_error("This simulator has no rigids: use loadSimulators({ physics: true }).")
 }
 
 #[wasm_bindgen]

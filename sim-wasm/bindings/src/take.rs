@@ -3,7 +3,7 @@
 use sim::take::{BlowNumbers, Take};
 use wasm_bindgen::prelude::*;
 
-use crate::refusal::{Object, parameter_refusal, plain_refusal};
+use crate::error::{Object, parameter_error, plain_error};
 use crate::simulator::Simulator;
 
 #[wasm_bindgen]
@@ -17,13 +17,13 @@ impl Simulator {
     #[wasm_bindgen(js_name = inputValues)]
     pub fn input_values(&mut self, keys: &str, values: &[f64]) -> Result<(), JsValue> {
         let pairs: Vec<(&str, f64)> = keys.lines().zip(values.iter().copied()).collect();
-        self.simulator.input_values(&pairs).map_err(parameter_refusal)
+        self.simulator.input_values(&pairs).map_err(parameter_error)
     }
 
     /// An input: another capacity.
     #[wasm_bindgen(js_name = inputCapacity)]
     pub fn input_capacity(&mut self, capacity: u32) -> Result<(), JsValue> {
-        self.simulator.input_capacity(capacity).map_err(parameter_refusal)
+        self.simulator.input_capacity(capacity).map_err(parameter_error)
     }
 
     /// An input: a kinematic rigid is sent to, or a dynamic one put at, x, y, z and the quaternion x, y, z, w.
@@ -32,8 +32,8 @@ impl Simulator {
     pub fn input_pose(&mut self, rigid: u32, pose: &[f64]) -> Result<(), JsValue> {
         #[cfg(feature = "rigids")]
         return match pose.try_into() {
-            Ok(numbers) => self.simulator.input_pose(rigid, numbers).map_err(parameter_refusal),
-            Err(_) => Err(plain_refusal("a pose has seven numbers")),
+            Ok(numbers) => self.simulator.input_pose(rigid, numbers).map_err(parameter_error),
+            Err(_) => Err(plain_error("a pose has seven numbers")),
         };
         #[cfg(not(feature = "rigids"))]
         Err(crate::rigids::without_rapier())
@@ -45,8 +45,8 @@ impl Simulator {
     pub fn input_drag(&mut self, rigid: u32, numbers: &[f64]) -> Result<(), JsValue> {
         #[cfg(feature = "rigids")]
         return match numbers.try_into() {
-            Ok(numbers) => self.simulator.input_drag(rigid, numbers).map_err(parameter_refusal),
-            Err(_) => Err(plain_refusal("a drag has seven numbers")),
+            Ok(numbers) => self.simulator.input_drag(rigid, numbers).map_err(parameter_error),
+            Err(_) => Err(plain_error("a drag has seven numbers")),
         };
         #[cfg(not(feature = "rigids"))]
         Err(crate::rigids::without_rapier())
@@ -57,7 +57,7 @@ impl Simulator {
     #[wasm_bindgen(js_name = inputRelease)]
     pub fn input_release(&mut self, rigid: u32) -> Result<(), JsValue> {
         #[cfg(feature = "rigids")]
-        return self.simulator.input_release(rigid).map_err(parameter_refusal);
+        return self.simulator.input_release(rigid).map_err(parameter_error);
         #[cfg(not(feature = "rigids"))]
         Err(crate::rigids::without_rapier())
     }
@@ -65,14 +65,14 @@ impl Simulator {
     /// An input: a channel gets a value.
     #[wasm_bindgen(js_name = inputSteer)]
     pub fn input_steer(&mut self, channel: u32, value: f64) -> Result<(), JsValue> {
-        self.simulator.input_steer(channel, value).map_err(parameter_refusal)
+        self.simulator.input_steer(channel, value).map_err(parameter_error)
     }
 
     /// An input: a blow, as eleven numbers: origin, ray, velocity, radius and seconds.
     #[wasm_bindgen(js_name = inputBlow)]
     pub fn input_blow(&mut self, numbers: &[f64]) -> Result<(), JsValue> {
         let Ok([ox, oy, oz, rx, ry, rz, vx, vy, vz, radius, seconds]) = <[f64; 11]>::try_from(numbers) else {
-            return Err(plain_refusal("a blow has eleven numbers"));
+            return Err(plain_error("a blow has eleven numbers"));
         };
         let blow = BlowNumbers {
             origin: [ox, oy, oz],
@@ -81,7 +81,7 @@ impl Simulator {
             radius,
             seconds,
         };
-        self.simulator.input_blow(&blow).map_err(parameter_refusal)
+        self.simulator.input_blow(&blow).map_err(parameter_error)
     }
 
     /// What a channel was steered to.
@@ -91,21 +91,19 @@ impl Simulator {
 
     /// The take so far as bytes.
     pub fn take(&self, note: &str) -> Result<Vec<u8>, JsValue> {
-        self.simulator.take(note).map_err(|error| plain_refusal(&error.message))
+        self.simulator.take(note).map_err(|error| plain_error(&error.message))
     }
 
     /// Goes to the start of a take.
     pub fn replay(&mut self, take: &[u8]) -> Result<(), JsValue> {
-        self.simulator
-            .replay(take)
-            .map_err(|error| plain_refusal(&error.message))
+        self.simulator.replay(take).map_err(|error| plain_error(&error.message))
     }
 
     /// Goes to a state that `save` gave within the take, or to its start.
     pub fn rewind(&mut self, state: Option<Vec<u8>>) -> Result<(), JsValue> {
         self.simulator
             .rewind(state.as_deref())
-            .map_err(|error| plain_refusal(&error.message))
+            .map_err(|error| plain_error(&error.message))
     }
 
     /// Inputs of the take that have been done.
@@ -168,10 +166,10 @@ impl Simulator {
 /// What a take says of itself: `{ seed, mostParticles, start, end, inputs, isFresh, isExact, isTruncated, note }`.
 #[wasm_bindgen(js_name = readTake)]
 pub fn read_take(bytes: &[u8]) -> Result<JsValue, JsValue> {
-    let take = Take::parse(bytes).map_err(|error| plain_refusal(&error.message))?;
+    let take = Take::parse(bytes).map_err(|error| plain_error(&error.message))?;
     let numbers = [
         ("seed", f64::from(take.origin.seed)),
-        ("mostParticles", f64::from(take.most_particles())),
+        ("mostParticles", f64::from(take.max_particles())),
         ("start", take.origin.step as f64),
         ("end", take.end as f64),
         ("inputs", take.log.len() as f64),

@@ -9,7 +9,7 @@ const CAPACITY: u32 = 64;
 /// Steps that must go well after something was taken.
 const STEPS: usize = 3;
 /// Longer configurations find nothing more, and each entry costs a look at the whole state.
-const MOST_ENTRIES: usize = 48;
+const MAX_ENTRIES: usize = 48;
 /// What most configurations begin with, so that there is smoke to go wrong.
 const LIVELY: &[(&str, f64)] = &[
     ("emission.rate", 400.0),
@@ -60,7 +60,7 @@ impl Running {
 
     /// Ten bytes each: two choose a key and the item of a list, eight are the value.
     pub fn configure(&mut self, bytes: &[u8]) {
-        for entry in bytes.as_chunks::<10>().0.iter().take(MOST_ENTRIES) {
+        for entry in bytes.as_chunks::<10>().0.iter().take(MAX_ENTRIES) {
             let [a, b, value @ ..] = *entry;
             let choice = usize::from(u16::from_le_bytes([a, b]));
             let key = self.keys[choice / 8 % self.keys.len()].replace('#', &(choice % 8).to_string());

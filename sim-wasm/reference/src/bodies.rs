@@ -3,12 +3,12 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
+use crate::attributes::PackedAttributes;
 use crate::billboards::Billboards;
 use crate::contact::{Ground, Ring};
 use crate::ink::{self, Line};
 use crate::light::Light;
 use crate::lobes::Lobes;
-use crate::look::Look;
 use crate::ray::{Camera, Ray};
 use crate::scene::{Row, Scene, Style};
 use crate::shade::{Along, Shade, gradient_factor};
@@ -16,7 +16,7 @@ use crate::shade::{Along, Shade, gradient_factor};
 pub struct Body<'a> {
     scene: &'a Scene,
     row: Row,
-    look: Look,
+    attributes: PackedAttributes,
     puff: Puff<'a>,
     /// In view space.
     center: DVec3,
@@ -67,7 +67,7 @@ impl<'a> Body<'a> {
         light: &Light,
         row: Row,
     ) -> Option<Self> {
-        let look = Look(row.look);
+        let attributes = PackedAttributes(row.look);
         let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
         let radius = row.radius * grown(camera, &row, center);
         if radius <= 0.0 {
@@ -86,13 +86,13 @@ impl<'a> Body<'a> {
         Some(Self {
             scene,
             row,
-            look,
+            attributes,
             puff: billboards.map_or_else(
                 || {
                     Puff::Lobes(Lobes::new(
                         &scene.puffs,
-                        look.variation(),
-                        turn * look.world_from_puff(),
+                        attributes.variation(),
+                        turn * attributes.world_from_puff(),
                     ))
                 },
                 Puff::Billboard,
@@ -102,7 +102,7 @@ impl<'a> Body<'a> {
             pixel,
             line: Line::new(ink_pixels, radius / pixel, ink_swell, light.truncate()).boiling(
                 boil,
-                look.seed(),
+                attributes.seed(),
                 drawing,
             ),
             up: turn.y_axis,
@@ -174,9 +174,13 @@ impl<'a> Body<'a> {
                 }
             }
             Puff::Billboard(billboards) => {
-                let roll = DVec2::from_angle(self.look.roll());
+                let roll = DVec2::from_angle(self.attributes.roll());
                 let pixel = self.pixel / self.radius;
-                let front = billboards.at(self.look.variation(), DVec2::new(roll.x, -roll.y).rotate(point), pixel);
+                let front = billboards.at(
+                    self.attributes.variation(),
+                    DVec2::new(roll.x, -roll.y).rotate(point),
+                    pixel,
+                );
                 let normal = roll.rotate(front.normal.truncate()).extend(front.normal.z);
                 Met {
                     height: front.height,
@@ -208,7 +212,7 @@ impl<'a> Body<'a> {
     /// `height`: of the place in the world, metres.
     fn shade(&self, place: DVec3, height: f64, normal: DVec3, screen: f64) -> Shade {
         let style = &self.scene.style;
-        let ramp = &style.smoke_ramps[self.look.ramp(&style.bands)];
+        let ramp = &style.smoke_ramps[self.attributes.ramp(&style.bands)];
         let gradient = gradient_factor(style, &self.along(place.y, height, screen));
         Shade::of_puff(style, ramp, normal, self.light, gradient)
     }
@@ -218,7 +222,7 @@ impl<'a> Body<'a> {
             puff,
             height,
             screen,
-            age: self.look.age(),
+            age: self.attributes.age(),
         }
     }
 }

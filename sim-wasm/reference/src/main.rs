@@ -2,6 +2,7 @@
 //! [`picture::Picture::to_bytes`]. Everything follows from the definitions of the renderer, with one ray through the
 //! middle of each pixel and nothing shared with the shaders, so that the two can be compared.
 
+mod attributes;
 mod billboards;
 mod bodies;
 mod contact;
@@ -10,7 +11,6 @@ mod hull;
 mod ink;
 mod light;
 mod lobes;
-mod look;
 mod mesh;
 mod picture;
 mod ray;

@@ -4,9 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec3};
 
+use crate::attributes::PackedAttributes;
 use crate::bodies::grown;
 use crate::light::Light;
-use crate::look::Look;
 use crate::ray::{Camera, Ray};
 use crate::scene::{Row, Scene, StartCaps};
 
@@ -90,9 +90,9 @@ impl Volume {
 }
 
 fn discs(scene: &Scene, camera: &Camera, row: &Row, axis: DVec3, growth: f64) -> Vec<Disc> {
-    let look = Look(row.look);
-    let world_from_puff = world_from_puff(scene, camera, look);
-    let lobes = &scene.puffs.lobes[look.variation() % scene.puffs.lobes.len()];
+    let attributes = PackedAttributes(row.look);
+    let world_from_puff = world_from_puff(scene, camera, attributes);
+    let lobes = &scene.puffs.lobes[attributes.variation() % scene.puffs.lobes.len()];
     let disc = |&[x, y, z, radius]: &[f64; 4]| {
         let center = row.radius * (world_from_puff * DVec3::new(x, y, z));
         let nearness = 1.0 / (1.0 + growth * center.dot(axis));
@@ -106,20 +106,20 @@ fn discs(scene: &Scene, camera: &Camera, row: &Row, axis: DVec3, growth: f64) ->
     lobes.iter().map(disc).collect()
 }
 
-fn world_from_puff(scene: &Scene, camera: &Camera, look: Look) -> DMat3 {
+fn world_from_puff(scene: &Scene, camera: &Camera, attributes: PackedAttributes) -> DMat3 {
     if scene.puffs.layers.is_some() {
-        DMat3::from_mat4(camera.view_from_world).transpose() * DMat3::from_rotation_z(look.roll())
+        DMat3::from_mat4(camera.view_from_world).transpose() * DMat3::from_rotation_z(attributes.roll())
     } else {
-        look.world_from_puff()
+        attributes.world_from_puff()
     }
 }
 
 /// Radii from the centre, away from the light, to behind the farthest point of the puff that is lit.
 fn begin_behind(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> f64 {
-    let look = Look(row.look);
+    let attributes = PackedAttributes(row.look);
     let towards_light = light.towards(DVec3::from(row.place));
-    let in_puff = world_from_puff(scene, camera, look).transpose() * towards_light;
-    let variation = look.variation() % scene.puffs.lobes.len();
+    let in_puff = world_from_puff(scene, camera, attributes).transpose() * towards_light;
+    let variation = attributes.variation() % scene.puffs.lobes.len();
     tabled(&scene.puffs.start_caps, variation, in_puff).max(scene.style.least_cap)
         + shear(scene, camera, row, towards_light)
         + SLACK

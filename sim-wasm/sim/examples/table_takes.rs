@@ -10,7 +10,7 @@ const TAKES: u32 = 40;
 const STEPS: u32 = 120;
 const CAPACITY: u32 = 400;
 /// Most items of each list: more would leave few takes in which single forces show.
-const MOST_ITEMS: u32 = 3;
+const MAX_ITEMS: u32 = 3;
 
 fn main() {
     for seed in 0..TAKES {
@@ -71,7 +71,7 @@ fn length_of(lengths: &mut Vec<(String, u32)>, list: String, random: &mut Random
     if let Some((_, length)) = lengths.iter().find(|(known, _)| *known == list) {
         return *length;
     }
-    let length = random.below(MOST_ITEMS + 1);
+    let length = random.below(MAX_ITEMS + 1);
     lengths.push((list, length));
     length
 }

@@ -59,7 +59,7 @@ fn cloud() -> Simulator {
             lifetime: 1000.0,
             size: 0.2,
             temperature: 1.0,
-            look: random.bits(),
+            attributes: random.bits(),
         });
     }
     simulator

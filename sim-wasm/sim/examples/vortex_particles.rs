@@ -80,7 +80,7 @@ fn scene(core_radius: Option<f32>) -> Simulator {
             lifetime: 1000.0,
             size: 0.2,
             temperature: 0.5,
-            look: 0,
+            attributes: 0,
         });
     }
     for core_radius in core_radius.iter().cycle().take(VORTEX_PARTICLES) {

@@ -7,17 +7,17 @@
 
 use wide::f32x4;
 
-use crate::coverage::{Coverage, Footprint, NO_END};
+use crate::coverage::{ChartExtent, Coverage, NO_END};
 use crate::order::{self, Entry, Histogram};
 use crate::particles::{LANES, Particles};
-use crate::rows::Moment;
+use crate::rows::RowSampler;
 use crate::simd::{Vector4, blocks};
 use crate::view::View;
 
 /// Numbers in a row of places.
 pub const PLACE_FLOATS: usize = 4;
-/// Words in a row of looks.
-pub const LOOK_WORDS: usize = 2;
+/// Words in a row of attributes.
+pub const ATTRIBUTE_WORDS: usize = 2;
 /// Numbers in a view, without the solids behind it.
 pub const VIEW_FLOATS: usize = crate::view::VIEW_LENGTH;
 
@@ -25,7 +25,7 @@ pub const VIEW_FLOATS: usize = crate::view::VIEW_LENGTH;
 #[derive(Debug)]
 pub struct Arranger {
     place: Vec<[f32; PLACE_FLOATS]>,
-    look: Vec<[u32; LOOK_WORDS]>,
+    attributes: Vec<[u32; ATTRIBUTE_WORDS]>,
     order: Vec<Entry>,
     histogram: Histogram,
     coverage: Coverage,
@@ -38,7 +38,7 @@ impl Arranger {
         Self {
             // Places are written in whole blocks.
             place: vec![[0.0; 4]; capacity.next_multiple_of(LANES)],
-            look: vec![[0; 2]; capacity],
+            attributes: vec![[0; 2]; capacity],
             order: vec![[0; 2]; capacity],
             histogram: Histogram::new(),
             coverage: Coverage::new(capacity),
@@ -52,8 +52,8 @@ impl Arranger {
     }
 
     /// The packed words of the rows; only as many as the last call returned are valid.
-    pub fn look(&self) -> &[[u32; LOOK_WORDS]] {
-        &self.look
+    pub fn attributes(&self) -> &[[u32; ATTRIBUTE_WORDS]] {
+        &self.attributes
     }
 
     /// Least corner, then greatest corner (m) of all particles with their radii, culled or not, then the greatest
@@ -74,57 +74,61 @@ impl Arranger {
     }
 
     /// Writes the rows that `view` needs and returns their number.
-    pub fn arrange(&mut self, particles: &Particles, view: &View, moment: &Moment) -> usize {
-        let mut footprint = view.coverage.map(|plan| Footprint::new(&plan.chart));
-        let count = self.collect(particles, view, moment, footprint.as_mut());
-        order::sort(&mut self.look[..count], &mut self.order[..count], &mut self.histogram);
-        let count = match (&view.coverage, &footprint) {
-            (Some(plan), Some(footprint)) => {
-                let look = |particle: usize| moment.stance(particles, particle);
+    pub fn arrange(&mut self, particles: &Particles, view: &View, sampler: &RowSampler) -> usize {
+        let mut chart_extent = view.coverage.map(|plan| ChartExtent::new(&plan.chart));
+        let count = self.collect(particles, view, sampler, chart_extent.as_mut());
+        order::sort(
+            &mut self.attributes[..count],
+            &mut self.order[..count],
+            &mut self.histogram,
+        );
+        let count = match (&view.coverage, &chart_extent) {
+            (Some(plan), Some(chart_extent)) => {
+                let attributes = |particle: usize| sampler.orientation(particles, particle);
                 let rows = &mut self.order[..count];
-                self.coverage.sift(plan, footprint, rows, &self.place, look)
+                self.coverage.cull(plan, chart_extent, rows, &self.place, attributes)
             }
             _ => {
                 self.coverage.grid.empty();
                 count
             }
         };
-        self.write(particles, view, moment, count);
+        self.write(particles, view, sampler, count);
         count
     }
 
     /// Writes the rows of the entries that stay, over the places that they were chosen by.
-    fn write(&mut self, particles: &Particles, view: &View, moment: &Moment, count: usize) {
+    fn write(&mut self, particles: &Particles, view: &View, sampler: &RowSampler, count: usize) {
         let has_ends = view.coverage.is_some_and(|plan| plan.has_ends());
         for (row, [end, particle]) in self.order[..count].iter().enumerate() {
             let particle = *particle as usize;
-            self.place[row] = moment.place(particles, particle);
-            self.look[row] = moment.look(particles, particle);
+            self.place[row] = sampler.place(particles, particle);
+            self.attributes[row] = sampler.attributes(particles, particle);
             if view.is_light {
                 let end = if has_ends { *end } else { NO_END };
-                self.look[row][0] = self.look[row][0] & 0xffff | end << 16;
+                self.attributes[row][0] = self.attributes[row][0] & 0xffff | end << 16;
             }
         }
     }
 
-    /// Puts an entry for each particle that the view keeps where the looks will be, and measures the bounds.
+    /// Puts an entry for each particle that the view keeps where the attributes will be, and measures the bounds.
     fn collect(
         &mut self,
         particles: &Particles,
         view: &View,
-        moment: &Moment,
-        mut footprint: Option<&mut Footprint>,
+        sampler: &RowSampler,
+        mut chart_extent: Option<&mut ChartExtent>,
     ) -> usize {
         let direction = Vector4::splat(view.direction);
-        let mut extent = Extent::new();
+        let mut extent = RowBounds::new();
         let mut count = 0;
         for block in 0..particles.padded_alive() / LANES {
-            let (place, radius) = blend(particles, moment, block);
+            let (place, radius) = blend(particles, sampler, block);
             let seen = radius.simd_gt(f32x4::ZERO) & living(particles, block);
             extent.add(place, radius, seen);
             let kept = view.cull.map_or(seen, |cull| cull.keeps(place, radius) & seen);
-            if let (Some(footprint), Some(plan)) = (footprint.as_deref_mut(), &view.coverage) {
-                footprint.add(&plan.chart, place, radius * f32x4::splat(plan.widening()), kept);
+            if let (Some(chart_extent), Some(plan)) = (chart_extent.as_deref_mut(), &view.coverage) {
+                chart_extent.add(&plan.chart, place, radius * f32x4::splat(plan.radius_factor()), kept);
             }
             let kept = kept.to_bitmask();
             if view.coverage.is_some() {
@@ -135,7 +139,7 @@ impl Arranger {
             let depth = place.dot(direction).to_array();
             for (lane, depth) in depth.into_iter().enumerate() {
                 if kept >> lane & 1 == 1 {
-                    self.look[count] = [order::key(depth), (block * LANES + lane) as u32];
+                    self.attributes[count] = [order::key(depth), (block * LANES + lane) as u32];
                     count += 1;
                 }
             }
@@ -145,15 +149,15 @@ impl Arranger {
     }
 }
 
-/// Places and radii of a block at the moment; the same arithmetic as [`Moment::place`].
+/// Places and radii of a block; the same arithmetic as [`RowSampler::place`].
 #[inline(always)]
-fn blend<'p>(particles: &'p Particles, moment: &Moment, block: usize) -> (Vector4, f32x4) {
+fn blend<'p>(particles: &'p Particles, sampler: &RowSampler, block: usize) -> (Vector4, f32x4) {
     let column = |column: &'p [f32]| blocks(column, block + 1);
     if let Some(held) = &particles.held {
         let place = Vector4::load(column(&held.x), column(&held.y), column(&held.z), block);
         let lanes = |values: &'p [f32]| f32x4::new(column(values)[block]);
         let age = lanes(&held.age);
-        let radius = moment.radii.radii(lanes(&held.size), age, lanes(&particles.lifetime));
+        let radius = sampler.radii.radii(lanes(&held.size), age, lanes(&particles.lifetime));
         return (place, age.simd_ge(f32x4::ZERO) & radius);
     }
     let before = Vector4::load(
@@ -163,10 +167,10 @@ fn blend<'p>(particles: &'p Particles, moment: &Moment, block: usize) -> (Vector
         block,
     );
     let now = Vector4::load(column(&particles.x), column(&particles.y), column(&particles.z), block);
-    let place = before * f32x4::splat(1.0 - moment.blend) + now * f32x4::splat(moment.blend);
+    let place = before * f32x4::splat(1.0 - sampler.blend) + now * f32x4::splat(sampler.blend);
     let lanes = |values: &'p [f32]| f32x4::new(column(values)[block]);
-    let age = lanes(&particles.age) - f32x4::splat((1.0 - moment.blend) * moment.dt);
-    let radius = moment
+    let age = lanes(&particles.age) - f32x4::splat((1.0 - sampler.blend) * sampler.dt);
+    let radius = sampler
         .radii
         .radii(lanes(&particles.size), age, lanes(&particles.lifetime));
     (place, age.simd_ge(f32x4::ZERO) & radius)
@@ -180,13 +184,13 @@ fn living(particles: &Particles, block: usize) -> f32x4 {
 }
 
 /// The box around what was added.
-struct Extent {
+struct RowBounds {
     least: Vector4,
     greatest: Vector4,
     radius: f32x4,
 }
 
-impl Extent {
+impl RowBounds {
     fn new() -> Self {
         Self {
             least: Vector4::splat([f32::INFINITY; 3]),

@@ -52,7 +52,7 @@ pub fn follow(particles: &mut Particles, step: u64, hold: u64) {
         return;
     };
     for i in 0..particles.alive() {
-        let seed = u64::from(particles.look[i] >> 8 & 0xff);
+        let seed = u64::from(particles.attributes[i] >> 8 & 0xff);
         if held.age[i] < 0.0 || is_held_moment(step, hold, seed) {
             let now = [
                 particles.x[i],

@@ -2,7 +2,7 @@
 //!
 //! radius(age) = size * puff.size * growth(age) * density(age / lifetime), exactly 0 at birth and at death. growth(age)
 //! is t (2 - t) for t = age / growthTime up to 1; growth is steepest at birth, so that smoke leaves a nozzle as a stem
-//! and not as a string of specks. A growth time below [`SHORTEST_GROWTH`] is taken for that, but not by the integrator
+//! and not as a string of specks. A growth time below [`MIN_GROWTH_TIME`] is taken for that, but not by the integrator
 //! `paper`, where it may be 0 and growth is 1. density(t) is 1 - t, the linear loss of density of the paper, or the
 //! curve of `density.#`.
 //!
@@ -21,7 +21,7 @@ use crate::parameters::Parameters;
 use crate::particles::{LANES, Particles};
 use crate::simd::{Vector4, blocks, blocks_mut};
 use crate::tile::{TILE_BLOCKS, tiles};
-pub use radius::{RadiusLaw, SHORTEST_GROWTH};
+pub use radius::{MIN_GROWTH_TIME, RadiusLaw};
 
 /// Distance from the origin (m) beyond which a particle dies: nothing is seen there, and single precision ends.
 pub const WORLD_RADIUS: f32 = 10_000.0;

@@ -3,13 +3,13 @@
 
 use crate::collide::space::{Bounds, Vector};
 use crate::life::RadiusLaw;
-pub use crate::simulator::Part;
 use crate::simulator::Simulator;
+pub use crate::simulator::StepPart;
 
 impl Simulator {
     /// As [`Simulator::step`]; calls `ended` at the end of each part.
-    pub fn step_observed(&mut self, ended: impl FnMut(Part)) {
-        self.step_in_parts(ended);
+    pub fn step_observed(&mut self, ended: impl FnMut(StepPart)) {
+        self.step_observed_by(ended);
     }
 
     /// Writes the numbers of the living particles whose own box touches the box that a rigid swept in the last step:

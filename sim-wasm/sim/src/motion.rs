@@ -14,7 +14,7 @@
 use wide::f32x4;
 
 use crate::forces::drag::{self, Factors};
-use crate::forces::{Forces, Setting, Stage, buoyancy, gravity};
+use crate::forces::{ForceContext, Forces, Phase, buoyancy, gravity};
 use crate::life::entrainment::Entrainment;
 use crate::particles::{LANES, Particles};
 use crate::simd::{Vector4, blocks, blocks_mut, positive_part, smaller};
@@ -38,7 +38,7 @@ impl Integrator {
 }
 
 /// All that moves particles in one step.
-pub struct Motion {
+pub struct ParticleMotion {
     pub integrator: Integrator,
     forces: Forces,
     entrainment: Option<Entrainment>,
@@ -47,12 +47,9 @@ pub struct Motion {
     drag: Factors,
     rate: f32x4,
     /// How strongly vortex particles act.
-    stirring: f32,
+    vortex_scale: f32,
     dt: f32,
 }
-
-/// The vortex particles of the simulation, if it has a shedder.
-type Stirrers<'s> = Option<&'s VortexParticles>;
 
 /// The accelerations that act everywhere: they are vertical, so that one number a particle is enough.
 struct Lift {
@@ -67,23 +64,23 @@ impl Lift {
     }
 }
 
-impl Motion {
-    /// The motion that the parameters of `setting` ask for.
-    pub fn new(setting: &Setting) -> Self {
-        let parameters = setting.parameters;
+impl ParticleMotion {
+    /// The motion that the parameters of `context` ask for.
+    pub fn new(context: &ForceContext) -> Self {
+        let parameters = context.parameters;
         let rate = drag::rate(parameters);
         Self {
             integrator: Integrator::from_parameter(parameters.simulation.integrator),
-            forces: Forces::new(setting),
-            entrainment: Entrainment::new(parameters, setting.now.dt),
+            forces: Forces::new(context),
+            entrainment: Entrainment::new(parameters, context.now.dt),
             lift: Lift {
                 gravity: f32x4::splat(gravity::acceleration(parameters)),
                 buoyancy: f32x4::splat(buoyancy::acceleration_per_temperature(parameters)),
             },
-            drag: Factors::new(rate, setting.now.dt),
+            drag: Factors::new(rate, context.now.dt),
             rate: f32x4::splat(rate as f32),
-            stirring: parameters.forces.vortex as f32,
-            dt: setting.now.dt as f32,
+            vortex_scale: parameters.forces.vortex as f32,
+            dt: context.now.dt as f32,
         }
     }
 
@@ -93,14 +90,14 @@ impl Motion {
     pub fn advance(
         &self,
         particles: &mut Particles,
-        stirrers: Stirrers,
+        vortex_particles: Option<&VortexParticles>,
         moved: &mut dyn FnMut(&mut Particles, usize, usize),
     ) {
         let mut tile = Tile::new(self.dt, self.integrator == Integrator::Paper);
         for (first, len) in tiles(particles, 0).rev() {
             tile.load(particles, first, len);
-            self.air(&mut tile, stirrers);
-            self.forces.act(Stage::Push, &mut tile);
+            self.air(&mut tile, vortex_particles);
+            self.forces.act(Phase::Push, &mut tile);
             match self.integrator {
                 Integrator::AirAndSlip => self.air_and_slip(&mut tile),
                 Integrator::Paper => self.paper(&mut tile),
@@ -115,12 +112,12 @@ impl Motion {
 
     /// Puts particles from number `first` on that were born within this step as far behind their places as makes the
     /// whole step, which is about to be made, take them where the rest of it would have.
-    pub fn launch(&self, particles: &mut Particles, first: usize, stirrers: Stirrers) {
+    pub fn launch(&self, particles: &mut Particles, first: usize, vortex_particles: Option<&VortexParticles>) {
         let mut tile = Tile::new(self.dt, true);
         for (first, len) in tiles(particles, first / LANES) {
             tile.load(particles, first, len);
             if self.integrator == Integrator::AirAndSlip {
-                self.blow(&mut tile, stirrers);
+                self.blow(&mut tile, vortex_particles);
             }
             let ages = &blocks(&particles.age, first + len)[first..];
             let Columns { flow, slip, .. } = tile.columns();
@@ -133,15 +130,15 @@ impl Motion {
     }
 
     /// Velocity of the air (m/s) at a place.
-    pub fn air_velocity(&self, place: [f32; 3], stirrers: Stirrers) -> [f32; 3] {
+    pub fn air_velocity(&self, place: [f32; 3], vortex_particles: Option<&VortexParticles>) -> [f32; 3] {
         let mut tile = Tile::at(place, self.dt);
-        self.blow(&mut tile, stirrers);
+        self.blow(&mut tile, vortex_particles);
         tile.columns().flow[0].first()
     }
 
     /// Turns what the particles keep from slip into velocity, or back, so that a change of the integrator to that of
     /// `self` does not jerk.
-    pub fn take_over(&self, particles: &mut Particles, stirrers: Stirrers) {
+    pub fn take_over(&self, particles: &mut Particles, vortex_particles: Option<&VortexParticles>) {
         let sign = f32x4::splat(if self.integrator == Integrator::Paper {
             1.0
         } else {
@@ -150,7 +147,7 @@ impl Motion {
         let mut tile = Tile::new(self.dt, true);
         for (first, len) in tiles(particles, 0) {
             tile.load(particles, first, len);
-            self.blow(&mut tile, stirrers);
+            self.blow(&mut tile, vortex_particles);
             let Columns { flow, slip, .. } = tile.columns();
             for (slip, flow) in slip.iter_mut().zip(flow) {
                 *slip += *flow * sign;
@@ -160,17 +157,17 @@ impl Motion {
     }
 
     /// Adds all of the air's velocity to the flow of `tile`.
-    pub fn blow(&self, tile: &mut Tile, stirrers: Stirrers) {
-        self.air(tile, stirrers);
-        self.forces.act(Stage::Swirl, tile);
+    pub fn blow(&self, tile: &mut Tile, vortex_particles: Option<&VortexParticles>) {
+        self.air(tile, vortex_particles);
+        self.forces.act(Phase::Swirl, tile);
     }
 
     /// Adds the air's velocity but for what turns it last.
     #[inline(always)]
-    fn air(&self, tile: &mut Tile, stirrers: Stirrers) {
-        self.forces.act(Stage::Air, tile);
-        if let Some(stirrers) = stirrers {
-            stirrers.act(self.stirring, tile);
+    fn air(&self, tile: &mut Tile, vortex_particles: Option<&VortexParticles>) {
+        self.forces.act(Phase::Air, tile);
+        if let Some(vortex_particles) = vortex_particles {
+            vortex_particles.act(self.vortex_scale, tile);
         }
     }
 
@@ -183,8 +180,8 @@ impl Motion {
         } else {
             self.glide(tile);
         }
-        self.forces.act(Stage::Swirl, tile);
-        self.forces.act(Stage::Limit, tile);
+        self.forces.act(Phase::Swirl, tile);
+        self.forces.act(Phase::Limit, tile);
         let dt = f32x4::splat(self.dt);
         let Columns {
             ahead,
@@ -237,7 +234,7 @@ impl Motion {
     /// Explicit Euler swings where the drag's k h is beyond 1: there it is taken for 1.
     #[inline(always)]
     fn paper(&self, tile: &mut Tile) {
-        self.forces.act(Stage::Swirl, tile);
+        self.forces.act(Phase::Swirl, tile);
         let dt = f32x4::splat(self.dt);
         let Columns {
             place,
@@ -258,7 +255,7 @@ impl Motion {
             push.y += self.lift.acceleration(heat[block]);
             *velocity += (flow[block] - *velocity) * share + push * dt;
         }
-        self.forces.act(Stage::Limit, tile);
+        self.forces.act(Phase::Limit, tile);
     }
 }
 

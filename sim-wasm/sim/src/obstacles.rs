@@ -9,7 +9,7 @@ use crate::parameters::{LIST_LIMIT, Parameters};
 
 /// `colliders.#.*`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Collider {
+pub struct ColliderParameters {
     pub shape: f64,
     pub position: [f64; 3],
     pub axis: [f64; 3],
@@ -22,7 +22,7 @@ pub struct Collider {
     pub tint: f64,
 }
 
-impl Item for Collider {
+impl Item for ColliderParameters {
     const LABEL: &'static str = "Obstacle";
     const FIELDS: &'static [Field<Self>] = &[
         number("shape", "1", [0.0, 3.0], 0.0, |c: &mut Self| &mut c.shape)
@@ -60,7 +60,7 @@ pub fn colliders(parameters: &Parameters) -> [AnalyticCollider; LIST_LIMIT] {
     std::array::from_fn(|i| collider(items.get(i).unwrap_or(&item())))
 }
 
-fn collider(parameters: &Collider) -> AnalyticCollider {
+fn collider(parameters: &ColliderParameters) -> AnalyticCollider {
     AnalyticCollider {
         shape: shape(parameters.shape),
         position: parameters.position.map(|component| component as f32),

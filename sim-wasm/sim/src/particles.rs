@@ -34,7 +34,7 @@ pub struct Particles {
     /// Heat above the air's, 0 and up; buoyancy acts on it.
     pub temperature: Vec<f32>,
     /// Bits 0-7 variation, 8-15 seed byte, 16-27 roll at birth in 4,096ths of a turn, fixed at birth; 28-31 tint, 0: none.
-    pub look: Vec<u32>,
+    pub attributes: Vec<u32>,
     /// What is shown instead of the present; none while drawing on ones.
     pub held: Option<Box<Held>>,
     alive: usize,
@@ -50,7 +50,7 @@ pub struct Newborn {
     pub lifetime: f32,
     pub size: f32,
     pub temperature: f32,
-    pub look: u32,
+    pub attributes: u32,
 }
 
 impl Particles {
@@ -73,7 +73,7 @@ impl Particles {
             lifetime: vec![1.0; padded],
             size: zeros(),
             temperature: zeros(),
-            look: vec![0; padded],
+            attributes: vec![0; padded],
             held: None,
             alive: 0,
             capacity,
@@ -108,7 +108,7 @@ impl Particles {
         self.lifetime[i] = newborn.lifetime;
         self.size[i] = newborn.size;
         self.temperature[i] = newborn.temperature;
-        self.look[i] = newborn.look;
+        self.attributes[i] = newborn.attributes;
         if let Some(held) = &mut self.held {
             held.age[i] = -1.0;
         }
@@ -123,7 +123,7 @@ impl Particles {
         for column in self.float_columns_mut() {
             column.swap(i, last);
         }
-        self.look.swap(i, last);
+        self.attributes.swap(i, last);
         if let Some(held) = &mut self.held {
             held.columns_mut().into_iter().for_each(|column| column.swap(i, last));
         }
@@ -197,8 +197,8 @@ impl Particles {
             kept.iter().zip(to).for_each(|(i, value)| *value = from[*i]);
         }
         kept.iter()
-            .zip(&mut resized.look)
-            .for_each(|(i, look)| *look = self.look[*i]);
+            .zip(&mut resized.attributes)
+            .for_each(|(i, attributes)| *attributes = self.attributes[*i]);
         resized.set_alive(kept.len());
         if let Some(held) = &self.held {
             resized.hold(true);
@@ -224,7 +224,7 @@ impl Particles {
     }
 }
 
-/// Gives a particle's look a tint, 0..=15.
-pub(crate) fn tint_look(look: &mut u32, tint: u8) {
-    *look = *look & 0x0fff_ffff | u32::from(tint & 15) << 28;
+/// Gives a particle's attributes a tint, 0..=15.
+pub(crate) fn set_tint(attributes: &mut u32, tint: u8) {
+    *attributes = *attributes & 0x0fff_ffff | u32::from(tint & 15) << 28;
 }

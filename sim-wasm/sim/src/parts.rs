@@ -12,12 +12,12 @@ use crate::error::ParameterError;
 /// The number of the first part where the number of a rigid is expected; rigids have smaller ones.
 pub const FIRST_PART: usize = 4096;
 /// Most parts of a scene.
-pub const MOST_PARTS: usize = 64;
+pub const MAX_PARTS: usize = 64;
 /// Numbers of a part at a moment, in [`Parts::place`].
 pub const PART_FLOATS: usize = 8;
 
 /// Farthest from the origin of the carrier or of the world (m).
-const FARTHEST: f32 = 1e4;
+const MAX_COORDINATE: f32 = 1e4;
 /// How far the squared length of a quaternion may be from 1.
 const LENGTH_TOLERANCE: f32 = 1e-3;
 
@@ -41,9 +41,9 @@ impl Parts {
     pub fn place(&mut self, numbers: &[f32]) -> Result<(), ParameterError> {
         let (parts, rest) = numbers.as_chunks::<PART_FLOATS>();
         let are_pairs = parts.len() % 2 == 0 && rest.is_empty();
-        if parts.len() > 2 * MOST_PARTS || !are_pairs || !parts.iter().all(is_sound) {
+        if parts.len() > 2 * MAX_PARTS || !are_pairs || !parts.iter().all(is_sound) {
             let count = numbers.len() as f64 / (2 * PART_FLOATS) as f64;
-            return Err(ParameterError::out_of_range("parts", count, 0.0, MOST_PARTS as f64));
+            return Err(ParameterError::out_of_range("parts", count, 0.0, MAX_PARTS as f64));
         }
         self.numbers.clear();
         self.numbers.extend_from_slice(numbers);
@@ -118,5 +118,5 @@ fn carried(carrier: &Pose, own: &Pose) -> Pose {
 fn is_sound([_, pose @ ..]: &[f32; PART_FLOATS]) -> bool {
     let Pose { position, rotation } = Pose::of_numbers(*pose);
     let square: f32 = rotation.iter().map(|part| part * part).sum();
-    position.length() <= FARTHEST && (square - 1.0).abs() <= LENGTH_TOLERANCE
+    position.length() <= MAX_COORDINATE && (square - 1.0).abs() <= LENGTH_TOLERANCE
 }

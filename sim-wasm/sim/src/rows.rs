@@ -1,7 +1,7 @@
 //! The rows that a renderer reads: 24 bytes for each particle that is drawn.
 //!
 //! `place`, four f32: x, y, z in world space (m), radius (m), blended between the steps.
-//! `look`, two u32: word 0 = roll (bits 0-15, fraction of a turn times 65,536, with a slow spin by age) and
+//! `attributes`, two u32: word 0 = roll (bits 0-15, fraction of a turn times 65,536, with a slow spin by age) and
 //! age / lifetime (bits 16-31, times 65,535; in rows for the light instead where the shadow may end, in 256ths of a
 //! radius behind the centre, 65,535 for nowhere); word 1 = variation (bits 0-7), seed byte (8-15), temperature (16-23,
 //! 255 stands for 4), tint (24-31, 0: none).
@@ -11,13 +11,13 @@ use crate::life::RadiusLaw;
 use crate::particles::Particles;
 
 /// Fastest spin, in turns a second: the seed byte chooses a spin from minus this to this.
-pub const FASTEST_SPIN: f32 = 0.04;
+pub const MAX_SPIN: f32 = 0.04;
 
-const GREATEST_TEMPERATURE: f32 = 4.0;
+const MAX_TEMPERATURE: f32 = 4.0;
 
 /// How a row is taken from a particle: at which moment and by which law.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment {
+pub struct RowSampler {
     pub radii: RadiusLaw,
     /// Share of the step that has passed, 0..1.
     pub blend: f32,
@@ -25,7 +25,7 @@ pub struct Moment {
     pub dt: f32,
 }
 
-impl Moment {
+impl RowSampler {
     /// Age (s) of particle `i` at the moment; negative when it is not born yet.
     pub fn age(&self, particles: &Particles, i: usize) -> f32 {
         let age = particles.held.as_ref().map_or(&particles.age, |held| &held.age);
@@ -55,29 +55,32 @@ impl Moment {
     }
 
     /// Of the two words of particle `i` only how it stands and which it is: roll, variation and seed.
-    pub fn stance(&self, particles: &Particles, i: usize) -> [u32; 2] {
-        let look = particles.look[i];
-        [roll(look, self.age(particles, i)), look & 0xffff]
+    pub fn orientation(&self, particles: &Particles, i: usize) -> [u32; 2] {
+        let attributes = particles.attributes[i];
+        [roll(attributes, self.age(particles, i)), attributes & 0xffff]
     }
 
     /// The two words of particle `i`.
-    pub fn look(&self, particles: &Particles, i: usize) -> [u32; 2] {
-        let look = particles.look[i];
+    pub fn attributes(&self, particles: &Particles, i: usize) -> [u32; 2] {
+        let attributes = particles.attributes[i];
         let age = self.age(particles, i);
-        let roll = roll(look, age);
+        let roll = roll(attributes, age);
         let worn = fraction(age / particles.lifetime[i], 65_535.0);
-        let heat = fraction(particles.temperature[i] / GREATEST_TEMPERATURE, 255.0);
-        [roll | worn << 16, look & 0xffff | heat << 16 | look >> 28 << 24]
+        let heat = fraction(particles.temperature[i] / MAX_TEMPERATURE, 255.0);
+        [
+            roll | worn << 16,
+            attributes & 0xffff | heat << 16 | attributes >> 28 << 24,
+        ]
     }
 }
 
-fn roll(look: u32, age: f32) -> u32 {
-    (look >> 12 & 0xfff0).wrapping_add(spin(look, age)) & 0xffff
+fn roll(attributes: u32, age: f32) -> u32 {
+    (attributes >> 12 & 0xfff0).wrapping_add(spin(attributes, age)) & 0xffff
 }
 
 /// The roll, in 65,536ths of a turn, that `age` seconds of spin add.
-fn spin(look: u32, age: f32) -> u32 {
-    let pace = ((look >> 8 & 0xff) as f32 - 127.5) / 127.5 * FASTEST_SPIN;
+fn spin(attributes: u32, age: f32) -> u32 {
+    let pace = ((attributes >> 8 & 0xff) as f32 - 127.5) / 127.5 * MAX_SPIN;
     (age * pace * 65_536.0) as i32 as u32
 }
 

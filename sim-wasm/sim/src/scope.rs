@@ -8,7 +8,7 @@ use wide::f32x4;
 use crate::collide::space::{Frame, Pose, Vector};
 use crate::parameters::field::{Field, LENGTH, PLACE, number, vector};
 use crate::parameters::section::Item;
-use crate::parts::{FIRST_PART, MOST_PARTS, Parts, ends_of_rigid};
+use crate::parts::{FIRST_PART, MAX_PARTS, Parts, ends_of_rigid};
 use crate::simd::Vector4;
 use region::Shape;
 
@@ -20,7 +20,7 @@ pub const WHEN_AND_ON_WHAT: &[Field<Scope>] = Scope::FIELDS.split_at(REGION_FIEL
 /// How many parameters of a scope tell its region; they come first.
 const REGION_FIELDS: usize = 4;
 /// The number of the last part.
-const LAST_PART: f64 = (FIRST_PART + MOST_PARTS - 1) as f64;
+const LAST_PART: f64 = (FIRST_PART + MAX_PARTS - 1) as f64;
 
 /// `*.region.*`, `*.envelope.*` and `*.rigid`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -68,7 +68,7 @@ impl Item for Scope {
 
 /// The moment of a step, and where the rigids and parts are in it.
 #[derive(Clone, Copy, Debug)]
-pub struct Now<'r> {
+pub struct StepTime<'r> {
     /// Simulated seconds at the middle of the step.
     pub time: f64,
     /// Length of the step (s).
@@ -79,7 +79,7 @@ pub struct Now<'r> {
     pub parts: &'r Parts,
 }
 
-impl Now<'_> {
+impl StepTime<'_> {
     /// Where the rigid or part that `scope` rides on is at `fraction` of the step; none where it rides on none that
     /// exists.
     pub fn ride(&self, scope: &Scope, fraction: f32) -> Option<Pose> {
@@ -107,7 +107,7 @@ pub struct Reach {
 
 impl Reach {
     /// How `scope` acts in this step; none while it is switched off.
-    pub fn new(scope: &Scope, now: &Now) -> Option<Self> {
+    pub fn new(scope: &Scope, now: &StepTime) -> Option<Self> {
         let level = envelope::level(scope, now.time);
         (level > 0.0).then(|| Self {
             level: f32x4::splat(level as f32),

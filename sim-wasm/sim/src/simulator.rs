@@ -8,14 +8,14 @@
 use crate::arrange::Arranger;
 use crate::collide::{self, AnalyticCollider, Scratch};
 use crate::emission::surface::{Surface, Surfaces};
-use crate::emission::{Births, Surroundings};
+use crate::emission::{Births, EmissionContext};
 use crate::error::{ParameterError, RestoreError};
-use crate::forces::Setting;
+use crate::forces::ForceContext;
 use crate::forces::turbulence::{self, TurbulenceState};
 use crate::hash::Hash;
 use crate::held;
 use crate::life::{self, Ageing, RadiusLaw};
-use crate::motion::{Integrator, Motion};
+use crate::motion::{Integrator, ParticleMotion};
 use crate::obstacles;
 use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::particles::{Newborn, Particles};
@@ -23,11 +23,11 @@ use crate::parts::Parts;
 use crate::random::Random;
 #[cfg(feature = "rigids")]
 use crate::rigids::Rigids;
-use crate::rows::Moment;
-use crate::scope::Now;
-use crate::snapshot::{self, Room};
+use crate::rows::RowSampler;
+use crate::scope::StepTime;
+use crate::snapshot::{self, RestoredCapacity};
 use crate::take::Recorder;
-use crate::take::touch::Touch;
+use crate::take::active_inputs::ActiveInputs;
 use crate::view::View;
 use crate::vortex_particles::{VortexParticle, VortexParticles};
 
@@ -39,7 +39,7 @@ pub const CAPACITY_LIMIT: u32 = 1_000_000;
 
 /// What a step consists of, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum StepPart {
     /// Rapier's step.
     World,
     /// The rigids' ways from pose to pose made ready for particles.
@@ -67,7 +67,7 @@ pub struct Simulator {
     parts: Parts,
     /// None as long as there never was a shedder.
     pub(crate) vortex_particles: Option<Box<VortexParticles>>,
-    pub(crate) touch: Touch,
+    pub(crate) active_inputs: ActiveInputs,
     pub(crate) recorder: Recorder,
     arranger: Arranger,
     scratch: Scratch,
@@ -91,7 +91,7 @@ impl Simulator {
             rigids: Rigids::new(),
             parts: Parts::default(),
             vortex_particles: None,
-            touch: Touch::default(),
+            active_inputs: ActiveInputs::default(),
             recorder: Recorder::default(),
             arranger: Arranger::new(room),
             scratch: Scratch::new(room),
@@ -108,8 +108,8 @@ impl Simulator {
         let before = self.integrator();
         self.parameters.set_all(entries)?;
         if self.integrator() != before {
-            let stirrers = self.vortex_particles.as_deref();
-            self.motion().take_over(&mut self.particles, stirrers);
+            let vortex_particles = self.vortex_particles.as_deref();
+            self.motion().take_over(&mut self.particles, vortex_particles);
         }
         if !self.parameters.shedders.items().is_empty() {
             self.vortex_particles_mut();
@@ -147,51 +147,51 @@ impl Simulator {
 
     /// Advances by 1/60 s.
     pub fn step(&mut self) {
-        self.step_in_parts(|_| ());
+        self.step_observed_by(|_| ());
     }
 
     /// As `step`; calls `ended` at the end of each part, so that a measurement can tell what it took.
-    pub(crate) fn step_in_parts(&mut self, mut ended: impl FnMut(Part)) {
+    pub(crate) fn step_observed_by(&mut self, mut ended: impl FnMut(StepPart)) {
         #[cfg(feature = "rigids")]
         {
             let radii = RadiusLaw::new(&self.parameters);
             self.rigids.feel(&mut self.particles, &radii, STEP as f32);
             self.rigids.step_world(STEP as f32);
         }
-        ended(Part::World);
+        ended(StepPart::World);
         #[cfg(feature = "rigids")]
         self.rigids.follow_world(STEP as f32);
-        ended(Part::Follow);
+        ended(StepPart::Follow);
         self.begin_parts();
         let motion = self.motion();
-        self.bear(&motion);
+        self.spawn(&motion);
         let ageing = Ageing::new(&self.parameters, STEP);
-        let stirrers = self.vortex_particles.as_deref();
+        let vortex_particles = self.vortex_particles.as_deref();
         if self.has_obstacles() {
-            motion.advance(&mut self.particles, stirrers, &mut |_, _, _| ());
+            motion.advance(&mut self.particles, vortex_particles, &mut |_, _, _| ());
             #[cfg(feature = "rigids")]
             self.rigids
                 .drag_air(&mut self.particles, &RadiusLaw::new(&self.parameters), STEP as f32);
-            ended(Part::Motion);
+            ended(StepPart::Motion);
             self.collide();
-            ended(Part::Collision);
+            ended(StepPart::Collision);
             life::advance(&mut self.particles, &ageing);
         } else {
             // Nothing comes between moving and ageing: one pass over the memory instead of two.
-            motion.advance(&mut self.particles, stirrers, &mut |particles, first, len| {
+            motion.advance(&mut self.particles, vortex_particles, &mut |particles, first, len| {
                 life::advance_tile(particles, &ageing, first, len);
             });
-            ended(Part::Motion);
-            ended(Part::Collision);
+            ended(StepPart::Motion);
+            ended(StepPart::Collision);
         }
         self.shed(&motion);
         turbulence::advance(&mut self.turbulence, &self.parameters, STEP);
-        self.touch.advance();
+        self.active_inputs.advance();
         self.steps += 1;
         held::follow(&mut self.particles, self.steps, self.parameters.style.hold as u64);
         self.parts.end();
         self.follow_log();
-        ended(Part::Rest);
+        ended(StepPart::Rest);
     }
 
     /// Writes the rows that the numbers of `view` ask for (see [`View`]) and returns how many there are. Refuses a
@@ -199,13 +199,13 @@ impl Simulator {
     pub fn arrange(&mut self, view: &[f32]) -> Result<usize, ParameterError> {
         let view = View::new(view)?;
         let radii = RadiusLaw::new(&self.parameters);
-        let moment = Moment {
+        let sampler = RowSampler {
             radii,
             // What is held does not go on between steps.
             blend: if self.particles.held.is_some() { 1.0 } else { view.blend },
             dt: STEP as f32,
         };
-        Ok(self.arranger.arrange(&self.particles, &view, &moment))
+        Ok(self.arranger.arrange(&self.particles, &view, &sampler))
     }
 
     /// Rows of x, y, z and radius (m); valid up to the count of the last `arrange`.
@@ -214,8 +214,8 @@ impl Simulator {
     }
 
     /// Rows of packed words, see `rows`; valid up to the count of the last `arrange`.
-    pub fn look(&self) -> &[[u32; 2]] {
-        self.arranger.look()
+    pub fn attributes(&self) -> &[[u32; 2]] {
+        self.arranger.attributes()
     }
 
     /// Least and greatest corner (m) around all that lived at the moment of the last `arrange`, radii included, and the
@@ -307,9 +307,9 @@ impl Simulator {
         for column in self.particles.float_columns() {
             hash.floats(&column[..self.particles.alive()]);
         }
-        self.particles.look[..self.particles.alive()]
+        self.particles.attributes[..self.particles.alive()]
             .iter()
-            .for_each(|look| hash.word(*look));
+            .for_each(|attributes| hash.word(*attributes));
         let Births { owed, waiting } = self.births;
         owed.iter().for_each(|number| hash.long(number.to_bits()));
         for TurbulenceState { drift, phase } in &self.turbulence {
@@ -319,7 +319,7 @@ impl Simulator {
                 .for_each(|number| hash.long(number.to_bits()));
         }
         waiting.iter().for_each(|count| hash.long(*count));
-        self.touch.hash_into(&mut hash);
+        self.active_inputs.hash_into(&mut hash);
         if let Some(all) = &self.vortex_particles {
             all.hash_into(&mut hash);
         }
@@ -337,7 +337,7 @@ impl Simulator {
     /// lives finds room. Bytes that are damaged or do not fit are refused, and nothing is changed. A take that is being
     /// recorded begins anew.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
-        snapshot::restore(self, bytes, Room::Own)?;
+        snapshot::restore(self, bytes, RestoredCapacity::Own)?;
         self.begin_take_anew();
         Ok(())
     }
@@ -364,14 +364,14 @@ impl Simulator {
         Integrator::from_parameter(self.parameters.simulation.integrator)
     }
 
-    fn motion(&self) -> Motion {
-        Motion::new(&self.setting())
+    fn motion(&self) -> ParticleMotion {
+        ParticleMotion::new(&self.context())
     }
 
-    fn setting(&self) -> Setting<'_> {
-        Setting {
+    fn context(&self) -> ForceContext<'_> {
+        ForceContext {
             parameters: &self.parameters,
-            now: Now {
+            now: StepTime {
                 time: (self.steps as f64 + 0.5) * STEP,
                 dt: STEP,
                 poses: self.rigid_poses(),
@@ -379,7 +379,7 @@ impl Simulator {
             },
             seed: self.seed,
             turbulence: &self.turbulence,
-            gusts: self.touch.gusts(),
+            gusts: self.active_inputs.gusts(),
         }
     }
 
@@ -408,8 +408,8 @@ impl Simulator {
         self.parts.carry(self.rigids.poses());
     }
 
-    fn bear(&mut self, motion: &Motion) {
-        let around = Surroundings {
+    fn spawn(&mut self, motion: &ParticleMotion) {
+        let around = EmissionContext {
             parameters: &self.parameters,
             surfaces: &self.surfaces,
             parts: &self.parts,
@@ -426,9 +426,9 @@ impl Simulator {
         }
     }
 
-    fn shed(&mut self, motion: &Motion) {
+    fn shed(&mut self, motion: &ParticleMotion) {
         if let Some(mut all) = self.vortex_particles.take() {
-            all.step(motion, &self.setting());
+            all.step(motion, &self.context());
             self.vortex_particles = Some(all);
         }
     }

@@ -13,7 +13,7 @@ use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::particles::Particles;
 use crate::random::Random;
 use crate::simulator::{CAPACITY_LIMIT, Simulator};
-use crate::take::touch::Touch;
+use crate::take::active_inputs::ActiveInputs;
 use crate::vortex_particles::VortexParticles;
 
 const KIND: &[u8; 4] = b"smok";
@@ -30,11 +30,11 @@ pub(crate) trait Section: Sized {
 /// Declares what is saved besides particles and rigids: the section's name, and the simulator's field.
 macro_rules! sections {
     ($($name:literal => $field:ident: $type:ty,)*) => {
-        struct Draft {
+        struct SavedState {
             $($field: $type,)*
         }
 
-        impl Draft {
+        impl SavedState {
             fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
                 Ok(Self { $($field: reader.section($name, <$type as Section>::read)?,)* })
             }
@@ -56,7 +56,7 @@ sections! {
     b"rand" => random: Random,
     b"born" => births: Births,
     b"turb" => turbulence: [TurbulenceState; LIST_LIMIT + 1],
-    b"hand" => touch: Touch,
+    b"hand" => active_inputs: ActiveInputs,
     b"vort" => vortex_particles: Option<Box<VortexParticles>>,
     b"para" => parameters: Parameters,
     b"surf" => surfaces: Surfaces,
@@ -64,7 +64,7 @@ sections! {
 
 /// Whose capacity a restored simulator has.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Room {
+pub enum RestoredCapacity {
     /// Its own; what was saved must fit.
     Own,
     /// That of the saved one.
@@ -82,12 +82,12 @@ pub fn save(simulator: &Simulator) -> Vec<u8> {
 }
 
 /// Puts what `bytes` hold into `simulator`, or refuses them and changes nothing.
-pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: Room) -> Result<(), RestoreError> {
+pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: RestoredCapacity) -> Result<(), RestoreError> {
     let (mut reader, _) = Reader::open(bytes, KIND, [VERSION; 2], NAME)?;
-    let draft = Draft::read(&mut reader)?;
+    let saved_state = SavedState::read(&mut reader)?;
     let rigids = reader.section(b"rigi", |reader| Ok(reader.rest()))?;
     let saved = reader.section(b"room", read_capacity)?;
-    let capacity = if room == Room::Saved {
+    let capacity = if room == RestoredCapacity::Saved {
         saved
     } else {
         simulator.capacity()
@@ -95,8 +95,8 @@ pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: Room) -> Result<()
     let particles = reader.section(b"part", |reader| read_particles(reader, capacity))?;
     reader.end()?;
     // Everything has been checked but the rigids; they come first, since nothing may fail after the first change.
-    restore_rigids(simulator, rigids, draft.steps)?;
-    draft.put_into(simulator);
+    restore_rigids(simulator, rigids, saved_state.steps)?;
+    saved_state.put_into(simulator);
     simulator.put_particles(particles);
     simulator.particles.hold(simulator.parameters.style.hold > 1.0);
     Ok(())
@@ -204,7 +204,9 @@ fn write_particles(body: &mut Writer, particles: &Particles) {
     for column in particles.float_columns() {
         column[..alive].iter().for_each(|value| body.word(value.to_bits()));
     }
-    particles.look[..alive].iter().for_each(|look| body.word(*look));
+    particles.attributes[..alive]
+        .iter()
+        .for_each(|attributes| body.word(*attributes));
     body.word(u32::from(particles.held.is_some()));
     for column in particles.held.iter().flat_map(|held| held.columns()) {
         column[..alive].iter().for_each(|value| body.word(value.to_bits()));
@@ -223,9 +225,9 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
             .iter_mut()
             .try_for_each(|value| reader.float().map(|saved| *value = saved))?;
     }
-    particles.look[..alive]
+    particles.attributes[..alive]
         .iter_mut()
-        .try_for_each(|look| reader.word().map(|saved| *look = saved))?;
+        .try_for_each(|attributes| reader.word().map(|saved| *attributes = saved))?;
     if particles.lifetime[..alive].iter().any(|lifetime| *lifetime <= 0.0) {
         return Err(RestoreError::new(
             "the saved simulation holds a particle without a lifetime",

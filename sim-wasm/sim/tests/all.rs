@@ -24,6 +24,7 @@ mod emission_moments;
 mod emission_riding;
 mod emission_shapes;
 mod emission_surface;
+mod errors;
 mod forces;
 mod forces_edges;
 mod forces_explosions;
@@ -39,7 +40,6 @@ mod life;
 mod life_curves;
 mod page_table;
 mod parts;
-mod refusals;
 #[cfg(feature = "rigids")]
 mod rigids_air;
 #[cfg(feature = "rigids")]

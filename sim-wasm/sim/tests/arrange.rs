@@ -70,7 +70,7 @@ fn cloud(count: u32) -> Simulator {
         let size = 0.05 + random.unit() * 0.5;
         simulator.add(&Newborn {
             size,
-            look: random.bits(),
+            attributes: random.bits(),
             ..newborn(position)
         });
     }
@@ -137,7 +137,7 @@ fn blend_runs_from_the_previous_step_to_this_one() {
             (row[0] - x).abs() < 1e-5 && (row[3] - radius).abs() < 1e-6,
             "blend {blend}: {row:?}"
         );
-        let word = simulator.look()[0][0];
+        let word = simulator.attributes()[0][0];
         assert_eq!(word >> 16, (age / 60.0 * 65_535.0 + 0.5) as u32, "age at blend {blend}");
     }
     let mut early = view();
@@ -181,10 +181,10 @@ fn what_left_the_world_leaves_no_row_behind() {
 #[test]
 fn looks_are_packed_as_documented() {
     let mut simulator = simulator(3, 1, &[STILL, FULL]);
-    let look = 3 | 200 << 8 | 0x400 << 16 | 9 << 28;
+    let attributes = 3 | 200 << 8 | 0x400 << 16 | 9 << 28;
     for (age, temperature) in [(0.0, 0.0), (10.0, 1.0), (30.0, 9.0)] {
         simulator.add(&Newborn {
-            look,
+            attributes,
             age,
             temperature,
             lifetime: 40.0,
@@ -200,7 +200,7 @@ fn looks_are_packed_as_documented() {
         ]
     };
     assert_eq!(
-        simulator.look()[..3],
+        simulator.attributes()[..3],
         [expected(0.0, 0), expected(10.0, 64), expected(30.0, 255)]
     );
 }

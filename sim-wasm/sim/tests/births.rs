@@ -211,14 +211,17 @@ fn variations_are_all_used_and_kept_for_life() {
     let settings = [("puff.variations", 3.0), ("emission.rate", 600.0)];
     let mut simulator = simulator(600, 1, &[STILL, EVEN, &settings]);
     steps(&mut simulator, 60);
-    let looks = simulator.particles().look[..600].to_vec();
+    let attributes = simulator.particles().attributes[..600].to_vec();
     for variation in 0..3 {
-        let count = looks.iter().filter(|look| **look & 0xff == variation).count();
+        let count = attributes
+            .iter()
+            .filter(|attributes| **attributes & 0xff == variation)
+            .count();
         assert!((150..250).contains(&count), "variation {variation} has {count} of 600");
     }
     simulator.set("puff.variations", 1.0).unwrap();
     steps(&mut simulator, 60);
-    assert_eq!(simulator.particles().look[..600], looks);
+    assert_eq!(simulator.particles().attributes[..600], attributes);
 }
 
 #[test]
@@ -268,7 +271,7 @@ fn a_hash_notices_each_number_of_each_particle() {
             ..plain
         },
         Newborn {
-            look: plain.look ^ 1 << 31,
+            attributes: plain.attributes ^ 1 << 31,
             ..plain
         },
     ];

@@ -39,7 +39,7 @@ fn fly(from: [f32; 3], to: [f32; 3], radius: f32, age: f32, colliders: &[Analyti
         lifetime: LIFETIME,
         size: radius,
         temperature: 0.0,
-        look: 0,
+        attributes: 0,
     };
     assert!(particles.push(&newborn));
     let span = DT + age;
@@ -231,7 +231,7 @@ fn rests(roughness: f32, worn: f32, seeds: &[u32]) -> Vec<f32> {
             lifetime: LIFETIME,
             size: 0.2,
             temperature: 0.0,
-            look: seed << 8 | 0xff_0000,
+            attributes: seed << 8 | 0xff_0000,
         };
         assert!(particles.push(&newborn));
         particles.y[i] = 0.01;

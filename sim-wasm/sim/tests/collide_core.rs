@@ -1,7 +1,7 @@
 //! The quick look never lets pass what the exact one would stop, and spares most of the exact ones.
 
 use sim::collide::contact::{Material, Obstacle, Pass, Traveller};
-use sim::collide::motion::Motion;
+use sim::collide::motion::PoseMotion;
 use sim::collide::shapes::{Ball, Capsule, Collider, Cuboid, Cylinder};
 use sim::collide::space::{Pose, Vector};
 use sim::random::Random;
@@ -21,7 +21,7 @@ fn pose(random: &mut Random, size: f32) -> Pose {
 fn obstacle<C: Collider + std::fmt::Debug>(shape: C, random: &mut Random, speed: f32) -> Obstacle<C> {
     let start = pose(random, 0.2);
     let end = start.towards(&pose(random, 0.2), speed);
-    let motion = Motion::between(start, end, 1.0 / 60.0, shape.is_round());
+    let motion = PoseMotion::between(start, end, 1.0 / 60.0, shape.is_round());
     Obstacle {
         core: shape.core(),
         bounds: motion.bounds_of(&shape.bounds()),
@@ -53,7 +53,9 @@ fn passed_and_free<C: Collider + std::fmt::Debug>(shape: impl Fn(&mut Random) ->
             margin: 0.0,
             began: 0.0,
         };
-        let passes = obstacle.core.is_passed_by(&obstacle.motion, from, to, traveller.radius);
+        let passes = obstacle
+            .core
+            .is_certainly_missed_by(&obstacle.motion, from, to, traveller.radius);
         let before = traveller;
         let touches = obstacle.meet(&mut traveller, Pass::First);
         assert!(!(passes && touches), "round {round}: {before:?} meets {obstacle:?}");

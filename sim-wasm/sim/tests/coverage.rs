@@ -155,13 +155,16 @@ struct Puff {
 }
 
 impl Puff {
-    fn new(place: [f32; 4], look: [u32; 2], eye: &Eye, solids: &[f32]) -> Self {
+    fn new(place: [f32; 4], attributes: [u32; 2], eye: &Eye, solids: &[f32]) -> Self {
         let centre = eye.view([place[0], place[1], place[2]].map(f64::from));
         let full = f64::from(place[3]);
         let radius = full * grown(centre[2], full);
-        let columns = &solids[(look[1] & 0xff) as usize % VARIATIONS * 4 * BALLS..][..4 * BALLS];
+        let columns = &solids[(attributes[1] & 0xff) as usize % VARIATIONS * 4 * BALLS..][..4 * BALLS];
         let ball = |ball: usize| {
-            let at = turned([0, 1, 2].map(|axis| f64::from(columns[axis * BALLS + ball])), look);
+            let at = turned(
+                [0, 1, 2].map(|axis| f64::from(columns[axis * BALLS + ball])),
+                attributes,
+            );
             let seen = [dot(at, eye.right), dot(at, eye.up), -dot(at, eye.forward)];
             [seen[0], seen[1], seen[2], f64::from(columns[3 * BALLS + ball])]
         };
@@ -193,13 +196,13 @@ impl Puff {
 }
 
 /// A direction of the puff's own frame in the world; see src/puffs/orientation.ts.
-fn turned(at: V3, look: [u32; 2]) -> V3 {
-    let seed = f64::from(look[1] >> 8 & 0xff);
+fn turned(at: V3, attributes: [u32; 2]) -> V3 {
+    let seed = f64::from(attributes[1] >> 8 & 0xff);
     let z = 1.0 - (2.0 * seed + 1.0) / 256.0;
     let angle = seed * std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
     let reach = (1.0 - z * z).sqrt();
     let axis = [reach * angle.cos(), reach * angle.sin(), z];
-    let roll = f64::from(look[0] & 0xffff) / 65_536.0 * std::f64::consts::TAU;
+    let roll = f64::from(attributes[0] & 0xffff) / 65_536.0 * std::f64::consts::TAU;
     let (across, along) = (cross(axis, at), dot(axis, at) * (1.0 - roll.cos()));
     std::array::from_fn(|i| roll.cos() * at[i] + roll.sin() * across[i] + along * axis[i])
 }
@@ -210,7 +213,7 @@ fn cloud(count: u32, seed: u32, spread: f32) -> Simulator {
     for _ in 0..count {
         simulator.add(&Newborn {
             size: 0.1 + 0.35 * random.unit(),
-            look: random.bits(),
+            attributes: random.bits(),
             ..newborn(std::array::from_fn(|_| random.signed() * spread))
         });
     }
@@ -272,10 +275,10 @@ fn start_caps() -> Vec<f32> {
 }
 
 /// The entry for light from a side of the puff's own frame.
-fn start_cap(caps: &[f32], look: [u32; 2], [x, y, z]: V3) -> f64 {
+fn start_cap(caps: &[f32], attributes: [u32; 2], [x, y, z]: V3) -> f64 {
     let column = (y.atan2(x) / std::f64::consts::TAU + 0.5) * TABLE[0] as f64;
     let row = z.clamp(-1.0, 1.0).acos() / std::f64::consts::PI * TABLE[1] as f64;
-    let variation = (look[1] & 0xff) as usize % VARIATIONS;
+    let variation = (attributes[1] & 0xff) as usize % VARIATIONS;
     let row = variation * TABLE[1] + (row as usize).min(TABLE[1] - 1);
     f64::from(caps[row * TABLE[0] + (column as usize).min(TABLE[0] - 1)])
 }
@@ -284,8 +287,8 @@ type Row = ([f32; 4], [u32; 2]);
 
 fn rows(simulator: &mut Simulator, view: &[f32]) -> Vec<Row> {
     let count = simulator.arrange(view).unwrap();
-    let (place, look) = (simulator.place(), simulator.look());
-    (0..count).map(|row| (place[row], look[row])).collect()
+    let (place, attributes) = (simulator.place(), simulator.attributes());
+    (0..count).map(|row| (place[row], attributes[row])).collect()
 }
 
 /// The rows that stay, and those that only coverage leaves out. Those that stay keep their order.
@@ -342,7 +345,7 @@ proptest! {
         let solids = solids(seed);
         let mut simulator = cloud(count, seed, spread);
         let (kept, left) = sifted(&mut simulator, &body_view(&eye, ink, &solids));
-        let puff = |(place, look): &Row| Puff::new(*place, *look, &eye, &solids);
+        let puff = |(place, attributes): &Row| Puff::new(*place, *attributes, &eye, &solids);
         let front: Vec<Puff> = kept.iter().map(puff).collect();
         let mut random = Random::new(seed);
         for hidden in left.iter().map(puff).filter(|puff| puff.radius > 0.0) {
@@ -409,7 +412,7 @@ struct Shadow {
 }
 
 impl Shadow {
-    fn new((place, look): &Row, eye: &Eye, travel: V3, caps: &[f32], solids: &[f32]) -> Self {
+    fn new((place, attributes): &Row, eye: &Eye, travel: V3, caps: &[f32], solids: &[f32]) -> Self {
         let centre = [place[0], place[1], place[2]].map(f64::from);
         let radius = f64::from(place[3]);
         let [x, y, depth] = eye.view(centre);
@@ -424,19 +427,22 @@ impl Shadow {
         } else {
             0.0
         };
-        let columns = &solids[(look[1] & 0xff) as usize % VARIATIONS * 4 * BALLS..][..4 * BALLS];
+        let columns = &solids[(attributes[1] & 0xff) as usize % VARIATIONS * 4 * BALLS..][..4 * BALLS];
         let disc = |ball: usize| {
-            let at = turned([0, 1, 2].map(|axis| f64::from(columns[axis * BALLS + ball])), *look);
+            let at = turned(
+                [0, 1, 2].map(|axis| f64::from(columns[axis * BALLS + ball])),
+                *attributes,
+            );
             let middle: V3 = std::array::from_fn(|i| centre[i] + radius * at[i]);
             let along = dot(middle, travel);
             let flat = std::array::from_fn(|i| middle[i] - along * travel[i]);
             (flat, radius * f64::from(columns[3 * BALLS + ball]))
         };
         // Back into the puff's own frame.
-        let unturned = [look[0].wrapping_neg() & 0xffff, look[1]];
-        let cap = start_cap(caps, *look, turned(travel.map(|c| -c), unturned));
+        let unturned = [attributes[0].wrapping_neg() & 0xffff, attributes[1]];
+        let cap = start_cap(caps, *attributes, turned(travel.map(|c| -c), unturned));
         let start = dot(centre, travel) + (cap + shear + 0.02) * radius;
-        let end = match look[0] >> 16 {
+        let end = match attributes[0] >> 16 {
             0xffff => f64::INFINITY,
             steps => dot(centre, travel) + f64::from(steps) / 256.0 * radius,
         };
@@ -489,7 +495,10 @@ fn a_dense_cloud_is_mostly_hidden_and_a_thin_one_is_not() {
     assert!(dense[0] < 0.35 && dense[1] < 0.45, "{dense:?} of a dense cloud stay");
     let mut dense_cloud = cloud(4000, 3, 1.0);
     let casters = rows(&mut dense_cloud, &shadow_view(&eye, unit([0.4, -0.8, 0.1]), 1, &solids));
-    let ended = casters.iter().filter(|(_, look)| look[0] >> 16 < 0xffff).count();
+    let ended = casters
+        .iter()
+        .filter(|(_, attributes)| attributes[0] >> 16 < 0xffff)
+        .count();
     assert!(4 * ended > casters.len(), "{ended} of {} shadows end", casters.len());
     // So it is for an eye whose rays are parallel, whatever the direction of the light.
     let from_afar = Eye::new([3.0, 4.0, 5.0], 1.5, false);

@@ -183,7 +183,7 @@ fn tints_are_an_emitters_own() {
     let particles = simulator.particles();
     for i in 0..simulator.alive() {
         let tint = if particles.x[i] > 50.0 { 0 } else { 15 };
-        assert_eq!(particles.look[i] >> 28, tint);
+        assert_eq!(particles.attributes[i] >> 28, tint);
     }
 }
 

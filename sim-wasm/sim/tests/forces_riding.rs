@@ -65,7 +65,7 @@ fn a_vortex_and_a_jet_go_and_turn_with_their_rigid() {
         let frame = frame(&riding);
         for local in [[0.0, 0.9, 0.2], [0.3, 0.6, -0.1], [1.0, -0.4, 0.5], [0.25, 0.8, 0.0]] {
             let world = frame.world_from_local(local.into());
-            let expected = frame.turned(fixed.air_velocity(local).into());
+            let expected = frame.rotate(fixed.air_velocity(local).into());
             assert_near("air", riding.air_velocity(world.into()), expected, 2e-3);
         }
     }
@@ -87,7 +87,7 @@ fn the_region_of_a_wind_goes_and_turns_with_its_rigid() {
         advance(&mut riding);
         let frame = frame(&riding);
         let air = |x, y| riding.air_velocity(frame.world_from_local(Vector::new(x, y, 0.0)).into());
-        let blowing = frame.turned(Vector::new(0.0, 1.5, 0.0));
+        let blowing = frame.rotate(Vector::new(0.0, 1.5, 0.0));
         assert_near("inside", air(1.0, 0.0), blowing, 1e-4);
         assert_near("near an end", air(1.15, 0.55), blowing, 1e-4);
         assert_near("beside", air(1.25, 0.0), Vector::ZERO, 1e-9);

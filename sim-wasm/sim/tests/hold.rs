@@ -22,9 +22,9 @@ fn procession(hold: f64) -> Simulator {
     let settings = [("forces.wind.x", 1.0), ("drag.rate", 1000.0), ("style.hold", hold)];
     let mut simulator = simulator(COUNT, 1, &[STILL, &settings]);
     for i in 0..COUNT {
-        let look = (i * 256 / COUNT) << 8;
+        let attributes = (i * 256 / COUNT) << 8;
         simulator.add(&Newborn {
-            look,
+            attributes,
             ..newborn([0.0, 0.0, -(i as f32)])
         });
     }
@@ -39,7 +39,10 @@ fn shown(simulator: &mut Simulator, blend: f32) -> Vec<f32> {
 
 fn rows(simulator: &mut Simulator) -> (Vec<[f32; 4]>, Vec<[u32; 2]>) {
     let count = simulator.arrange(&view(0.4)).unwrap();
-    (simulator.place()[..count].to_vec(), simulator.look()[..count].to_vec())
+    (
+        simulator.place()[..count].to_vec(),
+        simulator.attributes()[..count].to_vec(),
+    )
 }
 
 #[test]

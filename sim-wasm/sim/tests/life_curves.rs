@@ -3,8 +3,8 @@
 use crate::common::{STILL, newborn, simulator, steps};
 use proptest::prelude::*;
 use sim::Simulator;
-use sim::life::entrainment::GREATEST_SIZE;
-use sim::life::{RadiusLaw, SHORTEST_GROWTH};
+use sim::life::entrainment::MAX_SIZE;
+use sim::life::{MIN_GROWTH_TIME, RadiusLaw};
 use sim::parameters::Parameters;
 use sim::particles::Newborn;
 
@@ -106,7 +106,7 @@ fn greatest_change(radii: &[f32]) -> f64 {
 
 #[test]
 fn nobody_is_born_full_but_by_the_papers_integrator() {
-    for growth_time in [0.0, 0.01, f64::from(SHORTEST_GROWTH)] {
+    for growth_time in [0.0, 0.01, f64::from(MIN_GROWTH_TIME)] {
         let mut simulator = simulator(1, 1, &[STILL, &[("emission.growthTime", growth_time)]]);
         simulator.add(&Newborn {
             lifetime: 1.0,
@@ -114,7 +114,7 @@ fn nobody_is_born_full_but_by_the_papers_integrator() {
             ..newborn([0.0; 3])
         });
         let radii = drawn(&mut simulator, 4);
-        let bound = 0.4 * STEP / 4.0 * (1.0 + 2.0 / f64::from(SHORTEST_GROWTH));
+        let bound = 0.4 * STEP / 4.0 * (1.0 + 2.0 / f64::from(MIN_GROWTH_TIME));
         assert_eq!((radii[0], radii[radii.len() - 1]), (0.0, 0.0));
         let change = greatest_change(&radii);
         assert!(
@@ -228,7 +228,7 @@ fn who_is_born_late_in_a_step_grows_for_the_rest_of_it() {
 fn growth_has_a_limit() {
     let settings = [("emission.entrainment", 1.0)];
     let mut simulator = simulator(2, 1, &[STILL, &settings]);
-    for size in [GREATEST_SIZE - 1.0, GREATEST_SIZE + 5.0] {
+    for size in [MAX_SIZE - 1.0, MAX_SIZE + 5.0] {
         simulator.add(&Newborn {
             size,
             slip: [0.0, 45.0, 0.0],
@@ -236,5 +236,5 @@ fn growth_has_a_limit() {
         });
     }
     steps(&mut simulator, 120);
-    assert_eq!(simulator.particles().size[..2], [GREATEST_SIZE, GREATEST_SIZE + 5.0]);
+    assert_eq!(simulator.particles().size[..2], [MAX_SIZE, MAX_SIZE + 5.0]);
 }

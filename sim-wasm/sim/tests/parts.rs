@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::common::{LIVELY, STEP, STILL, place, simulator, slip};
 use sim::Simulator;
 use sim::collide::space::{Pose, Vector, rotation_about};
-use sim::parts::{FIRST_PART, MOST_PARTS, PART_FLOATS};
+use sim::parts::{FIRST_PART, MAX_PARTS, PART_FLOATS};
 
 /// The second part: the first one stands aside.
 const SECOND: f64 = FIRST_PART as f64 + 1.0;
@@ -204,7 +204,7 @@ fn poses_that_are_none_are_refused() {
         with(15, f32::NAN),
         good[1..].to_vec(),
         good[PART_FLOATS..].to_vec(),
-        good[..PART_FLOATS].repeat(2 * (MOST_PARTS + 1)),
+        good[..PART_FLOATS].repeat(2 * (MAX_PARTS + 1)),
     ] {
         assert_eq!(simulator.place_parts(&numbers).unwrap_err().key, "parts");
     }
@@ -214,8 +214,8 @@ fn poses_that_are_none_are_refused() {
         "the poses given before hold"
     );
     let key = "emitters.0.rigid";
-    assert!(simulator.set(key, (FIRST_PART + MOST_PARTS - 1) as f64).is_ok());
-    assert!(simulator.set(key, (FIRST_PART + MOST_PARTS) as f64).is_err());
+    assert!(simulator.set(key, (FIRST_PART + MAX_PARTS - 1) as f64).is_ok());
+    assert!(simulator.set(key, (FIRST_PART + MAX_PARTS) as f64).is_err());
 }
 
 #[cfg(feature = "rigids")]

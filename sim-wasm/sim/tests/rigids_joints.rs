@@ -116,7 +116,7 @@ fn a_hinge_keeps_its_axis_its_limits_and_its_motor_speed() {
         half_extents: [0.5, 0.8, 0.03],
     };
     let axis = Vector::new(0.2, 1.0, 0.1).unit_or(Vector::Y);
-    let turn_of = |rigids: &Rigids| Pose::at(Vector::ZERO).turn_to(&pose(rigids));
+    let turn_of = |rigids: &Rigids| Pose::at(Vector::ZERO).rotation_vector_to(&pose(rigids));
     for (limits, motor) in [
         (None, None),
         (Some([-0.3, 0.5]), None),
@@ -135,7 +135,7 @@ fn a_hinge_keeps_its_axis_its_limits_and_its_motor_speed() {
         for step in 1..=300 {
             let before = pose(&rigids);
             rigids.advance(DT);
-            let off = (Frame::new(&pose(&rigids)).turned(axis) - axis).length();
+            let off = (Frame::new(&pose(&rigids)).rotate(axis) - axis).length();
             assert!(off < 0.01, "step {step}: the axis is off by {off}");
             let angle = turn_of(&rigids).dot(axis);
             greatest = greatest.max(angle.abs());
@@ -143,7 +143,7 @@ fn a_hinge_keeps_its_axis_its_limits_and_its_motor_speed() {
                 assert!(angle > -0.33 && angle < 0.53, "step {step}: {angle}");
             }
             if motor.is_some() && step > 60 {
-                let speed = before.turn_to(&pose(&rigids)).dot(axis) / DT;
+                let speed = before.rotation_vector_to(&pose(&rigids)).dot(axis) / DT;
                 assert!((speed - 3.0).abs() < 0.1, "step {step}: {speed}");
             }
         }

@@ -24,7 +24,7 @@ fn pose(rigids: &Rigids, index: usize) -> Pose {
 }
 
 fn apart(a: &Pose, b: &Pose) -> f32 {
-    (a.position - b.position).length() + a.turn_to(b).length()
+    (a.position - b.position).length() + a.rotation_vector_to(b).length()
 }
 
 fn frame(time: f32, x: f32, angle: f32) -> Keyframe {
@@ -93,7 +93,7 @@ fn a_closed_spline_through_a_ring_is_a_circle_at_an_even_pace() {
         };
         let at = pose(&rigids, 0);
         assert!((at.position - expected.position).length() < 4e-3, "step {step}: {at:?}");
-        assert!(at.turn_to(&expected).length() < 0.02, "step {step}: {at:?}");
+        assert!(at.rotation_vector_to(&expected).length() < 0.02, "step {step}: {at:?}");
     }
 }
 
@@ -123,7 +123,7 @@ fn an_open_spline_goes_through_its_points_at_the_speed_it_is_given_and_stays_at_
         let speed = (at.position - before).length() / DT;
         assert!(speed < 1.5 * 1.01, "step {step}: {speed}");
         assert!(speed > 1.5 * 0.97 || nearest[3] < 0.03, "step {step}: {speed}");
-        assert!(at.turn_to(&tilted).length() < 1e-5);
+        assert!(at.rotation_vector_to(&tilted).length() < 1e-5);
         before = at.position;
     }
     assert!(nearest.iter().all(|nearest| *nearest < 0.025 + 1e-4), "{nearest:?}");
@@ -214,8 +214,8 @@ fn spin_goes_with_a_path_and_with_a_target() {
     let before = pose(&rigids, 1);
     rigids.set_spin(1, axis.into(), 3.0).unwrap();
     rigids.advance(DT);
-    let turn = before.turn_to(&pose(&rigids, 1));
-    let expected = Frame::new(&before).turned(axis) * (3.0 * DT);
+    let turn = before.rotation_vector_to(&pose(&rigids, 1));
+    let expected = Frame::new(&before).rotate(axis) * (3.0 * DT);
     assert!((turn - expected).length() < 1e-5, "{turn:?} for {expected:?}");
 }
 

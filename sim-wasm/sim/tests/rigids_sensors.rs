@@ -26,7 +26,7 @@ fn with_plate(action: Option<Action>, settings: &[(&str, f64)]) -> Simulator {
         simulator.add(&Newborn {
             slip: [0.0, -30.0, 0.0],
             size: 0.05,
-            look: 0x0abc_1203,
+            attributes: 0x0abc_1203,
             ..newborn([x, 1.0 + 0.3 * k as f32, 0.0])
         });
     }
@@ -35,9 +35,9 @@ fn with_plate(action: Option<Action>, settings: &[(&str, f64)]) -> Simulator {
 
 fn tints(simulator: &Simulator) -> Vec<u32> {
     let alive = simulator.alive();
-    simulator.particles().look[..alive]
+    simulator.particles().attributes[..alive]
         .iter()
-        .map(|look| look >> 28)
+        .map(|attributes| attributes >> 28)
         .collect()
 }
 
@@ -86,9 +86,9 @@ fn what_touches_a_tinting_plate_flies_on_with_its_tint() {
             let expected = 1.0 + 0.3 * k as f32 - 6.0;
             assert!((place(&simulator, k)[1] - expected).abs() < 1e-4, "it is not held up");
             assert_eq!(
-                simulator.particles().look[k] & 0x0fff_ffff,
+                simulator.particles().attributes[k] & 0x0fff_ffff,
                 0x0abc_1203,
-                "the rest of its look stays"
+                "the rest of its attributes stays"
             );
         }
     }

@@ -162,7 +162,7 @@ fn what_is_moved_many_times_in_a_step_is_kept_once() {
 fn a_full_log_says_so_and_the_smoke_goes_on() {
     let mut live = simulator(4, 1, &[]);
     live.record();
-    let most = sim::take::log::MOST_INPUTS as u32;
+    let most = sim::take::log::MAX_INPUTS as u32;
     for i in 0..most + 5 {
         assert_eq!(live.is_truncated(), i > most);
         live.input_steer(0, f64::from(i % 100) / 100.0).unwrap();

@@ -4,7 +4,7 @@ use crate::common::{LIVELY, STILL, newborn, place, simulator, steps};
 use sim::Simulator;
 use sim::random::Random;
 use sim::simulator::STEP;
-use sim::vortex_particles::{MOST_VORTEX_PARTICLES, VortexParticle};
+use sim::vortex_particles::{MAX_VORTEX_PARTICLES, VortexParticle};
 
 /// At the origin, turning about z by one radian a second, that neither spreads nor noticeably fades.
 const ONE: VortexParticle = VortexParticle {
@@ -274,17 +274,17 @@ fn the_multiplier_of_vortices_multiplies_them() {
 #[test]
 fn when_there_are_too_many_those_go_that_came_first() {
     let mut simulator = still(4);
-    for number in 0..MOST_VORTEX_PARTICLES + 10 {
+    for number in 0..MAX_VORTEX_PARTICLES + 10 {
         simulator.add_vortex_particle(&VortexParticle {
             position: [number as f32, 0.0, 0.0],
             ..ONE
         });
     }
-    assert_eq!(simulator.vortex_particles(), MOST_VORTEX_PARTICLES);
+    assert_eq!(simulator.vortex_particles(), MAX_VORTEX_PARTICLES);
     let first = simulator.vortex_particle(0).unwrap().position[0];
-    let last = simulator.vortex_particle(MOST_VORTEX_PARTICLES - 1).unwrap().position[0];
-    assert_eq!((first, last), (10.0, MOST_VORTEX_PARTICLES as f32 + 9.0));
-    assert_eq!(simulator.vortex_particle(MOST_VORTEX_PARTICLES), None);
+    let last = simulator.vortex_particle(MAX_VORTEX_PARTICLES - 1).unwrap().position[0];
+    assert_eq!((first, last), (10.0, MAX_VORTEX_PARTICLES as f32 + 9.0));
+    assert_eq!(simulator.vortex_particle(MAX_VORTEX_PARTICLES), None);
 }
 
 #[test]

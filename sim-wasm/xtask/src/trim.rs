@@ -42,7 +42,7 @@ const CALLED_WITH_ONE: &[&str] = &[
 const RETURNS_AT_ONCE: &[&str] = &["SoftConstraintsSet$GT$17assemble_contacts17h"];
 
 /// Smaller functions stay: the compiler keeps one for all that do the same, under any of their names. Instructions.
-const LEAST_SIZE: u64 = 100;
+const MIN_SIZE: u64 = 100;
 
 /// A module without them.
 ///
@@ -70,7 +70,7 @@ fn empty(module: &mut Module, part: &str, fill: impl Fn(&mut walrus::InstrSeqBui
         .iter_local()
         .filter(|(id, function)| {
             let name = module.funcs.get(*id).name.as_deref().unwrap_or_default();
-            name.contains(part) && !name.contains("drop_in_place") && function.size() >= LEAST_SIZE
+            name.contains(part) && !name.contains("drop_in_place") && function.size() >= MIN_SIZE
         })
         .map(|(id, _)| id)
         .collect();

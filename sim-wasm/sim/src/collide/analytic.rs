@@ -2,7 +2,7 @@
 
 use super::contact::{Action, Material, Obstacle};
 use super::core::Core;
-use super::motion::Motion;
+use super::motion::PoseMotion;
 use super::shapes::{Ball, Capsule, Collider, Cuboid, HalfSpace, Nearest};
 use super::space::{Bounds, Pose, Vector};
 
@@ -55,7 +55,7 @@ impl AnalyticCollider {
     pub fn obstacle(&self) -> Obstacle<AnalyticShape> {
         let shape = self.own_shape();
         let pose = Pose::along(Vector::from(self.position), Vector::from(self.axis));
-        let motion = Motion::resting(pose);
+        let motion = PoseMotion::resting(pose);
         let bounds = match shape {
             AnalyticShape::HalfSpace(_) => half_space_bounds(pose.position, Vector::from(self.axis)),
             _ => motion.bounds_of(&shape.bounds()),

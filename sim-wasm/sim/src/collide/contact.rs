@@ -7,12 +7,12 @@
 //! surface.
 
 use super::core::Core;
-use super::motion::Motion;
+use super::motion::PoseMotion;
 use super::shapes::{Collider, Nearest};
 use super::space::{Bounds, Vector, greater, lesser};
 
 const TRACE_STEPS: u32 = 32;
-/// Pieces of a way (see [`Motion`]) that make a quarter of a turn.
+/// Pieces of a way (see [`PoseMotion`]) that make a quarter of a turn.
 const QUARTER_TURN_PIECES: f32 = 8.0;
 /// Overlap that counts as none, as a share of the radius; well below what can be seen.
 const TOLERANCE: f32 = 1e-3;
@@ -57,7 +57,7 @@ pub struct Material {
 #[derive(Debug)]
 pub struct Obstacle<C> {
     pub shape: C,
-    pub motion: Motion,
+    pub motion: PoseMotion,
     pub material: Material,
     /// The world box that holds the shape during the whole step.
     pub bounds: Bounds,
@@ -119,7 +119,7 @@ impl<C: Collider> Obstacle<C> {
         if last.distance >= radius * (1.0 - TOLERANCE) {
             return false;
         }
-        self.respond(traveller, end.turned(last.normal), 1.0, traveller.to, pass);
+        self.respond(traveller, end.rotate(last.normal), 1.0, traveller.to, pass);
         traveller.to = end.world_from_local(to + last.normal * (radius - last.distance));
         true
     }
@@ -216,12 +216,12 @@ impl<C: Collider> Obstacle<C> {
         let frame = self.motion.frame(fraction);
         self.respond(
             traveller,
-            frame.turned(hit.normal),
+            frame.rotate(hit.normal),
             fraction,
             frame.world_from_local(hit.point),
             pass,
         );
-        let rest = self.turned_back(hit.rest, hit.normal, pass);
+        let rest = self.reflected(hit.rest, hit.normal, pass);
         let wanted = hit.point + rest;
         let radius = self.contact_radius(traveller);
         let nearest = self.shape.nearest(wanted, radius);
@@ -231,12 +231,12 @@ impl<C: Collider> Obstacle<C> {
 
     fn respond(&self, traveller: &mut Traveller, normal: Vector, fraction: f32, point: Vector, pass: Pass) {
         let surface = self.motion.velocity_at(point, fraction);
-        traveller.velocity = surface + self.turned_back(traveller.velocity - surface, normal, pass);
+        traveller.velocity = surface + self.reflected(traveller.velocity - surface, normal, pass);
     }
 
     /// What the surface makes of a velocity, or of a way, relative to it; unchanged when it leads away.
     #[inline]
-    fn turned_back(&self, velocity: Vector, normal: Vector, pass: Pass) -> Vector {
+    fn reflected(&self, velocity: Vector, normal: Vector, pass: Pass) -> Vector {
         let inward = velocity.dot(normal);
         if inward >= 0.0 {
             return velocity;

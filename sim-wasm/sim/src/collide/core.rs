@@ -2,7 +2,7 @@
 
 use wide::f32x4;
 
-use super::motion::Motion;
+use super::motion::PoseMotion;
 use super::space::{Bounds, Vector};
 
 /// What lies within `radius` of a box, or of an upright cylinder: a simple solid that holds a shape.
@@ -50,7 +50,7 @@ impl Core {
     /// True when a sphere of `radius` that goes from `from` to `to` (m, world) over a whole step surely does not touch
     /// what this holds; then [`super::contact::Obstacle::meet`] would change nothing.
     #[inline]
-    pub fn is_passed_by(&self, motion: &Motion, from: Vector, to: Vector, radius: f32) -> bool {
+    pub fn is_certainly_missed_by(&self, motion: &PoseMotion, from: Vector, to: Vector, radius: f32) -> bool {
         let (start, end) = motion.ends();
         let (from, to) = (start.local_from_world(from), end.local_from_world(to));
         let way = (to - from).length() + motion.detour(from, to);

@@ -7,22 +7,22 @@ pub mod analytic;
 pub mod contact;
 pub mod core;
 pub mod motion;
-pub(crate) mod passer;
 pub mod shapes;
 pub mod space;
 pub(crate) mod survey;
+pub(crate) mod swept_particle;
 
 pub use analytic::{AnalyticCollider, ColliderShape};
 
 use crate::life::RadiusLaw;
-use crate::particles::{Particles, tint_look};
+use crate::particles::{Particles, set_tint};
 #[cfg(feature = "rigids")]
 use crate::rigids::Rigids;
 use analytic::AnalyticShape;
 use contact::{Action, Obstacle, Pass, Traveller};
-use passer::Passer;
 use space::{WideBounds, greater};
-use survey::{Sight, Ways};
+use survey::{NearLanes, SweptBoxes};
+use swept_particle::SweptParticle;
 
 /// Rounds in which a particle is moved out of one obstacle and perhaps into the next. A right corner needs two; in an
 /// acute one each round leaves a share of the overlap, the squared cosine of its angle.
@@ -31,11 +31,11 @@ const PASSES: [Pass; 8] = {
     passes[0] = Pass::First;
     passes
 };
-const MOST_COLLIDERS: usize = 8;
+const MAX_COLLIDERS: usize = 8;
 /// Below this share of a step a newborn's way is too short to tell its velocity.
-const SHORTEST_WAY: f32 = 1e-3;
+const MIN_STEP_FRACTION: f32 = 1e-3;
 /// The greatest seed byte of a particle.
-const MOST_SEED: f32 = 255.0;
+const MAX_SEED: f32 = 255.0;
 
 /// Memory that [`resolve`] needs, made once; it does not depend on the number of particles.
 #[derive(Debug)]
@@ -48,7 +48,7 @@ impl Scratch {
     /// Scratch for `capacity` particles.
     pub fn new(_capacity: usize) -> Self {
         Self {
-            obstacles: Vec::with_capacity(MOST_COLLIDERS),
+            obstacles: Vec::with_capacity(MAX_COLLIDERS),
             near: Vec::with_capacity(64),
         }
     }
@@ -79,7 +79,7 @@ pub fn resolve(
     #[cfg(feature = "rigids")]
     if rigids.count() > 0 {
         rigids.prepare(&survey::extent(particles, radii));
-        scratch.near.reserve(rigids.count() + MOST_COLLIDERS);
+        scratch.near.reserve(rigids.count() + MAX_COLLIDERS);
     }
     let obstacles = Obstacles {
         analytic: &scratch.obstacles,
@@ -89,10 +89,10 @@ pub fn resolve(
     if obstacles.are_none() {
         return;
     }
-    let look = |ways: &Ways| obstacles.look(ways);
-    survey::for_each_near(particles, radii, look, |particles, i, spot| {
-        let passer = Passer::new(particles, i, radii, spot);
-        if !obstacles.find_near(&passer, &mut scratch.near) {
+    let look = |swept_boxes: &SweptBoxes| obstacles.look(swept_boxes);
+    survey::for_each_near(particles, radii, look, |particles, i, location| {
+        let swept_particle = SweptParticle::new(particles, i, radii, location);
+        if !obstacles.find_near(&swept_particle, &mut scratch.near) {
             // Colliders come in their order, rigids do not.
             #[cfg(feature = "rigids")]
             scratch.near.sort_unstable();
@@ -116,7 +116,7 @@ fn resolve_one(particles: &mut Particles, i: usize, radii: &RadiusLaw, obstacles
     );
     if touched {
         [particles.x[i], particles.y[i], particles.z[i]] = pushed.to.into();
-        if traveller.began <= 1.0 - SHORTEST_WAY {
+        if traveller.began <= 1.0 - MIN_STEP_FRACTION {
             let change = pushed.velocity - traveller.velocity;
             particles.sx[i] += change.x;
             particles.sy[i] += change.y;
@@ -128,10 +128,10 @@ fn resolve_one(particles: &mut Particles, i: usize, radii: &RadiusLaw, obstacles
 /// Particle `i` on its way through the step that has just been made. Its age is that of the step's start, below 0 if it
 /// was born in the step; its radius is the larger of now and after ageing, so that growth does not put it into a wall.
 fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Traveller {
-    let (from, to) = passer::way(particles, i);
+    let (from, to) = swept_particle::way(particles, i);
     let (size, age, lifetime) = (particles.size[i], particles.age[i], particles.lifetime[i]);
     let began = (-age / dt).clamp(0.0, 1.0);
-    let span = dt * greater(1.0 - began, SHORTEST_WAY);
+    let span = dt * greater(1.0 - began, MIN_STEP_FRACTION);
     let radius = greater(
         radii.radius(size, age, lifetime),
         radii.radius(size, age + dt, lifetime),
@@ -143,14 +143,14 @@ fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Tra
         to,
         velocity: (to - from) * (1.0 / span),
         radius,
-        margin: greater(full - radius, 0.0) * seed_share(particles.look[i]),
+        margin: greater(full - radius, 0.0) * seed_share(particles.attributes[i]),
         began,
     }
 }
 
 /// The particle's own number, 0..1.
-fn seed_share(look: u32) -> f32 {
-    (look >> 8 & 0xff) as f32 / MOST_SEED
+fn seed_share(attributes: u32) -> f32 {
+    (attributes >> 8 & 0xff) as f32 / MAX_SEED
 }
 
 impl Obstacles<'_> {
@@ -164,41 +164,41 @@ impl Obstacles<'_> {
 
     /// What four particles see around them.
     #[inline]
-    fn look(&self, ways: &Ways) -> Sight {
+    fn look(&self, swept_boxes: &SweptBoxes) -> NearLanes {
         let lanes = self
             .analytic
             .iter()
-            .fold(0, |lanes, obstacle| lanes | ways.touching(&obstacle.bounds));
+            .fold(0, |lanes, obstacle| lanes | swept_boxes.touching(&obstacle.bounds));
         #[cfg(feature = "rigids")]
         if self.rigids.count() > 0 {
-            let rigids = self.rigids.look(ways);
-            return Sight {
+            let rigids = self.rigids.look(swept_boxes);
+            return NearLanes {
                 lanes: lanes | rigids.lanes,
                 ..rigids
             };
         }
-        Sight {
+        NearLanes {
             lanes,
-            ..Sight::default()
+            ..NearLanes::default()
         }
     }
 
-    /// Writes the numbers of the obstacles whose boxes the passer's touches. True when it surely passes them all by.
+    /// Writes the numbers of the obstacles whose boxes the particle's box touches. True when the particle certainly misses them all.
     #[inline]
-    fn find_near(&self, passer: &Passer, near: &mut Vec<u32>) -> bool {
+    fn find_near(&self, swept_particle: &SweptParticle, near: &mut Vec<u32>) -> bool {
         near.clear();
-        let mut passes = true;
+        let mut misses = true;
         for (index, obstacle) in self.analytic.iter().enumerate() {
-            if WideBounds::from(&obstacle.bounds).touches(&passer.bounds) {
+            if WideBounds::from(&obstacle.bounds).touches(&swept_particle.bounds) {
                 near.push(index as u32);
-                passes &= passer.passes(obstacle);
+                misses &= swept_particle.certainly_misses(obstacle);
             }
         }
         #[cfg(feature = "rigids")]
         if self.rigids.count() > 0 {
-            passes &= self.rigids.find_near(passer, self.analytic.len() as u32, near);
+            misses &= self.rigids.find_near(swept_particle, self.analytic.len() as u32, near);
         }
-        passes
+        misses
     }
 
     /// True when the traveller touched any of `near`.
@@ -227,7 +227,7 @@ impl Obstacles<'_> {
                 continue;
             }
             match action {
-                Action::Tint(tint) => tint_look(&mut particles.look[i], tint),
+                Action::Tint(tint) => set_tint(&mut particles.attributes[i], tint),
                 // Ageing buries what has lived its time.
                 _ => particles.age[i] = particles.lifetime[i],
             }

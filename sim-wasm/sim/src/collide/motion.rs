@@ -1,17 +1,17 @@
-//! How an obstacle moves over one step: from a pose to a pose, the way between them cut into pieces that hardly turn.
+//! How an obstacle moves over one step: from a pose to a pose, the way between them cut into pieces that hardly rotation_vector.
 
 use super::space::{Bounds, Frame, Pose, Vector, greater};
 
-/// The most that an obstacle may turn (rad) within one piece of its way. In the obstacle's own frame a straight way
+/// The largest angle (rad) that an obstacle may rotate within one piece of its way. In the obstacle's own frame a straight way
 /// becomes an arc; over a piece the arc is taken for its chord, which at this angle errs by 0.5 % of the radius.
 const PIECE_ANGLE: f32 = 0.2;
-const MOST_PIECES: f32 = 64.0;
-/// Up to this turn (rad) blending the two rotations is as good as turning, and cheaper.
-const BLENDED_TURN: f32 = 1.0;
+const MAX_PIECES: f32 = 64.0;
+/// Up to this angle (rad) blending the two rotations is as accurate as rotating, and cheaper.
+const MAX_BLENDED_ANGLE: f32 = 1.0;
 
 /// The way of an obstacle over one step.
 #[derive(Clone, Copy, Debug)]
-pub struct Motion {
+pub struct PoseMotion {
     start: Pose,
     end: Pose,
     start_frame: Frame,
@@ -19,11 +19,11 @@ pub struct Motion {
     velocity: Vector,
     spin: Vector,
     /// Axis times angle (rad) from start to end where it is large, else zero.
-    turn: Vector,
+    rotation_vector: Vector,
     pieces: u32,
 }
 
-impl Motion {
+impl PoseMotion {
     /// Stays where it is.
     pub fn resting(pose: Pose) -> Self {
         let frame = Frame::new(&pose);
@@ -35,7 +35,7 @@ impl Motion {
             end_frame: frame,
             velocity,
             spin,
-            turn: Vector::ZERO,
+            rotation_vector: Vector::ZERO,
             pieces: 1,
         }
     }
@@ -43,12 +43,12 @@ impl Motion {
     /// Goes from `start` to `end` in `dt` seconds. A `round` shape is followed without its turning, which does not
     /// show in its surface, only in the surface's velocity.
     pub fn between(start: Pose, end: Pose, dt: f32, round: bool) -> Self {
-        Self::turning(start, end, dt, round, Vector::ZERO)
+        Self::rotating(start, end, dt, round, Vector::ZERO)
     }
 
-    /// The same for what is known to turn by about `turn`, axis times angle (rad), which may be more than half a turn.
-    pub fn turning(start: Pose, end: Pose, dt: f32, round: bool, turn: Vector) -> Self {
-        let turn = long_way(start.turn_to(&end), turn);
+    /// As [`PoseMotion::between`]. `rotation_vector`, axis times angle (rad), is the expected rotation; it may exceed pi.
+    pub fn rotating(start: Pose, end: Pose, dt: f32, round: bool, rotation_vector: Vector) -> Self {
+        let rotation_vector = nearest_equivalent_rotation(start.rotation_vector_to(&end), rotation_vector);
         let velocity = (end.position - start.position) * (1.0 / dt);
         let (start, end) = if round {
             (Pose::at(start.position), Pose::at(end.position))
@@ -58,7 +58,7 @@ impl Motion {
         let pieces = if round {
             1.0
         } else {
-            (turn.length() / PIECE_ANGLE).ceil().clamp(1.0, MOST_PIECES)
+            (rotation_vector.length() / PIECE_ANGLE).ceil().clamp(1.0, MAX_PIECES)
         };
         Self {
             start,
@@ -66,11 +66,11 @@ impl Motion {
             start_frame: Frame::new(&start),
             end_frame: Frame::new(&end),
             velocity,
-            spin: turn * (1.0 / dt),
-            turn: if round || turn.length() < BLENDED_TURN {
+            spin: rotation_vector * (1.0 / dt),
+            rotation_vector: if round || rotation_vector.length() < MAX_BLENDED_ANGLE {
                 Vector::ZERO
             } else {
-                turn
+                rotation_vector
             },
             pieces: pieces as u32,
         }
@@ -105,11 +105,11 @@ impl Motion {
             self.end_frame
         } else if fraction <= 0.0 {
             self.start_frame
-        } else if self.turn == Vector::ZERO {
+        } else if self.rotation_vector == Vector::ZERO {
             Frame::new(&self.start.towards(&self.end, fraction))
         } else {
             let position = self.start.position.towards(self.end.position, fraction);
-            let rotation = self.start.turned_by(self.turn * fraction).rotation;
+            let rotation = self.start.rotated_by(self.rotation_vector * fraction).rotation;
             Frame::new(&Pose { position, rotation })
         }
     }
@@ -121,8 +121,8 @@ impl Motion {
         self.velocity + self.spin.cross(point - origin)
     }
 
-    /// Axis times angle (rad) by which it turns in a step of `dt` seconds, which may be more than half a turn.
-    pub fn turned(&self, dt: f32) -> Vector {
+    /// Rotation in a step of `dt` seconds, axis times angle (rad). The angle may exceed pi.
+    pub fn rotation_vector(&self, dt: f32) -> Vector {
         self.spin * dt
     }
 
@@ -151,8 +151,8 @@ impl Motion {
     }
 }
 
-/// The shorter turn, or that turn and whole turns more, whichever is nearest to what is expected.
-fn long_way(shorter: Vector, expected: Vector) -> Vector {
+/// The rotation vector nearest to `expected` among `shorter` and those that differ from it by whole turns.
+fn nearest_equivalent_rotation(shorter: Vector, expected: Vector) -> Vector {
     const TAU: f32 = std::f32::consts::TAU;
     if expected.length() <= 0.5 * std::f32::consts::PI {
         return shorter;

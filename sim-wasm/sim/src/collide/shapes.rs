@@ -15,7 +15,7 @@ pub struct Nearest {
     pub normal: Vector,
 }
 
-/// A shape in its own space. Never moves there; see [`super::motion::Motion`].
+/// A shape in its own space. Never moves there; see [`super::motion::PoseMotion`].
 pub trait Collider {
     /// The surface nearest to `point`. Where it is farther than `limit`, any distance from `limit` up to the true one
     /// may be answered, and any normal.

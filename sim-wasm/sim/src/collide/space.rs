@@ -183,8 +183,8 @@ impl Pose {
     }
 
     /// Axis times angle (rad) of the shorter turn from this pose to `other`, world space.
-    pub fn turn_to(&self, other: &Self) -> Vector {
-        let (half, cosine) = self.half_turn_to(other);
+    pub fn rotation_vector_to(&self, other: &Self) -> Vector {
+        let (half, cosine) = self.half_rotation_to(other);
         let sine = half.length();
         if sine < 1e-9 {
             half * 2.0
@@ -194,7 +194,7 @@ impl Pose {
     }
 
     /// Of half of the shorter turn from this pose to `other` the axis times sine, world space, and the cosine.
-    pub fn half_turn_to(&self, other: &Self) -> (Vector, f32) {
+    pub fn half_rotation_to(&self, other: &Self) -> (Vector, f32) {
         let (a, b) = (self.rotation, other.rotation);
         let (u, v) = (Vector::new(a[0], a[1], a[2]), Vector::new(b[0], b[1], b[2]));
         let w = a[3] * b[3] + u.dot(v);
@@ -203,18 +203,18 @@ impl Pose {
     }
 
     /// This pose turned about its own position by axis times angle (rad), world space.
-    pub fn turned_by(&self, turn: Vector) -> Self {
+    pub fn rotated_by(&self, rotation_vector: Vector) -> Self {
         Self {
             position: self.position,
-            rotation: product(rotation_about(turn), self.rotation),
+            rotation: product(rotation_about(rotation_vector), self.rotation),
         }
     }
 }
 
 /// The unit quaternion x, y, z, w of a turn, axis times angle (rad).
-pub fn rotation_about(turn: Vector) -> [f32; 4] {
-    let (sine, cosine) = libm::sincosf(turn.length() * 0.5);
-    let axis = turn.unit_or(Vector::ZERO) * sine;
+pub fn rotation_about(rotation_vector: Vector) -> [f32; 4] {
+    let (sine, cosine) = libm::sincosf(rotation_vector.length() * 0.5);
+    let axis = rotation_vector.unit_or(Vector::ZERO) * sine;
     [axis.x, axis.y, axis.z, cosine]
 }
 
@@ -278,11 +278,11 @@ impl Frame {
     /// A point of this frame in the world.
     #[inline]
     pub fn world_from_local(&self, point: Vector) -> Vector {
-        self.origin + self.turned(point)
+        self.origin + self.rotate(point)
     }
 
     /// A direction of this frame in the world.
-    pub fn turned(&self, direction: Vector) -> Vector {
+    pub fn rotate(&self, direction: Vector) -> Vector {
         self.axes[0] * direction.x + self.axes[1] * direction.y + self.axes[2] * direction.z
     }
 

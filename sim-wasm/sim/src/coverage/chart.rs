@@ -36,13 +36,13 @@ pub(crate) struct Chart {
     pub w: Linear,
     /// Unit vectors in world space: right, up, and against the direction of the view.
     pub axes: [[f32; 3]; 3],
-    /// What can be seen: left, low, right, high.
+    /// PlanKind can be seen: left, low, right, high.
     pub limits: [f32; 4],
 }
 
 /// Where on a chart puffs lie, and how large they are there.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Footprint {
+pub(crate) struct ChartExtent {
     least: [f32x4; 2],
     greatest: [f32x4; 2],
     squares: f32x4,
@@ -51,9 +51,9 @@ pub(crate) struct Footprint {
 }
 
 /// Nearer to the eye nothing is drawn.
-const LEAST_W: f32 = 1e-3;
+const MIN_W: f32 = 1e-3;
 
-impl Footprint {
+impl ChartExtent {
     pub(crate) fn new(chart: &Chart) -> Self {
         let [left, low, right, high] = chart.limits;
         Self {
@@ -69,7 +69,7 @@ impl Footprint {
     /// Adds balls of `radius` metres in the lanes of `kept`.
     #[inline(always)]
     pub(crate) fn add(&mut self, chart: &Chart, place: Vector4, radius: f32x4, kept: f32x4) {
-        let scale = f32x4::splat(1.0) / chart.w.lanes(place).fast_max(f32x4::splat(LEAST_W));
+        let scale = f32x4::splat(1.0) / chart.w.lanes(place).fast_max(f32x4::splat(MIN_W));
         let size = radius * scale;
         for (axis, line) in [chart.across, chart.up].iter().enumerate() {
             let middle = line.lanes(place) * scale;

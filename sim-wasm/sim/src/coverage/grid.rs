@@ -2,7 +2,7 @@
 
 use wide::f32x4;
 
-use super::chart::Footprint;
+use super::chart::ChartExtent;
 use super::disc::Disc;
 use super::plan::Plan;
 use super::polygon::Polygon;
@@ -29,7 +29,7 @@ struct Lattice {
 
 /// Depths in metres along the view; infinite where nothing covers.
 #[derive(Debug)]
-pub(crate) struct Grid {
+pub(crate) struct CoverageGrid {
     /// The nearest depths, then the second nearest and so on, as many as covers are asked for.
     depths: Vec<f32>,
     fine: Lattice,
@@ -48,7 +48,7 @@ pub(crate) struct Grid {
     range: [f32x4; 2],
 }
 
-impl Grid {
+impl CoverageGrid {
     pub(crate) fn new(capacity: usize) -> Self {
         let cells = (capacity * CELLS_A_PARTICLE).clamp(CELLS[0], CELLS[1]);
         Self {
@@ -67,12 +67,12 @@ impl Grid {
         }
     }
 
-    /// Lays an empty grid over the footprint of all puffs, as fine as they need and the memory allows.
-    pub(crate) fn lay(&mut self, plan: &Plan, footprint: &Footprint) {
-        let [left, low, right, high] = footprint.box_within(&plan.chart.limits, plan.margin());
+    /// Lays an empty grid over the extent of all puffs, as fine as they need and the memory allows.
+    pub(crate) fn reset(&mut self, plan: &Plan, extent: &ChartExtent) {
+        let [left, low, right, high] = extent.box_within(&plan.chart.limits, plan.margin());
         let (width, height) = ((right - left).max(1e-6), (high - low).max(1e-6));
         let room = (self.depths.len() / plan.covers) as f32;
-        let mut cell = (footprint.typical() / FINENESS).max((width * height / room).sqrt());
+        let mut cell = (extent.typical() / FINENESS).max((width * height / room).sqrt());
         let fits = |cell: f32| {
             let across = |length: f32| (length / cell) as usize / BLOCK * BLOCK + 2 * BLOCK;
             across(width).saturating_mul(across(height)) <= room as usize

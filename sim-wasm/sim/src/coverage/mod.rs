@@ -19,18 +19,18 @@ pub use plan::Plan;
 pub use solids::BALLS_LIMIT;
 
 use crate::order::Entry;
-pub(crate) use chart::Footprint;
-use grid::Grid;
+pub(crate) use chart::ChartExtent;
+use grid::CoverageGrid;
 use outline::{Outline, Outliner};
-use plan::What;
-use solids::Turns;
+use plan::PlanKind;
+use solids::Orientations;
 pub(crate) use start_caps::ENTRIES as CAP_ENTRIES;
 
 /// The grid and the tables; their memory is taken once and used for every view.
 #[derive(Debug)]
 pub(crate) struct Coverage {
-    pub grid: Grid,
-    turns: Turns,
+    pub grid: CoverageGrid,
+    orientations: Orientations,
     outline: Outline,
 }
 
@@ -38,24 +38,24 @@ impl Coverage {
     /// For at most `capacity` particles: few of them need no fine grid.
     pub(crate) fn new(capacity: usize) -> Self {
         Self {
-            grid: Grid::new(capacity),
-            turns: Turns::new(),
+            grid: CoverageGrid::new(capacity),
+            orientations: Orientations::new(),
             outline: Outline::default(),
         }
     }
 
     /// Keeps those of `rows` that `plan` cannot rule out, in their order: keys and particles. `places` has those of the
-    /// particles, `look` gives theirs. Returns how many stay; of shadows the keys become ends.
-    pub(crate) fn sift(
+    /// particles, `attributes` gives theirs. Returns how many stay; of shadows the keys become ends.
+    pub(crate) fn cull(
         &mut self,
         plan: &Plan,
-        footprint: &Footprint,
+        extent: &ChartExtent,
         rows: &mut [Entry],
         places: &[[f32; 4]],
-        look: impl Fn(usize) -> [u32; 2],
+        attributes: impl Fn(usize) -> [u32; 2],
     ) -> usize {
-        self.grid.lay(plan, footprint);
-        let outliner = Outliner::new(plan, &self.grid, &self.turns);
+        self.grid.reset(plan, extent);
+        let outliner = Outliner::new(plan, &self.grid, &self.orientations);
         let mut kept = 0;
         for at in 0..rows.len() {
             let particle = rows[at][1] as usize;
@@ -63,7 +63,7 @@ impl Coverage {
             if !outliner.place(place, &mut self.outline) || self.grid.hides_hull(&self.outline.hull) {
                 continue;
             }
-            outliner.draw(place, look(particle), &mut self.outline);
+            outliner.draw(place, attributes(particle), &mut self.outline);
             if self.is_hidden(plan) {
                 continue;
             }
@@ -72,15 +72,15 @@ impl Coverage {
             kept += 1;
         }
         if plan.has_ends() {
-            kept = self.shorten(plan, footprint, &mut rows[..kept], places, look);
+            kept = self.shorten(plan, extent, &mut rows[..kept], places, attributes);
         }
         kept
     }
 
     fn is_hidden(&self, plan: &Plan) -> bool {
-        match plan.what {
-            What::Bodies(_) => self.outline.outer().iter().all(|disc| self.grid.hides(disc)),
-            What::Shadows(_) => self.grid.hides_polygon(&self.outline.polygon),
+        match plan.kind {
+            PlanKind::Bodies(_) => self.outline.outer().iter().all(|disc| self.grid.hides(disc)),
+            PlanKind::Shadows(_) => self.grid.hides_polygon(&self.outline.polygon),
         }
     }
 
@@ -89,14 +89,14 @@ impl Coverage {
     fn shorten(
         &mut self,
         plan: &Plan,
-        footprint: &Footprint,
+        extent: &ChartExtent,
         rows: &mut [Entry],
         places: &[[f32; 4]],
-        look: impl Fn(usize) -> [u32; 2],
+        attributes: impl Fn(usize) -> [u32; 2],
     ) -> usize {
-        self.grid.lay(plan, footprint);
-        let outliner = Outliner::new(plan, &self.grid, &self.turns);
-        let typical = footprint.typical() / plan.widening();
+        self.grid.reset(plan, extent);
+        let outliner = Outliner::new(plan, &self.grid, &self.orientations);
+        let typical = extent.typical() / plan.radius_factor();
         for are_large in [true, false] {
             for row in rows.iter_mut() {
                 let particle = row[1] as usize;
@@ -105,7 +105,7 @@ impl Coverage {
                     continue;
                 }
                 outliner.place(place, &mut self.outline);
-                outliner.draw(place, look(particle), &mut self.outline);
+                outliner.draw(place, attributes(particle), &mut self.outline);
                 let farthest = self.grid.farthest(&self.outline.polygon, f32::INFINITY);
                 row[0] = outliner.end(place, farthest, &self.outline);
                 if row[0] == NO_END {

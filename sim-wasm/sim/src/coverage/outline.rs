@@ -1,10 +1,10 @@
 //! A puff, or its shadow, as discs on the grid: what it certainly covers, and all that it could show.
 
 use super::disc::Disc;
-use super::grid::Grid;
-use super::plan::{Bodies, Plan, Shadows, What};
+use super::grid::CoverageGrid;
+use super::plan::{Bodies, Plan, PlanKind, Shadows};
 use super::polygon::Polygon;
-use super::solids::{BALLS_LIMIT, TurnedBalls, Turns};
+use super::solids::{BALLS_LIMIT, Orientations, RotatedBalls};
 use super::{END_STEPS, NO_END, NOTHING_LEFT};
 use crate::clamp::clamped;
 
@@ -19,7 +19,7 @@ const EDGE_PIXELS: f32 = 0.25;
 const VIEW_AXES: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 const CAP_ROUNDING: f32 = 1e-3;
 /// A puff that the eye runs into shrinks by a law; where that is this steep it covers nothing.
-const LEAST_GROWN: f32 = 0.05;
+const MIN_COVERING_GROWTH: f32 = 0.05;
 const GROWTH_TOLERANCE: f32 = 0.002;
 /// As in shaders/volumes/volumes.vert.
 const CAP_SLACK: f32 = 0.02;
@@ -35,13 +35,13 @@ pub(crate) struct Outline {
     outer: [Disc; BALLS_LIMIT],
     inner_count: usize,
     outer_count: usize,
-    balls: TurnedBalls,
-    spot: Spot,
+    balls: RotatedBalls,
+    projected: ProjectedPuff,
 }
 
 /// Where a row stands on the grid.
 #[derive(Clone, Copy, Debug, Default)]
-struct Spot {
+struct ProjectedPuff {
     u: f32,
     v: f32,
     /// Cells for a metre.
@@ -71,16 +71,16 @@ impl Outline {
 #[derive(Debug)]
 pub(crate) struct Outliner<'a> {
     plan: &'a Plan<'a>,
-    turns: &'a Turns,
+    orientations: &'a Orientations,
     corner: [f32; 2],
     density: f32,
 }
 
 impl<'a> Outliner<'a> {
-    pub(crate) fn new(plan: &'a Plan, grid: &Grid, turns: &'a Turns) -> Self {
+    pub(crate) fn new(plan: &'a Plan, grid: &CoverageGrid, orientations: &'a Orientations) -> Self {
         Self {
             plan,
-            turns,
+            orientations,
             corner: grid.corner,
             density: grid.density,
         }
@@ -89,28 +89,28 @@ impl<'a> Outliner<'a> {
     /// Writes the hull of a row; false where nothing of it is drawn.
     #[inline(always)]
     pub(crate) fn place(&self, place: [f32; 4], outline: &mut Outline) -> bool {
-        match &self.plan.what {
-            What::Bodies(bodies) => self.place_body(bodies, place, outline),
-            What::Shadows(shadows) => self.place_shadow(shadows, place, outline),
+        match &self.plan.kind {
+            PlanKind::Bodies(bodies) => self.place_body(bodies, place, outline),
+            PlanKind::Shadows(shadows) => self.place_shadow(shadows, place, outline),
         }
     }
 
     /// Writes the discs of the row that has just been placed.
     #[inline(always)]
-    pub(crate) fn draw(&self, place: [f32; 4], look: [u32; 2], outline: &mut Outline) {
-        match &self.plan.what {
-            What::Bodies(bodies) => self.draw_body(bodies, look, outline),
-            What::Shadows(shadows) => self.draw_shadow(shadows, place, look, outline),
+    pub(crate) fn draw(&self, place: [f32; 4], attributes: [u32; 2], outline: &mut Outline) {
+        match &self.plan.kind {
+            PlanKind::Bodies(bodies) => self.draw_body(bodies, attributes, outline),
+            PlanKind::Shadows(shadows) => self.draw_shadow(shadows, place, attributes, outline),
         }
     }
 
     #[inline(always)]
-    fn spot(&self, place: [f32; 4]) -> Spot {
+    fn projected(&self, place: [f32; 4]) -> ProjectedPuff {
         let chart = &self.plan.chart;
         let w = chart.w.at(place);
         let [_, _, back] = &chart.axes;
         let size = place[0].abs() + place[1].abs() + place[2].abs();
-        Spot {
+        ProjectedPuff {
             u: (chart.across.at(place) / w - self.corner[0]) * self.density,
             v: (chart.up.at(place) / w - self.corner[1]) * self.density,
             density: self.density / w,
@@ -129,7 +129,7 @@ impl<'a> Outliner<'a> {
         if depth <= outline.polygon.depth {
             return NOTHING_LEFT;
         }
-        let steps = (depth - outline.spot.depth) / place[3] * END_STEPS + 1.0;
+        let steps = (depth - outline.projected.depth) / place[3] * END_STEPS + 1.0;
         if steps < NO_END as f32 {
             steps.max(0.0) as u32
         } else {
@@ -138,80 +138,81 @@ impl<'a> Outliner<'a> {
     }
 
     fn place_body(&self, bodies: &Bodies, place: [f32; 4], outline: &mut Outline) -> bool {
-        let mut spot = self.spot(place);
-        let grown = grown(spot.depth - self.plan.range[0], place[3]);
-        spot.radius *= grown;
-        if spot.radius <= 0.0 || spot.w <= 0.0 {
+        let mut projected = self.projected(place);
+        let grown = grown(projected.depth - self.plan.range[0], place[3]);
+        projected.radius *= grown;
+        if projected.radius <= 0.0 || projected.w <= 0.0 {
             return false;
         }
-        spot.covers = grown > LEAST_GROWN;
+        projected.covers = grown > MIN_COVERING_GROWTH;
         if grown < 1.0 {
-            spot.tolerance += GROWTH_TOLERANCE;
+            projected.tolerance += GROWTH_TOLERANCE;
         }
-        if !spot.covers {
-            spot.radius = place[3];
+        if !projected.covers {
+            projected.radius = place[3];
         }
-        spot.tolerance += bodies.tolerance + (bodies.blur + SNAP) * bodies.pixel * spot.w / spot.radius;
-        let farthest = spot.w + bodies.reach * spot.radius;
-        spot.slack += bodies.tolerance * spot.radius + bodies.depth_step * farthest * farthest;
-        spot.lift = bodies.lift_of(place, spot.w);
+        projected.tolerance += bodies.tolerance + (bodies.blur + SNAP) * bodies.pixel * projected.w / projected.radius;
+        let farthest = projected.w + bodies.reach * projected.radius;
+        projected.slack += bodies.tolerance * projected.radius + bodies.depth_step * farthest * farthest;
+        projected.lift = bodies.lift_of(place, projected.w);
         // Ink stands beside its lobe at the height of its middle: a ball that is larger by the line holds it.
-        let radius = ((bodies.reach + spot.tolerance) * spot.radius + bodies.pad * spot.w) * spot.density;
+        let radius =
+            ((bodies.reach + projected.tolerance) * projected.radius + bodies.pad * projected.w) * projected.density;
         outline.hull = Disc {
-            u: spot.u,
-            v: spot.v,
+            u: projected.u,
+            v: projected.v,
             radius,
-            depth: spot.depth - spot.slack - spot.lift,
-            bulge: 1.0 / spot.density,
+            depth: projected.depth - projected.slack - projected.lift,
+            bulge: 1.0 / projected.density,
             rim: radius,
             rim_depth: f32::INFINITY,
         };
-        outline.spot = spot;
+        outline.projected = projected;
         true
     }
 
-    fn draw_body(&self, bodies: &Bodies, look: [u32; 2], outline: &mut Outline) {
-        let spot = outline.spot;
+    fn draw_body(&self, bodies: &Bodies, attributes: [u32; 2], outline: &mut Outline) {
+        let projected = outline.projected;
         (outline.inner_count, outline.outer_count) = (0, 0);
-        if !spot.covers {
+        if !projected.covers {
             (outline.outer[0], outline.outer_count) = (outline.hull, 1);
             return;
         }
         let rotation = if bodies.solids.faces_eye {
-            self.turns.facing(look, &VIEW_AXES)
+            self.orientations.facing(attributes, &VIEW_AXES)
         } else {
-            self.turns.standing(look, &self.plan.chart.axes)
+            self.orientations.standing(attributes, &self.plan.chart.axes)
         };
-        bodies.solids.turn(look, &rotation, &mut outline.balls);
+        bodies.solids.rotate(attributes, &rotation, &mut outline.balls);
         let balls = &outline.balls;
-        let cells = spot.radius * spot.density;
-        let line = bodies.pad * spot.w * spot.density;
+        let cells = projected.radius * projected.density;
+        let line = bodies.pad * projected.w * projected.density;
         // Baked layers carry the relief of the last texel on into the ring.
         let rise = |radius: f32| match bodies.solids.faces_eye {
-            true => (4.0 * radius * spot.tolerance).sqrt() * spot.radius,
+            true => (4.0 * radius * projected.tolerance).sqrt() * projected.radius,
             false => 0.0,
         };
         for ball in (0..balls.count).filter(|ball| balls.radius[*ball] > 0.0) {
-            let height = balls.z[ball] * spot.radius;
+            let height = balls.z[ball] * projected.radius;
             let disc = Disc {
-                u: spot.u + balls.x[ball] * cells,
-                v: spot.v + balls.y[ball] * cells,
-                radius: (balls.radius[ball] - spot.tolerance) * cells,
-                depth: spot.depth - height + bodies.tolerance * spot.radius,
-                bulge: 1.0 / spot.density,
+                u: projected.u + balls.x[ball] * cells,
+                v: projected.v + balls.y[ball] * cells,
+                radius: (balls.radius[ball] - projected.tolerance) * cells,
+                depth: projected.depth - height + bodies.tolerance * projected.radius,
+                bulge: 1.0 / projected.density,
                 ..Disc::default()
             };
             if disc.radius > 0.0 {
                 outline.inner[outline.inner_count] = disc;
                 outline.inner_count += 1;
             }
-            let radius = (balls.radius[ball] + spot.tolerance) * cells;
+            let radius = (balls.radius[ball] + projected.tolerance) * cells;
             outline.outer[outline.outer_count] = Disc {
                 radius,
-                depth: spot.depth - height - spot.slack,
+                depth: projected.depth - height - projected.slack,
                 rim: radius + line,
                 rim_depth: if line > 0.0 {
-                    spot.depth - height - rise(balls.radius[ball]) - spot.lift - spot.slack
+                    projected.depth - height - rise(balls.radius[ball]) - projected.lift - projected.slack
                 } else {
                     f32::INFINITY
                 },
@@ -222,60 +223,64 @@ impl<'a> Outliner<'a> {
     }
 
     fn place_shadow(&self, shadows: &Shadows, place: [f32; 4], outline: &mut Outline) -> bool {
-        let mut spot = self.spot(place);
+        let mut projected = self.projected(place);
         let [eye_w, shear] = shadows.seen(place);
-        spot.covers = eye_w > place[3] || !shadows.eye.is_perspective;
-        spot.tolerance += shadows.tolerance + EDGE_ROUNDING;
-        spot.tolerance += EDGE_PIXELS * shadows.eye.pixel * eye_w.max(0.0) / place[3];
-        spot.slack += (CAP_ROUNDING + shadows.tolerance) * place[3];
-        let start = if spot.covers {
-            spot.depth + Shadows::cap(shadows.caps.range[0], shear) * place[3]
+        projected.covers = eye_w > place[3] || !shadows.eye.is_perspective;
+        projected.tolerance += shadows.tolerance + EDGE_ROUNDING;
+        projected.tolerance += EDGE_PIXELS * shadows.eye.pixel * eye_w.max(0.0) / place[3];
+        projected.slack += (CAP_ROUNDING + shadows.tolerance) * place[3];
+        let start = if projected.covers {
+            projected.depth + Shadows::cap(shadows.caps.range[0], shear) * place[3]
         } else {
             f32::NEG_INFINITY
         };
-        outline.hull = flat(&spot, (shadows.reach + spot.tolerance) * place[3], start - spot.slack);
-        outline.spot = spot;
+        outline.hull = flat(
+            &projected,
+            (shadows.reach + projected.tolerance) * place[3],
+            start - projected.slack,
+        );
+        outline.projected = projected;
         place[3] > 0.0
     }
 
-    /// Of a shadow the discs of all lobes are certain. What lies between them depends on the eye, so the polygon around them
+    /// Of a shadow the discs of all lobes are certain. PlanKind lies between them depends on the eye, so the polygon around them
     /// is all that it could darken.
-    fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], look: [u32; 2], outline: &mut Outline) {
-        let spot = outline.spot;
+    fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], attributes: [u32; 2], outline: &mut Outline) {
+        let projected = outline.projected;
         let rotation = if shadows.solids.faces_eye {
-            self.turns.facing(look, &shadows.axes_in_view)
+            self.orientations.facing(attributes, &shadows.axes_in_view)
         } else {
-            self.turns.standing(look, &self.plan.chart.axes)
+            self.orientations.standing(attributes, &self.plan.chart.axes)
         };
-        shadows.solids.turn(look, &rotation, &mut outline.balls);
+        shadows.solids.rotate(attributes, &rotation, &mut outline.balls);
         let balls = &outline.balls;
         let [_, shear] = shadows.seen(place);
         let starts = shadows
             .caps
-            .of(look, rotation[2])
-            .map(|cap| spot.depth + Shadows::cap(cap, shear) * place[3]);
-        let cells = place[3] * spot.density;
-        let nearest = if spot.covers {
-            starts[0] - spot.slack
+            .of(attributes, rotation[2])
+            .map(|cap| projected.depth + Shadows::cap(cap, shear) * place[3]);
+        let cells = place[3] * projected.density;
+        let nearest = if projected.covers {
+            starts[0] - projected.slack
         } else {
             f32::NEG_INFINITY
         };
-        outline.polygon = Polygon::at(spot.u, spot.v, nearest);
+        outline.polygon = Polygon::at(projected.u, projected.v, nearest);
         let mut count = 0;
         for ball in (0..balls.count).filter(|ball| balls.radius[*ball] > 0.0) {
             let [x, y] = [balls.x[ball] * cells, balls.y[ball] * cells];
             outline
                 .polygon
-                .hold(x, y, (balls.radius[ball] + spot.tolerance) * cells);
+                .hold(x, y, (balls.radius[ball] + projected.tolerance) * cells);
             let disc = flat(
-                &spot,
-                (balls.radius[ball] - spot.tolerance) * place[3],
-                starts[1] + spot.slack,
+                &projected,
+                (balls.radius[ball] - projected.tolerance) * place[3],
+                starts[1] + projected.slack,
             );
-            if spot.covers && disc.radius > 0.0 {
+            if projected.covers && disc.radius > 0.0 {
                 outline.inner[count] = Disc {
-                    u: spot.u + x,
-                    v: spot.v + y,
+                    u: projected.u + x,
+                    v: projected.v + y,
                     ..disc
                 };
                 count += 1;
@@ -301,11 +306,11 @@ fn grown(beyond_near: f32, radius: f32) -> f32 {
 }
 
 /// A disc with a flat front; `radius` in metres.
-fn flat(spot: &Spot, radius: f32, depth: f32) -> Disc {
-    let radius = radius * spot.density;
+fn flat(projected: &ProjectedPuff, radius: f32, depth: f32) -> Disc {
+    let radius = radius * projected.density;
     Disc {
-        u: spot.u,
-        v: spot.v,
+        u: projected.u,
+        v: projected.v,
         radius,
         depth,
         bulge: 0.0,

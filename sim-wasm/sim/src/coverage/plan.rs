@@ -1,4 +1,4 @@
-//! What a view tells of coverage, made ready: chart, depths, and how puffs or their shadows lie on the chart.
+//! PlanKind a view tells of coverage, made ready: chart, depths, and how puffs or their shadows lie on the chart.
 
 use super::chart::{Chart, Linear};
 use super::solids::Solids;
@@ -13,12 +13,12 @@ pub struct Plan<'v> {
     pub(crate) range: [f32; 2],
     /// How many covers make certain.
     pub(crate) covers: usize,
-    pub(crate) what: What<'v>,
+    pub(crate) kind: PlanKind<'v>,
 }
 
 /// Bodies for the eye, or shadows for the light.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum What<'v> {
+pub(crate) enum PlanKind<'v> {
     Bodies(Bodies<'v>),
     Shadows(Shadows<'v>),
 }
@@ -50,14 +50,14 @@ pub(crate) struct Shadows<'v> {
     pub caps: StartCaps<'v>,
     /// How deep behind its centre plane a puff can be seen.
     pub depth: f32,
-    pub eye: EyeOfShadows,
+    pub eye: ShadowEye,
     /// The axes of the chart as the eye sees them.
     pub axes_in_view: [[f32; 3]; 3],
 }
 
-/// What a nailboard's shear depends on; see `shearOf` in shaders/volumes/volumes.vert.
+/// PlanKind a nailboard's shear depends on; see `shearOf` in shaders/volumes/volumes.vert.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct EyeOfShadows {
+pub(crate) struct ShadowEye {
     pub right: Linear,
     pub up: Linear,
     pub w: Linear,
@@ -76,11 +76,11 @@ impl<'v> Plan<'v> {
     pub(crate) fn new(numbers: &'v [f32; VIEW_LENGTH], solids: &'v [f32], direction: [f32; 3]) -> Option<Self> {
         let covers = numbers[33] as usize;
         let eye = EyeAxes::new(&numbers[4..20])?;
-        let plan = |chart, range, what| Self {
+        let plan = |chart, range, kind| Self {
             chart,
             range,
             covers,
-            what,
+            kind,
         };
         match (covers, numbers[0] != 0.0) {
             (0, _) => None,
@@ -88,7 +88,7 @@ impl<'v> Plan<'v> {
                 let chart = light_chart(direction);
                 let shadows = Shadows::new(numbers, solids, &eye, &chart)?;
                 let boundless = [f32::NEG_INFINITY, f32::INFINITY];
-                Some(plan(chart, boundless, What::Shadows(shadows)))
+                Some(plan(chart, boundless, PlanKind::Shadows(shadows)))
             }
             (_, false) => {
                 let bodies = Bodies::new(numbers, solids, &eye)?;
@@ -96,7 +96,7 @@ impl<'v> Plan<'v> {
                     numbers[31],
                     bodies.farthest_certain(numbers[31], numbers[32], &eye.chart().w, direction),
                 ];
-                Some(plan(eye.chart(), range, What::Bodies(bodies)))
+                Some(plan(eye.chart(), range, PlanKind::Bodies(bodies)))
             }
         }
     }
@@ -104,23 +104,23 @@ impl<'v> Plan<'v> {
 
 impl Plan<'_> {
     /// Factor on a particle's radius that makes what it may cover of the chart, lines and tolerances in pixels apart.
-    pub(crate) fn widening(&self) -> f32 {
-        match &self.what {
-            What::Bodies(bodies) => bodies.reach + bodies.tolerance,
-            What::Shadows(shadows) => WIDENING * shadows.reach,
+    pub(crate) fn radius_factor(&self) -> f32 {
+        match &self.kind {
+            PlanKind::Bodies(bodies) => bodies.reach + bodies.tolerance,
+            PlanKind::Shadows(shadows) => WIDENING * shadows.reach,
         }
     }
 
     /// Whether shadows may end where others go on: not where covers are counted.
     pub(crate) fn has_ends(&self) -> bool {
-        self.covers == 1 && matches!(self.what, What::Shadows(_))
+        self.covers == 1 && matches!(self.kind, PlanKind::Shadows(_))
     }
 
     /// Those lines and tolerances, on the chart.
     pub(crate) fn margin(&self) -> f32 {
-        match &self.what {
-            What::Bodies(bodies) => bodies.pad + (bodies.blur + 1.0) * bodies.pixel,
-            What::Shadows(_) => 0.0,
+        match &self.kind {
+            PlanKind::Bodies(bodies) => bodies.pad + (bodies.blur + 1.0) * bodies.pixel,
+            PlanKind::Shadows(_) => 0.0,
         }
     }
 }
@@ -272,7 +272,7 @@ impl EyeAxes {
     }
 
     /// The eye as the shear of its nailboards needs it. `near`: depth along its own direction at the near plane.
-    pub(crate) fn of_shadows(&self, travel: [f32; 3], pixel: f32, near: f32) -> EyeOfShadows {
+    pub(crate) fn of_shadows(&self, travel: [f32; 3], pixel: f32, near: f32) -> ShadowEye {
         let along = |row: &Row| dot([row[0], row[1], row[2]], self.forward);
         let beside = |axis: usize| {
             let w_share = if self.is_perspective() {
@@ -285,7 +285,7 @@ impl EyeAxes {
             }))
         };
         let travel = travel.map(f64::from);
-        EyeOfShadows {
+        ShadowEye {
             right: beside(0),
             up: beside(1),
             w: linear(self.rows[3]),

@@ -2,7 +2,7 @@
 
 use std::f32::consts::FRAC_1_SQRT_2;
 
-/// Sides, each with a normal a sixteenth of a turn from the last; the first looks along u.
+/// Sides, each with a normal a sixteenth of a turn from the last; the first attributes along u.
 const SIDES: usize = 16;
 const COSINES: [f32; SIDES] = [
     1.0,
@@ -22,7 +22,7 @@ const COSINES: [f32; SIDES] = [
     FRAC_1_SQRT_2,
     0.923_879_5,
 ];
-/// The sides that look along v and against it.
+/// The sides that attributes along v and against it.
 const UP: usize = SIDES / 4;
 const DOWN: usize = 3 * SIDES / 4;
 

@@ -1,4 +1,4 @@
-//! Of which balls a puff consists, and how it stands: as src/puffs/solids.ts tells and shaders/lib/orientation.glsl turns.
+//! Of which balls a puff consists, and how it stands: as src/puffs/solids.ts tells and shaders/lib/orientation.glsl orientations.
 
 use wide::f32x4;
 
@@ -17,13 +17,13 @@ pub struct Solids<'v> {
     /// For each variation the x of all balls, then their y, z and radii; balls of radius 0 are absent.
     table: &'v [f32],
     balls: usize,
-    /// Whether the puff turns to the eye and rolls about the view axis, instead of standing in the world.
+    /// Whether the puff orientations to the eye and rolls about the view axis, instead of standing in the world.
     pub faces_eye: bool,
 }
 
 /// The balls of one puff as the eye sees it: right, up and towards the eye.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct TurnedBalls {
+pub(crate) struct RotatedBalls {
     pub x: [f32; BALLS_LIMIT],
     pub y: [f32; BALLS_LIMIT],
     pub z: [f32; BALLS_LIMIT],
@@ -42,11 +42,11 @@ impl<'v> Solids<'v> {
         }
     }
 
-    /// Turns the puff of a look by `rotation`.
+    /// Orientations the puff of a attributes by `rotation`.
     #[inline(always)]
-    pub(crate) fn turn(&self, look: [u32; 2], rotation: &[[f32; 3]; 3], into: &mut TurnedBalls) {
+    pub(crate) fn rotate(&self, attributes: [u32; 2], rotation: &[[f32; 3]; 3], into: &mut RotatedBalls) {
         let size = 4 * self.balls;
-        let variation = (look[1] & 0xff) as usize % (self.table.len() / size);
+        let variation = (attributes[1] & 0xff) as usize % (self.table.len() / size);
         let columns = &self.table[variation * size..(variation + 1) * size];
         let lanes = |column: usize, at: usize| {
             let start = column * self.balls + at;
@@ -67,40 +67,40 @@ impl<'v> Solids<'v> {
 
 /// Sines, and the axes that seeds choose; made once.
 #[derive(Debug)]
-pub(crate) struct Turns {
+pub(crate) struct Orientations {
     sines: Box<[f32; SINES]>,
     axes: Box<[[f32; 3]; SEEDS]>,
 }
 
-impl Turns {
+impl Orientations {
     pub(crate) fn new() -> Self {
-        let mut turns = Self {
+        let mut orientations = Self {
             sines: Box::new([0.0; SINES]),
             axes: Box::new([[0.0; 3]; SEEDS]),
         };
-        for (index, sine) in turns.sines.iter_mut().enumerate() {
+        for (index, sine) in orientations.sines.iter_mut().enumerate() {
             *sine = libm::sin(index as f64 * std::f64::consts::TAU / SINES as f64) as f32;
         }
-        for (seed, axis) in turns.axes.iter_mut().enumerate() {
+        for (seed, axis) in orientations.axes.iter_mut().enumerate() {
             let z = 1.0 - (2.0 * seed as f64 + 1.0) / SEEDS as f64;
             let (reach, angle) = (libm::sqrt(1.0 - z * z), seed as f64 * GOLDEN_ANGLE);
             *axis = [reach * libm::cos(angle), reach * libm::sin(angle), z].map(|component| component as f32);
         }
-        turns
+        orientations
     }
 
-    /// Sine and cosine of a look's roll.
+    /// Sine and cosine of a attributes's roll.
     #[inline(always)]
-    fn roll(&self, look: [u32; 2]) -> (f32, f32) {
-        let index = ((look[0] & 0xffff) as usize * SINES + 0x8000) >> 16;
+    fn roll(&self, attributes: [u32; 2]) -> (f32, f32) {
+        let index = ((attributes[0] & 0xffff) as usize * SINES + 0x8000) >> 16;
         (self.sines[index % SINES], self.sines[(index + SINES / 4) % SINES])
     }
 
     /// Rows that take a puff's own frame to that of `axes`, for a puff that stands in the world.
     #[inline(always)]
-    pub(crate) fn standing(&self, look: [u32; 2], axes: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
-        let (sine, cosine) = self.roll(look);
-        let axis = self.axes[(look[1] >> 8 & 0xff) as usize];
+    pub(crate) fn standing(&self, attributes: [u32; 2], axes: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
+        let (sine, cosine) = self.roll(attributes);
+        let axis = self.axes[(attributes[1] >> 8 & 0xff) as usize];
         axes.map(|row| {
             let across = [
                 row[1] * axis[2] - row[2] * axis[1],
@@ -112,10 +112,10 @@ impl Turns {
         })
     }
 
-    /// The same for a puff that turns to the eye and rolls, with axes as the eye sees them.
+    /// The same for a puff that orientations to the eye and rolls, with axes as the eye sees them.
     #[inline(always)]
-    pub(crate) fn facing(&self, look: [u32; 2], axes_in_view: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
-        let (sine, cosine) = self.roll(look);
+    pub(crate) fn facing(&self, attributes: [u32; 2], axes_in_view: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
+        let (sine, cosine) = self.roll(attributes);
         axes_in_view.map(|[right, up, back]| [right * cosine + up * sine, up * cosine - right * sine, back])
     }
 }

@@ -24,12 +24,12 @@ impl<'v> StartCaps<'v> {
         Self { table, range }
     }
 
-    /// Least and most that the renderer may read for a look, by the direction towards the light in the puff's own frame.
-    pub(crate) fn of(&self, look: [u32; 2], [x, y, z]: [f32; 3]) -> [f32; 2] {
+    /// Least and most that the renderer may read for a attributes, by the direction towards the light in the puff's own frame.
+    pub(crate) fn of(&self, attributes: [u32; 2], [x, y, z]: [f32; 3]) -> [f32; 2] {
         if self.table.is_empty() {
             return self.range;
         }
-        let first = (look[1] & 0xff) as usize % (self.table.len() / ENTRIES) * ENTRIES;
+        let first = (attributes[1] & 0xff) as usize % (self.table.len() / ENTRIES) * ENTRIES;
         let table = &self.table[first..first + ENTRIES];
         let across = (x * x + y * y).sqrt();
         let row = angle(z, across) / PI * ROWS as f32;

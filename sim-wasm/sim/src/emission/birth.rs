@@ -2,27 +2,27 @@
 
 use super::ride::Ride;
 use super::shapes::Nozzle;
-use super::{Emitter, Surroundings};
+use super::{EmissionContext, Emitter};
 use crate::collide::space::Vector;
 use crate::parameters::Parameters;
 use crate::particles::{Newborn, Particles};
 use crate::random::Random;
 
 /// An emitter in one step, and where its births go.
-pub struct Source<'s> {
+pub struct EmitterSource<'s> {
     emitter: &'s Emitter,
     nozzle: Nozzle<'s>,
     /// What it rides on; none in the world.
     ride: Option<Ride>,
-    around: &'s Surroundings<'s>,
+    around: &'s EmissionContext<'s>,
     random: &'s mut Random,
     particles: &'s mut Particles,
 }
 
-impl<'s> Source<'s> {
+impl<'s> EmitterSource<'s> {
     pub fn new(
         emitter: &'s Emitter,
-        around: &'s Surroundings<'s>,
+        around: &'s EmissionContext<'s>,
         random: &'s mut Random,
         particles: &'s mut Particles,
     ) -> Self {
@@ -47,13 +47,13 @@ impl<'s> Source<'s> {
     }
 
     /// One birth `delay` seconds after the start of the step.
-    pub fn bear(&mut self, delay: f64) {
+    pub fn spawn(&mut self, delay: f64) {
         let emitter = self.emitter;
         let Parameters { emission, puff, .. } = self.around.parameters;
-        let spot = self.nozzle.spot(self.random);
+        let point = self.nozzle.birth_point(self.random);
         let speed = vary(emitter.speed, emitter.speed_variation, self.random);
-        let heading = self.nozzle.heading(&spot, self.random);
-        let (position, slip) = self.carried(spot.place, heading, speed, delay);
+        let heading = self.nozzle.heading(&point, self.random);
+        let (position, slip) = self.carried(point.place, heading, speed, delay);
         let lifetime = emission.lifetime * emitter.lifetime;
         let newborn = Newborn {
             position,
@@ -62,7 +62,7 @@ impl<'s> Source<'s> {
             lifetime: vary(lifetime, emitter.lifetime_variation, self.random).max(self.around.dt as f32),
             size: vary(emitter.size, emitter.size_variation, self.random),
             temperature: emitter.temperature as f32,
-            look: look(puff.variations as u32, emitter.tint as u32, self.random),
+            attributes: attributes(puff.variations as u32, emitter.tint as u32, self.random),
         };
         self.particles.push(&newborn);
     }
@@ -76,7 +76,7 @@ impl<'s> Source<'s> {
         let (frame, velocity) = ride.at(fraction, self.around.dt as f32, place.into());
         let place = frame.world_from_local(place.into());
         let momentum = velocity * self.emitter.inherit as f32;
-        let slip: Vector = frame.turned(heading.into()) * speed + momentum;
+        let slip: Vector = frame.rotate(heading.into()) * speed + momentum;
         (place.into(), slip.into())
     }
 }
@@ -86,7 +86,7 @@ fn vary(value: f64, variation: f64, random: &mut Random) -> f32 {
 }
 
 /// Variation, seed byte, roll and tint, packed as [`Particles`] documents.
-fn look(variations: u32, tint: u32, random: &mut Random) -> u32 {
+fn attributes(variations: u32, tint: u32, random: &mut Random) -> u32 {
     let variation = random.below(variations);
     variation | (random.bits() >> 24) << 8 | (random.bits() >> 20) << 16 | tint << 28
 }

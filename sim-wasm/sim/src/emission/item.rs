@@ -4,7 +4,7 @@ use crate::parameters::field::{DIRECTION, Field, PLACE, SHARE, number, vector};
 use crate::parameters::section::Item;
 use crate::scope::{self, Scope};
 
-use super::surface::MOST_SURFACES;
+use super::surface::MAX_SURFACES;
 
 /// `emitters.#.*`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -55,13 +55,9 @@ impl Item for Emitter {
             "Extent",
             "Half sides of a box; a line goes from its place minus this to its place plus this.",
         ),
-        number(
-            "surface",
-            "1",
-            [0.0, MOST_SURFACES as f64 - 1.0],
-            0.0,
-            |e: &mut Self| &mut e.surface,
-        )
+        number("surface", "1", [0.0, MAX_SURFACES as f64 - 1.0], 0.0, |e: &mut Self| {
+            &mut e.surface
+        })
         .whole()
         .says("Surface", "Number of the mesh that it smokes from."),
         number("speed", "m/s", [0.0, 50.0], 0.5, |e: &mut Self| &mut e.speed)

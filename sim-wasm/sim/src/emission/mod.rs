@@ -3,7 +3,7 @@
 //! An emitter owes rate * share / (sum of shares) * level particles a second, its envelope's level in the middle of the
 //! step. What it owes is kept as a fraction, so that counts are exact over any time. Each birth has its own moment
 //! within the step, at which the emitter stands where its rigid has carried it by then, and from which on the particle
-//! moves (see `motion::Motion::launch`). Therefore neither a fast jet nor wind nor a fast emitter shows beads.
+//! moves (see `motion::PoseMotion::launch`). Therefore neither a fast jet nor wind nor a fast emitter shows beads.
 //!
 //! A burst is owed as a whole when the envelope starts, and spread evenly over that step. When the simulator is full,
 //! births wait, bursts too, and are made up as soon as there is room, of which each emitter gets at least about its
@@ -17,13 +17,13 @@ pub mod surface;
 
 use crate::clamp::clamped;
 #[cfg(feature = "rigids")]
-use crate::collide::motion::Motion;
+use crate::collide::motion::PoseMotion;
 use crate::parameters::{LIST_LIMIT, Parameters};
 use crate::particles::Particles;
 use crate::parts::Parts;
 use crate::random::Random;
 use crate::scope::{Scope, envelope};
-use birth::Source;
+use birth::EmitterSource;
 pub use item::Emitter;
 use ride::Ride;
 use surface::Surfaces;
@@ -38,13 +38,13 @@ pub struct Births {
 }
 
 /// What a step's births depend on besides the emitter.
-pub struct Surroundings<'s> {
+pub struct EmissionContext<'s> {
     pub parameters: &'s Parameters,
     pub surfaces: &'s Surfaces,
     pub parts: &'s Parts,
     /// How the rigid of this number moves in this step; none where there is none.
     #[cfg(feature = "rigids")]
-    pub rigid: &'s dyn Fn(f64) -> Option<Motion>,
+    pub rigid: &'s dyn Fn(f64) -> Option<PoseMotion>,
     /// Number of the step: it decides which emitter comes first.
     pub step: u64,
     /// Simulated seconds at the middle of the step.
@@ -53,7 +53,7 @@ pub struct Surroundings<'s> {
     pub dt: f64,
 }
 
-impl Surroundings<'_> {
+impl EmissionContext<'_> {
     /// What something with this scope rides on in this step; none where it stands in the world.
     fn ride(&self, scope: &Scope) -> Option<Ride> {
         let part = self.parts.ends(scope.rigid).map(Ride::Part);
@@ -70,42 +70,42 @@ impl Births {
     }
 
     /// The births of one step.
-    pub fn step(&mut self, around: &Surroundings, random: &mut Random, particles: &mut Particles) {
+    pub fn step(&mut self, around: &EmissionContext, random: &mut Random, particles: &mut Particles) {
         let emitters = around.parameters.emitters.items();
         for (emitter, waiting) in emitters.iter().zip(&mut self.waiting) {
             *waiting = waiting.saturating_add(burst(emitter, around));
         }
         self.make_up(around, random, particles);
         let shares: f64 = emitters.iter().map(|emitter| emitter.share).sum();
-        for index in turns(emitters.len(), around.step) {
+        for index in rotated_order(emitters.len(), around.step) {
             let emitter = &emitters[index];
             let share = emitter.share / shares.max(f64::MIN_POSITIVE);
             let rate = around.parameters.emission.rate * share * envelope::level(&emitter.scope, around.time);
             if rate > 0.0 {
-                self.emit(index, rate, &mut Source::new(emitter, around, random, particles));
+                self.emit(index, rate, &mut EmitterSource::new(emitter, around, random, particles));
             }
         }
     }
 
     /// Births that waited, spread evenly over the step. Where there is no room for all, each emitter gets its share of
     /// the room.
-    fn make_up(&mut self, around: &Surroundings, random: &mut Random, particles: &mut Particles) {
+    fn make_up(&mut self, around: &EmissionContext, random: &mut Random, particles: &mut Particles) {
         let emitters = around.parameters.emitters.items();
         let mut left: f64 = self.waiting[..emitters.len()].iter().map(|count| *count as f64).sum();
         if left == 0.0 {
             return;
         }
-        for index in turns(emitters.len(), around.step) {
+        for index in rotated_order(emitters.len(), around.step) {
             let waiting = self.waiting[index];
             if waiting == 0 {
                 continue;
             }
-            let mut source = Source::new(&emitters[index], around, random, particles);
+            let mut source = EmitterSource::new(&emitters[index], around, random, particles);
             // Rounded up: who is first gets at least one, and everybody is first at times.
             let part = libm::ceil(source.room() as f64 * (waiting as f64 / left));
             let count = waiting.min(part as u64).min(source.room() as u64);
             for number in 0..count {
-                source.bear(around.dt * (number as f64 + 0.5) / count as f64);
+                source.spawn(around.dt * (number as f64 + 0.5) / count as f64);
             }
             self.waiting[index] -= count;
             left -= waiting as f64;
@@ -113,7 +113,7 @@ impl Births {
     }
 
     /// Births that fall due in this step, each at its moment.
-    fn emit(&mut self, index: usize, rate: f64, source: &mut Source) {
+    fn emit(&mut self, index: usize, rate: f64, source: &mut EmitterSource) {
         // Sums of decimal fractions miss whole numbers by a few units in the last place.
         const SLACK: f64 = 1e-9;
         let before = self.owed[index];
@@ -124,7 +124,7 @@ impl Births {
                 self.waiting[index] = self.waiting[index].saturating_add(due as u64 + 1 - number);
                 break;
             }
-            source.bear(clamped((number as f64 - before) / rate, 0.0, source.dt()));
+            source.spawn(clamped((number as f64 - before) / rate, 0.0, source.dt()));
         }
         self.owed[index] = owed - due;
     }
@@ -132,7 +132,7 @@ impl Births {
 
 /// The numbers below `count` in an order that begins with another one at each step, without a period that deaths could
 /// keep time with.
-fn turns(count: usize, step: u64) -> impl Iterator<Item = usize> {
+fn rotated_order(count: usize, step: u64) -> impl Iterator<Item = usize> {
     const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
     let first = (step.wrapping_mul(GOLDEN) >> 33) as usize;
     (0..count).map(move |turn| (first + turn) % count)
@@ -140,7 +140,7 @@ fn turns(count: usize, step: u64) -> impl Iterator<Item = usize> {
 
 /// How many births the bursts of `emitter` owe that begin between the middles of the last step and of this one: starts
 /// that are whole numbers of steps then never depend on rounding.
-fn burst(emitter: &Emitter, around: &Surroundings) -> u64 {
+fn burst(emitter: &Emitter, around: &EmissionContext) -> u64 {
     if emitter.burst_count <= 0.0 {
         return 0;
     }

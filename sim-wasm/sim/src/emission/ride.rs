@@ -1,7 +1,7 @@
 //! How what an emitter rides on moves in one step.
 
 #[cfg(feature = "rigids")]
-use crate::collide::motion::Motion;
+use crate::collide::motion::PoseMotion;
 use crate::collide::space::{Frame, Pose, Vector};
 
 /// What an emitter rides on.
@@ -9,7 +9,7 @@ use crate::collide::space::{Frame, Pose, Vector};
 pub enum Ride {
     /// A rigid, which may turn by more than half a turn.
     #[cfg(feature = "rigids")]
-    Rigid(Motion),
+    Rigid(PoseMotion),
     /// A part, by its poses at the start and at the end of the step.
     Part([Pose; 2]),
 }
@@ -27,11 +27,11 @@ impl Ride {
             Ride::Part([start, end]) => {
                 let frame = Frame::new(&start.towards(end, fraction));
                 // What `towards` does, differentiated.
-                let (half, cosine) = start.half_turn_to(end);
+                let (half, cosine) = start.half_rotation_to(end);
                 let square = 1.0 - 2.0 * fraction * (1.0 - fraction) * (1.0 - cosine);
                 let spin = half * (2.0 / (square * dt));
                 let velocity = (end.position - start.position) * (1.0 / dt);
-                (frame, velocity + spin.cross(frame.turned(local)))
+                (frame, velocity + spin.cross(frame.rotate(local)))
             }
         }
     }

@@ -10,16 +10,16 @@ use crate::forces::unit;
 use crate::random::Random;
 
 /// A cone opens no wider (rad): beyond, it would need an infinite disc.
-const WIDEST_CONE: f64 = 1.5;
+const MAX_CONE_ANGLE: f64 = 1.5;
 
 /// Where a particle is born (m), and where its direction points.
-pub struct Spot {
+pub struct BirthPoint {
     pub place: [f32; 3],
-    way: Way,
+    heading_rule: HeadingRule,
 }
 
 /// Where particles leave to.
-enum Way {
+enum HeadingRule {
     /// Into the cone about the emitter's direction.
     Ahead,
     /// Into the cone about this unit vector.
@@ -49,12 +49,12 @@ impl<'e> Nozzle<'e> {
             centre: emitter.position.map(|metres| metres as f32),
             ahead: Axis::new(unit(emitter.direction)),
             cap: 1.0 - libm::cos(emitter.spread) as f32,
-            slope: libm::tan(emitter.spread.min(WIDEST_CONE)) as f32,
+            slope: libm::tan(emitter.spread.min(MAX_CONE_ANGLE)) as f32,
         }
     }
 
     /// A place of birth. A surface that does not exist is a point.
-    pub fn spot(&self, random: &mut Random) -> Spot {
+    pub fn birth_point(&self, random: &mut Random) -> BirthPoint {
         match self.emitter.shape as u32 {
             1 => self.ahead_from(self.across(disc(0.0, random))),
             2 => self.ahead_from(in_ball(random).map(|part| part * self.radius())),
@@ -68,12 +68,12 @@ impl<'e> Nozzle<'e> {
         }
     }
 
-    /// The direction, a unit vector, in which what is born at `spot` leaves.
-    pub fn heading(&self, spot: &Spot, random: &mut Random) -> [f32; 3] {
-        match spot.way {
-            Way::Ahead => self.ahead.cone(self.cap, random),
-            Way::About(normal) => Axis::new(normal).cone(self.cap, random),
-            Way::Along(heading) => heading,
+    /// The direction, a unit vector, in which what is born at `point` leaves.
+    pub fn heading(&self, point: &BirthPoint, random: &mut Random) -> [f32; 3] {
+        match point.heading_rule {
+            HeadingRule::Ahead => self.ahead.cone(self.cap, random),
+            HeadingRule::About(normal) => Axis::new(normal).cone(self.cap, random),
+            HeadingRule::Along(heading) => heading,
         }
     }
 
@@ -81,15 +81,15 @@ impl<'e> Nozzle<'e> {
         self.emitter.radius as f32
     }
 
-    fn from(&self, offset: [f32; 3], way: Way) -> Spot {
-        Spot {
+    fn from(&self, offset: [f32; 3], heading_rule: HeadingRule) -> BirthPoint {
+        BirthPoint {
             place: std::array::from_fn(|i| self.centre[i] + offset[i]),
-            way,
+            heading_rule,
         }
     }
 
-    fn ahead_from(&self, offset: [f32; 3]) -> Spot {
-        self.from(offset, Way::Ahead)
+    fn ahead_from(&self, offset: [f32; 3]) -> BirthPoint {
+        self.from(offset, HeadingRule::Ahead)
     }
 
     /// The offset of a place on the disc of radius 1.
@@ -99,31 +99,31 @@ impl<'e> Nozzle<'e> {
             .map(|part| part * self.radius())
     }
 
-    fn on_sphere(&self, random: &mut Random) -> Spot {
+    fn on_sphere(&self, random: &mut Random) -> BirthPoint {
         // Archimedes: what is uniform along the axis is uniform over the sphere.
         let normal = self.ahead.cone(2.0, random);
-        self.from(normal.map(|part| part * self.radius()), Way::About(normal))
+        self.from(normal.map(|part| part * self.radius()), HeadingRule::About(normal))
     }
 
-    fn in_nozzle(&self, random: &mut Random) -> Spot {
+    fn in_nozzle(&self, random: &mut Random) -> BirthPoint {
         let place = disc(0.0, random);
         let [side, other_side] = place.map(|part| part * self.slope);
         let length = (1.0 + side * side + other_side * other_side).sqrt();
         let heading = self.ahead.vector(side, other_side, 1.0).map(|part| part / length);
-        self.from(self.across(place), Way::Along(heading))
+        self.from(self.across(place), HeadingRule::Along(heading))
     }
 
-    fn on_line(&self, random: &mut Random) -> Spot {
+    fn on_line(&self, random: &mut Random) -> BirthPoint {
         let along = random.signed();
         self.ahead_from(self.emitter.extent.map(|half| along * half as f32))
     }
 
-    fn on_surface(&self, random: &mut Random) -> Spot {
+    fn on_surface(&self, random: &mut Random) -> BirthPoint {
         let Some(surface) = self.surface else {
             return self.ahead_from([0.0; 3]);
         };
         let (place, normal) = surface.pick(random);
-        self.from(place, Way::About(normal))
+        self.from(place, HeadingRule::About(normal))
     }
 }
 

@@ -12,11 +12,11 @@ use crate::random::Random;
 use crate::snapshot::Section;
 
 /// Most surfaces of one simulator.
-pub const MOST_SURFACES: usize = 16;
+pub const MAX_SURFACES: usize = 16;
 /// Most vertices, and most triangles, of one surface.
-pub const MOST_ELEMENTS: usize = 1_000_000;
+pub const MAX_ELEMENTS: usize = 1_000_000;
 /// No coordinate of a vertex lies farther out (m).
-pub const FARTHEST: f32 = 1000.0;
+pub const MAX_COORDINATE: f32 = 1000.0;
 
 /// A mesh, ready for births.
 #[derive(Clone, Debug)]
@@ -38,8 +38,8 @@ impl Surface {
         check_count("surface.vertices", vertices.len())?;
         check_count("surface.indices", indices.len())?;
         for (number, metres) in vertices.iter().enumerate() {
-            if !(-FARTHEST..=FARTHEST).contains(metres) {
-                return Err(refuse(
+            if !(-MAX_COORDINATE..=MAX_COORDINATE).contains(metres) {
+                return Err(range_error(
                     &format!("surface.vertices.{number}"),
                     f64::from(*metres),
                     -1e3,
@@ -51,7 +51,7 @@ impl Surface {
         for (number, vertex) in indices.iter().enumerate() {
             if *vertex > last {
                 let key = format!("surface.indices.{number}");
-                return Err(refuse(&key, f64::from(*vertex), 0.0, f64::from(last)));
+                return Err(range_error(&key, f64::from(*vertex), 0.0, f64::from(last)));
             }
         }
         Self::measured(vertices.to_vec(), indices.to_vec())
@@ -102,11 +102,16 @@ impl Surfaces {
     /// Takes up one more and returns its number.
     ///
     /// # Errors
-    /// `surface.count`: there are [`MOST_SURFACES`] already.
+    /// `surface.count`: there are [`MAX_SURFACES`] already.
     pub fn add(&mut self, surface: Surface) -> Result<u32, ParameterError> {
         let count = self.0.len();
-        if count == MOST_SURFACES {
-            return Err(refuse("surface.count", count as f64 + 1.0, 0.0, MOST_SURFACES as f64));
+        if count == MAX_SURFACES {
+            return Err(range_error(
+                "surface.count",
+                count as f64 + 1.0,
+                0.0,
+                MAX_SURFACES as f64,
+            ));
         }
         self.0.push(surface);
         Ok(count as u32)
@@ -173,10 +178,10 @@ fn normal([a, b, c]: &[Vector; 3]) -> Vector {
 }
 
 fn check_count(key: &str, count: usize) -> Result<(), ParameterError> {
-    if count.is_multiple_of(3) && (3..=3 * MOST_ELEMENTS).contains(&count) {
+    if count.is_multiple_of(3) && (3..=3 * MAX_ELEMENTS).contains(&count) {
         return Ok(());
     }
-    let most = 3 * MOST_ELEMENTS;
+    let most = 3 * MAX_ELEMENTS;
     let message = format!("{key} are {count} numbers; give three for each, at most {most}");
     Err(malformed(key, count as f64, message))
 }
@@ -185,10 +190,10 @@ fn check_count(key: &str, count: usize) -> Result<(), ParameterError> {
 fn malformed(key: &str, value: f64, message: String) -> ParameterError {
     ParameterError {
         message,
-        ..refuse(key, value, f64::NAN, f64::NAN)
+        ..range_error(key, value, f64::NAN, f64::NAN)
     }
 }
 
-fn refuse(key: &str, value: f64, min: f64, max: f64) -> ParameterError {
+fn range_error(key: &str, value: f64, min: f64, max: f64) -> ParameterError {
     ParameterError::out_of_range(key, value, min, max)
 }

@@ -8,7 +8,7 @@
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, fade, place_in};
+use super::{Force, ForceContext, Phase, fade, place_in};
 use crate::parameters::field::{Field, PLACE, number, vector};
 use crate::parameters::section::Item;
 use crate::scope::{Reach, Scope};
@@ -58,20 +58,20 @@ pub struct Kernel {
 
 impl Force for Attractor {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Push;
+    const PHASE: Phase = Phase::Push;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
         if self.acceleration == 0.0 {
             return None;
         }
-        let dt = setting.now.dt;
+        let dt = context.now.dt;
         let core = self.core_radius.max(4.0 * self.acceleration.abs() * dt * dt);
         Some(Kernel {
-            position: place_in(&setting.now.frame(&self.scope), self.position),
+            position: place_in(&context.now.frame(&self.scope), self.position),
             acceleration: f32x4::splat(self.acceleration as f32),
             core: f32x4::splat(core as f32),
             inverse_reach_squared: f32x4::splat((1.0 / (self.reach * self.reach)) as f32),
-            scope: Reach::new(&self.scope, &setting.now)?,
+            scope: Reach::new(&self.scope, &context.now)?,
         })
     }
 

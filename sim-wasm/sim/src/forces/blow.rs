@@ -1,6 +1,6 @@
 //! Blows: gusts that people give along a ray, such as that from the eye through the pointer.
 //!
-//! u = w e f(r / R)^2 a(s / R), for the velocity w at the height of the gust, its level e in time (`take::touch::Gust`),
+//! u = w e f(r / R)^2 a(s / R), for the velocity w at the height of the gust, its level e in time (`take::active_inputs::Gust`),
 //! the distance r from the ray and s from its origin along it, and the radius R. f(x) = 1 - x^2 within the radius and 0
 //! beyond; a rises as 3 x^2 - 2 x^3 from the origin on and stays 1, so that nothing is torn at the mouth. The velocity
 //! has a direction of its own: a pointer that is swept across the picture blows across its ray.
@@ -8,13 +8,13 @@
 use arrayvec::ArrayVec;
 use wide::f32x4;
 
-use super::Setting;
+use super::ForceContext;
 use crate::simd::{Vector4, positive_part, smaller};
-use crate::take::touch::{Gust, MOST_GUSTS};
+use crate::take::active_inputs::{Gust, MAX_GUSTS};
 use crate::tile::{Columns, Tile};
 
 /// All gusts of one step.
-pub type Kernels = ArrayVec<Kernel, MOST_GUSTS>;
+pub type Kernels = ArrayVec<Kernel, MAX_GUSTS>;
 
 /// A gust of one step.
 #[derive(Clone, Copy, Debug)]
@@ -27,8 +27,8 @@ pub struct Kernel {
 }
 
 /// The gusts that blow now.
-pub fn kernels(setting: &Setting) -> Kernels {
-    setting.gusts.iter().map(Kernel::new).collect()
+pub fn kernels(context: &ForceContext) -> Kernels {
+    context.gusts.iter().map(Kernel::new).collect()
 }
 
 /// Lets all of them act on the particles of `tile`.

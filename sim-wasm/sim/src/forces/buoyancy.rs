@@ -6,7 +6,7 @@
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage};
+use super::{Force, ForceContext, Phase};
 use crate::parameters::Parameters;
 use crate::parameters::field::{Field, number};
 use crate::parameters::section::Item;
@@ -42,16 +42,16 @@ pub struct Kernel {
 
 impl Force for Buoyancy {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Push;
+    const PHASE: Phase = Phase::Push;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
-        let acceleration = (self.acceleration * setting.parameters.forces.buoyancy) as f32;
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
+        let acceleration = (self.acceleration * context.parameters.forces.buoyancy) as f32;
         if acceleration == 0.0 {
             return None;
         }
         Some(Kernel {
             acceleration: f32x4::splat(acceleration),
-            reach: Reach::new(&self.scope, &setting.now)?,
+            reach: Reach::new(&self.scope, &context.now)?,
         })
     }
 

@@ -11,7 +11,7 @@
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage};
+use super::{Force, ForceContext, Phase};
 use crate::parameters::Parameters;
 use crate::parameters::field::{Field, number};
 use crate::parameters::section::Item;
@@ -68,20 +68,20 @@ pub struct Kernel {
 
 impl Force for Drag {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Push;
+    const PHASE: Phase = Phase::Push;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
-        let reach = Reach::new(&self.scope, &setting.now)?;
-        Kernel::new(self.rate, self.quadratic, reach, setting.parameters)
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
+        let reach = Reach::new(&self.scope, &context.now)?;
+        Kernel::new(self.rate, self.quadratic, reach, context.parameters)
     }
 
     /// Only the quadratic part: the other is the same for all particles, see [`Factors::new`].
-    fn everywhere(setting: &Setting) -> Option<Kernel> {
+    fn everywhere(context: &ForceContext) -> Option<Kernel> {
         Kernel::new(
             0.0,
-            setting.parameters.drag.quadratic,
+            context.parameters.drag.quadratic,
             Reach::everywhere(),
-            setting.parameters,
+            context.parameters,
         )
     }
 

@@ -8,7 +8,7 @@
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, fade, place_in};
+use super::{Force, ForceContext, Phase, fade, place_in};
 use crate::parameters::field::{Field, PLACE, number, vector};
 use crate::parameters::section::Item;
 use crate::scope::envelope::since_start;
@@ -66,24 +66,24 @@ pub struct Kernel {
 
 impl Force for Explosion {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Push;
+    const PHASE: Phase = Phase::Push;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
         if self.impulse == 0.0 {
             return None;
         }
-        let dt = setting.now.dt;
-        let since = since_start(&self.scope, setting.now.time + dt * 0.5)?;
+        let dt = context.now.dt;
+        let since = since_start(&self.scope, context.now.time + dt * 0.5)?;
         let front = |steps: f64| self.speed * (since - steps * dt);
         if front(2.0) > self.reach {
             return None;
         }
         Some(Kernel {
-            position: place_in(&setting.now.frame(&self.scope), self.position),
+            position: place_in(&context.now.frame(&self.scope), self.position),
             impulse: f32x4::splat(self.impulse as f32),
             fronts: [2.0, 1.0, 0.0].map(|steps| f32x4::splat(front(steps) as f32)),
             inverse_reach_squared: f32x4::splat((1.0 / (self.reach * self.reach)) as f32),
-            scope: Reach::new(&self.scope, &setting.now)?,
+            scope: Reach::new(&self.scope, &context.now)?,
         })
     }
 

@@ -3,7 +3,7 @@
 //! a = -g m up. Parameters: `gravity.acceleration` g (m/s2, downward: the weight that the air does not carry, not
 //! 9.81 for smoke), `forces.gravity` m (multiplier). `gravities.#.*` pull in any direction, each in its region.
 
-use super::{Force, Setting, Stage, vector_in};
+use super::{Force, ForceContext, Phase, vector_in};
 use crate::parameters::Parameters;
 use crate::parameters::field::{Field, vector};
 use crate::parameters::section::Item;
@@ -43,18 +43,18 @@ pub struct Kernel {
 
 impl Force for Gravity {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Push;
+    const PHASE: Phase = Phase::Push;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
-        let strength = setting.parameters.forces.gravity;
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
+        let strength = context.parameters.forces.gravity;
         let acceleration = self.acceleration.map(|component| (component * strength) as f32);
         if acceleration == [0.0; 3] {
             return None;
         }
-        let frame = setting.now.frame(&self.scope);
+        let frame = context.now.frame(&self.scope);
         Some(Kernel {
             acceleration: vector_in(&frame, acceleration),
-            reach: Reach::new(&self.scope, &setting.now)?,
+            reach: Reach::new(&self.scope, &context.now)?,
         })
     }
 

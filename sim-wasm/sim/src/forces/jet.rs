@@ -20,7 +20,7 @@ use std::f64::consts::PI;
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, direction_in, fade, place_in};
+use super::{Force, ForceContext, Phase, direction_in, fade, place_in};
 use crate::parameters::field::{DIRECTION, Field, PLACE, number, vector};
 use crate::parameters::section::Item;
 use crate::scope::{Reach, Scope};
@@ -89,13 +89,13 @@ pub struct Kernel {
 
 impl Force for Jet {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Air;
+    const PHASE: Phase = Phase::Air;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
         if self.speed == 0.0 {
             return None;
         }
-        let frame = setting.now.frame(&self.scope);
+        let frame = context.now.frame(&self.scope);
         let splat = |value: f64| f32x4::splat(value as f32);
         Some(Kernel {
             position: place_in(&frame, self.position),
@@ -107,7 +107,7 @@ impl Force for Jet {
             spread: splat(self.spread),
             edge: splat(EDGE * self.radius),
             inverse_reach_squared: splat(1.0 / (self.reach * self.reach)),
-            scope: Reach::new(&self.scope, &setting.now)?,
+            scope: Reach::new(&self.scope, &context.now)?,
         })
     }
 

@@ -25,15 +25,15 @@ use wide::f32x4;
 use crate::collide::space::{Frame, Vector};
 use crate::parameters::section::{Item, List, Many, Section};
 use crate::parameters::{LIST_LIMIT, Parameters};
-use crate::scope::Now;
+use crate::scope::StepTime;
 use crate::simd::{Vector4, positive_part};
-use crate::take::touch::Gust;
+use crate::take::active_inputs::Gust;
 use crate::tile::Tile;
 use turbulence::TurbulenceState;
 
 /// When in a step a force has its turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
+pub enum Phase {
     /// Adds to the air's velocity, evaluated where the middle of the step is expected.
     Air,
     /// Adds accelerations and drag, or changes the slip.
@@ -46,9 +46,9 @@ pub enum Stage {
 
 /// What forces are made ready from.
 #[derive(Clone, Copy, Debug)]
-pub struct Setting<'s> {
+pub struct ForceContext<'s> {
     pub parameters: &'s Parameters,
-    pub now: Now<'s>,
+    pub now: StepTime<'s>,
     /// Chooses the patterns of chance.
     pub seed: u32,
     /// Of each turbulence of the list, then of the one that is everywhere.
@@ -63,13 +63,13 @@ pub trait Force: Item {
     type Kernel;
 
     /// Its turn in a step.
-    const STAGE: Stage;
+    const PHASE: Phase;
 
     /// Makes item `index` ready; none where it does nothing in this step.
-    fn kernel(&self, index: usize, setting: &Setting) -> Option<Self::Kernel>;
+    fn kernel(&self, index: usize, context: &ForceContext) -> Option<Self::Kernel>;
 
     /// The force that acts everywhere by parameters of its own, beside the list.
-    fn everywhere(_setting: &Setting) -> Option<Self::Kernel> {
+    fn everywhere(_setting: &ForceContext) -> Option<Self::Kernel> {
         None
     }
 
@@ -79,14 +79,14 @@ pub trait Force: Item {
 
 type Kernels<F> = ArrayVec<<F as Force>::Kernel, { LIST_LIMIT + 1 }>;
 
-fn kernels<F: Force>(list: &List<F>, setting: &Setting) -> Kernels<F> {
+fn kernels<F: Force>(list: &List<F>, context: &ForceContext) -> Kernels<F> {
     let items = list.items().iter().enumerate();
-    let listed = items.filter_map(|(index, item)| item.kernel(index, setting));
-    F::everywhere(setting).into_iter().chain(listed).collect()
+    let listed = items.filter_map(|(index, item)| item.kernel(index, context));
+    F::everywhere(context).into_iter().chain(listed).collect()
 }
 
-fn act<F: Force>(kernels: &Kernels<F>, stage: Stage, tile: &mut Tile) {
-    if F::STAGE == stage && !kernels.is_empty() {
+fn act<F: Force>(kernels: &Kernels<F>, phase: Phase, tile: &mut Tile) {
+    if F::PHASE == phase && !kernels.is_empty() {
         F::act(kernels, tile);
     }
 }
@@ -118,17 +118,17 @@ macro_rules! forces {
 
         impl Forces {
             /// Those that act in this step.
-            pub fn new(setting: &Setting) -> Self {
+            pub fn new(context: &ForceContext) -> Self {
                 Self {
-                    $($list: kernels(&setting.parameters.lists.$list, setting),)*
-                    blows: blow::kernels(setting),
+                    $($list: kernels(&context.parameters.lists.$list, context),)*
+                    blows: blow::kernels(context),
                 }
             }
 
-            /// Lets those whose turn is `stage` act on the particles of `tile`.
-            pub fn act(&self, stage: Stage, tile: &mut Tile) {
-                $(act::<$Force>(&self.$list, stage, tile);)*
-                if stage == Stage::Air && !self.blows.is_empty() {
+            /// Lets those whose turn is `phase` act on the particles of `tile`.
+            pub fn act(&self, phase: Phase, tile: &mut Tile) {
+                $(act::<$Force>(&self.$list, phase, tile);)*
+                if phase == Phase::Air && !self.blows.is_empty() {
                     blow::act(&self.blows, tile);
                 }
             }
@@ -180,7 +180,7 @@ fn place_in(frame: &Frame, place: [f64; 3]) -> Vector4 {
 
 /// A vector of `frame` in the world, in every lane.
 fn vector_in(frame: &Frame, vector: [f32; 3]) -> Vector4 {
-    Vector4::splat(frame.turned(Vector::from(vector)).into())
+    Vector4::splat(frame.rotate(Vector::from(vector)).into())
 }
 
 /// A direction of `frame` in the world with length 1, in every lane.

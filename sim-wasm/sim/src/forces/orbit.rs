@@ -13,7 +13,7 @@
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, direction_in, place_in};
+use super::{Force, ForceContext, Phase, direction_in, place_in};
 use crate::parameters::field::{DIRECTION, Field, PLACE, number, vector};
 use crate::parameters::section::Item;
 use crate::scope::{Reach, Scope};
@@ -71,15 +71,15 @@ pub struct Kernel {
 
 impl Force for Orbit {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Push;
+    const PHASE: Phase = Phase::Push;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
         if self.acceleration == 0.0 {
             return None;
         }
-        let frame = setting.now.frame(&self.scope);
+        let frame = context.now.frame(&self.scope);
         let is_line = self.axis != [0.0; 3];
-        let core = self.core_radius.max(self.least_core(is_line, setting.now.dt));
+        let core = self.core_radius.max(self.least_core(is_line, context.now.dt));
         Some(Kernel {
             position: place_in(&frame, self.position),
             axis: if is_line {
@@ -90,7 +90,7 @@ impl Force for Orbit {
             is_line,
             acceleration: f32x4::splat(self.acceleration as f32),
             core_squared: f32x4::splat((core * core) as f32),
-            scope: Reach::new(&self.scope, &setting.now)?,
+            scope: Reach::new(&self.scope, &context.now)?,
         })
     }
 

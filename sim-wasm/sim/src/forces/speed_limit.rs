@@ -7,7 +7,7 @@
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage};
+use super::{Force, ForceContext, Phase};
 use crate::parameters::field::{Field, number};
 use crate::parameters::section::Item;
 use crate::scope::{Reach, Scope};
@@ -45,12 +45,12 @@ pub struct Kernel {
 
 impl Force for SpeedLimit {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Limit;
+    const PHASE: Phase = Phase::Limit;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
         Some(Kernel {
             speed: f32x4::splat(self.speed as f32),
-            reach: Reach::new(&self.scope, &setting.now)?,
+            reach: Reach::new(&self.scope, &context.now)?,
         })
     }
 

@@ -13,7 +13,7 @@
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, direction_in, fade, place_in};
+use super::{Force, ForceContext, Phase, direction_in, fade, place_in};
 use crate::parameters::field::{DIRECTION, Field, PLACE, number, vector};
 use crate::parameters::section::Item;
 use crate::scope::{Reach, Scope};
@@ -82,15 +82,15 @@ pub struct Kernel {
 
 impl Force for Spiral {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Air;
+    const PHASE: Phase = Phase::Air;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
         if [self.turn, self.inward, self.along] == [0.0; 3] {
             return None;
         }
-        let frame = setting.now.frame(&self.scope);
+        let frame = context.now.frame(&self.scope);
         let splat = |value: f64| f32x4::splat(value as f32);
-        let dt = setting.now.dt;
+        let dt = context.now.dt;
         Some(Kernel {
             position: place_in(&frame, self.position),
             axis: direction_in(&frame, self.axis),
@@ -101,7 +101,7 @@ impl Force for Spiral {
             inverse_reach_squared: splat(1.0 / (self.reach * self.reach)),
             half: splat(dt * 0.5),
             per_half: splat(2.0 / dt),
-            scope: Reach::new(&self.scope, &setting.now)?,
+            scope: Reach::new(&self.scope, &context.now)?,
         })
     }
 

@@ -10,7 +10,7 @@
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage};
+use super::{Force, ForceContext, Phase};
 use crate::parameters::field::{Field, number};
 use crate::parameters::section::Item;
 use crate::parameters::{LIST_LIMIT, Parameters};
@@ -105,16 +105,16 @@ impl TurbulenceState {
 
 impl Force for Turbulence {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Air;
+    const PHASE: Phase = Phase::Air;
 
-    fn kernel(&self, index: usize, setting: &Setting) -> Option<Kernel> {
-        let swirls = Swirls::of_setting(&self.pattern, setting, index)?;
-        let reach = Reach::new(&self.scope, &setting.now)?;
+    fn kernel(&self, index: usize, context: &ForceContext) -> Option<Kernel> {
+        let swirls = Swirls::of_context(&self.pattern, context, index)?;
+        let reach = Reach::new(&self.scope, &context.now)?;
         Some(Kernel { swirls, reach })
     }
 
-    fn everywhere(setting: &Setting) -> Option<Kernel> {
-        let swirls = Swirls::of_setting(&setting.parameters.turbulence, setting, LIST_LIMIT)?;
+    fn everywhere(context: &ForceContext) -> Option<Kernel> {
+        let swirls = Swirls::of_context(&context.parameters.turbulence, context, LIST_LIMIT)?;
         Some(Kernel {
             swirls,
             reach: Reach::everywhere(),
@@ -175,12 +175,12 @@ impl Swirls {
     }
 
     /// Number `index` of all turbulences of a simulation.
-    fn of_setting(pattern: &Pattern, setting: &Setting, index: usize) -> Option<Self> {
+    fn of_context(pattern: &Pattern, context: &ForceContext, index: usize) -> Option<Self> {
         // The one that is everywhere keeps the seed as it is.
         let number = (index + 1) % (LIST_LIMIT + 1);
-        let seed = setting.seed ^ (number as u32).wrapping_mul(0xc2b2_ae35);
-        let strength = setting.parameters.forces.turbulence;
-        Self::new(pattern, strength, &setting.turbulence[index], seed)
+        let seed = context.seed ^ (number as u32).wrapping_mul(0xc2b2_ae35);
+        let strength = context.parameters.forces.turbulence;
+        Self::new(pattern, strength, &context.turbulence[index], seed)
     }
 
     /// Velocity (m/s) at four places.

@@ -1,4 +1,4 @@
-//! Vortices: the air turns about an axis.
+//! Vortices: the air rotations about an axis.
 //!
 //! Lamb-Oseen: at the distance r from the axis the air moves around it at the angular velocity
 //!
@@ -6,20 +6,20 @@
 //!
 //! Parameters: `vortices.#.circulation` G (m2/s, counter-clockwise seen against the axis), `.coreRadius` c (m),
 //! `.reach` R (m, distance from the axis at which the swirl has faded to nothing), `.position.*` (m, a point on the
-//! axis), `.axis.*` (a direction of any length), `forces.vortex` m (multiplier). Inside the core the air turns like a
+//! axis), `.axis.*` (a direction of any length), `forces.vortex` m (multiplier). Inside the core the air rotations like a
 //! solid, outside like a free vortex; the last factor makes the end smooth. `.profile` 1 is the core of Rankine
-//! instead, which turns exactly like a solid: 1 - exp(-r^2 / c^2) becomes the smaller of r^2 / c^2 and 1. Any w(r) is
+//! instead, which rotations exactly like a solid: 1 - exp(-r^2 / c^2) becomes the smaller of r^2 / c^2 and 1. Any w(r) is
 //! free of divergence. `.inflow` and `.updraft` (m/s) draw air to the axis and along it: see `draft`.
 //!
 //! A particle must not spiral out. The plain midpoint rule grows the radius by a^4 / 8 for a turn by the angle a, which
-//! is 1 % after 20 turns at 5 rad/s. Here w is taken where the last step, continued, puts the middle of this one; the
-//! half step turns about the axis by 2 atan(a / 4) instead of going straight, and the whole step takes the chord that
+//! is 1 % after 20 rotations at 5 rad/s. Here w is taken where the last step, continued, puts the middle of this one; the
+//! half step rotations about the axis by 2 atan(a / 4) instead of going straight, and the whole step takes the chord that
 //! belongs to it. A lone vortex then keeps the radius at any speed but for rounding, only its angle lags (by a^3 / 48
 //! a step), no vortex moves anything by more than twice its distance, and with other flows the rule is of second order.
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage};
+use super::{Force, ForceContext, Phase};
 use crate::parameters::LIST_LIMIT;
 use crate::parameters::field::{DIRECTION, Field, PLACE, number, vector};
 use crate::parameters::section::Item;
@@ -29,7 +29,7 @@ use crate::tile::{Columns, TILE_BLOCKS, Tile};
 
 mod draft;
 mod kernel;
-use kernel::{Kernel, Turn};
+use kernel::{HalfRotation, Kernel};
 
 /// `vortices.#.*`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -93,16 +93,16 @@ impl Vortex {
 
 impl Force for Vortex {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Swirl;
+    const PHASE: Phase = Phase::Swirl;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
-        let strength = setting.parameters.forces.vortex;
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
+        let strength = context.parameters.forces.vortex;
         if strength == 0.0 || self.is_still() {
             return None;
         }
-        let scope = Reach::new(&self.scope, &setting.now)?;
-        let frame = setting.now.frame(&self.scope);
-        Some(Kernel::new(self, strength, &frame, scope, setting.now.dt as f32))
+        let scope = Reach::new(&self.scope, &context.now)?;
+        let frame = context.now.frame(&self.scope);
+        Some(Kernel::new(self, strength, &frame, scope, context.now.dt as f32))
     }
 
     fn act(kernels: &[Kernel], tile: &mut Tile) {
@@ -147,17 +147,17 @@ fn add_mean_velocity(kernel: &Kernel, tile: &mut Tile) {
     kernel.scope.weigh(ahead, weight);
     let rest = ahead.iter().zip(&*slipped).zip(&*weight);
     for ((flow, place), ((ahead, slipped), weight)) in flow.iter_mut().zip(&*place).zip(rest) {
-        let turn = kernel.turn(*ahead, *weight);
+        let rotation = kernel.rotation(*ahead, *weight);
         let half = (*flow * dt + *slipped) * f32x4::HALF;
-        let middle = *place + half + kernel.half_step(*place, &turn);
-        *flow += kernel.chord_velocity(middle, &turn);
+        let middle = *place + half + kernel.half_step(*place, &rotation);
+        *flow += kernel.chord_velocity(middle, &rotation);
     }
 }
 
 /// Adds the mean velocity (m/s) over the step of several vortices, each of which moves the middle for the others.
 fn add_mean_velocities(kernels: &[Kernel], tile: &mut Tile) {
     let dt = f32x4::splat(tile.dt);
-    let mut turns = [[Turn::STILL; TILE_BLOCKS]; LIST_LIMIT];
+    let mut rotations = [[HalfRotation::IDENTITY; TILE_BLOCKS]; LIST_LIMIT];
     let mut middles = [Vector4::zero(); TILE_BLOCKS];
     let Columns {
         place,
@@ -170,25 +170,25 @@ fn add_mean_velocities(kernels: &[Kernel], tile: &mut Tile) {
     for (((middle, place), slipped), flow) in middles.iter_mut().zip(&*place).zip(&*slipped).zip(&*flow) {
         *middle = *place + (*flow * dt + *slipped) * f32x4::HALF;
     }
-    for (kernel, turns) in kernels.iter().zip(&mut turns) {
+    for (kernel, rotations) in kernels.iter().zip(&mut rotations) {
         kernel.scope.weigh(ahead, weight);
-        for (block, turn) in turns[..place.len()].iter_mut().enumerate() {
-            *turn = kernel.turn(ahead[block], weight[block]);
-            let mut half = kernel.half_step(place[block], turn);
+        for (block, rotation) in rotations[..place.len()].iter_mut().enumerate() {
+            *rotation = kernel.rotation(ahead[block], weight[block]);
+            let mut half = kernel.half_step(place[block], rotation);
             if let Some(draft) = &kernel.draft {
-                half += draft.half_step(kernel, place[block], ahead[block], turn, weight[block]);
+                half += draft.half_step(kernel, place[block], ahead[block], rotation, weight[block]);
             }
             middles[block] += half;
         }
     }
-    for (kernel, turns) in kernels.iter().zip(&turns) {
-        for ((flow, middle), turn) in flow.iter_mut().zip(&middles).zip(turns) {
-            *flow += kernel.chord_velocity(*middle, turn);
+    for (kernel, rotations) in kernels.iter().zip(&rotations) {
+        for ((flow, middle), rotation) in flow.iter_mut().zip(&middles).zip(rotations) {
+            *flow += kernel.chord_velocity(*middle, rotation);
         }
         let Some(draft) = &kernel.draft else { continue };
         kernel.scope.weigh(ahead, weight);
         for (block, flow) in flow.iter_mut().enumerate() {
-            *flow += draft.chord_velocity(kernel, middles[block], &turns[block], weight[block]);
+            *flow += draft.chord_velocity(kernel, middles[block], &rotations[block], weight[block]);
         }
     }
 }

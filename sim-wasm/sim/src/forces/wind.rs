@@ -12,7 +12,7 @@
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, unit, vector_in};
+use super::{Force, ForceContext, Phase, unit, vector_in};
 use crate::collide::space::Frame;
 use crate::parameters::field::{Field, PLACE, number, vector};
 use crate::parameters::section::Item;
@@ -98,22 +98,22 @@ pub struct Kernel {
 
 impl Force for Wind {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Air;
+    const PHASE: Phase = Phase::Air;
 
-    fn kernel(&self, index: usize, setting: &Setting) -> Option<Kernel> {
-        self.blowing(index as u32 + 1, setting)
+    fn kernel(&self, index: usize, context: &ForceContext) -> Option<Kernel> {
+        self.blowing(index as u32 + 1, context)
     }
 
-    fn everywhere(setting: &Setting) -> Option<Kernel> {
+    fn everywhere(context: &ForceContext) -> Option<Kernel> {
         let wind = Wind {
-            velocity: setting.parameters.forces.wind,
-            weather: setting.parameters.wind,
+            velocity: context.parameters.forces.wind,
+            weather: context.parameters.wind,
             scope: Scope {
                 rigid: crate::scope::WORLD,
                 ..Scope::default()
             },
         };
-        wind.blowing(0, setting)
+        wind.blowing(0, context)
     }
 
     fn act(kernels: &[Kernel], tile: &mut Tile) {
@@ -132,22 +132,22 @@ impl Force for Wind {
 
 impl Wind {
     /// The wind of this step; `number` tells its gusts from those of the others.
-    fn blowing(&self, number: u32, setting: &Setting) -> Option<Kernel> {
+    fn blowing(&self, number: u32, context: &ForceContext) -> Option<Kernel> {
         if self.velocity == [0.0; 3] && self.weather.gusts == 0.0 {
             return None;
         }
-        let reach = Reach::new(&self.scope, &setting.now)?;
-        let frame = setting.now.frame(&self.scope);
-        Some(self.blow(&frame, reach, number, setting))
+        let reach = Reach::new(&self.scope, &context.now)?;
+        let frame = context.now.frame(&self.scope);
+        Some(self.blow(&frame, reach, number, context))
     }
 
-    fn blow(&self, frame: &Frame, reach: Reach, number: u32, setting: &Setting) -> Kernel {
+    fn blow(&self, frame: &Frame, reach: Reach, number: u32, context: &ForceContext) -> Kernel {
         let along = if self.velocity == [0.0; 3] {
             [1.0, 0.0, 0.0]
         } else {
             unit(self.velocity)
         };
-        let speed = gust(&self.weather, setting.now.time, setting.seed ^ number) as f32;
+        let speed = gust(&self.weather, context.now.time, context.seed ^ number) as f32;
         Kernel {
             mean: vector_in(frame, self.velocity.map(|component| component as f32)),
             gust: vector_in(frame, along.map(|component| component * speed)),

@@ -2,7 +2,7 @@
 //!
 //! Without stops it falls as 1 - t, the paper's law. With stops it goes straight from one to the next in the order of
 //! their ages, of equal ages in that of their numbers; before the first and after the last it stays as they are. Stops
-//! nearer to each other than [`LEAST_GAP`] are pulled apart to that, later ones to the right, and what then lies beyond
+//! nearer to each other than [`MIN_GAP`] are pulled apart to that, later ones to the right, and what then lies beyond
 //! the end of life is not reached: so the curve never jumps. Over the last 5 % of life nothing exceeds 20 (1 - t), so
 //! that every particle dies at density 0.
 
@@ -14,7 +14,7 @@ use crate::parameters::section::Item;
 use crate::simd::{positive_part, smaller};
 
 /// The least distance between stops, as a share of life.
-pub const LEAST_GAP: f32 = 0.02;
+pub const MIN_GAP: f32 = 0.02;
 /// How steeply density falls in the end, per life.
 pub const FALL: f32 = 20.0;
 
@@ -73,7 +73,7 @@ impl Curve {
         let mut rises = [Rise::default(); LIST_LIMIT - 1];
         let mut from = sorted[0].age as f32;
         for (rise, pair) in rises.iter_mut().zip(sorted.windows(2)) {
-            let width = (pair[1].age as f32 - from).max(LEAST_GAP);
+            let width = (pair[1].age as f32 - from).max(MIN_GAP);
             let slope = (pair[1].value - pair[0].value) as f32 / width;
             *rise = Rise { from, width, slope };
             from += width;

@@ -13,7 +13,7 @@ use crate::particles::Particles;
 use crate::simd::{Vector4, blocks, blocks_mut, positive_part, smaller};
 
 /// Entrainment makes no particle larger (m); one that was born larger keeps its size.
-pub const GREATEST_SIZE: f32 = 20.0;
+pub const MAX_SIZE: f32 = 20.0;
 
 /// What a step's way through the air adds to sizes.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +37,7 @@ impl Entrainment {
         let count = first + ways.len();
         let ages = &blocks(&particles.age, count)[first..];
         let sizes = &mut blocks_mut(&mut particles.size, count)[first..];
-        let most = f32x4::splat(GREATEST_SIZE);
+        let most = f32x4::splat(MAX_SIZE);
         for ((way, age), size) in ways.iter().zip(ages).zip(sizes) {
             // Who is born within the step goes only for the rest of it.
             let part = smaller(f32x4::ONE + f32x4::new(*age) * self.per_step, f32x4::ONE);

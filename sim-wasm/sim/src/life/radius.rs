@@ -10,7 +10,7 @@ use crate::simd::{positive_part, smaller};
 
 /// The least time (s) in which a newborn particle swells, so that none appears from one step to the next. The paper's
 /// integrator keeps the paper's law: there particles may be born full.
-pub const SHORTEST_GROWTH: f32 = 0.1;
+pub const MIN_GROWTH_TIME: f32 = 0.1;
 
 /// Radius of a particle from its size and age; numbers that hold for all particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +33,7 @@ impl RadiusLaw {
             growth_time: if is_paper {
                 growth_time
             } else {
-                growth_time.max(SHORTEST_GROWTH)
+                growth_time.max(MIN_GROWTH_TIME)
             },
             curve: Curve::new(parameters.density.items()),
         }

@@ -30,10 +30,10 @@ pub struct Meta {
 /// A parameter of an `Item`.
 pub struct Field<Item> {
     pub meta: Meta,
-    place: Place<Item>,
+    accessor: Accessor<Item>,
 }
 
-enum Place<Item> {
+enum Accessor<Item> {
     Number(fn(&mut Item) -> &mut f64),
     Vector(fn(&mut Item) -> &mut [f64; 3]),
 }
@@ -47,7 +47,7 @@ impl<Item> Field<Item> {
         unit: &'static str,
         range: [f64; 2],
         default: [f64; 3],
-        place: Place<Item>,
+        accessor: Accessor<Item>,
     ) -> Self {
         let meta = Meta {
             key,
@@ -65,7 +65,7 @@ impl<Item> Field<Item> {
             #[cfg(not(target_family = "wasm"))]
             text: "",
         };
-        Self { meta, place }
+        Self { meta, accessor }
     }
 
     /// Takes whole numbers only.
@@ -117,17 +117,17 @@ impl<Item> Field<Item> {
 
     /// How many numbers it has, and the end of the key of each.
     pub fn parts(&self) -> &'static [&'static str] {
-        match self.place {
-            Place::Number(_) => &[""],
-            Place::Vector(_) => &PARTS,
+        match self.accessor {
+            Accessor::Number(_) => &[""],
+            Accessor::Vector(_) => &PARTS,
         }
     }
 
     /// The number `part` of it.
     pub fn value<'i>(&self, item: &'i mut Item, part: usize) -> &'i mut f64 {
-        match self.place {
-            Place::Number(of) => of(item),
-            Place::Vector(of) => &mut of(item)[part],
+        match self.accessor {
+            Accessor::Number(of) => of(item),
+            Accessor::Vector(of) => &mut of(item)[part],
         }
     }
 }
@@ -140,7 +140,7 @@ pub const fn number<Item>(
     default: f64,
     of: fn(&mut Item) -> &mut f64,
 ) -> Field<Item> {
-    Field::new(key, unit, range, [default; 3], Place::Number(of))
+    Field::new(key, unit, range, [default; 3], Accessor::Number(of))
 }
 
 /// A parameter that is three numbers of the same range.
@@ -151,7 +151,7 @@ pub const fn vector<Item>(
     default: [f64; 3],
     of: fn(&mut Item) -> &mut [f64; 3],
 ) -> Field<Item> {
-    Field::new(key, unit, range, default, Place::Vector(of))
+    Field::new(key, unit, range, default, Accessor::Vector(of))
 }
 
 /// Any place in the world (m).

@@ -63,11 +63,11 @@ impl Item for Multipliers {
 
 /// `gravity.*`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Gravity {
+pub struct UniformGravity {
     pub acceleration: f64,
 }
 
-impl Item for Gravity {
+impl Item for UniformGravity {
     const FIELDS: &'static [Field<Self>] = &[number("acceleration", "m/s2", [0.0, 100.0], 0.0, |g: &mut Self| {
         &mut g.acceleration
     })];
@@ -75,12 +75,12 @@ impl Item for Gravity {
 
 /// `buoyancy.*`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Buoyancy {
+pub struct UniformBuoyancy {
     pub acceleration: f64,
     pub cooling_time: f64,
 }
 
-impl Item for Buoyancy {
+impl Item for UniformBuoyancy {
     const FIELDS: &'static [Field<Self>] = &[
         number("acceleration", "m/s2", [0.0, 100.0], 1.5, |b: &mut Self| {
             &mut b.acceleration
@@ -103,11 +103,11 @@ impl Item for Style {
 
 /// `simulation.*`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Settings {
+pub struct SimulationSettings {
     pub integrator: f64,
 }
 
-impl Item for Settings {
+impl Item for SimulationSettings {
     const FIELDS: &'static [Field<Self>] =
         &[
             number("integrator", "1", [0.0, 1.0], 0.0, |s: &mut Self| &mut s.integrator)

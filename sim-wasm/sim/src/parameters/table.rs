@@ -1,14 +1,14 @@
 //! The sections of the table in their order. The forces' lists stand in `forces`, a row each.
 
 use super::section::{Item, List, Many, Section, Single, item};
-use super::settings::{Buoyancy, Emission, Gravity, Multipliers, Puff, Settings, Style};
+use super::settings::{Emission, Multipliers, Puff, SimulationSettings, Style, UniformBuoyancy, UniformGravity};
 use crate::emission::Emitter;
 use crate::forces::drag::Resistance;
 use crate::forces::turbulence::Pattern;
 use crate::forces::wind::Weather;
 use crate::forces::{self, Lists};
 use crate::life::density::Stop;
-use crate::obstacles::Collider;
+use crate::obstacles::ColliderParameters;
 use crate::vortex_particles::shedder::Shedder;
 
 /// Every parameter, in the units of the table. All values are within their ranges, always.
@@ -17,15 +17,15 @@ pub struct Parameters {
     pub emission: Emission,
     pub puff: Puff,
     pub forces: Multipliers,
-    pub gravity: Gravity,
-    pub buoyancy: Buoyancy,
+    pub gravity: UniformGravity,
+    pub buoyancy: UniformBuoyancy,
     pub drag: Resistance,
     pub wind: Weather,
     pub turbulence: Pattern,
-    pub simulation: Settings,
+    pub simulation: SimulationSettings,
     pub style: Style,
     pub emitters: List<Emitter>,
-    pub colliders: List<Collider>,
+    pub colliders: List<ColliderParameters>,
     pub density: List<Stop>,
     pub shedders: List<Shedder>,
     /// The lists of forces.

@@ -9,7 +9,7 @@ use crate::collide::space::{Pose, Vector};
 use crate::error::ParameterError;
 
 /// Fastest spin (rad/s), for shapes so small that [`TOP_SPEED`] would allow more: two turns a step.
-const FASTEST_SPIN: f32 = 720.0;
+const MAX_SPIN: f32 = 720.0;
 
 impl Rigids {
     /// Sends a kinematic rigid to a pose: it is there after the coming step, or after more when its surface would have
@@ -125,11 +125,7 @@ pub(super) fn no_such_rigid(index: u32, count: usize) -> ParameterError {
 /// # Errors
 /// When a number is not finite or too large, or the axis has no direction.
 pub(super) fn spin_of(axis: [f32; 3], rate: f32) -> Result<Spin, ParameterError> {
-    let rate = ranged(
-        "rigid.spin.rate",
-        rate,
-        (-f64::from(FASTEST_SPIN), f64::from(FASTEST_SPIN)),
-    )?;
+    let rate = ranged("rigid.spin.rate", rate, (-f64::from(MAX_SPIN), f64::from(MAX_SPIN)))?;
     for (name, value) in ["x", "y", "z"].iter().zip(axis) {
         ranged(&format!("rigid.spin.axis.{name}"), value, (-1e3, 1e3))?;
     }
@@ -143,6 +139,6 @@ pub(super) fn spin_of(axis: [f32; 3], rate: f32) -> Result<Spin, ParameterError>
 
 /// Refuses a spin at which a rigid of `reach` (m) would be faster than [`TOP_SPEED`].
 pub(super) fn check_spin(spin: &Spin, reach: f32) -> Result<(), ParameterError> {
-    let most = f64::from((TOP_SPEED / reach).min(FASTEST_SPIN));
+    let most = f64::from((TOP_SPEED / reach).min(MAX_SPIN));
     ranged("rigid.spin.rate", spin.rate, (-most, most)).map(|_| ())
 }

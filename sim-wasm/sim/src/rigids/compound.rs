@@ -6,11 +6,11 @@ use crate::collide::space::{Bounds, Frame, Pose, Vector};
 
 /// The union of its parts.
 pub struct Compound {
-    parts: Vec<Part>,
+    parts: Vec<CompoundPart>,
     bounds: Bounds,
 }
 
-struct Part {
+struct CompoundPart {
     frame: Frame,
     /// In the compound's space.
     bounds: Bounds,
@@ -20,13 +20,13 @@ struct Part {
 impl Compound {
     /// The union of shapes, each at its pose; there is at least one.
     pub fn new(shapes: impl Iterator<Item = (Pose, Box<dyn Collider>)>) -> Self {
-        let parts: Vec<Part> = shapes.map(|(pose, shape)| Part::new(&pose, shape)).collect();
+        let parts: Vec<CompoundPart> = shapes.map(|(pose, shape)| CompoundPart::new(&pose, shape)).collect();
         let bounds = parts.iter().fold(Bounds::NOTHING, |all, part| all.with(&part.bounds));
         Self { parts, bounds }
     }
 }
 
-impl Part {
+impl CompoundPart {
     fn new(pose: &Pose, shape: Box<dyn Collider>) -> Self {
         let frame = Frame::new(pose);
         let bounds = frame.bounds_of(&shape.bounds());
@@ -37,7 +37,7 @@ impl Part {
         let nearest = self.shape.nearest(self.frame.local_from_world(point), limit);
         Nearest {
             distance: nearest.distance,
-            normal: self.frame.turned(nearest.normal),
+            normal: self.frame.rotate(nearest.normal),
         }
     }
 }

@@ -12,8 +12,8 @@ use crate::collide::space::{Pose, Vector};
 use crate::error::ParameterError;
 
 /// A volume below this share of its box's is no volume.
-const LEAST_FILLING: f32 = 1e-4;
-const LEAST_HALF_EXTENT: f32 = 5e-4;
+const MIN_FILL_RATIO: f32 = 1e-4;
+const MIN_HALF_EXTENT: f32 = 5e-4;
 
 /// A rigid's shape twice.
 pub struct Forms {
@@ -88,17 +88,17 @@ fn form_of(shape: &RigidShape, kind: RigidKind) -> Result<Form, ParameterError> 
 
 fn hull(vertices: &[[f32; 3]]) -> Result<Form, ParameterError> {
     let points: Vec<Vec3> = vertices.iter().map(|vertex| Vec3::from(*vertex)).collect();
-    let refused = || {
+    let error = || {
         let message = "rigid.vertices span no volume; give at least four points that do not lie in one plane";
         shape_error("rigid.vertices", vertices.len() as f64, message.to_owned())
     };
     // Asked before the hull is made: its algorithm need not survive points in a line or a plane.
     if !spans_volume(&points) {
-        return Err(refused());
+        return Err(error());
     }
-    let (corners, triangles) = try_convex_hull(&points).map_err(|_| refused())?;
-    let polyhedron = ConvexPolyhedron::from_convex_mesh(corners.clone(), &triangles).ok_or_else(refused)?;
-    let mesh = oriented(corners, triangles).ok_or_else(refused)?;
+    let (corners, triangles) = try_convex_hull(&points).map_err(|_| error())?;
+    let polyhedron = ConvexPolyhedron::from_convex_mesh(corners.clone(), &triangles).ok_or_else(error)?;
+    let mesh = oriented(corners, triangles).ok_or_else(error)?;
     Ok(Form {
         rapiers: SharedShape::new(polyhedron),
         ours: Box::new(Hull::new(mesh)),
@@ -119,7 +119,7 @@ fn spans_volume(points: &[Vec3]) -> bool {
     let b = farthest(&|offset| a.cross(offset).length());
     let c = farthest(&|offset| a.cross(b).dot(offset).abs());
     let (area, volume) = (a.cross(b).length(), a.cross(b).dot(c).abs());
-    length > LEAST_HALF_EXTENT && area > LEAST_FILLING * length * length && volume > LEAST_FILLING * area * length
+    length > MIN_HALF_EXTENT && area > MIN_FILL_RATIO * length * length && volume > MIN_FILL_RATIO * area * length
 }
 
 fn trimesh(vertices: &[[f32; 3]], indices: &[[u32; 3]], kind: RigidKind) -> Result<Form, ParameterError> {
@@ -127,7 +127,7 @@ fn trimesh(vertices: &[[f32; 3]], indices: &[[u32; 3]], kind: RigidKind) -> Resu
     let flags = TriMeshFlags::MERGE_DUPLICATE_VERTICES | TriMeshFlags::DELETE_DEGENERATE_TRIANGLES;
     let merged = TriMesh::with_flags(points, indices.to_vec(), flags).ok();
     let merged = merged
-        .filter(|mesh| area_of(mesh) > LEAST_HALF_EXTENT * LEAST_HALF_EXTENT)
+        .filter(|mesh| area_of(mesh) > MIN_HALF_EXTENT * MIN_HALF_EXTENT)
         .ok_or_else(|| {
             let message = "rigid.indices make no triangle with an area".to_owned();
             shape_error("rigid.indices", indices.len() as f64, message)

@@ -8,19 +8,19 @@
 use wide::{f32x4, i32x4};
 
 use crate::collide::space::{Bounds, Vector, WideBounds};
-use crate::collide::survey::{Extent, Sight, Spot, Ways};
+use crate::collide::survey::{GridLocation, NearLanes, ParticleExtent, SweptBoxes};
 use crate::particles::LANES;
 
 const CELLS_PER_RIGID: usize = 64;
-const FEWEST_CELLS: usize = 512;
-const MOST_CELLS: usize = 32_768;
+const MIN_CELLS: usize = 512;
+const MAX_CELLS: usize = 32_768;
 /// A rigid in more cells than this is looked at by every particle.
-const MOST_CELLS_OF_ONE: usize = 512;
-const MOST_ALONG_AN_AXIS: f32 = 128.0;
+const MAX_CELLS_PER_RIGID: usize = 512;
+const MAX_CELLS_PER_AXIS: f32 = 128.0;
 
 /// The grid of one step.
 #[derive(Debug, Default)]
-pub struct Grid {
+pub struct RigidGrid {
     boxes: Vec<Bounds>,
     /// The same boxes.
     wide: Vec<WideBounds>,
@@ -37,18 +37,18 @@ pub struct Grid {
 }
 
 /// Cells from..to along each axis.
-struct Span {
+struct CellRange {
     from: [usize; 3],
     to: [usize; 3],
 }
 
-impl Span {
+impl CellRange {
     fn count(&self) -> usize {
         (0..3).map(|axis| self.to[axis] - self.from[axis]).product()
     }
 }
 
-impl Grid {
+impl RigidGrid {
     /// Makes room for one more rigid, so that laying the grid never allocates.
     pub fn add(&mut self, bounds: Bounds) {
         self.boxes.push(bounds);
@@ -57,7 +57,7 @@ impl Grid {
         self.starts
             .reserve((cell_limit(count) + 2).saturating_sub(self.starts.len()));
         self.entries
-            .reserve((count * MOST_CELLS_OF_ONE).saturating_sub(self.entries.len()));
+            .reserve((count * MAX_CELLS_PER_RIGID).saturating_sub(self.entries.len()));
         self.large.reserve(count.saturating_sub(self.large.len()));
     }
 
@@ -73,7 +73,7 @@ impl Grid {
     }
 
     /// Lays the grid over that part of where most particles are that can be near a rigid.
-    pub fn lay(&mut self, extent: &Extent) {
+    pub fn rebuild(&mut self, extent: &ParticleExtent) {
         // A few particles that are far larger or faster than the rest shall not make the cells of all others too full.
         let margin = extent.greatest_reach.min(3.0 * extent.mean_reach);
         let middles = &extent.middles;
@@ -88,39 +88,39 @@ impl Grid {
         self.write_entries(&area);
     }
 
-    /// The spots of four particles, and for which of them a look there is worth while; `all` is the box of all rigids.
+    /// The locations of four particles, and for which of them a look there is worth while; `all` is the box of all rigids.
     #[inline]
-    pub fn look(&self, ways: &Ways, all: &Bounds) -> Sight {
-        match ways.touching(all) {
-            0 => Sight::default(),
+    pub fn look(&self, swept_boxes: &SweptBoxes, all: &Bounds) -> NearLanes {
+        match swept_boxes.touching(all) {
+            0 => NearLanes::default(),
             lanes => {
-                let sight = self.sight(ways);
-                Sight {
-                    lanes: lanes & sight.lanes,
-                    ..sight
+                let near_lanes = self.near_lanes(swept_boxes);
+                NearLanes {
+                    lanes: lanes & near_lanes.lanes,
+                    ..near_lanes
                 }
             }
         }
     }
 
     #[inline]
-    fn sight(&self, ways: &Ways) -> Sight {
-        let middles = ways.middles();
+    fn near_lanes(&self, swept_boxes: &SweptBoxes) -> NearLanes {
+        let middles = swept_boxes.middles();
         let cells = self.cells_of(&middles);
-        let large = ways.reaches().simd_gt(f32x4::splat(self.margin)).to_bitmask() | self.outside(&middles);
+        let large = swept_boxes.reaches().simd_gt(f32x4::splat(self.margin)).to_bitmask() | self.outside(&middles);
         let mut lanes = large;
         for index in &self.large {
-            lanes |= ways.touching(&self.boxes[usize::from(*index)]);
+            lanes |= swept_boxes.touching(&self.boxes[usize::from(*index)]);
         }
-        let spots = std::array::from_fn(|lane| {
+        let locations = std::array::from_fn(|lane| {
             let cell = cells[lane] as usize;
             lanes |= u32::from(self.starts[cell] != self.starts[cell + 1]) << lane;
-            Spot {
+            GridLocation {
                 cell: cells[lane] as u32,
                 is_large: large >> lane & 1 == 1,
             }
         });
-        Sight { lanes, spots }
+        NearLanes { lanes, locations }
     }
 
     #[inline]
@@ -146,15 +146,15 @@ impl Grid {
 
     /// Appends the rigids whose boxes touch `bounds`, each number raised by `first`; there is room for all.
     #[inline]
-    pub fn find_touching(&self, bounds: &WideBounds, spot: Spot, first: u32, near: &mut Vec<u32>) {
+    pub fn find_touching(&self, bounds: &WideBounds, location: GridLocation, first: u32, near: &mut Vec<u32>) {
         let touches = |index: &usize| self.wide[*index].touches(bounds);
-        if spot.is_large {
+        if location.is_large {
             near.extend((0..self.wide.len()).filter(touches).map(|index| first + index as u32));
             return;
         }
         let large = self.large.iter().map(|index| usize::from(*index));
         near.extend(large.filter(touches).map(|index| first + index as u32));
-        let cell = spot.cell as usize;
+        let cell = location.cell as usize;
         let entries = &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize];
         // Written first and kept if it touches: a processor foretells that better than a branch.
         let mut count = near.len();
@@ -173,7 +173,7 @@ impl Grid {
         let side = libm::cbrtf(extent.x * extent.y * extent.z / cells as f32);
         let mut left = cells;
         for (axis, length) in <[f32; 3]>::from(extent).into_iter().enumerate() {
-            let wanted = (length / side).clamp(1.0, MOST_ALONG_AN_AXIS) as usize;
+            let wanted = (length / side).clamp(1.0, MAX_CELLS_PER_AXIS) as usize;
             self.size[axis] = wanted.min(left).max(1);
             left /= self.size[axis];
             self.cells_per_metre[axis] = self.size[axis] as f32 / length;
@@ -189,7 +189,7 @@ impl Grid {
             let Some(span) = self.span_of(index, area) else {
                 continue;
             };
-            if span.count() > MOST_CELLS_OF_ONE {
+            if span.count() > MAX_CELLS_PER_RIGID {
                 self.large.push(index as u16);
                 continue;
             }
@@ -208,7 +208,7 @@ impl Grid {
             let Some(span) = self.span_of(index, area) else {
                 continue;
             };
-            if span.count() > MOST_CELLS_OF_ONE {
+            if span.count() > MAX_CELLS_PER_RIGID {
                 continue;
             }
             self.for_each_cell(&span, |starts, entries, cell| {
@@ -218,7 +218,7 @@ impl Grid {
         }
     }
 
-    fn for_each_cell(&mut self, span: &Span, mut act: impl FnMut(&mut [u32], &mut [u16], usize)) {
+    fn for_each_cell(&mut self, span: &CellRange, mut act: impl FnMut(&mut [u32], &mut [u16], usize)) {
         for z in span.from[2]..span.to[2] {
             for y in span.from[1]..span.to[1] {
                 let row = (z * self.size[1] + y) * self.size[0];
@@ -230,13 +230,13 @@ impl Grid {
     }
 
     /// The cells of a rigid; none when it is not near the area.
-    fn span_of(&self, index: usize, area: &Bounds) -> Option<Span> {
+    fn span_of(&self, index: usize, area: &Bounds) -> Option<CellRange> {
         let bounds = self.boxes[index].wider(self.margin);
         if !bounds.touches(area) {
             return None;
         }
         let (from, to) = (self.place_of(bounds.min), self.place_of(bounds.max));
-        Some(Span {
+        Some(CellRange {
             from,
             to: to.map(|last| last + 1),
         })
@@ -253,5 +253,5 @@ impl Grid {
 }
 
 fn cell_limit(rigids: usize) -> usize {
-    (rigids * CELLS_PER_RIGID).clamp(FEWEST_CELLS, MOST_CELLS)
+    (rigids * CELLS_PER_RIGID).clamp(MIN_CELLS, MAX_CELLS)
 }

@@ -65,13 +65,13 @@ impl Guide {
     }
 
     /// Axis times angle (rad, world space) by which the spin turns the rigid in `dt` seconds.
-    pub fn turn(&self, spin: &Spin, dt: f32) -> Vector {
-        Frame::new(&self.base).turned(spin.axis) * (spin.rate * dt)
+    pub fn rotation_vector(&self, spin: &Spin, dt: f32) -> Vector {
+        Frame::new(&self.base).rotate(spin.axis) * (spin.rate * dt)
     }
 
     fn goal(&mut self, time: f64, dt: f32) -> Option<Pose> {
         if let Some(grab) = &self.grab {
-            let anchor = Frame::new(&self.base).turned(grab.anchor);
+            let anchor = Frame::new(&self.base).rotate(grab.anchor);
             self.velocity = grab.spring(self.base.position, self.velocity, grab.target - anchor, dt);
             return Some(Pose {
                 position: self.base.position + self.velocity * dt,
@@ -87,7 +87,7 @@ impl Guide {
     /// Goes as far as [`TOP_SPEED`] allows.
     fn go_to(&mut self, goal: &Pose, dt: f32, reach: f32) {
         let way = (goal.position - self.base.position).length();
-        let arc = self.base.turn_to(goal).length() * reach;
+        let arc = self.base.rotation_vector_to(goal).length() * reach;
         let share = TOP_SPEED * dt / (way + arc).max(f32::MIN_POSITIVE);
         if share >= 1.0 {
             self.target = None;

@@ -24,7 +24,7 @@ const MOTOR_SPEEDS: (f64, f64) = (-200.0, 200.0);
 const MOTOR_TORQUES: (f64, f64) = (0.0, 1e6);
 /// How fast (1/s) a motor comes to its speed, where its torque allows.
 const MOTOR_GAIN: f32 = 1000.0;
-const MOST_JOINTS: usize = 4096;
+const MAX_JOINTS: usize = 4096;
 
 /// What a joint leaves free.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,9 +97,9 @@ impl Rigids {
     /// When a rigid does not exist, both are the same, none is dynamic, or there are 4096 joints already.
     pub fn add_joint(&mut self, description: &JointDescription) -> Result<u32, ParameterError> {
         let index = self.world.joint_count();
-        let refused = |message: &str| Err(shape_error("joint.rigids", f64::NAN, message.to_owned()));
-        if index == MOST_JOINTS {
-            let most = MOST_JOINTS as f64;
+        let error = |message: &str| Err(shape_error("joint.rigids", f64::NAN, message.to_owned()));
+        if index == MAX_JOINTS {
+            let most = MAX_JOINTS as f64;
             return Err(ParameterError::out_of_range("joint.count", most + 1.0, 0.0, most));
         }
         let [a, b] = description.rigids;
@@ -107,11 +107,11 @@ impl Rigids {
             return Err(no_such_rigid(missing, self.count()));
         }
         if a == b {
-            return refused("joint.rigids are the same; join two different rigids");
+            return error("joint.rigids are the same; join two different rigids");
         }
         let dynamic = |rigid: u32| self.members[rigid as usize].description.kind == RigidKind::Dynamic;
         if !dynamic(a) && !dynamic(b) {
-            return refused("joint.rigids are neither dynamic; at least one of them must be");
+            return error("joint.rigids are neither dynamic; at least one of them must be");
         }
         let poses = [a, b].map(|rigid| self.world.pose(rigid as usize));
         self.world.join(a as usize, b as usize, rapiers(description, &poses));
@@ -121,9 +121,9 @@ impl Rigids {
 
 fn rapiers(description: &JointDescription, poses: &[Pose; 2]) -> GenericJoint {
     let [a, b] = description.anchors.map(parrys);
-    let turns = poses.map(|pose| Quat::from_array(pose.rotation));
+    let rotations = poses.map(|pose| Quat::from_array(pose.rotation));
     // A frame of the first rigid as the second one sees it, so that the present poses already fulfil the joint.
-    let seen = |frame: Quat| turns[1].inverse() * turns[0] * frame;
+    let seen = |frame: Quat| rotations[1].inverse() * rotations[0] * frame;
     let mut joint: GenericJoint = match description.kind {
         JointKind::Fixed => FixedJointBuilder::new()
             .local_frame1(Pose3::from_parts(a, Quat::IDENTITY))

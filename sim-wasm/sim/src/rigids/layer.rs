@@ -14,7 +14,7 @@ use crate::particles::Particles;
 /// A rigid goes no farther than this share of its layer's thickness in one part of a step ...
 const SHARE_OF_LAYER: f32 = 0.25;
 /// ... where that does not need more parts than this.
-const MOST_PARTS: f32 = 64.0;
+const MAX_PARTS: f32 = 64.0;
 
 impl Rigids {
     /// Moves the particles near rigids that have a boundary layer; to be called after all else has moved them over
@@ -57,7 +57,7 @@ impl Layer<'_> {
     fn drag(&self, from: Vector, to: Vector, dt: f32) -> Vector {
         let motion = &self.obstacle.motion;
         let way = motion.top_speed(self.reach) * dt;
-        let parts = (way / (SHARE_OF_LAYER * self.thickness)).ceil().clamp(1.0, MOST_PARTS);
+        let parts = (way / (SHARE_OF_LAYER * self.thickness)).ceil().clamp(1.0, MAX_PARTS);
         let mut dragged = Vector::ZERO;
         let span = dt / parts;
         for part in 0..parts as u32 {
@@ -80,7 +80,7 @@ impl Layer<'_> {
         if t >= 1.0 {
             return Vector::ZERO;
         }
-        let surface = place - frame.turned(nearest.normal) * nearest.distance;
+        let surface = place - frame.rotate(nearest.normal) * nearest.distance;
         motion.velocity_at(surface, fraction) * (1.0 - t * t * (3.0 - 2.0 * t))
     }
 }

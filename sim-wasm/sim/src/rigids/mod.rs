@@ -6,7 +6,6 @@
 mod commands;
 mod compound;
 pub mod description;
-mod feel;
 mod forms;
 mod grab;
 mod grid;
@@ -17,6 +16,7 @@ mod layer;
 mod measure;
 mod meshes;
 mod numbers;
+mod particle_coupling;
 pub mod path;
 mod save;
 mod shells;
@@ -25,22 +25,22 @@ mod world;
 
 use crate::collide::contact::{Material, Obstacle};
 use crate::collide::core::Core;
-use crate::collide::motion::Motion;
-use crate::collide::passer::Passer;
+use crate::collide::motion::PoseMotion;
 use crate::collide::shapes::{Collider, Nearest};
 use crate::collide::space::{Bounds, Pose, Vector};
-use crate::collide::survey::{Extent, Sight, Ways};
+use crate::collide::survey::{NearLanes, ParticleExtent, SweptBoxes};
+use crate::collide::swept_particle::SweptParticle;
 use crate::error::ParameterError;
 use crate::hash::Hash;
 use crate::parts::{FIRST_PART, ends_of_rigid};
 use crate::simulator::STEP;
 pub use description::{RigidDescription, RigidKind, RigidPart, RigidShape, Spin, pose_of};
-use feel::Sum;
 pub use grab::Grab;
-use grid::Grid;
+use grid::RigidGrid;
 use guide::Guide;
 pub use joints::{JointDescription, JointKind, Motor};
 pub use numbers::{FlatRigid, RigidNumbers};
+use particle_coupling::SmokeSum;
 pub use path::{Keyframe, Pace, Path};
 use shells::Shells;
 use track::Track;
@@ -50,7 +50,7 @@ use world::World;
 pub const TOP_SPEED: f32 = 120.0;
 /// Floats of one rigid in [`Rigids::poses`].
 pub const POSE_PAIR_FLOATS: usize = 14;
-const MOST_RIGIDS: usize = FIRST_PART;
+const MAX_RIGIDS: usize = FIRST_PART;
 
 /// The rigids of one simulator.
 pub struct Rigids {
@@ -58,14 +58,14 @@ pub struct Rigids {
     members: Vec<Member>,
     obstacles: Vec<Obstacle<Box<dyn Collider>>>,
     poses: Vec<f32>,
-    grid: Grid,
+    grid: RigidGrid,
     bounds: Bounds,
     /// Steps of the simulator, which paths go by.
     steps: u64,
     /// Those with a boundary layer, and those that feel smoke, with what they feel.
     layered: Shells,
     feeling: Shells,
-    sums: Vec<Sum>,
+    sums: Vec<SmokeSum>,
 }
 
 struct Member {
@@ -99,7 +99,7 @@ impl Rigids {
             members: Vec::new(),
             obstacles: Vec::new(),
             poses: Vec::new(),
-            grid: Grid::default(),
+            grid: RigidGrid::default(),
             bounds: Bounds::NOTHING,
             steps: 0,
             layered: Shells::default(),
@@ -124,12 +124,12 @@ impl Rigids {
     /// When the shape has no volume, or there are 4096 rigids already; nothing was added then.
     pub fn add(&mut self, description: RigidDescription) -> Result<u32, ParameterError> {
         let index = self.count();
-        if index == MOST_RIGIDS {
+        if index == MAX_RIGIDS {
             return Err(ParameterError::out_of_range(
                 "rigid.count",
                 index as f64 + 1.0,
                 0.0,
-                MOST_RIGIDS as f64,
+                MAX_RIGIDS as f64,
             ));
         }
         let forms = forms::forms_of(&description)?;
@@ -149,7 +149,7 @@ impl Rigids {
             roughness: 0.0,
             action: description.action,
         };
-        let motion = Motion::resting(pose);
+        let motion = PoseMotion::resting(pose);
         let bounds = motion.bounds_of(&own);
         self.grid.add(bounds);
         self.bounds = self.grid.bounds();
@@ -182,7 +182,7 @@ impl Rigids {
         if member.feels() {
             self.feeling.add(index);
         }
-        self.sums.push(Sum::default());
+        self.sums.push(SmokeSum::default());
     }
 
     /// For each rigid its pose before and after the last step: x, y, z (m) and the quaternion x, y, z, w, twice.
@@ -229,12 +229,12 @@ impl Rigids {
     fn follow(&mut self, index: usize, start: Pose, end: Pose, dt: f32) {
         let obstacle = &mut self.obstacles[index];
         let member = &self.members[index];
-        let turn = member.guide.turn(&member.description.spin, dt);
-        let still = start == end && turn == Vector::ZERO;
+        let rotation_vector = member.guide.rotation_vector(&member.description.spin, dt);
+        let still = start == end && rotation_vector == Vector::ZERO;
         obstacle.motion = if still {
-            Motion::resting(end)
+            PoseMotion::resting(end)
         } else {
-            Motion::turning(start, end, dt, obstacle.shape.is_round(), turn)
+            PoseMotion::rotating(start, end, dt, obstacle.shape.is_round(), rotation_vector)
         };
         obstacle.bounds = obstacle.motion.bounds_of(&obstacle.shape.bounds());
         self.grid.place(index, obstacle.bounds);
@@ -243,35 +243,36 @@ impl Rigids {
 
     /// How the rigid that `scope::Scope::rigid` names moves in the step, round ones turning too; none where there is
     /// no such rigid.
-    pub(crate) fn ride(&self, number: f64) -> Option<Motion> {
+    pub(crate) fn ride(&self, number: f64) -> Option<PoseMotion> {
         let index = (number >= 0.0).then_some(number as usize)?;
-        let turn = self.obstacles.get(index)?.motion.turned(STEP as f32);
+        let rotation_vector = self.obstacles.get(index)?.motion.rotation_vector(STEP as f32);
         let [start, end] = ends_of_rigid(&self.poses, index)?;
-        Some(Motion::turning(start, end, STEP as f32, false, turn))
+        Some(PoseMotion::rotating(start, end, STEP as f32, false, rotation_vector))
     }
 
     /// Makes ready for [`Rigids::find_near`], given where the particles are.
-    pub(crate) fn prepare(&mut self, extent: &Extent) {
-        self.grid.lay(extent);
+    pub(crate) fn prepare(&mut self, extent: &ParticleExtent) {
+        self.grid.rebuild(extent);
     }
 
     /// What four particles see of the rigids.
     #[inline]
-    pub(crate) fn look(&self, ways: &Ways) -> Sight {
-        self.grid.look(ways, &self.bounds)
+    pub(crate) fn look(&self, swept_boxes: &SweptBoxes) -> NearLanes {
+        self.grid.look(swept_boxes, &self.bounds)
     }
 
-    /// Appends the numbers, raised by `first`, of the rigids whose box the passer's touches. True when it surely
+    /// Appends the numbers, raised by `first`, of the rigids whose box the particle's box touches. True when it certainly
     /// passes all of them by.
     #[inline]
-    pub(crate) fn find_near(&self, passer: &Passer, first: u32, near: &mut Vec<u32>) -> bool {
+    pub(crate) fn find_near(&self, swept_particle: &SweptParticle, first: u32, near: &mut Vec<u32>) -> bool {
         let begin = near.len();
-        self.grid.find_touching(&passer.bounds, passer.spot, first, near);
-        let mut passes = true;
+        self.grid
+            .find_touching(&swept_particle.bounds, swept_particle.location, first, near);
+        let mut misses = true;
         for index in &near[begin..] {
-            passes &= passer.passes(&self.obstacles[(index - first) as usize]);
+            misses &= swept_particle.certainly_misses(&self.obstacles[(index - first) as usize]);
         }
-        passes
+        misses
     }
 
     /// A rigid on its way through the step.

@@ -20,7 +20,7 @@ use crate::error::ParameterError;
 const DENSITIES: (f64, f64) = (1e-2, 1e5);
 const LAYERS: (f64, f64) = (0.0, 10.0);
 const FEELINGS: (f64, f64) = (0.0, 10.0);
-const MOST_PARTS: usize = 64;
+const MAX_PARTS: usize = 64;
 
 /// A rigid as flat numbers, as the head of this file tells.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +50,7 @@ impl RigidDescription {
     /// Names the number that is not finite or out of range, as `rigid.*`. Whether points span a hull is judged when
     /// the rigid is added.
     pub fn from_numbers(numbers: &RigidNumbers) -> Result<Self, ParameterError> {
-        let mut reader = Reader { rest: *numbers };
+        let mut reader = FlatReader { rest: *numbers };
         let kind = kind_of(reader.number()?)?;
         let pose = pose_under("rigid", reader.numbers(7)?)?;
         let restitution = ranged("rigid.restitution", reader.number()?, (0.0, 1.0))?;
@@ -134,11 +134,11 @@ impl FlatRigid {
     }
 }
 
-struct Reader<'a> {
+struct FlatReader<'a> {
     rest: RigidNumbers<'a>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> FlatReader<'a> {
     fn numbers(&mut self, count: usize) -> Result<&'a [f32], ParameterError> {
         take(&mut self.rest.numbers, count, "rigid.numbers")
     }
@@ -171,7 +171,7 @@ impl<'a> Reader<'a> {
     }
 
     fn shape(&mut self) -> Result<RigidShape, ParameterError> {
-        let count = self.count("rigid.parts", MOST_PARTS)?;
+        let count = self.count("rigid.parts", MAX_PARTS)?;
         if count == 0 {
             return self.part("rigid").map(|part| part.shape);
         }

@@ -11,10 +11,10 @@ use crate::error::ParameterError;
 const TIMES: (f64, f64) = (0.0, 1e5);
 const DURATIONS: (f64, f64) = (1e-2, 1e5);
 const SPEEDS: (f64, f64) = (1e-3, TOP_SPEED as f64);
-const MOST_FRAMES: usize = 1024;
-const MOST_POINTS: usize = 256;
+const MAX_FRAMES: usize = 1024;
+const MAX_POINTS: usize = 256;
 /// Points nearer to each other than this (m) say nothing of a direction.
-const LEAST_DISTANCE: f32 = 1e-4;
+const MIN_DISTANCE: f32 = 1e-4;
 const FRAME_NUMBERS: usize = 8;
 
 /// A pose at a time (s) of the simulator.
@@ -104,7 +104,7 @@ impl Path {
 
 fn keyframes(numbers: &[f32], looped: bool) -> Result<Path, ParameterError> {
     let (chunks, rest) = numbers.as_chunks::<FRAME_NUMBERS>();
-    check_count("rigid.path.keyframes", chunks.len(), (1, MOST_FRAMES), rest.len())?;
+    check_count("rigid.path.keyframes", chunks.len(), (1, MAX_FRAMES), rest.len())?;
     let mut frames: Vec<Keyframe> = Vec::with_capacity(chunks.len());
     for (index, [time, pose @ ..]) in chunks.iter().enumerate() {
         let name = format!("rigid.path.keyframes.{index}");
@@ -122,7 +122,7 @@ fn keyframes(numbers: &[f32], looped: bool) -> Result<Path, ParameterError> {
 
 fn points_of(numbers: &[f32], looped: bool) -> Result<Vec<[f32; 3]>, ParameterError> {
     let (points, rest) = numbers.as_chunks::<3>();
-    check_count("rigid.path.points", points.len(), (2, MOST_POINTS), rest.len())?;
+    check_count("rigid.path.points", points.len(), (2, MAX_POINTS), rest.len())?;
     for (place, value) in numbers.iter().enumerate() {
         let key = format!("rigid.path.points.{}.{}", place / 3, AXES[place % 3]);
         ranged(&key, *value, PLACES)?;
@@ -131,7 +131,7 @@ fn points_of(numbers: &[f32], looped: bool) -> Result<Vec<[f32; 3]>, ParameterEr
     for index in 0..steps {
         let (from, to) = (points[index], points[(index + 1) % points.len()]);
         let apart = (0..3).map(|axis| (to[axis] - from[axis]).abs()).fold(0.0, f32::max);
-        if apart < LEAST_DISTANCE {
+        if apart < MIN_DISTANCE {
             let key = format!("rigid.path.points.{index}");
             let message =
                 format!("{key} is where the next point is, in a loop the first after the last; leave one out");

@@ -1,9 +1,9 @@
 //! The neighbourhood of those rigids that do something to the air around them, or feel it: a grid of its own, so that
 //! all others cost nothing, and of these only the particles near them do.
 
-use super::grid::Grid;
+use super::grid::RigidGrid;
 use crate::collide::space::{Bounds, Vector, WideBounds};
-use crate::collide::survey::{Ways, extent, for_each_near};
+use crate::collide::survey::{SweptBoxes, extent, for_each_near};
 use crate::life::RadiusLaw;
 use crate::particles::Particles;
 
@@ -11,7 +11,7 @@ use crate::particles::Particles;
 #[derive(Debug, Default)]
 pub struct Shells {
     rigids: Vec<usize>,
-    grid: Grid,
+    grid: RigidGrid,
     near: Vec<u32>,
 }
 
@@ -40,13 +40,13 @@ impl Shells {
             return;
         }
         let extent = extent(particles, radii);
-        self.grid.lay(&extent);
+        self.grid.rebuild(&extent);
         let Self { rigids, grid, near } = self;
-        let look = |ways: &Ways| grid.look(ways, &all);
-        for_each_near(particles, radii, look, |particles, i, spot| {
+        let look = |swept_boxes: &SweptBoxes| grid.look(swept_boxes, &all);
+        for_each_near(particles, radii, look, |particles, i, location| {
             near.clear();
             let way = way_of(particles, i, radii);
-            grid.find_touching(&way, spot, 0, near);
+            grid.find_touching(&way, location, 0, near);
             near.sort_unstable();
             for slot in near.iter() {
                 meet(particles, i, rigids[*slot as usize]);

@@ -56,7 +56,10 @@ fn between_frames(frames: &[Keyframe], looped: bool, time: f64) -> Pose {
     let fraction = ((time - start) / (stop - start)) as f32;
     Pose {
         position: from.pose.position.towards(to.pose.position, fraction),
-        rotation: from.pose.turned_by(from.pose.turn_to(&to.pose) * fraction).rotation,
+        rotation: from
+            .pose
+            .rotated_by(from.pose.rotation_vector_to(&to.pose) * fraction)
+            .rotation,
     }
 }
 

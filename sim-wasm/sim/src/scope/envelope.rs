@@ -7,7 +7,7 @@
 use super::Scope;
 
 /// The least time (s) between two starts; a shorter period is taken for this one.
-const SHORTEST_PERIOD: f64 = 0.001;
+const MIN_PERIOD: f64 = 0.001;
 
 /// The level at `time` (s), 0..=1.
 pub fn level(scope: &Scope, time: f64) -> f64 {
@@ -30,7 +30,7 @@ pub fn since_start(scope: &Scope, time: f64) -> Option<f64> {
     if scope.period <= 0.0 {
         return Some(since);
     }
-    let period = scope.period.max(SHORTEST_PERIOD);
+    let period = scope.period.max(MIN_PERIOD);
     Some(since - libm::floor(since / period) * period)
 }
 
@@ -43,7 +43,7 @@ pub fn starts_until(scope: &Scope, time: f64) -> u64 {
     if scope.period <= 0.0 {
         return 1;
     }
-    libm::floor(since / scope.period.max(SHORTEST_PERIOD)) as u64 + 1
+    libm::floor(since / scope.period.max(MIN_PERIOD)) as u64 + 1
 }
 
 fn ramp(seconds: f64, fade: f64) -> f64 {

@@ -55,7 +55,7 @@ impl Shape {
 
 impl Placed {
     fn new(scope: &Scope, frame: &Frame) -> Self {
-        let axis = |x, y, z| Vector4::splat(frame.turned(Vector::new(x, y, z)).into());
+        let axis = |x, y, z| Vector4::splat(frame.rotate(Vector::new(x, y, z)).into());
         let centre = scope.position.map(|metres| metres as f32);
         Self {
             origin: Vector4::splat(frame.world_from_local(centre.into()).into()),

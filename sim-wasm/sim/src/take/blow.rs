@@ -8,9 +8,9 @@ use super::pose::{
 use crate::bytes::{Reader, Writer};
 use crate::error::{ParameterError, RestoreError};
 
-const FASTEST: f64 = 50.0;
-const WIDEST: f64 = 10.0;
-const LONGEST: f64 = 10.0;
+const MAX_SPEED: f64 = 50.0;
+const MAX_RADIUS: f64 = 10.0;
+const MAX_SECONDS: f64 = 10.0;
 /// Parts of a metre a second, of a metre and of a second: the last are steps.
 const PARTS: [f64; 3] = [100.0, 1000.0, 60.0];
 
@@ -45,14 +45,14 @@ impl Blow {
         let mut velocity = [0; 3];
         for (axis, (whole, part)) in velocity.iter_mut().zip(numbers.velocity).enumerate() {
             let key = of_axis("blow.velocity", axis);
-            *whole = quantise(&key, part, [-FASTEST, FASTEST], PARTS[0])? as i16;
+            *whole = quantise(&key, part, [-MAX_SPEED, MAX_SPEED], PARTS[0])? as i16;
         }
         Ok(Self {
             origin: millimetres("blow.origin", numbers.origin)?,
             ray: direction("blow.ray", numbers.ray)?,
             velocity,
-            radius: quantise("blow.radius", numbers.radius, [0.01, WIDEST], PARTS[1])? as u16,
-            steps: quantise("blow.seconds", numbers.seconds, [1.0 / PARTS[2], LONGEST], PARTS[2])? as u16,
+            radius: quantise("blow.radius", numbers.radius, [0.01, MAX_RADIUS], PARTS[1])? as u16,
+            steps: quantise("blow.seconds", numbers.seconds, [1.0 / PARTS[2], MAX_SECONDS], PARTS[2])? as u16,
         })
     }
 
@@ -85,7 +85,7 @@ impl Blow {
     }
 
     pub(super) fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
-        let fastest = (FASTEST * PARTS[0]) as i16;
+        let fastest = (MAX_SPEED * PARTS[0]) as i16;
         let (origin, ray) = (read_place(reader)?, read_direction(reader)?);
         let mut velocity = [0; 3];
         for part in &mut velocity {
@@ -95,8 +95,8 @@ impl Blow {
             origin,
             ray,
             velocity,
-            radius: within(reader.short()?, 10, (WIDEST * PARTS[1]) as u16)?,
-            steps: within(reader.short()?, 1, (LONGEST * PARTS[2]) as u16)?,
+            radius: within(reader.short()?, 10, (MAX_RADIUS * PARTS[1]) as u16)?,
+            steps: within(reader.short()?, 1, (MAX_SECONDS * PARTS[2]) as u16)?,
         })
     }
 }

@@ -16,9 +16,9 @@ const VERSION: u32 = 3;
 const INEXACT_VERSION: u32 = 2;
 const NAME: &str = "take";
 /// Longest note (bytes).
-pub const MOST_NOTE: usize = 65_536;
+pub const MAX_NOTE: usize = 65_536;
 /// No take is longer (steps): more than 500 years.
-const MOST_STEPS: u64 = 1 << 40;
+const MAX_STEPS: u64 = 1 << 40;
 
 /// A take that was read.
 #[derive(Clone, Debug)]
@@ -61,8 +61,8 @@ impl Take {
     }
 
     /// The most particles that there is ever room for, as far as it says itself: a saved state has its own room.
-    pub fn most_particles(&self) -> u32 {
-        self.log.largest_capacity().unwrap_or(0).max(self.origin.capacity)
+    pub fn max_particles(&self) -> u32 {
+        self.log.max_capacity().unwrap_or(0).max(self.origin.capacity)
     }
 
     /// The bytes that it was read from.
@@ -104,7 +104,7 @@ fn read_origin(reader: &mut Reader) -> Result<(Origin, u64), RestoreError> {
     let scene = reader.long()?;
     let parameters = Parameters::read(reader)?;
     let (is_fresh, state) = (reader.byte()?, reader.block()?);
-    let is_sound = (1..=CAPACITY_LIMIT).contains(&capacity) && step <= end && end <= MOST_STEPS && is_fresh <= 1;
+    let is_sound = (1..=CAPACITY_LIMIT).contains(&capacity) && step <= end && end <= MAX_STEPS && is_fresh <= 1;
     let is_fresh = is_fresh == 1;
     if !is_sound || (is_fresh && (step > 0 || !state.is_empty())) {
         return Err(RestoreError::new("the take begins in no way that a take can begin"));
@@ -167,7 +167,7 @@ fn check_set(input: &Input, keys: &[String], scratch: &mut Parameters) -> Result
 
 fn read_note(reader: &mut Reader) -> Result<String, RestoreError> {
     let note = reader.text()?;
-    if note.len() > MOST_NOTE {
+    if note.len() > MAX_NOTE {
         return Err(RestoreError::new("the take's note is too long"));
     }
     Ok(note.to_owned())

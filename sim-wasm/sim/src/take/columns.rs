@@ -1,8 +1,8 @@
 //! The records of a log, in an order that deflates well, since takes travel in links: apart by kind, each as the bytes
-//! by which it differs from the one before it, and turned, so that bytes that hardly ever change stand side by side.
+//! by which it differs from the one before it, and transposed, so that bytes that hardly ever change stand side by side.
 
 use super::input::Input;
-use super::log::{MOST_INPUTS, Record};
+use super::log::{MAX_INPUTS, Record};
 use crate::bytes::{Reader, Writer};
 use crate::error::RestoreError;
 
@@ -27,20 +27,20 @@ pub fn write(records: &[Record], body: &mut Writer) {
     }
     body.block(&kinds.finish());
     body.block(&waits.finish());
-    rows.iter().for_each(|rows| body.block(&turned(rows)));
+    rows.iter().for_each(|rows| body.block(&transposed(rows)));
 }
 
 /// Reads what `write` wrote. That the steps lie within the take is for others to check.
 pub fn read(reader: &mut Reader) -> Result<Vec<Record>, RestoreError> {
     let kinds = reader.block()?;
-    if kinds.len() > MOST_INPUTS {
+    if kinds.len() > MAX_INPUTS {
         return Err(RestoreError::new("the take holds more inputs than a take can hold"));
     }
     let mut waits = Reader::over(reader.block()?);
     let mut rows: [std::vec::IntoIter<Vec<u8>>; KINDS] = Default::default();
     for (kind, rows) in rows.iter_mut().enumerate() {
         let count = kinds.iter().filter(|&&found| usize::from(found) == kind).count();
-        *rows = turned_back(reader.block()?, count)?.into_iter();
+        *rows = untransposed(reader.block()?, count)?.into_iter();
     }
     let mut records = Vec::with_capacity(kinds.len());
     let mut latest: u64 = 0;
@@ -60,7 +60,7 @@ pub fn read(reader: &mut Reader) -> Result<Vec<Record>, RestoreError> {
 }
 
 /// First all first bytes, then all second ones, each as what must be added to the one in the row before.
-fn turned(rows: &[Vec<u8>]) -> Vec<u8> {
+fn transposed(rows: &[Vec<u8>]) -> Vec<u8> {
     let length = rows.first().map_or(0, Vec::len);
     let mut bytes = Vec::with_capacity(length * rows.len());
     for place in 0..length {
@@ -73,7 +73,7 @@ fn turned(rows: &[Vec<u8>]) -> Vec<u8> {
     bytes
 }
 
-fn turned_back(bytes: &[u8], count: usize) -> Result<Rows, RestoreError> {
+fn untransposed(bytes: &[u8], count: usize) -> Result<Rows, RestoreError> {
     if bytes.len().checked_rem(count).unwrap_or(bytes.len()) != 0 {
         return Err(uneven());
     }
@@ -158,8 +158,8 @@ mod tests {
     #[test]
     fn a_hand_that_moves_evenly_leaves_mostly_zeros() {
         let rows: Rows = (0u8..100).map(|step| vec![5, step, 7, 7]).collect();
-        let bytes = turned(&rows);
+        let bytes = transposed(&rows);
         assert_eq!(bytes.iter().filter(|&&byte| byte == 0).count(), 298);
-        assert_eq!(turned_back(&bytes, 100).unwrap(), rows);
+        assert_eq!(untransposed(&bytes, 100).unwrap(), rows);
     }
 }

@@ -1,8 +1,8 @@
 //! The kinds of input, quantised, and as bytes.
 
+use super::active_inputs::CHANNELS;
 use super::blow::Blow;
 use super::pose::{Grip, QuantisedPose};
-use super::touch::CHANNELS;
 use crate::bytes::{Reader, Writer};
 use crate::error::{ParameterError, RestoreError};
 use crate::simulator::CAPACITY_LIMIT;

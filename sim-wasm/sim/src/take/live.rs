@@ -8,13 +8,13 @@ use crate::simulator::{Simulator, check_capacity};
 impl Simulator {
     /// Begins a take here and now: inputs are kept from here on.
     pub fn record(&mut self) {
-        self.touch.done = 0;
+        self.active_inputs.done = 0;
         self.recorder = Recorder::new(Origin::of(self), Default::default(), self.steps);
     }
 
     /// After a change that no log can tell of: what is recorded begins here.
     pub(crate) fn begin_take_anew(&mut self) {
-        self.touch.done = 0;
+        self.active_inputs.done = 0;
         if self.recorder.is_on() {
             self.record();
         }
@@ -78,12 +78,12 @@ impl Simulator {
 
     /// A channel that `input_steer` steers, -1..=1; 0 before, and for one that does not exist.
     pub fn control(&self, channel: u32) -> f32 {
-        self.touch.control(channel as usize)
+        self.active_inputs.control(channel as usize)
     }
 
     /// How many inputs of the take have been done, and how many it holds.
     pub fn inputs(&self) -> (u32, u32) {
-        (self.touch.done, self.recorder.log.len() as u32)
+        (self.active_inputs.done, self.recorder.log.len() as u32)
     }
 
     /// Whether inputs came for which the take had no room.
@@ -101,9 +101,9 @@ impl Simulator {
             simulator.perform(&input, &recorder.log)?;
             if recorder.is_on() {
                 recorder.end = simulator.steps;
-                recorder.log.cut(simulator.touch.done as usize);
+                recorder.log.cut(simulator.active_inputs.done as usize);
                 recorder.log.push(simulator.steps, input);
-                simulator.touch.done = recorder.log.len() as u32;
+                simulator.active_inputs.done = recorder.log.len() as u32;
             }
             Ok(())
         })
@@ -114,18 +114,18 @@ impl Simulator {
         self.recorder.end = self.recorder.end.max(self.steps);
         if self
             .recorder
-            .next(&self.touch)
+            .next(&self.active_inputs)
             .is_none_or(|record| record.step > self.steps)
         {
             return;
         }
         self.with_log(|simulator, recorder| {
-            while let Some(record) = recorder.next(&simulator.touch)
+            while let Some(record) = recorder.next(&simulator.active_inputs)
                 && record.step <= simulator.steps
             {
                 // A made-up take may move a rigid that cannot be moved: then nothing happens, everywhere alike.
                 let _ = simulator.perform(&record.input, &recorder.log);
-                simulator.touch.done += 1;
+                simulator.active_inputs.done += 1;
             }
         });
     }
@@ -150,11 +150,11 @@ impl Simulator {
             #[cfg(not(feature = "rigids"))]
             Input::Move { .. } | Input::Drag { .. } | Input::Release { .. } => Ok(()),
             Input::Steer { channel, value } => {
-                self.touch.steer(*channel, *value);
+                self.active_inputs.steer(*channel, *value);
                 Ok(())
             }
             Input::Blow(blow) => {
-                self.touch.blow(*blow);
+                self.active_inputs.blow(*blow);
                 Ok(())
             }
         }

@@ -3,7 +3,7 @@
 use super::input::Input;
 
 /// Most inputs of a log; what comes later acts but is not kept.
-pub const MOST_INPUTS: usize = 20_000;
+pub const MAX_INPUTS: usize = 20_000;
 
 /// The parameter whose change converts what particles carry: unlike others it cannot be set twice for once.
 const INTEGRATOR: &str = "simulation.integrator";
@@ -15,7 +15,7 @@ pub struct Record {
     pub input: Input,
 }
 
-/// Inputs in the order of their steps, at most [`MOST_INPUTS`].
+/// Inputs in the order of their steps, at most [`MAX_INPUTS`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Log {
     pub(super) keys: Vec<String>,
@@ -40,7 +40,7 @@ impl Log {
     }
 
     /// The most particles that an input makes room for.
-    pub(super) fn largest_capacity(&self) -> Option<u32> {
+    pub(super) fn max_capacity(&self) -> Option<u32> {
         let capacities = self.records.iter().filter_map(|record| match record.input {
             Input::Resize { capacity } => Some(capacity),
             _ => None,
@@ -70,7 +70,7 @@ impl Log {
         }
         if let Some(index) = self.superseded(step, &input) {
             self.records[index].input = input;
-        } else if self.records.len() < MOST_INPUTS {
+        } else if self.records.len() < MAX_INPUTS {
             self.records.push(Record { step, input });
         } else {
             self.is_truncated = true;

@@ -8,6 +8,7 @@
 //!
 //! What the program does by itself at the same steps, such as a scene that steers a rigid by the clock, is no input.
 
+pub mod active_inputs;
 mod blow;
 mod bytes;
 mod columns;
@@ -16,12 +17,11 @@ mod live;
 pub mod log;
 mod pose;
 mod replay;
-pub mod touch;
 
+use active_inputs::ActiveInputs;
 pub use blow::{Blow, BlowNumbers};
 pub use bytes::Take;
 use log::{Log, Record};
-use touch::Touch;
 
 use crate::bytes::Writer;
 use crate::hash::Hash;
@@ -48,7 +48,7 @@ impl Origin {
     fn of(simulator: &Simulator) -> Self {
         Self {
             state: simulator.save(),
-            is_fresh: simulator.steps == 0 && simulator.alive() == 0 && simulator.touch.is_nothing(),
+            is_fresh: simulator.steps == 0 && simulator.alive() == 0 && simulator.active_inputs.is_nothing(),
             scene: scene_of(simulator),
             seed: simulator.seed,
             capacity: simulator.capacity() as u32,
@@ -78,8 +78,8 @@ impl Recorder {
     }
 
     /// The first input that has not been done.
-    fn next(&self, touch: &Touch) -> Option<&Record> {
-        self.log.records.get(touch.done as usize)
+    fn next(&self, active_inputs: &ActiveInputs) -> Option<&Record> {
+        self.log.records.get(active_inputs.done as usize)
     }
 
     fn write(&self, origin: &Origin, note: &str) -> Vec<u8> {

@@ -5,8 +5,8 @@ use crate::bytes::{Reader, Writer};
 use crate::error::{ParameterError, RestoreError};
 
 /// No input reaches farther from the world's origin (mm, then m).
-const FARTHEST: i32 = 1_000_000;
-const FARTHEST_METRES: f64 = 1000.0;
+const MAX_COORDINATE: i32 = 1_000_000;
+const MAX_METRES: f64 = 1000.0;
 const PARTS_A_METRE: f64 = 1000.0;
 /// Parts of a quantised unit vector.
 const UNIT: i16 = i16::MAX;
@@ -19,7 +19,7 @@ pub type Millimetres = [i32; 3];
 pub fn millimetres(key: &str, place: [f64; 3]) -> Result<Millimetres, ParameterError> {
     let mut whole = [0; 3];
     for (axis, (whole, metres)) in whole.iter_mut().zip(place).enumerate() {
-        let range = [-FARTHEST_METRES, FARTHEST_METRES];
+        let range = [-MAX_METRES, MAX_METRES];
         *whole = quantise(&of_axis(key, axis), metres, range, PARTS_A_METRE)? as i32;
     }
     Ok(whole)
@@ -56,7 +56,7 @@ pub fn write_place(place: Millimetres, body: &mut Writer) {
 pub fn read_place(reader: &mut Reader) -> Result<Millimetres, RestoreError> {
     let mut place = [0; 3];
     for whole in &mut place {
-        *whole = within(reader.word()? as i32, -FARTHEST, FARTHEST)?;
+        *whole = within(reader.word()? as i32, -MAX_COORDINATE, MAX_COORDINATE)?;
     }
     Ok(place)
 }
@@ -79,34 +79,34 @@ pub fn read_direction<const N: usize>(reader: &mut Reader) -> Result<[i16; N], R
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct QuantisedPose {
     place: Millimetres,
-    turn: [i16; 4],
+    rotation: [i16; 4],
 }
 
 impl QuantisedPose {
     /// Of x, y, z (m) and the quaternion x, y, z, w.
     pub fn new(numbers: [f64; 7]) -> Result<Self, ParameterError> {
-        let [x, y, z, turn @ ..] = numbers;
+        let [x, y, z, rotation @ ..] = numbers;
         Ok(Self {
             place: millimetres("rigid.position", [x, y, z])?,
-            turn: direction("rigid.rotation", turn)?,
+            rotation: direction("rigid.rotation", rotation)?,
         })
     }
 
     /// The seven numbers again.
     pub fn numbers(&self) -> [f32; 7] {
-        let ([x, y, z], [i, j, k, w]) = (metres(self.place), undirected(self.turn));
+        let ([x, y, z], [i, j, k, w]) = (metres(self.place), undirected(self.rotation));
         [x, y, z, i, j, k, w]
     }
 
     pub(super) fn write(&self, body: &mut Writer) {
         write_place(self.place, body);
-        write_direction(self.turn, body);
+        write_direction(self.rotation, body);
     }
 
     pub(super) fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
         Ok(Self {
             place: read_place(reader)?,
-            turn: read_direction(reader)?,
+            rotation: read_direction(reader)?,
         })
     }
 }

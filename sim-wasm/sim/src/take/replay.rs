@@ -4,12 +4,12 @@ use super::{Origin, Recorder, Take, bytes};
 use crate::error::RestoreError;
 use crate::random::Random;
 use crate::simulator::Simulator;
-use crate::snapshot::{self, Room};
+use crate::snapshot::{self, RestoredCapacity};
 
 impl Simulator {
     /// The take so far as bytes, with a note of at most 64 KiB that comes along unread. Refused where none is recorded.
     pub fn take(&self, note: &str) -> Result<Vec<u8>, RestoreError> {
-        if note.len() > bytes::MOST_NOTE {
+        if note.len() > bytes::MAX_NOTE {
             return Err(RestoreError::new("the note is too long for a take"));
         }
         Ok(self.recorder.write(self.origin()?, note))
@@ -23,9 +23,9 @@ impl Simulator {
         if origin.is_fresh {
             self.start_afresh(&origin)?;
         } else {
-            snapshot::restore(self, &origin.state, Room::Saved)?;
+            snapshot::restore(self, &origin.state, RestoredCapacity::Saved)?;
         }
-        self.touch.done = 0;
+        self.active_inputs.done = 0;
         // Its own state and not the take's: a fresh one came without.
         self.recorder = Recorder::new(Origin::of(self), log, end);
         self.follow_log();
@@ -38,12 +38,12 @@ impl Simulator {
         let recorder = std::mem::take(&mut self.recorder);
         let start = recorder.origin.as_ref().map(|origin| origin.state.as_slice());
         let result = match state.or(start) {
-            Some(bytes) => snapshot::restore(self, bytes, Room::Saved),
+            Some(bytes) => snapshot::restore(self, bytes, RestoredCapacity::Saved),
             None => Err(nothing_recorded()),
         };
         if result.is_ok() {
-            let done = if state.is_some() { self.touch.done } else { 0 };
-            self.touch.done = done.min(recorder.log.len() as u32);
+            let done = if state.is_some() { self.active_inputs.done } else { 0 };
+            self.active_inputs.done = done.min(recorder.log.len() as u32);
         }
         self.recorder = recorder;
         self.follow_log();
@@ -63,7 +63,7 @@ impl Simulator {
             ));
         }
         let start = own.state.clone();
-        snapshot::restore(self, &start, Room::Saved)?;
+        snapshot::restore(self, &start, RestoredCapacity::Saved)?;
         self.resize(take.capacity).map_err(RestoreError::from)?;
         (self.seed, self.random, self.parameters) = (take.seed, Random::new(take.seed), take.parameters);
         Ok(())

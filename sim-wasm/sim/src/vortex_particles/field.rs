@@ -19,8 +19,8 @@
 
 use wide::{f32x4, u32x4};
 
-use super::MOST_VORTEX_PARTICLES;
-use super::swarm::{Core, Swarm};
+use super::MAX_VORTEX_PARTICLES;
+use super::swarm::{Swarm, VortexCore};
 use crate::particles::LANES;
 use crate::simd::{Vector4, cell_and_fraction, positive_part};
 use crate::tile::{Columns, Tile};
@@ -37,18 +37,18 @@ const STRIDE: [i32; 3] = [1, 925, 805];
 const CELL_MARGIN: f32 = 1.02;
 const REACH_MARGIN: f32 = 1.01;
 /// Most cells that one touches.
-const MOST_CELLS: usize = 27;
-const MOST_GROUPS: usize = MOST_VORTEX_PARTICLES * MOST_CELLS / LANES + LISTS;
+const MAX_CELLS: usize = 27;
+const MAX_GROUPS: usize = MAX_VORTEX_PARTICLES * MAX_CELLS / LANES + LISTS;
 
 /// The sorted vortex particles of a moment.
-pub struct Field {
+pub struct VortexField {
     /// Cells in a metre.
     frequency: f32,
     /// Of each list the number of its first group, and at the end the number of all groups.
     starts: Vec<u16>,
     groups: Vec<Group>,
     /// Each vortex particle, and one that adds nothing behind the last place.
-    entries: Vec<Entry>,
+    entries: Vec<VortexEntry>,
     /// The lists that each vortex particle stands in, and how many those are.
     touched: Vec<u16>,
     cells: Vec<u8>,
@@ -62,20 +62,20 @@ pub struct Field {
 type Group = [[f32; LANES]; 7];
 
 /// The same numbers of one vortex particle.
-type Entry = [[f32; LANES]; 2];
+type VortexEntry = [[f32; LANES]; 2];
 
-impl Field {
+impl VortexField {
     /// Of no vortex particles. All its memory is taken here.
     pub fn new() -> Self {
         Self {
             frequency: 1.0,
             starts: vec![0; LISTS + 1],
-            groups: vec![Group::default(); MOST_GROUPS],
-            entries: vec![Entry::default(); MOST_VORTEX_PARTICLES + 1],
-            touched: vec![0; MOST_VORTEX_PARTICLES * MOST_CELLS],
-            cells: vec![0; MOST_VORTEX_PARTICLES],
+            groups: vec![Group::default(); MAX_GROUPS],
+            entries: vec![VortexEntry::default(); MAX_VORTEX_PARTICLES + 1],
+            touched: vec![0; MAX_VORTEX_PARTICLES * MAX_CELLS],
+            cells: vec![0; MAX_VORTEX_PARTICLES],
             lengths: vec![0; LISTS],
-            members: vec![0; MOST_GROUPS * LANES],
+            members: vec![0; MAX_GROUPS * LANES],
         }
     }
 
@@ -93,19 +93,19 @@ impl Field {
         for i in 0..swarm.count() {
             let core = swarm.core(i);
             let before = end;
-            end = self.touch(&core, end);
+            end = self.mark_lists(&core, end);
             self.cells[i] = (end - before) as u8;
             self.entries[i] = entry(&core);
         }
-        self.lay_out();
+        self.assign_groups();
         self.enlist(swarm.count());
         self.fill();
     }
 
     /// Notes from `end` on the lists that `core` stands in, counts it there, and returns the new end.
-    fn touch(&mut self, core: &Core, mut end: usize) -> usize {
+    fn mark_lists(&mut self, core: &VortexCore, mut end: usize) -> usize {
         let reach = REACH_MARGIN * REACH * core.radius * self.frequency;
-        let [x, y, z] = core.ahead.map(|place| Span::new(place * self.frequency, reach));
+        let [x, y, z] = core.ahead.map(|place| TouchedCells::new(place * self.frequency, reach));
         let first = list_of([x.first, y.first, z.first]);
         for (k, from_z) in z.squares.iter().enumerate() {
             for (j, from_y) in y.squares.iter().enumerate() {
@@ -124,7 +124,7 @@ impl Field {
     }
 
     /// Gives each list its groups, with nothing in them.
-    fn lay_out(&mut self) {
+    fn assign_groups(&mut self) {
         let mut next = 0;
         for (start, length) in self.starts.iter_mut().zip(&mut self.lengths) {
             *start = next;
@@ -132,7 +132,7 @@ impl Field {
             *length = *start * LANES as u16;
         }
         self.starts[LISTS] = next;
-        self.members[..usize::from(next) * LANES].fill(MOST_VORTEX_PARTICLES as u16);
+        self.members[..usize::from(next) * LANES].fill(MAX_VORTEX_PARTICLES as u16);
     }
 
     /// Puts the first `count` vortex particles into their lists.
@@ -195,13 +195,13 @@ impl Field {
 }
 
 /// The cells that something touches along one axis.
-struct Span {
+struct TouchedCells {
     first: i32,
     /// Of each, the square of the distance to it; infinite where it is out of reach.
     squares: [f32; 3],
 }
 
-impl Span {
+impl TouchedCells {
     /// `place` and `reach` in cells.
     fn new(place: f32, reach: f32) -> Self {
         let first = (place - reach).floor();
@@ -224,7 +224,7 @@ fn list_of(cell: [i32; 3]) -> usize {
     sum as usize % LISTS
 }
 
-fn entry(core: &Core) -> Entry {
+fn entry(core: &VortexCore) -> VortexEntry {
     let reach = REACH * core.radius;
     let [x, y, z] = core.ahead;
     let [wx, wy, wz] = core.swirl;

@@ -15,23 +15,23 @@ mod save;
 pub mod shedder;
 mod swarm;
 
-use crate::forces::Setting;
+use crate::forces::ForceContext;
 use crate::hash::Hash;
-use crate::motion::Motion;
+use crate::motion::ParticleMotion;
 use crate::tile::{Columns, TILE_BLOCKS, Tile};
-use field::Field;
+use field::VortexField;
 use shedder::Shedding;
 use swarm::Swarm;
 pub use swarm::VortexParticle;
 
 /// Most vortex particles that live at once. When one more is shed, that goes which was shed first.
-pub const MOST_VORTEX_PARTICLES: usize = 1024;
+pub const MAX_VORTEX_PARTICLES: usize = 1024;
 
 /// All vortex particles of a simulation. Its memory is taken when the first shedder is described.
 pub struct VortexParticles {
     swarm: Swarm,
     shedding: Shedding,
-    field: Field,
+    field: VortexField,
 }
 
 impl VortexParticles {
@@ -41,7 +41,7 @@ impl VortexParticles {
     }
 
     fn of(swarm: Swarm, shedding: Shedding) -> Self {
-        let mut field = Field::new();
+        let mut field = VortexField::new();
         field.sort(&swarm);
         Self { swarm, shedding, field }
     }
@@ -67,15 +67,15 @@ impl VortexParticles {
         true
     }
 
-    /// One step of `motion`, which is that of `setting`.
-    pub fn step(&mut self, motion: &Motion, setting: &Setting) {
-        self.drift(motion, setting.now.dt as f32);
-        self.swarm.age(setting.now.dt as f32);
-        self.shedding.step(motion, setting, &mut self.swarm);
+    /// One step of `motion`, which is that of `context`.
+    pub fn step(&mut self, motion: &ParticleMotion, context: &ForceContext) {
+        self.drift(motion, context.now.dt as f32);
+        self.swarm.age(context.now.dt as f32);
+        self.shedding.step(motion, context, &mut self.swarm);
         self.field.sort(&self.swarm);
     }
 
-    fn drift(&mut self, motion: &Motion, dt: f32) {
+    fn drift(&mut self, motion: &ParticleMotion, dt: f32) {
         let mut tile = Tile::new(dt, false);
         let blocks = self.swarm.blocks();
         for first in (0..blocks).step_by(TILE_BLOCKS) {

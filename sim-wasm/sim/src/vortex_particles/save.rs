@@ -2,7 +2,7 @@
 
 use super::shedder::Shedding;
 use super::swarm::Swarm;
-use super::{MOST_VORTEX_PARTICLES, VortexParticles};
+use super::{MAX_VORTEX_PARTICLES, VortexParticles};
 use crate::bytes::{Reader, Writer};
 use crate::error::RestoreError;
 use crate::parameters::LIST_LIMIT;
@@ -27,7 +27,7 @@ impl Section for Option<Box<VortexParticles>> {
         match reader.byte()? {
             0 => return Ok(None),
             1 => {}
-            _ => return Err(refusal()),
+            _ => return Err(invalid_vortex_particle()),
         }
         let shedding = read_shedding(reader)?;
         let swarm = read_swarm(reader)?;
@@ -55,8 +55,8 @@ fn read_shedding(reader: &mut Reader) -> Result<Shedding, RestoreError> {
 
 fn read_swarm(reader: &mut Reader) -> Result<Swarm, RestoreError> {
     let count = reader.word()? as usize;
-    if count > MOST_VORTEX_PARTICLES {
-        return Err(refusal());
+    if count > MAX_VORTEX_PARTICLES {
+        return Err(invalid_vortex_particle());
     }
     let mut swarm = Swarm::new();
     for column in swarm.columns_mut() {
@@ -68,10 +68,10 @@ fn read_swarm(reader: &mut Reader) -> Result<Swarm, RestoreError> {
     if (0..count).all(|i| swarm.get(i).is_sound()) {
         Ok(swarm)
     } else {
-        Err(refusal())
+        Err(invalid_vortex_particle())
     }
 }
 
-fn refusal() -> RestoreError {
+fn invalid_vortex_particle() -> RestoreError {
     RestoreError::new("the saved simulation holds a vortex particle that no shedder can have shed")
 }

@@ -18,9 +18,9 @@ use super::swarm::{Swarm, VortexParticle};
 use crate::clamp::clamped;
 use crate::collide::space::{Frame, Pose, Vector};
 use crate::emission::shapes::in_ball;
-use crate::forces::{Setting, unit};
+use crate::forces::{ForceContext, unit};
 use crate::hash::Hash;
-use crate::motion::Motion;
+use crate::motion::ParticleMotion;
 use crate::parameters::LIST_LIMIT;
 use crate::parameters::field::{DIRECTION, Field, PLACE, SHARE, number, vector};
 use crate::parameters::section::Item;
@@ -28,15 +28,15 @@ use crate::random::Random;
 use crate::scope::{Reach, Scope};
 use crate::simd::Vector4;
 
-const FASTEST_RATE: f64 = 2000.0;
+const MAX_RATE: f64 = 2000.0;
 /// Most that one shedder sheds in a step of 1/60 s.
-const MOST_A_STEP: usize = 34;
+const MAX_PER_STEP: usize = 34;
 /// The fastest air around a vortex particle, as a share of what would turn with its centre at the radius of its core.
 const PEAK: f32 = 0.594_107;
 /// What is slower (m/s) is not worth a vortex particle.
-const LEAST_SPEED: f32 = 1e-3;
+const MIN_SPEED: f32 = 1e-3;
 /// No vortex particle is faster (m/s), however fast a rigid falls.
-const MOST_SPEED: f32 = 100.0;
+const MAX_SPEED: f32 = 100.0;
 /// The air passes across where this share of its speed does.
 const ACROSS: f32 = 0.1;
 
@@ -61,7 +61,7 @@ pub struct Shedder {
 impl Item for Shedder {
     const LABEL: &'static str = "Vortex shedder";
     const FIELDS: &'static [Field<Self>] = &[
-        number("rate", "1/s", [0.0, FASTEST_RATE], 0.0, |s: &mut Self| &mut s.rate)
+        number("rate", "1/s", [0.0, MAX_RATE], 0.0, |s: &mut Self| &mut s.rate)
             .starts_at(30.0)
             .says("Rate", "Swirls shed in a second; 0 takes this shedder away."),
         vector("position", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.position)
@@ -85,8 +85,10 @@ impl Item for Shedder {
             "With speed",
             "Share of the speed of the air past the rigid that is added to the strength.",
         ),
-        number("coreRadius", "m", [0.01, 5.0], 0.15, |s: &mut Self| &mut s.core_radius)
-            .says("Core", "Where a fresh one is fastest; it ends at three times that."),
+        number("coreRadius", "m", [0.01, 5.0], 0.15, |s: &mut Self| &mut s.core_radius).says(
+            "Core",
+            "Where a fresh one is fastest; it ends at three times that.",
+        ),
         number("viscosity", "m2/s", [0.0, 1.0], 0.002, |s: &mut Self| &mut s.viscosity)
             .says("Viscosity", "How fast they grow wide and slow."),
         number("lifetime", "s", [0.1, 60.0], 3.0, |s: &mut Self| &mut s.lifetime)
@@ -119,11 +121,11 @@ impl Shedding {
         }
     }
 
-    /// What all shedders shed in one step of `motion`, which is that of `setting`.
-    pub fn step(&mut self, motion: &Motion, setting: &Setting, swarm: &mut Swarm) {
-        let dt = setting.now.dt;
-        for (index, shedder) in setting.parameters.shedders.items().iter().enumerate() {
-            let Some(reach) = Reach::new(&shedder.scope, &setting.now) else {
+    /// What all shedders shed in one step of `motion`, which is that of `context`.
+    pub fn step(&mut self, motion: &ParticleMotion, context: &ForceContext, swarm: &mut Swarm) {
+        let dt = context.now.dt;
+        for (index, shedder) in context.parameters.shedders.items().iter().enumerate() {
+            let Some(reach) = Reach::new(&shedder.scope, &context.now) else {
                 continue;
             };
             let before = self.owed[index];
@@ -134,8 +136,8 @@ impl Shedding {
             if due < 1.0 {
                 continue;
             }
-            let mut newborns = ArrayVec::<_, MOST_A_STEP>::new();
-            let mut source = Source::new(shedder, reach, motion, setting, &mut self.random);
+            let mut newborns = ArrayVec::<_, MAX_PER_STEP>::new();
+            let mut source = ShedderSource::new(shedder, reach, motion, context, &mut self.random);
             for number in 1..=due as u64 {
                 let moment = clamped((number as f64 - before) / shedder.rate, 0.0, dt);
                 newborns.extend(source.shed(moment as f32, self.due[index].wrapping_add(number) % 2 == 0));
@@ -154,10 +156,10 @@ impl Shedding {
 }
 
 /// A shedder in one step.
-struct Source<'s> {
+struct ShedderSource<'s> {
     shedder: &'s Shedder,
     reach: Reach,
-    setting: &'s Setting<'s>,
+    context: &'s ForceContext<'s>,
     /// Where the rigid is at the start and at the end of the step.
     ends: [Frame; 2],
     /// Velocity of the air (m/s) at the middle of the shedder.
@@ -165,20 +167,20 @@ struct Source<'s> {
     random: &'s mut Random,
 }
 
-impl<'s> Source<'s> {
+impl<'s> ShedderSource<'s> {
     fn new(
         shedder: &'s Shedder,
         reach: Reach,
-        motion: &Motion,
-        setting: &'s Setting<'s>,
+        motion: &ParticleMotion,
+        context: &'s ForceContext<'s>,
         random: &'s mut Random,
     ) -> Self {
-        let frame = |fraction| frame(shedder, setting, fraction);
+        let frame = |fraction| frame(shedder, context, fraction);
         let middle = frame(0.5).world_from_local(single(shedder.position));
         Self {
             shedder,
             reach,
-            setting,
+            context,
             ends: [frame(0.0), frame(1.0)],
             air: motion.air_velocity(middle.into(), None).into(),
             random,
@@ -195,7 +197,7 @@ impl<'s> Source<'s> {
             core_radius,
             ..
         } = *self.shedder;
-        let dt = self.setting.now.dt as f32;
+        let dt = self.context.now.dt as f32;
         let is_alternating = self.shedder.alternate == 1.0;
         let side = match (is_alternating, is_second) {
             (false, _) => self.random.signed(),
@@ -205,17 +207,17 @@ impl<'s> Source<'s> {
         let extent = single(self.shedder.extent);
         let local = single(self.shedder.position) + extent * side + self.within(scatter);
         let axis = Vector::from(unit(axis));
-        let frame = frame(self.shedder, self.setting, moment / dt);
+        let frame = frame(self.shedder, self.context, moment / dt);
         let place = frame.world_from_local(local);
         let passing = self.air - self.velocity_of(local);
         let sense = if is_alternating {
-            side * sense(frame.turned(axis), frame.turned(extent), passing)
+            side * sense(frame.rotate(axis), frame.rotate(extent), passing)
         } else {
             1.0
         };
-        let direction = frame.turned((axis + self.within(jitter)).unit_or(axis));
+        let direction = frame.rotate((axis + self.within(jitter)).unit_or(axis));
         let speed = self.speed(place, passing);
-        (speed.abs() >= LEAST_SPEED).then(|| VortexParticle {
+        (speed.abs() >= MIN_SPEED).then(|| VortexParticle {
             position: (place + self.air * (dt - moment)).into(),
             swirl: (direction * (sense * speed / (PEAK * core_radius as f32))).into(),
             core_radius: core_radius as f32,
@@ -230,13 +232,13 @@ impl<'s> Source<'s> {
         let mut weight = [f32x4::ZERO];
         self.reach.weigh(&[Vector4::splat(place.into())], &mut weight);
         let whole = self.shedder.strength as f32 + self.shedder.per_speed as f32 * passing.length();
-        (whole * weight[0].to_array()[0]).clamp(-MOST_SPEED, MOST_SPEED)
+        (whole * weight[0].to_array()[0]).clamp(-MAX_SPEED, MAX_SPEED)
     }
 
     /// Velocity (m/s) of a place that moves with the rigid.
     fn velocity_of(&self, local: Vector) -> Vector {
         let [before, after] = self.ends.map(|frame| frame.world_from_local(local));
-        (after - before) * (1.0 / self.setting.now.dt as f32)
+        (after - before) * (1.0 / self.context.now.dt as f32)
     }
 
     /// A random vector no longer than `radius`.
@@ -245,8 +247,8 @@ impl<'s> Source<'s> {
     }
 }
 
-fn frame(shedder: &Shedder, setting: &Setting, fraction: f32) -> Frame {
-    let pose = setting.now.ride(&shedder.scope, fraction);
+fn frame(shedder: &Shedder, context: &ForceContext, fraction: f32) -> Frame {
+    let pose = context.now.ride(&shedder.scope, fraction);
     Frame::new(&pose.unwrap_or(Pose::at(Vector::ZERO)))
 }
 

@@ -7,7 +7,7 @@
 
 use wide::f32x4;
 
-use super::MOST_VORTEX_PARTICLES;
+use super::MAX_VORTEX_PARTICLES;
 use crate::hash::Hash;
 use crate::particles::LANES;
 use crate::simd::{Vector4, blocks};
@@ -64,7 +64,7 @@ pub struct Swarm {
 }
 
 /// One as it is now.
-pub struct Core {
+pub struct VortexCore {
     pub ahead: [f32; 3],
     /// Angular velocity at the centre (rad/s).
     pub swirl: [f32; 3],
@@ -73,7 +73,7 @@ pub struct Core {
 
 impl Swarm {
     pub fn new() -> Self {
-        let zeros = || vec![0.0_f32; MOST_VORTEX_PARTICLES];
+        let zeros = || vec![0.0_f32; MAX_VORTEX_PARTICLES];
         let three = || [zeros(), zeros(), zeros()];
         Self {
             place: three(),
@@ -110,7 +110,7 @@ impl Swarm {
     /// Lets those go that were shed first, as many as it takes for `coming` more to fit.
     pub fn make_room(&mut self, coming: usize) {
         let excess = (self.count + coming)
-            .saturating_sub(MOST_VORTEX_PARTICLES)
+            .saturating_sub(MAX_VORTEX_PARTICLES)
             .min(self.count);
         if excess > 0 {
             let count = self.count;
@@ -137,13 +137,13 @@ impl Swarm {
     }
 
     /// Number `i` as it is now.
-    pub fn core(&self, i: usize) -> Core {
+    pub fn core(&self, i: usize) -> VortexCore {
         let first = self.core_radius[i] * self.core_radius[i];
         let now = first + 2.0 * self.viscosity[i] * self.age[i];
         let (share, spent) = (first / now, self.age[i] / self.lifetime[i]);
         let left = (1.0 - spent * spent).max(0.0);
         let strength = share * share * share.sqrt() * left * left;
-        Core {
+        VortexCore {
             ahead: at(&self.ahead, i),
             swirl: at(&self.swirl, i).map(|component| component * strength),
             radius: now.sqrt(),
@@ -207,7 +207,7 @@ impl Swarm {
 
     /// Declares the first `count` slots to be vortex particles, after their columns were written.
     pub fn set_count(&mut self, count: usize) {
-        assert!(count <= MOST_VORTEX_PARTICLES, "{count} vortex particles do not fit");
+        assert!(count <= MAX_VORTEX_PARTICLES, "{count} vortex particles do not fit");
         self.count = count;
     }
 

@@ -40,7 +40,7 @@ impl Cloud {
             lifetime: LIFETIME,
             size,
             temperature: 0.0,
-            look: 0,
+            attributes: 0,
         };
         assert!(self.particles.push(&newborn));
     }

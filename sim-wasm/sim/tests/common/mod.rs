@@ -54,7 +54,7 @@ pub fn newborn(position: [f32; 3]) -> Newborn {
         lifetime: 1e6,
         size: 0.2,
         temperature: 1.0,
-        look: 0,
+        attributes: 0,
     }
 }
 

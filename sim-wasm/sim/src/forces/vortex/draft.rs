@@ -9,7 +9,7 @@
 //! in the core, as if it left along the axis. Burgers' pair u_r = -a r, u_z = 2 a z would be free of divergence, but
 //! its updraft grows without bounds along the axis, which is nothing to be steered by.
 //!
-//! In a step h a particle that turns by 2 p comes nearer by the factor exp(-2 j), with j half of h times the rate of
+//! In a step h a particle that rotations by 2 p comes nearer by the factor exp(-2 j), with j half of h times the rate of
 //! the inflow. From the place x to the middle M = exp(-j) R(p) x and on to the end the way is
 //!
 //! 2 (cosh j sin p (axis x M) - sinh j cos p M),
@@ -20,7 +20,7 @@
 use wide::f32x4;
 
 use super::Vortex;
-use super::kernel::{Kernel, Profile, Turn};
+use super::kernel::{HalfRotation, Kernel, Profile};
 use crate::simd::{Vector4, larger, positive_part, smaller};
 
 /// Inflow and updraft of a vortex.
@@ -64,31 +64,40 @@ impl Draft {
         kernel.inwards(around) * rate + kernel.axis * self.lift(&profile)
     }
 
-    /// Displacement (m) of half a step, in addition to that by `turn`; `ahead` is where the middle is expected.
+    /// Displacement (m) of half a step, in addition to that by `rotation`; `ahead` is where the middle is expected.
     #[inline(always)]
     pub(super) fn half_step(
         &self,
         kernel: &Kernel,
         place: Vector4,
         ahead: Vector4,
-        turn: &Turn,
+        rotation: &HalfRotation,
         weight: f32x4,
     ) -> Vector4 {
         let Pull { exponent, lift } = self.pull(kernel, ahead, weight);
         let around = kernel.around(place);
-        let turned = kernel.inwards(around) - kernel.half_step(place, turn);
+        let turned = kernel.inwards(around) - kernel.half_step(place, rotation);
         let (sinh, cosh) = hyperbolic(exponent);
         turned * (sinh - cosh) + kernel.axis * (lift * self.half)
     }
 
-    /// Velocity (m/s) along the chord, in addition to that of `turn`. The middle is known here: where it is
-    /// expected lies outside the circle that a fast vortex turns it on.
+    /// Velocity (m/s) along the chord, in addition to that of `rotation`. The middle is known here: where it is
+    /// expected lies outside the circle that a fast vortex rotations it on.
     #[inline(always)]
-    pub(super) fn chord_velocity(&self, kernel: &Kernel, middle: Vector4, turn: &Turn, weight: f32x4) -> Vector4 {
+    pub(super) fn chord_velocity(
+        &self,
+        kernel: &Kernel,
+        middle: Vector4,
+        rotation: &HalfRotation,
+        weight: f32x4,
+    ) -> Vector4 {
         let Pull { exponent, lift } = self.pull(kernel, middle, weight);
         let around = kernel.around(middle);
         let (sinh, cosh) = hyperbolic(exponent);
-        let (sine, cosine) = (turn.sine + turn.sine, f32x4::ONE - (turn.cosine + turn.cosine));
+        let (sine, cosine) = (
+            rotation.sine + rotation.sine,
+            f32x4::ONE - (rotation.cosine + rotation.cosine),
+        );
         (around * (cosh * sine) + kernel.inwards(around) * (sinh * cosine)) * self.per_half + kernel.axis * lift
     }
 

@@ -1,4 +1,4 @@
-//! What a vortex does to four particles: how fast it turns them, and along which chord.
+//! What a vortex does to four particles: how fast it rotations them, and along which chord.
 
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ pub struct Kernel {
     position: Vector4,
     pub(super) axis: Vector4,
     /// Angular velocity at the axis (rad/s).
-    turn: f32x4,
+    angular_velocity: f32x4,
     inverse_core_squared: f32x4,
     inverse_reach_squared: f32x4,
     is_rankine: bool,
@@ -32,14 +32,14 @@ pub struct Kernel {
 /// A turn by the angle whose half has the tangent t: t / (1 + t^2), half its sine, and t^2 / (1 + t^2), half of what
 /// its cosine lacks of 1.
 #[derive(Clone, Copy)]
-pub struct Turn {
+pub struct HalfRotation {
     pub(super) sine: f32x4,
     pub(super) cosine: f32x4,
 }
 
-impl Turn {
-    /// No turn.
-    pub const STILL: Self = Self {
+impl HalfRotation {
+    /// The identity rotation.
+    pub const IDENTITY: Self = Self {
         sine: f32x4::ZERO,
         cosine: f32x4::ZERO,
     };
@@ -59,12 +59,12 @@ impl Kernel {
     /// `vortex` with everything multiplied by `strength`, placed in `frame`, for steps of `dt` seconds.
     pub(super) fn new(vortex: &Vortex, strength: f64, frame: &Frame, scope: Reach, dt: f32) -> Self {
         let core_squared = vortex.core_radius * vortex.core_radius;
-        let turn = vortex.circulation * strength / (2.0 * PI * core_squared);
+        let angular_velocity = vortex.circulation * strength / (2.0 * PI * core_squared);
         let splat = |value: f64| f32x4::splat(value as f32);
         Self {
             position: place_in(frame, vortex.position),
             axis: direction_in(frame, vortex.axis),
-            turn: splat(turn),
+            angular_velocity: splat(angular_velocity),
             inverse_core_squared: splat(1.0 / core_squared),
             inverse_reach_squared: splat(1.0 / (vortex.reach * vortex.reach)),
             is_rankine: vortex.is_rankine(),
@@ -109,17 +109,17 @@ impl Kernel {
     pub(super) fn velocity(&self, place: Vector4) -> Vector4 {
         let around = self.around(place);
         let profile = self.profile(around.dot(around));
-        around * (self.turn * profile.fade / profile.divisor)
+        around * (self.angular_velocity * profile.fade / profile.divisor)
     }
 
     /// The turn of half a step where the vortex acts with the strength `weight`.
     #[inline(always)]
-    pub(super) fn turn(&self, place: Vector4, weight: f32x4) -> Turn {
+    pub(super) fn rotation(&self, place: Vector4, weight: f32x4) -> HalfRotation {
         let around = self.around(place);
         let Profile { fade, divisor, .. } = self.profile(around.dot(around));
-        let dividend = self.turn * fade * (self.quarter * weight);
+        let dividend = self.angular_velocity * fade * (self.quarter * weight);
         let share = dividend / (divisor * divisor + dividend * dividend);
-        Turn {
+        HalfRotation {
             sine: divisor * share,
             cosine: dividend * share,
         }
@@ -127,15 +127,15 @@ impl Kernel {
 
     /// Displacement (m) by a turn.
     #[inline(always)]
-    pub(super) fn half_step(&self, place: Vector4, turn: &Turn) -> Vector4 {
+    pub(super) fn half_step(&self, place: Vector4, rotation: &HalfRotation) -> Vector4 {
         let around = self.around(place);
-        (around * turn.sine + self.inwards(around) * turn.cosine) * f32x4::splat(2.0)
+        (around * rotation.sine + self.inwards(around) * rotation.cosine) * f32x4::splat(2.0)
     }
 
-    /// Velocity (m/s) along the chord of two such turns whose middle is `middle`.
+    /// Velocity (m/s) along the chord of two such rotations whose middle is `middle`.
     #[inline(always)]
-    pub(super) fn chord_velocity(&self, middle: Vector4, turn: &Turn) -> Vector4 {
-        self.around(middle) * (turn.sine * self.per_quarter)
+    pub(super) fn chord_velocity(&self, middle: Vector4, rotation: &HalfRotation) -> Vector4 {
+        self.around(middle) * (rotation.sine * self.per_quarter)
     }
 }
 
@@ -157,10 +157,10 @@ mod tests {
     use super::*;
     use crate::parameters::section::item;
     use crate::parts::Parts;
-    use crate::scope::Now;
+    use crate::scope::StepTime;
 
     fn kernel(vortex: &Vortex) -> Kernel {
-        let now = Now {
+        let now = StepTime {
             time: 0.5,
             dt: 1.0 / 60.0,
             poses: &[],

@@ -18,16 +18,16 @@ extern "C" {
 }
 
 /// `{ key, value, min, max, message }` of a refused parameter; min and max are NaN where there is no range.
-pub fn parameter_refusal(error: ParameterError) -> JsValue {
-    refusal(&error.key, error.value, error.min, error.max, &error.message)
+pub fn parameter_error(error: ParameterError) -> JsValue {
+    error_object(&error.key, error.value, error.min, error.max, &error.message)
 }
 
-/// A refusal that is about no single number: the key is empty.
-pub fn plain_refusal(message: &str) -> JsValue {
-    refusal("", f64::NAN, f64::NAN, f64::NAN, message)
+/// An error about no single number: the key is empty.
+pub fn plain_error(message: &str) -> JsValue {
+    error_object("", f64::NAN, f64::NAN, f64::NAN, message)
 }
 
-fn refusal(key: &str, value: f64, min: f64, max: f64, message: &str) -> JsValue {
+fn error_object(key: &str, value: f64, min: f64, max: f64, message: &str) -> JsValue {
     let object = Object::new();
     object.put("key", key.into());
     object.put("value", value.into());

@@ -10,7 +10,7 @@ use crate::snapshot::Section;
 /// How many channels there are.
 pub const CHANNELS: usize = 8;
 /// Most gusts that blow at once; a further one replaces that which has blown longest.
-pub const MOST_GUSTS: usize = 16;
+pub const MAX_GUSTS: usize = 16;
 
 /// A gust on its way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,15 +36,15 @@ impl Gust {
 
 /// Channels, gusts, and how much of the log has been done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Touch {
+pub struct ActiveInputs {
     channels: [i16; CHANNELS],
-    gusts: [Gust; MOST_GUSTS],
+    gusts: [Gust; MAX_GUSTS],
     count: usize,
     /// Inputs of the log that have been done; no part of the hash.
     pub(super) done: u32,
 }
 
-impl Touch {
+impl ActiveInputs {
     /// A channel, -1..=1; 0 for one that does not exist.
     pub fn control(&self, channel: usize) -> f32 {
         let parts = self.channels.get(channel).copied().unwrap_or(0);
@@ -65,7 +65,7 @@ impl Touch {
         if self.gusts().last().is_some_and(|gust| gust.age == 0) {
             self.count -= 1;
         }
-        if self.count == MOST_GUSTS {
+        if self.count == MAX_GUSTS {
             self.gusts.copy_within(1.., 0);
             self.count -= 1;
         }
@@ -112,24 +112,24 @@ impl Touch {
     }
 }
 
-impl Section for Touch {
+impl Section for ActiveInputs {
     fn write(&self, body: &mut Writer) {
         self.write_state(body);
         body.word(self.done);
     }
 
     fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
-        let mut touch = Self::default();
-        for parts in &mut touch.channels {
+        let mut inputs = Self::default();
+        for parts in &mut inputs.channels {
             *parts = within(reader.short()? as i16, -STEER_PARTS, STEER_PARTS)?;
         }
-        touch.count = within(usize::from(reader.byte()?), 0, MOST_GUSTS)?;
-        for gust in &mut touch.gusts[..touch.count] {
+        inputs.count = within(usize::from(reader.byte()?), 0, MAX_GUSTS)?;
+        for gust in &mut inputs.gusts[..inputs.count] {
             let blow = Blow::read(reader)?;
             let age = within(reader.short()?, 0, blow.steps - 1)?;
             *gust = Gust { blow, age };
         }
-        touch.done = reader.word()?;
-        Ok(touch)
+        inputs.done = reader.word()?;
+        Ok(inputs)
     }
 }

@@ -2,17 +2,17 @@
 
 use super::contact::Obstacle;
 use super::space::{Vector, WideBounds};
-use super::survey::Spot;
+use super::survey::GridLocation;
 use crate::life::RadiusLaw;
 use crate::particles::Particles;
 
 /// A particle that may pass obstacles by.
-pub(crate) struct Passer {
+pub(crate) struct SweptParticle {
     /// The box around its way.
     pub(crate) bounds: WideBounds,
     /// Where to look for rigids.
     #[cfg_attr(not(feature = "rigids"), expect(dead_code, reason = "there are none"))]
-    pub(crate) spot: Spot,
+    pub(crate) location: GridLocation,
     from: Vector,
     to: Vector,
     /// Its radius is never greater (m).
@@ -21,15 +21,15 @@ pub(crate) struct Passer {
     is_whole: bool,
 }
 
-impl Passer {
+impl SweptParticle {
     /// Particle `i` after it has moved.
     #[inline]
-    pub(crate) fn new(particles: &Particles, i: usize, radii: &RadiusLaw, spot: Spot) -> Self {
+    pub(crate) fn new(particles: &Particles, i: usize, radii: &RadiusLaw, location: GridLocation) -> Self {
         let (from, to) = way(particles, i);
         let reach = particles.size[i] * radii.puff_size;
         Self {
             bounds: WideBounds::of_way(from, to, reach),
-            spot,
+            location,
             from,
             to,
             reach,
@@ -39,9 +39,9 @@ impl Passer {
 
     /// True when it surely does not touch the obstacle.
     #[inline]
-    pub(crate) fn passes<C>(&self, obstacle: &Obstacle<C>) -> bool {
+    pub(crate) fn certainly_misses<C>(&self, obstacle: &Obstacle<C>) -> bool {
         let Obstacle { core, motion, .. } = obstacle;
-        self.is_whole & core.is_passed_by(motion, self.from, self.to, self.reach)
+        self.is_whole & core.is_certainly_missed_by(motion, self.from, self.to, self.reach)
     }
 }
 

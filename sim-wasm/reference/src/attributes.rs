@@ -7,9 +7,9 @@ use glam::{DMat3, DVec3};
 use crate::scene::Bands;
 
 #[derive(Clone, Copy)]
-pub struct Look(pub [u32; 2]);
+pub struct PackedAttributes(pub [u32; 2]);
 
-impl Look {
+impl PackedAttributes {
     /// Radians.
     pub fn roll(self) -> f64 {
         f64::from(self.0[0] & 0xffff) / 65536.0 * TAU

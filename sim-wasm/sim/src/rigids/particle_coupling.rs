@@ -23,7 +23,7 @@ const BALL_COEFFICIENT: f32 = 0.47;
 
 /// What the particles near one rigid say, weighted by where they are in the shell.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Sum {
+pub struct SmokeSum {
     weight: f32,
     velocity: Vector,
     /// From the rigid's origin, world space.
@@ -42,7 +42,7 @@ impl Rigids {
             world,
             ..
         } = self;
-        sums.iter_mut().for_each(|sum| *sum = Sum::default());
+        sums.iter_mut().for_each(|sum| *sum = SmokeSum::default());
         let bounds = |rigid: usize| {
             let member: &Member = &members[rigid];
             let own = Frame::new(&member.pose).bounds_of(&obstacles[rigid].shape.bounds());
@@ -76,7 +76,7 @@ impl Member {
         self.description.kind == RigidKind::Dynamic && self.description.feels_smoke > 0.0
     }
 
-    fn push(&self, shape: &dyn Collider, sum: &Sum) -> Push {
+    fn push(&self, shape: &dyn Collider, sum: &SmokeSum) -> Push {
         let frame = Frame::new(&self.pose);
         let bounds = shape.bounds();
         let half = (bounds.max - bounds.min) * 0.5;
@@ -90,7 +90,7 @@ impl Member {
         };
         Push {
             velocity: sum.velocity * (1.0 / sum.weight),
-            axes: [Vector::new(1.0, 0.0, 0.0), Vector::Y, Vector::new(0.0, 0.0, 1.0)].map(|axis| frame.turned(axis)),
+            axes: [Vector::new(1.0, 0.0, 0.0), Vector::Y, Vector::new(0.0, 0.0, 1.0)].map(|axis| frame.rotate(axis)),
             resistance: areas * share,
             point: frame.world_from_local(middle_part(&frame, &bounds, sum.offset * (1.0 / sum.weight))),
         }
