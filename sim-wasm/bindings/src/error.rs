@@ -1,6 +1,6 @@
 //! Errors of the simulator as plain JavaScript objects.
 
-use sim::error::ParameterError;
+use sim::layout::error::ParameterError;
 use wasm_bindgen::prelude::*;
 
 // The crate js-sys has both, and twice as much glue with them.

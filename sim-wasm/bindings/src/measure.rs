@@ -12,7 +12,7 @@ extern "C" {
 
 #[wasm_bindgen]
 impl Simulator {
-    /// One step; the milliseconds of each of its parts, see `sim::measure::StepPart`.
+    /// One step; the milliseconds of each of its parts, see `sim::simulator::StepPart`.
     #[wasm_bindgen(js_name = stepObserved)]
     pub fn step_observed(&mut self) -> Vec<f64> {
         let mut took = Vec::with_capacity(8);

@@ -35,7 +35,7 @@ impl Simulator {
         self.simulator.add_surface(vertices, indices).map_err(parameter_error)
     }
 
-    /// Says where the parts of the scene are in the coming step: `sim::parts::Parts::place`.
+    /// Says where the parts of the scene are in the coming step: `sim::layout::scope::parts::Parts::place`.
     #[wasm_bindgen(js_name = placeParts)]
     pub fn place_parts(&mut self, numbers: &[f32]) -> Result<(), JsValue> {
         self.simulator.place_parts(numbers).map_err(parameter_error)

@@ -1,6 +1,7 @@
 //! Inputs and takes for JavaScript: one call of `sim` behind each method.
 
-use sim::take::{BlowNumbers, Take};
+use sim::layout::blow::BlowNumbers;
+use sim::simulator::take::Take;
 use wasm_bindgen::prelude::*;
 
 use crate::error::{Object, parameter_error, plain_error};

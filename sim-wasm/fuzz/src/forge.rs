@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use sim::hash::Hash;
+use sim::math::hash::Hash;
 
 use crate::running::lively;
 

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use sim::Simulator;
-use sim::parameters;
+use sim::layout::parameters;
 
 const CAPACITY: u32 = 64;
 /// Steps that must go well after something was taken.

@@ -4,10 +4,10 @@
 use std::time::Instant;
 
 use sim::Simulator;
-use sim::measure::StepPart;
+use sim::math::random::Random;
 use sim::particles::Newborn;
-use sim::random::Random;
 use sim::rigids::{RigidDescription, RigidKind, RigidShape, pose_of};
+use sim::simulator::StepPart;
 
 const ROUNDS: usize = 9;
 const STEPS: usize = 40;

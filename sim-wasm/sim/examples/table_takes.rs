@@ -2,9 +2,9 @@
 //! each, `rigids steps alive hash take`, the take in hexadecimal digits. Elsewhere they must come to the same hashes.
 
 use sim::Simulator;
-use sim::parameters;
-use sim::random::Random;
-use sim::take::BlowNumbers;
+use sim::layout::blow::BlowNumbers;
+use sim::layout::parameters;
+use sim::math::random::Random;
 
 const TAKES: u32 = 40;
 const STEPS: u32 = 120;

@@ -5,8 +5,8 @@ use std::time::Instant;
 
 use sim::Simulator;
 use sim::arrange::VIEW_FLOATS;
+use sim::math::random::Random;
 use sim::particles::Newborn;
-use sim::random::Random;
 
 const PARTICLES: u32 = 100_000;
 const ROUNDS: usize = 60;

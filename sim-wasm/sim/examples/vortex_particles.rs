@@ -5,9 +5,9 @@
 use std::time::Instant;
 
 use sim::Simulator;
+use sim::forces::vortex_particles::VortexParticle;
+use sim::math::random::Random;
 use sim::particles::Newborn;
-use sim::random::Random;
-use sim::vortex_particles::VortexParticle;
 
 const PARTICLES: u32 = 20_000;
 const VORTEX_PARTICLES: usize = 1000;

@@ -1,10 +1,16 @@
 //! Resting obstacles in closed form, as the parameters `colliders.#.*` describe them.
 
-use super::contact::{Action, Material, Obstacle};
-use super::core::Core;
-use super::motion::PoseMotion;
-use super::shapes::{Ball, Capsule, Collider, Cuboid, HalfSpace, Nearest};
-use super::space::{Bounds, Pose, Vector};
+use crate::collide::contact::{Action, Material, Obstacle};
+use crate::collide::core::Core;
+use crate::collide::shapes::{Ball, Capsule, Collider, Cuboid, HalfSpace, Nearest};
+use crate::layout::parameters::collider::ColliderParameters;
+use crate::layout::parameters::item::{LIST_LIMIT, item};
+use crate::layout::parameters::table::Parameters;
+use crate::math::bounds::Bounds;
+use crate::math::double::direction;
+use crate::math::pose::Pose;
+use crate::math::pose_motion::PoseMotion;
+use crate::math::vector::Vector;
 
 /// Shape of an [`AnalyticCollider`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,5 +131,34 @@ impl Collider for AnalyticShape {
             AnalyticShape::Cuboid(shape) => shape.core(),
             AnalyticShape::Capsule(shape) => shape.core(),
         }
+    }
+}
+
+/// The colliders that the parameters describe; only as many as the list is long are meant.
+pub fn colliders(parameters: &Parameters) -> [AnalyticCollider; LIST_LIMIT] {
+    let items = parameters.colliders.items();
+    std::array::from_fn(|i| collider(items.get(i).unwrap_or(&item())))
+}
+
+fn collider(parameters: &ColliderParameters) -> AnalyticCollider {
+    AnalyticCollider {
+        shape: shape(parameters.shape),
+        position: parameters.position.map(|component| component as f32),
+        axis: direction(parameters.axis),
+        half_extents: parameters.half_extents.map(|component| component as f32),
+        radius: parameters.radius as f32,
+        restitution: parameters.restitution as f32,
+        friction: parameters.friction as f32,
+        roughness: parameters.roughness as f32,
+        action: Action::from_numbers(parameters.action as u8, parameters.tint as u8),
+    }
+}
+
+fn shape(parameter: f64) -> ColliderShape {
+    match parameter as u32 {
+        0 => ColliderShape::Plane,
+        1 => ColliderShape::Ball,
+        2 => ColliderShape::Box,
+        _ => ColliderShape::Capsule,
     }
 }

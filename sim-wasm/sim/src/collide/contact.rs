@@ -6,10 +6,12 @@
 //! and slowed by friction, and the rest of the way is gone with what is left. At last the sphere is pushed out to the
 //! surface.
 
-use super::core::Core;
-use super::motion::PoseMotion;
-use super::shapes::{Collider, Nearest};
-use super::space::{Bounds, Vector, greater, lesser};
+use crate::collide::core::Core;
+use crate::collide::shapes::{Collider, Nearest};
+use crate::math::bounds::Bounds;
+use crate::math::pose_motion::PoseMotion;
+use crate::math::scalar::{greater, lesser};
+use crate::math::vector::Vector;
 
 const TRACE_STEPS: u32 = 32;
 /// Pieces of a way (see [`PoseMotion`]) that make a quarter of a turn.

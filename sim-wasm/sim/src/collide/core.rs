@@ -2,8 +2,9 @@
 
 use wide::f32x4;
 
-use super::motion::PoseMotion;
-use super::space::{Bounds, Vector};
+use crate::math::bounds::Bounds;
+use crate::math::pose_motion::PoseMotion;
+use crate::math::vector::Vector;
 
 /// What lies within `radius` of a box, or of an upright cylinder: a simple solid that holds a shape.
 #[derive(Clone, Copy, Debug)]

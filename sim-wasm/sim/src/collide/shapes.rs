@@ -2,9 +2,10 @@
 //!
 //! Distances are signed: negative inside. The closed forms are those of Quilez, 'Distance functions'.
 
-use super::core::Core;
-use super::space::{Bounds, Vector};
-use crate::clamp::clamped;
+use crate::collide::core::Core;
+use crate::math::bounds::Bounds;
+use crate::math::scalar::clamped;
+use crate::math::vector::Vector;
 
 /// The surface as seen from a point.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,11 +2,12 @@
 
 use wide::f32x4;
 
-use super::space::Bounds;
+use crate::math::bounds::Bounds;
+use crate::math::simd::LANES;
 #[cfg(feature = "rigids")]
-use super::space::Vector;
-use crate::life::RadiusLaw;
-use crate::particles::{LANES, Particles};
+use crate::math::vector::Vector;
+use crate::particles::Particles;
+use crate::particles::radius::RadiusLaw;
 
 /// Where most particles are, and how far they reach from the middles of their swept boxes.
 #[cfg(feature = "rigids")]

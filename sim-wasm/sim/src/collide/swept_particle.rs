@@ -1,10 +1,11 @@
 //! One particle as the search for obstacles sees it.
 
-use super::contact::Obstacle;
-use super::space::{Vector, WideBounds};
-use super::survey::GridLocation;
-use crate::life::RadiusLaw;
+use crate::collide::contact::Obstacle;
+use crate::collide::survey::GridLocation;
+use crate::math::bounds::WideBounds;
+use crate::math::vector::Vector;
 use crate::particles::Particles;
+use crate::particles::radius::RadiusLaw;
 
 /// A particle that may pass obstacles by.
 pub(crate) struct SweptParticle {

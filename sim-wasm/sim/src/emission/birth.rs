@@ -1,12 +1,76 @@
 //! One birth.
 
-use super::ride::Ride;
-use super::shapes::Nozzle;
-use super::{EmissionContext, Emitter};
-use crate::collide::space::Vector;
-use crate::parameters::Parameters;
+use crate::emission::shapes::Nozzle;
+use crate::emission::surface::Surfaces;
+use crate::layout::parameters::emitter::Emitter;
+use crate::layout::parameters::item::Scope;
+use crate::layout::parameters::table::Parameters;
+use crate::layout::scope::parts::Parts;
+use crate::math::pose::{Frame, Pose};
+#[cfg(feature = "rigids")]
+use crate::math::pose_motion::PoseMotion;
+use crate::math::random::Random;
+use crate::math::vector::Vector;
 use crate::particles::{Newborn, Particles};
-use crate::random::Random;
+
+/// What a step's births depend on besides the emitter.
+pub struct EmissionContext<'s> {
+    pub parameters: &'s Parameters,
+    pub surfaces: &'s Surfaces,
+    pub parts: &'s Parts,
+    /// How the rigid of this number moves in this step; none where there is none.
+    #[cfg(feature = "rigids")]
+    pub rigid: &'s dyn Fn(f64) -> Option<PoseMotion>,
+    /// Number of the step: it decides which emitter comes first.
+    pub step: u64,
+    /// Simulated seconds at the middle of the step.
+    pub time: f64,
+    /// Length of the step (s).
+    pub dt: f64,
+}
+
+impl EmissionContext<'_> {
+    /// What something with this scope rides on in this step; none where it stands in the world.
+    fn ride(&self, scope: &Scope) -> Option<Ride> {
+        let part = self.parts.ends(scope.rigid).map(Ride::Part);
+        #[cfg(feature = "rigids")]
+        let part = part.or_else(|| (self.rigid)(scope.rigid).map(Ride::Rigid));
+        part
+    }
+}
+
+/// What an emitter rides on.
+#[derive(Clone, Copy, Debug)]
+pub enum Ride {
+    /// A rigid, which may turn by more than half a turn.
+    #[cfg(feature = "rigids")]
+    Rigid(PoseMotion),
+    /// A part, by its poses at the start and at the end of the step.
+    Part([Pose; 2]),
+}
+
+impl Ride {
+    /// Its frame at a fraction of a step of `dt` seconds, and the velocity (m/s) there of what is at `local` in it.
+    pub fn at(&self, fraction: f32, dt: f32, local: Vector) -> (Frame, Vector) {
+        match self {
+            #[cfg(feature = "rigids")]
+            Ride::Rigid(motion) => {
+                let frame = motion.frame(fraction);
+                let place = frame.world_from_local(local);
+                (frame, motion.velocity_at(place, fraction))
+            }
+            Ride::Part([start, end]) => {
+                let frame = Frame::new(&start.towards(end, fraction));
+                // What `towards` does, differentiated.
+                let (half, cosine) = start.half_rotation_to(end);
+                let square = 1.0 - 2.0 * fraction * (1.0 - fraction) * (1.0 - cosine);
+                let spin = half * (2.0 / (square * dt));
+                let velocity = (end.position - start.position) * (1.0 / dt);
+                (frame, velocity + spin.cross(frame.rotate(local)))
+            }
+        }
+    }
+}
 
 /// An emitter in one step, and where its births go.
 pub struct EmitterSource<'s> {

@@ -9,24 +9,17 @@
 //! births wait, bursts too, and are made up as soon as there is room, of which each emitter gets at least about its
 //! share, so that none starves.
 
-mod birth;
-pub mod item;
-pub mod ride;
+pub(crate) mod birth;
 pub(crate) mod shapes;
 pub mod surface;
 
-use crate::clamp::clamped;
-#[cfg(feature = "rigids")]
-use crate::collide::motion::PoseMotion;
-use crate::parameters::{LIST_LIMIT, Parameters};
+use crate::emission::birth::{EmissionContext, EmitterSource};
+use crate::layout::parameters::emitter::Emitter;
+use crate::layout::parameters::item::LIST_LIMIT;
+use crate::layout::scope::envelope;
+use crate::math::random::Random;
+use crate::math::scalar::clamped;
 use crate::particles::Particles;
-use crate::parts::Parts;
-use crate::random::Random;
-use crate::scope::{Scope, envelope};
-use birth::EmitterSource;
-pub use item::Emitter;
-use ride::Ride;
-use surface::Surfaces;
 
 /// What emitters remember from step to step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -35,32 +28,6 @@ pub struct Births {
     pub owed: [f64; LIST_LIMIT],
     /// Of each emitter: how many births wait for room.
     pub waiting: [u64; LIST_LIMIT],
-}
-
-/// What a step's births depend on besides the emitter.
-pub struct EmissionContext<'s> {
-    pub parameters: &'s Parameters,
-    pub surfaces: &'s Surfaces,
-    pub parts: &'s Parts,
-    /// How the rigid of this number moves in this step; none where there is none.
-    #[cfg(feature = "rigids")]
-    pub rigid: &'s dyn Fn(f64) -> Option<PoseMotion>,
-    /// Number of the step: it decides which emitter comes first.
-    pub step: u64,
-    /// Simulated seconds at the middle of the step.
-    pub time: f64,
-    /// Length of the step (s).
-    pub dt: f64,
-}
-
-impl EmissionContext<'_> {
-    /// What something with this scope rides on in this step; none where it stands in the world.
-    fn ride(&self, scope: &Scope) -> Option<Ride> {
-        let part = self.parts.ends(scope.rigid).map(Ride::Part);
-        #[cfg(feature = "rigids")]
-        let part = part.or_else(|| (self.rigid)(scope.rigid).map(Ride::Rigid));
-        part
-    }
 }
 
 impl Births {

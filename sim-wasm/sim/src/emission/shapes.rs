@@ -4,10 +4,10 @@
 //! the emitter's direction; on a sphere or a surface about the normal, outwards. A cone is a nozzle: what is born on its
 //! disc leaves as if it came from the cone's apex, whose half angle is `spread`.
 
-use super::Emitter;
-use super::surface::{Surface, Surfaces};
-use crate::forces::unit;
-use crate::random::Random;
+use crate::emission::surface::{Surface, Surfaces};
+use crate::layout::parameters::emitter::Emitter;
+use crate::math::double::direction;
+use crate::math::random::{Random, in_ball};
 
 /// A cone opens no wider (rad): beyond, it would need an infinite disc.
 const MAX_CONE_ANGLE: f64 = 1.5;
@@ -47,7 +47,7 @@ impl<'e> Nozzle<'e> {
             emitter,
             surface: surfaces.get(emitter.surface as usize),
             centre: emitter.position.map(|metres| metres as f32),
-            ahead: Axis::new(unit(emitter.direction)),
+            ahead: Axis::new(direction(emitter.direction)),
             cap: 1.0 - libm::cos(emitter.spread) as f32,
             slope: libm::tan(emitter.spread.min(MAX_CONE_ANGLE)) as f32,
         }
@@ -164,16 +164,6 @@ fn disc(inner: f32, random: &mut Random) -> [f32; 2] {
     let distance = libm::sqrtf(hole + random.unit() * (1.0 - hole));
     let (sine, cosine) = libm::sincosf(random.unit() * std::f32::consts::TAU);
     [distance * cosine, distance * sine]
-}
-
-/// A place in the ball of radius 1, by rejection: no cube root, and uniform.
-pub(crate) fn in_ball(random: &mut Random) -> [f32; 3] {
-    loop {
-        let place = [random.signed(), random.signed(), random.signed()];
-        if place.iter().map(|component| component * component).sum::<f32>() <= 1.0 {
-            return place;
-        }
-    }
 }
 
 /// Two unit vectors normal to the unit vector `n` and to each other. Duff et al., "Building an Orthonormal Basis,

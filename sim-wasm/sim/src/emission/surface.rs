@@ -4,15 +4,13 @@
 //! Points in Triangles", Graphics Gems, 1990). Surfaces are inputs, as parameters are: they are saved, and no part of
 //! the state's hash. They are no surfaces to be drawn and nothing bumps into them.
 
-use crate::bytes::{Reader, Writer};
-use crate::collide::space::Vector;
-use crate::error::{ParameterError, RestoreError};
-use crate::hash::Hash;
-use crate::random::Random;
-use crate::snapshot::Section;
+use crate::layout::bytes::{Reader, SnapshotSection, Writer};
+use crate::layout::error::{ParameterError, RestoreError};
+use crate::layout::parameters::emitter::MAX_SURFACES;
+use crate::math::hash::Hash;
+use crate::math::random::Random;
+use crate::math::vector::Vector;
 
-/// Most surfaces of one simulator.
-pub const MAX_SURFACES: usize = 16;
 /// Most vertices, and most triangles, of one surface.
 pub const MAX_ELEMENTS: usize = 1_000_000;
 /// No coordinate of a vertex lies farther out (m).
@@ -136,7 +134,7 @@ impl Surfaces {
     }
 }
 
-impl Section for Surfaces {
+impl SnapshotSection for Surfaces {
     fn write(&self, body: &mut Writer) {
         body.word(self.0.len() as u32);
         for Surface { vertices, indices, .. } in &self.0 {

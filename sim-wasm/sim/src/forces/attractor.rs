@@ -8,43 +8,11 @@
 
 use wide::f32x4;
 
-use super::{Force, ForceContext, Phase, fade, place_in};
-use crate::parameters::field::{Field, PLACE, number, vector};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::{Vector4, larger};
-use crate::tile::Tile;
-
-/// `attractors.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Attractor {
-    pub acceleration: f64,
-    pub core_radius: f64,
-    pub reach: f64,
-    pub position: [f64; 3],
-    pub scope: Scope,
-}
-
-impl Item for Attractor {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |a: &mut Self| {
-            &mut a.acceleration
-        })
-        .starts_at(3.0)
-        .says("Pull", "How strongly it draws smoke in; negative drives smoke away."),
-        number("coreRadius", "m", [0.01, 50.0], 0.1, |a: &mut Self| &mut a.core_radius)
-            .says("Core", "Radius within which the pull fades towards the centre."),
-        number("reach", "m", [0.05, 1000.0], 5.0, |a: &mut Self| &mut a.reach)
-            .says("Reach", "Distance at which the pull has faded to nothing."),
-        vector("position", "m", PLACE, [0.0; 3], |a: &mut Self| &mut a.position).says("Place", "Where it draws to."),
-    ];
-
-    const LABEL: &'static str = "Attractor";
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
+use crate::forces::force::{Force, ForceContext, Phase, fade, place_in};
+use crate::layout::parameters::forces::attractor::Attractor;
+use crate::layout::scope::Reach;
+use crate::math::simd::{Vector4, larger};
+use crate::particles::tile::Tile;
 
 /// An attractor of one step.
 #[derive(Clone, Copy, Debug)]

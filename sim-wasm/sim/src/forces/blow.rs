@@ -8,10 +8,10 @@
 use arrayvec::ArrayVec;
 use wide::f32x4;
 
-use super::ForceContext;
-use crate::simd::{Vector4, positive_part, smaller};
-use crate::take::active_inputs::{Gust, MAX_GUSTS};
-use crate::tile::{Columns, Tile};
+use crate::forces::force::ForceContext;
+use crate::layout::gust::{Gust, MAX_GUSTS};
+use crate::math::simd::{Vector4, positive_part, smaller};
+use crate::particles::tile::{Columns, Tile};
 
 /// All gusts of one step.
 pub type Kernels = ArrayVec<Kernel, MAX_GUSTS>;

@@ -6,32 +6,11 @@
 
 use wide::f32x4;
 
-use super::{Force, ForceContext, Phase};
-use crate::parameters::Parameters;
-use crate::parameters::field::{Field, number};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::tile::{Columns, Tile};
-
-/// `buoyancies.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Buoyancy {
-    pub acceleration: f64,
-    pub scope: Scope,
-}
-
-impl Item for Buoyancy {
-    const LABEL: &'static str = "Lift";
-    const FIELDS: &'static [Field<Self>] = &[number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |b: &mut Self| {
-        &mut b.acceleration
-    })
-    .starts_at(1.0)
-    .says("Lift", "Upward acceleration of smoke at temperature 1 in its region.")];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
+use crate::forces::force::{Force, ForceContext, Phase};
+use crate::layout::parameters::forces::buoyancy::Buoyancy;
+use crate::layout::parameters::table::Parameters;
+use crate::layout::scope::Reach;
+use crate::particles::tile::{Columns, Tile};
 
 /// A lift of one step.
 #[derive(Clone, Copy, Debug)]

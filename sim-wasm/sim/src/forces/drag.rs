@@ -11,52 +11,12 @@
 
 use wide::f32x4;
 
-use super::{Force, ForceContext, Phase};
-use crate::parameters::Parameters;
-use crate::parameters::field::{Field, number};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::exp_minus;
-use crate::tile::{Columns, Tile};
-
-/// `drag.*`: the drag that acts everywhere.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Resistance {
-    pub rate: f64,
-    pub quadratic: f64,
-}
-
-impl Item for Resistance {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("rate", "1/s", [0.0, 1000.0], 1.5, |d: &mut Self| &mut d.rate),
-        number("quadratic", "1/m", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.quadratic),
-    ];
-}
-
-/// `drags.#.*`: drag in a region.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Drag {
-    pub rate: f64,
-    pub quadratic: f64,
-    pub scope: Scope,
-}
-
-impl Item for Drag {
-    const LABEL: &'static str = "Drag";
-    const FIELDS: &'static [Field<Self>] = &[
-        number("rate", "1/s", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.rate)
-            .starts_at(2.0)
-            .says("Drag", "How firmly the air of its region takes smoke along."),
-        number("quadratic", "1/m", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.quadratic).says(
-            "Quadratic drag",
-            "Drag that grows with speed: fast smoke is stopped first.",
-        ),
-    ];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
+use crate::forces::force::{Force, ForceContext, Phase};
+use crate::layout::parameters::forces::drag::Drag;
+use crate::layout::parameters::table::Parameters;
+use crate::layout::scope::Reach;
+use crate::math::simd::exp_minus;
+use crate::particles::tile::{Columns, Tile};
 
 /// A drag of one step.
 #[derive(Clone, Copy, Debug)]

@@ -3,36 +3,12 @@
 //! a = -g m up. Parameters: `gravity.acceleration` g (m/s2, downward: the weight that the air does not carry, not
 //! 9.81 for smoke), `forces.gravity` m (multiplier). `gravities.#.*` pull in any direction, each in its region.
 
-use super::{Force, ForceContext, Phase, vector_in};
-use crate::parameters::Parameters;
-use crate::parameters::field::{Field, vector};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::Vector4;
-use crate::tile::{Columns, Tile};
-
-/// `gravities.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Gravity {
-    pub acceleration: [f64; 3],
-    pub scope: Scope,
-}
-
-impl Item for Gravity {
-    const LABEL: &'static str = "Pull";
-    const FIELDS: &'static [Field<Self>] =
-        &[
-            vector("acceleration", "m/s2", [-100.0, 100.0], [0.0; 3], |g: &mut Self| {
-                &mut g.acceleration
-            })
-            .starts_at(1.0)
-            .says("Pull", "Acceleration of all smoke in its region."),
-        ];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
+use crate::forces::force::{Force, ForceContext, Phase, vector_in};
+use crate::layout::parameters::forces::gravity::Gravity;
+use crate::layout::parameters::table::Parameters;
+use crate::layout::scope::Reach;
+use crate::math::simd::Vector4;
+use crate::particles::tile::{Columns, Tile};
 
 /// A pull of one step.
 #[derive(Clone, Copy, Debug)]

@@ -13,49 +13,11 @@
 
 use wide::f32x4;
 
-use super::{Force, ForceContext, Phase, direction_in, place_in};
-use crate::parameters::field::{DIRECTION, Field, PLACE, number, vector};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::Vector4;
-use crate::tile::Tile;
-
-/// `orbits.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Orbit {
-    pub acceleration: f64,
-    pub core_radius: f64,
-    pub position: [f64; 3],
-    pub axis: [f64; 3],
-    pub scope: Scope,
-}
-
-impl Item for Orbit {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |o: &mut Self| {
-            &mut o.acceleration
-        })
-        .starts_at(2.0)
-        .says(
-            "Pull",
-            "Pull at a distance of one metre: nearer it grows, farther away it falls.",
-        ),
-        number("coreRadius", "m", [0.01, 50.0], 0.1, |o: &mut Self| &mut o.core_radius)
-            .says("Core", "Radius within which the pull fades towards the centre."),
-        vector("position", "m", PLACE, [0.0; 3], |o: &mut Self| &mut o.position)
-            .says("Place", "What smoke orbits, or a point on the line that it orbits."),
-        vector("axis", "1", DIRECTION, [0.0; 3], |o: &mut Self| &mut o.axis).says(
-            "Axis",
-            "Direction of the line that smoke orbits; all 0 where it is a point.",
-        ),
-    ];
-
-    const LABEL: &'static str = "Orbit";
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
+use crate::forces::force::{Force, ForceContext, Phase, direction_in, place_in};
+use crate::layout::parameters::forces::orbit::Orbit;
+use crate::layout::scope::Reach;
+use crate::math::simd::Vector4;
+use crate::particles::tile::Tile;
 
 /// An orbit's centre of one step.
 #[derive(Clone, Copy, Debug)]

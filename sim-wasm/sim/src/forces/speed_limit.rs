@@ -7,34 +7,11 @@
 
 use wide::f32x4;
 
-use super::{Force, ForceContext, Phase};
-use crate::parameters::field::{Field, number};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::Vector4;
-use crate::tile::{Columns, Tile};
-
-/// `speedLimits.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SpeedLimit {
-    pub speed: f64,
-    pub scope: Scope,
-}
-
-impl Item for SpeedLimit {
-    const FIELDS: &'static [Field<Self>] =
-        &[
-            number("speed", "m/s", [0.0, 1000.0], 1000.0, |s: &mut Self| &mut s.speed)
-                .starts_at(0.5)
-                .says("Top speed", "Smoke in its region moves no faster."),
-        ];
-
-    const LABEL: &'static str = "Speed limit";
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
+use crate::forces::force::{Force, ForceContext, Phase};
+use crate::layout::parameters::forces::speed_limit::SpeedLimit;
+use crate::layout::scope::Reach;
+use crate::math::simd::Vector4;
+use crate::particles::tile::{Columns, Tile};
 
 /// A limit of one step.
 #[derive(Clone, Copy, Debug)]

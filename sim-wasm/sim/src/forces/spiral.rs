@@ -13,56 +13,11 @@
 
 use wide::f32x4;
 
-use super::{Force, ForceContext, Phase, direction_in, fade, place_in};
-use crate::parameters::field::{DIRECTION, Field, PLACE, number, vector};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::{Vector4, larger};
-use crate::tile::{Columns, Tile};
-
-/// `spirals.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Spiral {
-    pub turn: f64,
-    pub inward: f64,
-    pub along: f64,
-    pub core_radius: f64,
-    pub reach: f64,
-    pub position: [f64; 3],
-    pub axis: [f64; 3],
-    pub scope: Scope,
-}
-
-impl Item for Spiral {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("turn", "rad/s", [-50.0, 50.0], 0.0, |s: &mut Self| &mut s.turn)
-            .starts_at(3.0)
-            .says("Turn", "How fast and in which sense the air turns about the axis."),
-        number("inward", "m/s", [-20.0, 20.0], 0.0, |s: &mut Self| &mut s.inward).says(
-            "Inward",
-            "How fast the air moves towards the axis; negative is away from it.",
-        ),
-        number("along", "m/s", [-50.0, 50.0], 0.0, |s: &mut Self| &mut s.along)
-            .says("Along", "How fast the air moves along the axis."),
-        number("coreRadius", "m", [0.01, 50.0], 0.25, |s: &mut Self| &mut s.core_radius).says(
-            "Core",
-            "Distance from the axis within which the air slows down on its way inward.",
-        ),
-        number("reach", "m", [0.05, 1000.0], 2.0, |s: &mut Self| &mut s.reach).says(
-            "Reach",
-            "Distance from the axis at which the spiral has faded to nothing.",
-        ),
-        vector("position", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.position).says("Place", "A point on the axis."),
-        vector("axis", "1", DIRECTION, [0.0, 1.0, 0.0], |s: &mut Self| &mut s.axis)
-            .says("Axis", "Direction of the axis."),
-    ];
-
-    const LABEL: &'static str = "Spiral";
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
+use crate::forces::force::{Force, ForceContext, Phase, direction_in, fade, place_in};
+use crate::layout::parameters::forces::spiral::Spiral;
+use crate::layout::scope::Reach;
+use crate::math::simd::{Vector4, larger};
+use crate::particles::tile::{Columns, Tile};
 
 /// A spiral of one step.
 #[derive(Clone, Copy, Debug)]

@@ -10,80 +10,23 @@
 
 use wide::f32x4;
 
-use super::{Force, ForceContext, Phase};
-use crate::parameters::field::{Field, number};
-use crate::parameters::section::Item;
-use crate::parameters::{LIST_LIMIT, Parameters};
-use crate::scope::{Reach, Scope};
-use crate::simd::Vector4;
-use crate::tile::{Columns, Tile};
+use crate::forces::force::{Force, ForceContext, Phase, TurbulenceState};
+use crate::forces::turbulence::octave::Octave;
+use crate::layout::parameters::forces::turbulence::Turbulence;
+use crate::layout::parameters::item::LIST_LIMIT;
+use crate::layout::parameters::settings::Pattern;
+use crate::layout::parameters::table::Parameters;
+use crate::layout::scope::Reach;
+use crate::math::simd::Vector4;
+use crate::particles::tile::{Columns, Tile};
 
 pub mod octave;
-use octave::Octave;
 
 /// Most octaves.
 pub const OCTAVE_LIMIT: usize = 4;
 
 const OCTAVE_SPEED: f64 = 0.6;
 const OCTAVE_PACE: f64 = 1.5;
-/// `turbulence.*`: the swirls that are everywhere.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pattern {
-    pub speed: f64,
-    pub scale: f64,
-    pub octaves: f64,
-    pub evolution: f64,
-}
-
-impl Item for Pattern {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("speed", "m/s", [0.0, 20.0], 0.0, |t: &mut Self| &mut t.speed),
-        number("scale", "m", [0.05, 100.0], 1.0, |t: &mut Self| &mut t.scale),
-        number("octaves", "1", [0.0, 4.0], 1.0, |t: &mut Self| &mut t.octaves).whole(),
-        number("evolution", "1/s", [0.0, 10.0], 0.3, |t: &mut Self| &mut t.evolution),
-    ];
-}
-
-/// `turbulences.#.*`: swirls in a region.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Turbulence {
-    pub pattern: Pattern,
-    pub scope: Scope,
-}
-
-impl Item for Turbulence {
-    const LABEL: &'static str = "Turbulence";
-    const FIELDS: &'static [Field<Self>] = &[
-        number("speed", "m/s", [0.0, 20.0], 0.0, |t: &mut Self| &mut t.pattern.speed)
-            .starts_at(0.5)
-            .says(
-                "Speed",
-                "Typical (root mean square) speed of the swirls; 0 takes this turbulence away.",
-            ),
-        number("scale", "m", [0.05, 100.0], 1.0, |t: &mut Self| &mut t.pattern.scale)
-            .says("Scale", "Size of the largest swirls."),
-        number("octaves", "1", [0.0, 4.0], 1.0, |t: &mut Self| &mut t.pattern.octaves)
-            .whole()
-            .says("Octaves", "How many finer layers of swirls are added; 0 is still air."),
-        number("evolution", "1/s", [0.0, 10.0], 0.3, |t: &mut Self| {
-            &mut t.pattern.evolution
-        })
-        .says("Evolution", "How fast the pattern of swirls changes."),
-    ];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
-
-/// What a turbulence remembers from step to step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct TurbulenceState {
-    /// How far the wind has carried the pattern (m).
-    pub drift: [f64; 3],
-    /// p of the first octave (rad).
-    pub phase: f64,
-}
 
 /// Moves all patterns on by `dt` seconds: those of the list, then the one that is everywhere.
 pub fn advance(states: &mut [TurbulenceState; LIST_LIMIT + 1], parameters: &Parameters, dt: f64) {

@@ -19,76 +19,31 @@
 
 use wide::f32x4;
 
-use super::{Force, ForceContext, Phase};
-use crate::parameters::LIST_LIMIT;
-use crate::parameters::field::{DIRECTION, Field, PLACE, number, vector};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::Vector4;
-use crate::tile::{Columns, TILE_BLOCKS, Tile};
+use crate::forces::force::{Force, ForceContext, Phase};
+use crate::forces::vortex::draft::Draft;
+use crate::forces::vortex::swirl::{HalfRotation, Swirl};
+use crate::layout::parameters::forces::vortex::Vortex;
+use crate::layout::parameters::item::LIST_LIMIT;
+use crate::layout::scope::Reach;
+use crate::math::simd::Vector4;
+use crate::particles::tile::{Columns, TILE_BLOCKS, Tile};
 
-mod draft;
-mod kernel;
-use kernel::{HalfRotation, Kernel};
-
-/// `vortices.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Vortex {
-    pub circulation: f64,
-    pub core_radius: f64,
-    pub reach: f64,
-    pub profile: f64,
-    pub inflow: f64,
-    pub updraft: f64,
-    pub position: [f64; 3],
-    pub axis: [f64; 3],
-    pub scope: Scope,
-}
-
-impl Item for Vortex {
-    const LABEL: &'static str = "Vortex";
-    const FIELDS: &'static [Field<Self>] = &[
-        number("circulation", "m2/s", [-200.0, 200.0], 0.0, |v: &mut Self| {
-            &mut v.circulation
-        })
-        .starts_at(2.0)
-        .says(
-            "Circulation",
-            "Strength and sense of the swirl; 0 takes this vortex away.",
-        ),
-        number("coreRadius", "m", [0.01, 50.0], 0.25, |v: &mut Self| &mut v.core_radius)
-            .says("Core", "Radius of the calm middle, where the swirl is fastest."),
-        number("reach", "m", [0.05, 1000.0], 2.0, |v: &mut Self| &mut v.reach).says(
-            "Reach",
-            "Distance from the axis at which the swirl has faded to nothing.",
-        ),
-        number("profile", "1", [0.0, 1.0], 0.0, |v: &mut Self| &mut v.profile)
-            .named(&["lambOseen", "rankine"])
-            .says("Profile", "A soft core, or one that turns like a solid."),
-        number("inflow", "m/s", [-20.0, 20.0], 0.0, |v: &mut Self| &mut v.inflow).says(
-            "Inflow",
-            "Speed at which smoke is drawn towards the axis, at the core radius.",
-        ),
-        number("updraft", "m/s", [-20.0, 20.0], 0.0, |v: &mut Self| &mut v.updraft)
-            .says("Updraft", "Speed along the axis, in the middle of the core."),
-        vector("position", "m", PLACE, [0.0; 3], |v: &mut Self| &mut v.position).says("Place", "A point on the axis."),
-        vector("axis", "1", DIRECTION, [0.0, 0.0, 1.0], |v: &mut Self| &mut v.axis)
-            .says("Axis", "Direction of the axis."),
-    ];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
+pub(crate) mod draft;
+pub(crate) mod swirl;
 
 impl Vortex {
-    fn is_rankine(&self) -> bool {
-        self.profile == 1.0
-    }
-
     fn is_still(&self) -> bool {
         self.circulation == 0.0 && self.inflow == 0.0 && self.updraft == 0.0
     }
+}
+
+/// A vortex of one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel {
+    swirl: Swirl,
+    scope: Reach,
+    /// Inflow and updraft, where there are any.
+    draft: Option<Draft>,
 }
 
 impl Force for Vortex {
@@ -102,7 +57,12 @@ impl Force for Vortex {
         }
         let scope = Reach::new(&self.scope, &context.now)?;
         let frame = context.now.frame(&self.scope);
-        Some(Kernel::new(self, strength, &frame, scope, context.now.dt as f32))
+        let dt = context.now.dt as f32;
+        Some(Kernel {
+            swirl: Swirl::new(self, strength, &frame, dt),
+            scope,
+            draft: Draft::new(self, strength, dt),
+        })
     }
 
     fn act(kernels: &[Kernel], tile: &mut Tile) {
@@ -125,9 +85,9 @@ fn add_velocities(kernels: &[Kernel], tile: &mut Tile) {
     for kernel in kernels {
         kernel.scope.weigh(place, weight);
         for ((flow, place), weight) in flow.iter_mut().zip(&*place).zip(&*weight) {
-            *flow += kernel.velocity(*place) * *weight;
+            *flow += kernel.swirl.velocity(*place) * *weight;
             if let Some(draft) = &kernel.draft {
-                *flow += draft.velocity(kernel, *place) * *weight;
+                *flow += draft.velocity(&kernel.swirl, *place) * *weight;
             }
         }
     }
@@ -147,10 +107,10 @@ fn add_mean_velocity(kernel: &Kernel, tile: &mut Tile) {
     kernel.scope.weigh(ahead, weight);
     let rest = ahead.iter().zip(&*slipped).zip(&*weight);
     for ((flow, place), ((ahead, slipped), weight)) in flow.iter_mut().zip(&*place).zip(rest) {
-        let rotation = kernel.rotation(*ahead, *weight);
+        let rotation = kernel.swirl.rotation(*ahead, *weight);
         let half = (*flow * dt + *slipped) * f32x4::HALF;
-        let middle = *place + half + kernel.half_step(*place, &rotation);
-        *flow += kernel.chord_velocity(middle, &rotation);
+        let middle = *place + half + kernel.swirl.half_step(*place, &rotation);
+        *flow += kernel.swirl.chord_velocity(middle, &rotation);
     }
 }
 
@@ -173,22 +133,22 @@ fn add_mean_velocities(kernels: &[Kernel], tile: &mut Tile) {
     for (kernel, rotations) in kernels.iter().zip(&mut rotations) {
         kernel.scope.weigh(ahead, weight);
         for (block, rotation) in rotations[..place.len()].iter_mut().enumerate() {
-            *rotation = kernel.rotation(ahead[block], weight[block]);
-            let mut half = kernel.half_step(place[block], rotation);
+            *rotation = kernel.swirl.rotation(ahead[block], weight[block]);
+            let mut half = kernel.swirl.half_step(place[block], rotation);
             if let Some(draft) = &kernel.draft {
-                half += draft.half_step(kernel, place[block], ahead[block], rotation, weight[block]);
+                half += draft.half_step(&kernel.swirl, place[block], ahead[block], rotation, weight[block]);
             }
             middles[block] += half;
         }
     }
     for (kernel, rotations) in kernels.iter().zip(&rotations) {
         for ((flow, middle), rotation) in flow.iter_mut().zip(&middles).zip(rotations) {
-            *flow += kernel.chord_velocity(*middle, rotation);
+            *flow += kernel.swirl.chord_velocity(*middle, rotation);
         }
         let Some(draft) = &kernel.draft else { continue };
         kernel.scope.weigh(ahead, weight);
         for (block, flow) in flow.iter_mut().enumerate() {
-            *flow += draft.chord_velocity(kernel, middles[block], &rotations[block], weight[block]);
+            *flow += draft.chord_velocity(&kernel.swirl, middles[block], &rotations[block], weight[block]);
         }
     }
 }

@@ -12,79 +12,22 @@
 
 use wide::f32x4;
 
-use super::{Force, ForceContext, Phase, unit, vector_in};
-use crate::collide::space::Frame;
-use crate::parameters::field::{Field, PLACE, number, vector};
-use crate::parameters::section::Item;
-use crate::random::Random;
-use crate::scope::{Reach, Scope};
-use crate::simd::{Vector4, positive_part};
-use crate::tile::{Columns, Tile};
+use crate::forces::force::{Force, ForceContext, Phase, vector_in};
+use crate::layout::parameters::forces::wind::Wind;
+use crate::layout::parameters::item::Scope;
+use crate::layout::parameters::settings::Weather;
+use crate::layout::scope::Reach;
+use crate::math::double::direction;
+use crate::math::pose::Frame;
+use crate::math::random::Random;
+use crate::math::simd::{Vector4, positive_part};
+use crate::particles::tile::{Columns, Tile};
 
 const WAVES: u32 = 16;
 /// From one wave to the next the frequency grows by this factor: sixteen of them span a factor of 300.
 const FREQUENCY_RATIO: f64 = 1.46;
 /// The slowest wave, as a share of 1 / `gustTime`.
 const SLOWEST: f64 = 0.1;
-
-/// `wind.*`: how the wind of `forces.wind.*` changes with height and time.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Weather {
-    pub gusts: f64,
-    pub gust_time: f64,
-    pub shear: f64,
-    pub height: f64,
-}
-
-impl Item for Weather {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("gusts", "m/s", [0.0, 20.0], 0.0, |w: &mut Self| &mut w.gusts)
-            .says("Gusts", "Typical (root mean square) speed of gusts along the wind."),
-        number("gustTime", "s", [0.1, 60.0], 2.0, |w: &mut Self| &mut w.gust_time)
-            .says("Gust time", "How long a strong gust lasts."),
-        number("shear", "1/m", [-10.0, 10.0], 0.0, |w: &mut Self| &mut w.shear).says(
-            "Shear",
-            "How much faster the wind is for each metre of height, as a share.",
-        ),
-        number("height", "m", PLACE, 0.0, |w: &mut Self| &mut w.height)
-            .says("Shear height", "Height at which shear changes nothing."),
-    ];
-}
-
-/// `winds.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Wind {
-    pub velocity: [f64; 3],
-    pub weather: Weather,
-    pub scope: Scope,
-}
-
-impl Item for Wind {
-    const LABEL: &'static str = "Wind";
-    const FIELDS: &'static [Field<Self>] = &[
-        vector("velocity", "m/s", [-50.0, 50.0], [0.0; 3], |w: &mut Self| {
-            &mut w.velocity
-        })
-        .starts_at(0.5)
-        .says("Wind", "Velocity of the wind."),
-        number("gusts", "m/s", [0.0, 20.0], 0.0, |w: &mut Self| &mut w.weather.gusts)
-            .says("Gusts", "Typical (root mean square) speed of gusts along the wind."),
-        number("gustTime", "s", [0.1, 60.0], 2.0, |w: &mut Self| {
-            &mut w.weather.gust_time
-        })
-        .says("Gust time", "How long a strong gust lasts."),
-        number("shear", "1/m", [-10.0, 10.0], 0.0, |w: &mut Self| &mut w.weather.shear).says(
-            "Shear",
-            "How much faster the wind is for each metre of height, as a share.",
-        ),
-        number("height", "m", PLACE, 0.0, |w: &mut Self| &mut w.weather.height)
-            .says("Shear height", "Height at which shear changes nothing."),
-    ];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
 
 /// A wind of one step.
 #[derive(Clone, Copy, Debug)]
@@ -109,7 +52,7 @@ impl Force for Wind {
             velocity: context.parameters.forces.wind,
             weather: context.parameters.wind,
             scope: Scope {
-                rigid: crate::scope::WORLD,
+                rigid: crate::layout::parameters::item::WORLD,
                 ..Scope::default()
             },
         };
@@ -145,7 +88,7 @@ impl Wind {
         let along = if self.velocity == [0.0; 3] {
             [1.0, 0.0, 0.0]
         } else {
-            unit(self.velocity)
+            direction(self.velocity)
         };
         let speed = gust(&self.weather, context.now.time, context.seed ^ number) as f32;
         Kernel {

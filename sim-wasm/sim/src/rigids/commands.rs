@@ -1,15 +1,14 @@
 //! What a rigid can be told once it is there.
 
-use super::description::{RigidKind, Spin, ranged, shape_error};
-use super::grab::Grab;
-use super::path::Path;
-use super::track::Track;
-use super::{Member, Rigids, TOP_SPEED};
-use crate::collide::space::{Pose, Vector};
-use crate::error::ParameterError;
-
-/// Fastest spin (rad/s), for shapes so small that [`TOP_SPEED`] would allow more: two turns a step.
-const MAX_SPIN: f32 = 720.0;
+use crate::layout::error::ParameterError;
+use crate::math::pose::Pose;
+use crate::rigids::checks::{no_such_rigid, shape_error};
+use crate::rigids::description::RigidKind;
+use crate::rigids::grab::Grab;
+use crate::rigids::path::Path;
+use crate::rigids::set::{Member, Rigids};
+use crate::rigids::spin::{check_spin, spin_of};
+use crate::rigids::track::Track;
 
 impl Rigids {
     /// Sends a kinematic rigid to a pose: it is there after the coming step, or after more when its surface would have
@@ -113,32 +112,4 @@ impl Rigids {
         let message = format!("rigid {index} is fixed; only kinematic and dynamic rigids can be moved");
         Err(shape_error("rigid.index", f64::from(index), message))
     }
-}
-
-/// A refusal of the number of a rigid, where there are `count`.
-pub(super) fn no_such_rigid(index: u32, count: usize) -> ParameterError {
-    ParameterError::out_of_range("rigid.index", f64::from(index), 0.0, count as f64 - 1.0)
-}
-
-/// Reads a spin: its axis, brought to unit length, and its rate (rad/s).
-///
-/// # Errors
-/// When a number is not finite or too large, or the axis has no direction.
-pub(super) fn spin_of(axis: [f32; 3], rate: f32) -> Result<Spin, ParameterError> {
-    let rate = ranged("rigid.spin.rate", rate, (-f64::from(MAX_SPIN), f64::from(MAX_SPIN)))?;
-    for (name, value) in ["x", "y", "z"].iter().zip(axis) {
-        ranged(&format!("rigid.spin.axis.{name}"), value, (-1e3, 1e3))?;
-    }
-    let length = Vector::from(axis).length();
-    ranged("rigid.spin.axis", length, (1e-3, 2e3))?;
-    // What is a unit but for rounding stays bit for bit, as with rotations.
-    let scale = if (length - 1.0).abs() < 1e-5 { 1.0 } else { 1.0 / length };
-    let axis = Vector::from(axis) * scale;
-    Ok(Spin { axis, rate })
-}
-
-/// Refuses a spin at which a rigid of `reach` (m) would be faster than [`TOP_SPEED`].
-pub(super) fn check_spin(spin: &Spin, reach: f32) -> Result<(), ParameterError> {
-    let most = f64::from((TOP_SPEED / reach).min(MAX_SPIN));
-    ranged("rigid.spin.rate", spin.rate, (-most, most)).map(|_| ())
 }

@@ -1,8 +1,10 @@
 //! Several shapes as one obstacle.
 
-use super::meshes::distance_to_box;
 use crate::collide::shapes::{Collider, Nearest};
-use crate::collide::space::{Bounds, Frame, Pose, Vector};
+use crate::math::bounds::Bounds;
+use crate::math::pose::{Frame, Pose};
+use crate::math::vector::Vector;
+use crate::rigids::meshes::distance_to_box;
 
 /// The union of its parts.
 pub struct Compound {

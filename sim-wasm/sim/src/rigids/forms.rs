@@ -4,12 +4,14 @@ use rapier3d::glamx::Vec3;
 use rapier3d::parry::shape::{ConvexPolyhedron, SharedShape, TriMesh, TriMeshFlags};
 use rapier3d::parry::transformation::try_convex_hull;
 
-use super::compound::Compound;
-use super::description::{RigidDescription, RigidKind, RigidShape, shape_error};
-use super::meshes::{Hull, Mesh};
 use crate::collide::shapes::{Ball, Capsule, Collider, Cuboid, Cylinder};
-use crate::collide::space::{Pose, Vector};
-use crate::error::ParameterError;
+use crate::layout::error::ParameterError;
+use crate::math::pose::Pose;
+use crate::math::vector::Vector;
+use crate::rigids::checks::shape_error;
+use crate::rigids::compound::Compound;
+use crate::rigids::description::{RigidDescription, RigidKind, RigidShape};
+use crate::rigids::meshes::{Hull, Mesh};
 
 /// A volume below this share of its box's is no volume.
 const MIN_FILL_RATIO: f32 = 1e-4;

@@ -5,10 +5,9 @@
 //! damped as the original is, for any w and h. After n steps from rest at distance d the distance is
 //! d (1 + n w h / (1 + w h)) / (1 + w h)^n.
 
-use super::TOP_SPEED;
-use super::description::{PLACES, ranged};
-use crate::collide::space::Vector;
-use crate::error::ParameterError;
+use crate::layout::error::ParameterError;
+use crate::math::vector::Vector;
+use crate::rigids::checks::{PLACES, TOP_SPEED, ranged};
 
 /// Range of a stiffness, 1/s: above it the spring is no softer than a step is long.
 const STIFFNESSES: (f64, f64) = (0.1, 200.0);

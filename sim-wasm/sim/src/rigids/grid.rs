@@ -7,9 +7,10 @@
 
 use wide::{f32x4, i32x4};
 
-use crate::collide::space::{Bounds, Vector, WideBounds};
 use crate::collide::survey::{GridLocation, NearLanes, ParticleExtent, SweptBoxes};
-use crate::particles::LANES;
+use crate::math::bounds::{Bounds, WideBounds};
+use crate::math::simd::LANES;
+use crate::math::vector::Vector;
 
 const CELLS_PER_RIGID: usize = 64;
 const MIN_CELLS: usize = 512;

@@ -1,11 +1,12 @@
 //! What leads a kinematic rigid: a place it was told to go to, a path, a pointer that drags it; and a spin on top.
 
-use super::description::Spin;
-use super::grab::Grab;
-use super::track::Track;
-use super::{TOP_SPEED, pose_numbers};
-use crate::collide::space::{Frame, Pose, Vector, product, rotation_about};
-use crate::hash::Hash;
+use crate::math::hash::Hash;
+use crate::math::pose::{Frame, Pose, product, rotation_about};
+use crate::math::vector::Vector;
+use crate::rigids::checks::{TOP_SPEED, pose_numbers};
+use crate::rigids::grab::Grab;
+use crate::rigids::spin::Spin;
+use crate::rigids::track::Track;
 
 /// The state of what leads one rigid.
 #[derive(Clone, Debug)]

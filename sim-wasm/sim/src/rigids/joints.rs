@@ -10,12 +10,13 @@ use rapier3d::dynamics::{
 };
 use rapier3d::glamx::{Pose3, Quat, Vec3};
 
-use super::Rigids;
-use super::commands::no_such_rigid;
-use super::description::{AXES, PLACES, RigidKind, count_error, ranged, shape_error};
-use super::meshes::parrys;
-use crate::collide::space::{Pose, Vector};
-use crate::error::ParameterError;
+use crate::layout::error::ParameterError;
+use crate::math::pose::Pose;
+use crate::math::vector::Vector;
+use crate::rigids::checks::{AXES, PLACES, count_error, no_such_rigid, ranged, shape_error};
+use crate::rigids::description::RigidKind;
+use crate::rigids::meshes::parrys;
+use crate::rigids::set::Rigids;
 
 const LENGTHS: (f64, f64) = (1e-3, 1e3);
 const COEFFICIENTS: (f64, f64) = (0.0, 1e6);

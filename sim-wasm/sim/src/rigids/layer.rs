@@ -4,12 +4,12 @@
 //! thickness: 1 at the surface, 0 and flat at the edge. This is air, not slip: nothing of it is kept when the rigid has
 //! passed. What passes within less than a step is followed in parts of a step.
 
-use super::Rigids;
 use crate::collide::contact::Obstacle;
 use crate::collide::shapes::Collider;
-use crate::collide::space::Vector;
-use crate::life::RadiusLaw;
+use crate::math::vector::Vector;
 use crate::particles::Particles;
+use crate::particles::radius::RadiusLaw;
+use crate::rigids::set::Rigids;
 
 /// A rigid goes no farther than this share of its layer's thickness in one part of a step ...
 const SHARE_OF_LAYER: f32 = 0.25;

@@ -6,7 +6,8 @@ use rapier3d::parry::query::PointQueryWithLocation;
 use rapier3d::parry::shape::TriMesh;
 
 use crate::collide::shapes::{Collider, Nearest};
-use crate::collide::space::{Bounds, Vector};
+use crate::math::bounds::Bounds;
+use crate::math::vector::Vector;
 
 /// A triangle mesh: solid where it closes a volume, else a sheet with two sides.
 pub struct Mesh {

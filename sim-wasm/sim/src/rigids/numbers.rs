@@ -6,16 +6,14 @@
 //! 5 trimesh), how many dimensions, vertex numbers and indices it has, its pose in the rigid (7, as above), and its
 //! dimensions. Ball: radius. Cuboid: half extents. Capsule and cylinder: half height, radius. Hull and trimesh: none.
 
-use super::commands::spin_of;
-use super::description::{
-    AXES, LENGTHS, RigidDescription, RigidKind, RigidPart, RigidShape, Spin, count_error, pose_under, ranged,
-    shape_error,
-};
-use super::path::Path;
-use super::pose_numbers;
 use crate::collide::contact::Action;
-use crate::collide::space::{Pose, Vector};
-use crate::error::ParameterError;
+use crate::layout::error::ParameterError;
+use crate::math::pose::Pose;
+use crate::math::vector::Vector;
+use crate::rigids::checks::{AXES, LENGTHS, count_error, pose_numbers, pose_under, ranged, shape_error};
+use crate::rigids::description::{RigidDescription, RigidKind, RigidPart, RigidShape};
+use crate::rigids::path::Path;
+use crate::rigids::spin::{Spin, spin_of};
 
 const DENSITIES: (f64, f64) = (1e-2, 1e5);
 const LAYERS: (f64, f64) = (0.0, 10.0);

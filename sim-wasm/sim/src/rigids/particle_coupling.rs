@@ -8,27 +8,19 @@
 //! plate. For a ball it is C rho/2 pi r2 |u| u with C = 0.47. The force acts off the middle where the smoke does, and
 //! the air damps turning as fast as it damps motion.
 
-use super::description::RigidKind;
-use super::world::Push;
-use super::{Member, Rigids};
 use crate::collide::shapes::Collider;
-use crate::collide::space::{Bounds, Frame, Vector};
-use crate::life::RadiusLaw;
+use crate::math::bounds::Bounds;
+use crate::math::pose::Frame;
+use crate::math::vector::Vector;
 use crate::particles::Particles;
+use crate::particles::radius::RadiusLaw;
+use crate::rigids::set::{Member, Rigids, SmokeSum};
+use crate::rigids::world::Push;
 
 /// kg/m3.
 const AIR_DENSITY: f32 = 1.2;
 const PLATE_COEFFICIENT: f32 = 1.17;
 const BALL_COEFFICIENT: f32 = 0.47;
-
-/// What the particles near one rigid say, weighted by where they are in the shell.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct SmokeSum {
-    weight: f32,
-    velocity: Vector,
-    /// From the rigid's origin, world space.
-    offset: Vector,
-}
 
 impl Rigids {
     /// Measures the smoke near the rigids that feel it and gives them the force for the coming step of `dt` seconds; to
@@ -71,11 +63,6 @@ impl Rigids {
 }
 
 impl Member {
-    /// Whether smoke pushes this rigid.
-    pub(super) fn feels(&self) -> bool {
-        self.description.kind == RigidKind::Dynamic && self.description.feels_smoke > 0.0
-    }
-
     fn push(&self, shape: &dyn Collider, sum: &SmokeSum) -> Push {
         let frame = Frame::new(&self.pose);
         let bounds = shape.bounds();

@@ -3,10 +3,9 @@
 //! `numbers` of keyframes: 0, looped (0 or 1), then for each frame its time and pose (position, quaternion). Of a
 //! spline: 1, looped, along (0 or 1), 0 and a duration or 1 and a speed, then x, y, z of each point. None: no path.
 
-use super::description::{AXES, PLACES, pose_under, ranged, shape_error};
-use super::{TOP_SPEED, pose_numbers};
-use crate::collide::space::Pose;
-use crate::error::ParameterError;
+use crate::layout::error::ParameterError;
+use crate::math::pose::Pose;
+use crate::rigids::checks::{AXES, PLACES, TOP_SPEED, pose_numbers, pose_under, ranged, shape_error};
 
 const TIMES: (f64, f64) = (0.0, 1e5);
 const DURATIONS: (f64, f64) = (1e-2, 1e5);

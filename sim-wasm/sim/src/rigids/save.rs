@@ -1,14 +1,16 @@
 //! Rigids as bytes, by postcard: descriptions, poses and targets of ours, and Rapier's world as it is, so that what
 //! is taken up again goes on to the same hash.
 
-use super::description::{RigidDescription, pose_of};
-use super::grab::Grab;
-use super::guide::Guide;
-use super::numbers::{FlatRigid, RigidNumbers};
-use super::world::World;
-use super::{Member, POSE_PAIR_FLOATS, Rigids, forms, pose_numbers};
-use crate::error::{ParameterError, RestoreError};
-use crate::hash::Hash;
+use crate::layout::error::{ParameterError, RestoreError};
+use crate::math::hash::Hash;
+use crate::rigids::checks::{pose_numbers, pose_of};
+use crate::rigids::description::RigidDescription;
+use crate::rigids::forms;
+use crate::rigids::grab::Grab;
+use crate::rigids::guide::Guide;
+use crate::rigids::numbers::{FlatRigid, RigidNumbers};
+use crate::rigids::set::{Member, POSE_PAIR_FLOATS, Rigids};
+use crate::rigids::world::World;
 
 /// The description as flat numbers: numbers, vertices, indices, path.
 type SavedRigid = (Vec<f32>, Vec<f32>, Vec<u32>, Vec<f32>);

@@ -1,11 +1,12 @@
 //! The neighbourhood of those rigids that do something to the air around them, or feel it: a grid of its own, so that
 //! all others cost nothing, and of these only the particles near them do.
 
-use super::grid::RigidGrid;
-use crate::collide::space::{Bounds, Vector, WideBounds};
 use crate::collide::survey::{SweptBoxes, extent, for_each_near};
-use crate::life::RadiusLaw;
+use crate::math::bounds::{Bounds, WideBounds};
+use crate::math::vector::Vector;
 use crate::particles::Particles;
+use crate::particles::radius::RadiusLaw;
+use crate::rigids::grid::RigidGrid;
 
 /// Some of the rigids, each with a box around it.
 #[derive(Debug, Default)]

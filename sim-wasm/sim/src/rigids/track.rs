@@ -1,7 +1,8 @@
 //! A path made ready to be asked at any time. Plain arithmetic, square roots and libm: the same on every machine.
 
-use super::path::{Keyframe, Pace, Path};
-use crate::collide::space::{Pose, Vector};
+use crate::math::pose::Pose;
+use crate::math::vector::Vector;
+use crate::rigids::path::{Keyframe, Pace, Path};
 
 /// Chords into which a piece of a spline is cut to measure its length.
 const CHORDS: usize = 128;

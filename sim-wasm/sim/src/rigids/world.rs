@@ -6,11 +6,12 @@ use rapier3d::prelude::{
     ColliderBuilder, GenericJoint, PhysicsWorld, RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodyMassProps,
 };
 
-use super::description::{RigidDescription, RigidKind};
-use super::grab::Grab;
-use super::meshes::{ours, parrys};
-use crate::collide::space::{Pose, Vector};
-use crate::hash::Hash;
+use crate::math::hash::Hash;
+use crate::math::pose::Pose;
+use crate::math::vector::Vector;
+use crate::rigids::description::{RigidDescription, RigidKind};
+use crate::rigids::grab::Grab;
+use crate::rigids::meshes::{ours, parrys};
 
 const GRAVITY: f32 = -9.81;
 /// Angular damping of what is dragged, as a share of the spring's stiffness.

@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use sim::Simulator;
-use sim::take::BlowNumbers;
+use sim::layout::blow::BlowNumbers;
 
 /// Something that a person does.
 #[derive(Clone, Debug)]

@@ -70,7 +70,7 @@ pub fn place(simulator: &Simulator, i: usize) -> [f32; 3] {
 }
 
 /// Length of a step (s).
-pub const STEP: f64 = sim::simulator::STEP;
+pub const STEP: f64 = sim::layout::limits::STEP;
 
 /// A simulator in still air with one particle, which has this slip.
 pub fn alone(settings: &[(&str, f64)], position: [f32; 3], slip: [f32; 3]) -> Simulator {

@@ -31,7 +31,7 @@ use std::f64::consts::TAU;
 use wide::bytemuck::cast;
 use wide::{f32x4, u32x4};
 
-use crate::simd::{CELL_ZERO, Vector4, cell_and_fraction, positive_part};
+use crate::math::simd::{CELL_ZERO, Vector4, cell_and_fraction, positive_part};
 
 /// Sides of the lattice's cubes in one `turbulence.scale`. It makes vorticity over speed the same as on cubes with
 /// sides of that scale, each corner with the quintic of Perlin's noise.

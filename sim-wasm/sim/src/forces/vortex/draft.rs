@@ -19,9 +19,9 @@
 
 use wide::f32x4;
 
-use super::Vortex;
-use super::kernel::{HalfRotation, Kernel, Profile};
-use crate::simd::{Vector4, larger, positive_part, smaller};
+use crate::forces::vortex::swirl::{HalfRotation, Profile, Swirl, is_rankine};
+use crate::layout::parameters::forces::vortex::Vortex;
+use crate::math::simd::{Vector4, larger, positive_part, smaller};
 
 /// Inflow and updraft of a vortex.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +44,7 @@ struct Pull {
 impl Draft {
     /// The draft of `vortex` times `strength`, for steps of `dt` seconds; none where it has no draft.
     pub(super) fn new(vortex: &Vortex, strength: f64, dt: f32) -> Option<Self> {
-        let at_core = if vortex.is_rankine() { 1.0 } else { -libm::expm1(-1.0) };
+        let at_core = if is_rankine(vortex) { 1.0 } else { -libm::expm1(-1.0) };
         let inflow = vortex.inflow * strength / (vortex.core_radius * at_core);
         let updraft = vortex.updraft * strength;
         (inflow != 0.0 || updraft != 0.0).then(|| Self {
@@ -57,28 +57,28 @@ impl Draft {
 
     /// Velocity (m/s) at four places.
     #[inline(always)]
-    pub(super) fn velocity(&self, kernel: &Kernel, place: Vector4) -> Vector4 {
-        let around = kernel.around(place);
-        let profile = kernel.profile(around.dot(around));
+    pub(super) fn velocity(&self, swirl: &Swirl, place: Vector4) -> Vector4 {
+        let around = swirl.around(place);
+        let profile = swirl.profile(around.dot(around));
         let rate = self.inflow * profile.fade / profile.divisor;
-        kernel.inwards(around) * rate + kernel.axis * self.lift(&profile)
+        swirl.inwards(around) * rate + swirl.axis * self.lift(&profile)
     }
 
     /// Displacement (m) of half a step, in addition to that by `rotation`; `ahead` is where the middle is expected.
     #[inline(always)]
     pub(super) fn half_step(
         &self,
-        kernel: &Kernel,
+        swirl: &Swirl,
         place: Vector4,
         ahead: Vector4,
         rotation: &HalfRotation,
         weight: f32x4,
     ) -> Vector4 {
-        let Pull { exponent, lift } = self.pull(kernel, ahead, weight);
-        let around = kernel.around(place);
-        let turned = kernel.inwards(around) - kernel.half_step(place, rotation);
+        let Pull { exponent, lift } = self.pull(swirl, ahead, weight);
+        let around = swirl.around(place);
+        let turned = swirl.inwards(around) - swirl.half_step(place, rotation);
         let (sinh, cosh) = hyperbolic(exponent);
-        turned * (sinh - cosh) + kernel.axis * (lift * self.half)
+        turned * (sinh - cosh) + swirl.axis * (lift * self.half)
     }
 
     /// Velocity (m/s) along the chord, in addition to that of `rotation`. The middle is known here: where it is
@@ -86,25 +86,25 @@ impl Draft {
     #[inline(always)]
     pub(super) fn chord_velocity(
         &self,
-        kernel: &Kernel,
+        swirl: &Swirl,
         middle: Vector4,
         rotation: &HalfRotation,
         weight: f32x4,
     ) -> Vector4 {
-        let Pull { exponent, lift } = self.pull(kernel, middle, weight);
-        let around = kernel.around(middle);
+        let Pull { exponent, lift } = self.pull(swirl, middle, weight);
+        let around = swirl.around(middle);
         let (sinh, cosh) = hyperbolic(exponent);
         let (sine, cosine) = (
             rotation.sine + rotation.sine,
             f32x4::ONE - (rotation.cosine + rotation.cosine),
         );
-        (around * (cosh * sine) + kernel.inwards(around) * (sinh * cosine)) * self.per_half + kernel.axis * lift
+        (around * (cosh * sine) + swirl.inwards(around) * (sinh * cosine)) * self.per_half + swirl.axis * lift
     }
 
     #[inline(always)]
-    fn pull(&self, kernel: &Kernel, place: Vector4, weight: f32x4) -> Pull {
-        let around = kernel.around(place);
-        let profile = kernel.profile(around.dot(around));
+    fn pull(&self, swirl: &Swirl, place: Vector4, weight: f32x4) -> Pull {
+        let around = swirl.around(place);
+        let profile = swirl.profile(around.dot(around));
         let exponent = self.inflow * profile.fade * (self.half * weight) / profile.divisor;
         Pull {
             exponent: larger(smaller(exponent, f32x4::HALF), -f32x4::HALF),
