@@ -1,4 +1,4 @@
-//! A blow: a gust along a ray, as somebody gave it.
+//! A blow: the description of a gust along a ray, as a user gives it.
 
 use crate::layout::bytes::{Reader, Writer};
 use crate::layout::error::{ParameterError, RestoreError};
@@ -11,25 +11,25 @@ use crate::layout::quantised::{
 const MAX_SPEED: f64 = 50.0;
 const MAX_RADIUS: f64 = 10.0;
 const MAX_SECONDS: f64 = 10.0;
-/// Parts of a metre a second, of a metre and of a second: the last are steps.
+/// Units per m/s, per metre and per second. The last are steps.
 const PARTS: [f64; 3] = [100.0, 1000.0, 60.0];
 
-/// A blow in plain numbers.
+/// A blow in floating-point numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct BlowNumbers {
-    /// Where the ray begins (m), such as the eye; each within 1000.
+    /// Origin of the ray (m), -1000..=1000 each.
     pub origin: [f64; 3],
-    /// Where it goes; the length does not matter.
+    /// Direction of the ray, of any length.
     pub ray: [f64; 3],
-    /// Velocity of the air (m/s) on the ray at the height of the gust; each within 50.
+    /// Peak velocity of the air on the ray (m/s), -50..=50 each.
     pub velocity: [f64; 3],
-    /// How far from the ray the air moves (m), 0.01 to 10.
+    /// Distance from the ray within which the air moves (m), 0.01..=10.
     pub radius: f64,
-    /// How long it lasts, 1/60 to 10.
+    /// Duration (s), 1/60..=10.
     pub seconds: f64,
 }
 
-/// A blow, quantised: millimetres, centimetres a second, steps.
+/// A quantised blow: millimetres, centimetres per second, steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Blow {
     origin: Millimetres,
@@ -40,7 +40,7 @@ pub struct Blow {
 }
 
 impl Blow {
-    /// Refuses by name what is not finite or out of range.
+    /// Quantises `numbers`. A number that is not finite or out of range is an error.
     pub fn new(numbers: &BlowNumbers) -> Result<Self, ParameterError> {
         let mut velocity = [0; 3];
         for (axis, (whole, part)) in velocity.iter_mut().zip(numbers.velocity).enumerate() {
@@ -56,22 +56,22 @@ impl Blow {
         })
     }
 
-    /// Where the ray begins (m).
+    /// Origin of the ray (m).
     pub fn origin(&self) -> [f32; 3] {
         metres(self.origin)
     }
 
-    /// Where it goes, length 1.
+    /// Unit direction of the ray.
     pub fn ray(&self) -> [f32; 3] {
         undirected(self.ray)
     }
 
-    /// Velocity of the air (m/s) at its height.
+    /// Peak velocity of the air (m/s).
     pub fn velocity(&self) -> [f32; 3] {
         self.velocity.map(|part| f32::from(part) / PARTS[0] as f32)
     }
 
-    /// How far from the ray the air moves (m).
+    /// Distance from the ray within which the air moves (m).
     pub fn radius(&self) -> f32 {
         f32::from(self.radius) / PARTS[1] as f32
     }

@@ -1,13 +1,12 @@
-//! Little-endian numbers in a row of bytes, and the envelope around them. Reading past the end is an error, never a
-//! panic.
+//! Little-endian serialisation, and the envelope of saved bytes. Reading past the end is an error and never panics.
 
 use crate::layout::error::RestoreError;
 use crate::math::hash::Hash;
 
-/// A part of the state that can be written and read.
+/// A part of the state that can be serialised.
 pub(crate) trait SnapshotSection: Sized {
     fn write(&self, body: &mut Writer);
-    /// Reads what `write` wrote, and refuses what can never have been written.
+    /// Reads what `write` wrote, and rejects values that `write` cannot produce.
     fn read(reader: &mut Reader) -> Result<Self, RestoreError>;
 }
 
@@ -31,7 +30,7 @@ impl SnapshotSection for u32 {
     }
 }
 
-/// Bytes in the making.
+/// A growing buffer of bytes.
 #[derive(Default)]
 pub struct Writer(Vec<u8>);
 
@@ -52,7 +51,7 @@ impl Writer {
         self.0.extend_from_slice(&long.to_le_bytes());
     }
 
-    /// A number that is mostly small: seven bits a byte, the lowest first.
+    /// Variable-length integer: seven bits per byte, lowest first.
     pub fn count(&mut self, mut count: u64) {
         while count > 0x7f {
             self.byte(count as u8 | 0x80);
@@ -69,19 +68,19 @@ impl Writer {
         self.0.extend_from_slice(bytes);
     }
 
-    /// Bytes with their number before them.
+    /// Bytes, preceded by their length.
     #[inline(never)]
     pub fn block(&mut self, bytes: &[u8]) {
         self.word(bytes.len() as u32);
         self.raw(bytes);
     }
 
-    /// A block of UTF-8.
+    /// UTF-8 text as a block.
     pub fn text(&mut self, text: &str) {
         self.block(text.as_bytes());
     }
 
-    /// What `fill` writes, as a block with a name of four letters before it.
+    /// Calls `fill` and writes the result as a block, preceded by a name of four letters.
     pub fn section(&mut self, name: &[u8; 4], fill: impl FnOnce(&mut Writer)) {
         let mut content = Writer::default();
         fill(&mut content);
@@ -93,7 +92,7 @@ impl Writer {
         self.0
     }
 
-    /// All of it behind what tells its `kind`, its `version`, and whether it was damaged.
+    /// Adds the envelope: `kind`, `version` and a checksum.
     pub fn seal(self, kind: &[u8; 4], version: u32) -> Vec<u8> {
         let mut whole = Writer::default();
         whole.raw(kind);
@@ -104,17 +103,17 @@ impl Writer {
     }
 }
 
-/// Bytes that are read from the front.
+/// Reads bytes from the front.
 pub struct Reader<'b>(&'b [u8]);
 
 impl<'b> Reader<'b> {
-    /// Of bytes without an envelope.
+    /// Reads bytes without an envelope.
     pub fn over(bytes: &'b [u8]) -> Self {
         Self(bytes)
     }
 
-    /// What `Writer::seal` made, without the envelope, and its version: one of two that are read, or of one given twice.
-    /// `name` is what people call such bytes.
+    /// Checks the envelope that `Writer::seal` wrote and returns the reader and the version, one of `versions`. `name`
+    /// names the bytes in error messages.
     pub fn open(bytes: &'b [u8], kind: &[u8; 4], versions: [u32; 2], name: &str) -> Result<(Self, u32), RestoreError> {
         let mut reader = Self(bytes);
         if reader.take()? != *kind {
@@ -155,7 +154,7 @@ impl<'b> Reader<'b> {
         self.take().map(u64::from_le_bytes)
     }
 
-    /// What `Writer::count` wrote.
+    /// Reads what `Writer::count` wrote.
     pub fn count(&mut self) -> Result<u64, RestoreError> {
         let mut count = 0;
         for shift in (0..u64::BITS - 7).step_by(7) {
@@ -168,7 +167,7 @@ impl<'b> Reader<'b> {
         Err(RestoreError::new("the bytes hold a number that is too large"))
     }
 
-    /// A number that is finite.
+    /// A finite number of double precision.
     #[inline(never)]
     pub fn number(&mut self) -> Result<f64, RestoreError> {
         let number = f64::from_bits(self.long()?);
@@ -179,7 +178,7 @@ impl<'b> Reader<'b> {
         }
     }
 
-    /// A number of single precision that is finite.
+    /// A finite number of single precision.
     #[inline(never)]
     pub fn float(&mut self) -> Result<f32, RestoreError> {
         let number = f32::from_bits(self.word()?);
@@ -190,7 +189,7 @@ impl<'b> Reader<'b> {
         }
     }
 
-    /// Bytes that their number stands before.
+    /// Bytes that are preceded by their length.
     #[inline(never)]
     pub fn block(&mut self) -> Result<&'b [u8], RestoreError> {
         let length = self.word()? as usize;
@@ -199,18 +198,18 @@ impl<'b> Reader<'b> {
         Ok(block)
     }
 
-    /// A block that is UTF-8.
+    /// UTF-8 text.
     pub fn text(&mut self) -> Result<&'b str, RestoreError> {
         let text = std::str::from_utf8(self.block()?);
         text.map_err(|_| RestoreError::new("the bytes hold a text that is none"))
     }
 
-    /// All that has not been read.
+    /// All bytes that were not read.
     pub fn rest(&mut self) -> &'b [u8] {
         std::mem::take(&mut self.0)
     }
 
-    /// What `read` makes of the section of this name, which must be the next and be read to its end.
+    /// Reads the next section with `read`. The section must have this name and be read to its end.
     pub fn section<T>(
         &mut self,
         name: &[u8; 4],
@@ -230,7 +229,7 @@ impl<'b> Reader<'b> {
         self.block().map(Self)
     }
 
-    /// Checks that everything has been read.
+    /// Checks that all bytes were read.
     #[inline(never)]
     pub fn end(&self) -> Result<(), RestoreError> {
         if self.0.is_empty() {

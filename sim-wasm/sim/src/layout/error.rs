@@ -1,24 +1,24 @@
-//! What the simulator refuses, and why. Nothing that a caller can provoke panics.
+//! Errors of the simulator. Invalid input never panics.
 
 use std::fmt;
 
-/// A parameter, argument or view that was refused. The simulator is as it was before the call.
+/// An invalid parameter, argument or view. The call that returned it changed nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParameterError {
     /// The key as the caller gave it, for example `emission.rate` or `emitters.0.size`.
     pub key: String,
-    /// The refused value, in the unit of the parameter.
+    /// The invalid value, in the unit of the parameter.
     pub value: f64,
-    /// The least value that is accepted.
+    /// Minimum accepted value; NaN without a range.
     pub min: f64,
-    /// The greatest value that is accepted.
+    /// Maximum accepted value; NaN without a range.
     pub max: f64,
-    /// What happened and what to do, one sentence for people.
+    /// What happened and what to do, as one sentence.
     pub message: String,
 }
 
 impl ParameterError {
-    /// A value outside its range, or not a finite number.
+    /// A value that is out of range or not finite.
     #[cold]
     #[inline(never)]
     pub fn out_of_range(key: &str, value: f64, min: f64, max: f64) -> Self {
@@ -32,7 +32,7 @@ impl ParameterError {
         }
     }
 
-    /// A value that must be whole and is not.
+    /// A value that must be a whole number.
     pub fn not_whole(key: &str, value: f64, min: f64, max: f64) -> Self {
         let message = advice(key, value, "whole", min, max);
         Self {
@@ -44,7 +44,7 @@ impl ParameterError {
         }
     }
 
-    /// A key that no parameter has.
+    /// An unknown key.
     pub fn unknown_key(key: &str, value: f64) -> Self {
         let message = format!("there is no parameter named {key}");
         Self {
@@ -62,7 +62,7 @@ fn advice(key: &str, value: f64, kind: &str, min: f64, max: f64) -> String {
     format!("{key} is {value}; give a {kind} number from {min} to {max}")
 }
 
-/// Without the numbers, from which the web side words the same: what prints them takes 20 kB.
+/// Without the numbers: formatting them takes 20 kB. The web side adds them.
 #[cfg(target_family = "wasm")]
 fn advice(key: &str, _value: f64, kind: &str, _min: f64, _max: f64) -> String {
     format!("{key} is out of range; give a {kind} number within it")
@@ -76,15 +76,15 @@ impl fmt::Display for ParameterError {
 
 impl std::error::Error for ParameterError {}
 
-/// Saved bytes that cannot be restored. The running simulator is as it was before the call.
+/// Saved bytes that cannot be restored. The call that returned it changed nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RestoreError {
-    /// What is wrong with the bytes and what to do, one sentence for people.
+    /// What is wrong with the bytes and what to do, as one sentence.
     pub message: String,
 }
 
 impl RestoreError {
-    /// An error that says `message`.
+    /// Creates an error with `message`.
     #[cold]
     #[inline(never)]
     pub fn new(message: impl Into<String>) -> Self {

@@ -1,21 +1,21 @@
-//! A gust: a blow and how long it has blown.
+//! A gust: a blow and its age.
 
 use crate::layout::blow::Blow;
 use crate::layout::bytes::Writer;
 
-/// Most gusts that blow at once; a further one replaces that which has blown longest.
+/// Maximum number of active gusts. One more replaces the oldest.
 pub const MAX_GUSTS: usize = 16;
 
-/// A gust on its way.
+/// An active gust.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gust {
     pub blow: Blow,
-    /// Steps that it has blown.
+    /// Age in steps.
     pub age: u16,
 }
 
 impl Gust {
-    /// How strongly it blows in the coming step, 0..=1: 16 s^2 (1 - s)^2 of the share s of its time.
+    /// Strength in the coming step, 0..=1: 16 s^2 (1 - s)^2 for the elapsed share s of its duration.
     pub fn level(&self) -> f32 {
         let share = (f32::from(self.age) + 0.5) / f32::from(self.blow.steps);
         let bell = 4.0 * share * (1.0 - share);

@@ -1,11 +1,11 @@
-//! Limits and the step length that all layers share.
+//! Step length and capacity limit.
 
 use crate::layout::error::ParameterError;
 
 /// Length of a step (s).
 pub const STEP: f64 = 1.0 / 60.0;
 
-/// Most particles that a simulator can be made for.
+/// Maximum capacity of a simulator.
 pub const CAPACITY_LIMIT: u32 = 1_000_000;
 
 pub(crate) fn check_capacity(capacity: u32) -> Result<usize, ParameterError> {

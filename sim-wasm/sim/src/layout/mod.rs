@@ -1,4 +1,4 @@
-//! What crosses the borders of the simulator: parameters, scopes, quantised inputs, bytes and errors.
+//! Data at the interface of the simulator: parameters, scopes, quantised inputs, bytes and errors.
 
 pub mod blow;
 pub(crate) mod bytes;

@@ -1,8 +1,9 @@
-//! Numbers in whole parts, as takes keep them.
+//! Quantisation of inputs to whole numbers.
 
 use crate::layout::error::{ParameterError, RestoreError};
 
-/// `value` in whole parts, `parts` to a unit. Refuses by name what is not finite or outside of `range`.
+/// Rounds `value` to whole units of 1 / `parts`. A value that is not finite or outside of `range` is an error that
+/// names `key`.
 pub(crate) fn quantise(key: &str, value: f64, range: [f64; 2], parts: f64) -> Result<f64, ParameterError> {
     let [min, max] = range;
     if (min..=max).contains(&value) {
@@ -11,7 +12,7 @@ pub(crate) fn quantise(key: &str, value: f64, range: [f64; 2], parts: f64) -> Re
     Err(ParameterError::out_of_range(key, value, min, max))
 }
 
-/// `value` if it is one that the quantiser can have made.
+/// Returns `value` if the quantiser can have produced it.
 pub(crate) fn within<T: PartialOrd>(value: T, min: T, max: T) -> Result<T, RestoreError> {
     if (min..=max).contains(&value) {
         return Ok(value);

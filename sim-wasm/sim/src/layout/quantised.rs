@@ -1,21 +1,21 @@
-//! Places in whole millimetres, and directions and quaternions in 32,767ths.
+//! Quantised positions (whole millimetres), directions and quaternions (units of 1 / 32,767).
 
 use crate::layout::bytes::{Reader, Writer};
 use crate::layout::error::{ParameterError, RestoreError};
 use crate::layout::quantise::{quantise, within};
 
-/// No input reaches farther from the world's origin (mm, then m).
+/// Maximum distance of an input from the world's origin (mm, then m).
 const MAX_COORDINATE: i32 = 1_000_000;
 const MAX_METRES: f64 = 1000.0;
 const PARTS_A_METRE: f64 = 1000.0;
-/// Parts of a quantised unit vector.
+/// Units of a quantised unit vector.
 const UNIT: i16 = i16::MAX;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// A place in whole millimetres.
+/// A position in whole millimetres.
 pub type Millimetres = [i32; 3];
 
-/// A place (m) in millimetres; `key` names it in refusals.
+/// Quantises a position (m). `key` names it in errors.
 pub fn millimetres(key: &str, place: [f64; 3]) -> Result<Millimetres, ParameterError> {
     let mut whole = [0; 3];
     for (axis, (whole, metres)) in whole.iter_mut().zip(place).enumerate() {
@@ -25,7 +25,7 @@ pub fn millimetres(key: &str, place: [f64; 3]) -> Result<Millimetres, ParameterE
     Ok(whole)
 }
 
-/// The place (m) again.
+/// The position in metres.
 pub fn metres(place: Millimetres) -> [f32; 3] {
     place.map(|whole| whole as f32 / PARTS_A_METRE as f32)
 }
@@ -35,7 +35,7 @@ pub fn of_axis(key: &str, axis: usize) -> String {
     [key, ".", AXES[axis]].concat()
 }
 
-/// A vector of any length but 0 as a direction in whole parts; `key` names it in refusals.
+/// Quantises the direction of a vector of any length but 0. `key` names it in errors.
 pub fn direction<const N: usize>(key: &str, vector: [f64; N]) -> Result<[i16; N], ParameterError> {
     let length = libm::sqrt(vector.iter().map(|part| part * part).sum());
     if !(1e-6..=1e6).contains(&length) {
@@ -44,7 +44,7 @@ pub fn direction<const N: usize>(key: &str, vector: [f64; N]) -> Result<[i16; N]
     Ok(vector.map(|part| libm::round(part / length * f64::from(UNIT)) as i16))
 }
 
-/// A direction in numbers, of length 1 but for the quantisation.
+/// The direction as numbers, of length 1 up to quantisation.
 pub fn undirected<const N: usize>(direction: [i16; N]) -> [f32; N] {
     direction.map(|part| f32::from(part) / f32::from(UNIT))
 }
@@ -75,7 +75,7 @@ pub fn read_direction<const N: usize>(reader: &mut Reader) -> Result<[i16; N], R
     Ok(direction)
 }
 
-/// A place and a rotation.
+/// A quantised position and rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct QuantisedPose {
     place: Millimetres,
@@ -83,7 +83,7 @@ pub struct QuantisedPose {
 }
 
 impl QuantisedPose {
-    /// Of x, y, z (m) and the quaternion x, y, z, w.
+    /// Quantises x, y, z (m) and the quaternion x, y, z, w.
     pub fn new(numbers: [f64; 7]) -> Result<Self, ParameterError> {
         let [x, y, z, rotation @ ..] = numbers;
         Ok(Self {
@@ -92,7 +92,7 @@ impl QuantisedPose {
         })
     }
 
-    /// The seven numbers again.
+    /// The seven numbers: x, y, z (m) and the quaternion x, y, z, w.
     pub fn numbers(&self) -> [f32; 7] {
         let ([x, y, z], [i, j, k, w]) = (metres(self.place), undirected(self.rotation));
         [x, y, z, i, j, k, w]
@@ -111,21 +111,21 @@ impl QuantisedPose {
     }
 }
 
-/// A point of a rigid that is drawn to a place.
+/// A point of a rigid, the position it is dragged to, and the stiffness of the spring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Grip {
     anchor: Millimetres,
     target: Millimetres,
-    /// Tenths of 1/s.
+    /// In units of 0.1/s.
     stiffness: u16,
 }
 
-/// Range of the stiffness (1/s), and parts of it.
+/// Range of the stiffness (1/s), and units per 1/s.
 const STIFFNESSES: [f64; 2] = [0.1, 200.0];
 const PARTS_OF_STIFFNESS: f64 = 10.0;
 
 impl Grip {
-    /// Of the point in the rigid's own space (m), the place in the world (m), and the spring's stiffness (1/s).
+    /// Quantises the point in the rigid's space (m), the target in world space (m) and the stiffness (1/s).
     pub fn new(numbers: [f64; 7]) -> Result<Self, ParameterError> {
         let [a, b, c, x, y, z, stiffness] = numbers;
         let parts = quantise("rigid.drag.stiffness", stiffness, STIFFNESSES, PARTS_OF_STIFFNESS)?;
@@ -136,7 +136,7 @@ impl Grip {
         })
     }
 
-    /// Point, place and stiffness again.
+    /// Point (m), target (m) and stiffness (1/s).
     pub fn numbers(&self) -> ([f32; 3], [f32; 3], f32) {
         let stiffness = f32::from(self.stiffness) / PARTS_OF_STIFFNESS as f32;
         (metres(self.anchor), metres(self.target), stiffness)

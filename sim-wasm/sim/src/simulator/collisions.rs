@@ -1,4 +1,4 @@
-//! Collisions of all particles with all obstacles of a step.
+//! Collision of all particles with all obstacles of a step.
 
 use crate::collide::analytic::{AnalyticCollider, AnalyticShape};
 use crate::collide::contact::{Action, Obstacle, Pass, Traveller};
@@ -11,20 +11,20 @@ use crate::particles::{Particles, set_tint};
 #[cfg(feature = "rigids")]
 use crate::rigids::set::Rigids;
 
-/// Rounds in which a particle is moved out of one obstacle and perhaps into the next. A right corner needs two; in an
-/// acute one each round leaves a share of the overlap, the squared cosine of its angle.
+/// Rounds of pushing a particle out of one obstacle and possibly into the next. A right corner needs two. In an acute
+/// corner each round leaves a share of the overlap: the squared cosine of the angle.
 const PASSES: [Pass; 8] = {
     let mut passes = [Pass::Again; 8];
     passes[0] = Pass::First;
     passes
 };
 const MAX_COLLIDERS: usize = 8;
-/// Below this share of a step a newborn's way is too short to tell its velocity.
+/// Shortest share of a step over which the displacement of a newborn particle defines a velocity.
 const MIN_STEP_FRACTION: f32 = 1e-3;
-/// The greatest seed byte of a particle.
+/// Largest seed byte of a particle.
 const MAX_SEED: f32 = 255.0;
 
-/// Memory that [`resolve`] needs, made once; it does not depend on the number of particles.
+/// Scratch memory of [`resolve`]. Allocated once; its size does not depend on the number of particles.
 #[derive(Debug)]
 pub struct Scratch {
     obstacles: Vec<Obstacle<AnalyticShape>>,
@@ -32,7 +32,7 @@ pub struct Scratch {
 }
 
 impl Scratch {
-    /// Scratch for `capacity` particles.
+    /// Creates the scratch memory for `capacity` particles.
     pub fn new(_capacity: usize) -> Self {
         Self {
             obstacles: Vec::with_capacity(MAX_COLLIDERS),
@@ -41,16 +41,16 @@ impl Scratch {
     }
 }
 
-/// All that particles may meet in a step.
+/// All obstacles of a step.
 struct Obstacles<'a> {
     analytic: &'a [Obstacle<AnalyticShape>],
     #[cfg(feature = "rigids")]
     rigids: &'a Rigids,
 }
 
-/// Moves particles out of colliders and rigids, after motion and before ageing; their positions of one step earlier
-/// (`px`, `py`, `pz`) are still those of the step's start. Never allocates. `dt` in seconds; `radii.radius(..)` gives
-/// the collision radius in metres.
+/// Moves particles out of colliders and rigids. Call it after motion and before ageing, while `px`, `py` and `pz` still
+/// hold the positions at the start of the step. `dt` is in seconds; `radii.radius(..)` is the collision radius (m).
+/// Never allocates.
 pub fn resolve(
     particles: &mut Particles,
     radii: &RadiusLaw,
@@ -80,7 +80,7 @@ pub fn resolve(
     survey::for_each_near(particles, radii, look, |particles, i, location| {
         let swept_particle = SweptParticle::new(particles, i, radii, location);
         if !obstacles.find_near(&swept_particle, &mut scratch.near) {
-            // Colliders come in their order, rigids do not.
+            // Colliders are found in their order, rigids are not.
             #[cfg(feature = "rigids")]
             scratch.near.sort_unstable();
             resolve_one(particles, i, radii, &obstacles, dt, &scratch.near);
@@ -112,8 +112,9 @@ fn resolve_one(particles: &mut Particles, i: usize, radii: &RadiusLaw, obstacles
     }
 }
 
-/// Particle `i` on its way through the step that has just been made. Its age is that of the step's start, below 0 if it
-/// was born in the step; its radius is the larger of now and after ageing, so that growth does not put it into a wall.
+/// The path of particle `i` over the step just made. Its age is the age at the start of the step, below 0 if it was
+/// born within the step. Its radius is the larger of the radius now and after ageing, so that growth does not put it
+/// into a wall.
 fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Traveller {
     let (from, to) = swept_particle::way(particles, i);
     let (size, age, lifetime) = (particles.size[i], particles.age[i], particles.lifetime[i]);
@@ -123,7 +124,7 @@ fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Tra
         radii.radius(size, age, lifetime),
         radii.radius(size, age + dt, lifetime),
     );
-    // What it has lost it may keep as distance, so that its reach stays that of a full one.
+    // The radius that a particle has lost may become distance, which keeps its reach that of a full one.
     let full = radii.undiminished(size, greater(age, 0.0));
     Traveller {
         from,
@@ -135,7 +136,7 @@ fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Tra
     }
 }
 
-/// The particle's own number, 0..1.
+/// The seed byte of a particle, scaled to 0..1.
 fn seed_share(attributes: u32) -> f32 {
     (attributes >> 8 & 0xff) as f32 / MAX_SEED
 }
@@ -149,7 +150,7 @@ impl Obstacles<'_> {
         self.analytic.is_empty()
     }
 
-    /// What four particles see around them.
+    /// Finds which of four particles may be near an obstacle.
     #[inline]
     fn look(&self, swept_boxes: &SweptBoxes) -> NearLanes {
         let lanes = self
@@ -170,7 +171,8 @@ impl Obstacles<'_> {
         }
     }
 
-    /// Writes the numbers of the obstacles whose boxes the particle's box touches. True when the particle certainly misses them all.
+    /// Writes the indices of the obstacles whose boxes the particle's box touches. Returns true if the particle
+    /// certainly misses them all.
     #[inline]
     fn find_near(&self, swept_particle: &SweptParticle, near: &mut Vec<u32>) -> bool {
         near.clear();
@@ -188,7 +190,7 @@ impl Obstacles<'_> {
         misses
     }
 
-    /// True when the traveller touched any of `near`.
+    /// Returns true if the traveller touched any of `near`.
     fn meet(&self, traveller: &mut Traveller, near: &[u32]) -> bool {
         let mut touched = false;
         for pass in PASSES {
@@ -205,7 +207,7 @@ impl Obstacles<'_> {
         touched
     }
 
-    /// Kills or tints particle `i` if it touches an obstacle that does so on its way, which bounces have bent.
+    /// Kills or tints particle `i` if its path, bent by bounces, touches an obstacle that does so.
     fn sense(&self, particles: &mut Particles, i: usize, traveller: &Traveller, near: &[u32]) {
         for &index in near {
             let index = index as usize;
@@ -215,7 +217,7 @@ impl Obstacles<'_> {
             }
             match action {
                 Action::Tint(tint) => set_tint(&mut particles.attributes[i], tint),
-                // Ageing buries what has lived its time.
+                // Ageing removes particles past their lifetime.
                 _ => particles.age[i] = particles.lifetime[i],
             }
         }

@@ -1,5 +1,5 @@
-//! What only measurements need, by the feature `bench`: a step in its parts, and the answers that Rapier itself gives
-//! about the same particles and rigids.
+//! Measurements, by the feature `bench`: the parts of a step, and Rapier's own answers about the same particles and
+//! rigids.
 
 use crate::math::bounds::Bounds;
 use crate::math::vector::Vector;
@@ -9,13 +9,13 @@ use crate::simulator::Simulator;
 pub use crate::simulator::StepPart;
 
 impl Simulator {
-    /// As [`Simulator::step`]; calls `ended` at the end of each part.
+    /// Same as [`Simulator::step`]. Calls `ended` at the end of each part.
     pub fn step_observed(&mut self, ended: impl FnMut(StepPart)) {
         self.step_observed_by(ended);
     }
 
-    /// Writes the numbers of the living particles whose own box touches the box that a rigid swept in the last step:
-    /// any cells that hold all that may touch hold at least these.
+    /// Writes the indices of the living particles whose box touches the box that a rigid swept in the last step. Any
+    /// correct broad phase finds at least these.
     pub fn find_in_touched_boxes(&self, found: &mut Vec<u32>) {
         found.clear();
         let puff_size = RadiusLaw::new(&self.parameters).puff_size;
@@ -28,8 +28,8 @@ impl Simulator {
         }
     }
 
-    /// Asks Rapier's query pipeline for the point of any rigid nearest to each of `asked` and writes the signed
-    /// distance (m); for points farther than `limit` (m) that limit.
+    /// Writes the signed distance (m) from each particle in `asked` to the nearest point of any rigid, by Rapier's
+    /// query pipeline. Distances are cut off at `limit` (m).
     pub fn project(&self, asked: &[u32], limit: f32, distances: &mut Vec<f32>) {
         distances.clear();
         let points = asked.iter().map(|index| self.centre(*index));

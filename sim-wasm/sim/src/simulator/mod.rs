@@ -1,9 +1,8 @@
-//! One simulation: parameters, particles, rigids and random numbers, and the order of a step.
+//! One simulation: its state, and the order of a step.
 //!
-//! A step is 1/60 s, always. Same seed, same parameters and inputs at the same steps: the same state to the last bit,
-//! natively and in WASM. All memory is taken at creation, that of vortex particles when the first shedder is described,
-//! and that of held columns when `style.hold` is first more than 1;
-//! `step` and `arrange` take none.
+//! A step is 1/60 s. Equal seeds, parameters and inputs at the same steps give the same state to the last bit, natively
+//! and in WASM. Memory is allocated on creation; vortex particles allocate when the first shedder is set, held columns
+//! when `style.hold` first exceeds 1. `step` and `arrange` never allocate.
 
 pub mod collisions;
 #[cfg(feature = "bench")]
@@ -42,22 +41,22 @@ use crate::simulator::collisions::Scratch;
 use crate::simulator::take::active_inputs::ActiveInputs;
 use crate::simulator::take::recorder::Recorder;
 
-/// What a step consists of, in order.
+/// The parts of a step, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StepPart {
-    /// Rapier's step.
+    /// The step of Rapier.
     World,
-    /// The rigids' ways from pose to pose made ready for particles.
+    /// Preparation of the rigids' motions for particles.
     Follow,
     /// Births and motion.
     Motion,
-    /// Particles out of colliders and rigids.
+    /// Collisions.
     Collision,
-    /// Ageing, and what changes without particles.
+    /// Ageing, and all state that is not particles.
     Rest,
 }
 
-/// A simulation. See the head of this file.
+/// A simulation. See the module documentation.
 pub struct Simulator {
     pub(crate) parameters: Parameters,
     pub(crate) seed: u32,
@@ -70,7 +69,7 @@ pub struct Simulator {
     #[cfg(feature = "rigids")]
     pub(crate) rigids: Rigids,
     parts: Parts,
-    /// None as long as there never was a shedder.
+    /// None until the first shedder is set.
     pub(crate) vortex_particles: Option<Box<VortexParticles>>,
     pub(crate) active_inputs: ActiveInputs,
     pub(crate) recorder: Recorder,
@@ -79,8 +78,8 @@ pub struct Simulator {
 }
 
 impl Simulator {
-    /// An empty simulation with room for `capacity` particles, 1..=[`CAPACITY_LIMIT`]; `seed` starts the random
-    /// numbers and chooses the pattern of turbulence.
+    /// Creates an empty simulation. `capacity` is the maximum number of particles, 1..=[`CAPACITY_LIMIT`]. `seed`
+    /// starts the random numbers and selects the pattern of turbulence.
     pub fn new(capacity: u32, seed: u32) -> Result<Self, ParameterError> {
         let room = check_capacity(capacity)?;
         Ok(Self {
@@ -103,12 +102,13 @@ impl Simulator {
         })
     }
 
-    /// Sets the parameter `key`. What is unknown, not finite or out of range is refused, and nothing is changed.
+    /// Sets the parameter `key`. An unknown key, or a value that is not finite or out of range, is an error and changes
+    /// nothing.
     pub fn set(&mut self, key: &str, value: f64) -> Result<(), ParameterError> {
         self.set_all(&[(key, value)])
     }
 
-    /// Sets all `entries`, or none of them where one is refused.
+    /// Sets all `entries`, or none of them if one is invalid.
     pub fn set_all(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
         let before = self.integrator();
         self.parameters.set_all(entries)?;
@@ -123,29 +123,28 @@ impl Simulator {
         Ok(())
     }
 
-    /// The parameters as they are.
+    /// The current parameters.
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
     }
 
-    /// Adds one particle that no emitter made. False when the simulator is full.
+    /// Adds a particle without an emitter. Returns false if the simulator is full.
     pub fn add(&mut self, newborn: &Newborn) -> bool {
         self.particles.push(newborn)
     }
 
-    /// Takes up the surface of a mesh, from which emitters of shape 8 can smoke, and returns its number: see
-    /// [`Surface::new`].
+    /// Adds the surface of a mesh for emitters of shape 8 and returns its index. See [`Surface::new`].
     ///
     /// # Errors
-    /// When the mesh is none, by the name of what is wrong with it, or there are 16 surfaces already.
+    /// The mesh is invalid, or there are 16 surfaces already.
     pub fn add_surface(&mut self, vertices: &[f32], indices: &[u32]) -> Result<u32, ParameterError> {
         self.surfaces.add(Surface::new(vertices, indices)?)
     }
 
-    /// Says where the parts of the scene are in the coming step: see [`Parts::place`].
+    /// Sets the poses of the scene's parts for the coming step. See [`Parts::place`].
     ///
     /// # Errors
-    /// By the name of the number that is out of range; the poses given before stay.
+    /// A number is out of range; the previous poses stay.
     pub fn place_parts(&mut self, numbers: &[f32]) -> Result<(), ParameterError> {
         self.parts.place(numbers)
     }
@@ -155,7 +154,7 @@ impl Simulator {
         self.step_observed_by(|_| ());
     }
 
-    /// As `step`; calls `ended` at the end of each part, so that a measurement can tell what it took.
+    /// Same as `step`. Calls `ended` at the end of each part, for measurements.
     pub(crate) fn step_observed_by(&mut self, mut ended: impl FnMut(StepPart)) {
         #[cfg(feature = "rigids")]
         {
@@ -182,7 +181,7 @@ impl Simulator {
             ended(StepPart::Collision);
             life::advance(&mut self.particles, &ageing);
         } else {
-            // Nothing comes between moving and ageing: one pass over the memory instead of two.
+            // No collision separates motion from ageing: one pass over the memory instead of two.
             motion.advance(&mut self.particles, vortex_particles, &mut |particles, first, len| {
                 life::advance_tile(particles, &ageing, first, len);
             });
@@ -199,32 +198,32 @@ impl Simulator {
         ended(StepPart::Rest);
     }
 
-    /// Writes the rows that the numbers of `view` ask for (see [`View`]) and returns how many there are. Refuses a
-    /// malformed view by name; the rows are then those of the last call.
+    /// Writes the rows of `view` (see [`View`]) and returns their number. A malformed view is an error and leaves the
+    /// rows of the last call.
     pub fn arrange(&mut self, view: &[f32]) -> Result<usize, ParameterError> {
         let view = View::new(view)?;
         let radii = RadiusLaw::new(&self.parameters);
         let sampler = RowSampler {
             radii,
-            // What is held does not go on between steps.
+            // Held particles do not move between steps.
             blend: if self.particles.held.is_some() { 1.0 } else { view.blend },
             dt: STEP as f32,
         };
         Ok(self.arranger.arrange(&self.particles, &view, &sampler))
     }
 
-    /// Rows of x, y, z and radius (m); valid up to the count of the last `arrange`.
+    /// Rows of x, y, z and radius (m). Valid up to the count of the last `arrange`.
     pub fn place(&self) -> &[[f32; 4]] {
         self.arranger.place()
     }
 
-    /// Rows of packed words, see `rows`; valid up to the count of the last `arrange`.
+    /// Rows of packed attributes, see `rows`. Valid up to the count of the last `arrange`.
     pub fn attributes(&self) -> &[[u32; 2]] {
         self.arranger.attributes()
     }
 
-    /// Least and greatest corner (m) around all that lived at the moment of the last `arrange`, radii included, and the
-    /// greatest radius; zeros where nothing did.
+    /// Minimum corner and maximum corner (m) of all particles at the last `arrange`, radii included, then the largest
+    /// radius. Zeros if no particle is visible.
     pub fn bounds(&self) -> &[f32; 7] {
         self.arranger.bounds()
     }
@@ -239,27 +238,27 @@ impl Simulator {
         self.arranger.coverage_depths()
     }
 
-    /// How many particles live.
+    /// Number of living particles.
     pub fn alive(&self) -> usize {
         self.particles.alive()
     }
 
-    /// How many particles can live at once.
+    /// Maximum number of living particles.
     pub fn capacity(&self) -> usize {
         self.particles.capacity()
     }
 
-    /// How many births wait for room.
+    /// Number of births that wait for capacity.
     pub fn waiting(&self) -> u64 {
         self.births.waiting()
     }
 
-    /// How many steps were made.
+    /// Number of steps made.
     pub fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// What started the random numbers.
+    /// The seed of the random numbers.
     pub fn seed(&self) -> u32 {
         self.seed
     }
@@ -269,23 +268,23 @@ impl Simulator {
         &self.particles
     }
 
-    /// Velocity of the air (m/s) at a place (m) in the middle of the coming step.
+    /// Air velocity (m/s) at `place` (m) in the middle of the coming step.
     pub fn air_velocity(&self, place: [f32; 3]) -> [f32; 3] {
         self.motion().air_velocity(place, self.vortex_particles.as_deref())
     }
 
-    /// Adds a vortex particle that no shedder made; when there are too many, the first goes. False, and nothing
-    /// changed, when it is not sound.
+    /// Adds a vortex particle without a shedder. Beyond the limit the oldest is removed. Returns false and changes
+    /// nothing if `particle` is invalid.
     pub fn add_vortex_particle(&mut self, particle: &VortexParticle) -> bool {
         self.vortex_particles_mut().add(particle)
     }
 
-    /// How many vortex particles there are.
+    /// Number of vortex particles.
     pub fn vortex_particles(&self) -> usize {
         self.vortex_particles.as_ref().map_or(0, |all| all.count())
     }
 
-    /// Vortex particle number `index`, in the order in which they were shed.
+    /// Vortex particle `index`, in the order of shedding.
     pub fn vortex_particle(&self, index: usize) -> Option<VortexParticle> {
         self.vortex_particles.as_ref()?.get(index)
     }
@@ -296,14 +295,14 @@ impl Simulator {
         &self.rigids
     }
 
-    /// The rigids, to add to them and to move them.
+    /// Mutable access to the rigids.
     #[cfg(feature = "rigids")]
     pub fn rigids_mut(&mut self) -> &mut Rigids {
         &mut self.rigids
     }
 
-    /// The state's fingerprint: every living particle, the rigids, what emitters and turbulence remember, vortex particles,
-    /// the random numbers and the count of steps. Parameters are inputs and not part of it.
+    /// Hash of the state: living particles, rigids, emitters, turbulence, vortex particles, random numbers and the step
+    /// count. Parameters are inputs and not part of it.
     pub fn hash(&self) -> u64 {
         let mut hash = Hash::new();
         hash.long(self.steps);
@@ -333,15 +332,15 @@ impl Simulator {
         hash.finish()
     }
 
-    /// Changes how many particles can live at once. All that live are carried over; where they do not fit, those go
-    /// that are nearest to their death.
+    /// Changes the maximum number of particles. Living particles are kept; if they exceed the new capacity, those
+    /// nearest to their death are removed.
     pub fn resize(&mut self, capacity: u32) -> Result<(), ParameterError> {
         let room = check_capacity(capacity)?;
         self.put_particles(self.particles.resized(room));
         Ok(())
     }
 
-    /// Goes on with other particles, and with what their capacity needs.
+    /// Replaces the particles, and the buffers if the capacity differs.
     pub(crate) fn put_particles(&mut self, particles: Particles) {
         let room = particles.capacity();
         if room != self.capacity() {
@@ -374,7 +373,7 @@ impl Simulator {
         }
     }
 
-    /// Whether there is anything that particles may meet.
+    /// Returns true if particles can meet any obstacle.
     fn has_obstacles(&self) -> bool {
         #[cfg(feature = "rigids")]
         if self.rigids.count() > 0 {

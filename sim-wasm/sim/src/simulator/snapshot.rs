@@ -1,8 +1,7 @@
-//! A simulation as bytes.
+//! Saving and restoring a simulation.
 //!
-//! An envelope (kind, version, checksum) around sections, each with its name and its length. What a part of the state
-//! writes and reads stands in its [`SnapshotSection`]; a further part is one row of `sections!`. Another version is refused
-//! rather than guessed at.
+//! The format is an envelope (kind, version, checksum) around named sections with their lengths. Each part of the state
+//! implements [`SnapshotSection`] and has a row in `sections!`. Only the current version can be read.
 
 use crate::emission::Births;
 use crate::emission::surface::Surfaces;
@@ -22,7 +21,7 @@ const KIND: &[u8; 4] = b"smok";
 const VERSION: u32 = 4;
 const NAME: &str = "saved simulation";
 
-/// Declares what is saved besides particles and rigids: the section's name, and the simulator's field.
+/// Declares the saved sections besides particles and rigids: section name, field of the simulator, type.
 macro_rules! sections {
     ($($name:literal => $field:ident: $type:ty,)*) => {
         struct SavedState {
@@ -57,24 +56,23 @@ sections! {
     b"surf" => surfaces: Surfaces,
 }
 
-/// Whose capacity a restored simulator has.
+/// Selects the capacity of a restored simulator.
 #[derive(Clone, Copy, PartialEq)]
 pub enum RestoredCapacity {
-    /// Its own; what was saved must fit.
+    /// The simulator keeps its capacity; the saved particles must fit.
     Own,
-    /// That of the saved one.
+    /// The simulator takes over the saved capacity.
     Saved,
 }
 
 impl Simulator {
-    /// Everything, parameters included, as bytes that `restore` takes: see `snapshot`.
+    /// Serialises the state and the parameters. See `snapshot`.
     pub fn save(&self) -> Vec<u8> {
         save(self)
     }
 
-    /// Goes on from bytes that `save` made, whatever the seed and the capacity of this simulator, as long as all that
-    /// lives finds room. Bytes that are damaged or do not fit are refused, and nothing is changed. A take that is being
-    /// recorded begins anew.
+    /// Restores bytes from `save`, independent of the current seed. The living particles must fit the current capacity.
+    /// Damaged bytes are an error and change nothing. A recorded take starts anew.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
         restore(self, bytes, RestoredCapacity::Own)?;
         self.begin_take_anew();
@@ -82,7 +80,7 @@ impl Simulator {
     }
 }
 
-/// All of `simulator` as bytes.
+/// Serialises `simulator`.
 pub fn save(simulator: &Simulator) -> Vec<u8> {
     let mut body = Writer::default();
     write_sections(simulator, &mut body);
@@ -92,7 +90,7 @@ pub fn save(simulator: &Simulator) -> Vec<u8> {
     body.seal(KIND, VERSION)
 }
 
-/// Puts what `bytes` hold into `simulator`, or refuses them and changes nothing.
+/// Restores `bytes` into `simulator`. On error nothing changes.
 pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: RestoredCapacity) -> Result<(), RestoreError> {
     let (mut reader, _) = Reader::open(bytes, KIND, [VERSION; 2], NAME)?;
     let saved_state = SavedState::read(&mut reader)?;
@@ -105,7 +103,7 @@ pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: RestoredCapacity) 
     };
     let particles = reader.section(b"part", |reader| read_particles(reader, capacity))?;
     reader.end()?;
-    // Everything has been checked but the rigids; they come first, since nothing may fail after the first change.
+    // Rigids are restored first: they are the last step that can fail.
     restore_rigids(simulator, rigids, saved_state.steps)?;
     saved_state.put_into(simulator);
     simulator.put_particles(particles);

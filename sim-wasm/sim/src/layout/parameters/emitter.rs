@@ -1,9 +1,9 @@
-//! What is to be said about an emitter.
+//! Parameters of `emitters.#`.
 
 use crate::layout::parameters::field::{DIRECTION, Field, PLACE, SHARE, number, vector};
 use crate::layout::parameters::item::{Item, Scope, WHEN_AND_ON_WHAT};
 
-/// Most surfaces of one simulator.
+/// Maximum number of surfaces.
 pub const MAX_SURFACES: usize = 16;
 
 /// `emitters.#.*`.

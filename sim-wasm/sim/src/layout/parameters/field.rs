@@ -1,28 +1,28 @@
-//! What the table says about one parameter, and where the value stands.
+//! Description of a parameter, and access to its value.
 
-/// What there is to say about a parameter.
+/// Description of a parameter.
 #[derive(Clone, Copy, Debug)]
 pub struct Meta {
-    /// The key behind the section's name, such as `coreRadius`; a vector's three numbers add `.x`, `.y` and `.z`.
+    /// Key after the section's name, such as `coreRadius`. The numbers of a vector add `.x`, `.y` and `.z`.
     pub key: &'static str,
     /// Unit, `1` for plain numbers.
     pub unit: &'static str,
     pub min: f64,
     pub max: f64,
-    /// Default of a number in the first place, of a vector in all three.
+    /// Default value. A single number uses the first element.
     pub default: [f64; 3],
-    /// Only whole numbers.
+    /// Accepts whole numbers only.
     pub whole: bool,
-    /// What a whole number stands for, from 0 on; empty where it is a count. Natively only, as all words.
+    /// Names of the values 0, 1, ...; empty for a count. Native builds only, as all text.
     #[cfg(not(target_family = "wasm"))]
     pub names: &'static [&'static str],
-    /// What a newly added item of a list has instead of its default, which often means that it does nothing.
+    /// Initial value in a newly added item, if the default has no effect.
     #[cfg(not(target_family = "wasm"))]
     pub start: Option<f64>,
-    /// Short name for people.
+    /// Short label of a user interface.
     #[cfg(not(target_family = "wasm"))]
     pub label: &'static str,
-    /// One sentence: what turning it does.
+    /// One sentence on the effect of the parameter.
     #[cfg(not(target_family = "wasm"))]
     pub text: &'static str,
 }
@@ -38,7 +38,7 @@ enum Accessor<Item> {
     Vector(fn(&mut Item) -> &mut [f64; 3]),
 }
 
-/// Names of the numbers of a vector.
+/// Key suffixes of the numbers of a vector.
 const PARTS: [&str; 3] = [".x", ".y", ".z"];
 
 impl<Item> Field<Item> {
@@ -68,13 +68,13 @@ impl<Item> Field<Item> {
         Self { meta, accessor }
     }
 
-    /// Takes whole numbers only.
+    /// Accepts whole numbers only.
     pub const fn whole(mut self) -> Self {
         self.meta.whole = true;
         self
     }
 
-    /// Takes the numbers 0, 1, ... of these names; its range must say so too.
+    /// Names the values 0, 1, ...; the range must match.
     #[cfg_attr(
         target_family = "wasm",
         allow(unused_variables, reason = "words stay out of the module")
@@ -88,7 +88,7 @@ impl<Item> Field<Item> {
         self
     }
 
-    /// What a page gives an item that somebody adds, where the default would do nothing.
+    /// Sets the initial value in a newly added item.
     #[cfg_attr(
         target_family = "wasm",
         allow(unused_variables, unused_mut, reason = "pages know it from the table")
@@ -101,7 +101,7 @@ impl<Item> Field<Item> {
         self
     }
 
-    /// What people read about it.
+    /// Sets the label and the sentence of a user interface.
     #[cfg_attr(
         target_family = "wasm",
         allow(unused_variables, unused_mut, reason = "words stay out of the module")
@@ -115,7 +115,7 @@ impl<Item> Field<Item> {
         self
     }
 
-    /// How many numbers it has, and the end of the key of each.
+    /// Key suffix of each number.
     pub fn parts(&self) -> &'static [&'static str] {
         match self.accessor {
             Accessor::Number(_) => &[""],
@@ -123,7 +123,7 @@ impl<Item> Field<Item> {
         }
     }
 
-    /// The number `part` of it.
+    /// Mutable access to number `part`.
     pub fn value<'i>(&self, item: &'i mut Item, part: usize) -> &'i mut f64 {
         match self.accessor {
             Accessor::Number(of) => of(item),
@@ -132,7 +132,7 @@ impl<Item> Field<Item> {
     }
 }
 
-/// A parameter that is one number.
+/// A parameter of one number.
 pub const fn number<Item>(
     key: &'static str,
     unit: &'static str,
@@ -143,7 +143,7 @@ pub const fn number<Item>(
     Field::new(key, unit, range, [default; 3], Accessor::Number(of))
 }
 
-/// A parameter that is three numbers of the same range.
+/// A parameter of three numbers with the same range.
 pub const fn vector<Item>(
     key: &'static str,
     unit: &'static str,
@@ -154,11 +154,11 @@ pub const fn vector<Item>(
     Field::new(key, unit, range, default, Accessor::Vector(of))
 }
 
-/// Any place in the world (m).
+/// Range of a world position (m).
 pub const PLACE: [f64; 2] = [-1000.0, 1000.0];
-/// A part of a direction, whose length does not matter.
+/// Range of a component of a direction of any length.
 pub const DIRECTION: [f64; 2] = [-1.0, 1.0];
-/// A length that must not be 0 (m).
+/// Range of a length above 0 (m).
 pub const LENGTH: [f64; 2] = [0.001, 1000.0];
-/// A share of a whole.
+/// Range of a share.
 pub const SHARE: [f64; 2] = [0.0, 1.0];

@@ -1,45 +1,45 @@
-//! Groups of parameters, lists of them, and the scope that many of them share.
+//! Groups of parameters, lists of groups, and the scope that many groups share.
 
 use crate::layout::parameters::field::{Field, LENGTH, Meta, PLACE, number, vector};
 use crate::layout::scope::parts::{FIRST_PART, MAX_PARTS};
 
-/// Most items of each list.
+/// Maximum number of items per list.
 pub const LIST_LIMIT: usize = 8;
 
-/// Neither rigid nor part: what is attached to it stands still in the world.
+/// Attached to neither rigid nor part: fixed in world space.
 pub const WORLD: f64 = -1.0;
 
-/// The parameters of a scope but for its region, for what acts at places of its own.
+/// The parameters of a scope without its region.
 pub const WHEN_AND_ON_WHAT: &[Field<Scope>] = Scope::FIELDS.split_at(REGION_FIELDS).1;
 
-/// How many parameters of a scope tell its region; they come first.
+/// Number of parameters of the region, which come first in a scope.
 const REGION_FIELDS: usize = 4;
 
-/// The number of the last part.
+/// Number of the last part.
 const LAST_PART: f64 = (FIRST_PART + MAX_PARTS - 1) as f64;
 
-/// A group of parameters with a place in the table.
+/// A group of parameters in the table.
 pub trait Item: Copy + Default + 'static {
-    /// Its parameters in their order.
+    /// The parameters in order.
     const FIELDS: &'static [Field<Self>];
 
-    /// What people call one item of its list.
+    /// Label of one item of a list.
     const LABEL: &'static str = "";
 
-    /// What a page gives an item that somebody adds, of the scope's parameters: keys as in the scope, and values.
+    /// Initial values of scope parameters in a newly added item, by key.
     const STARTS: &'static [(&'static str, f64)] = &[];
 
-    /// The parameters of a scope that apply to it, if it has one; they follow its own.
+    /// The parameters of its scope, if any. They follow its own.
     const SCOPE: &'static [Field<Scope>] = Scope::FIELDS;
 
-    /// Where, when and on what it acts, if that can be chosen.
+    /// The scope, if it has one.
     fn scope(&mut self) -> Option<&mut Scope> {
         None
     }
 }
 
-/// An item with the defaults of the table.
-// A call of its own, or every list would have its copy of how a scope is made.
+/// Creates an item with the default values of the table.
+// Not inlined: every list would hold a copy of the construction of a scope.
 #[inline(never)]
 pub fn item<I: Item>() -> I {
     let mut item = I::default();
@@ -54,7 +54,7 @@ pub fn item<I: Item>() -> I {
     item
 }
 
-/// Items `0..len` exist.
+/// A list of which items `0..len` exist.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct List<I> {
     items: [I; LIST_LIMIT],
@@ -71,23 +71,23 @@ impl<I: Item> Default for List<I> {
 }
 
 impl<I> List<I> {
-    /// The items that exist.
+    /// The existing items.
     pub fn items(&self) -> &[I] {
         &self.items[..self.len]
     }
 
-    /// Makes items `0..len` exist; a list never becomes shorter.
+    /// Extends the list to `len` items. A list never becomes shorter.
     pub(super) fn lengthen(&mut self, len: usize) {
         self.len = self.len.max(len);
     }
 
-    /// Item `index`, below [`LIST_LIMIT`], whether or not it exists.
+    /// Item `index`, below [`LIST_LIMIT`], existing or not.
     pub(super) fn item_mut(&mut self, index: usize) -> &mut I {
         &mut self.items[index]
     }
 }
 
-/// A parameter of a section, by its numbers.
+/// Index of a parameter in its section.
 #[derive(Clone, Copy, Debug)]
 pub struct Slot {
     pub field: usize,
@@ -102,7 +102,7 @@ pub(super) fn start<I: Item>(key: &str) -> Option<f64> {
         .map(|(_, value)| *value)
 }
 
-/// The parameters of a scope that `I` has.
+/// Scope parameters of `I`; empty without a scope.
 fn scope_fields<I: Item>() -> &'static [Field<Scope>] {
     if I::default().scope().is_some() { I::SCOPE } else { &[] }
 }

@@ -1,8 +1,8 @@
-//! The parameters that the simulator reads, by the flat keys of the share link.
+//! Parameters of the simulator, by the flat keys of the share link.
 //!
-//! The table is made of sections: what exists once, such as `emission.rate`, and lists, such as `vortices.0.circulation`,
-//! whose items all have the same parameters. A list is as long as the greatest index that was ever set, and empty
-//! before. Values are checked before anything is changed.
+//! The table consists of sections: single groups, such as `emission.rate`, and lists, such as `vortices.0.circulation`.
+//! The items of a list have the same parameters. Setting an item extends the list to its index. Values are checked
+//! before anything changes.
 
 pub mod collider;
 pub mod density_stop;
@@ -22,18 +22,18 @@ use crate::layout::parameters::table::{Section, sections};
 pub use item::LIST_LIMIT;
 pub use table::Parameters;
 
-/// One number of the table; in a list, that of any item.
+/// One number of the table. In a list it stands for all items.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// The key; `#` stands for the index in a list.
     pub key: String,
     pub default: f64,
     pub is_of_list: bool,
-    /// Unit, range and the rest; its key is only the last part of the whole key.
+    /// Unit, range and description. `meta.key` is only the last part of the key.
     pub meta: &'static Meta,
 }
 
-/// A key that was found and a value that its parameter accepts.
+/// A parameter that was found, and a value that it accepts.
 struct Assignment {
     section: &'static dyn Section,
     index: usize,
@@ -42,7 +42,7 @@ struct Assignment {
 }
 
 impl Parameters {
-    /// Sets one parameter. An unknown key, NaN, an infinite value or one out of range is refused by name.
+    /// Sets one parameter. An unknown key, or a value that is not finite or out of range, is an error.
     pub fn set(&mut self, key: &str, value: f64) -> Result<(), ParameterError> {
         let Assignment {
             section,
@@ -55,7 +55,7 @@ impl Parameters {
         Ok(())
     }
 
-    /// Sets all of `entries`, or none of them and tells the first that is refused.
+    /// Sets all `entries`, or none of them and returns the first error.
     pub fn set_all(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
         for (key, value) in entries {
             check(key, *value)?;
@@ -63,7 +63,7 @@ impl Parameters {
         entries.iter().try_for_each(|(key, value)| self.set(key, *value))
     }
 
-    /// Every key that exists now with its value, lists in full: given to `set` one by one, they make these parameters.
+    /// All existing keys with their values. Setting them on defaults reproduces these parameters.
     pub fn entries(&self) -> Vec<(String, f64)> {
         let mut copy = *self;
         let mut entries = Vec::new();
@@ -88,7 +88,7 @@ fn check(key: &str, value: f64) -> Result<Assignment, ParameterError> {
     if meta.whole && libm::floor(value) != value {
         return Err(ParameterError::not_whole(key, value, meta.min, meta.max));
     }
-    // Minus zero equals zero and must do the same: adding zero makes it so.
+    // Minus zero equals zero and must act the same: adding zero normalises it.
     let value = value + 0.0;
     Ok(Assignment {
         section,
@@ -111,8 +111,8 @@ fn find(key: &str) -> Option<(&'static dyn Section, usize, Slot)> {
     })
 }
 
-/// The parameter of `section` whose key behind name and index is `key`.
-// Through what each section tells of itself, and not in each section, or every one would have its copy of the search.
+/// Finds the parameter of `section` by its key after name and index.
+// Works on `dyn Section`: a generic search would be compiled once per section.
 fn slot_named(section: &dyn Section, key: &str) -> Option<Slot> {
     fields(section).enumerate().find_map(|(field, (meta, ends))| {
         let end = key.strip_prefix(meta.key)?;
@@ -121,12 +121,12 @@ fn slot_named(section: &dyn Section, key: &str) -> Option<Slot> {
     })
 }
 
-/// What there is to say about each parameter of `section`, and the ends of its keys.
+/// Descriptions and key suffixes of all parameters of `section`.
 fn fields(section: &dyn Section) -> impl Iterator<Item = (&'static Meta, &'static [&'static str])> {
     (0..).map_while(|field| section.meta(field))
 }
 
-/// One digit, below the limit of lists.
+/// Parses one digit below [`LIST_LIMIT`].
 fn index(text: &str) -> Option<usize> {
     let [digit] = text.as_bytes() else {
         return None;
@@ -155,7 +155,7 @@ fn key_of(section: &dyn Section, index: &str, meta: &Meta, end: &str) -> String 
     key
 }
 
-/// Every number of the table in its order.
+/// All numbers of the table in order.
 pub fn rows() -> Vec<Row> {
     let mut rows = Vec::new();
     for section in sections() {
@@ -171,8 +171,7 @@ pub fn rows() -> Vec<Row> {
     rows
 }
 
-/// The lists as JSON, for pages that let people fill them: the name and the label of each list, and of each of its
-/// parameters everything that `Meta` holds. One parameter a line.
+/// The lists as JSON: name and label of each list, and the [`Meta`] of each parameter, one per line.
 #[cfg(not(target_family = "wasm"))]
 pub fn lists_as_json() -> String {
     let lists: Vec<String> = sections()
@@ -215,7 +214,7 @@ fn field_as_json(section: &dyn Section, meta: &Meta, ends: &[&str]) -> String {
     )
 }
 
-/// The table as text, one line a key: `key min max default whole|real unit`, for comparison with other tables.
+/// The table as text with one line per key: `key min max default whole|real unit`.
 pub fn describe() -> String {
     let line = |row: Row| {
         let Meta {

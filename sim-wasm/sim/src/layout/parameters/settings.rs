@@ -5,7 +5,7 @@ use crate::layout::parameters::item::Item;
 
 const MULTIPLIER: [f64; 2] = [0.0, 10.0];
 
-/// `emission.*`: what holds for all emitters.
+/// `emission.*`: settings of all emitters.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Emission {
     pub rate: f64,
@@ -39,7 +39,7 @@ impl Item for Puff {
     ];
 }
 
-/// `forces.*`: multipliers on all forces of a kind, and the wind that blows everywhere.
+/// `forces.*`: multipliers of each kind of force, and the global wind.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Multipliers {
     pub gravity: f64,
@@ -91,7 +91,7 @@ impl Item for UniformBuoyancy {
     ];
 }
 
-/// `style.*`: what of the style bears on rows.
+/// `style.*`: the style settings that affect rows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Style {
     pub hold: f64,
@@ -115,7 +115,7 @@ impl Item for SimulationSettings {
         ];
 }
 
-/// `wind.*`: how the wind of `forces.wind.*` changes with height and time.
+/// `wind.*`: variation of `forces.wind.*` with height and time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Weather {
     pub gusts: f64,
@@ -139,7 +139,7 @@ impl Item for Weather {
     ];
 }
 
-/// `turbulence.*`: the swirls that are everywhere.
+/// `turbulence.*`: the global turbulence.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pattern {
     pub speed: f64,
@@ -157,7 +157,7 @@ impl Item for Pattern {
     ];
 }
 
-/// `drag.*`: the drag that acts everywhere.
+/// `drag.*`: the global drag.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Resistance {
     pub rate: f64,
@@ -171,17 +171,17 @@ impl Item for Resistance {
     ];
 }
 
-/// The rule by which particles move.
+/// The integrator of particle motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Integrator {
-    /// The air's velocity by the midpoint rule plus slip in closed form.
+    /// Air velocity by the midpoint rule, slip in closed form.
     AirAndSlip,
     /// Forward Euler on one inertial velocity, as published.
     Paper,
 }
 
 impl Integrator {
-    /// The rule that `simulation.integrator` names: 0 air and slip, 1 paper.
+    /// The value of `simulation.integrator`: 0 air and slip, 1 paper.
     pub fn from_parameter(value: f64) -> Self {
         if value == 1.0 { Self::Paper } else { Self::AirAndSlip }
     }

@@ -1,4 +1,4 @@
-//! The sections of the table in their order. The forces' lists stand in `forces`, a row each.
+//! The sections of the table in order.
 
 use crate::layout::parameters::collider::ColliderParameters;
 use crate::layout::parameters::density_stop::Stop;
@@ -17,31 +17,31 @@ use crate::layout::parameters::shedder::Shedder;
 #[cfg(not(target_family = "wasm"))]
 use crate::layout::parameters::item::start;
 
-/// A section, whatever its items are.
+/// A section with items of any type.
 pub trait Section: Sync {
-    /// What its keys begin with.
+    /// First part of its keys.
     fn name(&self) -> &'static str;
 
-    /// Whether its keys have an index behind the name.
+    /// Returns true if an index follows the name in its keys.
     fn is_list(&self) -> bool;
 
-    /// What people call one of its items.
+    /// Label of one item.
     fn label(&self) -> &'static str;
 
-    /// What a page gives an item that somebody adds, where the parameter of this key says nothing itself.
+    /// Initial value of a parameter in a newly added item, unless the parameter has its own.
     #[cfg(not(target_family = "wasm"))]
     fn start(&self, key: &str) -> Option<f64>;
 
-    /// How many items exist: 1 where it is no list.
+    /// Number of existing items; 1 for a single group.
     fn len(&self, parameters: &Parameters) -> usize;
 
-    /// Makes items `0..len` exist, and those beyond too that exist already.
+    /// Extends the list to `len` items.
     fn lengthen(&self, parameters: &mut Parameters, len: usize);
 
-    /// What there is to say about parameter number `field`, and the ends of its keys; none beyond the last.
+    /// Description and key suffixes of parameter `field`; none beyond the last.
     fn meta(&self, field: usize) -> Option<(&'static Meta, &'static [&'static str])>;
 
-    /// The value in item `index`.
+    /// Mutable access to the value in item `index`.
     fn value<'p>(&self, parameters: &'p mut Parameters, index: usize, slot: Slot) -> &'p mut f64;
 }
 
@@ -126,7 +126,7 @@ impl<I: Item> Section for Many<I> {
     }
 }
 
-/// Every parameter, in the units of the table. All values are within their ranges, always.
+/// All parameters, in the units of the table and within their ranges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
     pub emission: Emission,
@@ -148,7 +148,7 @@ pub struct Parameters {
 }
 
 impl Default for Parameters {
-    /// The defaults of the table, all lists empty.
+    /// The defaults of the table, with empty lists.
     fn default() -> Self {
         Self {
             emission: item(),

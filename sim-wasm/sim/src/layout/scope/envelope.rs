@@ -1,15 +1,14 @@
-//! Envelopes: when something is switched on.
+//! Envelopes: the level of an effect over time.
 //!
-//! On from `start` for `duration` (for ever where that is 0), and again every `period` (once where that is 0). Within
-//! `fade` seconds of either end the level rises and falls as 3 s^2 - 2 s^3; where on-times are too short for both, the
-//! two are multiplied.
+//! On from `start` for `duration` (0: for ever), and again every `period` (0: once). Within `fade` seconds of either
+//! end the level follows the smoothstep 3 s^2 - 2 s^3. If the fades overlap, their levels are multiplied.
 
 use crate::layout::parameters::item::Scope;
 
-/// The least time (s) between two starts; a shorter period is taken for this one.
+/// Minimum period (s).
 const MIN_PERIOD: f64 = 0.001;
 
-/// The level at `time` (s), 0..=1.
+/// Level at `time` (s), 0..=1.
 pub fn level(scope: &Scope, time: f64) -> f64 {
     let Some(since) = since_start(scope, time) else {
         return 0.0;
@@ -21,7 +20,7 @@ pub fn level(scope: &Scope, time: f64) -> f64 {
     rise * ramp(scope.duration - since, scope.fade)
 }
 
-/// Seconds since the latest switching on; none before the first.
+/// Seconds since the latest start; none before the first.
 pub fn since_start(scope: &Scope, time: f64) -> Option<f64> {
     let since = time - scope.start;
     if since < 0.0 {
@@ -34,7 +33,7 @@ pub fn since_start(scope: &Scope, time: f64) -> Option<f64> {
     Some(since - libm::floor(since / period) * period)
 }
 
-/// How often it has been switched on by `time` (s).
+/// Number of starts up to `time` (s).
 pub fn starts_until(scope: &Scope, time: f64) -> u64 {
     let since = time - scope.start;
     if since < 0.0 {

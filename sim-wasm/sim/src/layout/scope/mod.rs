@@ -1,4 +1,4 @@
-//! Where, when and on what a force acts: a region of space, an envelope in time, and the rigid or part it rides on.
+//! Scopes: a region of space, an envelope in time, and the rigid or part that an effect is attached to.
 
 pub mod envelope;
 pub mod parts;
@@ -13,22 +13,21 @@ use crate::math::pose::{Frame, Pose};
 use crate::math::simd::Vector4;
 use crate::math::vector::Vector;
 
-/// The moment of a step, and where the rigids and parts are in it.
+/// Time of a step, and the poses of rigids and parts in it.
 #[derive(Clone, Copy, Debug)]
 pub struct StepTime<'r> {
-    /// Simulated seconds at the middle of the step.
+    /// Simulated time at the middle of the step (s).
     pub time: f64,
     /// Length of the step (s).
     pub dt: f64,
-    /// Of each rigid its pose before and after the step, 14 numbers as `rigids::Rigids::poses` has them.
+    /// Poses of all rigids before and after the step, 14 numbers each. See `rigids::Rigids::poses`.
     pub poses: &'r [f32],
-    /// The parts in this step.
+    /// Parts of the scene.
     pub parts: &'r Parts,
 }
 
 impl StepTime<'_> {
-    /// Where the rigid or part that `scope` rides on is at `fraction` of the step; none where it rides on none that
-    /// exists.
+    /// Pose of the rigid or part of `scope` at `fraction` of the step; none if there is no such rigid or part.
     pub fn ride(&self, scope: &Scope, fraction: f32) -> Option<Pose> {
         let rigid = || {
             (scope.rigid >= 0.0)
@@ -39,13 +38,13 @@ impl StepTime<'_> {
         Some(before.towards(&after, fraction))
     }
 
-    /// The frame in which the positions and directions of what has this `scope` are meant, in the middle of the step.
+    /// Coordinate frame of `scope` in the middle of the step.
     pub fn frame(&self, scope: &Scope) -> Frame {
         Frame::new(&self.ride(scope, 0.5).unwrap_or(Pose::at(Vector::ZERO)))
     }
 }
 
-/// A scope made ready for the lanes.
+/// A scope prepared for SIMD lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach {
     level: f32x4,
@@ -53,7 +52,7 @@ pub struct Reach {
 }
 
 impl Reach {
-    /// How `scope` acts in this step; none while it is switched off.
+    /// Prepares `scope` for this step; none while its level is 0.
     pub fn new(scope: &Scope, now: &StepTime) -> Option<Self> {
         let level = envelope::level(scope, now.time);
         (level > 0.0).then(|| Self {
@@ -62,7 +61,7 @@ impl Reach {
         })
     }
 
-    /// Acts fully, at all places and all the time.
+    /// Full strength everywhere and always.
     pub fn everywhere() -> Self {
         Self {
             level: f32x4::ONE,
@@ -70,7 +69,7 @@ impl Reach {
         }
     }
 
-    /// How strongly it acts at each place, 0..=1.
+    /// Writes the strength at each place, 0..=1.
     #[inline(always)]
     pub fn weigh(&self, places: &[Vector4], weights: &mut [f32x4]) {
         self.shape.weigh(places, self.level, weights);

@@ -1,43 +1,42 @@
-//! Parts of a scene that are no rigids, such as a propeller: nothing bumps into them, but emitters, forces and shedders
-//! ride on them.
+//! Parts of a scene, such as a propeller. Particles do not collide with them; emitters, forces and shedders can be
+//! attached to them.
 //!
-//! The caller gives their poses before each step. They hold for that step only and are no state: they are neither saved
-//! nor part of the hash, so a caller that gives the same poses for the same step gets the same step.
+//! The caller sets their poses before each step. Poses hold for that step only: they are inputs, neither saved nor
+//! hashed.
 
 use crate::layout::error::ParameterError;
 use crate::math::pose::Pose;
 #[cfg(feature = "rigids")]
 use crate::math::pose::{Frame, product};
 
-/// The number of the first part where the number of a rigid is expected; rigids have smaller ones.
+/// Number of the first part where a rigid's number is expected. Rigids have smaller numbers.
 pub const FIRST_PART: usize = 4096;
-/// Most parts of a scene.
+/// Maximum number of parts.
 pub const MAX_PARTS: usize = 64;
-/// Numbers of a part at a moment, in [`Parts::place`].
+/// Floats per part in [`Parts::place`].
 pub const PART_FLOATS: usize = 8;
 
-/// Farthest from the origin of the carrier or of the world (m).
+/// Maximum distance from the origin of the carrier or of the world (m).
 const MAX_COORDINATE: f32 = 1e4;
-/// How far the squared length of a quaternion may be from 1.
+/// Tolerance of the squared length of a quaternion.
 const LENGTH_TOLERANCE: f32 = 1e-3;
 
-/// Where the parts are in a step.
+/// Poses of the parts in a step.
 #[derive(Debug, Default)]
 pub struct Parts {
-    /// As [`Parts::place`] takes them.
+    /// The layout of [`Parts::place`].
     numbers: Vec<f32>,
-    /// Between the start and the end of a step: the poses are in the world.
+    /// True between the start and the end of a step: the poses are in world space.
     is_stepping: bool,
 }
 
 impl Parts {
-    /// Gives the poses for the coming step: all parts at its start, then all parts at its end. A part has 8 numbers: the
-    /// rigid that carries it, -1 for none, and its pose, x, y, z (m) and the unit quaternion x, y, z, w. Poses are meant in
-    /// the space of the carrier, or in the world where there is no such rigid. In a step a part turns by less than half a
-    /// turn.
+    /// Sets the poses for the coming step: all parts at its start, then all parts at its end. Each part has 8 numbers:
+    /// the rigid that carries it (-1: none), x, y, z (m) and the unit quaternion x, y, z, w. A pose is relative to the
+    /// carrier, or to the world without one. Within a step a part rotates by less than pi.
     ///
     /// # Errors
-    /// When there are more than 64 parts, or a pose is none; the poses given before stay.
+    /// More than 64 parts, or an invalid pose; the previous poses stay.
     pub fn place(&mut self, numbers: &[f32]) -> Result<(), ParameterError> {
         let (parts, rest) = numbers.as_chunks::<PART_FLOATS>();
         let are_pairs = parts.len() % 2 == 0 && rest.is_empty();
@@ -50,12 +49,12 @@ impl Parts {
         Ok(())
     }
 
-    /// A step begins, in which the parts are where they were placed.
+    /// Starts a step.
     pub(crate) fn begin(&mut self) {
         self.is_stepping = true;
     }
 
-    /// Puts the parts that rigids carry where those take them in the step that has begun.
+    /// Transforms the poses of carried parts to world space.
     ///
     /// # Arguments
     /// * `rigids` - The poses of the rigids before and after the step, as [`ends_of_rigid`] reads them.
@@ -74,16 +73,16 @@ impl Parts {
         }
     }
 
-    /// Forgets the poses at the end of a step: what happens between two steps must not depend on them, because a saved
-    /// state does not have them.
+    /// Clears the poses at the end of a step. A saved state does not hold them, so nothing between steps may depend on
+    /// them.
     pub(crate) fn end(&mut self) {
         self.numbers.clear();
         self.is_stepping = false;
     }
 
-    /// The poses of the part that `number` means, counted from [`FIRST_PART`], at the start and at the end of the step;
-    /// none between steps.
-    // Once in the module, and not in each kernel.
+    /// Poses of part `number`, counted from [`FIRST_PART`], at the start and at the end of the step; none between
+    /// steps.
+    // Not inlined: every kernel would hold a copy.
     #[inline(never)]
     pub(crate) fn ends(&self, number: f64) -> Option<[Pose; 2]> {
         if !self.is_stepping || number < FIRST_PART as f64 {
@@ -97,8 +96,8 @@ impl Parts {
     }
 }
 
-/// The poses of a rigid before and after a step, among those of all rigids, 14 numbers each: x, y, z (m) and the unit
-/// quaternion x, y, z, w, twice.
+/// Poses of a rigid before and after a step. `poses` holds 14 numbers per rigid: x, y, z (m) and the unit quaternion x,
+/// y, z, w, twice.
 pub(crate) fn ends_of_rigid(poses: &[f32], rigid: usize) -> Option<[Pose; 2]> {
     let [before, after] = *poses.as_chunks::<7>().0.get(2 * rigid..2 * rigid + 2)? else {
         return None;
@@ -106,7 +105,7 @@ pub(crate) fn ends_of_rigid(poses: &[f32], rigid: usize) -> Option<[Pose; 2]> {
     Some([Pose::of_numbers(before), Pose::of_numbers(after)])
 }
 
-/// The pose `own`, meant in the space of `carrier`, in the world.
+/// Transforms `own` from the space of `carrier` to world space.
 #[cfg(feature = "rigids")]
 fn carried(carrier: &Pose, own: &Pose) -> Pose {
     Pose {

@@ -1,7 +1,7 @@
-//! Regions: where something acts.
+//! Regions of space.
 //!
-//! Within its shape the weight is 1; outside it falls as 3 s^2 - 2 s^3 of the distance from the shape to 0 at `softness`
-//! metres. Boxes and capsules stand upright in the world, or turn with the rigid that carries them.
+//! The weight is 1 within the shape and falls to 0 over `softness` metres outside, by the smoothstep 3 s^2 - 2 s^3.
+//! Boxes and capsules are upright in the world, or rotate with the rigid that carries them.
 
 use wide::f32x4;
 
@@ -10,10 +10,10 @@ use crate::math::pose::Frame;
 use crate::math::simd::{Vector4, positive_part, smaller};
 use crate::math::vector::Vector;
 
-/// Softer than nothing (m): an edge that is hard all the same.
+/// Minimum softness (m): visually a hard edge.
 const HARD: f64 = 1e-6;
 
-/// The shape of a region, ready for the lanes.
+/// The shape of a region, prepared for SIMD lanes.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
     All,
@@ -22,7 +22,7 @@ pub enum Shape {
     Capsule(Placed),
 }
 
-/// A shape in its own frame.
+/// A shape in its own coordinate frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed {
     origin: Vector4,
@@ -32,7 +32,7 @@ pub struct Placed {
 }
 
 impl Shape {
-    /// The region of `scope`, which stands in `frame`.
+    /// Prepares the region of `scope`, given in `frame`.
     pub fn new(scope: &Scope, frame: &Frame) -> Self {
         let placed = || Placed::new(scope, frame);
         match scope.shape as u32 {
@@ -43,7 +43,7 @@ impl Shape {
         }
     }
 
-    /// `level` times the weight at each place.
+    /// Writes `level` times the weight at each place.
     pub fn weigh(&self, places: &[Vector4], level: f32x4, weights: &mut [f32x4]) {
         match self {
             Self::All => weights.fill(level),

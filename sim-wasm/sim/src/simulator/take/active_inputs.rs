@@ -1,4 +1,4 @@
-//! What is left of inputs in the state: channels that scenes read, and gusts that still blow.
+//! Inputs that still act: channels that scenes read, and gusts.
 
 use crate::layout::blow::Blow;
 use crate::layout::bytes::{Reader, SnapshotSection, Writer};
@@ -7,30 +7,30 @@ use crate::layout::gust::{Gust, MAX_GUSTS};
 use crate::layout::quantise::within;
 use crate::math::hash::Hash;
 
-/// A channel at full deflection.
+/// Value of a channel at full deflection.
 pub const STEER_PARTS: i16 = i16::MAX;
 
-/// How many channels there are.
+/// Number of channels.
 pub const CHANNELS: usize = 8;
 
-/// Channels, gusts, and how much of the log has been done.
+/// Channels, gusts, and the number of log entries already applied.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ActiveInputs {
     channels: [i16; CHANNELS],
     gusts: [Gust; MAX_GUSTS],
     count: usize,
-    /// Inputs of the log that have been done; no part of the hash.
+    /// Number of log entries applied. Not part of the hash.
     pub(super) done: u32,
 }
 
 impl ActiveInputs {
-    /// A channel, -1..=1; 0 for one that does not exist.
+    /// Value of a channel, -1..=1; 0 for an index out of range.
     pub fn control(&self, channel: usize) -> f32 {
         let parts = self.channels.get(channel).copied().unwrap_or(0);
         f32::from(parts) / f32::from(STEER_PARTS)
     }
 
-    /// The gusts that blow.
+    /// The active gusts.
     pub fn gusts(&self) -> &[Gust] {
         &self.gusts[..self.count]
     }
@@ -39,7 +39,7 @@ impl ActiveInputs {
         self.channels[usize::from(channel)] = parts;
     }
 
-    /// Begins a gust; in one step only the last of several is begun.
+    /// Starts a gust. It replaces a gust that was started in the same step.
     pub(super) fn blow(&mut self, blow: Blow) {
         if self.gusts().last().is_some_and(|gust| gust.age == 0) {
             self.count -= 1;
@@ -52,7 +52,7 @@ impl ActiveInputs {
         self.count += 1;
     }
 
-    /// One step is over.
+    /// Advances all gusts by one step.
     pub(crate) fn advance(&mut self) {
         let mut kept = 0;
         for index in 0..self.count {
@@ -66,13 +66,13 @@ impl ActiveInputs {
         self.count = kept;
     }
 
-    /// Nobody has done anything that still acts.
+    /// Returns true if no input still acts.
     pub(super) fn is_nothing(&self) -> bool {
         self.count == 0 && self.channels == [0; CHANNELS]
     }
 
-    /// Adds the gusts that have begun to blow to `hash`; nothing where none has. Channels and a gust of the coming step
-    /// are inputs, as parameters are, and no part of the state.
+    /// Adds the gusts that already act to `hash`. Channels, and a gust that starts in the coming step, are inputs and
+    /// not part of the state.
     pub(crate) fn hash_into(&self, hash: &mut Hash) {
         let mut body = Writer::default();
         for gust in self.gusts().iter().filter(|gust| gust.age > 0) {

@@ -1,4 +1,4 @@
-//! A take as bytes, and everything that is checked before it is believed.
+//! Serialisation of takes, and their validation.
 
 use crate::layout::bytes::{Reader, SnapshotSection, Writer};
 use crate::layout::error::RestoreError;
@@ -11,28 +11,28 @@ use crate::simulator::take::origin::Origin;
 
 const KIND: &[u8; 4] = b"take";
 const VERSION: u32 = 3;
-/// Scenes computed with functions that differ between engines. The bytes mean the same.
+/// Takes of this version come from scenes whose functions differ between engines. The format is the same.
 const INEXACT_VERSION: u32 = 2;
 const NAME: &str = "take";
-/// Longest note (bytes).
+/// Maximum length of the note (bytes).
 pub const MAX_NOTE: usize = 65_536;
-/// No take is longer (steps): more than 500 years.
+/// Maximum length of a take (steps): more than 500 years.
 const MAX_STEPS: u64 = 1 << 40;
 
-/// A take that was read.
+/// A parsed take.
 #[derive(Clone, Debug)]
 pub struct Take {
     pub origin: Origin,
     pub log: Log,
-    /// Steps made at its end, those before the take included.
+    /// Number of steps at its end, including those before the take.
     pub end: u64,
-    /// What the page that recorded it wrote beside it.
+    /// Text that the recording page attached.
     pub note: String,
     version: u32,
 }
 
 impl Take {
-    /// Reads a take and checks all that can be checked without the scene it is meant for.
+    /// Parses a take and validates everything that does not depend on the scene.
     pub fn parse(bytes: &[u8]) -> Result<Self, RestoreError> {
         let (mut reader, version) = Reader::open(bytes, KIND, [INEXACT_VERSION, VERSION], NAME)?;
         let (origin, end) = reader.section(b"from", read_origin)?;
@@ -49,22 +49,22 @@ impl Take {
         })
     }
 
-    /// Whether it begins with the scene as it is set up, and not with a saved state.
+    /// Returns true if the take starts from the scene's initial state instead of a saved one.
     pub fn is_fresh(&self) -> bool {
         self.origin.is_fresh
     }
 
-    /// Whether it ends as it did when it was recorded.
+    /// Returns true if replaying reproduces the recorded end exactly.
     pub fn is_exact(&self) -> bool {
         self.version > INEXACT_VERSION
     }
 
-    /// The most particles that there is ever room for, as far as it says itself: a saved state has its own room.
+    /// Maximum number of particles in the take, as far as it is recorded. A saved state has a capacity of its own.
     pub fn max_particles(&self) -> u32 {
         self.log.max_capacity().unwrap_or(0).max(self.origin.capacity)
     }
 
-    /// The bytes that it was read from.
+    /// The bytes from which the take was parsed.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut body = Writer::default();
         write(&mut body, &self.origin, &self.log, self.end, &self.note);
@@ -154,7 +154,7 @@ fn read_log(reader: &mut Reader, keys: Vec<String>, start: u64, end: u64) -> Res
     })
 }
 
-/// Refuses a parameter that does not exist or does not take the value.
+/// Checks that the parameter exists and accepts the value.
 fn check_set(input: &Input, keys: &[String], scratch: &mut Parameters) -> Result<(), RestoreError> {
     let Input::Set { key, value } = input else {
         return Ok(());

@@ -1,15 +1,15 @@
-//! The records of a log, in an order that deflates well, since takes travel in links: apart by kind, each as the bytes
-//! by which it differs from the one before it, and transposed, so that bytes that hardly ever change stand side by side.
+//! Column-wise serialisation of log records. Takes travel in links, so the order favours deflate: records are grouped
+//! by kind, each byte is stored as its difference to the previous record, and the rows are transposed.
 
 use crate::layout::bytes::{Reader, Writer};
 use crate::layout::error::RestoreError;
 use crate::simulator::take::input::Input;
 use crate::simulator::take::log::{MAX_INPUTS, Record};
 
-/// The byte that an input begins with is below this.
+/// Number of input kinds; the first byte of an input is below it.
 const KINDS: usize = 7;
 
-/// Inputs of one kind as bytes, all of one length.
+/// Inputs of one kind as bytes of equal length.
 type Rows = Vec<Vec<u8>>;
 
 pub fn write(records: &[Record], body: &mut Writer) {
@@ -30,7 +30,7 @@ pub fn write(records: &[Record], body: &mut Writer) {
     rows.iter().for_each(|rows| body.block(&transposed(rows)));
 }
 
-/// Reads what `write` wrote. That the steps lie within the take is for others to check.
+/// Reads what `write` wrote. The caller checks that the steps lie within the take.
 pub fn read(reader: &mut Reader) -> Result<Vec<Record>, RestoreError> {
     let kinds = reader.block()?;
     if kinds.len() > MAX_INPUTS {
@@ -59,7 +59,7 @@ pub fn read(reader: &mut Reader) -> Result<Vec<Record>, RestoreError> {
     Ok(records)
 }
 
-/// First all first bytes, then all second ones, each as what must be added to the one in the row before.
+/// Transposes the rows: all first bytes, then all second bytes, each as the difference to the row before.
 fn transposed(rows: &[Vec<u8>]) -> Vec<u8> {
     let length = rows.first().map_or(0, Vec::len);
     let mut bytes = Vec::with_capacity(length * rows.len());

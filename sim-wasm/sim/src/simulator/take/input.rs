@@ -1,4 +1,4 @@
-//! The kinds of input, quantised, and as bytes.
+//! The kinds of input, quantised, and their serialisation.
 
 use crate::layout::blow::Blow;
 use crate::layout::bytes::{Reader, Writer};
@@ -8,22 +8,22 @@ use crate::layout::quantise::{impossible_input, quantise, within};
 use crate::layout::quantised::{Grip, QuantisedPose};
 use crate::simulator::take::active_inputs::{CHANNELS, STEER_PARTS};
 
-/// One thing that a person did.
+/// One input of a user.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Input {
-    /// A parameter gets a value; `key` is its number among the keys of the log.
+    /// Sets a parameter; `key` is its index in the keys of the log.
     Set { key: u16, value: f64 },
-    /// There is room for another number of particles.
+    /// Sets the maximum number of particles.
     Resize { capacity: u32 },
-    /// A kinematic rigid is sent to a pose, a dynamic one is put there.
+    /// Sends a kinematic rigid to a pose, or teleports a dynamic one.
     Move { rigid: u16, pose: QuantisedPose },
-    /// A point of a rigid is drawn to a place.
+    /// Drags a point of a rigid to a position.
     Drag { rigid: u16, grip: Grip },
-    /// A rigid is let go.
+    /// Ends the drag of a rigid.
     Release { rigid: u16 },
-    /// A channel that scenes read gets a value, in parts of [`STEER_PARTS`].
+    /// Sets a channel that scenes read, in units of 1 / [`STEER_PARTS`].
     Steer { channel: u8, value: i16 },
-    /// Somebody blows.
+    /// Starts a gust.
     Blow(Blow),
 }
 
@@ -36,7 +36,7 @@ const DRAG: u8 = 5;
 const RELEASE: u8 = 6;
 
 impl Input {
-    /// Channel `channel`, below [`CHANNELS`], at `value`, -1..=1.
+    /// Sets `channel`, below [`CHANNELS`], to `value`, -1..=1.
     pub fn steer(channel: u32, value: f64) -> Result<Self, ParameterError> {
         if channel as usize >= CHANNELS {
             let last = CHANNELS as f64 - 1.0;
@@ -54,7 +54,7 @@ impl Input {
         })
     }
 
-    /// Whether this input leaves nothing of `earlier`, which came before it in the same step.
+    /// Returns true if this input cancels `earlier`, which was given before it in the same step.
     pub fn supersedes(&self, earlier: &Self) -> bool {
         match (self, earlier) {
             (Self::Set { key: a, .. }, Self::Set { key: b, .. }) => a == b,
@@ -66,7 +66,7 @@ impl Input {
         }
     }
 
-    /// The rigid that it moves.
+    /// The rigid that this input moves.
     pub fn rigid(&self) -> Option<u16> {
         match self {
             Self::Move { rigid, .. } | Self::Drag { rigid, .. } | Self::Release { rigid } => Some(*rigid),
@@ -111,7 +111,7 @@ impl Input {
         }
     }
 
-    /// Reads what `write` wrote and refuses what no input can be; keys and rigids are for others to check.
+    /// Reads what `write` wrote and validates it. The caller checks keys and rigids.
     pub(super) fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
         Ok(match reader.byte()? {
             SET => Self::Set {

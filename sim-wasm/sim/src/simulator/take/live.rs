@@ -1,4 +1,4 @@
-//! Inputs as they come: quantised, done, and kept.
+//! Live inputs: they are quantised, applied and recorded.
 
 use crate::layout::blow::{Blow, BlowNumbers};
 use crate::layout::error::ParameterError;
@@ -10,13 +10,13 @@ use crate::simulator::take::origin::Origin;
 use crate::simulator::take::recorder::Recorder;
 
 impl Simulator {
-    /// Begins a take here and now: inputs are kept from here on.
+    /// Starts a take at the current state. All later inputs are recorded.
     pub fn record(&mut self) {
         self.active_inputs.done = 0;
         self.recorder = Recorder::new(origin_of(self), Default::default(), self.steps);
     }
 
-    /// After a change that no log can tell of: what is recorded begins here.
+    /// Restarts the take after a change that the log cannot represent.
     pub(crate) fn begin_take_anew(&mut self) {
         self.active_inputs.done = 0;
         if self.recorder.is_on() {
@@ -24,7 +24,7 @@ impl Simulator {
         }
     }
 
-    /// The parameters get these values, or none of them where one is refused.
+    /// Sets all parameters in `entries`, or none of them if one is invalid.
     pub fn input_values(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
         let mut trial = self.parameters;
         trial.set_all(entries)?;
@@ -35,25 +35,25 @@ impl Simulator {
         Ok(())
     }
 
-    /// There is room for another number of particles: see [`Simulator::resize`].
+    /// Sets the maximum number of particles. See [`Simulator::resize`].
     pub fn input_capacity(&mut self, capacity: u32) -> Result<(), ParameterError> {
         check_capacity(capacity)?;
         self.give(Input::Resize { capacity })
     }
 
-    /// A kinematic rigid goes to a pose, a dynamic one is put there: x, y, z (m) to the millimetre, and the quaternion
-    /// x, y, z, w.
+    /// Sends a kinematic rigid to a pose, or teleports a dynamic one. `numbers`: x, y, z (m, rounded to millimetres)
+    /// and the quaternion x, y, z, w.
     #[cfg(feature = "rigids")]
     pub fn input_pose(&mut self, rigid: u32, numbers: [f64; 7]) -> Result<(), ParameterError> {
         let pose = crate::layout::quantised::QuantisedPose::new(numbers)?;
-        // A number too large for the log is none of a rigid, and refused as such.
+        // An index too large for the log belongs to no rigid and is an error here.
         self.rigids.check_movable(rigid)?;
         let rigid = rigid as u16;
         self.give(Input::Move { rigid, pose })
     }
 
-    /// A point of a rigid, x, y, z in its own space, is drawn to x, y, z in the world (m) by a spring of some stiffness
-    /// (1/s): see [`crate::rigids::Rigids::drag`].
+    /// Drags a point of a rigid by a spring. `numbers`: the point x, y, z in the rigid's space (m), the target x, y, z
+    /// in world space (m), the stiffness (1/s). See [`crate::rigids::Rigids::drag`].
     #[cfg(feature = "rigids")]
     pub fn input_drag(&mut self, rigid: u32, numbers: [f64; 7]) -> Result<(), ParameterError> {
         let grip = crate::layout::quantised::Grip::new(numbers)?;
@@ -62,7 +62,7 @@ impl Simulator {
         self.give(Input::Drag { rigid, grip })
     }
 
-    /// A rigid is let go.
+    /// Ends the drag of a rigid.
     #[cfg(feature = "rigids")]
     pub fn input_release(&mut self, rigid: u32) -> Result<(), ParameterError> {
         self.rigids.check_exists(rigid)?;
@@ -70,32 +70,32 @@ impl Simulator {
         self.give(Input::Release { rigid })
     }
 
-    /// A channel, 0..=7, gets a value, -1..=1.
+    /// Sets channel 0..=7 to a value in -1..=1.
     pub fn input_steer(&mut self, channel: u32, value: f64) -> Result<(), ParameterError> {
         self.give(Input::steer(channel, value)?)
     }
 
-    /// Somebody blows.
+    /// Starts a gust.
     pub fn input_blow(&mut self, numbers: &BlowNumbers) -> Result<(), ParameterError> {
         self.give(Input::Blow(Blow::new(numbers)?))
     }
 
-    /// A channel that `input_steer` steers, -1..=1; 0 before, and for one that does not exist.
+    /// Value of a channel set by `input_steer`, -1..=1. 0 initially, and for an index out of range.
     pub fn control(&self, channel: u32) -> f32 {
         self.active_inputs.control(channel as usize)
     }
 
-    /// How many inputs of the take have been done, and how many it holds.
+    /// Number of inputs of the take that were applied, and number that it holds.
     pub fn inputs(&self) -> (u32, u32) {
         (self.active_inputs.done, self.recorder.log.len() as u32)
     }
 
-    /// Whether inputs came for which the take had no room.
+    /// Returns true if inputs exceeded the capacity of the take.
     pub fn is_truncated(&self) -> bool {
         self.recorder.log.is_truncated()
     }
 
-    /// Steps made at the farthest point of the take.
+    /// Number of steps at the farthest point of the take.
     pub fn end(&self) -> u64 {
         self.recorder.end
     }
@@ -113,7 +113,7 @@ impl Simulator {
         })
     }
 
-    /// Does the inputs of the log that are due.
+    /// Applies the inputs of the log that are due.
     pub(crate) fn follow_log(&mut self) {
         self.recorder.end = self.recorder.end.max(self.steps);
         if self
@@ -127,7 +127,7 @@ impl Simulator {
             while let Some(record) = recorder.next(&simulator.active_inputs)
                 && record.step <= simulator.steps
             {
-                // A made-up take may move a rigid that cannot be moved: then nothing happens, everywhere alike.
+                // A forged take may move a rigid that cannot be moved; the error is ignored on every machine alike.
                 let _ = simulator.perform(&record.input, &recorder.log);
                 simulator.active_inputs.done += 1;
             }
@@ -164,7 +164,7 @@ impl Simulator {
         }
     }
 
-    /// Lets `action` have the log and the rest of the simulator at once.
+    /// Borrows the recorder and the rest of the simulator at the same time.
     fn with_log<T>(&mut self, action: impl FnOnce(&mut Self, &mut Recorder) -> T) -> T {
         let mut recorder = std::mem::take(&mut self.recorder);
         let result = action(self, &mut recorder);
@@ -173,7 +173,7 @@ impl Simulator {
     }
 }
 
-/// The state of `simulator` as the start of a take.
+/// The state of `simulator` as the origin of a take.
 pub(super) fn origin_of(simulator: &Simulator) -> Origin {
     Origin {
         state: simulator.save(),

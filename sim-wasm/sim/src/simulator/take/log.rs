@@ -2,13 +2,13 @@
 
 use crate::simulator::take::input::Input;
 
-/// Most inputs of a log; what comes later acts but is not kept.
+/// Maximum number of inputs in a log. Later inputs act but are not recorded.
 pub const MAX_INPUTS: usize = 20_000;
 
-/// The parameter whose change converts what particles carry: unlike others it cannot be set twice for once.
+/// Setting this parameter converts particle state: two changes in a step are not equivalent to the last one.
 const INTEGRATOR: &str = "simulation.integrator";
 
-/// An input, and the steps that had been made when it was given.
+/// An input, and the number of steps made before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Record {
     pub step: u64,
@@ -24,22 +24,22 @@ pub struct Log {
 }
 
 impl Log {
-    /// How many inputs it holds.
+    /// Number of inputs.
     pub fn len(&self) -> usize {
         self.records.len()
     }
 
-    /// Whether it holds none.
+    /// Returns true if there are no inputs.
     pub fn is_empty(&self) -> bool {
         self.records.is_empty()
     }
 
-    /// Whether inputs came for which there was no room.
+    /// Returns true if inputs exceeded [`MAX_INPUTS`].
     pub fn is_truncated(&self) -> bool {
         self.is_truncated
     }
 
-    /// The most particles that an input makes room for.
+    /// Largest capacity that an input sets.
     pub(super) fn max_capacity(&self) -> Option<u32> {
         let capacities = self.records.iter().filter_map(|record| match record.input {
             Input::Resize { capacity } => Some(capacity),
@@ -48,7 +48,7 @@ impl Log {
         capacities.max()
     }
 
-    /// The number of a parameter's key in this log.
+    /// Index of a parameter key in this log; adds the key if it is new.
     pub(super) fn number_of(&mut self, key: &str) -> u16 {
         let known = self.keys.iter().position(|known| known == key);
         let number = known.unwrap_or_else(|| {
@@ -58,12 +58,12 @@ impl Log {
         number as u16
     }
 
-    /// The key of this number.
+    /// The key at an index.
     pub(super) fn key(&self, number: u16) -> &str {
         &self.keys[usize::from(number)]
     }
 
-    /// Adds an input, in place of one of the same step that it leaves nothing of.
+    /// Adds an input, or replaces one of the same step that it supersedes.
     pub(super) fn push(&mut self, step: u64, input: Input) {
         if self.is_truncated {
             return;
@@ -77,7 +77,7 @@ impl Log {
         }
     }
 
-    /// Drops all inputs but the first `count`, and with them what was said of those that found no room.
+    /// Keeps the first `count` inputs. Clears `is_truncated` if it drops any.
     pub(super) fn cut(&mut self, count: usize) {
         if count < self.len() {
             self.records.truncate(count);
@@ -92,7 +92,7 @@ impl Log {
         Some(self.len() - 1 - back)
     }
 
-    /// Whether it makes a difference if `input` comes before or after `earlier`, which it does not supersede.
+    /// Returns true if `input` must not be moved before `earlier`, which it does not supersede.
     fn is_turning_point(&self, earlier: &Input, input: &Input) -> bool {
         let is_of_same_rigid = earlier.rigid().is_some() && earlier.rigid() == input.rigid();
         self.is_conversion(earlier) || (is_of_same_rigid && !input.supersedes(earlier))

@@ -1,12 +1,12 @@
-//! Takes: what a person did, by step, so that it can be done again to the same hash.
+//! Takes: the inputs of a user by step, for a replay that ends with the same hash.
 //!
-//! A simulation that records keeps its state at the start of the take and a log of inputs. An input is quantised first
-//! and acts then, so that what was live and what is replayed are the same. It acts in the step that follows: the
-//! inputs of step k are those given after k steps were made. They are no part of the hash after k steps, with two
-//! exceptions that change particles at once: another capacity that is too small, and another integrator. [`Simulator::rewind`] goes back and the log runs again;
-//! an input that comes while the log runs takes over, and the rest of the log is dropped.
+//! A recording simulator keeps its state at the start of the take and a log of inputs. An input is quantised before it
+//! acts, so a live run and its replay are equal. Inputs of step k are given after k steps and act in the step that
+//! follows. They are not part of the hash after k steps, with two exceptions that change particles at once: a smaller
+//! capacity and another integrator. [`Simulator::rewind`] goes back and applies the log again. A new input drops the
+//! rest of the log.
 //!
-//! What the program does by itself at the same steps, such as a scene that steers a rigid by the clock, is no input.
+//! Changes by the program itself at fixed steps, such as a scene that steers a rigid by the clock, are not inputs.
 
 pub mod active_inputs;
 pub(crate) mod bytes;

@@ -1,19 +1,19 @@
-//! Where a take begins.
+//! The origin of a take.
 
 use crate::layout::parameters::table::Parameters;
 
-/// Where a take begins.
+/// The state in which a take starts.
 #[derive(Clone, Debug)]
 pub struct Origin {
-    /// The simulation as `save` writes it; empty in a take that was read and begins with a fresh scene.
+    /// The saved simulation; empty in a parsed take that starts from a fresh scene.
     pub(super) state: Vec<u8>,
-    /// Nothing has happened yet: seed, capacity and parameters say all, in the same scene.
+    /// The scene is in its initial state: seed, capacity and parameters determine it.
     pub(super) is_fresh: bool,
-    /// Fingerprint of the rigids and of the surfaces that emitters smoke from.
+    /// Hash of the rigids and of the surfaces of emitters.
     pub(super) scene: u64,
     pub seed: u32,
     pub capacity: u32,
-    /// Steps made before the take.
+    /// Number of steps before the take.
     pub step: u64,
     pub(super) parameters: Parameters,
 }

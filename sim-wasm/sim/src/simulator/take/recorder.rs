@@ -6,12 +6,12 @@ use crate::simulator::take::bytes;
 use crate::simulator::take::log::{Log, Record};
 use crate::simulator::take::origin::Origin;
 
-/// Keeps a log from an origin on; without an origin it keeps nothing.
+/// Records inputs from an origin on. Without an origin it records nothing.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Recorder {
     pub(super) origin: Option<Box<Origin>>,
     pub(super) log: Log,
-    /// Steps that had been made at the farthest point of the take.
+    /// Number of steps at the farthest point of the take.
     pub(super) end: u64,
 }
 
@@ -25,7 +25,7 @@ impl Recorder {
         self.origin.is_some()
     }
 
-    /// The first input that has not been done.
+    /// The first input that has not been applied.
     pub(super) fn next(&self, active_inputs: &ActiveInputs) -> Option<&Record> {
         self.log.records.get(active_inputs.done as usize)
     }

@@ -1,4 +1,4 @@
-//! Takes given out, taken up, and gone back in.
+//! Export, replay and rewind of takes.
 
 use crate::layout::error::RestoreError;
 use crate::math::random::Random;
@@ -11,7 +11,7 @@ use crate::simulator::take::recorder::Recorder;
 use crate::simulator::{Simulator, snapshot};
 
 impl Simulator {
-    /// The take so far as bytes, with a note of at most 64 KiB that comes along unread. Refused where none is recorded.
+    /// Serialises the take with a note of at most 64 KiB. Fails if nothing is recorded.
     pub fn take(&self, note: &str) -> Result<Vec<u8>, RestoreError> {
         if note.len() > bytes::MAX_NOTE {
             return Err(RestoreError::new("the note is too long for a take"));
@@ -19,9 +19,9 @@ impl Simulator {
         Ok(self.recorder.write(self.origin()?, note))
     }
 
-    /// Goes to the start of a take; the steps that follow do its inputs. It needs a simulator that records and whose
-    /// own take began with a fresh scene, unless the given take begins in the middle of things. Bytes that are
-    /// damaged, or of another scene, are refused, and nothing is changed.
+    /// Goes to the start of a take; the following steps apply its inputs. A take of a fresh scene requires a simulator
+    /// that records a take of the same fresh scene. Damaged bytes, or bytes of another scene, are an error and change
+    /// nothing.
     pub fn replay(&mut self, take: &[u8]) -> Result<(), RestoreError> {
         let Take { origin, log, end, .. } = Take::parse(take)?;
         if origin.is_fresh {
@@ -30,14 +30,14 @@ impl Simulator {
             snapshot::restore(self, &origin.state, RestoredCapacity::Saved)?;
         }
         self.active_inputs.done = 0;
-        // Its own state and not the take's: a fresh one came without.
+        // The simulator's own state: a parsed fresh take has none.
         self.recorder = Recorder::new(origin_of(self), log, end);
         self.follow_log();
         Ok(())
     }
 
-    /// Goes back, or on, within the take: to a state that `save` gave in it, or to its start. The steps that follow do
-    /// the inputs that came after it. Refused bytes change nothing.
+    /// Goes to a saved state within the take, or to its start. The following steps apply the inputs after it. On error
+    /// nothing changes.
     pub fn rewind(&mut self, state: Option<&[u8]>) -> Result<(), RestoreError> {
         let recorder = std::mem::take(&mut self.recorder);
         let start = recorder.origin.as_ref().map(|origin| origin.state.as_slice());
@@ -58,7 +58,7 @@ impl Simulator {
         self.recorder.origin.as_deref().ok_or_else(nothing_recorded)
     }
 
-    /// Sets out from the scene as it was at the start, with the take's own seed, capacity and parameters.
+    /// Restores the initial scene with the seed, the capacity and the parameters of the take.
     fn start_afresh(&mut self, take: &Origin) -> Result<(), RestoreError> {
         let own = self.origin()?;
         if !own.is_fresh || own.scene != take.scene {
