@@ -1,4 +1,4 @@
-//! Resting obstacles in closed form, as the parameters `colliders.#.*` describe them.
+//! Static obstacles in closed form: the parameters `colliders.#.*`.
 
 use crate::collide::contact::{Action, Material, Obstacle};
 use crate::collide::core::Core;
@@ -15,39 +15,38 @@ use crate::math::vector::Vector;
 /// Shape of an [`AnalyticCollider`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColliderShape {
-    /// The half space below `position`, `axis` is its outward normal.
+    /// The half space below `position`, with the outward normal `axis`.
     Plane,
     /// A ball of `radius`.
     Ball,
-    /// A box of `half_extents`, its y axis along `axis`.
+    /// A box of `half_extents`, with its y axis along `axis`.
     Box,
-    /// A capsule of `radius`, its straight part `half_extents[1]` to both sides of `position` along `axis`.
+    /// A capsule of `radius` along `axis`, with a straight part of `half_extents[1]` to both sides of `position`.
     Capsule,
 }
 
-/// A resting obstacle in closed form, as the parameters `colliders.#.*` describe it.
+/// A static obstacle in closed form: the parameters `colliders.#.*`.
 #[derive(Clone, Copy, Debug)]
 pub struct AnalyticCollider {
     pub shape: ColliderShape,
-    /// A point on the plane, or the centre (m).
+    /// Centre, or a point on the plane (m).
     pub position: [f32; 3],
-    /// Unit vector: the plane's normal, the capsule's or box's y axis.
+    /// Unit vector: normal of the plane, y axis of a capsule or box.
     pub axis: [f32; 3],
-    /// Half sides of the box (m); the capsule uses the second.
+    /// Half extents of a box (m); a capsule uses the second.
     pub half_extents: [f32; 3],
-    /// Radius of ball and capsule (m).
+    /// Radius of a ball or capsule (m).
     pub radius: f32,
-    /// Share of the normal velocity that comes back, 0..1.
+    /// Share of the normal velocity that is reflected, 0..1.
     pub restitution: f32,
     /// Share of the tangential velocity that is lost, 0..1.
     pub friction: f32,
-    /// How unevenly particles keep off, 0..1: of what a particle has lost of its radius, the share that it keeps off at
-    /// most.
+    /// Roughness, 0..1: the maximum distance that particles keep, as a share of the radius they have lost.
     pub roughness: f32,
     pub action: Action,
 }
 
-/// The shape of a resting obstacle in its own space.
+/// The shape of a static obstacle in its own space.
 #[derive(Clone, Copy, Debug)]
 pub enum AnalyticShape {
     HalfSpace(HalfSpace),
@@ -57,7 +56,7 @@ pub enum AnalyticShape {
 }
 
 impl AnalyticCollider {
-    /// The obstacle that particles meet.
+    /// Creates the obstacle that particles collide with.
     pub fn obstacle(&self) -> Obstacle<AnalyticShape> {
         let shape = self.own_shape();
         let pose = Pose::along(Vector::from(self.position), Vector::from(self.axis));
@@ -96,7 +95,7 @@ impl AnalyticCollider {
     }
 }
 
-/// A ground ends at its height, which spares the particles high above it; a tilted half space has no box.
+/// A level half space is bounded by its height, which skips the particles above; a tilted one has no box.
 fn half_space_bounds(position: Vector, normal: Vector) -> Bounds {
     let mut bounds = Bounds::EVERYTHING;
     if normal == Vector::Y {
@@ -134,7 +133,7 @@ impl Collider for AnalyticShape {
     }
 }
 
-/// The colliders that the parameters describe; only as many as the list is long are meant.
+/// The colliders that `parameters` describe. Only the items of the list are valid.
 pub fn colliders(parameters: &Parameters) -> [AnalyticCollider; LIST_LIMIT] {
     let items = parameters.colliders.items();
     std::array::from_fn(|i| collider(items.get(i).unwrap_or(&item())))

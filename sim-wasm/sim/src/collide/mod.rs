@@ -1,7 +1,6 @@
-//! What smoke bumps into: analytic colliders here, rigids of Rapier by the feature `rigids`.
+//! Collision of particles with one obstacle. Resolution of all collisions is in `simulator::collisions`.
 //!
-//! Particles are spheres. Each one that comes near an obstacle meets it as [`contact`] tells; what is far is passed
-//! over by boxes, four particles at a time.
+//! Particles are spheres. [`contact`] is the exact test; `survey` culls by boxes, four particles at a time.
 
 pub mod analytic;
 pub mod contact;

@@ -1,4 +1,4 @@
-//! Looking over all particles, four at a time.
+//! Broad phase over all particles, four at a time.
 
 use wide::f32x4;
 
@@ -9,13 +9,13 @@ use crate::math::vector::Vector;
 use crate::particles::Particles;
 use crate::particles::radius::RadiusLaw;
 
-/// Where most particles are, and how far they reach from the middles of their swept boxes.
+/// Distribution of particles: their bounds, and the size of their swept boxes.
 #[cfg(feature = "rigids")]
 #[derive(Clone, Copy, Debug)]
 pub struct ParticleExtent {
-    /// Holds the middles of the looked-at particles' swept boxes.
+    /// Box of the centres of the sampled swept boxes.
     pub middles: Bounds,
-    /// The greatest and the mean half side (m) of the particles' swept boxes, radius included.
+    /// Maximum and mean half extent (m) of the swept boxes, radius included.
     pub greatest_reach: f32,
     pub mean_reach: f32,
 }
@@ -29,7 +29,7 @@ pub(crate) struct SweptBoxes {
 impl SweptBoxes {
     #[inline]
     fn load(particles: &Particles, radii: &RadiusLaw, first: usize) -> Self {
-        // The radius law never gives more than this, and needs neither age nor lifetime.
+        // An upper bound of the radius law that needs neither age nor lifetime.
         let reach = four(&particles.size, first) * f32x4::splat(radii.puff_size);
         let columns = [
             (&particles.x, &particles.px),
@@ -43,7 +43,7 @@ impl SweptBoxes {
         }
     }
 
-    /// Bit k is set when the k-th box touches `bounds`.
+    /// Bit k is set if box k touches `bounds`.
     #[inline]
     pub(crate) fn touching(&self, bounds: &Bounds) -> u32 {
         let (least, most): ([f32; 3], [f32; 3]) = (bounds.min.into(), bounds.max.into());
@@ -54,14 +54,14 @@ impl SweptBoxes {
         all.to_bitmask()
     }
 
-    /// The middles of the boxes.
+    /// Centres of the boxes.
     #[cfg(feature = "rigids")]
     #[inline]
     pub(crate) fn middles(&self) -> [f32x4; 3] {
         std::array::from_fn(|axis| (self.min[axis] + self.max[axis]) * f32x4::splat(0.5))
     }
 
-    /// Half of each box's longest side.
+    /// Half of the longest side of each box.
     #[cfg(feature = "rigids")]
     #[inline]
     pub(crate) fn reaches(&self) -> f32x4 {
@@ -77,29 +77,30 @@ fn four(column: &[f32], first: usize) -> f32x4 {
     f32x4::from(*lanes)
 }
 
-/// What a block of four particles finds around it.
+/// Broad-phase result of a block of four particles.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct NearLanes {
-    /// Bit k is set when the k-th particle may be near an obstacle.
+    /// Bit k is set if particle k may be near an obstacle.
     pub(crate) lanes: u32,
-    /// Of each particle.
+    /// Grid location of each particle.
     pub(crate) locations: [GridLocation; LANES],
 }
 
-/// Where the grid of rigids is to be looked into for one particle.
+/// Location of a particle in the grid of rigids.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct GridLocation {
     #[cfg(feature = "rigids")]
     pub(crate) cell: u32,
-    /// Too large for one cell.
+    /// True if the particle is too large for one cell.
     #[cfg(feature = "rigids")]
     pub(crate) is_large: bool,
 }
 
-/// Blocks that are looked at before those that they pick are met: what comes next is then easily foretold by a processor.
+/// Blocks per batch. Separate loops for search and collision help branch prediction.
 const BATCH: usize = 64;
 
-/// Calls `meet` for each living particle that `look` picks from a block of four, with its number and its location in the grid.
+/// Calls `meet` for each living particle that `look` selects from a block of four, with its index and its grid
+/// location.
 pub(crate) fn for_each_near(
     particles: &mut Particles,
     radii: &RadiusLaw,
@@ -128,11 +129,11 @@ pub(crate) fn for_each_near(
     }
 }
 
-/// One block in so many is measured: what follows needs to be fit for most, and right for all whatever is told here.
+/// One block in so many is sampled. The grid must suit most particles; its result is exact for all.
 #[cfg(feature = "rigids")]
 const BLOCKS_PER_LOOK: usize = 8;
 
-/// Measures some of the living particles, spread over all of them.
+/// Samples the living particles.
 #[cfg(feature = "rigids")]
 pub fn extent(particles: &Particles, radii: &RadiusLaw) -> ParticleExtent {
     let mut least = [f32x4::splat(f32::INFINITY); 3];

@@ -1,4 +1,4 @@
-//! One particle as the search for obstacles sees it.
+//! A particle in the broad phase.
 
 use crate::collide::contact::Obstacle;
 use crate::collide::survey::GridLocation;
@@ -7,23 +7,23 @@ use crate::math::vector::Vector;
 use crate::particles::Particles;
 use crate::particles::radius::RadiusLaw;
 
-/// A particle that may pass obstacles by.
+/// A particle and its path over the step.
 pub(crate) struct SweptParticle {
-    /// The box around its way.
+    /// Box of its path.
     pub(crate) bounds: WideBounds,
-    /// Where to look for rigids.
+    /// Location in the grid of rigids.
     #[cfg_attr(not(feature = "rigids"), expect(dead_code, reason = "there are none"))]
     pub(crate) location: GridLocation,
     from: Vector,
     to: Vector,
-    /// Its radius is never greater (m).
+    /// Upper bound of its radius (m).
     reach: f32,
-    /// Its way takes the whole step.
+    /// True if its path takes the whole step.
     is_whole: bool,
 }
 
 impl SweptParticle {
-    /// Particle `i` after it has moved.
+    /// Particle `i` after its motion.
     #[inline]
     pub(crate) fn new(particles: &Particles, i: usize, radii: &RadiusLaw, location: GridLocation) -> Self {
         let (from, to) = way(particles, i);
@@ -38,7 +38,7 @@ impl SweptParticle {
         }
     }
 
-    /// True when it surely does not touch the obstacle.
+    /// Returns true if the particle certainly does not touch the obstacle.
     #[inline]
     pub(crate) fn certainly_misses<C>(&self, obstacle: &Obstacle<C>) -> bool {
         let Obstacle { core, motion, .. } = obstacle;
@@ -46,7 +46,7 @@ impl SweptParticle {
     }
 }
 
-/// From where to where particle `i` has moved in the step (m).
+/// Start and end of the path of particle `i` in the step (m).
 #[inline]
 pub(crate) fn way(particles: &Particles, i: usize) -> (Vector, Vector) {
     let from = Vector::new(particles.px[i], particles.py[i], particles.pz[i]);

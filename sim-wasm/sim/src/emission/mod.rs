@@ -1,13 +1,12 @@
-//! Births: how many, and when.
+//! Births: their number and their times.
 //!
-//! An emitter owes rate * share / (sum of shares) * level particles a second, its envelope's level in the middle of the
-//! step. What it owes is kept as a fraction, so that counts are exact over any time. Each birth has its own moment
-//! within the step, at which the emitter stands where its rigid has carried it by then, and from which on the particle
-//! moves (see `motion::PoseMotion::launch`). Therefore neither a fast jet nor wind nor a fast emitter shows beads.
+//! An emitter owes rate * share / (sum of shares) * level particles per second, with the level of its envelope in the
+//! middle of the step. The fraction of a particle is carried over, so counts are exact over any time. Each birth has
+//! its own time within the step. The emitter stands at its pose of that time, and the particle moves from then on (see
+//! `ParticleMotion::launch`), so fast jets, wind and fast emitters leave no gaps.
 //!
-//! A burst is owed as a whole when the envelope starts, and spread evenly over that step. When the simulator is full,
-//! births wait, bursts too, and are made up as soon as there is room, of which each emitter gets at least about its
-//! share, so that none starves.
+//! A burst is owed when the envelope starts and is spread evenly over that step. Births wait while the simulator is
+//! full and are made up when there is capacity, of which each emitter gets at least about its share.
 
 pub(crate) mod birth;
 pub(crate) mod shapes;
@@ -21,22 +20,22 @@ use crate::math::random::Random;
 use crate::math::scalar::clamped;
 use crate::particles::Particles;
 
-/// What emitters remember from step to step.
+/// State of the emitters between steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Births {
-    /// Of each emitter: the part of a particle that it owes, 0..1.
+    /// Per emitter: the fraction of a particle that it owes, 0..1.
     pub owed: [f64; LIST_LIMIT],
-    /// Of each emitter: how many births wait for room.
+    /// Per emitter: the number of births that wait for capacity.
     pub waiting: [u64; LIST_LIMIT],
 }
 
 impl Births {
-    /// How many births wait for room.
+    /// Number of births that wait for capacity.
     pub fn waiting(&self) -> u64 {
         self.waiting.iter().fold(0, |sum, count| sum.saturating_add(*count))
     }
 
-    /// The births of one step.
+    /// Makes the births of one step.
     pub fn step(&mut self, around: &EmissionContext, random: &mut Random, particles: &mut Particles) {
         let emitters = around.parameters.emitters.items();
         for (emitter, waiting) in emitters.iter().zip(&mut self.waiting) {
@@ -54,8 +53,7 @@ impl Births {
         }
     }
 
-    /// Births that waited, spread evenly over the step. Where there is no room for all, each emitter gets its share of
-    /// the room.
+    /// Makes waiting births, spread evenly over the step. If capacity is short, each emitter gets its share.
     fn make_up(&mut self, around: &EmissionContext, random: &mut Random, particles: &mut Particles) {
         let emitters = around.parameters.emitters.items();
         let mut left: f64 = self.waiting[..emitters.len()].iter().map(|count| *count as f64).sum();
@@ -68,7 +66,7 @@ impl Births {
                 continue;
             }
             let mut source = EmitterSource::new(&emitters[index], around, random, particles);
-            // Rounded up: who is first gets at least one, and everybody is first at times.
+            // Rounded up: the first emitter gets at least one, and every emitter is first in some steps.
             let part = libm::ceil(source.room() as f64 * (waiting as f64 / left));
             let count = waiting.min(part as u64).min(source.room() as u64);
             for number in 0..count {
@@ -79,7 +77,7 @@ impl Births {
         }
     }
 
-    /// Births that fall due in this step, each at its moment.
+    /// Makes the births due in this step, each at its time.
     fn emit(&mut self, index: usize, rate: f64, source: &mut EmitterSource) {
         // Sums of decimal fractions miss whole numbers by a few units in the last place.
         const SLACK: f64 = 1e-9;
@@ -97,16 +95,16 @@ impl Births {
     }
 }
 
-/// The numbers below `count` in an order that begins with another one at each step, without a period that deaths could
-/// keep time with.
+/// The numbers below `count`, rotated by a different amount in each step. The amounts have no period that deaths could
+/// synchronise with.
 fn rotated_order(count: usize, step: u64) -> impl Iterator<Item = usize> {
     const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
     let first = (step.wrapping_mul(GOLDEN) >> 33) as usize;
     (0..count).map(move |turn| (first + turn) % count)
 }
 
-/// How many births the bursts of `emitter` owe that begin between the middles of the last step and of this one: starts
-/// that are whole numbers of steps then never depend on rounding.
+/// Number of births of the bursts of `emitter` that start between the middle of the last step and the middle of this
+/// one: a start at a whole number of steps does not depend on rounding.
 fn burst(emitter: &Emitter, around: &EmissionContext) -> u64 {
     if emitter.burst_count <= 0.0 {
         return 0;

@@ -1,18 +1,18 @@
-//! Drawing on twos, threes and fours: what is shown of a particle is what it was at its last *held moment*.
+//! Drawing on twos, threes and fours: a particle is shown as it was at its last *held moment*.
 //!
-//! With a hold of h particles have a held moment every h / 24 s, staggered by their seed bytes so that they do not all
-//! move at once. Held columns are shown and saved, but nothing is computed from them and the hash does not hold them.
+//! With a hold of h each particle has a held moment every h / 24 s. Seed bytes stagger the moments. Held columns are
+//! shown and saved, but do not affect the simulation or the hash.
 
 use crate::particles::Particles;
 
-/// Frames a second of the film that is held.
+/// Frames per second of the held film.
 const FRAME_RATE: u64 = 24;
 const STEP_RATE: u64 = 60;
-/// Values of the seed byte.
+/// Number of values of the seed byte.
 const SEEDS: u64 = 256;
 
-/// Holds all particles that have a held moment at the end of step number `step`, counted from 1, and those that were born
-/// in it. `hold`: 2..=4.
+/// Updates the held columns of the particles that have a held moment at the end of step `step`, counted from 1, and of
+/// those born in it. `hold`: 2..=4.
 pub fn follow(particles: &mut Particles, step: u64, hold: u64) {
     let Some(mut held) = particles.held.take() else {
         return;
@@ -36,7 +36,7 @@ pub fn follow(particles: &mut Particles, step: u64, hold: u64) {
     particles.held = Some(held);
 }
 
-/// Whether a moment of the film begins for a seed at the end of a step.
+/// Returns true if a held moment of a seed lies at the end of a step.
 fn is_held_moment(step: u64, hold: u64, seed: u64) -> bool {
     let moments = |step: u64| (step * FRAME_RATE * SEEDS + seed * hold * STEP_RATE) / (hold * STEP_RATE * SEEDS);
     moments(step) > moments(step - 1)

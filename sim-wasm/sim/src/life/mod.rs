@@ -1,14 +1,4 @@
-//! Growth, ageing, cooling and death.
-//!
-//! radius(age) = size * puff.size * growth(age) * density(age / lifetime), exactly 0 at birth and at death. growth(age)
-//! is t (2 - t) for t = age / growthTime up to 1; growth is steepest at birth, so that smoke leaves a nozzle as a stem
-//! and not as a string of specks. A growth time below [`MIN_GROWTH_TIME`] is taken for that, but not by the integrator
-//! `paper`, where it may be 0 and growth is 1. density(t) is 1 - t, the linear loss of density of the paper, or the
-//! curve of `density.#`.
-//!
-//! The radius never pops: within a step of h seconds it changes by at most size * puff.size * h * (2 / growthTime +
-//! slope / lifetime), the first term only where growthTime is not 0; slope is 1 for the linear law and the steepest one
-//! of a curve, which is at most 50. Entrainment adds puff.size * entrainment * |slip| * h.
+//! Ageing, cooling and death.
 
 pub mod hold;
 
@@ -20,10 +10,11 @@ use crate::math::simd::{LANES, Vector4, blocks, blocks_mut};
 use crate::particles::Particles;
 use crate::particles::tile::{TILE_BLOCKS, tiles};
 
-/// Distance from the origin (m) beyond which a particle dies: nothing is seen there, and single precision ends.
+/// Distance from the origin (m) beyond which a particle dies: it is not visible there, and single precision is
+/// exhausted.
 pub const WORLD_RADIUS: f32 = 10_000.0;
 
-/// What a step's passing does to every particle.
+/// Ageing and cooling of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Ageing {
     dt: f32x4,
@@ -31,7 +22,7 @@ pub struct Ageing {
 }
 
 impl Ageing {
-    /// Ageing by `dt` seconds and the cooling that `parameters` set.
+    /// Ageing by `dt` seconds, and the cooling that `parameters` set.
     pub fn new(parameters: &Parameters, dt: f64) -> Self {
         Self {
             dt: f32x4::splat(dt as f32),
@@ -40,17 +31,17 @@ impl Ageing {
     }
 }
 
-/// Ages and cools all particles; removes those that left the world and those whose time was over at the start of the
-/// step: in the step in which it ends they are still drawn on the way to radius 0.
+/// Ages and cools all particles. Removes those that left the world, and those whose life was over at the start of the
+/// step: in the step in which it ends they still shrink to radius 0.
 pub fn advance(particles: &mut Particles, ageing: &Ageing) {
     for (first, len) in tiles(particles, 0).rev() {
         advance_tile(particles, ageing, first, len);
     }
 }
 
-/// The same for a tile, `len` blocks from block `first` on; the tiles behind it must have been done.
+/// Same for a tile of `len` blocks from block `first` on. The tiles behind it must be done already.
 ///
-/// From the last block to the first: what fills a gap then comes from behind and has been aged already.
+/// From the last block to the first: a particle that fills a gap comes from behind and was aged already.
 pub fn advance_tile(particles: &mut Particles, ageing: &Ageing, first: usize, len: usize) {
     let dead = age(particles, ageing, first, len);
     if dead == 0 {
@@ -64,7 +55,7 @@ pub fn advance_tile(particles: &mut Particles, ageing: &Ageing, first: usize, le
     }
 }
 
-/// Ages and cools. One bit for each lane of the tile that must go, the first lane's lowest.
+/// Ages and cools. Returns one bit per lane of particles to remove, the first lane lowest.
 #[inline(always)]
 fn age(particles: &mut Particles, ageing: &Ageing, first: usize, len: usize) -> u128 {
     const { assert!(TILE_BLOCKS * LANES <= 128, "a tile has a bit for each lane") };
@@ -99,7 +90,7 @@ fn age(particles: &mut Particles, ageing: &Ageing, first: usize, len: usize) -> 
     dead
 }
 
-/// All bits set in each lane that neither has died nor left the world. A place that is not a number is outside of it.
+/// All bits set in lanes that stay. A position of NaN is outside of the world.
 #[inline(always)]
 fn stays(place: Vector4, age: f32x4, lifetime: f32x4) -> f32x4 {
     place.dot(place).simd_le(f32x4::splat(WORLD_RADIUS * WORLD_RADIUS)) & age.simd_lt(lifetime)

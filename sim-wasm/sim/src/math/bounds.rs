@@ -4,7 +4,7 @@ use wide::f32x4;
 
 use crate::math::vector::Vector;
 
-/// A box along the axes (m) in two registers, for many comparisons without a branch.
+/// An axis-aligned box (m) in two SIMD registers, for many tests without branches.
 #[derive(Clone, Copy, Debug)]
 pub struct WideBounds {
     /// x, y, z and 0.
@@ -13,7 +13,7 @@ pub struct WideBounds {
 }
 
 impl WideBounds {
-    /// The box around a way from `from` to `to`, `reach` wider on all sides.
+    /// The box of a sphere of radius `reach` that moves from `from` to `to`.
     #[inline]
     pub fn of_way(from: Vector, to: Vector, reach: f32) -> Self {
         let (from, to, reach) = (four(from), four(to), f32x4::new([reach, reach, reach, 0.0]));
@@ -23,7 +23,7 @@ impl WideBounds {
         }
     }
 
-    /// Whether the two have a point in common.
+    /// Returns true if the boxes overlap or touch.
     #[inline]
     pub fn touches(&self, other: &Self) -> bool {
         (self.min.simd_le(other.max) & self.max.simd_ge(other.min)).to_bitmask() == 0b1111
@@ -44,7 +44,7 @@ fn four(vector: Vector) -> f32x4 {
     f32x4::new([vector.x, vector.y, vector.z, 0.0])
 }
 
-/// A box along the axes (m).
+/// An axis-aligned box (m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     pub min: Vector,
@@ -52,18 +52,18 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Holds nothing.
+    /// The empty box.
     pub const NOTHING: Bounds = Bounds {
         min: Vector::new(f32::INFINITY, f32::INFINITY, f32::INFINITY),
         max: Vector::new(f32::NEG_INFINITY, f32::NEG_INFINITY, f32::NEG_INFINITY),
     };
-    /// Holds everything.
+    /// The unbounded box.
     pub const EVERYTHING: Bounds = Bounds {
         min: Self::NOTHING.max,
         max: Self::NOTHING.min,
     };
 
-    /// The box around a way from `from` to `to`, `reach` wider on all sides.
+    /// The box of a sphere of radius `reach` that moves from `from` to `to`.
     pub fn of_way(from: Vector, to: Vector, reach: f32) -> Self {
         Self {
             min: from.least(to),
@@ -72,7 +72,7 @@ impl Bounds {
         .wider(reach)
     }
 
-    /// This box, `margin` larger on all sides.
+    /// The box, extended by `margin` on all sides.
     pub fn wider(&self, margin: f32) -> Self {
         let margin = Vector::new(margin, margin, margin);
         Self {
@@ -89,7 +89,7 @@ impl Bounds {
         }
     }
 
-    /// Whether the two have a point in common.
+    /// Returns true if the boxes overlap or touch.
     pub fn touches(&self, other: &Self) -> bool {
         self.min.x <= other.max.x
             && self.max.x >= other.min.x

@@ -1,6 +1,6 @@
-//! Vectors of three numbers of double precision, as arrays.
+//! Three-vectors of double precision, as arrays.
 
-/// The unit vector of `v` in single precision; straight up when `v` is shorter than 1e-9.
+/// The unit vector of `v` in single precision; up if `v` is shorter than 1e-9.
 pub fn direction(v: [f64; 3]) -> [f32; 3] {
     let length = libm::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     if length < 1e-9 {

@@ -1,10 +1,10 @@
-//! A 64-bit fingerprint of state: FNV-1a taken over 32-bit words instead of bytes, which is four times as fast and
-//! as good at telling states apart. Not for untrusted input.
+//! A 64-bit hash of state: FNV-1a over 32-bit words instead of bytes, four times as fast and as selective. Not for
+//! untrusted input.
 
 const OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
 const PRIME: u64 = 0x0000_0100_0000_01b3;
 
-/// A fingerprint in the making.
+/// A hash in progress.
 #[derive(Clone, Copy, Debug)]
 pub struct Hash(u64);
 
@@ -15,7 +15,7 @@ impl Default for Hash {
 }
 
 impl Hash {
-    /// The fingerprint of nothing.
+    /// The hash of no input.
     pub fn new() -> Self {
         Self(OFFSET)
     }
@@ -23,7 +23,7 @@ impl Hash {
     /// Adds one word.
     pub fn word(&mut self, word: u32) {
         self.0 = (self.0 ^ u64::from(word)).wrapping_mul(PRIME);
-        // FNV moves bits only upwards: without this the high bits of a word would touch the high half alone.
+        // FNV moves bits only upwards: without this the high bits of a word affect only the high half.
         self.0 ^= self.0 >> 32;
     }
 
@@ -42,7 +42,7 @@ impl Hash {
         }
     }
 
-    /// Adds `bytes` and their number.
+    /// Adds `bytes` and their length.
     pub fn bytes(&mut self, bytes: &[u8]) {
         self.long(bytes.len() as u64);
         for byte in bytes {
@@ -50,7 +50,7 @@ impl Hash {
         }
     }
 
-    /// The fingerprint so far.
+    /// The hash of all input so far.
     pub fn finish(self) -> u64 {
         self.0
     }

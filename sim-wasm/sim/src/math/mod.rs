@@ -1,4 +1,4 @@
-//! Numbers, vectors, poses, lanes, random numbers, hashes and sorting.
+//! Vectors, poses, SIMD lanes, random numbers, hashes and sorting.
 
 pub mod bounds;
 pub(crate) mod double;

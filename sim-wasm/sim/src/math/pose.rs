@@ -5,7 +5,7 @@
 use crate::math::bounds::Bounds;
 use crate::math::vector::Vector;
 
-/// Where something stands and how it is turned.
+/// A position and a rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     /// World space, metres.
@@ -15,7 +15,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// Of x, y, z (m) and the unit quaternion x, y, z, w.
+    /// Creates a pose from x, y, z (m) and the unit quaternion x, y, z, w.
     pub fn of_numbers([x, y, z, i, j, k, w]: [f32; 7]) -> Self {
         Self {
             position: Vector::new(x, y, z),
@@ -23,7 +23,7 @@ impl Pose {
         }
     }
 
-    /// At `position`, not turned.
+    /// A pose at `position` with the identity rotation.
     pub fn at(position: Vector) -> Self {
         Self {
             position,
@@ -31,9 +31,9 @@ impl Pose {
         }
     }
 
-    /// At `position`, turned by the shortest way so that the own y axis points along the unit vector `axis`.
+    /// A pose at `position` whose y axis points along the unit vector `axis`, by the shortest rotation.
     pub fn along(position: Vector, axis: Vector) -> Self {
-        // Straight down there is no shortest way: half a turn about x.
+        // The shortest rotation to straight down is not unique: half a turn about x.
         let rotation = if axis.y < -0.999_999 {
             [1.0, 0.0, 0.0, 0.0]
         } else {
@@ -42,7 +42,7 @@ impl Pose {
         Self { position, rotation }
     }
 
-    /// The pose at `fraction` of the way to `other`: positions on a line, rotations by the shorter way.
+    /// Interpolates towards `other`: linear in position, normalised linear in rotation along the shorter arc.
     pub fn towards(&self, other: &Self, fraction: f32) -> Self {
         let (a, b) = (self.rotation, other.rotation);
         let cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
@@ -54,7 +54,7 @@ impl Pose {
         }
     }
 
-    /// Axis times angle (rad) of the shorter turn from this pose to `other`, world space.
+    /// Rotation vector, axis times angle (rad), of the shorter rotation to `other` in world space.
     pub fn rotation_vector_to(&self, other: &Self) -> Vector {
         let (half, cosine) = self.half_rotation_to(other);
         let sine = half.length();
@@ -65,7 +65,7 @@ impl Pose {
         }
     }
 
-    /// Of half of the shorter turn from this pose to `other` the axis times sine, world space, and the cosine.
+    /// Half of the shorter rotation to `other`, in world space: axis times sine of the half angle, and its cosine.
     pub fn half_rotation_to(&self, other: &Self) -> (Vector, f32) {
         let (a, b) = (self.rotation, other.rotation);
         let (u, v) = (Vector::new(a[0], a[1], a[2]), Vector::new(b[0], b[1], b[2]));
@@ -74,7 +74,7 @@ impl Pose {
         ((v * a[3] - u * b[3] - v.cross(u)) * sign, w * sign)
     }
 
-    /// This pose turned about its own position by axis times angle (rad), world space.
+    /// The pose, rotated about its position by a rotation vector (rad) in world space.
     pub fn rotated_by(&self, rotation_vector: Vector) -> Self {
         Self {
             position: self.position,
@@ -83,14 +83,14 @@ impl Pose {
     }
 }
 
-/// The unit quaternion x, y, z, w of a turn, axis times angle (rad).
+/// The unit quaternion x, y, z, w of a rotation vector, axis times angle (rad).
 pub fn rotation_about(rotation_vector: Vector) -> [f32; 4] {
     let (sine, cosine) = libm::sincosf(rotation_vector.length() * 0.5);
     let axis = rotation_vector.unit_or(Vector::ZERO) * sine;
     [axis.x, axis.y, axis.z, cosine]
 }
 
-/// First the rotation `b`, then `a`, as unit quaternions x, y, z, w.
+/// The product of two unit quaternions x, y, z, w: rotates by `b`, then by `a`.
 pub fn product(a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
     let (u, v) = (Vector::new(a[0], a[1], a[2]), Vector::new(b[0], b[1], b[2]));
     let axis = v * a[3] + u * b[3] + u.cross(v);
@@ -102,7 +102,7 @@ fn unit(q: [f32; 4]) -> [f32; 4] {
     q.map(|part| part * scale)
 }
 
-/// A pose made ready for many points: its axes and origin.
+/// A coordinate frame: the axes and the origin of a pose, for the transformation of many points.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     origin: Vector,
@@ -110,7 +110,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The frame of a pose.
+    /// The coordinate frame of a pose.
     #[inline]
     pub fn new(pose: &Pose) -> Self {
         let [x, y, z, w] = pose.rotation;
@@ -136,7 +136,7 @@ impl Frame {
         }
     }
 
-    /// A point of the world as this frame sees it.
+    /// Transforms a point from world space to this frame.
     #[inline]
     pub fn local_from_world(&self, point: Vector) -> Vector {
         let offset = point - self.origin;
@@ -147,18 +147,18 @@ impl Frame {
         )
     }
 
-    /// A point of this frame in the world.
+    /// Transforms a point of this frame to world space.
     #[inline]
     pub fn world_from_local(&self, point: Vector) -> Vector {
         self.origin + self.rotate(point)
     }
 
-    /// A direction of this frame in the world.
+    /// Rotates a direction of this frame to world space.
     pub fn rotate(&self, direction: Vector) -> Vector {
         self.axes[0] * direction.x + self.axes[1] * direction.y + self.axes[2] * direction.z
     }
 
-    /// The world box around a box of this frame.
+    /// The world-space box around a box of this frame.
     pub fn bounds_of(&self, local: &Bounds) -> Bounds {
         let centre = self.world_from_local((local.min + local.max) * 0.5);
         let half = (local.max - local.min) * 0.5;

@@ -1,18 +1,18 @@
-//! How an obstacle moves over one step: from a pose to a pose, the way between them cut into pieces that hardly rotation_vector.
+//! The motion of an obstacle over one step, from a pose to a pose, split into pieces of small rotation.
 
 use crate::math::bounds::Bounds;
 use crate::math::pose::{Frame, Pose};
 use crate::math::scalar::greater;
 use crate::math::vector::Vector;
 
-/// The largest angle (rad) that an obstacle may rotate within one piece of its way. In the obstacle's own frame a straight way
-/// becomes an arc; over a piece the arc is taken for its chord, which at this angle errs by 0.5 % of the radius.
+/// Maximum rotation (rad) per piece. In the obstacle's frame a straight path becomes an arc; each piece replaces the
+/// arc by its chord, with an error of 0.5 % of the radius at this angle.
 const PIECE_ANGLE: f32 = 0.2;
 const MAX_PIECES: f32 = 64.0;
-/// Up to this angle (rad) blending the two rotations is as accurate as rotating, and cheaper.
+/// Maximum angle (rad) at which quaternions are interpolated linearly: as accurate there, and cheaper.
 const MAX_BLENDED_ANGLE: f32 = 1.0;
 
-/// The way of an obstacle over one step.
+/// The motion of an obstacle over one step.
 #[derive(Clone, Copy, Debug)]
 pub struct PoseMotion {
     start: Pose,
@@ -21,13 +21,13 @@ pub struct PoseMotion {
     end_frame: Frame,
     velocity: Vector,
     spin: Vector,
-    /// Axis times angle (rad) from start to end where it is large, else zero.
+    /// Rotation vector (rad) from start to end if the angle is large, else zero.
     rotation_vector: Vector,
     pieces: u32,
 }
 
 impl PoseMotion {
-    /// Stays where it is.
+    /// No motion.
     pub fn resting(pose: Pose) -> Self {
         let frame = Frame::new(&pose);
         let (velocity, spin) = (Vector::ZERO, Vector::ZERO);
@@ -43,13 +43,13 @@ impl PoseMotion {
         }
     }
 
-    /// Goes from `start` to `end` in `dt` seconds. A `round` shape is followed without its turning, which does not
-    /// show in its surface, only in the surface's velocity.
+    /// Moves from `start` to `end` in `dt` seconds. A `round` shape is followed without its rotation, which affects
+    /// only the velocity of its surface.
     pub fn between(start: Pose, end: Pose, dt: f32, round: bool) -> Self {
         Self::rotating(start, end, dt, round, Vector::ZERO)
     }
 
-    /// As [`PoseMotion::between`]. `rotation_vector`, axis times angle (rad), is the expected rotation; it may exceed pi.
+    /// Same as [`PoseMotion::between`]. `rotation_vector` (rad) is the expected rotation; its angle may exceed pi.
     pub fn rotating(start: Pose, end: Pose, dt: f32, round: bool, rotation_vector: Vector) -> Self {
         let rotation_vector = nearest_equivalent_rotation(start.rotation_vector_to(&end), rotation_vector);
         let velocity = (end.position - start.position) * (1.0 / dt);
@@ -79,30 +79,30 @@ impl PoseMotion {
         }
     }
 
-    /// Whether it goes or turns at all.
+    /// Returns true if it moves or rotates.
     #[cfg(feature = "rigids")]
     pub fn is_moving(&self) -> bool {
         self.velocity != Vector::ZERO || self.spin != Vector::ZERO
     }
 
-    /// No point within `reach` (m) of the origin is faster (m/s).
+    /// Upper bound of the speed (m/s) of points within `reach` (m) of the origin.
     #[cfg(feature = "rigids")]
     pub fn top_speed(&self, reach: f32) -> f32 {
         self.velocity.length() + self.spin.length() * reach
     }
 
-    /// Pieces in which the way has to be followed, at least 1.
+    /// Number of pieces of the motion, at least 1.
     pub fn pieces(&self) -> u32 {
         self.pieces
     }
 
-    /// The frames at the start and at the end of the step.
+    /// The coordinate frames at the start and at the end of the step.
     #[inline]
     pub fn ends(&self) -> (&Frame, &Frame) {
         (&self.start_frame, &self.end_frame)
     }
 
-    /// The frame at a fraction of the step.
+    /// The coordinate frame at a fraction of the step.
     pub fn frame(&self, fraction: f32) -> Frame {
         if fraction >= 1.0 {
             self.end_frame
@@ -117,20 +117,20 @@ impl PoseMotion {
         }
     }
 
-    /// Velocity (m/s) at a fraction of the step of what is at the world point `point` and moves with the obstacle.
+    /// Velocity (m/s) of the obstacle at a world-space point, at a fraction of the step.
     #[inline]
     pub fn velocity_at(&self, point: Vector, fraction: f32) -> Vector {
         let origin = self.start.position.towards(self.end.position, fraction);
         self.velocity + self.spin.cross(point - origin)
     }
 
-    /// Rotation in a step of `dt` seconds, axis times angle (rad). The angle may exceed pi.
+    /// Rotation vector (rad) of a step of `dt` seconds. The angle may exceed pi.
     pub fn rotation_vector(&self, dt: f32) -> Vector {
         self.spin * dt
     }
 
-    /// How much longer (m) than the straight way from `from` to `to`, both in the obstacle's frame, a way may be that
-    /// the obstacle's turning bends.
+    /// Upper bound of the extra length (m) of a path that the obstacle's rotation bends, compared with the straight
+    /// path from `from` to `to` in the obstacle's frame.
     pub fn detour(&self, from: Vector, to: Vector) -> f32 {
         if self.pieces == 1 {
             0.0
@@ -139,7 +139,7 @@ impl PoseMotion {
         }
     }
 
-    /// The world box of all places where a shape with the box `local` is during the step.
+    /// World-space box of a shape with the box `local` during the step.
     pub fn bounds_of(&self, local: &Bounds) -> Bounds {
         let mut bounds = self.start_frame.bounds_of(local).with(&self.end_frame.bounds_of(local));
         if self.pieces > 1 {

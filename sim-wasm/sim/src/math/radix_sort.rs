@@ -1,18 +1,18 @@
-//! Stable order by depth, or by any other number: a radix sort of 32-bit keys in three passes of 11 bits, in memory that exists already.
+//! A stable sort by a number such as depth: radix sort of 32-bit keys in three passes of 11 bits, without allocation.
 
 const BITS: usize = 11;
 const BUCKETS: usize = 1 << BITS;
 const PASSES: usize = 3;
 
-/// A key and the particle that it belongs to.
+/// A key, and the index of its particle.
 pub type Entry = [u32; 2];
 
-/// How often each digit occurs; made once.
+/// Digit counts. Allocated once.
 #[derive(Debug)]
 pub struct Histogram(Box<[[u32; BUCKETS]; PASSES]>);
 
 impl Histogram {
-    /// An empty one.
+    /// Creates a histogram.
     pub fn new() -> Self {
         Self(Box::new([[0; BUCKETS]; PASSES]))
     }
@@ -33,15 +33,14 @@ impl Histogram {
     }
 }
 
-/// A key that is ordered like `depth`, which must not be NaN.
+/// A key that orders like `depth`, which must not be NaN.
 pub fn key(depth: f32) -> u32 {
-    // Minus zero equals zero and must not come before it.
+    // Minus zero equals zero: both get the same key.
     let bits = (depth + 0.0).to_bits();
     if bits >> 31 == 1 { !bits } else { bits | 1 << 31 }
 }
 
-/// Sorts `entries` by key, equal keys in the order in which they stand, into `sorted`, which is as long; `entries` are
-/// overwritten.
+/// Sorts `entries` by key into `sorted`, which has the same length. Stable. Overwrites `entries`.
 pub fn sort(entries: &mut [Entry], sorted: &mut [Entry], histogram: &mut Histogram) {
     histogram.count(entries);
     scatter(entries, sorted, &mut histogram.0[0], 0);
@@ -70,7 +69,7 @@ mod tests {
     fn agrees_with_the_stable_sort_of_the_library() {
         let mut random = Random::new(9);
         for count in [0_usize, 1, 2, 5, 1000] {
-            // Few different depths, some of them negative: ties are where stability shows.
+            // Few different depths, some of them negative: stability shows in ties.
             let depths: Vec<f32> = (0..count).map(|_| (random.signed() * 20.0).round() * 0.37).collect();
             let mut entries: Vec<Entry> = (0..).zip(&depths).map(|(i, depth)| [key(*depth), i]).collect();
             let mut sorted = vec![[0; 2]; count];

@@ -11,7 +11,7 @@ pub struct Random {
 }
 
 impl Random {
-    /// The stream that belongs to `seed`.
+    /// The stream of `seed`.
     pub fn new(seed: u32) -> Self {
         let mut random = Self {
             state: u64::from(seed).wrapping_add(INCREMENT),
@@ -20,12 +20,12 @@ impl Random {
         random
     }
 
-    /// All that there is to save.
+    /// The state to save.
     pub fn state(self) -> u64 {
         self.state
     }
 
-    /// The stream that goes on from a saved state.
+    /// Continues a stream from a saved state.
     pub fn from_state(state: u64) -> Self {
         Self { state }
     }
@@ -48,13 +48,13 @@ impl Random {
         self.unit() * 2.0 - 1.0
     }
 
-    /// A whole number below `bound`, which is at least 1 and small against 2^32.
+    /// A whole number in 0..`bound`. `bound` is at least 1 and small compared to 2^32.
     pub fn below(&mut self, bound: u32) -> u32 {
         ((u64::from(self.bits()) * u64::from(bound)) >> 32) as u32
     }
 }
 
-/// A place in the ball of radius 1, by rejection: no cube root, and uniform.
+/// A uniform point in the unit ball, by rejection: needs no cube root.
 pub(crate) fn in_ball(random: &mut Random) -> [f32; 3] {
     loop {
         let place = [random.signed(), random.signed(), random.signed()];

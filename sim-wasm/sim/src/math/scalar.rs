@@ -1,7 +1,7 @@
-//! Comparisons of single numbers.
+//! Comparisons of scalars.
 
-/// `value`, or the bound that it lies beyond; what is not a number stays so.
-// The library's `clamp` prints bounds that are out of order, and what prints such numbers is large.
+/// `value`, limited to `least`..=`greatest`; NaN stays NaN.
+// `Ord::clamp` panics with its bounds in the message, and formatting numbers takes much code.
 #[inline]
 pub fn clamped<N: PartialOrd>(value: N, least: N, greatest: N) -> N {
     if value < least {
@@ -13,13 +13,13 @@ pub fn clamped<N: PartialOrd>(value: N, least: N, greatest: N) -> N {
     }
 }
 
-/// The lesser of two numbers. `f32::min` is a function call in WASM, because it sees to what is no number.
+/// The smaller of two numbers. `f32::min` handles NaN and is a function call in WASM.
 #[inline(always)]
 pub fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
-/// The greater of two numbers.
+/// The larger of two numbers.
 #[inline(always)]
 pub fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }

@@ -1,16 +1,16 @@
-//! Three-vectors of four particles at a time, and the few functions that the kernels need on lanes.
+//! Three-vectors of four particles at a time, and the functions of SIMD lanes that kernels need.
 //!
-//! Everything here gives the same bits on x86-64 and on WASM: only operations that IEEE 754 rounds exactly, no fused
-//! multiply-add, no approximate reciprocals, and no minimum or maximum where a signed zero could tell them apart.
+//! All functions give the same bits on x86-64 and in WASM: they use only correctly rounded operations of IEEE 754, no
+//! fused multiply-add, no approximate reciprocals, and no minimum or maximum that depends on the sign of zero.
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 use wide::bytemuck::cast;
 use wide::{f32x4, i32x4, u32x4};
 
-/// Particles that one SIMD operation handles.
+/// Particles per SIMD operation.
 pub const LANES: usize = 4;
 
-/// Three components, each of four particles.
+/// A three-vector of four particles.
 #[derive(Clone, Copy, Debug)]
 pub struct Vector4 {
     pub x: f32x4,
@@ -43,7 +43,7 @@ impl Vector4 {
         }
     }
 
-    /// The opposite vector in lanes where the highest bit of `sign` is set; its other bits must be 0.
+    /// Negates the lanes in which the highest bit of `sign` is set. All other bits of `sign` must be 0.
     #[inline(always)]
     pub fn negated_where(self, sign: u32x4) -> Self {
         let sign: f32x4 = cast(sign);
@@ -54,7 +54,7 @@ impl Vector4 {
         }
     }
 
-    /// Block `block` of three columns cut into blocks.
+    /// Loads block `block` of three columns.
     #[inline(always)]
     pub fn load(x: &[[f32; LANES]], y: &[[f32; LANES]], z: &[[f32; LANES]], block: usize) -> Self {
         Self {
@@ -64,7 +64,7 @@ impl Vector4 {
         }
     }
 
-    /// The first lane.
+    /// The vector in the first lane.
     pub fn first(self) -> [f32; 3] {
         [self.x.to_array()[0], self.y.to_array()[0], self.z.to_array()[0]]
     }
@@ -127,60 +127,60 @@ impl Mul<f32x4> for Vector4 {
     }
 }
 
-/// A column cut into blocks of [`LANES`]; only the first `blocks` of them.
+/// The first `blocks` blocks of [`LANES`] of a column.
 #[inline(always)]
 pub fn blocks(column: &[f32], blocks: usize) -> &[[f32; LANES]] {
     &column.as_chunks::<LANES>().0[..blocks]
 }
 
-/// A writable column cut into blocks of [`LANES`]; only the first `blocks` of them.
+/// The first `blocks` blocks of [`LANES`] of a mutable column.
 #[inline(always)]
 pub fn blocks_mut(column: &mut [f32], blocks: usize) -> &mut [[f32; LANES]] {
     &mut column.as_chunks_mut::<LANES>().0[..blocks]
 }
 
-/// The part of `value` above zero: exactly +0 in every other lane.
+/// Negative lanes become exactly +0.
 #[inline(always)]
 pub fn positive_part(value: f32x4) -> f32x4 {
     value.simd_gt(f32x4::ZERO) & value
 }
 
-/// The smaller of two numbers; they must not be zeros of different sign.
+/// The smaller of two numbers. They must not be zeros of different signs.
 #[inline(always)]
 pub fn smaller(a: f32x4, b: f32x4) -> f32x4 {
     a.simd_lt(b).select(a, b)
 }
 
-/// The larger of two numbers; they must not be zeros of different sign.
+/// The larger of two numbers. They must not be zeros of different signs.
 #[inline(always)]
 pub fn larger(a: f32x4, b: f32x4) -> f32x4 {
     a.simd_gt(b).select(a, b)
 }
 
-/// The number that [`cell_and_fraction`] gives to cell 0.
+/// The index of cell 0 in [`cell_and_fraction`].
 pub const CELL_ZERO: u32 = 0x4B40_0000;
 
-/// Whole cell below `value`, counted from [`CELL_ZERO`], and the position within it, 0..=1. For |value| under 2^22.
+/// The cell below `value`, counted from [`CELL_ZERO`], and the position within it, 0..=1. Requires |value| < 2^22.
 #[inline(always)]
 pub fn cell_and_fraction(value: f32x4) -> (u32x4, f32x4) {
     let below = value.floor();
-    // Beside 1.5 * 2^23 the last bits of a float are its whole number; a conversion that saturates costs far more.
+    // Next to 1.5 * 2^23 the low bits of a float are its whole part; a saturating conversion costs far more.
     (cast(below + f32x4::splat(12_582_912.0)), value - below)
 }
 
-/// exp(-x) for x >= 0, relative error under 3e-7 up to x = 80; beyond, exp(-80).
+/// exp(-x) for x >= 0, with a relative error below 3e-7 up to x = 80. Larger x give exp(-80).
 ///
-/// 2^(n + f) with n whole and |f| <= 1/2: the Taylor series of 2^f, n added to the exponent.
+/// Computes 2^(n + f) with n whole and |f| <= 1/2 by the Taylor series of 2^f.
 #[inline(always)]
 pub fn exp_minus(x: f32x4) -> f32x4 {
-    // Adding 1.5 * 2^23 leaves the nearest whole number in the low bits, on every machine alike.
+    // Adding 1.5 * 2^23 rounds to the nearest whole number in the low bits, on every machine alike.
     const MAGIC: f32 = 12_582_912.0;
     let y = smaller(x, f32x4::splat(80.0)) * f32x4::splat(-std::f32::consts::LOG2_E);
     let shifted = y + f32x4::splat(MAGIC);
     let f = y - (shifted - f32x4::splat(MAGIC));
     let square = f * f;
     let pair = |low: f32, high: f32| f32x4::splat(low) + f32x4::splat(high) * f;
-    // In pairs, not term by term: the terms would wait for each other.
+    // Evaluated in pairs: a Horner scheme would be one dependency chain.
     let low = pair(1.0, std::f32::consts::LN_2) + square * pair(0.240_226_5, 5.550_411e-2);
     let high = pair(9.618_129e-3, 1.333_355_8e-3) + square * f32x4::splat(1.540_353e-4);
     let series = low + square * square * high;
@@ -198,7 +198,7 @@ mod tests {
             let x = i as f32 * 0.01;
             let ours = f64::from(exp_minus(f32x4::splat(x)).to_array()[2]);
             let exact = (-f64::from(x)).exp();
-            // Half a unit in the last place of x itself moves exp(-x) by x * 6e-8.
+            // Half a unit in the last place of x changes exp(-x) by x * 6e-8.
             assert!(
                 (ours / exact - 1.0).abs() < 3e-7 + f64::from(x) * 1.2e-7,
                 "exp(-{x}): {ours} against {exact}"

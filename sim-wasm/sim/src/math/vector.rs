@@ -1,4 +1,4 @@
-//! Vectors of three numbers of single precision.
+//! Three-vectors of single precision.
 //!
 //! Scalar arithmetic in a fixed order: every machine computes the same bits.
 
@@ -6,7 +6,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::math::scalar::{greater, lesser};
 
-/// A vector of three (m, or m/s).
+/// A three-vector.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vector {
     pub x: f32,
@@ -15,12 +15,12 @@ pub struct Vector {
 }
 
 impl Vector {
-    /// No length.
+    /// The zero vector.
     pub const ZERO: Vector = Vector::new(0.0, 0.0, 0.0);
-    /// Up.
+    /// The up direction.
     pub const Y: Vector = Vector::new(0.0, 1.0, 0.0);
 
-    /// A vector from its parts.
+    /// Creates a vector from its components.
     pub const fn new(x: f32, y: f32, z: f32) -> Self {
         Self { x, y, z }
     }
@@ -44,7 +44,7 @@ impl Vector {
         self.dot(self).sqrt()
     }
 
-    /// The unit vector of this direction; `fallback` where there is no direction.
+    /// The unit vector; `fallback` for the zero vector.
     pub fn unit_or(self, fallback: Self) -> Self {
         let length = self.length();
         if length > 1e-20 {
@@ -54,7 +54,7 @@ impl Vector {
         }
     }
 
-    /// The lesser of each part.
+    /// Component-wise minimum.
     pub fn least(self, other: Self) -> Self {
         Self::new(
             lesser(self.x, other.x),
@@ -63,7 +63,7 @@ impl Vector {
         )
     }
 
-    /// The greater of each part.
+    /// Component-wise maximum.
     pub fn greatest(self, other: Self) -> Self {
         Self::new(
             greater(self.x, other.x),
@@ -72,12 +72,12 @@ impl Vector {
         )
     }
 
-    /// Each part without its sign.
+    /// Component-wise absolute value.
     pub fn abs(self) -> Self {
         Self::new(self.x.abs(), self.y.abs(), self.z.abs())
     }
 
-    /// The point at `fraction` of the way to `other`.
+    /// Linear interpolation to `other`.
     pub fn towards(self, other: Self, fraction: f32) -> Self {
         self + (other - self) * fraction
     }

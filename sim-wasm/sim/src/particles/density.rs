@@ -1,10 +1,9 @@
-//! Density over life, drawn by hand: `density.#.age` and `density.#.value`.
+//! The density of a puff over its life: `density.#.age` and `density.#.value`.
 //!
-//! Without stops it falls as 1 - t, the paper's law. With stops it goes straight from one to the next in the order of
-//! their ages, of equal ages in that of their numbers; before the first and after the last it stays as they are. Stops
-//! nearer to each other than [`MIN_GAP`] are pulled apart to that, later ones to the right, and what then lies beyond
-//! the end of life is not reached: so the curve never jumps. Over the last 5 % of life nothing exceeds 20 (1 - t), so
-//! that every particle dies at density 0.
+//! Without stops the density is 1 - t, the law of the paper. With stops it interpolates linearly between them, ordered
+//! by age, then by index, and is constant before the first and after the last. Stops closer than [`MIN_GAP`] are moved
+//! apart to the right, so that the curve never jumps; what then lies beyond the end of life is ignored. Over the last 5
+//! % of life the density is at most 20 (1 - t): every particle dies at density 0.
 
 use wide::f32x4;
 
@@ -12,12 +11,12 @@ use crate::layout::parameters::density_stop::Stop;
 use crate::layout::parameters::item::LIST_LIMIT;
 use crate::math::simd::{positive_part, smaller};
 
-/// The least distance between stops, as a share of life.
+/// Minimum distance between stops, as a share of life.
 pub const MIN_GAP: f32 = 0.02;
-/// How steeply density falls in the end, per life.
+/// Slope of the limit at the end of life.
 pub const FALL: f32 = 20.0;
 
-/// The stops made ready.
+/// A prepared density curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curve {
     first: f32,
@@ -25,13 +24,13 @@ pub struct Curve {
     count: usize,
 }
 
-/// Whether the stops say no more than what holds without them.
+/// Returns true if the stops describe the law of the paper.
 fn is_law_of_paper(stops: &[Stop]) -> bool {
     let reaches = |age: f64| stops.iter().any(|stop| stop.age == age);
     reaches(0.0) && reaches(1.0) && stops.iter().all(|stop| stop.value == 1.0 - stop.age)
 }
 
-/// From the age `from` on, over `width`, the density changes by `slope` per life.
+/// A linear piece: from the age `from`, over `width`, the density changes by `slope` per life.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Rise {
     from: f32,
@@ -40,7 +39,7 @@ struct Rise {
 }
 
 impl Curve {
-    /// The curve through `stops`; none where there are none, or where they say what holds without them.
+    /// The curve through `stops`; none if there are none or they describe the law of the paper.
     pub fn new(stops: &[Stop]) -> Option<Self> {
         if stops.is_empty() || is_law_of_paper(stops) {
             return None;
@@ -62,7 +61,7 @@ impl Curve {
         Some(Self { first, rises, count })
     }
 
-    /// The density, 0..=1, when the share `worn` of life is over, 0 or more.
+    /// The density, 0..=1, at the share `worn` of life, 0 or more.
     #[inline(never)]
     pub fn density(&self, worn: f32) -> f32 {
         let mut density = self.first;
@@ -73,7 +72,7 @@ impl Curve {
         density.max(0.0).min(end.min(1.0))
     }
 
-    /// The same for four particles, to the last bit.
+    /// Same for four particles, bit for bit.
     #[inline(never)]
     pub fn densities(&self, worn: f32x4) -> f32x4 {
         let mut density = f32x4::splat(self.first);
@@ -86,7 +85,7 @@ impl Curve {
     }
 }
 
-/// By age, keeping the order of equals: eight stops need no more than insertion, and the library's sort is far larger.
+/// Stable insertion sort by age: enough for eight stops, and far smaller code than the library's sort.
 fn sort(stops: &mut [Stop]) {
     for end in 1..stops.len() {
         let mut at = end;

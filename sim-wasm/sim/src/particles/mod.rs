@@ -1,8 +1,8 @@
-//! The state of every particle, as a struct of arrays.
+//! The state of all particles, as a struct of arrays.
 //!
-//! Each column is as long as the capacity, rounded up to a whole number of SIMD lanes, and never grows. Particles
-//! `0..alive` live; the tail holds finite leftovers, so that a kernel may run over the last, partly filled block.
-//! A death swaps the last living particle into the gap: order is not kept. 56 bytes a particle.
+//! Each column has the length of the capacity, rounded up to whole SIMD blocks, and never grows. Particles `0..alive`
+//! are alive. The rest holds finite values, so that kernels may process the last, partly filled block. Removing a
+//! particle moves the last one into the gap, so the order is not kept. 56 bytes per particle.
 
 pub mod density;
 pub mod entrainment;
@@ -14,38 +14,39 @@ use crate::math::radix_sort::{self, Entry, Histogram};
 use crate::math::simd::LANES;
 use crate::particles::held::Held;
 
-/// Columns of particle state. Positions in metres, velocities in metres a second, times in seconds.
+/// Columns of particle state: positions in metres, velocities in metres per second, times in seconds.
 #[derive(Clone, Debug)]
 pub struct Particles {
-    /// Position now (m, world space, y up).
+    /// Position (m, world space, y up).
     pub x: Vec<f32>,
     pub y: Vec<f32>,
     pub z: Vec<f32>,
-    /// Position one step earlier (m): what is drawn lies between the two.
+    /// Position one step earlier (m). Pictures interpolate between the two.
     pub px: Vec<f32>,
     pub py: Vec<f32>,
     pub pz: Vec<f32>,
-    /// Slip (m/s): the particle's velocity relative to the air. The integrator `paper` keeps its whole velocity here.
+    /// Slip (m/s): velocity relative to the air. The integrator `paper` stores the whole velocity.
     pub sx: Vec<f32>,
     pub sy: Vec<f32>,
     pub sz: Vec<f32>,
-    /// Time since birth (s). Negative within the step of birth, for a particle that is born late in that step.
+    /// Time since birth (s). Negative within the step of birth.
     pub age: Vec<f32>,
-    /// Age at death (s), greater than 0.
+    /// Age at death (s), above 0.
     pub lifetime: Vec<f32>,
-    /// Radius at full density (m), before the global factor `puff.size`.
+    /// Radius at full density (m), before the factor `puff.size`.
     pub size: Vec<f32>,
-    /// Heat above the air's, 0 and up; buoyancy acts on it.
+    /// Temperature above the air's, 0 or more; drives buoyancy.
     pub temperature: Vec<f32>,
-    /// Bits 0-7 variation, 8-15 seed byte, 16-27 roll at birth in 4,096ths of a turn, fixed at birth; 28-31 tint, 0: none.
+    /// Packed: variation (bits 0-7), seed byte (8-15), roll at birth in 4,096ths of a turn (16-27), tint (28-31, 0:
+    /// none).
     pub attributes: Vec<u32>,
-    /// What is shown instead of the present; none while drawing on ones.
+    /// Shown instead of the current state; none while drawing on ones.
     pub held: Option<Box<Held>>,
     alive: usize,
     capacity: usize,
 }
 
-/// One particle at its birth. Units as in [`Particles`].
+/// A particle at birth. Units as in [`Particles`].
 #[derive(Clone, Copy, Debug)]
 pub struct Newborn {
     pub position: [f32; 3],
@@ -58,7 +59,7 @@ pub struct Newborn {
 }
 
 impl Particles {
-    /// Room for `capacity` particles, none of them alive. The only allocation that particles ever make.
+    /// Creates an empty set for `capacity` particles. Nothing else allocates.
     pub fn new(capacity: usize) -> Self {
         let padded = capacity.next_multiple_of(LANES);
         let zeros = || vec![0.0_f32; padded];
@@ -73,7 +74,7 @@ impl Particles {
             sy: zeros(),
             sz: zeros(),
             age: zeros(),
-            // One, not zero: the tail is computed too and must stay finite.
+            // 1 instead of 0: kernels compute the tail too, and it must stay finite.
             lifetime: vec![1.0; padded],
             size: zeros(),
             temperature: zeros(),
@@ -84,22 +85,22 @@ impl Particles {
         }
     }
 
-    /// How many particles live: they are `0..alive()` of each column.
+    /// Number of living particles, `0..alive()` of each column.
     pub fn alive(&self) -> usize {
         self.alive
     }
 
-    /// How many particles can live at once.
+    /// Maximum number of living particles.
     pub fn capacity(&self) -> usize {
         self.capacity
     }
 
-    /// Length of the columns that a kernel in blocks of [`LANES`] covers.
+    /// Length of the columns that kernels process, in whole blocks of [`LANES`].
     pub fn padded_alive(&self) -> usize {
         self.alive.next_multiple_of(LANES)
     }
 
-    /// Adds a particle at the end. False, and nothing changed, when there is no room.
+    /// Adds a particle at the end. Returns false if there is no capacity.
     pub fn push(&mut self, newborn: &Newborn) -> bool {
         if self.alive == self.capacity {
             return false;
@@ -120,7 +121,7 @@ impl Particles {
         true
     }
 
-    /// Removes particle `i` by moving the last living one into its place.
+    /// Removes particle `i` by moving the last living particle into its place.
     pub fn swap_remove(&mut self, i: usize) {
         assert!(i < self.alive, "particle {i} of {} does not live", self.alive);
         let last = self.alive - 1;
@@ -134,7 +135,7 @@ impl Particles {
         self.alive = last;
     }
 
-    /// The thirteen columns of numbers in the order in which they are declared.
+    /// The thirteen columns of numbers in the order of declaration.
     pub fn float_columns(&self) -> [&[f32]; 13] {
         [
             &self.x,
@@ -153,7 +154,7 @@ impl Particles {
         ]
     }
 
-    /// The thirteen columns of numbers, writable, in the order in which they are declared.
+    /// The thirteen columns of numbers, mutable, in the order of declaration.
     pub fn float_columns_mut(&mut self) -> [&mut [f32]; 13] {
         [
             &mut self.x,
@@ -172,7 +173,7 @@ impl Particles {
         ]
     }
 
-    /// Declares the first `alive` slots living, after their columns were written. Panics beyond the capacity.
+    /// Sets the number of living particles after their columns were written. Panics beyond the capacity.
     pub fn set_alive(&mut self, alive: usize) {
         assert!(
             alive <= self.capacity,
@@ -182,7 +183,7 @@ impl Particles {
         self.alive = alive;
     }
 
-    /// The slots of the `count` particles that have lived the smallest part of their lives, in order.
+    /// Indices of the `count` particles with the smallest share of life over, in order.
     fn freshest(&self, count: usize) -> Vec<usize> {
         let worn = |i: usize| self.age[i] / self.lifetime[i];
         let mut entries: Vec<Entry> = (0..self.alive).map(|i| [radix_sort::key(worn(i)), i as u32]).collect();
@@ -193,7 +194,7 @@ impl Particles {
         (0..self.alive).filter(|i| stays[*i]).collect()
     }
 
-    /// The same particles with room for `capacity`; where they do not fit, those go that are nearest to their death.
+    /// Copies the particles to another capacity. If they exceed it, those nearest to their death are dropped.
     pub fn resized(&self, capacity: usize) -> Self {
         let kept = self.freshest(capacity);
         let mut resized = Self::new(capacity);
@@ -213,7 +214,7 @@ impl Particles {
         resized
     }
 
-    /// Begins to hold what is shown, as it is now, or ends it; changes nothing where that has been done.
+    /// Starts or stops holding. Starting holds the current state; no change if already in that mode.
     pub fn hold(&mut self, holds: bool) {
         if !holds {
             self.held = None;
@@ -228,13 +229,13 @@ impl Particles {
         }
     }
 
-    /// The held columns, none where nothing is held.
+    /// The held columns; empty if nothing is held.
     pub(crate) fn held_columns_mut(&mut self) -> Vec<&mut [f32]> {
         self.held.iter_mut().flat_map(|held| held.columns_mut()).collect()
     }
 }
 
-/// Gives a particle's attributes a tint, 0..=15.
+/// Sets the tint, 0..=15, in packed attributes.
 pub(crate) fn set_tint(attributes: &mut u32, tint: u8) {
     *attributes = *attributes & 0x0fff_ffff | u32::from(tint & 15) << 28;
 }

@@ -1,4 +1,13 @@
-//! How large a particle is at which age.
+//! The radius of a particle over its life.
+//!
+//! radius(age) = size * puff.size * growth(age) * density(age / lifetime), exactly 0 at birth and at death. growth(age)
+//! is t (2 - t) for t = age / growthTime up to 1. Growth is steepest at birth, so that smoke leaves a nozzle as a stem
+//! instead of a string of specks. Growth times below [`MIN_GROWTH_TIME`] are raised to it, except for the integrator
+//! `paper`, where 0 means growth 1. density(t) is 1 - t, the linear law of the paper, or the curve of `density.#`.
+//!
+//! The radius never jumps: within a step of h seconds it changes by at most size * puff.size * h * (2 / growthTime +
+//! slope / lifetime), the first term only for growthTime above 0. The slope is 1 for the linear law and the steepest
+//! slope of a curve otherwise, at most 50. Entrainment adds puff.size * entrainment * |slip| * h.
 
 use wide::f32x4;
 
@@ -8,18 +17,18 @@ use crate::math::scalar::greater;
 use crate::math::simd::{positive_part, smaller};
 use crate::particles::density::Curve;
 
-/// The least time (s) in which a newborn particle swells, so that none appears from one step to the next. The paper's
-/// integrator keeps the paper's law: there particles may be born full.
+/// Minimum growth time (s), so that no particle appears at full size from one step to the next. Does not apply to the
+/// integrator `paper`, which keeps the law of the paper.
 pub const MIN_GROWTH_TIME: f32 = 0.1;
 
-/// Radius of a particle from its size and age; numbers that hold for all particles.
+/// The radius of a particle as a function of size and age.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RadiusLaw {
     /// Factor on every radius, `puff.size`.
     pub puff_size: f32,
-    /// Seconds until a newborn particle has its full size; 0: from the start.
+    /// Time until a particle has its full size (s); 0: full at birth.
     pub growth_time: f32,
-    /// How density falls over life; none: linearly.
+    /// Density over life; none: linear.
     curve: Option<Curve>,
 }
 
@@ -48,8 +57,8 @@ impl RadiusLaw {
         }
     }
 
-    /// Radius (m) of a particle of `size` (m) at `age` of `lifetime` (s). 0 from the moment of death on; an age
-    /// below 0 counts as 0. Never more than `size` times [`RadiusLaw::puff_size`].
+    /// Radius (m) of a particle of `size` (m) at `age` of `lifetime` (s), at most `size` times
+    /// [`RadiusLaw::puff_size`]. 0 from death on. A negative age counts as 0.
     pub fn radius(&self, size: f32, age: f32, lifetime: f32) -> f32 {
         let age = greater(age, 0.0);
         let worn = age / lifetime;
@@ -60,12 +69,12 @@ impl RadiusLaw {
         self.undiminished(size, age) * density
     }
 
-    /// What the radius (m) would be if density did not fall; `age` is not below 0.
+    /// Radius (m) at density 1; `age` is 0 or more.
     pub fn undiminished(&self, size: f32, age: f32) -> f32 {
         size * self.puff_size * self.growth(age)
     }
 
-    /// The same for four particles, to the last bit.
+    /// Same for four particles, bit for bit.
     #[inline(always)]
     pub fn radii(&self, size: f32x4, age: f32x4, lifetime: f32x4) -> f32x4 {
         let age = positive_part(age);

@@ -1,4 +1,4 @@
-//! A tile: a few hundred particles that all forces work on, one after the other, while they lie in the nearest cache.
+//! Tiles: blocks of particles that stay in the first-level cache while all forces act on them.
 
 use wide::f32x4;
 
@@ -9,16 +9,16 @@ use crate::particles::Particles;
 /// Blocks of four particles in a full tile.
 pub const TILE_BLOCKS: usize = 32;
 
-/// What forces read and write of the particles of a tile. Only the first `len` blocks mean anything.
+/// The values of a tile that forces read and write. Only the first `len` blocks are valid.
 pub struct Tile {
     len: usize,
     /// Length of the step (s).
     pub dt: f32,
-    /// Whether the air is asked for its velocity at the places themselves, not for its mean over the step.
+    /// Evaluate the air velocity at the current places instead of its mean over the step.
     pub is_instant: bool,
-    /// Whether a force has written into `push`, which is all zero otherwise.
+    /// True after a force wrote to `push`, which is zero otherwise.
     pub is_pushed: bool,
-    /// Whether a force has written into `resistance`, which is all zero otherwise.
+    /// True after a force wrote to `resistance`, which is zero otherwise.
     pub is_dragged: bool,
     place: [Vector4; TILE_BLOCKS],
     ahead: [Vector4; TILE_BLOCKS],
@@ -31,13 +31,13 @@ pub struct Tile {
     weight: [f32x4; TILE_BLOCKS],
 }
 
-/// The columns of a tile, each as long as the tile.
+/// The columns of a tile, each of its length.
 pub struct Columns<'t> {
-    /// Where the particles are at the start of the step (m).
+    /// Position at the start of the step (m).
     pub place: &'t mut [Vector4],
-    /// Where they are expected in the middle of the step (m).
+    /// Expected position in the middle of the step (m).
     pub ahead: &'t mut [Vector4],
-    /// Velocity of the air (m/s).
+    /// Air velocity (m/s).
     pub flow: &'t mut [Vector4],
     /// Slip (m/s).
     pub slip: &'t mut [Vector4],
