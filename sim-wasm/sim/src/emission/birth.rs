@@ -1,4 +1,4 @@
-//! One birth.
+//! Births from one emitter.
 
 use crate::emission::shapes::Nozzle;
 use crate::emission::surface::Surfaces;
@@ -13,24 +13,24 @@ use crate::math::random::Random;
 use crate::math::vector::Vector;
 use crate::particles::{Newborn, Particles};
 
-/// What a step's births depend on besides the emitter.
+/// The inputs of a step's births besides the emitter.
 pub struct EmissionContext<'s> {
     pub parameters: &'s Parameters,
     pub surfaces: &'s Surfaces,
     pub parts: &'s Parts,
-    /// How the rigid of this number moves in this step; none where there is none.
+    /// Motion of the rigid with this number in the step; none if there is no such rigid.
     #[cfg(feature = "rigids")]
     pub rigid: &'s dyn Fn(f64) -> Option<PoseMotion>,
-    /// Number of the step: it decides which emitter comes first.
+    /// Index of the step: selects the first emitter.
     pub step: u64,
-    /// Simulated seconds at the middle of the step.
+    /// Simulated time at the middle of the step (s).
     pub time: f64,
     /// Length of the step (s).
     pub dt: f64,
 }
 
 impl EmissionContext<'_> {
-    /// What something with this scope rides on in this step; none where it stands in the world.
+    /// What an emitter with this scope is attached to; none in world space.
     fn ride(&self, scope: &Scope) -> Option<Ride> {
         let part = self.parts.ends(scope.rigid).map(Ride::Part);
         #[cfg(feature = "rigids")]
@@ -39,18 +39,18 @@ impl EmissionContext<'_> {
     }
 }
 
-/// What an emitter rides on.
+/// The carrier of an emitter.
 #[derive(Clone, Copy, Debug)]
 pub enum Ride {
-    /// A rigid, which may turn by more than half a turn.
+    /// A rigid. It may rotate by more than pi in a step.
     #[cfg(feature = "rigids")]
     Rigid(PoseMotion),
-    /// A part, by its poses at the start and at the end of the step.
+    /// A part: its poses at the start and at the end of the step.
     Part([Pose; 2]),
 }
 
 impl Ride {
-    /// Its frame at a fraction of a step of `dt` seconds, and the velocity (m/s) there of what is at `local` in it.
+    /// Coordinate frame at a fraction of a step of `dt` seconds, and the velocity (m/s) there of the point `local`.
     pub fn at(&self, fraction: f32, dt: f32, local: Vector) -> (Frame, Vector) {
         match self {
             #[cfg(feature = "rigids")]
@@ -61,7 +61,7 @@ impl Ride {
             }
             Ride::Part([start, end]) => {
                 let frame = Frame::new(&start.towards(end, fraction));
-                // What `towards` does, differentiated.
+                // The derivative of `towards`.
                 let (half, cosine) = start.half_rotation_to(end);
                 let square = 1.0 - 2.0 * fraction * (1.0 - fraction) * (1.0 - cosine);
                 let spin = half * (2.0 / (square * dt));
@@ -72,11 +72,11 @@ impl Ride {
     }
 }
 
-/// An emitter in one step, and where its births go.
+/// An emitter in one step, and the destination of its births.
 pub struct EmitterSource<'s> {
     emitter: &'s Emitter,
     nozzle: Nozzle<'s>,
-    /// What it rides on; none in the world.
+    /// The carrier; none in world space.
     ride: Option<Ride>,
     around: &'s EmissionContext<'s>,
     random: &'s mut Random,
@@ -105,12 +105,12 @@ impl<'s> EmitterSource<'s> {
         self.around.dt
     }
 
-    /// How many more can live.
+    /// Number of particles that can still be added.
     pub fn room(&self) -> usize {
         self.particles.capacity() - self.particles.alive()
     }
 
-    /// One birth `delay` seconds after the start of the step.
+    /// Adds one particle, born `delay` seconds after the start of the step.
     pub fn spawn(&mut self, delay: f64) {
         let emitter = self.emitter;
         let Parameters { emission, puff, .. } = self.around.parameters;
@@ -131,7 +131,7 @@ impl<'s> EmitterSource<'s> {
         self.particles.push(&newborn);
     }
 
-    /// Place and slip in the world of what leaves at `place` towards `heading`, both in the space of what it rides on.
+    /// World-space position and slip of a birth at `place` towards `heading`, both given in the space of the carrier.
     fn carried(&self, place: [f32; 3], heading: [f32; 3], speed: f32, delay: f64) -> ([f32; 3], [f32; 3]) {
         let Some(ride) = &self.ride else {
             return (place, heading.map(|part| part * speed));
@@ -149,7 +149,7 @@ fn vary(value: f64, variation: f64, random: &mut Random) -> f32 {
     value as f32 * (1.0 + variation as f32 * random.signed())
 }
 
-/// Variation, seed byte, roll and tint, packed as [`Particles`] documents.
+/// Variation, seed byte, roll and tint, packed as documented in [`Particles`].
 fn attributes(variations: u32, tint: u32, random: &mut Random) -> u32 {
     let variation = random.below(variations);
     variation | (random.bits() >> 24) << 8 | (random.bits() >> 20) << 16 | tint << 28

@@ -1,10 +1,10 @@
-//! Attractors: a point draws smoke in, or drives it away.
+//! Attractors: a point attracts or repels smoke.
 //!
-//! a = -A (1 - r^2 / R^2)^2 (p - c) / max(r, s) for the distance r of the place p from the centre c, and 0 where
-//! r >= R: as strong at every distance but for the fade, and within the core linear, so that smoke swings through the
+//! a = -A (1 - r^2 / R^2)^2 (p - c) / max(r, s) for the distance r of the position p from the centre c, and 0 where r
+//! >= R. The strength is constant except for the fade, and linear within the core, so that smoke swings through the
 //! centre as on a spring. Parameters: `attractors.#.acceleration` A (m/s2, negative to repel), `.coreRadius` s (m),
-//! `.reach` R (m), `.position.*` c (m). The core is never smaller than 4 A h^2 for the step h, the least in which a
-//! step can follow the swing, all attractors of the list in one place included.
+//! `.reach` R (m), `.position.*` c (m). The core is at least 4 A h^2 for the step h: the minimum that a step can
+//! resolve, even with all attractors of the list in one place.
 
 use wide::f32x4;
 
@@ -14,7 +14,7 @@ use crate::layout::scope::Reach;
 use crate::math::simd::{Vector4, larger};
 use crate::particles::tile::Tile;
 
-/// An attractor of one step.
+/// An attractor in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     position: Vector4,

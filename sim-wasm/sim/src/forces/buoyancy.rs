@@ -1,8 +1,8 @@
-//! Buoyancy: warm smoke rises until it has cooled.
+//! Buoyancy: warm smoke rises and cools.
 //!
-//! a = b m T up, and T falls by T' = -T / tau. Parameters: `buoyancy.acceleration` b (m/s2 upward at temperature 1),
-//! `forces.buoyancy` m (multiplier), `buoyancy.coolingTime` tau (s). The cooling of a whole step is exact.
-//! `buoyancies.#.*` add to b, or take from it, each in its region.
+//! a = b m T up, and T' = -T / tau. Parameters: `buoyancy.acceleration` b (m/s2 upward at temperature 1),
+//! `forces.buoyancy` m (multiplier), `buoyancy.coolingTime` tau (s). The cooling of a step is exact. `buoyancies.#.*`
+//! add to b in their regions; they may be negative.
 
 use wide::f32x4;
 
@@ -12,7 +12,7 @@ use crate::layout::parameters::table::Parameters;
 use crate::layout::scope::Reach;
 use crate::particles::tile::{Columns, Tile};
 
-/// A lift of one step.
+/// A buoyancy in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     acceleration: f32x4,
@@ -52,12 +52,12 @@ impl Force for Buoyancy {
     }
 }
 
-/// Upward acceleration (m/s2) at temperature 1, everywhere.
+/// Global upward acceleration (m/s2) at temperature 1.
 pub fn acceleration_per_temperature(parameters: &Parameters) -> f32 {
     (parameters.buoyancy.acceleration * parameters.forces.buoyancy) as f32
 }
 
-/// What is left of a temperature after `dt` seconds, 0..1.
+/// Factor on the temperature after `dt` seconds, 0..1.
 pub fn cooling(parameters: &Parameters, dt: f64) -> f32 {
     libm::exp(-dt / parameters.buoyancy.cooling_time) as f32
 }

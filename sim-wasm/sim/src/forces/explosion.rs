@@ -1,10 +1,10 @@
-//! Explosions: a front runs out from a point and throws what it passes.
+//! Explosions: a spherical front that accelerates particles as it passes.
 //!
-//! At each switching on of its envelope a front starts from the centre and grows at a constant speed. In the step after
-//! the front has passed a particle, the particle's slip changes once by j (1 - r^2 / R^2)^2 outwards, less what drag
-//! takes of it in that step, r being its distance from the centre. Parameters: `explosions.#.impulse` j (m/s, negative inwards), `.speed` of the front (m/s),
-//! `.reach` R (m), `.position.*` (m). With an envelope that ends, the front ends too; the next start replaces a front
-//! that still runs. A particle that is born within the front, or overtakes it, is thrown when the front passes it next.
+//! At each start of its envelope a front leaves the centre at a constant speed. In the step after it passes a particle,
+//! the particle's slip changes once by j (1 - r^2 / R^2)^2 outwards, less the drag of that step, for the distance r
+//! from the centre. Parameters: `explosions.#.impulse` j (m/s, negative inwards), `.speed` of the front (m/s), `.reach`
+//! R (m), `.position.*` (m). The front ends with its envelope; the next start replaces a running front. A particle that
+//! is born within the front, or overtakes it, waits for the next front.
 
 use wide::f32x4;
 
@@ -15,15 +15,15 @@ use crate::layout::scope::envelope::since_start;
 use crate::math::simd::Vector4;
 use crate::particles::tile::{Columns, Tile};
 
-/// Nearer to the centre than this (m) there is no way out.
+/// Distance from the centre (m) below which there is no outward direction.
 const NOWHERE: f32 = 1e-12;
 
-/// A front of one step.
+/// A front in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     position: Vector4,
     impulse: f32x4,
-    /// Radius (m) one step before the start of this one, at its start and at its end; below 0 before there is a front.
+    /// Radius (m) one step before the start of this step, at its start and at its end; below 0 before the front starts.
     fronts: [f32x4; 3],
     inverse_reach_squared: f32x4,
     scope: Reach,
@@ -69,7 +69,7 @@ impl Force for Explosion {
             kernel.scope.weigh(ahead, weight);
             for (block, push) in push.iter_mut().enumerate() {
                 let place = place[block];
-                // The way of the last step where it is known, else that of this one, which is straight.
+                // Uses the last displacement if it is known, else that of this step, which is straight.
                 let thrown = if is_instant {
                     kernel.throw(place, place, place + slip[block] * dt, 1)
                 } else {
@@ -82,8 +82,8 @@ impl Force for Explosion {
 }
 
 impl Kernel {
-    /// What a particle at `place` gets (m/s) if the front has passed it between `from` and `to`, which is a step that
-    /// began with front number `first`.
+    /// Velocity change (m/s) of a particle at `place` if the front passes it between `from` and `to`, a step that
+    /// starts with front number `first`.
     #[inline(always)]
     fn throw(&self, place: Vector4, from: Vector4, to: Vector4, first: usize) -> Vector4 {
         let distance = |place: Vector4| {

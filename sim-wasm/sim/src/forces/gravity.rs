@@ -1,7 +1,7 @@
-//! Gravity: smoke that is heavier than air sinks.
+//! Gravity: smoke heavier than air sinks.
 //!
-//! a = -g m up. Parameters: `gravity.acceleration` g (m/s2, downward: the weight that the air does not carry, not
-//! 9.81 for smoke), `forces.gravity` m (multiplier). `gravities.#.*` pull in any direction, each in its region.
+//! a = -g m up. Parameters: `gravity.acceleration` g (m/s2, downward: the net weight in air, not 9.81 for smoke),
+//! `forces.gravity` m (multiplier). `gravities.#.*` pull in any direction in their regions.
 
 use crate::forces::force::{Force, ForceContext, Phase, vector_in};
 use crate::layout::parameters::forces::gravity::Gravity;
@@ -10,7 +10,7 @@ use crate::layout::scope::Reach;
 use crate::math::simd::Vector4;
 use crate::particles::tile::{Columns, Tile};
 
-/// A pull of one step.
+/// A pull in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     acceleration: Vector4,
@@ -48,7 +48,7 @@ impl Force for Gravity {
     }
 }
 
-/// Downward acceleration (m/s2) everywhere.
+/// Global downward acceleration (m/s2).
 pub fn acceleration(parameters: &Parameters) -> f32 {
     (parameters.gravity.acceleration * parameters.forces.gravity) as f32
 }

@@ -1,9 +1,8 @@
-//! The forces. Wind, turbulence, vortices and jets say how the air moves; gravity, buoyancy, drag and the others act on
-//! a particle's slip, which is its velocity relative to the air. What each does stands in its own file; how they move a
-//! particle stands in `motion`.
+//! Forces. Wind, turbulence, vortices and jets define the air velocity. Gravity, buoyancy, drag and the others act on
+//! the slip: a particle's velocity relative to the air. `particle_motion` integrates both.
 //!
-//! A force is a file here and a row of the table below. Its items are a list of the parameters, its kernel works on a
-//! tile of particles at a time, and one that no item asks for costs nothing.
+//! A force consists of its parameters in `layout::parameters::forces`, a row of the list there, and a kernel here that
+//! processes a tile of particles at a time. A force without items costs nothing.
 
 pub mod attractor;
 pub mod blow;
@@ -57,7 +56,7 @@ fn act<F: Force>(kernels: &Kernels<F>, phase: Phase, tile: &mut Tile) {
 
 macro_rules! forces {
     ($($(#[$doc:meta])* $list:ident: $Force:ty,)*) => {
-        /// All forces of one step, ready for the lanes.
+        /// All forces in one step, prepared for SIMD lanes.
         #[allow(non_snake_case, reason = "lists are called as they are in the table")]
         pub struct Forces {
             $($list: Kernels<$Force>,)*
@@ -65,7 +64,7 @@ macro_rules! forces {
         }
 
         impl Forces {
-            /// Those that act in this step.
+            /// Prepares the forces that act in this step.
             pub fn new(context: &ForceContext) -> Self {
                 Self {
                     $($list: kernels(&context.parameters.lists.$list, context),)*
@@ -73,7 +72,7 @@ macro_rules! forces {
                 }
             }
 
-            /// Lets those whose turn is `phase` act on the particles of `tile`.
+            /// Applies the forces of `phase` to the particles of `tile`.
             pub fn act(&self, phase: Phase, tile: &mut Tile) {
                 $(act::<$Force>(&self.$list, phase, tile);)*
                 if phase == Phase::Air && !self.blows.is_empty() {

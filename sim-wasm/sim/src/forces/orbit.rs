@@ -1,15 +1,15 @@
-//! Orbits: smoke circles a mass in a point or along a line, as planets do.
+//! Orbits: smoke circles a point or a line.
 //!
-//! a = -mu d / (d^2 + s^2)^(3/2) for the way d from a point (Plummer, "On the problem of distribution in globular star
-//! clusters", Monthly Notices of the Royal Astronomical Society 71, 1911), and a = -mu d / (d^2 + s^2) for the way d from
-//! a line. Parameters: `orbits.#.acceleration` (m/s2), what mu pulls with at a distance of one metre from a core of no
-//! size, negative to repel; `.coreRadius` s (m); `.position.*` (m), the point, or a point on the line; `.axis.*`, the
-//! direction of the line, all 0 for a point. After Sims, "Particle Animation and Rendering Using Data Parallel
-//! Computation", SIGGRAPH 1990.
+//! a = -mu d / (d^2 + s^2)^(3/2) for the vector d from a point (Plummer, "On the problem of distribution in globular
+//! star clusters", Monthly Notices of the Royal Astronomical Society 71, 1911), and a = -mu d / (d^2 + s^2) for the
+//! vector d from a line. Parameters: `orbits.#.acceleration` (m/s2), the strength of mu at a distance of one metre
+//! without a core, negative to repel; `.coreRadius` s (m); `.position.*` (m), the point, or a point on the line;
+//! `.axis.*`, the direction of the line, all 0 for a point. After Sims, "Particle Animation and Rendering Using Data
+//! Parallel Computation", SIGGRAPH 1990.
 //!
-//! With the speed sqrt(mu / r), around a line sqrt(mu), smoke without drag stays on a circle well outside of the core.
-//! Its slip is followed by leapfrog steps, which keep the energy of a closed orbit. The core is never so small that a
-//! swing through it takes less than four pi steps.
+//! At the speed sqrt(mu / r), around a line sqrt(mu), smoke without drag stays on a circle well outside of the core.
+//! Leapfrog steps conserve the energy of a closed orbit. The core is at least so large that a swing through it takes
+//! four pi steps.
 
 use wide::f32x4;
 
@@ -19,11 +19,11 @@ use crate::layout::scope::Reach;
 use crate::math::simd::Vector4;
 use crate::particles::tile::Tile;
 
-/// An orbit's centre of one step.
+/// The centre of an orbit in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     position: Vector4,
-    /// No length: a point.
+    /// Zero for a point.
     axis: Vector4,
     is_line: bool,
     acceleration: f32x4,
@@ -62,7 +62,7 @@ impl Force for Orbit {
 }
 
 impl Orbit {
-    /// The core (m) in which smoke swings by half a radian in a step: eight in one place still are followed.
+    /// Minimum core (m): smoke swings by half a radian per step, which is stable even for eight orbits in one place.
     fn least_core(&self, is_line: bool, dt: f64) -> f64 {
         let volume = 4.0 * self.acceleration.abs() * dt * dt;
         if is_line {

@@ -1,15 +1,15 @@
-//! How particles move in one step.
+//! Motion of particles in one step.
 //!
-//! Air and slip: a particle goes with the air at its place, and in addition with its slip, on which accelerations and
-//! drag act. The slip has a closed form (see `forces::drag`). The air is followed by a midpoint rule: it is evaluated
-//! half of the last step's displacement ahead, which is the middle of this step up to second order, since velocities
-//! hardly change within a step, at half the cost of a trial step, and unlike a value at the start it does not throw
-//! particles out of the swirls. After a second in turbulence of one octave, 1 m and 0.6 m/s, on ways of 0.5 m, it is
-//! 0.5 mm off the true path, a trial step 0.1 mm and a value at the start 10 mm (100, 14 and 380 mm at 2 m/s). The
-//! direction in which a vortex moves a particle is that of the middle, found by a half step (see `forces::vortex`).
+//! Air and slip: a particle moves with the air and with its slip, on which accelerations and drag act. The slip has a
+//! closed form (see `forces::drag`). The air follows a midpoint rule: its velocity is evaluated half of the last
+//! displacement ahead. Velocities hardly change within a step, so this is the middle of the step up to second order, at
+//! half the cost of a trial step. Evaluation at the start would throw particles out of vortices. After a second in
+//! turbulence of one octave, 1 m and 0.6 m/s, on paths of 0.5 m, the error is 0.5 mm; a trial step has 0.1 mm,
+//! evaluation at the start 10 mm (100, 14 and 380 mm at 2 m/s). A vortex uses the direction at the middle, found by a
+//! half step (see `forces::vortex`).
 //!
 //! Paper: forward Euler on one inertial velocity v, as published: x += v h, v += k h (u - v) + a h. The air acts only
-//! through drag, and vortices fling particles outwards.
+//! through drag, and vortices throw particles outwards.
 
 use wide::f32x4;
 
@@ -24,21 +24,21 @@ use crate::particles::Particles;
 use crate::particles::entrainment::Entrainment;
 use crate::particles::tile::{Columns, Tile, tiles};
 
-/// All that moves particles in one step.
+/// The motion of particles in one step.
 pub struct ParticleMotion {
     pub integrator: Integrator,
     forces: Forces,
     entrainment: Option<Entrainment>,
     lift: Lift,
-    /// Drag where no other drag adds to it, and its rate (1/s).
+    /// Factors of the global drag, and its rate (1/s).
     drag: Factors,
     rate: f32x4,
-    /// How strongly vortex particles act.
+    /// Factor on the velocity of vortex particles.
     vortex_scale: f32,
     dt: f32,
 }
 
-/// The accelerations that act everywhere: they are vertical, so that one number a particle is enough.
+/// Global accelerations. They are vertical: one number per particle.
 struct Lift {
     gravity: f32x4,
     buoyancy: f32x4,
@@ -52,7 +52,7 @@ impl Lift {
 }
 
 impl ParticleMotion {
-    /// The motion that the parameters of `context` ask for.
+    /// Prepares the motion for `context`.
     pub fn new(context: &ForceContext) -> Self {
         let parameters = context.parameters;
         let rate = drag::rate(parameters);
@@ -71,9 +71,9 @@ impl ParticleMotion {
         }
     }
 
-    /// Moves every particle by one step; `px`, `py`, `pz` become the places at its start. From the last tile to the
-    /// first; `moved` is told the first block and the number of blocks of each while they are in the nearest cache, and
-    /// may bury particles there.
+    /// Moves all particles by one step and stores the positions at its start in `px`, `py` and `pz`. Tiles are
+    /// processed from last to first. `moved` receives the first block and the number of blocks of each tile while it is
+    /// in the cache, and may remove particles there.
     pub fn advance(
         &self,
         particles: &mut Particles,
@@ -97,8 +97,8 @@ impl ParticleMotion {
         }
     }
 
-    /// Puts particles from number `first` on that were born within this step as far behind their places as makes the
-    /// whole step, which is about to be made, take them where the rest of it would have.
+    /// Displaces the particles born within this step, from index `first` on, so that the full step that follows takes
+    /// them only over the rest of the step.
     pub fn launch(&self, particles: &mut Particles, first: usize, vortex_particles: Option<&VortexParticles>) {
         let mut tile = Tile::new(self.dt, true);
         for (first, len) in tiles(particles, first / LANES) {
@@ -116,15 +116,14 @@ impl ParticleMotion {
         }
     }
 
-    /// Velocity of the air (m/s) at a place.
+    /// Air velocity (m/s) at a place.
     pub fn air_velocity(&self, place: [f32; 3], vortex_particles: Option<&VortexParticles>) -> [f32; 3] {
         let mut tile = Tile::at(place, self.dt);
         self.blow(&mut tile, vortex_particles);
         tile.columns().flow[0].first()
     }
 
-    /// Turns what the particles keep from slip into velocity, or back, so that a change of the integrator to that of
-    /// `self` does not jerk.
+    /// Converts slip to velocity or back, so that a change to the integrator of `self` is continuous.
     pub fn take_over(&self, particles: &mut Particles, vortex_particles: Option<&VortexParticles>) {
         let sign = f32x4::splat(if self.integrator == Integrator::Paper {
             1.0
@@ -143,13 +142,13 @@ impl ParticleMotion {
         }
     }
 
-    /// Adds all of the air's velocity to the flow of `tile`.
+    /// Adds the air velocity of all forces to the flow of `tile`.
     pub fn blow(&self, tile: &mut Tile, vortex_particles: Option<&VortexParticles>) {
         self.air(tile, vortex_particles);
         self.forces.act(Phase::Swirl, tile);
     }
 
-    /// Adds the air's velocity but for what turns it last.
+    /// Adds the air velocity without the phase `Swirl`.
     #[inline(always)]
     fn air(&self, tile: &mut Tile, vortex_particles: Option<&VortexParticles>) {
         self.forces.act(Phase::Air, tile);
@@ -183,7 +182,7 @@ impl ParticleMotion {
         }
     }
 
-    /// Slip under gravity, buoyancy and drag alone.
+    /// Integrates slip under gravity, buoyancy and drag alone.
     #[inline(always)]
     fn glide(&self, tile: &mut Tile) {
         let Columns {
@@ -198,7 +197,7 @@ impl ParticleMotion {
         }
     }
 
-    /// Slip where each particle has an acceleration of its own; `factors` tells what its own drag makes of the step.
+    /// Integrates slip with an acceleration per particle. `factors` maps a particle's rate of drag to its factors.
     #[inline(always)]
     fn push(&self, tile: &mut Tile, factors: impl Fn(f32x4) -> Factors) {
         let Columns {
@@ -218,7 +217,7 @@ impl ParticleMotion {
         }
     }
 
-    /// Explicit Euler swings where the drag's k h is beyond 1: there it is taken for 1.
+    /// Explicit Euler oscillates for k h above 1: the product is limited to 1.
     #[inline(always)]
     fn paper(&self, tile: &mut Tile) {
         self.forces.act(Phase::Swirl, tile);
@@ -246,7 +245,7 @@ impl ParticleMotion {
     }
 }
 
-/// Writes back what a step has made of a tile: the way ahead has become the place at the end.
+/// Stores a tile after a step: `ahead` holds the positions at its end.
 #[inline(always)]
 fn store(tile: &mut Tile, particles: &mut Particles, first: usize) {
     let Columns { place, ahead, slip, .. } = tile.columns();
@@ -266,7 +265,7 @@ fn store(tile: &mut Tile, particles: &mut Particles, first: usize) {
     put_slip(slip, particles, first);
 }
 
-/// Takes the ways `back` from the places now and before.
+/// Subtracts `back` (m) from the current and the previous positions.
 fn put_back(back: &[Vector4], particles: &mut Particles, first: usize) {
     let count = first + back.len();
     let Particles {

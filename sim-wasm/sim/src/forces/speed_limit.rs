@@ -1,9 +1,9 @@
-//! Speed limits: smoke moves no faster than it may.
+//! Speed limits.
 //!
-//! Where air and slip together would take a particle farther in a step than L h, its way and its slip become shorter by
-//! the same factor: a hard limit, below which nothing changes. Where the region's weight is w, the factor f becomes
-//! 1 - w (1 - f). Parameter: `speedLimits.#.speed` L (m/s). After Sims, "Particle Animation and Rendering Using Data
-//! Parallel Computation", SIGGRAPH 1990.
+//! If air and slip would move a particle farther than L h in a step, its displacement and its slip are scaled by the
+//! same factor f: a hard limit without effect below it. At the region's weight w the factor is 1 - w (1 - f).
+//! Parameter: `speedLimits.#.speed` L (m/s). After Sims, "Particle Animation and Rendering Using Data Parallel
+//! Computation", SIGGRAPH 1990.
 
 use wide::f32x4;
 
@@ -13,7 +13,7 @@ use crate::layout::scope::Reach;
 use crate::math::simd::Vector4;
 use crate::particles::tile::{Columns, Tile};
 
-/// A limit of one step.
+/// A speed limit in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     speed: f32x4,
@@ -45,7 +45,7 @@ impl Force for SpeedLimit {
         for kernel in kernels {
             kernel.reach.weigh(ahead, weight);
             for (block, weight) in weight.iter().enumerate() {
-                // The paper's rule has one velocity, and it stands where slip stands otherwise.
+                // The integrator `paper` has one velocity, stored as slip.
                 let velocity = if is_instant {
                     slip[block]
                 } else {

@@ -1,4 +1,4 @@
-//! Spirals: the air turns about an axis like a wheel, draws in and rises.
+//! Spirals: the air rotates about an axis like a rigid wheel, flows inwards and rises.
 //!
 //! r' = -i f min(1, r / c), theta' = w f, z' = v f with f = (1 - r^2 / R^2)^2, and still air where r >= R. Parameters:
 //! `spirals.#.turn` w (rad/s, counter-clockwise seen against the axis), `.inward` i (m/s, negative outwards), `.along` v
@@ -7,9 +7,9 @@
 //! Parallel Computation", SIGGRAPH 1990. The core of the inward flow is at least as wide as two steps of it are long,
 //! so that nothing swings across the axis.
 //!
-//! A particle must not spiral out by the rule that follows the air. The way of a step is expected to be that of the last
-//! step, turned by the angle a of this one; the air at its middle, w lengthened to 2 tan(a / 2) / h, then moves the
-//! particle along the very chord of its circle. With other flows the rule is of second order.
+//! The integrator must not move a particle outwards. The expected displacement of a step is that of the last step,
+//! rotated by the angle a of this one. The air velocity at its middle, with w lengthened to 2 tan(a / 2) / h, then
+//! moves the particle along the exact chord of its circle. Combined with other flows the rule is of second order.
 
 use wide::f32x4;
 
@@ -19,7 +19,7 @@ use crate::layout::scope::Reach;
 use crate::math::simd::{Vector4, larger};
 use crate::particles::tile::{Columns, Tile};
 
-/// A spiral of one step.
+/// A spiral in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     position: Vector4,
@@ -87,7 +87,7 @@ impl Force for Spiral {
 }
 
 impl Kernel {
-    /// The way out from the axis.
+    /// The vector from the axis.
     #[inline(always)]
     fn outwards(&self, place: Vector4) -> Vector4 {
         let offset = place - self.position;
@@ -100,13 +100,13 @@ impl Kernel {
         fade(outwards.dot(outwards), self.inverse_reach_squared)
     }
 
-    /// Where the middle of the chord will be that a step at the angular velocity `turn` takes, and the angular velocity
-    /// that takes it there. The way to `ahead` is half of the last step.
+    /// The expected middle of a step's chord at the angular velocity `turn`, and the angular velocity that moves the
+    /// particle along the chord. `ahead` is half of the last displacement away.
     #[inline(always)]
     fn chord(&self, place: Vector4, ahead: Vector4, turn: f32x4) -> (Vector4, f32x4) {
         let angle = turn * self.half;
         let square = angle * angle;
-        // The tangent of half the angle; the series is 4e-4 off at the fastest turn of the table.
+        // Tangent of half the angle. The error of the series is 4e-4 at the maximum angular velocity.
         let tangent = angle * (f32x4::ONE + square * (f32x4::splat(1.0 / 3.0) + square * f32x4::splat(2.0 / 15.0)));
         let share = tangent * f32x4::splat(2.0) / (f32x4::ONE + tangent * tangent);
         let way = ahead - place;

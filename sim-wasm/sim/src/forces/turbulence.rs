@@ -1,4 +1,4 @@
-//! Turbulence: small irregular swirls.
+//! Turbulence: small irregular vortices.
 //!
 //! It is the sum of octaves, random flows that are free of divergence (see `octave`). Each octave has half the size of
 //! the one before, which has `turbulence.scale` (m), and 0.6 times its speed; `turbulence.octaves` 0..4 of them
@@ -22,13 +22,13 @@ use crate::particles::tile::{Columns, Tile};
 
 pub mod octave;
 
-/// Most octaves.
+/// Maximum number of octaves.
 pub const OCTAVE_LIMIT: usize = 4;
 
 const OCTAVE_SPEED: f64 = 0.6;
 const OCTAVE_PACE: f64 = 1.5;
 
-/// Moves all patterns on by `dt` seconds: those of the list, then the one that is everywhere.
+/// Advances all patterns by `dt` seconds: those of the list, then the global one.
 pub fn advance(states: &mut [TurbulenceState; LIST_LIMIT + 1], parameters: &Parameters, dt: f64) {
     let listed = parameters.lists.turbulences.items().iter();
     for (state, turbulence) in states.iter_mut().zip(listed) {
@@ -77,14 +77,14 @@ impl Force for Turbulence {
     }
 }
 
-/// A turbulence of one step.
+/// A turbulence in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     swirls: Swirls,
     reach: Reach,
 }
 
-/// The field of one step.
+/// The velocity field of one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Swirls {
     octaves: [Octave; OCTAVE_LIMIT],
@@ -92,7 +92,7 @@ pub struct Swirls {
 }
 
 impl Swirls {
-    /// The field of `pattern`, its speed multiplied by `strength`; none without octaves or speed.
+    /// The field of `pattern` with its speed multiplied by `strength`; none without octaves or speed.
     pub fn new(pattern: &Pattern, strength: f64, state: &TurbulenceState, seed: u32) -> Option<Self> {
         let speed = pattern.speed * strength;
         let len = pattern.octaves as usize;
@@ -117,9 +117,9 @@ impl Swirls {
         Some(Self { octaves, len })
     }
 
-    /// Number `index` of all turbulences of a simulation.
+    /// The field of turbulence `index`.
     fn of_context(pattern: &Pattern, context: &ForceContext, index: usize) -> Option<Self> {
-        // The one that is everywhere keeps the seed as it is.
+        // The global turbulence keeps the seed unchanged.
         let number = (index + 1) % (LIST_LIMIT + 1);
         let seed = context.seed ^ (number as u32).wrapping_mul(0xc2b2_ae35);
         let strength = context.parameters.forces.turbulence;

@@ -1,21 +1,22 @@
-//! Vortices: the air rotations about an axis.
+//! Vortices: the air rotates about an axis.
 //!
-//! Lamb-Oseen: at the distance r from the axis the air moves around it at the angular velocity
+//! Lamb-Oseen: at the distance r from the axis the air rotates at the angular velocity
 //!
 //! w(r) = G m / (2 pi r^2) * (1 - exp(-r^2 / c^2)) * (1 - r^2 / R^2)^2,  and at 0 where r >= R.
 //!
 //! Parameters: `vortices.#.circulation` G (m2/s, counter-clockwise seen against the axis), `.coreRadius` c (m),
-//! `.reach` R (m, distance from the axis at which the swirl has faded to nothing), `.position.*` (m, a point on the
-//! axis), `.axis.*` (a direction of any length), `forces.vortex` m (multiplier). Inside the core the air rotations like a
-//! solid, outside like a free vortex; the last factor makes the end smooth. `.profile` 1 is the core of Rankine
-//! instead, which rotations exactly like a solid: 1 - exp(-r^2 / c^2) becomes the smaller of r^2 / c^2 and 1. Any w(r) is
-//! free of divergence. `.inflow` and `.updraft` (m/s) draw air to the axis and along it: see `draft`.
+//! `.reach` R (m, distance from the axis at which the swirl ends), `.position.*` (m, a point on the axis), `.axis.*` (a
+//! direction of any length), `forces.vortex` m (multiplier). The air rotates as a solid within the core and as a free
+//! vortex outside; the last factor ends it smoothly. `.profile` 1 selects the core of Rankine, an exact solid rotation:
+//! 1 - exp(-r^2 / c^2) becomes min(r^2 / c^2, 1). Any w(r) is free of divergence. `.inflow` and `.updraft` (m/s) draw
+//! air to the axis and along it: see `draft`.
 //!
-//! A particle must not spiral out. The plain midpoint rule grows the radius by a^4 / 8 for a turn by the angle a, which
-//! is 1 % after 20 rotations at 5 rad/s. Here w is taken where the last step, continued, puts the middle of this one; the
-//! half step rotations about the axis by 2 atan(a / 4) instead of going straight, and the whole step takes the chord that
-//! belongs to it. A lone vortex then keeps the radius at any speed but for rounding, only its angle lags (by a^3 / 48
-//! a step), no vortex moves anything by more than twice its distance, and with other flows the rule is of second order.
+//! The integrator must not move a particle outwards. The plain midpoint rule multiplies the radius by 1 + a^4 / 8 for a
+//! rotation by the angle a: 1 % after 20 revolutions at 5 rad/s. Here w is evaluated at the middle that the last step
+//! predicts; the half step rotates about the axis by 2 atan(a / 4) instead of moving straight, and the whole step
+//! follows its chord. A lone vortex keeps the radius at any speed except for rounding; only the angle lags (by a^3 / 48
+//! per step). No vortex moves anything by more than twice its distance. Combined with other flows the rule is of second
+//! order.
 
 use wide::f32x4;
 
@@ -37,12 +38,12 @@ impl Vortex {
     }
 }
 
-/// A vortex of one step.
+/// A vortex in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     swirl: Swirl,
     scope: Reach,
-    /// Inflow and updraft, where there are any.
+    /// Inflow and updraft, if any.
     draft: Option<Draft>,
 }
 
@@ -69,7 +70,7 @@ impl Force for Vortex {
         if tile.is_instant {
             return add_velocities(kernels, tile);
         }
-        // The common case keeps its turn in registers instead of a table.
+        // The common case keeps its rotation in registers.
         match kernels {
             [kernel] if kernel.draft.is_none() => add_mean_velocity(kernel, tile),
             _ => add_mean_velocities(kernels, tile),
@@ -77,7 +78,7 @@ impl Force for Vortex {
     }
 }
 
-/// Adds the velocities (m/s) at the places.
+/// Adds the velocities (m/s) at the current places.
 fn add_velocities(kernels: &[Kernel], tile: &mut Tile) {
     let Columns {
         place, flow, weight, ..
@@ -93,7 +94,7 @@ fn add_velocities(kernels: &[Kernel], tile: &mut Tile) {
     }
 }
 
-/// Adds the mean velocity (m/s) over the step where there is one vortex.
+/// Adds the mean velocity (m/s) over the step of a single vortex.
 fn add_mean_velocity(kernel: &Kernel, tile: &mut Tile) {
     let dt = f32x4::splat(tile.dt);
     let Columns {
@@ -114,7 +115,7 @@ fn add_mean_velocity(kernel: &Kernel, tile: &mut Tile) {
     }
 }
 
-/// Adds the mean velocity (m/s) over the step of several vortices, each of which moves the middle for the others.
+/// Adds the mean velocity (m/s) over the step of several vortices. Each moves the middle of the step for the others.
 fn add_mean_velocities(kernels: &[Kernel], tile: &mut Tile) {
     let dt = f32x4::splat(tile.dt);
     let mut rotations = [[HalfRotation::IDENTITY; TILE_BLOCKS]; LIST_LIMIT];

@@ -1,4 +1,4 @@
-//! Wind: the air as a whole moves.
+//! Wind: the air moves as a whole.
 //!
 //! u = w (1 + s (y - h)) + d g(t), for the mean velocity w (m/s), the shear s (1/m) about the height h (m), and gusts g
 //! along the direction d of the mean wind. The shear never turns the wind around: where its factor would be negative, it
@@ -24,12 +24,12 @@ use crate::math::simd::{Vector4, positive_part};
 use crate::particles::tile::{Columns, Tile};
 
 const WAVES: u32 = 16;
-/// From one wave to the next the frequency grows by this factor: sixteen of them span a factor of 300.
+/// Ratio of consecutive wave frequencies: sixteen waves span a factor of 300.
 const FREQUENCY_RATIO: f64 = 1.46;
-/// The slowest wave, as a share of 1 / `gustTime`.
+/// Lowest frequency, as a share of 1 / `gustTime`.
 const SLOWEST: f64 = 0.1;
 
-/// A wind of one step.
+/// A wind in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     mean: Vector4,
@@ -74,7 +74,7 @@ impl Force for Wind {
 }
 
 impl Wind {
-    /// The wind of this step; `number` tells its gusts from those of the others.
+    /// Prepares the wind; `number` selects the random phases of its gusts.
     fn blowing(&self, number: u32, context: &ForceContext) -> Option<Kernel> {
         if self.velocity == [0.0; 3] && self.weather.gusts == 0.0 {
             return None;
@@ -112,7 +112,7 @@ pub fn gust(weather: &Weather, time: f64, seed: u32) -> f64 {
         let share = SLOWEST * libm::pow(FREQUENCY_RATIO, f64::from(wave));
         let phase = f64::from(random.unit());
         let density = libm::pow(1.0 + share, -5.0 / 3.0);
-        // The waves stand at equal ratios, so that each has a band as wide as its frequency to stand for.
+        // Frequencies have equal ratios, so each wave represents a band as wide as its frequency.
         let amplitude = libm::sqrt(density * share);
         let cycles = share / weather.gust_time * time + phase;
         sum += amplitude * libm::sin(2.0 * std::f64::consts::PI * (cycles - libm::floor(cycles)));

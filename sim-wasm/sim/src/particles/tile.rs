@@ -41,20 +41,20 @@ pub struct Columns<'t> {
     pub flow: &'t mut [Vector4],
     /// Slip (m/s).
     pub slip: &'t mut [Vector4],
-    /// How far the slip takes them in the step (m).
+    /// Displacement by the slip in the step (m).
     pub slipped: &'t mut [Vector4],
-    /// Acceleration besides the one that gravity and buoyancy have everywhere (m/s2).
+    /// Acceleration (m/s2), without the global gravity and buoyancy.
     pub push: &'t mut [Vector4],
-    /// Rate of drag besides the one that is everywhere (1/s).
+    /// Rate of drag (1/s), without the global drag.
     pub resistance: &'t mut [f32x4],
     /// Temperature.
     pub heat: &'t [f32x4],
-    /// For each force its own: how strongly it acts, 0..=1.
+    /// Strength of the current force, 0..=1.
     pub weight: &'t mut [f32x4],
 }
 
 impl Tile {
-    /// An empty tile for steps of `dt` seconds.
+    /// Creates an empty tile for steps of `dt` seconds.
     pub fn new(dt: f32, is_instant: bool) -> Self {
         let vectors = [Vector4::zero(); TILE_BLOCKS];
         let numbers = [f32x4::ZERO; TILE_BLOCKS];
@@ -76,7 +76,7 @@ impl Tile {
         }
     }
 
-    /// One place four times over, for whoever asks how the air moves there.
+    /// A tile of one place in all lanes, to evaluate the air velocity there.
     pub fn at(place: [f32; 3], dt: f32) -> Self {
         let mut tile = Self::new(dt, true);
         tile.len = 1;
@@ -85,7 +85,7 @@ impl Tile {
         tile
     }
 
-    /// Takes up the particles of `len` blocks from `first` on, with air that does not move.
+    /// Loads the particles of `len` blocks from `first` on, with still air.
     #[inline(never)]
     pub fn load(&mut self, particles: &Particles, first: usize, len: usize) {
         self.clear(len);
@@ -109,7 +109,7 @@ impl Tile {
         }
     }
 
-    /// Makes it `len` blocks long, with air that does not move and nothing that pushes.
+    /// Resets the tile to `len` blocks, with still air and without pushes.
     #[inline(always)]
     fn clear(&mut self, len: usize) {
         self.len = len;
@@ -124,8 +124,8 @@ impl Tile {
         self.flow[..len].fill(Vector4::zero());
     }
 
-    /// Takes up blocks of places that have no slip: where they are at the start of the step and where they are expected
-    /// in its middle (m), with air that does not move.
+    /// Loads places without slip: the positions at the start of the step and the expected ones in its middle (m), with
+    /// still air.
     pub fn load_places(&mut self, place: [&[[f32; LANES]]; 3], ahead: [&[[f32; LANES]]; 3]) {
         self.clear(place[0].len());
         for block in 0..self.len {
@@ -151,9 +151,9 @@ impl Tile {
         }
     }
 
-    /// Adds the accelerations (m/s2) that `kernels` have where air and slip take the particles in half of a step: for
-    /// what depends on the place that makes a leapfrog step, which keeps the energy of an orbit. The half way that
-    /// vortices add is not known yet.
+    /// Adds the accelerations (m/s2) of `kernels` at the positions after half a step of air and slip. For
+    /// position-dependent accelerations this is a leapfrog step, which conserves the energy of an orbit. The
+    /// displacement by vortices is not known yet.
     #[inline(always)]
     pub fn push_by<K>(
         &mut self,
@@ -191,7 +191,7 @@ fn vector4(((x, y), z): ((&[f32; LANES], &[f32; LANES]), &[f32; LANES])) -> Vect
     }
 }
 
-/// The blocks of `particles` from `first` on, cut into tiles: first block and number of blocks of each.
+/// Splits the blocks of `particles` from `first` on into tiles: first block and number of blocks.
 pub fn tiles(particles: &Particles, first: usize) -> impl DoubleEndedIterator<Item = (usize, usize)> + use<> {
     let end = particles.padded_alive() / LANES;
     (first..end)

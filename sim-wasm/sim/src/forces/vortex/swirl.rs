@@ -1,4 +1,4 @@
-//! What a vortex does to four particles: how fast it rotations them, and along which chord.
+//! The rotation of air by a vortex, for four particles.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use crate::layout::parameters::forces::vortex::Vortex;
 use crate::math::pose::Frame;
 use crate::math::simd::{Vector4, larger, positive_part};
 
-/// A vortex of one step.
+/// The swirl of a vortex in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Swirl {
     position: Vector4,
@@ -24,8 +24,8 @@ pub struct Swirl {
     per_quarter: f32x4,
 }
 
-/// A turn by the angle whose half has the tangent t: t / (1 + t^2), half its sine, and t^2 / (1 + t^2), half of what
-/// its cosine lacks of 1.
+/// A rotation by the angle whose half has the tangent t. `sine` is t / (1 + t^2), half the sine of the angle; `cosine`
+/// is t^2 / (1 + t^2), half of 1 minus its cosine.
 #[derive(Clone, Copy)]
 pub struct HalfRotation {
     pub(super) sine: f32x4,
@@ -40,23 +40,23 @@ impl HalfRotation {
     };
 }
 
-/// Whether the core of `vortex` rotates as a solid.
+/// Returns true if the core of `vortex` rotates as a solid.
 pub(super) fn is_rankine(vortex: &Vortex) -> bool {
     vortex.profile == 1.0
 }
 
-/// How strong the air moves at a distance from the axis: the fade at the reach, 0..=1, and by how much the angular
-/// velocity is smaller than at the axis, 1 or more.
+/// Profile of the swirl at a distance from the axis: the fade at the reach, 0..=1, and the divisor of the angular
+/// velocity at the axis, 1 or more.
 #[derive(Clone, Copy)]
 pub(super) struct Profile {
-    /// The squared distance in core radii.
+    /// Squared distance in core radii.
     pub q: f32x4,
     pub fade: f32x4,
     pub divisor: f32x4,
 }
 
 impl Swirl {
-    /// `vortex` with everything multiplied by `strength`, placed in `frame`, for steps of `dt` seconds.
+    /// The swirl of `vortex` in `frame`, with all velocities multiplied by `strength`, for steps of `dt` seconds.
     pub(super) fn new(vortex: &Vortex, strength: f64, frame: &Frame, dt: f32) -> Self {
         let core_squared = vortex.core_radius * vortex.core_radius;
         let angular_velocity = vortex.circulation * strength / (2.0 * PI * core_squared);
@@ -73,20 +73,19 @@ impl Swirl {
         }
     }
 
-    /// The way around the axis: as long as the distance from it, and across.
+    /// The tangential vector: as long as the distance from the axis.
     #[inline(always)]
     pub(super) fn around(&self, place: Vector4) -> Vector4 {
         self.axis.cross(place - self.position)
     }
 
-    /// The way to the axis; `around` is the way around it.
+    /// The vector to the axis, from the tangential vector.
     #[inline(always)]
     pub(super) fn inwards(&self, around: Vector4) -> Vector4 {
         self.axis.cross(around)
     }
 
-    /// At the distance from the axis whose square (m2) is given. One division, by the divisor, is enough for all that
-    /// follows from it.
+    /// The profile at a squared distance from the axis (m2). One division by the divisor serves all uses.
     #[inline(always)]
     pub(super) fn profile(&self, squared: f32x4) -> Profile {
         let q = squared * self.inverse_core_squared;
@@ -110,7 +109,7 @@ impl Swirl {
         around * (self.angular_velocity * profile.fade / profile.divisor)
     }
 
-    /// The turn of half a step where the vortex acts with the strength `weight`.
+    /// The rotation of half a step at the strength `weight`.
     #[inline(always)]
     pub(super) fn rotation(&self, place: Vector4, weight: f32x4) -> HalfRotation {
         let around = self.around(place);
@@ -123,24 +122,24 @@ impl Swirl {
         }
     }
 
-    /// Displacement (m) by a turn.
+    /// Displacement (m) by a rotation.
     #[inline(always)]
     pub(super) fn half_step(&self, place: Vector4, rotation: &HalfRotation) -> Vector4 {
         let around = self.around(place);
         (around * rotation.sine + self.inwards(around) * rotation.cosine) * f32x4::splat(2.0)
     }
 
-    /// Velocity (m/s) along the chord of two such rotations whose middle is `middle`.
+    /// Mean velocity (m/s) of two such rotations about their middle `middle`: along the chord.
     #[inline(always)]
     pub(super) fn chord_velocity(&self, middle: Vector4, rotation: &HalfRotation) -> Vector4 {
         self.around(middle) * (rotation.sine * self.per_quarter)
     }
 }
 
-/// q / (exp(q) - 1) for q >= 0, so that (1 - exp(-q)) / q = 1 / (q + bernoulli(q)): what makes a solid core of a free
-/// vortex needs neither an exponential nor care at the axis. The error is at most 5e-5 of q + bernoulli(q).
+/// q / (exp(q) - 1) for q >= 0. (1 - exp(-q)) / q = 1 / (q + bernoulli(q)) then needs no exponential and is regular at
+/// the axis. The error is at most 5e-5 of q + bernoulli(q).
 ///
-/// A polynomial that is 0 with all its slopes from q = 12.75 on; minimax, by Lawson's weights.
+/// A minimax polynomial by Lawson's weights, 0 with all its derivatives from q = 12.75 on.
 #[inline(always)]
 fn bernoulli(q: f32x4) -> f32x4 {
     let left = positive_part(f32x4::ONE - q * f32x4::splat(1.0 / 12.75));
@@ -170,7 +169,7 @@ mod tests {
     fn assert_velocity(vortex: &Vortex, r: f64, expected: f64) {
         let place = Vector4::splat([1.0 + r as f32, 0.0, 8.0]);
         let [x, y, z] = swirl(vortex).velocity(place).first();
-        // The place itself is rounded to 1.2e-7 beside the axis at x = 1.
+        // The place itself is rounded to 1.2e-7 at x = 1.
         assert!(
             (f64::from(y) - expected).abs() < expected * (1e-4 + 2e-7 / r) + 1e-6,
             "at {r}: {y} against {expected}"

@@ -1,21 +1,19 @@
-//! How vortex particles move the air, and which of them are near a place.
+//! The velocity field of vortex particles, and the search for those near a place.
 //!
-//! With r the way from its centre, w the angular velocity there (a vector along the axis) and s the radius of its core,
-//! each adds
+//! With the vector r from its centre, the angular velocity w there and the radius s of its core, each adds
 //!
 //! u = (w x r) g(q),  q = |r|^2 / (9 s^2),  g(q) = (1 - q)^2 (1 - 2.56 q + 2.88 q^2),
 //!
-//! and nothing where q >= 1. This is the kernel exp(-|r|^2 / (2 s^2)) of MantaFlow's vortex particles, w x r being
-//! the angular velocity times the way around the axis, but for an end that is smooth and no exponential: its velocity
-//! differs by 6 % of the fastest at most, where the Gaussian would be cut. It is fastest, 0.594 |w| s, at 0.97 s.
+//! and nothing where q >= 1. This approximates the kernel exp(-|r|^2 / (2 s^2)) of MantaFlow's vortex particles with a
+//! smooth end and without an exponential: the velocity differs by at most 6 % of the maximum, at the end of the
+//! Gaussian. The maximum, 0.594 |w| s, is at 0.97 s.
 //!
-//! It is a turn about the axis, whose weight depends on the distance from the centre only: any such field is free of
-//! divergence, for div u = grad g . (w x r) + g div (w x r), and grad g points along r.
+//! The flow rotates about the axis with a weight that depends on the distance from the centre only. Any such field is
+//! free of divergence: div u = grad g . (w x r) + g div (w x r), and grad g is parallel to r.
 //!
-//! The cells of a grid are as wide as the widest of them reaches, so that none touches more than 3 x 3 x 3. Each cell
-//! has a list of all that touch it, which is all that a place in it needs to look at. Cells share lists where the plain
-//! sum of their numbers times `STRIDE` is the same modulo `LISTS`: cells near each other never do, and which strangers
-//! a list holds besides does not matter, since they add exactly nothing.
+//! Grid cells are as wide as the largest reach, so that each vortex particle touches at most 3 x 3 x 3 cells. Each cell
+//! has a list of all that touch it. Cells share a list if the sums of their indices times `STRIDE` are equal modulo
+//! `LISTS`. Nearby cells never share; unrelated members of a list add exactly nothing.
 
 use wide::{f32x4, u32x4};
 
@@ -23,47 +21,47 @@ use crate::forces::vortex_particles::swarm::{MAX_VORTEX_PARTICLES, Swarm, Vortex
 use crate::math::simd::{LANES, Vector4, cell_and_fraction, positive_part};
 use crate::particles::tile::{Columns, Tile};
 
-/// Where the swirl ends, in radii of the core.
+/// Reach of the velocity, in core radii.
 pub const REACH: f32 = 3.0;
 
-/// Lists; a power of two.
+/// Number of lists; a power of two.
 const LISTS: usize = 2048;
-/// Chosen by trial so that in clouds of any proportions few cells share a list: a box of 11 x 11 x 11 cells uses
-/// 83 % of the lists that it could.
+/// Chosen by trial so that few cells share a list in clouds of any proportions: a box of 11 x 11 x 11 cells uses 83 %
+/// of the possible lists.
 const STRIDE: [i32; 3] = [1, 925, 805];
-/// How much wider than what reaches farthest a cell is, and how much wider that is taken to be, against rounding.
+/// Cell size relative to the largest reach, and the reach relative to its exact value, against rounding.
 const CELL_MARGIN: f32 = 1.02;
 const REACH_MARGIN: f32 = 1.01;
-/// Most cells that one touches.
+/// Maximum number of cells that a vortex particle touches.
 const MAX_CELLS: usize = 27;
 const MAX_GROUPS: usize = MAX_VORTEX_PARTICLES * MAX_CELLS / LANES + LISTS;
 
-/// The sorted vortex particles of a moment.
+/// Vortex particles, sorted for one time.
 pub struct VortexField {
-    /// Cells in a metre.
+    /// Cells per metre.
     frequency: f32,
-    /// Of each list the number of its first group, and at the end the number of all groups.
+    /// First group of each list; the last element is the number of groups.
     starts: Vec<u16>,
     groups: Vec<Group>,
-    /// Each vortex particle, and one that adds nothing behind the last place.
+    /// Each vortex particle, then one without effect.
     entries: Vec<VortexEntry>,
-    /// The lists that each vortex particle stands in, and how many those are.
+    /// The lists of each vortex particle, and their number.
     touched: Vec<u16>,
     cells: Vec<u8>,
-    /// Of each list, how many it holds; then where its next member goes.
+    /// Length of each list; then the position of its next member.
     lengths: Vec<u16>,
-    /// The numbers of the vortex particles in the groups.
+    /// Indices of the vortex particles in the groups.
     members: Vec<u16>,
 }
 
-/// Columns of four vortex particles: x, y, z, 1 / (3 s)^2, and the angular velocity along each axis.
+/// Columns of four vortex particles: x, y, z, 1 / (3 s)^2 and the components of the angular velocity.
 type Group = [[f32; LANES]; 7];
 
 /// The same numbers of one vortex particle.
 type VortexEntry = [[f32; LANES]; 2];
 
 impl VortexField {
-    /// Of no vortex particles. All its memory is taken here.
+    /// Creates an empty field. Allocates all of its memory.
     pub fn new() -> Self {
         Self {
             frequency: 1.0,
@@ -77,12 +75,12 @@ impl VortexField {
         }
     }
 
-    /// Whether it is zero everywhere.
+    /// Returns true if the field is zero everywhere.
     pub fn is_empty(&self) -> bool {
         self.starts[LISTS] == 0
     }
 
-    /// Makes it that of `swarm` in the middle of the coming step.
+    /// Sorts `swarm` for the middle of the coming step.
     pub fn sort(&mut self, swarm: &Swarm) {
         let widest = (0..swarm.count()).map(|i| swarm.core(i).radius).fold(0.0, f32::max);
         self.frequency = 1.0 / (CELL_MARGIN * REACH * widest.max(1e-6));
@@ -100,7 +98,7 @@ impl VortexField {
         self.fill();
     }
 
-    /// Notes from `end` on the lists that `core` stands in, counts it there, and returns the new end.
+    /// Appends the lists that `core` touches from `end` on, counts them, and returns the new end.
     fn mark_lists(&mut self, core: &VortexCore, mut end: usize) -> usize {
         let reach = REACH_MARGIN * REACH * core.radius * self.frequency;
         let [x, y, z] = core.ahead.map(|place| TouchedCells::new(place * self.frequency, reach));
@@ -109,7 +107,7 @@ impl VortexField {
             for (j, from_y) in y.squares.iter().enumerate() {
                 let row = first + j * STRIDE[1] as usize + k * STRIDE[2] as usize;
                 for (i, from_x) in x.squares.iter().enumerate() {
-                    // Without a branch, which would be taken now and then without a pattern.
+                    // Branch-free: the condition is unpredictable.
                     let is_touched = from_x + from_y + from_z < reach * reach;
                     let list = (row + i * STRIDE[0] as usize) % LISTS;
                     self.touched[end] = list as u16;
@@ -121,7 +119,7 @@ impl VortexField {
         end
     }
 
-    /// Gives each list its groups, with nothing in them.
+    /// Reserves the groups of each list.
     fn assign_groups(&mut self) {
         let mut next = 0;
         for (start, length) in self.starts.iter_mut().zip(&mut self.lengths) {
@@ -133,7 +131,7 @@ impl VortexField {
         self.members[..usize::from(next) * LANES].fill(MAX_VORTEX_PARTICLES as u16);
     }
 
-    /// Puts the first `count` vortex particles into their lists.
+    /// Adds the first `count` vortex particles to their lists.
     fn enlist(&mut self, count: usize) {
         let mut touched = self.touched.iter();
         for (number, cells) in self.cells[..count].iter().enumerate() {
@@ -145,7 +143,7 @@ impl VortexField {
         }
     }
 
-    /// Copies into each group what its members are, so that a place reads its list from one end to the other.
+    /// Copies the members into their groups, so that a lookup reads its list sequentially.
     fn fill(&mut self) {
         let (members, _) = self.members.as_chunks::<LANES>();
         let filled = usize::from(self.starts[LISTS]);
@@ -157,7 +155,7 @@ impl VortexField {
         }
     }
 
-    /// Adds the velocity, times `strength`, to the air at the particles of `tile`.
+    /// Adds the velocity, times `strength`, to the flow of `tile`.
     pub fn act(&self, strength: f32, tile: &mut Tile) {
         let Columns { ahead, flow, .. } = tile.columns();
         for (ahead, flow) in ahead.iter().zip(flow) {
@@ -178,7 +176,7 @@ impl VortexField {
         sum & u32x4::splat(LISTS as u32 - 1)
     }
 
-    /// The velocity at `place` in four parts, which belong to the lanes of the groups.
+    /// The velocity at `place`, as four partial sums in the lanes of the groups.
     #[inline(always)]
     fn sum(&self, list: u32, place: [f32; 3]) -> Vector4 {
         let list = list as usize % LISTS;
@@ -192,10 +190,10 @@ impl VortexField {
     }
 }
 
-/// The cells that something touches along one axis.
+/// The cells touched along one axis.
 struct TouchedCells {
     first: i32,
-    /// Of each, the square of the distance to it; infinite where it is out of reach.
+    /// Squared distance to each cell; infinite out of reach.
     squares: [f32; 3],
 }
 
@@ -234,7 +232,7 @@ fn transposed(rows: [[f32; LANES]; LANES]) -> [[f32; LANES]; LANES] {
     f32x4::transpose(rows.map(f32x4::new)).map(f32x4::to_array)
 }
 
-/// The velocity that each of four vortex particles gives the air at `place`.
+/// The velocities of four vortex particles at `place`.
 #[inline(always)]
 fn velocity(group: &Group, place: Vector4) -> Vector4 {
     let [x, y, z, narrowness, wx, wy, wz] = group.map(f32x4::new);
@@ -243,14 +241,14 @@ fn velocity(group: &Group, place: Vector4) -> Vector4 {
     Vector4 { x: wx, y: wy, z: wz }.cross(away) * weight
 }
 
-/// The weight at the given square of the distance, in reaches.
+/// The weight at a squared distance, in reaches.
 #[inline(always)]
 fn weight(square: f32x4) -> f32x4 {
     let left = positive_part(f32x4::ONE - square);
     left * left * (f32x4::splat(1.32) + left * (f32x4::splat(2.88) * left - f32x4::splat(3.2)))
 }
 
-/// The sum over the lanes of each of four vectors.
+/// The lane sums of four vectors.
 #[inline(always)]
 fn folded(vectors: [Vector4; LANES]) -> Vector4 {
     let fold = |parts: [f32x4; LANES]| {

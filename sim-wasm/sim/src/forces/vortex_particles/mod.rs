@@ -1,14 +1,13 @@
-//! Vortex particles: small swirls that a rigid sheds, after Selle, Rasmussen and Fedkiw, "A Vortex Particle Method for
-//! Smoke, Water and Explosions", SIGGRAPH 2005. They drift with the air and with each other, spread, die, and stir the
-//! smoke near them. How one moves the air stands in `field`, how it spreads and dies in `swarm`, how they are shed in
-//! `shedder`.
+//! Vortex particles: small vortices that shedders emit, after Selle, Rasmussen and Fedkiw, "A Vortex Particle Method
+//! for Smoke, Water and Explosions", SIGGRAPH 2005. They drift with the air and with each other, spread, die, and move
+//! the smoke near them. `field` computes their velocity, `swarm` their spread and death, `shedder` their emission.
 //!
-//! Theirs is the velocity form: each adds a velocity to the air, as all that makes air here does. There is no grid of
-//! the air whose lost vorticity they would give back by forces. Their axes keep their directions: stretching by the
-//! gradient of the velocity is left out, since without a pressure that answers it, it grows without bound.
+//! This is the velocity form: each vortex particle adds a velocity to the air. There is no grid whose lost vorticity
+//! would be restored by forces. Axes keep their directions: without a pressure, stretching by the velocity gradient
+//! would grow without bound.
 //!
-//! A step ends with their own: all drift by the midpoint rule of `motion`, as smoke does, die or are shed, and are then
-//! sorted for the middle of the coming step.
+//! At the end of a step vortex particles drift by the midpoint rule of `particle_motion`, die, are shed, and are sorted
+//! for the middle of the coming step.
 
 pub(crate) mod field;
 pub(crate) mod save;
@@ -25,7 +24,7 @@ use crate::particles::tile::Tile;
 
 pub use swarm::{MAX_VORTEX_PARTICLES, VortexParticle};
 
-/// All vortex particles of a simulation. Its memory is taken when the first shedder is described.
+/// All vortex particles of a simulation. Allocated when the first shedder is set.
 pub struct VortexParticles {
     swarm: Swarm,
     shedding: Shedding,
@@ -33,7 +32,7 @@ pub struct VortexParticles {
 }
 
 impl VortexParticles {
-    /// None yet; `seed` starts their random numbers, which are no others'.
+    /// Creates an empty set; `seed` starts its own stream of random numbers.
     pub fn new(seed: u32) -> Self {
         Self::of(Swarm::new(), Shedding::new(seed))
     }
@@ -44,17 +43,17 @@ impl VortexParticles {
         Self { swarm, shedding, field }
     }
 
-    /// How many there are.
+    /// Number of vortex particles.
     pub fn count(&self) -> usize {
         self.swarm.count()
     }
 
-    /// Number `index` of them, in the order in which they were shed.
+    /// Vortex particle `index`, in the order of shedding.
     pub fn get(&self, index: usize) -> Option<VortexParticle> {
         (index < self.count()).then(|| self.swarm.get(index))
     }
 
-    /// Adds one that no shedder made. False, and nothing changed, when it is not sound.
+    /// Adds a vortex particle. Returns false and changes nothing if it is invalid.
     pub fn add(&mut self, particle: &VortexParticle) -> bool {
         if !particle.is_sound() {
             return false;
@@ -65,14 +64,14 @@ impl VortexParticles {
         true
     }
 
-    /// Adds their velocity (m/s), times `strength`, to the air at the particles of `tile`.
+    /// Adds the velocity (m/s), times `strength`, to the flow of `tile`.
     pub fn act(&self, strength: f32, tile: &mut Tile) {
         if !self.field.is_empty() {
             self.field.act(strength, tile);
         }
     }
 
-    /// Adds them, and what shedders remember, to `hash`.
+    /// Adds the vortex particles and the state of the shedders to `hash`.
     pub fn hash_into(&self, hash: &mut Hash) {
         self.swarm.hash_into(hash);
         self.shedding.hash_into(hash);

@@ -1,4 +1,4 @@
-//! Vortex particles as a section of a saved simulation: nothing where there never was a shedder.
+//! Serialisation of vortex particles; empty before the first shedder.
 
 use crate::forces::vortex_particles::VortexParticles;
 use crate::forces::vortex_particles::shedding::Shedding;

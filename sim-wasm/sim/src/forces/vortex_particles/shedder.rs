@@ -1,15 +1,15 @@
-//! What sheds vortex particles: a place on a rigid, or in the world where the wind blows past it.
+//! Shedders: they emit vortex particles at a place on a rigid, or at a fixed place in the wind.
 //!
-//! A shedder sheds `rate` vortex particles a second, evenly, each at its moment within the step. The fastest air around
-//! a fresh one has the speed |`strength` + `perSpeed` V|, for the speed V of the air relative to the place, without what
-//! other vortex particles add: so a rigid that rests in still air sheds nothing by `perSpeed`, a post in the wind does,
-//! and a wake cannot feed itself. Those below 1 mm/s are not shed, and none is above 100 m/s. The envelope and the region of its scope, the
-//! latter at the place, weaken what is shed.
+//! A shedder emits `rate` vortex particles per second, evenly, each at its time within the step. The maximum air speed
+//! around a new one is |`strength` + `perSpeed` V|, for the air speed V relative to the place without other vortex
+//! particles. So a rigid at rest in still air sheds nothing by `perSpeed`, a post in the wind does, and a wake does not
+//! feed itself. Speeds below 1 mm/s are not shed; the maximum is 100 m/s. The envelope of the scope, and its region at
+//! the place, scale the speed.
 //!
-//! They are born between `position` - `extent` and `position` + `extent`, all with the sense of `axis`. With `alternate`
-//! they are born by turns at the two ends with opposite senses, as in the street that von Karman described: as the
-//! shear layers of a body would have it, where the air passes across axis and extent, from whichever side it comes;
-//! else the end at +`extent` has the sense of `axis`, as for the tips of a wing with the axis along its way.
+//! They start between `position` - `extent` and `position` + `extent`, all with the sense of `axis`. With `alternate`
+//! they start alternately at the two ends with opposite senses, as in a von Karman vortex street. The senses follow the
+//! shear layers where the air passes across axis and extent, from either side. Otherwise the end at +`extent` has the
+//! sense of `axis`, as for wing tips with the axis along their motion.
 
 use arrayvec::ArrayVec;
 use wide::f32x4;
@@ -27,19 +27,19 @@ use crate::math::scalar::clamped;
 use crate::math::simd::Vector4;
 use crate::math::vector::Vector;
 
-/// Most that one shedder sheds in a step of 1/60 s.
+/// Maximum number per shedder in a step of 1/60 s.
 const MAX_PER_STEP: usize = 34;
-/// The fastest air around a vortex particle, as a share of what would turn with its centre at the radius of its core.
+/// Maximum air speed of a vortex particle, relative to angular velocity times core radius.
 const PEAK: f32 = 0.594_107;
-/// What is slower (m/s) is not worth a vortex particle.
+/// Minimum speed of a shed vortex particle (m/s).
 const MIN_SPEED: f32 = 1e-3;
-/// No vortex particle is faster (m/s), however fast a rigid falls.
+/// Maximum speed of a shed vortex particle (m/s).
 const MAX_SPEED: f32 = 100.0;
-/// The air passes across where this share of its speed does.
+/// Minimum share of the air speed across axis and extent.
 const ACROSS: f32 = 0.1;
 
 impl Shedding {
-    /// What all shedders shed in one step of `motion`, which is that of `context`.
+    /// Sheds the vortex particles of one step. `motion` belongs to `context`.
     pub fn step(&mut self, motion: &ParticleMotion, context: &ForceContext, swarm: &mut Swarm) {
         let dt = context.now.dt;
         for (index, shedder) in context.parameters.shedders.items().iter().enumerate() {
@@ -72,9 +72,9 @@ struct ShedderSource<'s> {
     shedder: &'s Shedder,
     reach: Reach,
     context: &'s ForceContext<'s>,
-    /// Where the rigid is at the start and at the end of the step.
+    /// Frames of the rigid at the start and at the end of the step.
     ends: [Frame; 2],
-    /// Velocity of the air (m/s) at the middle of the shedder.
+    /// Air velocity (m/s) at the centre of the shedder.
     air: Vector,
     random: &'s mut Random,
 }
@@ -99,8 +99,8 @@ impl<'s> ShedderSource<'s> {
         }
     }
 
-    /// One `moment` seconds after the start of the step, which for an alternating shedder stands at the second end
-    /// where `is_second`; none where it would hardly turn.
+    /// Sheds one vortex particle `moment` seconds after the start of the step. An alternating shedder uses its second
+    /// end if `is_second`. None if the speed is below the minimum.
     fn shed(&mut self, moment: f32, is_second: bool) -> Option<VortexParticle> {
         let Shedder {
             scatter,
@@ -139,7 +139,7 @@ impl<'s> ShedderSource<'s> {
         })
     }
 
-    /// Fastest air (m/s) around what is shed at `place`, which the air passes with the velocity `passing`.
+    /// Maximum air speed (m/s) around a vortex particle shed at `place`; `passing` is the relative air velocity.
     fn speed(&self, place: Vector, passing: Vector) -> f32 {
         let mut weight = [f32x4::ZERO];
         self.reach.weigh(&[Vector4::splat(place.into())], &mut weight);
@@ -147,13 +147,13 @@ impl<'s> ShedderSource<'s> {
         (whole * weight[0].to_array()[0]).clamp(-MAX_SPEED, MAX_SPEED)
     }
 
-    /// Velocity (m/s) of a place that moves with the rigid.
+    /// Velocity (m/s) of a point of the rigid.
     fn velocity_of(&self, local: Vector) -> Vector {
         let [before, after] = self.ends.map(|frame| frame.world_from_local(local));
         (after - before) * (1.0 / self.context.now.dt as f32)
     }
 
-    /// A random vector no longer than `radius`.
+    /// A random vector of at most the length `radius`.
     fn within(&mut self, radius: f64) -> Vector {
         Vector::from(in_ball(self.random)) * radius as f32
     }
@@ -164,8 +164,7 @@ fn frame(shedder: &Shedder, context: &ForceContext, fraction: f32) -> Frame {
     Frame::new(&pose.unwrap_or(Pose::at(Vector::ZERO)))
 }
 
-/// 1 where at the end of `extent` the shear layer of the air that passes turns with `axis`, or where the air does not
-/// pass across, else -1.
+/// 1 if the shear layer at the end of `extent` rotates with `axis`, or if the air does not pass across; else -1.
 fn sense(axis: Vector, extent: Vector, passing: Vector) -> f32 {
     let along = axis.dot(extent.cross(passing));
     if along < -ACROSS * extent.length() * passing.length() {

@@ -4,23 +4,23 @@ use crate::layout::parameters::item::LIST_LIMIT;
 use crate::math::hash::Hash;
 use crate::math::random::Random;
 
-/// What shedders remember from step to step.
+/// State of the shedders between steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shedding {
-    /// Of each shedder the part of a vortex particle that it owes, 0..1.
+    /// Per shedder: the fraction of a vortex particle that it owes, 0..1.
     pub owed: [f64; LIST_LIMIT],
-    /// Of each shedder, how many fell due so far.
+    /// Per shedder: the number that fell due so far.
     pub due: [u64; LIST_LIMIT],
     pub random: Random,
 }
 
 impl Shedding {
-    /// Nothing shed yet.
+    /// The initial state.
     pub fn new(seed: u32) -> Self {
         Self {
             owed: [0.0; LIST_LIMIT],
             due: [0; LIST_LIMIT],
-            // Not the stream of the emitters, which must not change with what is shed.
+            // A stream of its own: shedding must not affect the emitters.
             random: Random::new(seed ^ 0x9e37_79b9),
         }
     }

@@ -6,7 +6,7 @@ use crate::forces::vortex_particles::VortexParticles;
 use crate::particles::tile::{Columns, TILE_BLOCKS, Tile};
 
 impl VortexParticles {
-    /// One step of `motion`, which is that of `context`.
+    /// Advances by one step. `motion` belongs to `context`.
     pub fn step(&mut self, motion: &ParticleMotion, context: &ForceContext) {
         self.drift(motion, context.now.dt as f32);
         self.swarm.age(context.now.dt as f32);

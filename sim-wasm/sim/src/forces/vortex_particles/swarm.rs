@@ -1,33 +1,33 @@
-//! The state of every vortex particle, as a struct of arrays in the order in which they were shed.
+//! The state of all vortex particles, as a struct of arrays in the order of shedding.
 //!
-//! Their Gaussian cores spread by viscosity: with the age t, s^2 = s0^2 + 2 v t, and the swirl at the centre is
-//! w = w0 (s0 / s)^5. This is the exact solution of the equation of diffusion for the velocity that `field` gives, but
-//! for its end: like that of Lamb and Oseen, but of a blob in space instead of a line. On top of it the swirl fades as
-//! (1 - (t / T)^2)^2, so that nothing jerks when one dies at its lifetime T. 52 bytes each.
+//! Gaussian cores spread by viscosity: at the age t, s^2 = s0^2 + 2 v t, and the angular velocity at the centre is w =
+//! w0 (s0 / s)^5. This is the exact solution of the diffusion equation for the velocity in `field` without its end: the
+//! analogue of Lamb-Oseen for a blob instead of a line. In addition the velocity fades as (1 - (t / T)^2)^2 towards the
+//! lifetime T. 52 bytes each.
 
 use wide::f32x4;
 
 use crate::math::hash::Hash;
 use crate::math::simd::{LANES, Vector4, blocks};
 
-/// Most vortex particles that live at once. When one more is shed, that goes which was shed first.
+/// Maximum number of vortex particles. One more replaces the oldest.
 pub const MAX_VORTEX_PARTICLES: usize = 1024;
 
 pub const COLUMNS: usize = 13;
 
-/// What drifts farther from the origin along an axis (m) is given up.
+/// Maximum coordinate (m). Vortex particles beyond are removed.
 const WORLD: f32 = 1e5;
 
 /// One vortex particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VortexParticle {
-    /// Its centre (m).
+    /// Centre (m).
     pub position: [f32; 3],
-    /// Angular velocity (rad/s) of the air at its centre when it was shed, along its axis.
+    /// Angular velocity (rad/s) of the air at the centre when it was shed.
     pub swirl: [f32; 3],
-    /// Distance (m) from its axis at which the air was about fastest when it was shed.
+    /// Radius of the core (m) when it was shed: about the distance of the maximum speed from the axis.
     pub core_radius: f32,
-    /// How fast it spreads (m2/s).
+    /// Rate of spreading (m2/s).
     pub viscosity: f32,
     /// Time since it was shed (s).
     pub age: f32,
@@ -36,7 +36,7 @@ pub struct VortexParticle {
 }
 
 impl VortexParticle {
-    /// Whether it can be followed: finite, within the world, of a size, and not past its end.
+    /// Returns true if it is valid: finite, within the world, with a core, and not past its lifetime.
     pub fn is_sound(&self) -> bool {
         self.position.iter().all(|metres| metres.abs() <= WORLD)
             && self.swirl.iter().all(|radians| radians.abs() <= 1e6)
@@ -50,11 +50,11 @@ impl VortexParticle {
 /// Blocks of x, of y and of z.
 type Blocks<'s> = [&'s [[f32; LANES]]; 3];
 
-/// Columns of the state, each as long as there can be vortex particles.
+/// Columns of the state, each of the maximum length.
 pub struct Swarm {
     /// Centre (m).
     place: [Vec<f32>; 3],
-    /// Where it is expected in the middle of the coming step (m).
+    /// Expected centre in the middle of the coming step (m).
     ahead: [Vec<f32>; 3],
     swirl: [Vec<f32>; 3],
     core_radius: Vec<f32>,
@@ -64,7 +64,7 @@ pub struct Swarm {
     count: usize,
 }
 
-/// One as it is now.
+/// A vortex particle at its current age.
 pub struct VortexCore {
     pub ahead: [f32; 3],
     /// Angular velocity at the centre (rad/s).
@@ -92,7 +92,7 @@ impl Swarm {
         self.count
     }
 
-    /// Blocks of [`LANES`] that hold them.
+    /// Number of blocks of [`LANES`].
     pub fn blocks(&self) -> usize {
         self.count.div_ceil(LANES)
     }
@@ -108,7 +108,7 @@ impl Swarm {
         }
     }
 
-    /// Lets those go that were shed first, as many as it takes for `coming` more to fit.
+    /// Removes the oldest so that `coming` more fit.
     pub fn make_room(&mut self, coming: usize) {
         let excess = (self.count + coming)
             .saturating_sub(MAX_VORTEX_PARTICLES)
@@ -122,7 +122,7 @@ impl Swarm {
         }
     }
 
-    /// Adds one, for which there must be room.
+    /// Adds one; there must be capacity.
     pub fn push(&mut self, particle: &VortexParticle) {
         let i = self.count;
         for axis in 0..3 {
@@ -137,7 +137,7 @@ impl Swarm {
         self.count += 1;
     }
 
-    /// Number `i` as it is now.
+    /// Vortex particle `i` at its current age.
     pub fn core(&self, i: usize) -> VortexCore {
         let first = self.core_radius[i] * self.core_radius[i];
         let now = first + 2.0 * self.viscosity[i] * self.age[i];
@@ -151,12 +151,12 @@ impl Swarm {
         }
     }
 
-    /// Places now and in the middle of the step, of `len` blocks from `first` on.
+    /// Current places and those in the middle of the step, of `len` blocks from `first` on.
     pub fn places(&self, first: usize, len: usize) -> (Blocks<'_>, Blocks<'_>) {
         (part(&self.place, first, len), part(&self.ahead, first, len))
     }
 
-    /// Moves the blocks from `first` on with the velocities `flow` (m/s) of a step of `dt` seconds.
+    /// Moves the blocks from `first` on by the velocities `flow` (m/s) in `dt` seconds.
     pub fn follow(&mut self, first: usize, flow: &[Vector4], dt: f32) {
         for (block, flow) in flow.iter().enumerate() {
             let from = LANES * (first + block);
@@ -171,7 +171,7 @@ impl Swarm {
         }
     }
 
-    /// Makes all `dt` seconds older, and lets those go that have reached their lifetime or left the world.
+    /// Ages all by `dt` seconds and removes those past their lifetime or outside of the world.
     pub fn age(&mut self, dt: f32) {
         let mut kept = 0;
         for i in 0..self.count {
@@ -189,7 +189,7 @@ impl Swarm {
         self.count = kept;
     }
 
-    /// All columns in their order.
+    /// All columns in order.
     pub fn columns(&self) -> [&Vec<f32>; COLUMNS] {
         let ([x, y, z], [ax, ay, az], [wx, wy, wz]) =
             (self.place.each_ref(), self.ahead.each_ref(), self.swirl.each_ref());
@@ -197,7 +197,7 @@ impl Swarm {
         [x, y, z, ax, ay, az, wx, wy, wz, radius, viscosity, age, lifetime]
     }
 
-    /// All columns in their order, writable.
+    /// All columns in order, mutable.
     pub fn columns_mut(&mut self) -> [&mut Vec<f32>; COLUMNS] {
         let ([x, y, z], [ax, ay, az], [wx, wy, wz]) =
             (self.place.each_mut(), self.ahead.each_mut(), self.swirl.each_mut());
@@ -206,7 +206,7 @@ impl Swarm {
         [x, y, z, ax, ay, az, wx, wy, wz, radius, viscosity, age, lifetime]
     }
 
-    /// Declares the first `count` slots to be vortex particles, after their columns were written.
+    /// Sets the number of vortex particles after their columns were written.
     pub fn set_count(&mut self, count: usize) {
         assert!(count <= MAX_VORTEX_PARTICLES, "{count} vortex particles do not fit");
         self.count = count;
