@@ -1,9 +1,9 @@
-//! From particles to rows: what a view needs, near to far, in one buffer that is used again and again.
+//! Arranging particles into rows: the visible ones, near to far, in a reused buffer.
 //!
-//! Pure: the same particles and the same view give the same rows, and nothing of the simulation changes. One pass over
-//! the particles blends, culls and measures; what is left is ordered by depth along the view's direction, equal depths
-//! by slot; then the rows are written. While ordering, the memory of the rows' second half holds entries, so that 8
-//! more bytes a particle are enough.
+//! The result depends only on the particles and the view, and the simulation does not change. One pass over the
+//! particles interpolates, culls and measures. The rest is sorted by depth along the view direction, then by index, and
+//! written as rows. The memory of the attributes holds the entries while sorting, so that 8 extra bytes per particle
+//! suffice.
 
 pub(crate) mod coverage;
 pub mod rows;
@@ -21,14 +21,14 @@ use crate::math::radix_sort::{self, Entry, Histogram};
 use crate::math::simd::{LANES, Vector4, blocks};
 use crate::particles::Particles;
 
-/// Numbers in a row of places.
+/// Floats per row of places.
 pub const PLACE_FLOATS: usize = 4;
-/// Words in a row of attributes.
+/// Words per row of packed attributes.
 pub const ATTRIBUTE_WORDS: usize = 2;
-/// Numbers in a view, without the solids behind it.
+/// Numbers of a view, without its solids.
 pub const VIEW_FLOATS: usize = crate::arrange::view_layout::VIEW_LENGTH;
 
-/// The rows of the last call and the memory for the next. 32 bytes a particle.
+/// The rows of the last call, and scratch memory. 32 bytes per particle.
 #[derive(Debug)]
 pub struct Arranger {
     place: Vec<[f32; PLACE_FLOATS]>,
@@ -40,7 +40,7 @@ pub struct Arranger {
 }
 
 impl Arranger {
-    /// Room for the rows of `capacity` particles.
+    /// Creates the buffers for `capacity` particles.
     pub fn new(capacity: usize) -> Self {
         Self {
             // Places are written in whole blocks.
@@ -53,29 +53,29 @@ impl Arranger {
         }
     }
 
-    /// Places and radii of the rows; only as many as the last call returned are valid.
+    /// Places and radii of the rows. Valid up to the count of the last call.
     pub fn place(&self) -> &[[f32; PLACE_FLOATS]] {
         &self.place
     }
 
-    /// The packed words of the rows; only as many as the last call returned are valid.
+    /// Packed attributes of the rows. Valid up to the count of the last call.
     pub fn attributes(&self) -> &[[u32; ATTRIBUTE_WORDS]] {
         &self.attributes
     }
 
-    /// Least corner, then greatest corner (m) of all particles with their radii, culled or not, then the greatest
-    /// radius; zeros where there is nothing to see at all.
+    /// Minimum corner, then maximum corner (m) of all particles with their radii, culled or not, then the largest
+    /// radius. Zeros if no particle is visible.
     pub fn bounds(&self) -> &[f32; 7] {
         &self.bounds
     }
 
-    /// The grid by which the last call left out what others cover: columns, rows, cells from one row to the next, chart
-    /// coordinates of its corner (left, low) and cells for each unit of the chart; without rows where it left out nothing so.
+    /// The coverage grid of the last call: columns, rows, stride, chart coordinates of its corner (left, low), and
+    /// cells per unit of the chart. No rows if coverage was off.
     pub fn coverage_shape(&self) -> [f32; 6] {
         self.coverage.grid.shape()
     }
 
-    /// Depths (m) along the view behind which nothing shows, cell by cell; infinite where nothing covers.
+    /// Covered depth (m) along the view of each cell; infinite where nothing covers.
     pub fn coverage_depths(&self) -> &[f32] {
         self.coverage.grid.depths()
     }
@@ -104,7 +104,7 @@ impl Arranger {
         count
     }
 
-    /// Writes the rows of the entries that stay, over the places that they were chosen by.
+    /// Writes the rows of the remaining entries over the places used for culling.
     fn write(&mut self, particles: &Particles, view: &View, sampler: &RowSampler, count: usize) {
         let has_ends = view.coverage.is_some_and(|plan| plan.has_ends());
         for (row, [end, particle]) in self.order[..count].iter().enumerate() {
@@ -118,7 +118,8 @@ impl Arranger {
         }
     }
 
-    /// Puts an entry for each particle that the view keeps where the attributes will be, and measures the bounds.
+    /// Writes an entry for each particle that the view keeps into the memory of the attributes, and measures the
+    /// bounds.
     fn collect(
         &mut self,
         particles: &Particles,
@@ -156,7 +157,7 @@ impl Arranger {
     }
 }
 
-/// Places and radii of a block; the same arithmetic as [`RowSampler::place`].
+/// Places and radii of a block. Same arithmetic as [`RowSampler::place`].
 #[inline(always)]
 fn blend<'p>(particles: &'p Particles, sampler: &RowSampler, block: usize) -> (Vector4, f32x4) {
     let column = |column: &'p [f32]| blocks(column, block + 1);
@@ -183,14 +184,14 @@ fn blend<'p>(particles: &'p Particles, sampler: &RowSampler, block: usize) -> (V
     (place, age.simd_ge(f32x4::ZERO) & radius)
 }
 
-/// A mask of the lanes of a block that living particles fill.
+/// A mask of the lanes of a block that hold living particles.
 #[inline(always)]
 fn living(particles: &Particles, block: usize) -> f32x4 {
     let left = (particles.alive() - block * LANES) as f32;
     f32x4::new([0.0, 1.0, 2.0, 3.0]).simd_lt(f32x4::splat(left))
 }
 
-/// The box around what was added.
+/// Accumulates a bounding box.
 struct RowBounds {
     least: Vector4,
     greatest: Vector4,

@@ -1,4 +1,4 @@
-//! The rows that a renderer reads: 24 bytes for each particle that is drawn.
+//! Rows for a renderer: 24 bytes per drawn particle.
 //!
 //! `place`, four f32: x, y, z in world space (m), radius (m), blended between the steps.
 //! `attributes`, two u32: word 0 = roll (bits 0-15, fraction of a turn times 65,536, with a slow spin by age) and
@@ -10,29 +10,29 @@ use crate::particles::Particles;
 use crate::particles::held::Held;
 use crate::particles::radius::RadiusLaw;
 
-/// Fastest spin, in turns a second: the seed byte chooses a spin from minus this to this.
+/// Maximum spin (revolutions per second). The seed byte selects a spin between minus this and this.
 pub const MAX_SPIN: f32 = 0.04;
 
 const MAX_TEMPERATURE: f32 = 4.0;
 
-/// How a row is taken from a particle: at which moment and by which law.
+/// Samples rows from particles at a time between two steps.
 #[derive(Clone, Copy, Debug)]
 pub struct RowSampler {
     pub radii: RadiusLaw,
-    /// Share of the step that has passed, 0..1.
+    /// Elapsed share of the step, 0..1.
     pub blend: f32,
     /// Length of the step (s).
     pub dt: f32,
 }
 
 impl RowSampler {
-    /// Age (s) of particle `i` at the moment; negative when it is not born yet.
+    /// Age (s) of particle `i`; negative before birth.
     pub fn age(&self, particles: &Particles, i: usize) -> f32 {
         let age = particles.held.as_ref().map_or(&particles.age, |held| &held.age);
         age[i] - (1.0 - self.blend) * self.dt
     }
 
-    /// Place and radius of particle `i`; the radius is 0 before birth.
+    /// Place and radius of particle `i`. The radius is 0 before birth.
     pub fn place(&self, particles: &Particles, i: usize) -> [f32; 4] {
         if let Some(held) = &particles.held {
             return self.held_place(held, particles.lifetime[i], i);
@@ -54,13 +54,13 @@ impl RowSampler {
         [held.x[i], held.y[i], held.z[i], if is_born { radius } else { 0.0 }]
     }
 
-    /// Of the two words of particle `i` only how it stands and which it is: roll, variation and seed.
+    /// The part of the packed attributes that determines the orientation of particle `i`: roll, variation and seed.
     pub fn orientation(&self, particles: &Particles, i: usize) -> [u32; 2] {
         let attributes = particles.attributes[i];
         [roll(attributes, self.age(particles, i)), attributes & 0xffff]
     }
 
-    /// The two words of particle `i`.
+    /// The packed attributes of particle `i`.
     pub fn attributes(&self, particles: &Particles, i: usize) -> [u32; 2] {
         let attributes = particles.attributes[i];
         let age = self.age(particles, i);
@@ -78,7 +78,7 @@ fn roll(attributes: u32, age: f32) -> u32 {
     (attributes >> 12 & 0xfff0).wrapping_add(spin(attributes, age)) & 0xffff
 }
 
-/// The roll, in 65,536ths of a turn, that `age` seconds of spin add.
+/// Roll by `age` seconds of spin, in 65,536ths of a revolution.
 fn spin(attributes: u32, age: f32) -> u32 {
     let pace = ((attributes >> 8 & 0xff) as f32 - 127.5) / 127.5 * MAX_SPIN;
     (age * pace * 65_536.0) as i32 as u32

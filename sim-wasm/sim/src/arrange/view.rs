@@ -1,6 +1,6 @@
-//! What a picture needs to know of the particles: the question that `arrange` answers.
+//! A view: the input of `arrange`.
 //!
-//! See `view_layout` for its numbers.
+//! `view_layout` documents its numbers.
 
 use wide::f32x4;
 
@@ -11,26 +11,26 @@ use crate::arrange::view_layout::{CAPS_FOLLOW, LIFTERS_LIMIT, VIEW_LENGTH};
 use crate::layout::error::ParameterError;
 use crate::math::simd::{Vector4, positive_part};
 
-/// Most covers that can be asked for.
+/// Maximum number of covers.
 const COVERS_LIMIT: f64 = 16.0;
 
 /// A checked view.
 #[derive(Clone, Copy, Debug)]
 pub struct View<'v> {
-    /// Where between the previous step (0) and now (1) the picture lies.
+    /// Interpolation between the previous step (0) and now (1).
     pub blend: f32,
-    /// Unit vector along which rows come near to far.
+    /// Unit vector along which rows are sorted, near to far.
     pub direction: [f32; 3],
-    /// Whether its rows throw shadows, and tell where these may end instead of how old they are.
+    /// True for the casters of a light: rows hold the ends of shadows instead of ages.
     pub is_light: bool,
-    /// What is left out; none: nothing is.
+    /// Frustum culling, if enabled.
     pub cull: Option<Cull>,
-    /// How what is left may cover each other; none: nothing does.
+    /// Occlusion culling, if enabled.
     pub coverage: Option<Plan<'v>>,
 }
 
 impl<'v> View<'v> {
-    /// Checks the numbers; refuses by name what is not finite or out of range.
+    /// Checks the numbers. One that is not finite or out of range is an error with its name.
     pub fn new(all: &'v [f32]) -> Result<Self, ParameterError> {
         let (numbers, solids) = all.split_first_chunk().ok_or_else(|| wrong_length(all.len()))?;
         if let Some(index) = all.iter().position(|value| !value.is_finite()) {
@@ -118,7 +118,7 @@ fn wrong_length(length: usize) -> ParameterError {
 fn direction(numbers: &[f32; VIEW_LENGTH]) -> Result<[f32; 3], ParameterError> {
     let [x, y, z] = [numbers[20], numbers[21], numbers[22]].map(f64::from);
     let length = libm::sqrt(x * x + y * y + z * z);
-    // Rounding is forgiven, a vector that nobody normalised is not: its picture would be wrong elsewhere too.
+    // Accepts rounding, but not a vector that was never normalised: its picture would be wrong elsewhere too.
     if !(0.99..=1.01).contains(&length) {
         return Err(ParameterError::out_of_range(
             "view.direction (length)",
@@ -130,10 +130,10 @@ fn direction(numbers: &[f32; VIEW_LENGTH]) -> Result<[f32; 3], ParameterError> {
     Ok([x, y, z].map(|component| (component / length) as f32))
 }
 
-/// Leaves out what cannot be seen, or cannot throw a shadow that is seen. Conservative: it errs towards keeping.
+/// Culls what is not visible, or throws no visible shadow. Conservative.
 ///
-/// The four side planes of the frustum alone: with a perspective they also exclude what lies behind the eye, and near
-/// and far must not exclude anything, since nailboards and volumes clamp their depth instead of being clipped there.
+/// Uses the four side planes only. In perspective they also exclude everything behind the eye. Near and far plane must
+/// not cull, since nailboards and volumes clamp their depth instead of being clipped.
 #[derive(Clone, Copy, Debug)]
 pub struct Cull {
     planes: [Plane; 4],
@@ -143,20 +143,20 @@ pub struct Cull {
     sweep: Option<Sweep>,
 }
 
-/// Signed distance n.x + d, positive inside; a quantity linear in the place just as well.
+/// A plane with the signed distance n.x + d, positive inside; also any other linear function of the place.
 #[derive(Clone, Copy, Debug)]
 struct Plane {
     normal: Vector4,
     offset: f32x4,
 }
 
-/// The way of a shadow: from the caster along the light to the exit from the box of the receivers.
+/// The path of a shadow: from the caster along the light to the exit from the receivers' box.
 #[derive(Clone, Copy, Debug)]
 struct Sweep {
     direction: Vector4,
-    /// The face of the box by which each component leaves.
+    /// The face of the box through which each component exits.
     face: Vector4,
-    /// 1 / direction, and 0 where a component hardly moves: `never` then stands for the time of exit.
+    /// 1 / direction, or 0 for a component close to 0, whose exit time is then `never`.
     inverse: Vector4,
     never: Vector4,
 }
@@ -179,7 +179,7 @@ impl Cull {
         }
     }
 
-    /// A mask of those that may touch the frustum.
+    /// A mask of the particles that may touch the frustum.
     #[inline(always)]
     pub fn keeps(&self, place: Vector4, radius: f32x4) -> f32x4 {
         let length = self.sweep.map_or(f32x4::ZERO, |sweep| sweep.length(place));
@@ -199,7 +199,7 @@ impl Cull {
     }
 }
 
-/// A plane in double precision, before it goes to the lanes.
+/// A plane in double precision.
 struct ExactPlane {
     normal: [f64; 3],
     offset: f64,
@@ -220,7 +220,7 @@ impl ExactPlane {
         }
     }
 
-    /// Distance in metres; a plane without a normal excludes nothing.
+    /// Scales to metres. A plane without a normal excludes nothing.
     fn normalised(self) -> Self {
         let length = libm::sqrt(self.normal.iter().map(|component| component * component).sum());
         if length < 1e-12 {
@@ -261,7 +261,7 @@ impl Sweep {
         }
     }
 
-    /// Metres to the exit; 0 for what lies behind the box.
+    /// Distance to the exit (m); 0 behind the box.
     #[inline(always)]
     fn length(&self, place: Vector4) -> f32x4 {
         let way = self.face - place;

@@ -14,11 +14,11 @@
 //! and its greatest corner; \[91] 1 where behind the balls of all variations stand the tables of their start caps, 2,048
 //! numbers each.
 
-/// Numbers in a view, without the solids behind it.
+/// Numbers of a view, without its solids.
 pub const VIEW_LENGTH: usize = CAPS_FOLLOW + 1;
 
-/// Where a view says that start caps follow its solids.
+/// Index of the flag for start caps behind the solids.
 pub(crate) const CAPS_FOLLOW: usize = 43 + 6 * LIFTERS_LIMIT;
 
-/// Most boxes of surfaces that lift ink.
+/// Maximum number of boxes of surfaces that lift ink.
 pub(crate) const LIFTERS_LIMIT: usize = 8;

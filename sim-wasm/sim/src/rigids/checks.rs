@@ -1,28 +1,28 @@
-//! Ranges of what callers give, and the errors outside of them.
+//! Accepted ranges of descriptions, and the errors outside of them.
 
 use crate::layout::error::ParameterError;
 use crate::math::pose::Pose;
 use crate::math::vector::Vector;
 
-/// Least and greatest length (m) of a shape, and the greatest distance from the world's origin.
+/// Range of a length of a shape (m), and of a coordinate in world space (m).
 pub(super) const LENGTHS: (f64, f64) = (1e-3, 1e3);
 
 pub(super) const PLACES: (f64, f64) = (-1e4, 1e4);
 
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// A kinematic rigid's surface never moves faster (m/s): up to here no particle can get through it.
+/// Maximum speed of a kinematic rigid's surface (m/s): up to it no particle can pass through.
 pub const TOP_SPEED: f32 = 120.0;
 
-/// Reads position and quaternion, which is brought to unit length.
+/// Reads position and quaternion. The quaternion is normalised.
 ///
 /// # Errors
-/// When a number is missing, not finite or too large, or the quaternion has no direction.
+/// A number is missing, not finite or out of range, or the quaternion is zero.
 pub fn pose_of(numbers: &[f32]) -> Result<Pose, ParameterError> {
     pose_under("rigid", numbers)
 }
 
-/// The same, of the thing called `name`.
+/// Same as [`pose_of`], with `name` in the keys of errors.
 pub(super) fn pose_under(name: &str, numbers: &[f32]) -> Result<Pose, ParameterError> {
     let Ok([x, y, z, rotation @ ..]) = <[f32; 7]>::try_from(numbers) else {
         return Err(count_error(&format!("{name}.pose"), numbers.len(), 7));
@@ -35,7 +35,7 @@ pub(super) fn pose_under(name: &str, numbers: &[f32]) -> Result<Pose, ParameterE
     }
     let length = rotation.iter().map(|part| part * part).sum::<f32>().sqrt();
     ranged(&format!("{name}.rotation"), length, (1e-3, 2e3))?;
-    // What is a unit but for rounding stays bit for bit, or a saved pose would not come back as it was.
+    // A quaternion of unit length up to rounding stays bit for bit: saving and restoring must not change a pose.
     let scale = if (length - 1.0).abs() < 1e-5 { 1.0 } else { length };
     Ok(Pose {
         position: Vector::new(x, y, z),
@@ -43,10 +43,10 @@ pub(super) fn pose_under(name: &str, numbers: &[f32]) -> Result<Pose, ParameterE
     })
 }
 
-/// A number that must be finite and within a range.
+/// Checks that a number is finite and within a range.
 pub(super) fn ranged(key: &str, value: f32, (min, max): (f64, f64)) -> Result<f32, ParameterError> {
     let wide = f64::from(value);
-    // The bounds are compared as f32 too, so that a caller's 0.001 is not refused for being 0.00099999.
+    // Bounds are compared as f32, so that 0.001 is accepted although it is 0.00099999 in f32.
     if value.is_finite() && value >= min as f32 && value <= max as f32 {
         Ok(value)
     } else {
@@ -54,7 +54,7 @@ pub(super) fn ranged(key: &str, value: f32, (min, max): (f64, f64)) -> Result<f3
     }
 }
 
-/// A refusal of a list that has not the length that it must have.
+/// The error of a list of the wrong length.
 pub(super) fn count_error(key: &str, count: usize, wanted: usize) -> ParameterError {
     shape_error(
         key,
@@ -63,7 +63,7 @@ pub(super) fn count_error(key: &str, count: usize, wanted: usize) -> ParameterEr
     )
 }
 
-/// A refusal that no range explains.
+/// An error without a range.
 pub fn shape_error(key: &str, value: f64, message: String) -> ParameterError {
     ParameterError {
         key: key.to_owned(),
@@ -74,7 +74,7 @@ pub fn shape_error(key: &str, value: f64, message: String) -> ParameterError {
     }
 }
 
-/// A refusal of the number of a rigid, where there are `count`.
+/// The error of a rigid's index that is out of range; there are `count` rigids.
 pub(super) fn no_such_rigid(index: u32, count: usize) -> ParameterError {
     ParameterError::out_of_range("rigid.index", f64::from(index), 0.0, count as f64 - 1.0)
 }

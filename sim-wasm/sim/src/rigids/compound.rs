@@ -1,4 +1,4 @@
-//! Several shapes as one obstacle.
+//! Compound shapes.
 
 use crate::collide::shapes::{Collider, Nearest};
 use crate::math::bounds::Bounds;
@@ -6,7 +6,7 @@ use crate::math::pose::{Frame, Pose};
 use crate::math::vector::Vector;
 use crate::rigids::meshes::distance_to_box;
 
-/// The union of its parts.
+/// The union of several shapes.
 pub struct Compound {
     parts: Vec<CompoundPart>,
     bounds: Bounds,
@@ -14,13 +14,13 @@ pub struct Compound {
 
 struct CompoundPart {
     frame: Frame,
-    /// In the compound's space.
+    /// In the space of the compound.
     bounds: Bounds,
     shape: Box<dyn Collider>,
 }
 
 impl Compound {
-    /// The union of shapes, each at its pose; there is at least one.
+    /// The union of at least one shape, each at its pose.
     pub fn new(shapes: impl Iterator<Item = (Pose, Box<dyn Collider>)>) -> Self {
         let parts: Vec<CompoundPart> = shapes.map(|(pose, shape)| CompoundPart::new(&pose, shape)).collect();
         let bounds = parts.iter().fold(Bounds::NOTHING, |all, part| all.with(&part.bounds));
@@ -45,7 +45,7 @@ impl CompoundPart {
 }
 
 impl Collider for Compound {
-    /// Inside of several parts the deepest counts: its surface is the farthest way out.
+    /// Inside of several parts the deepest one counts: its surface is the farthest.
     fn nearest(&self, point: Vector, limit: f32) -> Nearest {
         let mut best = Nearest {
             distance: f32::INFINITY,
@@ -53,7 +53,7 @@ impl Collider for Compound {
         };
         for part in &self.parts {
             let away = distance_to_box(&part.bounds, point);
-            // Within a box nothing is known of the depth, so the part is always asked.
+            // Inside a part's box the depth is unknown: the part must be tested.
             if away > 0.0 && away >= best.distance {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! What a rigid is made of, and the ranges of what callers give.
+//! Descriptions of rigids.
 
 use crate::collide::contact::Action;
 use crate::math::pose::Pose;
@@ -8,15 +8,15 @@ use crate::rigids::spin::Spin;
 /// How a rigid moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RigidKind {
-    /// Never.
+    /// Does not move.
     Fixed,
-    /// Where it is told.
+    /// Moves as commanded.
     Kinematic,
-    /// As forces and other rigids make it.
+    /// Moves by forces and contacts.
     Dynamic,
 }
 
-/// The form of a rigid about its own origin; metres.
+/// The shape of a rigid about its origin; lengths in metres.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RigidShape {
     Ball {
@@ -35,54 +35,54 @@ pub enum RigidShape {
         half_height: f32,
         radius: f32,
     },
-    /// The hull of these points.
+    /// The convex hull of points.
     ConvexHull {
         vertices: Vec<[f32; 3]>,
     },
-    /// Triangles; when they close a volume it is solid, else they are a thin sheet.
+    /// A triangle mesh: solid if it is closed, else a thin sheet.
     Trimesh {
         vertices: Vec<[f32; 3]>,
         indices: Vec<[u32; 3]>,
     },
-    /// Several shapes that move as one, 1..=64; none of them a compound.
+    /// 1..=64 shapes that move as one. A compound must not contain compounds.
     Compound {
         parts: Vec<RigidPart>,
     },
 }
 
-/// A shape of a compound and where it stands in the rigid.
+/// A shape of a compound and its pose in the rigid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidPart {
     pub shape: RigidShape,
     pub pose: Pose,
 }
 
-/// A rigid before it is added.
+/// The description of a rigid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidDescription {
     pub kind: RigidKind,
     pub shape: RigidShape,
     pub pose: Pose,
-    /// Share of the normal velocity that comes back, 0..1.
+    /// Share of the normal velocity that is reflected, 0..1.
     pub restitution: f32,
-    /// Share of the tangential velocity that a particle loses, 0..1; among rigids Coulomb's coefficient.
+    /// Share of the tangential velocity that particles lose, 0..1; Coulomb's coefficient between rigids.
     pub friction: f32,
-    /// kg/m3, 0.01..100,000.
+    /// Density, 0.01..=100,000 kg/m3.
     pub density: f32,
-    /// What becomes of particles that touch it; other rigids bump into it all the same.
+    /// Effect on particles that touch it. Rigids collide with it regardless.
     pub action: Action,
-    /// Within this distance (m) air is dragged along with the moving surface, 0..10; 0: none is.
+    /// Thickness of the boundary layer in which the surface drags air along, 0..=10 m; 0: none.
     pub boundary_layer: f32,
-    /// How strongly smoke pushes a dynamic rigid, 0..10; 0: not at all, 1: as air would.
+    /// Strength of the force of smoke on a dynamic rigid, 0..=10; 0: none, 1: as air.
     pub feels_smoke: f32,
-    /// How a kinematic rigid spins, on top of all else that moves it.
+    /// Spin of a kinematic rigid, in addition to all other motion.
     pub spin: Spin,
-    /// Where a kinematic rigid goes by itself. It begins at `pose` all the same.
+    /// Path of a kinematic rigid. The rigid starts at `pose`.
     pub path: Option<Path>,
 }
 
 impl RigidDescription {
-    /// A rigid of which nothing but this is said: it does not bounce, its friction is 0.5, and it is as dense as water.
+    /// Defaults for all other fields: restitution 0, friction 0.5, the density of water.
     pub fn new(kind: RigidKind, shape: RigidShape, pose: Pose) -> Self {
         Self {
             kind,

@@ -1,4 +1,4 @@
-//! From a described shape to its two forms: one that Rapier moves, one that particles bump into.
+//! Construction of a shape's two forms: Rapier's, and the collider of particles.
 
 use rapier3d::glamx::Vec3;
 use rapier3d::parry::shape::{ConvexPolyhedron, SharedShape, TriMesh, TriMeshFlags};
@@ -13,27 +13,27 @@ use crate::rigids::compound::Compound;
 use crate::rigids::description::{RigidDescription, RigidKind, RigidShape};
 use crate::rigids::meshes::{Hull, Mesh};
 
-/// A volume below this share of its box's is no volume.
+/// Minimum volume, as a share of the box's.
 const MIN_FILL_RATIO: f32 = 1e-4;
 const MIN_HALF_EXTENT: f32 = 5e-4;
 
-/// A rigid's shape twice.
+/// Both forms of a rigid's shape.
 pub struct Forms {
     /// Each with its pose in the rigid.
     pub rapiers: Vec<(Pose, SharedShape)>,
     pub ours: Box<dyn Collider>,
 }
 
-/// A shape twice.
+/// Both forms of a single shape.
 struct Form {
     rapiers: SharedShape,
     ours: Box<dyn Collider>,
 }
 
-/// Makes both forms of a described rigid.
+/// Creates both forms of a description.
 ///
 /// # Errors
-/// When points span no volume, or no triangle has an area, or a dynamic rigid is a sheet, which has no mass.
+/// The points span no volume, no triangle has an area, or a dynamic rigid is a sheet, which has no mass.
 pub fn forms_of(description: &RigidDescription) -> Result<Forms, ParameterError> {
     let RigidShape::Compound { parts } = &description.shape else {
         let Form { rapiers, ours } = form_of(&description.shape, description.kind)?;
@@ -94,7 +94,7 @@ fn hull(vertices: &[[f32; 3]]) -> Result<Form, ParameterError> {
         let message = "rigid.vertices span no volume; give at least four points that do not lie in one plane";
         shape_error("rigid.vertices", vertices.len() as f64, message.to_owned())
     };
-    // Asked before the hull is made: its algorithm need not survive points in a line or a plane.
+    // Checked before the hull is built: its algorithm may fail for points on a line or a plane.
     if !spans_volume(&points) {
         return Err(error());
     }
@@ -107,7 +107,7 @@ fn hull(vertices: &[[f32; 3]]) -> Result<Form, ParameterError> {
     })
 }
 
-/// Whether some four of the points are the corners of a tetrahedron that is not flat for their size.
+/// Returns true if four of the points form a tetrahedron that is not degenerate for its size.
 fn spans_volume(points: &[Vec3]) -> bool {
     let origin = points[0];
     let farthest = |measure: &dyn Fn(Vec3) -> f32| {
@@ -166,7 +166,7 @@ fn area_of(mesh: &TriMesh) -> f32 {
         .sum()
 }
 
-/// The triangles, all turned over when they look inwards.
+/// The triangles, all flipped if they face inwards.
 fn outward(mesh: &TriMesh) -> Vec<[u32; 3]> {
     let origin = mesh.vertices()[0];
     let volume: f32 = mesh
@@ -177,7 +177,7 @@ fn outward(mesh: &TriMesh) -> Vec<[u32; 3]> {
     mesh.indices().iter().map(|triangle| turned(*triangle)).collect()
 }
 
-/// Whether each edge is walked once in each direction.
+/// Returns true if each edge occurs once in each direction.
 fn is_closed(triangles: &[[u32; 3]]) -> bool {
     let mut edges: Vec<(u32, u32)> = triangles
         .iter()

@@ -1,9 +1,8 @@
-//! Which rigids are near: a uniform grid that is laid anew in each step over where rigids and particles both are.
+//! A uniform grid to find nearby rigids. It is rebuilt in each step over the intersection of rigids and particles.
 //!
-//! A rigid stands in each cell that its box touches, widened by a margin; a particle whose own box is no larger than
-//! the margin finds all its neighbours in the one cell of its middle. Rigids that would fill many cells stand in a list
-//! of their own, and a particle that is larger than the margin or outside of the grid looks at all rigids. Neither
-//! changes what is found.
+//! A rigid is entered in each cell that its box, widened by a margin, touches. A particle no larger than the margin
+//! finds all nearby rigids in the cell of its centre. Rigids that would fill many cells go to a separate list.
+//! Particles larger than the margin, or outside of the grid, test all rigids. The result does not depend on the grid.
 
 use wide::{f32x4, i32x4};
 
@@ -15,7 +14,7 @@ use crate::math::vector::Vector;
 const CELLS_PER_RIGID: usize = 64;
 const MIN_CELLS: usize = 512;
 const MAX_CELLS: usize = 32_768;
-/// A rigid in more cells than this is looked at by every particle.
+/// Maximum number of cells per rigid. Larger rigids are tested by every particle.
 const MAX_CELLS_PER_RIGID: usize = 512;
 const MAX_CELLS_PER_AXIS: f32 = 128.0;
 
@@ -23,15 +22,15 @@ const MAX_CELLS_PER_AXIS: f32 = 128.0;
 #[derive(Debug, Default)]
 pub struct RigidGrid {
     boxes: Vec<Bounds>,
-    /// The same boxes.
+    /// The same boxes in SIMD registers.
     wide: Vec<WideBounds>,
     margin: f32,
-    /// Least and greatest corner.
+    /// Minimum corner and maximum corner (m).
     origin: Vector,
     end: Vector,
     cells_per_metre: [f32; 3],
     size: [usize; 3],
-    /// Where the entries of each cell begin; one more than there are cells.
+    /// First entry of each cell, then the number of entries.
     starts: Vec<u32>,
     entries: Vec<u16>,
     large: Vec<u16>,
@@ -50,7 +49,7 @@ impl CellRange {
 }
 
 impl RigidGrid {
-    /// Makes room for one more rigid, so that laying the grid never allocates.
+    /// Reserves memory for one more rigid, so that rebuilding never allocates.
     pub fn add(&mut self, bounds: Bounds) {
         self.boxes.push(bounds);
         self.wide.push(WideBounds::from(&bounds));
@@ -62,7 +61,7 @@ impl RigidGrid {
         self.large.reserve(count.saturating_sub(self.large.len()));
     }
 
-    /// Tells where a rigid is during the coming step.
+    /// Sets the box of a rigid during the coming step.
     pub fn place(&mut self, index: usize, bounds: Bounds) {
         self.boxes[index] = bounds;
         self.wide[index] = WideBounds::from(&bounds);
@@ -73,9 +72,9 @@ impl RigidGrid {
         self.boxes.iter().fold(Bounds::NOTHING, |all, one| all.with(one))
     }
 
-    /// Lays the grid over that part of where most particles are that can be near a rigid.
+    /// Rebuilds the grid over the region in which most particles may be near a rigid.
     pub fn rebuild(&mut self, extent: &ParticleExtent) {
-        // A few particles that are far larger or faster than the rest shall not make the cells of all others too full.
+        // A few far larger or faster particles must not enlarge the cells of all others.
         let margin = extent.greatest_reach.min(3.0 * extent.mean_reach);
         let middles = &extent.middles;
         self.margin = margin;
@@ -89,7 +88,7 @@ impl RigidGrid {
         self.write_entries(&area);
     }
 
-    /// The locations of four particles, and for which of them a look there is worth while; `all` is the box of all rigids.
+    /// Grid locations of four particles, and the lanes that may be near a rigid. `all` is the box of all rigids.
     #[inline]
     pub fn look(&self, swept_boxes: &SweptBoxes, all: &Bounds) -> NearLanes {
         match swept_boxes.touching(all) {
@@ -145,7 +144,7 @@ impl RigidGrid {
         ((z * height + y) * width + x).to_array()
     }
 
-    /// Appends the rigids whose boxes touch `bounds`, each number raised by `first`; there is room for all.
+    /// Appends the rigids whose boxes touch `bounds`; `first` is added to their indices. Never allocates.
     #[inline]
     pub fn find_touching(&self, bounds: &WideBounds, location: GridLocation, first: u32, near: &mut Vec<u32>) {
         let touches = |index: &usize| self.wide[*index].touches(bounds);
@@ -157,7 +156,7 @@ impl RigidGrid {
         near.extend(large.filter(touches).map(|index| first + index as u32));
         let cell = location.cell as usize;
         let entries = &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize];
-        // Written first and kept if it touches: a processor foretells that better than a branch.
+        // Written first and kept if it touches: branch-free, since the condition is unpredictable.
         let mut count = near.len();
         near.resize(count + entries.len(), 0);
         for index in entries {
@@ -194,7 +193,7 @@ impl RigidGrid {
                 self.large.push(index as u16);
                 continue;
             }
-            // Two places on: after the sums a cell's start stands one place on, ready to be counted up while writing.
+            // Shifted by two: after the prefix sums a cell's start is at the next index, where writing increments it.
             self.for_each_cell(&span, |starts, _, cell| starts[cell + 2] += 1);
         }
         for cell in 2..self.starts.len() {
@@ -230,7 +229,7 @@ impl RigidGrid {
         }
     }
 
-    /// The cells of a rigid; none when it is not near the area.
+    /// Cells of a rigid; none outside of the area.
     fn span_of(&self, index: usize, area: &Bounds) -> Option<CellRange> {
         let bounds = self.boxes[index].wider(self.margin);
         if !bounds.touches(area) {
@@ -247,7 +246,7 @@ impl RigidGrid {
         let offset: [f32; 3] = (point - self.origin).into();
         std::array::from_fn(|axis| {
             let place = offset[axis] * self.cells_per_metre[axis];
-            // A float too large for an integer becomes the greatest one, a negative one 0.
+            // Float to integer conversion saturates; negative numbers become 0.
             (place as usize).min(self.size[axis] - 1)
         })
     }

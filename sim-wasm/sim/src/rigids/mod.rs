@@ -1,7 +1,7 @@
-//! Rigid bodies of Rapier: what moves, is jointed or has any shape.
+//! Rigid bodies by Rapier: moving, jointed or arbitrarily shaped obstacles.
 //!
-//! Rapier moves the rigids; particles are none. After Rapier's step each rigid is an obstacle on its way from the pose
-//! before to the pose after, and [`crate::collide`] lets the particles near it bump into that.
+//! Rapier moves the rigids, not the particles. After its step each rigid is an obstacle that moves from its previous
+//! pose to its new one; particles collide with it as in [`crate::collide`].
 
 pub mod checks;
 pub(crate) mod commands;

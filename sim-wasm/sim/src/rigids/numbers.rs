@@ -1,10 +1,11 @@
-//! Rigids as flat numbers: how they cross a language boundary and how they are saved.
+//! Flat numbers of rigids, for language boundaries and saving.
 //!
-//! `numbers`: kind (0 fixed, 1 kinematic, 2 dynamic); position x, y, z and quaternion x, y, z, w; restitution, friction,
-//! density, action (0 bounce, 1 kill, 2 tint) and tint, boundary layer, feels smoke; the axis of the spin x, y, z and its rate; the count of parts, 0 for a single
-//! shape that is no compound. Then for each part: shape (0 ball, 1 cuboid, 2 capsule, 3 cylinder, 4 convex hull,
-//! 5 trimesh), how many dimensions, vertex numbers and indices it has, its pose in the rigid (7, as above), and its
-//! dimensions. Ball: radius. Cuboid: half extents. Capsule and cylinder: half height, radius. Hull and trimesh: none.
+//! `numbers`: kind (0 fixed, 1 kinematic, 2 dynamic); position x, y, z and quaternion x, y, z, w; restitution,
+//! friction, density, action (0 bounce, 1 kill, 2 tint) and tint, boundary layer, feels smoke; the axis of the spin x,
+//! y, z and its rate; the number of parts, 0 for a single shape. Then for each part: shape (0 ball, 1 cuboid, 2
+//! capsule, 3 cylinder, 4 convex hull, 5 trimesh), the numbers of its dimensions, vertex numbers and indices, its pose
+//! in the rigid (7, as above), and its dimensions. Ball: radius. Cuboid: half extents. Capsule and cylinder: half
+//! height, radius. Hull and trimesh: none.
 
 use crate::collide::contact::Action;
 use crate::layout::error::ParameterError;
@@ -20,7 +21,7 @@ const LAYERS: (f64, f64) = (0.0, 10.0);
 const FEELINGS: (f64, f64) = (0.0, 10.0);
 const MAX_PARTS: usize = 64;
 
-/// A rigid as flat numbers, as the head of this file tells.
+/// A rigid as flat numbers. See the module documentation.
 #[derive(Clone, Copy, Debug)]
 pub struct RigidNumbers<'a> {
     pub numbers: &'a [f32],
@@ -28,11 +29,11 @@ pub struct RigidNumbers<'a> {
     pub vertices: &'a [f32],
     /// Three vertices of each triangle, counted within the part; part by part.
     pub indices: &'a [u32],
-    /// As [`Path::from_numbers`] reads it.
+    /// The format of [`Path::from_numbers`].
     pub path: &'a [f32],
 }
 
-/// The same, owned.
+/// Owned [`RigidNumbers`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FlatRigid {
     pub numbers: Vec<f32>,
@@ -45,8 +46,8 @@ impl RigidDescription {
     /// Reads and checks flat numbers.
     ///
     /// # Errors
-    /// Names the number that is not finite or out of range, as `rigid.*`. Whether points span a hull is judged when
-    /// the rigid is added.
+    /// A number is not finite or out of range; the key is `rigid.*`. Adding the rigid checks whether points span a
+    /// hull.
     pub fn from_numbers(numbers: &RigidNumbers) -> Result<Self, ParameterError> {
         let mut reader = FlatReader { rest: *numbers };
         let kind = kind_of(reader.number()?)?;
@@ -73,7 +74,7 @@ impl RigidDescription {
         })
     }
 
-    /// The flat numbers of which [`RigidDescription::from_numbers`] makes the same description.
+    /// The inverse of [`RigidDescription::from_numbers`].
     pub fn to_numbers(&self) -> FlatRigid {
         let mut flat = FlatRigid {
             path: self.path.as_ref().map(Path::to_numbers).unwrap_or_default(),
@@ -145,7 +146,7 @@ impl<'a> FlatReader<'a> {
         self.numbers(1).map(|numbers| numbers[0])
     }
 
-    /// A whole number that counts something.
+    /// Reads a count.
     fn count(&mut self, key: &str, most: usize) -> Result<usize, ParameterError> {
         let count = ranged(key, self.number()?, (0.0, most as f64))?;
         if count.fract() != 0.0 {
@@ -213,7 +214,7 @@ fn kind_of(number: f32) -> Result<RigidKind, ParameterError> {
     }
 }
 
-/// The lengths of one part, under the name by which refusals call it.
+/// Dimensions and geometry of one part. `name` starts the keys of errors.
 struct Lengths<'a> {
     name: &'a str,
     dimensions: &'a [f32],

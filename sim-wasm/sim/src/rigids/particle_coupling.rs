@@ -1,12 +1,12 @@
-//! The other way: smoke pushes light rigids.
+//! The force of smoke on light rigids.
 //!
-//! What moves near a rigid tells how the air goes past it: the mean velocity u, relative to the rigid, of the particles
-//! in a shell as wide as the rigid is large. What is close to the surface has been stopped by it and tells little: at a
-//! share t of the shell the weight is 16 t^2 (1 - t)^2, none at the surface and none at the edge. The box around the shape is taken for three flat plates, the force on each is normal to it (Hoerner, 'Fluid-Dynamic Drag',
-//! 1965: a plate's normal force goes with the sine of its angle to the flow, C = 1.17 square on):
-//! F = sum over the axes n of C rho/2 A_n |u| (u.n) n. Its part along u is the drag, the rest the lift of a tilted
-//! plate. For a ball it is C rho/2 pi r2 |u| u with C = 0.47. The force acts off the middle where the smoke does, and
-//! the air damps turning as fast as it damps motion.
+//! The particles near a rigid sample the flow past it: their mean velocity u, relative to the rigid, in a shell as wide
+//! as the rigid is large. Particles close to the surface were stopped by it: at the share t of the shell the weight is
+//! 16 t^2 (1 - t)^2, 0 at the surface and at the edge. The bounding box acts as three flat plates with normal forces
+//! (Hoerner, 'Fluid-Dynamic Drag', 1965: the normal force of a plate is proportional to the sine of its angle to the
+//! flow, with C = 1.17 for normal flow): F = sum over the axes n of C rho/2 A_n |u| (u.n) n. The component along u is
+//! drag, the rest is the lift of a tilted plate. For a ball it is C rho/2 pi r2 |u| u with C = 0.47. The force acts
+//! where the smoke is, off the centre. The air damps rotation at the same rate as translation.
 
 use crate::collide::shapes::Collider;
 use crate::math::bounds::Bounds;
@@ -17,14 +17,14 @@ use crate::particles::radius::RadiusLaw;
 use crate::rigids::set::{Member, Rigids, SmokeSum};
 use crate::rigids::world::Push;
 
-/// kg/m3.
+/// Density of air (kg/m3).
 const AIR_DENSITY: f32 = 1.2;
 const PLATE_COEFFICIENT: f32 = 1.17;
 const BALL_COEFFICIENT: f32 = 0.47;
 
 impl Rigids {
-    /// Measures the smoke near the rigids that feel it and gives them the force for the coming step of `dt` seconds; to
-    /// be called before it.
+    /// Measures the smoke near the rigids that feel it and applies its force for the coming step of `dt` seconds. Call
+    /// it before that step.
     pub(crate) fn feel(&mut self, particles: &mut Particles, radii: &RadiusLaw, dt: f32) {
         let Self {
             obstacles,
@@ -67,7 +67,7 @@ impl Member {
         let frame = Frame::new(&self.pose);
         let bounds = shape.bounds();
         let half = (bounds.max - bounds.min) * 0.5;
-        // Where there is little smoke it pushes little, or a single puff would be a storm.
+        // Little smoke exerts little force: a single puff must not act like a storm.
         let share = self.description.feels_smoke * sum.weight.min(1.0) * 0.5 * AIR_DENSITY;
         let areas = if shape.is_round() {
             let area = BALL_COEFFICIENT * std::f32::consts::PI * half.x * half.x;
@@ -84,7 +84,7 @@ impl Member {
     }
 }
 
-/// A world-space offset in the rigid's own space, no farther out than half way from the box's middle to its sides.
+/// Transforms a world-space offset to the rigid's space, limited to the inner half of the box.
 fn middle_part(frame: &Frame, bounds: &Bounds, offset: Vector) -> Vector {
     let middle = (bounds.min + bounds.max) * 0.5;
     let quarter = (bounds.max - bounds.min) * 0.25;

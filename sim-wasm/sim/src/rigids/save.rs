@@ -1,5 +1,5 @@
-//! Rigids as bytes, by postcard: descriptions, poses and targets of ours, and Rapier's world as it is, so that what
-//! is taken up again goes on to the same hash.
+//! Serialisation of rigids by postcard: descriptions, poses, guidance and Rapier's world. Restored rigids continue to
+//! the same hash.
 
 use crate::layout::error::{ParameterError, RestoreError};
 use crate::math::hash::Hash;
@@ -12,19 +12,19 @@ use crate::rigids::numbers::{FlatRigid, RigidNumbers};
 use crate::rigids::set::{Member, POSE_PAIR_FLOATS, Rigids};
 use crate::rigids::world::World;
 
-/// The description as flat numbers: numbers, vertices, indices, path.
+/// Flat numbers of a description: numbers, vertices, indices, path.
 type SavedRigid = (Vec<f32>, Vec<f32>, Vec<u32>, Vec<f32>);
-/// What leads a rigid: base, velocity, angle, target, grab.
+/// Guidance of a rigid: base, velocity, angle, target, grab.
 type SavedGuide = ([f32; 7], [f32; 3], f64, Option<[f32; 7]>, Option<[f32; 7]>);
-/// Steps, rigids, poses, guides, and the world as the crate `world` writes it.
+/// Steps, rigids, poses, guidance, and the world as the crate `world` writes it.
 type Saved = (u64, Vec<SavedRigid>, Vec<f32>, Vec<SavedGuide>, Vec<u8>);
-/// The same, borrowed, which is all that writing needs.
+/// The same, borrowed, for writing.
 type SavedRef<'a> = (u64, Vec<SavedRigid>, &'a [f32], Vec<SavedGuide>, Vec<u8>);
 
 const DIGEST_BYTES: usize = 8;
 
 impl Rigids {
-    /// The rigids' state as bytes; empty when there are none.
+    /// Serialises the rigids; empty without rigids.
     pub fn save(&self) -> Vec<u8> {
         if self.count() == 0 {
             return Vec::new();
@@ -37,15 +37,15 @@ impl Rigids {
         bytes
     }
 
-    /// Rigids from bytes that `save` made; refuses corrupt ones.
+    /// Restores rigids from the bytes of `save`.
     ///
     /// # Errors
-    /// When the bytes are not exactly what `save` made.
+    /// The bytes are not exactly what `save` wrote.
     pub fn restore(bytes: &[u8]) -> Result<Self, RestoreError> {
         if bytes.is_empty() {
             return Ok(Self::new());
         }
-        // Rapier trusts its own state: bytes that were changed must not reach it.
+        // Rapier trusts its own state: modified bytes must not reach it.
         let split = bytes.len().checked_sub(DIGEST_BYTES).ok_or_else(corrupt)?;
         let (state, checked) = bytes.split_at(split);
         if digest(state) != checked {

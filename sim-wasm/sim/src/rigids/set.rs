@@ -26,7 +26,7 @@ use crate::rigids::spin::check_spin;
 use crate::rigids::track::Track;
 use crate::rigids::world::World;
 
-/// Floats of one rigid in [`Rigids::poses`].
+/// Floats per rigid in [`Rigids::poses`].
 pub const POSE_PAIR_FLOATS: usize = 14;
 const MAX_RIGIDS: usize = FIRST_PART;
 
@@ -38,20 +38,20 @@ pub struct Rigids {
     pub(super) poses: Vec<f32>,
     pub(super) grid: RigidGrid,
     pub(super) bounds: Bounds,
-    /// Steps of the simulator, which paths go by.
+    /// Number of steps of the simulator, the time base of paths.
     pub(super) steps: u64,
-    /// Those with a boundary layer, and those that feel smoke, with what they feel.
+    /// Rigids with a boundary layer; rigids that feel smoke, and their measurements.
     pub(super) layered: Shells,
     pub(super) feeling: Shells,
     pub(super) sums: Vec<SmokeSum>,
 }
 
-/// What the particles near one rigid say, weighted by where they are in the shell.
+/// Weighted mean of the particles near one rigid.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SmokeSum {
     pub(super) weight: f32,
     pub(super) velocity: Vector,
-    /// From the rigid's origin, world space.
+    /// Relative to the rigid's origin, world space.
     pub(super) offset: Vector,
 }
 
@@ -59,7 +59,7 @@ pub(super) struct Member {
     pub(super) description: RigidDescription,
     pub(super) pose: Pose,
     pub(super) guide: Guide,
-    /// No point of the shape is farther from its origin (m).
+    /// Upper bound of the distance of the shape from its origin (m).
     pub(super) reach: f32,
 }
 
@@ -79,7 +79,7 @@ impl std::fmt::Debug for Rigids {
 }
 
 impl Rigids {
-    /// No rigids.
+    /// Creates an empty set.
     pub fn new() -> Self {
         Self {
             world: World::new(),
@@ -95,20 +95,20 @@ impl Rigids {
         }
     }
 
-    /// Tells how many steps the simulator has made; paths go by that.
+    /// Sets the number of steps of the simulator, the time base of paths.
     pub fn set_steps(&mut self, steps: u64) {
         self.steps = steps;
     }
 
-    /// How many there are.
+    /// Number of rigids.
     pub fn count(&self) -> usize {
         self.members.len()
     }
 
-    /// Puts a rigid into the world and returns its number.
+    /// Adds a rigid and returns its index.
     ///
     /// # Errors
-    /// When the shape has no volume, or there are 4096 rigids already; nothing was added then.
+    /// The shape has no volume, or there are 4096 rigids already; nothing is added.
     pub fn add(&mut self, description: RigidDescription) -> Result<u32, ParameterError> {
         let index = self.count();
         if index == MAX_RIGIDS {
@@ -126,7 +126,7 @@ impl Rigids {
         Ok(index as u32)
     }
 
-    /// Takes up a rigid that stands in the world already.
+    /// Registers a rigid that the world already contains.
     pub(super) fn place(&mut self, description: RigidDescription, shape: Box<dyn Collider>) {
         let pose = self.world.pose(self.count());
         let own = shape.bounds();
@@ -159,7 +159,7 @@ impl Rigids {
         self.take_note_of_air();
     }
 
-    /// Notes whether the last rigid has to do with the air.
+    /// Registers the last rigid for its boundary layer and for smoke.
     fn take_note_of_air(&mut self) {
         let index = self.count() - 1;
         let member = &self.members[index];
@@ -172,18 +172,18 @@ impl Rigids {
         self.sums.push(SmokeSum::default());
     }
 
-    /// For each rigid its pose before and after the last step: x, y, z (m) and the quaternion x, y, z, w, twice.
+    /// Poses of each rigid before and after the last step: x, y, z (m) and the quaternion x, y, z, w, twice.
     pub fn poses(&self) -> &[f32] {
         &self.poses
     }
 
-    /// Moves every rigid over `dt` seconds; keeps the poses at the start and at the end.
+    /// Moves all rigids over `dt` seconds and stores their poses at the start and at the end.
     pub fn advance(&mut self, dt: f32) {
         self.step_world(dt);
         self.follow_world(dt);
     }
 
-    /// The first half of [`Rigids::advance`]: the world's own step.
+    /// First half of [`Rigids::advance`]: the step of the world.
     pub(crate) fn step_world(&mut self, dt: f32) {
         self.steps += 1;
         if self.members.is_empty() {
@@ -202,7 +202,7 @@ impl Rigids {
         }
     }
 
-    /// The second half of [`Rigids::advance`]: each rigid as an obstacle on its way.
+    /// Second half of [`Rigids::advance`]: each rigid becomes a moving obstacle.
     pub(crate) fn follow_world(&mut self, dt: f32) {
         for index in 0..self.count() {
             let start = self.members[index].pose;
@@ -228,8 +228,8 @@ impl Rigids {
         self.poses[index * POSE_PAIR_FLOATS..][..POSE_PAIR_FLOATS].copy_from_slice(&pair(&start, &end));
     }
 
-    /// How the rigid that `scope::Scope::rigid` names moves in the step, round ones turning too; none where there is
-    /// no such rigid.
+    /// Motion of the rigid with this number in the step, including the rotation of round ones; none if there is no such
+    /// rigid.
     pub(crate) fn ride(&self, number: f64) -> Option<PoseMotion> {
         let index = (number >= 0.0).then_some(number as usize)?;
         let rotation_vector = self.obstacles.get(index)?.motion.rotation_vector(STEP as f32);
@@ -237,19 +237,19 @@ impl Rigids {
         Some(PoseMotion::rotating(start, end, STEP as f32, false, rotation_vector))
     }
 
-    /// Makes ready for [`Rigids::find_near`], given where the particles are.
+    /// Prepares [`Rigids::find_near`] for the distribution of the particles.
     pub(crate) fn prepare(&mut self, extent: &ParticleExtent) {
         self.grid.rebuild(extent);
     }
 
-    /// What four particles see of the rigids.
+    /// Broad-phase result of four particles.
     #[inline]
     pub(crate) fn look(&self, swept_boxes: &SweptBoxes) -> NearLanes {
         self.grid.look(swept_boxes, &self.bounds)
     }
 
-    /// Appends the numbers, raised by `first`, of the rigids whose box the particle's box touches. True when it certainly
-    /// passes all of them by.
+    /// Appends the rigids whose box the particle's box touches; `first` is added to their indices. Returns true if the
+    /// particle certainly misses all of them.
     #[inline]
     pub(crate) fn find_near(&self, swept_particle: &SweptParticle, first: u32, near: &mut Vec<u32>) -> bool {
         let begin = near.len();
@@ -262,12 +262,12 @@ impl Rigids {
         misses
     }
 
-    /// A rigid on its way through the step.
+    /// A rigid as an obstacle of the step.
     pub(crate) fn obstacle(&self, index: usize) -> &Obstacle<Box<dyn Collider>> {
         &self.obstacles[index]
     }
 
-    /// Adds the rigids' state to `hash`; adds nothing when there are none.
+    /// Adds the state of the rigids to `hash`; nothing without rigids.
     pub fn hash_into(&self, hash: &mut Hash) {
         hash.floats(&self.poses);
         for (index, member) in self.members.iter().enumerate() {
@@ -277,15 +277,15 @@ impl Rigids {
     }
 }
 
-/// What measurements compare with.
+/// Reference answers for measurements.
 #[cfg(feature = "bench")]
 impl Rigids {
-    /// Whether the box that a rigid swept in the last step touches `bounds`.
+    /// Returns true if the box that a rigid swept in the last step touches `bounds`.
     pub(crate) fn any_touches(&self, bounds: &Bounds) -> bool {
         self.obstacles.iter().any(|obstacle| obstacle.bounds.touches(bounds))
     }
 
-    /// Appends the signed distance (m) from each point to the nearest rigid, as Rapier's query pipeline answers it.
+    /// Appends the signed distance (m) from each point to the nearest rigid, by Rapier's query pipeline.
     pub(crate) fn project(&self, points: impl Iterator<Item = Vector>, limit: f32, distances: &mut Vec<f32>) {
         let pipeline = self.world.physics().query_pipeline();
         distances.extend(
@@ -301,12 +301,12 @@ impl Rigids {
 }
 
 impl Member {
-    /// Whether smoke pushes this rigid.
+    /// Returns true if smoke pushes this rigid.
     pub(super) fn feels(&self) -> bool {
         self.description.kind == RigidKind::Dynamic && self.description.feels_smoke > 0.0
     }
 
-    /// Tells the world where this rigid goes, or what draws it, in the coming step, which ends at `time`.
+    /// Applies the guidance for the coming step, which ends at `time`.
     fn lead(&mut self, index: usize, world: &mut World, time: f64, dt: f32) {
         match (self.description.kind, &self.guide.grab) {
             (RigidKind::Kinematic, _) => {
@@ -319,7 +319,7 @@ impl Member {
         }
     }
 
-    /// Puts a dynamic rigid where it was told to be; its way through the step begins there.
+    /// Teleports a dynamic rigid to its target. Its motion over the step starts there.
     fn put(&mut self, index: usize, world: &mut World) {
         if self.description.kind != RigidKind::Dynamic {
             return;
@@ -331,7 +331,7 @@ impl Member {
     }
 }
 
-/// Refuses a path or a spin of what is not kinematic, and a spin that is too fast for a shape of this `reach` (m).
+/// Checks that only kinematic rigids have a path or a spin, and the speed of the spin for a shape of `reach` (m).
 fn check_motion(description: &RigidDescription, reach: f32) -> Result<(), ParameterError> {
     let moves = description.path.is_some() || description.spin.rate != 0.0;
     if moves && description.kind != RigidKind::Kinematic {
@@ -341,7 +341,7 @@ fn check_motion(description: &RigidDescription, reach: f32) -> Result<(), Parame
     check_spin(&description.spin, reach)
 }
 
-/// No point in the box is farther from the origin (m).
+/// Maximum distance of a point of the box from the origin (m).
 fn reach_of(bounds: &Bounds) -> f32 {
     bounds.min.abs().greatest(bounds.max.abs()).length()
 }

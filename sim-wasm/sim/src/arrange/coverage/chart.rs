@@ -1,10 +1,10 @@
-//! The plane that puffs are laid out on: the eye's image plane at unit depth, or a plane across the light.
+//! The plane of coverage: the eye's image plane at unit depth, or a plane across the light.
 
 use wide::f32x4;
 
 use crate::math::simd::Vector4;
 
-/// A quantity linear in the place: n . p + d.
+/// A linear function of the place: n . p + d.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Linear {
     pub normal: [f32; 3],
@@ -17,7 +17,7 @@ impl Linear {
         self.normal[0] * place[0] + self.normal[1] * place[1] + self.normal[2] * place[2] + self.offset
     }
 
-    /// The value at a depth along `direction`, to which the quantity is parallel or which it does not depend on.
+    /// The value at a depth along `direction`, for a normal parallel to it or zero.
     pub(crate) fn at_depth(&self, depth: f32, direction: [f32; 3]) -> f32 {
         self.offset + depth * (0..3).map(|i| self.normal[i] * direction[i]).sum::<f32>()
     }
@@ -28,19 +28,19 @@ impl Linear {
     }
 }
 
-/// Chart coordinates are (across / w, up / w); a metre beside a place is 1 / w wide.
+/// Chart coordinates are (across / w, up / w); a metre at a place spans 1 / w.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Chart {
     pub across: Linear,
     pub up: Linear,
     pub w: Linear,
-    /// Unit vectors in world space: right, up, and against the direction of the view.
+    /// Unit vectors in world space: right, up, and opposite to the view direction.
     pub axes: [[f32; 3]; 3],
-    /// PlanKind can be seen: left, low, right, high.
+    /// Limits of the view: left, low, right, high.
     pub limits: [f32; 4],
 }
 
-/// Where on a chart puffs lie, and how large they are there.
+/// The extent of all puffs on a chart, and their typical size.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ChartExtent {
     least: [f32x4; 2],
@@ -50,7 +50,7 @@ pub(crate) struct ChartExtent {
     largest: f32x4,
 }
 
-/// Nearer to the eye nothing is drawn.
+/// Minimum clip w: nothing is drawn nearer to the eye.
 const MIN_W: f32 = 1e-3;
 
 impl ChartExtent {
@@ -61,12 +61,12 @@ impl ChartExtent {
             greatest: [f32x4::splat(f32::NEG_INFINITY); 2],
             squares: f32x4::ZERO,
             count: f32x4::ZERO,
-            // One that fills the view must not make the cells of all others large.
+            // A puff that fills the view must not enlarge the cells of all others.
             largest: f32x4::splat(0.25 * (right - left).min(high - low)),
         }
     }
 
-    /// Adds balls of `radius` metres in the lanes of `kept`.
+    /// Adds balls of `radius` (m) in the lanes of `kept`.
     #[inline(always)]
     pub(crate) fn add(&mut self, chart: &Chart, place: Vector4, radius: f32x4, kept: f32x4) {
         let scale = f32x4::splat(1.0) / chart.w.lanes(place).fast_max(f32x4::splat(MIN_W));
@@ -82,7 +82,7 @@ impl ChartExtent {
         self.count += kept & f32x4::splat(1.0);
     }
 
-    /// Left, low, right and high end of all with a margin, within the limits.
+    /// Left, low, right and high limit of all balls with a margin, within `limits`.
     pub(crate) fn box_within(&self, limits: &[f32; 4], margin: f32) -> [f32; 4] {
         let least = |lanes: f32x4| lanes.to_array().into_iter().fold(f32::INFINITY, f32::min);
         let greatest = |lanes: f32x4| lanes.to_array().into_iter().fold(f32::NEG_INFINITY, f32::max);
@@ -97,7 +97,7 @@ impl ChartExtent {
         }
     }
 
-    /// Root of the mean square of the radii on the chart: what their areas are measured by.
+    /// Root mean square of the radii on the chart.
     pub(crate) fn typical(&self) -> f32 {
         (self.squares.reduce_add() / self.count.reduce_add().max(1.0)).sqrt()
     }

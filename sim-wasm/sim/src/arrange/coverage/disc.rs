@@ -1,25 +1,25 @@
-//! A round part of a puff on the grid: what it covers for certain, or all that it could show.
+//! A disc on the grid: a part of a puff that it certainly covers, or that it may show.
 
 use wide::f32x4;
 
-/// Lengths across the grid in cells, depths in metres along the view. Its front is flat, or bulges by a ball.
+/// Lengths across the grid in cells, depths in metres along the view. The front is flat or spherical.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Disc {
-    /// Centre, from the corner of the grid.
+    /// Centre, relative to the corner of the grid.
     pub u: f32,
     pub v: f32,
     pub radius: f32,
-    /// Depth of its centre plane.
+    /// Depth of the centre plane (m).
     pub depth: f32,
-    /// Metres of bulge for each cell of height; 0 where the front is flat.
+    /// Metres per cell of the front's height; 0 for a flat front.
     pub bulge: f32,
-    /// Radius with the ring of ink, and how near that ring may come.
+    /// Radius with the ring of ink, and the minimum depth of the ring.
     pub rim: f32,
     pub rim_depth: f32,
 }
 
 impl Disc {
-    /// The same disc on a grid whose cells are `factor` times as large.
+    /// The same disc on a grid with cells `factor` times as large.
     pub(crate) fn on_coarser(&self, factor: f32) -> Self {
         Self {
             u: self.u / factor,
@@ -31,7 +31,8 @@ impl Disc {
         }
     }
 
-    /// Depth of the front at a squared distance from the centre, four cells at a time; outside, that of the centre plane.
+    /// Depth of the front at a squared distance from the centre, for four cells. Outside of the disc, the depth of the
+    /// centre plane.
     #[inline(always)]
     pub(crate) fn front(&self, squared: f32x4) -> f32x4 {
         let height = (f32x4::splat(self.radius * self.radius) - squared)

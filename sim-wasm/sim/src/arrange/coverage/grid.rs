@@ -1,4 +1,4 @@
-//! The grid of certain depths, fine, and in blocks of 4 by 4 cells that hold the farthest of them.
+//! A grid of covered depths, with two coarser levels of 4 by 4 cells that hold the maximum depth.
 
 use wide::f32x4;
 
@@ -7,19 +7,19 @@ use crate::arrange::coverage::disc::Disc;
 use crate::arrange::coverage::plan::Plan;
 use crate::arrange::coverage::polygon::Polygon;
 
-/// Cells along a side of a block; also the lanes of a row.
+/// Cells along a side of a block; also the number of SIMD lanes.
 const BLOCK: usize = 4;
-/// Cells that the typical puff is wide, from its centre to its side.
+/// Radius of the typical puff in cells.
 const FINENESS: f32 = 10.0;
-/// Fewest and most cells, and cells for each particle that there may be.
+/// Minimum and maximum number of cells, and cells per particle.
 const CELLS: [usize; 2] = [1 << 10, 1 << 16];
 const CELLS_A_PARTICLE: usize = 64;
 
 const NOTHING: f32 = f32::INFINITY;
-/// Of cells that no puff can show in, which everything hides.
+/// Depth of cells that no puff can show in: everything is hidden there.
 const OUTSIDE: f32 = f32::NEG_INFINITY;
 
-/// Cells of equal size in rows; a row is a whole number of blocks long.
+/// Dimensions of a level. The stride is a whole number of blocks.
 #[derive(Clone, Copy, Debug, Default)]
 struct Lattice {
     columns: usize,
@@ -27,24 +27,24 @@ struct Lattice {
     stride: usize,
 }
 
-/// Depths in metres along the view; infinite where nothing covers.
+/// Depths (m) along the view; infinite where nothing covers.
 #[derive(Debug)]
 pub(crate) struct CoverageGrid {
-    /// The nearest depths, then the second nearest and so on, as many as covers are asked for.
+    /// The smallest depths, then the second smallest and so on, one layer per cover.
     depths: Vec<f32>,
     fine: Lattice,
     blocks: Vec<f32>,
     coarse: Lattice,
-    /// The farthest of 4 by 4 blocks each.
+    /// Maxima of 4 by 4 blocks.
     fields: Vec<f32>,
     coarsest: Lattice,
     covers: usize,
-    /// Ends of the grid beyond which puffs may show: left, low, right, high, in cells.
+    /// Limits of the grid beyond which puffs may show: left, low, right, high, in cells.
     ends: [f32; 4],
-    /// Chart coordinates of the corner, and cells for each unit of the chart.
+    /// Chart coordinates of the corner, and cells per unit of the chart.
     pub corner: [f32; 2],
     pub density: f32,
-    /// Depths are clamped to these when they are drawn.
+    /// Drawing clamps depths to this range.
     range: [f32x4; 2],
 }
 
@@ -54,7 +54,7 @@ impl CoverageGrid {
         Self {
             depths: vec![NOTHING; cells],
             fine: Lattice::default(),
-            // A row of blocks may be three longer than the cells need.
+            // A row of blocks may be padded by three.
             blocks: vec![NOTHING; cells / 4 + BLOCK],
             coarse: Lattice::default(),
             fields: vec![NOTHING; cells / 16 + BLOCK],
@@ -67,7 +67,7 @@ impl CoverageGrid {
         }
     }
 
-    /// Lays an empty grid over the extent of all puffs, as fine as they need and the memory allows.
+    /// Resets the grid to the extent of all puffs. The typical size and the capacity determine its resolution.
     pub(crate) fn reset(&mut self, plan: &Plan, extent: &ChartExtent) {
         let [left, low, right, high] = extent.box_within(&plan.chart.limits, plan.margin());
         let (width, height) = ((right - left).max(1e-6), (high - low).max(1e-6));
@@ -83,7 +83,7 @@ impl CoverageGrid {
         (self.corner, self.density, self.covers) = ([left, low], 1.0 / cell, plan.covers);
         self.range = plan.range.map(f32x4::splat);
         self.clear((width / cell) as usize + 1, (height / cell) as usize + 1);
-        // Beyond an end of the view itself nothing shows.
+        // Beyond a limit of the view nothing shows.
         let limits = plan.chart.limits;
         let end = |at: f32, limit: f32, cells: f32, beyond: f32| if at == limit { beyond } else { cells };
         self.ends = [
@@ -123,29 +123,29 @@ impl CoverageGrid {
         self.fields[..fields * self.coarsest.rows].fill(NOTHING);
     }
 
-    /// Forgets the cells: nothing has been laid out.
+    /// Empties the grid.
     pub(crate) fn empty(&mut self) {
         self.fine = Lattice::default();
     }
 
-    /// Columns, rows and cells from one row to the next; chart coordinates of the corner, and cells for each unit.
+    /// Columns, rows and stride; chart coordinates of the corner, and cells per unit.
     pub(crate) fn shape(&self) -> [f32; 6] {
         let Lattice { columns, rows, stride } = self.fine;
         let [left, low] = self.corner;
         [columns as f32, rows as f32, stride as f32, left, low, self.density]
     }
 
-    /// The nearest certain depth of each cell, row by row.
+    /// The smallest covered depth of each cell, row by row.
     pub(crate) fn depths(&self) -> &[f32] {
         &self.depths[..self.fine.stride * self.fine.rows]
     }
 
-    /// Cells from one layer to the next.
+    /// Number of cells per layer.
     fn layer(&self) -> usize {
         self.fine.stride * self.fine.rows.next_multiple_of(BLOCK)
     }
 
-    /// Whether even the nearest of the disc lies behind all fields that it touches, or else each part behind its block.
+    /// Returns true if the nearest point of the disc lies behind all fields it touches, or each part behind its block.
     pub(crate) fn hides_hull(&self, disc: &Disc) -> bool {
         if self.is_left_by(disc) {
             return false;
@@ -164,12 +164,12 @@ impl CoverageGrid {
         is_behind || self.hides_block_by_block(disc)
     }
 
-    /// Whether all of the polygon lies behind what is certain.
+    /// Returns true if the whole polygon is covered.
     pub(crate) fn hides_polygon(&self, polygon: &Polygon) -> bool {
         self.farthest(polygon, polygon.depth) < polygon.depth
     }
 
-    /// The farthest depth of the cells that the polygon touches, or the first that is `enough`; infinite where one of them
+    /// Maximum depth of the cells that the polygon touches, or the first depth of at least `enough`. Infinite if a cell
     /// is not covered.
     pub(crate) fn farthest(&self, polygon: &Polygon, enough: f32) -> f32 {
         let [left, low, right, high] = polygon.bounds();
@@ -189,7 +189,7 @@ impl CoverageGrid {
         farthest
     }
 
-    /// Whether all of the disc lies behind the farthest depth of each block that it touches.
+    /// Returns true if the whole disc lies behind the maximum depth of each block that it touches.
     pub(crate) fn hides_block_by_block(&self, disc: &Disc) -> bool {
         if self.is_left_by(disc) {
             return false;
@@ -198,20 +198,20 @@ impl CoverageGrid {
         self.coarse.is_behind(&self.blocks, &disc, &self.range)
     }
 
-    /// Whether all of the disc lies behind what is certain.
+    /// Returns true if the whole disc is covered.
     pub(crate) fn hides(&self, disc: &Disc) -> bool {
         let last = &self.depths[(self.covers - 1) * self.layer()..];
         self.hides_block_by_block(disc) || !self.is_left_by(disc) && self.fine.is_behind(last, disc, &self.range)
     }
 
-    /// Whether some of the disc lies where the grid knows nothing.
+    /// Returns true if part of the disc lies outside of the grid.
     fn is_left_by(&self, disc: &Disc) -> bool {
         let [left, low, right, high] = self.ends;
         let beyond = |at: f32, from: f32, to: f32| at - disc.rim < from || at + disc.rim > to;
         beyond(disc.u, left, right) || beyond(disc.v, low, high)
     }
 
-    /// Takes up what is certain of one puff. Where covers are counted, it must be a single disc.
+    /// Adds the covered area of one puff. With several covers it must be a single disc.
     pub(crate) fn cover(&mut self, discs: &[Disc]) {
         debug_assert!(self.covers == 1 || discs.len() <= 1, "a puff would count twice");
         let layer = self.layer();
@@ -231,7 +231,7 @@ impl CoverageGrid {
         self.gather(touched, (self.covers - 1) * layer);
     }
 
-    /// Brings the blocks up to date: columns and rows of cells, ends excluded.
+    /// Updates the blocks for a range of cells: left, low, right, high, ends excluded.
     fn gather(&mut self, [left, low, right, high]: [usize; 4], first: usize) {
         for row in low / BLOCK..high.div_ceil(BLOCK) {
             for column in left / BLOCK..right.div_ceil(BLOCK) {
@@ -247,7 +247,7 @@ impl CoverageGrid {
         self.gather_fields([left, low, right, high].map(|cell| cell / BLOCK));
     }
 
-    /// Brings the fields up to date around blocks, ends included.
+    /// Updates the fields around a range of blocks, ends included.
     fn gather_fields(&mut self, [left, low, right, high]: [usize; 4]) {
         let last = |block: usize, limit: usize| (block / BLOCK + 1).min(limit);
         for row in low / BLOCK..last(high, self.coarsest.rows) {
@@ -264,7 +264,7 @@ impl CoverageGrid {
 }
 
 impl Lattice {
-    /// Columns and rows of the cells that a square touches: left, low, right, high, ends excluded; columns in whole blocks.
+    /// The cells that a square touches: left, low, right, high, ends excluded; columns in whole blocks.
     #[inline(always)]
     fn around(&self, disc: &Disc, reach: f32) -> [usize; 4] {
         let from = |at: f32| (at - reach).max(0.0) as u32 as usize;
@@ -273,7 +273,7 @@ impl Lattice {
         [from(disc.u) / BLOCK * BLOCK, from(disc.v), right, high]
     }
 
-    /// The farthest depth of a row's cells between two places.
+    /// Maximum depth of a row's cells between two positions.
     #[inline(always)]
     fn farthest(&self, depths: &[f32], row: usize, [left, right]: [f32; 2]) -> f32 {
         let (from, to) = (
@@ -335,7 +335,7 @@ impl Lattice {
     }
 }
 
-/// Whether the disc comes nearer than the depth of a cell that it touches, of four in a row.
+/// Returns true if the disc is nearer than the depth of a touched cell, of four in a row.
 #[inline(always)]
 fn shows(disc: &Disc, column: usize, beside: f32, cells: f32x4, range: &[f32x4; 2]) -> bool {
     let along = (away(disc, column) - f32x4::splat(0.5)).fast_max(f32x4::ZERO);
@@ -346,7 +346,7 @@ fn shows(disc: &Disc, column: usize, beside: f32, cells: f32x4, range: &[f32x4; 
     (touched & !cells.simd_lt(drawn)).any()
 }
 
-/// Farthest depth of the disc in each of four cells in a row; infinite where it does not cover the whole cell.
+/// Maximum depth of the disc in each of four cells in a row; infinite unless it covers the whole cell.
 #[inline(always)]
 fn certain(disc: &Disc, column: usize, beside: f32, range: &[f32x4; 2]) -> f32x4 {
     let along = away(disc, column) + f32x4::splat(0.5);
@@ -356,7 +356,7 @@ fn certain(disc: &Disc, column: usize, beside: f32, range: &[f32x4; 2]) -> f32x4
     covers.select(depth, f32x4::splat(NOTHING))
 }
 
-/// Cells between the centre of the disc and those of four cells in a row.
+/// Distance in cells from the centre of the disc to those of four cells in a row.
 #[inline(always)]
 fn away(disc: &Disc, column: usize) -> f32x4 {
     (f32x4::new([0.5, 1.5, 2.5, 3.5]) + f32x4::splat(column as f32 - disc.u)).abs()

@@ -1,10 +1,10 @@
-//! Which puffs other puffs certainly hide, and which casters' shadow others certainly throw already.
+//! Occlusion culling: drops puffs that other puffs certainly hide, and casters whose shadow others certainly throw.
 //!
-//! One routine for both. Puffs come near to far, along the eye's view or along the light. Each is asked whether all that
-//! it could add lies behind what is certain so far; if not it stays, and what is certain of it goes into the grid. A cell
-//! keeps the farthest depth of the opaque interior that covers all of it, so that a puff whose centre lies farther but
-//! which bulges to the front stays, and ink, which lies deeper than its puff, never covers. Conservative: it errs
-//! towards keeping, and what it leaves out changes no pixel of the picture that is drawn in the same order.
+//! Both use one algorithm. Puffs are processed from near to far, along the view or along the light. A puff is dropped
+//! if everything it could show lies behind the covered depths so far; otherwise its certain interior is added to the
+//! grid. A cell keeps the maximum depth of the opaque interior that covers it entirely. So a puff with a farther centre
+//! that bulges to the front stays, and ink, which lies deeper than its puff, never covers. The test is conservative:
+//! the picture, drawn in the same order, is identical without it.
 
 pub(crate) mod chart;
 pub(crate) mod disc;
@@ -25,7 +25,7 @@ pub use plan::Plan;
 
 pub(crate) use chart::ChartExtent;
 
-/// The grid and the tables; their memory is taken once and used for every view.
+/// The grid and its tables. Allocated once and used for all views.
 #[derive(Debug)]
 pub(crate) struct Coverage {
     pub grid: CoverageGrid,
@@ -34,7 +34,7 @@ pub(crate) struct Coverage {
 }
 
 impl Coverage {
-    /// For at most `capacity` particles: few of them need no fine grid.
+    /// Creates the grid for at most `capacity` particles.
     pub(crate) fn new(capacity: usize) -> Self {
         Self {
             grid: CoverageGrid::new(capacity),
@@ -43,8 +43,8 @@ impl Coverage {
         }
     }
 
-    /// Keeps those of `rows` that `plan` cannot rule out, in their order: keys and particles. `places` has those of the
-    /// particles, `attributes` gives theirs. Returns how many stay; of shadows the keys become ends.
+    /// Culls `rows`: keys and particle indices, in order. `places` and `attributes` are those of the particles. Returns
+    /// the number of rows that stay. For shadows the keys become ends.
     pub(crate) fn cull(
         &mut self,
         plan: &Plan,
@@ -83,8 +83,8 @@ impl Coverage {
         }
     }
 
-    /// Lets shadows end where others certainly go on. Those that do not end are chosen first among the large ones, which
-    /// leave the fewest.
+    /// Shortens shadows that others certainly continue. Large puffs are selected first as those that do not end, which
+    /// minimises their number.
     fn shorten(
         &mut self,
         plan: &Plan,
@@ -123,5 +123,5 @@ impl Coverage {
     }
 }
 
-/// Typical radii from which a puff is large.
+/// Minimum size of a large puff, in typical radii.
 const LARGE: f32 = 1.25;

@@ -1,4 +1,4 @@
-//! A puff, or its shadow, as discs on the grid: what it certainly covers, and all that it could show.
+//! The discs of a puff, or of its shadow, on the grid: what it certainly covers, and what it may show.
 
 use crate::arrange::coverage::disc::Disc;
 use crate::arrange::coverage::grid::CoverageGrid;
@@ -7,36 +7,36 @@ use crate::arrange::coverage::polygon::Polygon;
 use crate::arrange::coverage::solids::{BALLS_LIMIT, Orientations, RotatedBalls};
 use crate::math::scalar::clamped;
 
-/// The end of a shadow that goes on, and of one of which nothing is left; others are in 256ths of a radius behind the
-/// centre.
+/// The end of a shadow that continues, and of one of which nothing is left. Other ends are in 256ths of a radius behind
+/// the centre.
 pub(crate) const NO_END: u32 = 0xffff;
 
-/// Of a radius.
+/// Steps per radius.
 const END_STEPS: f32 = 256.0;
 
 pub(super) const NOTHING_LEFT: u32 = 0x10000;
 /// Single precision: a coordinate is a sum of terms as large as those of the place.
 const ROUNDING: f32 = 2e-6;
-/// Pixels by which a rasteriser that snaps corners to sixteenths may move what it draws.
+/// Displacement (pixels) by a rasteriser that snaps corners to sixteenths.
 const SNAP: f32 = 0.1;
-/// Radii by which rounding may move the side of a volume, and the same in pixels.
+/// Displacement of a volume's side by rounding, in radii and in pixels.
 const EDGE_ROUNDING: f32 = 0.01;
 const EDGE_PIXELS: f32 = 0.25;
-/// The eye's own axes as the eye sees them.
+/// The eye's axes in view space.
 const VIEW_AXES: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 const CAP_ROUNDING: f32 = 1e-3;
-/// A puff that the eye runs into shrinks by a law; where that is this steep it covers nothing.
+/// A puff close to the eye shrinks. Below this share of its size it covers nothing.
 const MIN_COVERING_GROWTH: f32 = 0.05;
 const GROWTH_TOLERANCE: f32 = 0.002;
 /// As in shaders/volumes/volumes.vert.
 const CAP_SLACK: f32 = 0.02;
 
-/// The discs of one row; the memory is used again for the next.
+/// The discs of one row. The memory is reused.
 #[derive(Debug, Default)]
 pub(crate) struct Outline {
-    /// All that the row could show, in one.
+    /// Bounding disc of everything that the row may show.
     pub hull: Disc,
-    /// All that a shadow could darken.
+    /// Everything that a shadow may darken.
     pub polygon: Polygon,
     inner: [Disc; BALLS_LIMIT],
     outer: [Disc; BALLS_LIMIT],
@@ -46,20 +46,20 @@ pub(crate) struct Outline {
     projected: ProjectedPuff,
 }
 
-/// Where a row stands on the grid.
+/// A row, projected to the grid.
 #[derive(Clone, Copy, Debug, Default)]
 struct ProjectedPuff {
     u: f32,
     v: f32,
-    /// Cells for a metre.
+    /// Cells per metre.
     density: f32,
     depth: f32,
     w: f32,
     radius: f32,
-    /// Metres that depths may be wrong by, and radii that outlines may.
+    /// Tolerance of depths (m), and of outlines (radii).
     slack: f32,
     tolerance: f32,
-    /// Metres by which its ring may come nearer than its lobes.
+    /// Distance (m) by which its ring may be nearer than its lobes.
     lift: f32,
     covers: bool,
 }
@@ -74,7 +74,7 @@ impl Outline {
     }
 }
 
-/// Lays rows out on a grid as a plan says.
+/// Projects rows to a grid.
 #[derive(Debug)]
 pub(crate) struct Outliner<'a> {
     plan: &'a Plan<'a>,
@@ -93,7 +93,7 @@ impl<'a> Outliner<'a> {
         }
     }
 
-    /// Writes the hull of a row; false where nothing of it is drawn.
+    /// Writes the bounding disc of a row. Returns false if nothing of it is drawn.
     #[inline(always)]
     pub(crate) fn place(&self, place: [f32; 4], outline: &mut Outline) -> bool {
         match &self.plan.kind {
@@ -102,7 +102,7 @@ impl<'a> Outliner<'a> {
         }
     }
 
-    /// Writes the discs of the row that has just been placed.
+    /// Writes the discs of the row that `place` projected.
     #[inline(always)]
     pub(crate) fn draw(&self, place: [f32; 4], attributes: [u32; 2], outline: &mut Outline) {
         match &self.plan.kind {
@@ -131,7 +131,7 @@ impl<'a> Outliner<'a> {
         }
     }
 
-    /// How far behind its centre the shadow that has just been drawn must reach, when others go on from a depth.
+    /// The end of the shadow that was just drawn, if others continue from `depth`.
     pub(crate) fn end(&self, place: [f32; 4], depth: f32, outline: &Outline) -> u32 {
         if depth <= outline.polygon.depth {
             return NOTHING_LEFT;
@@ -162,7 +162,7 @@ impl<'a> Outliner<'a> {
         let farthest = projected.w + bodies.reach * projected.radius;
         projected.slack += bodies.tolerance * projected.radius + bodies.depth_step * farthest * farthest;
         projected.lift = bodies.lift_of(place, projected.w);
-        // Ink stands beside its lobe at the height of its middle: a ball that is larger by the line holds it.
+        // Ink lies beside its lobe at the depth of the centre: a ball enlarged by the line contains it.
         let radius =
             ((bodies.reach + projected.tolerance) * projected.radius + bodies.pad * projected.w) * projected.density;
         outline.hull = Disc {
@@ -194,7 +194,7 @@ impl<'a> Outliner<'a> {
         let balls = &outline.balls;
         let cells = projected.radius * projected.density;
         let line = bodies.pad * projected.w * projected.density;
-        // Baked layers carry the relief of the last texel on into the ring.
+        // Baked layers extend the relief of the last texel into the ring.
         let rise = |radius: f32| match bodies.solids.faces_eye {
             true => (4.0 * radius * projected.tolerance).sqrt() * projected.radius,
             false => 0.0,
@@ -250,8 +250,8 @@ impl<'a> Outliner<'a> {
         place[3] > 0.0
     }
 
-    /// Of a shadow the discs of all lobes are certain. PlanKind lies between them depends on the eye, so the polygon around them
-    /// is all that it could darken.
+    /// The discs of all lobes of a shadow are certain. The area between them depends on the eye, so the polygon around
+    /// them bounds what it may darken.
     fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], attributes: [u32; 2], outline: &mut Outline) {
         let projected = outline.projected;
         let rotation = if shadows.solids.faces_eye {
@@ -305,7 +305,7 @@ impl<'a> Outliner<'a> {
     }
 }
 
-/// The share of its radius with which a puff is drawn, by its distance from the near plane, as in shaders/bodies.
+/// Share of its radius with which a puff is drawn, by its distance from the near plane. Same as in shaders/bodies.
 #[inline(always)]
 fn grown(beyond_near: f32, radius: f32) -> f32 {
     let share = (beyond_near / (2.0 * radius)).clamp(0.0, 1.0);
@@ -327,7 +327,7 @@ fn flat(projected: &ProjectedPuff, radius: f32, depth: f32) -> Disc {
 }
 
 impl Shadows<'_> {
-    /// The clip w of a place, and by how many radii the nailboard's shear moves the start of its volume.
+    /// Clip w of a place, and the displacement of the volume's start by the nailboard's shear (radii).
     #[inline(always)]
     fn seen(&self, place: [f32; 4]) -> [f32; 2] {
         let eye = &self.eye;
@@ -350,7 +350,7 @@ impl Shadows<'_> {
         [w, grown * (slope.max(-self.depth * slope) + aside)]
     }
 
-    /// Radii between the centre and the start, as the shader has it.
+    /// Distance from the centre to the start (radii). Same as in the shader.
     #[inline(always)]
     fn cap(tabulated: f32, shear: f32) -> f32 {
         tabulated + shear + CAP_SLACK

@@ -1,4 +1,4 @@
-//! PlanKind a view tells of coverage, made ready: chart, depths, and how puffs or their shadows lie on the chart.
+//! Preparation of coverage for a view: the chart, the depths, and the geometry of puffs or shadows.
 
 use crate::arrange::coverage::chart::{Chart, Linear};
 use crate::arrange::coverage::solids::Solids;
@@ -6,13 +6,13 @@ use crate::arrange::coverage::start_caps::{ENTRIES, StartCaps};
 use crate::arrange::view_layout::{CAPS_FOLLOW, VIEW_LENGTH};
 use crate::math::double::{cross, dot, length, unit};
 
-/// How the rows of a view may cover each other.
+/// The coverage settings of a view.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'v> {
     pub(crate) chart: Chart,
-    /// Depths along the view at the near and the far plane: nothing is drawn nearer or farther.
+    /// Depths along the view of the near and the far plane.
     pub(crate) range: [f32; 2],
-    /// How many covers make certain.
+    /// Number of covers that hide a puff.
     pub(crate) covers: usize,
     pub(crate) kind: PlanKind<'v>,
 }
@@ -24,21 +24,21 @@ pub(crate) enum PlanKind<'v> {
     Shadows(Shadows<'v>),
 }
 
-/// Lengths in radii of the particle where nothing else is said.
+/// Lengths in particle radii unless stated otherwise.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bodies<'v> {
     pub solids: Solids<'v>,
     pub reach: f32,
-    /// How far what is drawn may be from the solids: in radii, and in pixels.
+    /// Tolerance of the solids: in radii, and in pixels.
     pub tolerance: f32,
     pub blur: f32,
-    /// Metres for each unit of clip w: a pixel, and the ring of ink.
+    /// Metres per unit of clip w: a pixel, and the ring of ink.
     pub pixel: f32,
     pub pad: f32,
-    /// Metres by which surfaces may lift that ring, for each unit of clip w, and the boxes that hold those surfaces.
+    /// Metres per unit of clip w by which surfaces may lift the ring, and the boxes of those surfaces.
     lift: f32,
     lifters: &'v [[f32; 6]],
-    /// Metres that cannot be told apart in depth, for each unit of w squared.
+    /// Depth resolution: metres per unit of w squared.
     pub depth_step: f32,
 }
 
@@ -47,33 +47,33 @@ pub(crate) struct Shadows<'v> {
     pub solids: Solids<'v>,
     pub reach: f32,
     pub tolerance: f32,
-    /// How far behind the centre volumes start, before the shear.
+    /// Distance from the centre to the start of volumes, without the shear.
     pub caps: StartCaps<'v>,
-    /// How deep behind its centre plane a puff can be seen.
+    /// Maximum depth behind its centre plane at which a puff is visible.
     pub depth: f32,
     pub eye: ShadowEye,
-    /// The axes of the chart as the eye sees them.
+    /// The axes of the chart in view space.
     pub axes_in_view: [[f32; 3]; 3],
 }
 
-/// PlanKind a nailboard's shear depends on; see `shearOf` in shaders/volumes/volumes.vert.
+/// The inputs of a nailboard's shear; see `shearOf` in shaders/volumes/volumes.vert.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowEye {
     pub right: Linear,
     pub up: Linear,
     pub w: Linear,
-    /// The light's travel to the right and up.
+    /// Right and up component of the light's direction.
     pub travel: [f32; 2],
     /// Clip w at the near plane.
     pub near: f32,
-    /// Least and greatest slope of the picture's rays against the view axis, to the right and up.
+    /// Minimum and maximum slope of rays relative to the view axis, to the right and up.
     pub slopes: [[f32; 2]; 2],
     pub is_perspective: bool,
     pub pixel: f32,
 }
 
 impl<'v> Plan<'v> {
-    /// From the checked numbers of a view and the solids behind them; none where nothing can be left out.
+    /// Reads the checked numbers of a view and its solids. None if coverage is off or impossible.
     pub(crate) fn new(numbers: &'v [f32; VIEW_LENGTH], solids: &'v [f32], direction: [f32; 3]) -> Option<Self> {
         let covers = numbers[33] as usize;
         let eye = EyeAxes::new(&numbers[4..20])?;
@@ -104,7 +104,7 @@ impl<'v> Plan<'v> {
 }
 
 impl Plan<'_> {
-    /// Factor on a particle's radius that makes what it may cover of the chart, lines and tolerances in pixels apart.
+    /// Factor on a particle's radius for its extent on the chart, without lines and tolerances in pixels.
     pub(crate) fn radius_factor(&self) -> f32 {
         match &self.kind {
             PlanKind::Bodies(bodies) => bodies.reach + bodies.tolerance,
@@ -112,12 +112,12 @@ impl Plan<'_> {
         }
     }
 
-    /// Whether shadows may end where others go on: not where covers are counted.
+    /// Returns true if shadows may end where others continue; not with several covers.
     pub(crate) fn has_ends(&self) -> bool {
         self.covers == 1 && matches!(self.kind, PlanKind::Shadows(_))
     }
 
-    /// Those lines and tolerances, on the chart.
+    /// Extent of lines and tolerances in pixels on the chart.
     pub(crate) fn margin(&self) -> f32 {
         match &self.kind {
             PlanKind::Bodies(bodies) => bodies.pad + (bodies.blur + 1.0) * bodies.pixel,
@@ -126,8 +126,7 @@ impl Plan<'_> {
     }
 }
 
-/// How many of so many numbers behind a view are start caps: with each variation's balls stand the entries of its table,
-/// where the view says so.
+/// Number of start-cap entries in `tables` numbers behind a view. The entries follow the balls of all variations.
 fn caps_length(numbers: &[f32; VIEW_LENGTH], tables: usize) -> usize {
     let balls = 4 * numbers[41] as usize;
     if numbers[CAPS_FOLLOW] != 0.0 {
@@ -155,7 +154,7 @@ impl<'v> Bodies<'v> {
         })
     }
 
-    /// Metres by which a surface may lift the ring of a puff: none where no surface comes near its board.
+    /// Distance (m) by which a surface may lift the ring of a puff; 0 unless a surface is near.
     pub(crate) fn lift_of(&self, place: [f32; 4], w: f32) -> f32 {
         let lift = self.lift * w;
         let reach = self.reach * place[3] + self.pad * w + lift;
@@ -164,13 +163,13 @@ impl<'v> Bodies<'v> {
         self.lifters.iter().find(is_near).map_or(0.0, |_| lift)
     }
 
-    /// A depth that is certainly not drawn as the far end, nor as any other one beyond: from the depths of both planes.
+    /// Maximum depth that is drawn distinct from the far plane.
     fn farthest_certain(&self, near: f32, far: f32, w: &Linear, direction: [f32; 3]) -> f32 {
         let (first, last) = (w.at_depth(near, direction), w.at_depth(far, direction));
         if last <= first {
             return far - self.depth_step;
         }
-        // Steps grow with the square of w; where they grow faster than w itself, all is one step.
+        // The resolution is proportional to w squared. Where it exceeds w, all depths are one step.
         let w = last.min(0.5 / self.depth_step);
         near + (w - first) - self.depth_step * w * w
     }
@@ -192,17 +191,17 @@ impl<'v> Shadows<'v> {
     }
 }
 
-/// Room for the tolerance of shadows, for most of them.
+/// Allowance for the tolerance of most shadows.
 const WIDENING: f32 = 1.02;
-/// Depth steps between what is certainly hidden and what hides it: rounding of both, and the margin by which bodies stay
-/// off the ends of the range.
+/// Depth steps between a hidden puff and the one that hides it: rounding of both, and the margin of bodies to the ends
+/// of the range.
 const DEPTH_STEPS: f64 = 12.0;
 const DEPTH_STEP: f64 = 1.0 / 16_777_216.0;
 
-/// A row of a matrix in columns.
+/// A row of a matrix stored by columns.
 type Row = [f64; 4];
 
-/// The view's own axes, taken from its matrix.
+/// The axes of a view, derived from its matrix.
 pub(crate) struct EyeAxes {
     rows: [Row; 4],
     forward: [f64; 3],
@@ -211,14 +210,14 @@ pub(crate) struct EyeAxes {
 }
 
 impl EyeAxes {
-    /// None where the matrix squeezes the picture askew, which no camera does.
+    /// None for a skewed projection, which no camera has.
     pub(crate) fn new(columns: &[f32]) -> Option<Self> {
         let rows: [Row; 4] = std::array::from_fn(|row| std::array::from_fn(|i| f64::from(columns[4 * i + row])));
         let w = [rows[3][0], rows[3][1], rows[3][2]];
         let forward = if length(w) > 1e-9 {
             unit(w)
         } else {
-            // Parallel rays run across both sides of the picture.
+            // Orthographic: the view direction is orthogonal to both sides of the picture.
             unit(cross([0, 1, 2].map(|i| rows[1][i]), [0, 1, 2].map(|i| rows[0][i])))
         };
         let beside = [0, 1].map(|row: usize| {
@@ -239,7 +238,7 @@ impl EyeAxes {
         })
     }
 
-    /// A direction of the world as right, up and towards the eye.
+    /// A world-space direction in view space: right, up, towards the eye.
     fn in_view(&self, direction: [f32; 3]) -> [f32; 3] {
         let direction = direction.map(f64::from);
         let [right, up] = self.sides.map(|side| dot(side, direction) as f32);
@@ -263,16 +262,16 @@ impl EyeAxes {
         }
     }
 
-    /// Metres for each unit of clip w squared that a step of a 24-bit depth buffer spans, with a margin.
+    /// Metres per unit of clip w squared of one step of a 24-bit depth buffer, with a margin.
     pub(crate) fn depth_step(&self) -> f32 {
         let depth = |row: &Row| dot([row[0], row[1], row[2]], self.forward);
-        // Along the view clip z = a t + b and clip w = c t + e at depth t.
+        // At depth t along the view clip z = a t + b and clip w = c t + e.
         let (a, c) = (depth(&self.rows[2]), depth(&self.rows[3]));
         let slope = (a * self.rows[3][3] - self.rows[2][3] * c).abs();
         (2.0 * DEPTH_STEPS * DEPTH_STEP / slope.max(1e-12)) as f32
     }
 
-    /// The eye as the shear of its nailboards needs it. `near`: depth along its own direction at the near plane.
+    /// The inputs of the shear. `near`: depth of the near plane along the view.
     pub(crate) fn of_shadows(&self, travel: [f32; 3], pixel: f32, near: f32) -> ShadowEye {
         let along = |row: &Row| dot([row[0], row[1], row[2]], self.forward);
         let beside = |axis: usize| {
@@ -300,7 +299,7 @@ impl EyeAxes {
     }
 }
 
-/// A chart across the light; `direction` has unit length.
+/// A chart across the light; `direction` is a unit vector.
 pub(crate) fn light_chart(direction: [f32; 3]) -> Chart {
     let d = direction.map(f64::from);
     let least = (0..3).min_by(|a, b| d[*a].abs().total_cmp(&d[*b].abs())).unwrap_or(0);

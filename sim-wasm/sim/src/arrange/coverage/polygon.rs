@@ -1,8 +1,8 @@
-//! A polygon that holds some discs: all that a shadow could darken, whatever the eye sees between its discs as filled.
+//! A convex polygon around discs: everything that a shadow may darken, including the area between its discs.
 
 use std::f32::consts::FRAC_1_SQRT_2;
 
-/// Sides, each with a normal a sixteenth of a turn from the last; the first attributes along u.
+/// Number of sides. Their normals are a sixteenth of a revolution apart; the first is along u.
 const SIDES: usize = 16;
 const COSINES: [f32; SIDES] = [
     1.0,
@@ -22,17 +22,17 @@ const COSINES: [f32; SIDES] = [
     FRAC_1_SQRT_2,
     0.923_879_5,
 ];
-/// The sides that attributes along v and against it.
+/// The sides with normals along v and opposite to it.
 const UP: usize = SIDES / 4;
 const DOWN: usize = 3 * SIDES / 4;
 
-/// Lengths in cells; its front is flat, at a depth in metres.
+/// Lengths in cells. The front is flat, at a depth in metres.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Polygon {
     pub u: f32,
     pub v: f32,
     pub depth: f32,
-    /// How far each side lies from (u, v).
+    /// Distance of each side from (u, v).
     sides: [f32; SIDES],
 }
 
@@ -46,7 +46,7 @@ impl Polygon {
         }
     }
 
-    /// Moves the sides out so that they hold a disc; its middle counts from (u, v).
+    /// Extends the polygon around a disc; its centre is relative to (u, v).
     #[inline(always)]
     pub(crate) fn hold(&mut self, x: f32, y: f32, radius: f32) {
         for (side, at) in self.sides.iter_mut().enumerate() {
@@ -55,7 +55,7 @@ impl Polygon {
         }
     }
 
-    /// Left, low, right and high end.
+    /// Left, low, right and high limit.
     pub(crate) fn bounds(&self) -> [f32; 4] {
         [
             self.u - self.sides[SIDES / 2],
@@ -65,13 +65,13 @@ impl Polygon {
         ]
     }
 
-    /// Left and right end of what lies between two heights.
+    /// Left and right limit between two heights.
     #[inline(always)]
     pub(crate) fn between(&self, low: f32, high: f32) -> [f32; 2] {
         let (low, high) = (low - self.v, high - self.v);
         let (mut left, mut right) = (-self.sides[SIDES / 2], self.sides[0]);
         for (side, cosine, sine) in (1..UP).map(|side| (side, COSINES[side], sine(side))) {
-            // Where a side leans back upwards its low end is the wider one.
+            // A side that leans back upwards is wider at its low end.
             right = right
                 .min((self.sides[side] - sine * low) / cosine)
                 .min((self.sides[SIDES - side] + sine * high) / cosine);

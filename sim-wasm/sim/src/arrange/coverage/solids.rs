@@ -1,27 +1,27 @@
-//! Of which balls a puff consists, and how it stands: as src/puffs/solids.ts tells and shaders/lib/orientation.glsl orientations.
+//! The balls of puffs and their orientation, as in src/puffs/solids.ts and shaders/lib/orientation.glsl.
 
 use wide::f32x4;
 
-/// Most balls of a puff.
+/// Maximum number of balls per puff.
 pub const BALLS_LIMIT: usize = 12;
 const LANES: usize = 4;
 const SEEDS: usize = 256;
-/// Entries of a table of sines for one turn; what lies between them is within the tolerance of the solids.
+/// Entries per revolution of the sine table. The tolerance of the solids covers the error between them.
 const SINES: usize = 4096;
-/// The turn of a seed's axis about z from one seed to the next.
+/// Rotation of the seed axes about z from one seed to the next.
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 
-/// The puffs of a form. Lengths in particle radii.
+/// The shapes of puffs. Lengths in particle radii.
 #[derive(Clone, Copy, Debug)]
 pub struct Solids<'v> {
-    /// For each variation the x of all balls, then their y, z and radii; balls of radius 0 are absent.
+    /// Per variation the x of all balls, then their y, z and radii. A radius of 0 marks a missing ball.
     table: &'v [f32],
     balls: usize,
-    /// Whether the puff orientations to the eye and rolls about the view axis, instead of standing in the world.
+    /// True if puffs face the eye and roll about the view axis; false if they are fixed in world space.
     pub faces_eye: bool,
 }
 
-/// The balls of one puff as the eye sees it: right, up and towards the eye.
+/// The balls of one puff in view space: right, up, towards the eye.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct RotatedBalls {
     pub x: [f32; BALLS_LIMIT],
@@ -32,7 +32,7 @@ pub(crate) struct RotatedBalls {
 }
 
 impl<'v> Solids<'v> {
-    /// `table` holds one variation or more of 4 * `balls` numbers; `balls` is 4, 8 or 12.
+    /// `table` holds 4 * `balls` numbers per variation; `balls` is 4, 8 or 12.
     pub(crate) fn new(table: &'v [f32], balls: usize, faces_eye: bool) -> Self {
         debug_assert!(balls.is_multiple_of(LANES) && balls <= BALLS_LIMIT && !table.is_empty());
         Self {
@@ -42,7 +42,7 @@ impl<'v> Solids<'v> {
         }
     }
 
-    /// Orientations the puff of a attributes by `rotation`.
+    /// Rotates the puff with these packed attributes by `rotation`.
     #[inline(always)]
     pub(crate) fn rotate(&self, attributes: [u32; 2], rotation: &[[f32; 3]; 3], into: &mut RotatedBalls) {
         let size = 4 * self.balls;
@@ -65,7 +65,7 @@ impl<'v> Solids<'v> {
     }
 }
 
-/// Sines, and the axes that seeds choose; made once.
+/// The sine table, and the rotation axes of the seeds.
 #[derive(Debug)]
 pub(crate) struct Orientations {
     sines: Box<[f32; SINES]>,
@@ -89,14 +89,14 @@ impl Orientations {
         orientations
     }
 
-    /// Sine and cosine of a attributes's roll.
+    /// Sine and cosine of the roll in packed attributes.
     #[inline(always)]
     fn roll(&self, attributes: [u32; 2]) -> (f32, f32) {
         let index = ((attributes[0] & 0xffff) as usize * SINES + 0x8000) >> 16;
         (self.sines[index % SINES], self.sines[(index + SINES / 4) % SINES])
     }
 
-    /// Rows that take a puff's own frame to that of `axes`, for a puff that stands in the world.
+    /// Rows of the rotation from a puff's frame to `axes`, for a puff fixed in world space.
     #[inline(always)]
     pub(crate) fn standing(&self, attributes: [u32; 2], axes: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
         let (sine, cosine) = self.roll(attributes);
@@ -112,7 +112,7 @@ impl Orientations {
         })
     }
 
-    /// The same for a puff that orientations to the eye and rolls, with axes as the eye sees them.
+    /// Same for a puff that faces the eye and rolls, with axes in view space.
     #[inline(always)]
     pub(crate) fn facing(&self, attributes: [u32; 2], axes_in_view: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
         let (sine, cosine) = self.roll(attributes);

@@ -1,20 +1,20 @@
-//! Where a puff's shadow may start, by the side from which the light comes: as src/puffs/startCaps.ts tabulates it.
+//! The starts of a puff's shadow, by the direction of the light, as tabulated in src/puffs/startCaps.ts.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
 /// Azimuths and polar angles of a variation's table.
 const COLUMNS: usize = 64;
 const ROWS: usize = 32;
-/// Entries of a variation.
+/// Entries per variation.
 pub(crate) const ENTRIES: usize = COLUMNS * ROWS;
-/// Cells by which a direction may be wrong: turned by a table of sines, measured by a short series.
+/// Tolerance of a direction in cells: the error of the sine table and of the short series.
 const DOUBT: f32 = 0.03;
 
-/// Tables of all variations one after the other; without any, the least and the most of all hold for each.
+/// Tables of all variations. Without tables the range applies to each.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StartCaps<'v> {
     table: &'v [f32],
-    /// Radii behind the centre, at least and at most.
+    /// Minimum and maximum distance behind the centre (radii).
     pub range: [f32; 2],
 }
 
@@ -24,7 +24,8 @@ impl<'v> StartCaps<'v> {
         Self { table, range }
     }
 
-    /// Least and most that the renderer may read for a attributes, by the direction towards the light in the puff's own frame.
+    /// Minimum and maximum that the renderer may read for packed attributes, by the direction towards the light in the
+    /// puff's frame.
     pub(crate) fn of(&self, attributes: [u32; 2], [x, y, z]: [f32; 3]) -> [f32; 2] {
         if self.table.is_empty() {
             return self.range;
@@ -48,7 +49,7 @@ impl<'v> StartCaps<'v> {
     }
 }
 
-/// The angle of (x, y) to x, from -pi to pi, to within 0.0005.
+/// The angle from x to (x, y), -pi..pi, with an error of at most 0.0005.
 #[inline(always)]
 fn angle(x: f32, y: f32) -> f32 {
     let (least, most) = (x.abs().min(y.abs()), x.abs().max(y.abs()));
