@@ -3,7 +3,7 @@
 use sim::layout::error::ParameterError;
 use wasm_bindgen::prelude::*;
 
-// The crate js-sys has both, and twice as much glue with them.
+// js-sys provides both, with twice as much glue code.
 #[wasm_bindgen]
 extern "C" {
     /// A plain JavaScript object.
@@ -12,17 +12,17 @@ extern "C" {
     #[wasm_bindgen(constructor)]
     pub fn new() -> Object;
 
-    /// Gives it a property.
+    /// Sets a property.
     #[wasm_bindgen(method, structural, indexing_setter)]
     pub fn put(this: &Object, name: &str, value: JsValue);
 }
 
-/// `{ key, value, min, max, message }` of a refused parameter; min and max are NaN where there is no range.
+/// `{ key, value, min, max, message }` of a parameter error. `min` and `max` are NaN without a range.
 pub fn parameter_error(error: ParameterError) -> JsValue {
     error_object(&error.key, error.value, error.min, error.max, &error.message)
 }
 
-/// An error about no single number: the key is empty.
+/// An error without a key.
 pub fn plain_error(message: &str) -> JsValue {
     error_object("", f64::NAN, f64::NAN, f64::NAN, message)
 }

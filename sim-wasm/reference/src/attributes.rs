@@ -1,4 +1,4 @@
-//! The two words of a row's look, as ARCHITECTURE.md lays them out.
+//! The packed attributes of a row, as described in ARCHITECTURE.md.
 
 use std::f64::consts::TAU;
 
@@ -10,12 +10,12 @@ use crate::scene::Bands;
 pub struct PackedAttributes(pub [u32; 2]);
 
 impl PackedAttributes {
-    /// Radians.
+    /// Roll (rad).
     pub fn roll(self) -> f64 {
         f64::from(self.0[0] & 0xffff) / 65536.0 * TAU
     }
 
-    /// As a fraction of the lifetime.
+    /// Age as a share of the lifetime.
     pub fn age(self) -> f64 {
         f64::from(self.0[0] >> 16) / 65535.0
     }
@@ -28,7 +28,7 @@ impl PackedAttributes {
         self.0[1] >> 8 & 0xff
     }
 
-    /// Which of the smoke's ramps: one of the three tints by turns, without a tint by age and temperature.
+    /// Index of the smoke ramp: one of the three tints in turn, or without a tint by age and temperature.
     pub fn ramp(self, bands: &Bands) -> usize {
         match self.0[1] >> 24 {
             0 => bands.ages[(self.0[0] >> 24) as usize] + bands.temperatures[(self.0[1] >> 16 & 0xff) as usize],
@@ -36,7 +36,7 @@ impl PackedAttributes {
         }
     }
 
-    /// Turned by the roll about an axis of the particle's own: one of 256 on a golden spiral from pole to pole.
+    /// Rotation by the roll about an axis of the particle: one of 256 on a golden spiral from pole to pole.
     pub fn world_from_puff(self) -> DMat3 {
         let seed = f64::from(self.seed());
         let golden_angle = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());

@@ -1,8 +1,8 @@
-//! `cargo xtask wasm [--force | --bench]`: the simulator as WASM, with the JavaScript and TypeScript that speak to it.
+//! `cargo xtask wasm [--force | --bench]`: builds the simulator as WASM, with its JavaScript and TypeScript bindings.
 //!
-//! Two variants of one API come out, `src/sim/wasm/core` (no Rapier) and `src/sim/wasm/physics`. Nothing is compiled
-//! when the sources are those of the last build; see [`stamp`]. `--bench` builds a third one with calls that measure,
-//! and nothing else: into `sim-wasm/target/wasm/bench`, since no page loads it.
+//! Builds two variants of one API: `src/sim/wasm/core` (without Rapier) and `src/sim/wasm/physics`. Skips compilation
+//! if the sources are those of the last build; see [`stamp`]. `--bench` only builds a third variant with calls for
+//! measurements, into `sim-wasm/target/wasm/bench`, since no page loads it.
 
 mod build;
 mod places;
@@ -55,7 +55,7 @@ fn wasm(force: bool) -> Result<()> {
         let size = build::build(variant, &places, &places.output)?;
         println!("built {} ({} kB)", variant.name, size / 1000);
     }
-    // A second look: sources edited while the compiler ran would otherwise be taken for built.
+    // Checked again: sources edited during compilation must not count as built.
     if stamp::digest(&places.workspace)? == digest {
         stamp::write(&places, &digest)?;
     }

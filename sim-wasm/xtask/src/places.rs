@@ -1,17 +1,17 @@
-//! Where things lie in the repository.
+//! Folders of the repository.
 
 use std::path::{Path, PathBuf};
 
-/// The folders that a build reads from and writes to.
+/// The folders that a build reads and writes.
 pub struct Places {
     /// The Rust workspace, `sim-wasm/`.
     pub workspace: PathBuf,
-    /// What the web side loads, `src/sim/wasm/`; not kept in git.
+    /// Output for the web side, `src/sim/wasm/`; not in git.
     pub output: PathBuf,
 }
 
 impl Places {
-    /// Finds the folders from where this program's own manifest stands.
+    /// Finds the folders relative to this program's manifest.
     pub fn find() -> Places {
         let workspace = Path::new(env!("CARGO_MANIFEST_DIR"))
             .parent()
