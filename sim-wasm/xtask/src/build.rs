@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, Result, bail};
 use wasm_bindgen_cli_support::Bindgen;
 
-use crate::places::Places;
+use crate::folders::Folders;
 use crate::trim::trim;
 
 const TARGET: &str = "wasm32-unknown-unknown";
@@ -60,9 +60,9 @@ pub const FILES: &[&str] = &["bindings.js", "bindings.d.ts", "bindings_bg.wasm"]
 ///
 /// # Errors
 /// When cargo or wasm-bindgen fail, or the folder cannot be written.
-pub fn build(variant: &Variant, places: &Places, output: &Path) -> Result<u64> {
-    let target = places.workspace.join("target").join("wasm");
-    compile(variant, places, &target)?;
+pub fn build(variant: &Variant, folders: &Folders, output: &Path) -> Result<u64> {
+    let target = folders.workspace.join("target").join("wasm");
+    compile(variant, folders, &target)?;
     let module = target.join(TARGET).join(PROFILE).join("bindings.wasm");
     let folder = output.join(variant.name);
     let bytes = fs::read(&module).with_context(|| format!("{} cannot be read", module.display()))?;
@@ -71,10 +71,10 @@ pub fn build(variant: &Variant, places: &Places, output: &Path) -> Result<u64> {
     Ok(size)
 }
 
-fn compile(variant: &Variant, places: &Places, target: &PathBuf) -> Result<()> {
+fn compile(variant: &Variant, folders: &Folders, target: &PathBuf) -> Result<()> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let status = Command::new(cargo)
-        .current_dir(&places.workspace)
+        .current_dir(&folders.workspace)
         .args(["build", "--package", "bindings", "--profile", PROFILE, "--locked"])
         .args(["--target", TARGET])
         .arg("--target-dir")

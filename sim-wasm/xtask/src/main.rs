@@ -5,14 +5,14 @@
 //! measurements, into `sim-wasm/target/wasm/bench`, since no page loads it.
 
 mod build;
-mod places;
+mod folders;
 mod stamp;
 mod trim;
 
 use std::process::ExitCode;
 
 use anyhow::{Result, bail};
-use places::Places;
+use folders::Folders;
 
 const USAGE: &str = "usage: cargo xtask wasm [--force | --bench]";
 
@@ -38,26 +38,26 @@ fn run(arguments: &[String]) -> Result<()> {
 }
 
 fn bench() -> Result<()> {
-    let places = Places::find();
-    build::build(&build::BENCH, &places, &places.workspace.join("target").join("wasm")).map(|_| ())
+    let folders = Folders::find();
+    build::build(&build::BENCH, &folders, &folders.workspace.join("target").join("wasm")).map(|_| ())
 }
 
 fn wasm(force: bool) -> Result<()> {
-    let places = Places::find();
-    let digest = stamp::digest(&places.workspace)?;
-    if !force && stamp::is_fresh(&places, &digest) {
+    let folders = Folders::find();
+    let digest = stamp::digest(&folders.workspace)?;
+    if !force && stamp::is_fresh(&folders, &digest) {
         println!("wasm is up to date");
         return Ok(());
     }
-    stamp::clear(&places)?;
+    stamp::clear(&folders)?;
     for variant in build::VARIANTS {
         println!("building wasm: {}", variant.name);
-        let size = build::build(variant, &places, &places.output)?;
+        let size = build::build(variant, &folders, &folders.output)?;
         println!("built {} ({} kB)", variant.name, size / 1000);
     }
     // Checked again: sources edited during compilation must not count as built.
-    if stamp::digest(&places.workspace)? == digest {
-        stamp::write(&places, &digest)?;
+    if stamp::digest(&folders.workspace)? == digest {
+        stamp::write(&folders, &digest)?;
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ use anyhow::{Context, Result};
 use sha2::{Digest, Sha256};
 
 use crate::build::{FILES, VARIANTS};
-use crate::places::Places;
+use crate::folders::Folders;
 
 const SINGLE_FILES: &[&str] = &[
     ".cargo/config.toml",
@@ -62,11 +62,11 @@ fn collect(workspace: &Path, folder: &str, paths: &mut Vec<String>) -> Result<()
 }
 
 /// Returns true if the last build used sources of this digest and all its files exist.
-pub fn is_fresh(places: &Places, digest: &str) -> bool {
-    let stamped = fs::read_to_string(places.output.join(STAMP)).unwrap_or_default();
+pub fn is_fresh(folders: &Folders, digest: &str) -> bool {
+    let stamped = fs::read_to_string(folders.output.join(STAMP)).unwrap_or_default();
     stamped.trim() == digest
         && VARIANTS.iter().all(|variant| {
-            let folder = places.output.join(variant.name);
+            let folder = folders.output.join(variant.name);
             FILES.iter().all(|file| folder.join(file).is_file())
         })
 }
@@ -75,9 +75,9 @@ pub fn is_fresh(places: &Places, digest: &str) -> bool {
 ///
 /// # Errors
 /// When the folder cannot be made or the old stamp cannot be removed.
-pub fn clear(places: &Places) -> Result<()> {
-    fs::create_dir_all(&places.output)?;
-    let stamp = places.output.join(STAMP);
+pub fn clear(folders: &Folders) -> Result<()> {
+    fs::create_dir_all(&folders.output)?;
+    let stamp = folders.output.join(STAMP);
     if stamp.exists() {
         fs::remove_file(stamp)?;
     }
@@ -88,7 +88,7 @@ pub fn clear(places: &Places) -> Result<()> {
 ///
 /// # Errors
 /// When the stamp cannot be written.
-pub fn write(places: &Places, digest: &str) -> Result<()> {
-    fs::write(places.output.join(STAMP), format!("{digest}\n"))?;
+pub fn write(folders: &Folders, digest: &str) -> Result<()> {
+    fs::write(folders.output.join(STAMP), format!("{digest}\n"))?;
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Attractors: a point attracts or repels smoke.
 //!
-//! a = -A (1 - r^2 / R^2)^2 (p - c) / max(r, s) for the distance r of the position p from the centre c, and 0 where r
-//! >= R. The strength is constant except for the fade, and linear within the core, so that smoke swings through the
+//! a = -A (1 - r^2 / R^2)^2 (p - c) / max(r, s) for the distance r of the position p from the centre c, and 0 where
+//! r >= R. The strength is constant except for the fade, and linear within the core, so that smoke swings through the
 //! centre as on a spring. Parameters: `attractors.#.acceleration` A (m/s2, negative to repel), `.coreRadius` s (m),
 //! `.reach` R (m), `.position.*` c (m). The core is at least 4 A h^2 for the step h: the minimum that a step can
 //! resolve, even with all attractors of the list in one place.

@@ -1,7 +1,7 @@
 //! Dragging a rigid by a spring.
 //!
-//! The spring is critically damped and of unit mass: x'' = w2 (goal - x) - 2 w x'. Implicit Euler advances it: v' = (v
-//! + w2 h (goal - x)) / (1 + w h)2, x' = x + v' h. Both eigenvalues are 1 / (1 + w h), so the discrete spring is
+//! The spring is critically damped and of unit mass: x'' = w2 (goal - x) - 2 w x'. Implicit Euler advances it: v' =
+//! (v + w2 h (goal - x)) / (1 + w h)2, x' = x + v' h. Both eigenvalues are 1 / (1 + w h), so the discrete spring is
 //! critically damped for any w and h. After n steps from rest at the distance d, the distance is d (1 + n w h / (1 + w
 //! h)) / (1 + w h)^n.
 

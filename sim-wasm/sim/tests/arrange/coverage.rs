@@ -339,7 +339,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn whatever_is_left_out_lies_behind_what_stays(
+    fn culled_puffs_lie_behind_those_that_stay(
         eye in eyes(), count in 60..500_u32, seed in 0..1000_u32, spread in 0.3..1.5_f32, ink in 0.0..0.02_f64,
     ) {
         let solids = solids(seed);
@@ -360,7 +360,7 @@ proptest! {
     }
 
     #[test]
-    fn whoever_is_left_out_throws_no_shadow_of_its_own(
+    fn culled_casters_throw_no_shadow_of_their_own(
         eye in eyes(), count in 60..500_u32, seed in 0..1000_u32, covers in prop_oneof![4 => 1..4_usize, 1 => 4..9_usize], lamp in prop::array::uniform3(-1.0..1.0_f64),
     ) {
         prop_assume!(dot(lamp, lamp) > 0.1);
@@ -516,7 +516,7 @@ fn a_dense_cloud_is_mostly_hidden_and_a_thin_one_is_not() {
 }
 
 #[test]
-fn more_ink_keeps_more_and_without_the_wish_all_stay() {
+fn more_ink_keeps_more_and_zero_covers_keep_all() {
     let solids = solids(2);
     let eye = Eye::new([0.0, 0.4, 8.0], 0.25, true);
     let mut cloud = cloud(3000, 4, 1.0);
@@ -548,7 +548,7 @@ fn a_small_puff_is_hidden_behind_a_large_one_and_not_before_it() {
 }
 
 #[test]
-fn malformed_coverage_is_refused_by_name() {
+fn malformed_coverage_is_an_error_with_its_key() {
     let eye = Eye::new([0.0, 0.4, 8.0], 0.25, true);
     let mut cloud = cloud(10, 1, 1.0);
     let cases = [

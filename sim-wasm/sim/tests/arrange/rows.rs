@@ -146,7 +146,7 @@ fn blend_runs_from_the_previous_step_to_this_one() {
 }
 
 #[test]
-fn who_is_not_born_yet_and_who_has_no_radius_has_no_row() {
+fn unborn_particles_and_zero_radii_have_no_row() {
     let settings = [
         ("emission.rate", 60.0 * 64.0),
         ("emitters.0.speed", 3.0),
@@ -169,7 +169,7 @@ fn who_is_not_born_yet_and_who_has_no_radius_has_no_row() {
 }
 
 #[test]
-fn what_left_the_world_leaves_no_row_behind() {
+fn particles_outside_of_the_world_have_no_row() {
     let mut simulator = simulator(4, 1, &[STILL, FULL]);
     simulator.add(&newborn([0.0; 3]));
     simulator.add(&newborn([20_000.0, 0.0, 0.0]));
@@ -179,7 +179,7 @@ fn what_left_the_world_leaves_no_row_behind() {
 }
 
 #[test]
-fn looks_are_packed_as_documented() {
+fn attributes_are_packed_as_documented() {
     let mut simulator = simulator(3, 1, &[STILL, FULL]);
     let attributes = 3 | 200 << 8 | 0x400 << 16 | 9 << 28;
     for (age, temperature) in [(0.0, 0.0), (10.0, 1.0), (30.0, 9.0)] {
@@ -229,7 +229,7 @@ fn bounds_hold_all_that_lives_whatever_is_culled() {
 }
 
 #[test]
-fn malformed_views_are_refused_by_name() {
+fn malformed_views_are_errors_with_their_key() {
     let mut simulator = cloud(10);
     let cases = [
         (1, -0.1, "view.blend"),

@@ -96,7 +96,7 @@ fn normal_velocity_comes_back_by_restitution_and_tangential_is_lost_by_friction(
 }
 
 #[test]
-fn what_leads_away_is_left_alone() {
+fn receding_particles_are_not_changed() {
     let probe = fly([0.0, 0.05, 0.0], [0.1, 0.15, 0.0], 0.1, 0.0, &[GROUND]);
     assert_eq!(probe.position, [0.1, 0.15, 0.0]);
     assert!(near(probe.slip[1], 6.0, 1e-4));

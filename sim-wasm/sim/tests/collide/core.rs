@@ -110,7 +110,7 @@ fn cylinders() {
 
 /// A shape that tells no core of its own: its box has to hold it wherever that box stands.
 #[test]
-fn whatever_has_a_box() {
+fn shapes_known_by_their_box() {
     struct Aside(Ball);
     impl Collider for Aside {
         fn nearest(&self, point: Vector, limit: f32) -> sim::collide::shapes::Nearest {

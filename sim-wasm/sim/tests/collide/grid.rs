@@ -14,7 +14,7 @@ fn ball(x: f32) -> sim::rigids::RigidDescription {
 
 /// Of every 32 particles four are a long way from the rest, whichever of them are glanced at.
 #[test]
-fn those_that_no_glance_fell_on_are_pushed_out_too() {
+fn particles_outside_of_the_sample_are_pushed_out_too() {
     for odd_block in 0..8 {
         let mut cloud = Cloud::new(320);
         cloud.rigids.add(kinematic(RigidShape::Ball { radius: 0.2 })).unwrap();

@@ -46,7 +46,7 @@ fn none_of_5000_particles_is_ever_inside_a_moving_rigid() {
 }
 
 #[test]
-fn what_is_near_does_not_depend_on_how_it_is_found() {
+fn the_grid_does_not_affect_the_result() {
     // One giant among the particles makes the grid's margin too small for itself, and a huge rigid fills every cell.
     let mut cloud = Cloud::new(301);
     for k in 0..100 {

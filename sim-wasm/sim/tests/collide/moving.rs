@@ -399,7 +399,7 @@ fn a_dynamic_rigid_is_put_somewhere_at_rest_and_sweeps_nothing_on_its_way() {
 }
 
 #[test]
-fn what_is_fixed_cannot_be_moved() {
+fn a_fixed_rigid_cannot_be_moved() {
     let mut rigids = sim::rigids::Rigids::new();
     let ball = RigidShape::Ball { radius: 0.5 };
     let index = rigids

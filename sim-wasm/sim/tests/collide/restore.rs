@@ -67,7 +67,7 @@ fn a_restored_heap_goes_on_to_the_same_hash() {
 }
 
 #[test]
-fn damaged_bytes_are_refused() {
+fn damaged_bytes_are_errors() {
     let mut cloud = heap();
     run_heap(&mut cloud, 0..5);
     let bytes = cloud.rigids.save();

@@ -41,14 +41,14 @@ fn emitters_divide_the_rate_by_their_shares() {
 }
 
 #[test]
-fn emitters_without_any_share_bear_nothing() {
+fn emitters_without_a_share_emit_nothing() {
     let mut simulator = simulator(100, 1, &[EVEN, &[("emitters.0.share", 0.0), ("emission.rate", 400.0)]]);
     steps(&mut simulator, 60);
     assert_eq!((simulator.alive(), simulator.waiting()), (0, 0));
 }
 
 #[test]
-fn births_wait_when_full_and_none_is_lost() {
+fn births_wait_for_capacity_and_none_is_lost() {
     let mut simulator = simulator(
         100,
         1,
@@ -68,7 +68,7 @@ fn births_wait_when_full_and_none_is_lost() {
 }
 
 #[test]
-fn no_emitter_starves_when_full() {
+fn no_emitter_starves_without_capacity() {
     let two = [
         ("emission.rate", 1200.0),
         ("emission.lifetime", 0.5),

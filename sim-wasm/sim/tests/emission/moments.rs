@@ -121,7 +121,7 @@ fn an_envelope_switches_the_rate() {
 }
 
 #[test]
-fn a_fading_envelope_bears_what_its_level_adds_up_to() {
+fn a_fading_envelope_emits_the_integral_of_its_level() {
     let settings = [
         ("emission.rate", 1000.0),
         ("emitters.0.envelope.duration", 3.0),
@@ -134,7 +134,7 @@ fn a_fading_envelope_bears_what_its_level_adds_up_to() {
 }
 
 #[test]
-fn one_that_is_off_leaves_the_others_what_they_have() {
+fn an_emitter_that_is_off_does_not_affect_the_others() {
     let settings = [
         ("emission.rate", 600.0),
         ("emitters.1.share", 2.0),

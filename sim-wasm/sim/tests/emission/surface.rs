@@ -73,7 +73,7 @@ fn a_surface_that_does_not_exist_is_a_point() {
 }
 
 #[test]
-fn what_is_no_mesh_is_refused_by_name() {
+fn an_invalid_mesh_is_an_error_with_its_key() {
     let mut simulator = simulator(10, 1, &[]);
     let nan = [0.0, f32::NAN, 0.0];
     let far = [0.0, 0.0, 1000.5];
@@ -128,7 +128,7 @@ fn surfaces_are_inputs_that_are_saved() {
 }
 
 #[test]
-fn a_take_of_another_surface_is_refused() {
+fn a_take_of_another_surface_is_an_error() {
     let fresh = |scale: f32| {
         let mut simulator = simulator(600, 1, &[STILL, SMOKE]);
         simulator

@@ -139,7 +139,7 @@ fn an_attractor_an_orbit_and_an_explosion_stand_where_their_rigid_is() {
 }
 
 #[test]
-fn what_rides_on_no_rigid_stays_in_the_world() {
+fn effects_without_a_rigid_are_fixed_in_the_world() {
     let settings = [("jets.0.speed", 2.0), ("jets.0.rigid", 77.0)];
     let (mut there, mut nowhere) = (rigged(&settings), rigged(&settings[..1]));
     for simulator in [&mut there, &mut nowhere] {

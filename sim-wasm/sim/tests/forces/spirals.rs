@@ -91,7 +91,7 @@ fn a_spiral_and_wind_follow_the_true_path() {
 }
 
 #[test]
-fn what_is_drawn_in_stays_at_the_axis() {
+fn inflow_keeps_particles_at_the_axis() {
     let settings = [
         WIDE,
         ("spirals.0.turn", 5.0),

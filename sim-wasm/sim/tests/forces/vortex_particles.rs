@@ -272,7 +272,7 @@ fn the_multiplier_of_vortices_multiplies_them() {
 }
 
 #[test]
-fn when_there_are_too_many_those_go_that_came_first() {
+fn beyond_the_limit_the_oldest_are_removed() {
     let mut simulator = still(4);
     for number in 0..MAX_VORTEX_PARTICLES + 10 {
         simulator.add_vortex_particle(&VortexParticle {
@@ -288,7 +288,7 @@ fn when_there_are_too_many_those_go_that_came_first() {
 }
 
 #[test]
-fn one_that_is_not_sound_is_refused() {
+fn an_invalid_vortex_particle_is_rejected() {
     let mut simulator = still(4);
     for broken in [
         VortexParticle {
@@ -352,7 +352,7 @@ fn restored_they_go_on_to_the_same_hash() {
 }
 
 #[test]
-fn the_hash_knows_them() {
+fn the_hash_includes_them() {
     let simulator = stirred();
     let saved = simulator.save();
     let mut other = still(500);

@@ -93,7 +93,7 @@ fn particles_die_at_their_time_whatever_slot_they_have() {
 }
 
 #[test]
-fn what_leaves_the_world_dies() {
+fn particles_that_leave_the_world_die() {
     let mut simulator = simulator(3, 1, &[STILL, &[("forces.wind.x", 50.0)]]);
     simulator.add(&newborn([WORLD_RADIUS - 60.0, 0.0, 0.0]));
     simulator.add(&newborn([0.0; 3]));

@@ -105,7 +105,7 @@ fn greatest_change(radii: &[f32]) -> f64 {
 }
 
 #[test]
-fn nobody_is_born_full_but_by_the_papers_integrator() {
+fn only_the_papers_integrator_allows_full_size_at_birth() {
     for growth_time in [0.0, 0.01, f64::from(MIN_GROWTH_TIME)] {
         let mut simulator = simulator(1, 1, &[STILL, &[("emission.growthTime", growth_time)]]);
         simulator.add(&Newborn {
@@ -200,7 +200,7 @@ fn the_papers_integrator_counts_the_way_relative_to_the_air() {
 }
 
 #[test]
-fn who_is_born_late_in_a_step_grows_for_the_rest_of_it() {
+fn a_particle_born_late_in_a_step_grows_for_the_rest_of_it() {
     let settings = [
         ("emission.rate", 240.0),
         ("emission.entrainment", 0.5),

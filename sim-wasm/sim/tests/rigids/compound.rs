@@ -130,7 +130,7 @@ fn a_dynamic_compound_falls_about_its_common_centre_of_mass() {
 }
 
 #[test]
-fn a_compound_comes_back_from_bytes() {
+fn a_compound_is_restored() {
     let shape = RigidShape::Compound { parts: scattered() };
     let mut rigids = Rigids::new();
     rigids
@@ -148,7 +148,7 @@ fn a_compound_comes_back_from_bytes() {
 }
 
 #[test]
-fn compounds_without_parts_and_within_compounds_are_refused() {
+fn empty_and_nested_compounds_are_errors() {
     let mut rigids = Rigids::new();
     let empty = RigidShape::Compound { parts: Vec::new() };
     let nested = RigidShape::Compound {

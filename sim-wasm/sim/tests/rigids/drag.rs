@@ -108,7 +108,7 @@ fn a_rigid_grabbed_by_its_end_hangs_from_it() {
 }
 
 #[test]
-fn a_drag_comes_back_from_bytes_and_nonsense_is_refused() {
+fn a_drag_is_restored_and_invalid_drags_are_errors() {
     let mut rigids = Rigids::new();
     let ball = RigidShape::Ball { radius: 0.2 };
     for (k, kind) in [RigidKind::Kinematic, RigidKind::Dynamic, RigidKind::Fixed]

@@ -182,7 +182,7 @@ fn a_fixed_joint_a_rope_and_a_spring_hold() {
 }
 
 #[test]
-fn joints_come_back_from_bytes() {
+fn joints_are_restored() {
     let mut rigids = hung(RigidShape::Ball { radius: 0.1 }, Pose::at(Vector::new(1.0, 0.0, 0.0)));
     rigids
         .add_joint(&joint(JointKind::Ball, Vector::new(-1.0, 0.0, 0.0)))
@@ -196,7 +196,7 @@ fn joints_come_back_from_bytes() {
 }
 
 #[test]
-fn nonsense_is_refused_by_name() {
+fn invalid_numbers_are_errors_with_their_key() {
     let anchors = [0.0; 6];
     let numbers = |kind: f32, rigids: [f32; 2], rest: &[f32]| -> Vec<f32> {
         [kind]

@@ -260,7 +260,7 @@ fn a_path_goes_by_the_time_of_the_simulator_through_save_and_restore() {
 }
 
 #[test]
-fn nonsense_is_refused_by_name_and_changes_nothing() {
+fn invalid_numbers_are_errors_and_change_nothing() {
     let numbers: [(&[f32], &str); 12] = [
         (&[2.0], "rigid.path.type"),
         (&[0.0, 1.0], "rigid.path.keyframes"),

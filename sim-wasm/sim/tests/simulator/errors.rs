@@ -6,7 +6,7 @@ use sim::layout::parameters::Parameters;
 use sim::layout::parameters::{describe, rows};
 
 #[test]
-fn every_parameter_refuses_what_is_no_number_or_out_of_range() {
+fn every_parameter_rejects_nan_and_values_out_of_range() {
     let mut simulator = simulator(100, 1, &[LIVELY]);
     let before = *simulator.parameters();
     for row in rows() {
@@ -49,7 +49,7 @@ fn every_parameter_takes_its_ends_and_its_default() {
 }
 
 #[test]
-fn whole_numbers_are_asked_for_where_they_are_meant() {
+fn fractions_are_errors_for_whole_parameters() {
     for row in rows().iter().filter(|row| row.meta.whole) {
         let error = Parameters::default()
             .set(&row.key.replace('#', "0"), row.meta.min + 0.5)
@@ -59,7 +59,7 @@ fn whole_numbers_are_asked_for_where_they_are_meant() {
 }
 
 #[test]
-fn unknown_keys_are_named() {
+fn unknown_keys_are_errors_with_the_key() {
     let keys = [
         "",
         "emission",

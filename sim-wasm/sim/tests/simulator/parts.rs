@@ -96,7 +96,7 @@ fn a_share_of_the_velocity_of_the_tip_goes_along() {
 }
 
 #[test]
-fn what_no_pose_was_given_for_stands_in_the_world() {
+fn parts_without_a_pose_are_fixed_in_the_world() {
     let in_the_world = || simulator(100, 1, &[STILL, NOZZLE]);
     let (mut unplaced, mut beyond) = (in_the_world(), in_the_world());
     beyond.set("emitters.0.rigid", SECOND + 1.0).unwrap();
@@ -187,7 +187,7 @@ fn a_take_is_replayed_from_every_state_though_an_input_looks_at_the_air() {
 }
 
 #[test]
-fn poses_that_are_none_are_refused() {
+fn invalid_poses_are_errors() {
     let mut simulator = simulator(100, 1, &[STILL, NOZZLE]);
     let good = numbers(-1.0, 0, propeller);
     simulator.place_parts(&good).unwrap();

@@ -42,7 +42,7 @@ fn restored_it_goes_on_to_the_same_hash() {
 }
 
 #[test]
-fn damaged_bytes_are_refused_and_change_nothing() {
+fn damaged_bytes_are_errors_and_change_nothing() {
     let mut simulator = busy();
     let good = simulator.save();
     steps(&mut simulator, 3);
@@ -71,7 +71,7 @@ fn damaged_bytes_are_refused_and_change_nothing() {
 }
 
 #[test]
-fn more_than_there_is_room_for_is_refused() {
+fn exceeding_the_capacity_is_an_error() {
     let busy = busy();
     let mut small = Simulator::new(busy.alive() as u32 - 1, 1).unwrap();
     let error = small.restore(&busy.save()).unwrap_err();

@@ -42,7 +42,7 @@ fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
 }
 
 #[test]
-fn bytes_come_back_as_they_were() {
+fn takes_round_trip_through_bytes() {
     let bytes = rich();
     let take = Take::parse(&bytes).unwrap();
     assert!(take.to_bytes() == bytes);
@@ -56,7 +56,7 @@ fn bytes_come_back_as_they_were() {
 }
 
 #[test]
-fn every_truncation_and_every_changed_byte_is_refused() {
+fn every_truncation_and_every_changed_byte_is_an_error() {
     let bytes = rich();
     for length in 0..bytes.len() {
         assert!(Take::parse(&bytes[..length]).is_err(), "the first {length} bytes");
@@ -75,7 +75,7 @@ fn every_truncation_and_every_changed_byte_is_refused() {
 }
 
 #[test]
-fn version_2_is_read_and_told_from_version_3_and_other_versions_are_refused() {
+fn only_versions_2_and_3_can_be_read() {
     let mut bytes = rich();
     bytes[4] = 2;
     let take = Take::parse(&bytes).unwrap();
@@ -92,7 +92,7 @@ fn version_2_is_read_and_told_from_version_3_and_other_versions_are_refused() {
 }
 
 #[test]
-fn what_is_refused_changes_nothing() {
+fn an_error_changes_nothing() {
     let bytes = rich();
     let mut running = running();
     let before = (running.hash(), running.inputs(), running.save());

@@ -123,7 +123,7 @@ proptest! {
 }
 
 #[test]
-fn a_touch_takes_over_and_drops_the_rest_of_the_log() {
+fn a_new_input_drops_the_rest_of_the_log() {
     let mut live = recording(1);
     for step in 0..10 {
         live.input_values(&[("emission.rate", 100.0 * f64::from(step))])
@@ -145,7 +145,7 @@ fn a_touch_takes_over_and_drops_the_rest_of_the_log() {
 }
 
 #[test]
-fn what_is_moved_many_times_in_a_step_is_kept_once() {
+fn several_moves_in_a_step_are_recorded_once() {
     let mut live = recording(1);
     for i in 0..50 {
         live.input_steer(3, f64::from(i) / 50.0).unwrap();
@@ -160,7 +160,7 @@ fn what_is_moved_many_times_in_a_step_is_kept_once() {
 }
 
 #[test]
-fn a_full_log_says_so_and_the_smoke_goes_on() {
+fn a_full_log_is_reported_and_inputs_still_act() {
     let mut live = simulator(4, 1, &[]);
     live.record();
     let most = sim::simulator::take::log::MAX_INPUTS as u32;
@@ -180,7 +180,7 @@ fn a_full_log_says_so_and_the_smoke_goes_on() {
 }
 
 #[test]
-fn inputs_are_refused_by_name() {
+fn invalid_inputs_are_errors_with_their_key() {
     let mut live = recording(1);
     let before = (live.hash(), live.inputs());
     let refusals = [

@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn records_come_back_in_their_order() {
+    fn records_round_trip_in_order() {
         for records in [records(), Vec::new()] {
             let bytes = written(&records);
             let mut reader = Reader::over(&bytes);
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_cut_or_changed_never_panics() {
+    fn truncated_or_changed_bytes_never_panic() {
         let bytes = written(&records());
         for end in 0..bytes.len() {
             assert!(read(&mut Reader::over(&bytes[..end])).is_err());
@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn a_hand_that_moves_evenly_leaves_mostly_zeros() {
+    fn even_motion_leaves_mostly_zeros() {
         let rows: Rows = (0u8..100).map(|step| vec![5, step, 7, 7]).collect();
         let bytes = transposed(&rows);
         assert_eq!(bytes.iter().filter(|&&byte| byte == 0).count(), 298);
