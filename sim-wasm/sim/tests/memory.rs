@@ -1,4 +1,4 @@
-//! How much memory a particle takes, and that stepping takes none.
+//! Memory per particle, and that stepping does not allocate.
 
 mod common;
 

@@ -5,7 +5,8 @@ use crate::layout::error::{ParameterError, RestoreError};
 use crate::layout::quantise::{quantise, within};
 use crate::layout::quantised::direction;
 use crate::layout::quantised::{
-    Millimetres, metres, millimetres, of_axis, read_direction, read_place, undirected, write_direction, write_place,
+    Millimetres, direction_numbers, metres, millimetres, of_axis, read_direction, read_place, write_direction,
+    write_place,
 };
 
 const MAX_SPEED: f64 = 50.0;
@@ -63,7 +64,7 @@ impl Blow {
 
     /// Unit direction of the ray.
     pub fn ray(&self) -> [f32; 3] {
-        undirected(self.ray)
+        direction_numbers(self.ray)
     }
 
     /// Peak velocity of the air (m/s).

@@ -45,7 +45,7 @@ pub fn direction<const N: usize>(key: &str, vector: [f64; N]) -> Result<[i16; N]
 }
 
 /// The direction as numbers, of length 1 up to quantisation.
-pub fn undirected<const N: usize>(direction: [i16; N]) -> [f32; N] {
+pub fn direction_numbers<const N: usize>(direction: [i16; N]) -> [f32; N] {
     direction.map(|part| f32::from(part) / f32::from(UNIT))
 }
 
@@ -70,7 +70,7 @@ pub fn read_direction<const N: usize>(reader: &mut Reader) -> Result<[i16; N], R
     for part in &mut direction {
         *part = within(reader.short()? as i16, -UNIT, UNIT)?;
     }
-    let square: f32 = undirected(direction).iter().map(|part| part * part).sum();
+    let square: f32 = direction_numbers(direction).iter().map(|part| part * part).sum();
     within(square, 0.99, 1.01)?;
     Ok(direction)
 }
@@ -94,7 +94,7 @@ impl QuantisedPose {
 
     /// The seven numbers: x, y, z (m) and the quaternion x, y, z, w.
     pub fn numbers(&self) -> [f32; 7] {
-        let ([x, y, z], [i, j, k, w]) = (metres(self.place), undirected(self.rotation));
+        let ([x, y, z], [i, j, k, w]) = (metres(self.place), direction_numbers(self.rotation));
         [x, y, z, i, j, k, w]
     }
 

@@ -50,7 +50,7 @@ pub fn advance_tile(particles: &mut Particles, ageing: &Ageing, first: usize, le
     for block in (0..len).rev() {
         let lanes = dead >> (block * LANES) & 0b1111;
         if lanes != 0 {
-            bury(particles, (first + block) * LANES, lanes as u32);
+            remove_dead(particles, (first + block) * LANES, lanes as u32);
         }
     }
 }
@@ -96,7 +96,7 @@ fn stays(place: Vector4, age: f32x4, lifetime: f32x4) -> f32x4 {
     place.dot(place).simd_le(f32x4::splat(WORLD_RADIUS * WORLD_RADIUS)) & age.simd_lt(lifetime)
 }
 
-fn bury(particles: &mut Particles, first: usize, dead: u32) {
+fn remove_dead(particles: &mut Particles, first: usize, dead: u32) {
     for lane in (0..LANES).rev() {
         let i = first + lane;
         if dead >> lane & 1 == 1 && i < particles.alive() {

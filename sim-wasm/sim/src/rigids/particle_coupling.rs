@@ -25,7 +25,7 @@ const BALL_COEFFICIENT: f32 = 0.47;
 impl Rigids {
     /// Measures the smoke near the rigids that feel it and applies its force for the coming step of `dt` seconds. Call
     /// it before that step.
-    pub(crate) fn feel(&mut self, particles: &mut Particles, radii: &RadiusLaw, dt: f32) {
+    pub(crate) fn apply_smoke_forces(&mut self, particles: &mut Particles, radii: &RadiusLaw, dt: f32) {
         let Self {
             obstacles,
             members,
@@ -55,7 +55,7 @@ impl Rigids {
             sum.offset = sum.offset + (place - members[rigid].pose.position) * weight;
         });
         for (index, (member, sum)) in members.iter().zip(sums.iter()).enumerate() {
-            if member.feels() && sum.weight > 0.0 {
+            if member.feels_smoke() && sum.weight > 0.0 {
                 world.blow(index, &member.push(&obstacles[index].shape, sum), dt);
             }
         }

@@ -68,7 +68,7 @@ impl Rigids {
             let forms = forms::forms_of(&description).map_err(|error| RestoreError::new(error.message))?;
             restored.place(description, forms.ours);
             let member = restored.members.last_mut().expect("one was just placed");
-            take_up(&mut member.guide, guide).map_err(|error| RestoreError::new(error.message))?;
+            restore_guide(&mut member.guide, guide).map_err(|error| RestoreError::new(error.message))?;
         }
         restored.poses = poses;
         restored.steps = steps;
@@ -86,7 +86,7 @@ fn saved_guide(guide: &Guide) -> SavedGuide {
     )
 }
 
-fn take_up(guide: &mut Guide, (base, velocity, angle, target, grab): SavedGuide) -> Result<(), ParameterError> {
+fn restore_guide(guide: &mut Guide, (base, velocity, angle, target, grab): SavedGuide) -> Result<(), ParameterError> {
     guide.base = pose_of(&base)?;
     guide.velocity = velocity.into();
     guide.angle = angle;

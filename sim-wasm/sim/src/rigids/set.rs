@@ -156,17 +156,17 @@ impl Rigids {
             reach: reach_of(&own),
         });
         self.poses.extend_from_slice(&pair(&pose, &pose));
-        self.take_note_of_air();
+        self.register_air_effects();
     }
 
     /// Registers the last rigid for its boundary layer and for smoke.
-    fn take_note_of_air(&mut self) {
+    fn register_air_effects(&mut self) {
         let index = self.count() - 1;
         let member = &self.members[index];
         if member.description.boundary_layer > 0.0 {
             self.layered.add(index);
         }
-        if member.feels() {
+        if member.feels_smoke() {
             self.feeling.add(index);
         }
         self.sums.push(SmokeSum::default());
@@ -302,7 +302,7 @@ impl Rigids {
 
 impl Member {
     /// Returns true if smoke pushes this rigid.
-    pub(super) fn feels(&self) -> bool {
+    pub(super) fn feels_smoke(&self) -> bool {
         self.description.kind == RigidKind::Dynamic && self.description.feels_smoke > 0.0
     }
 

@@ -159,7 +159,7 @@ impl Simulator {
         #[cfg(feature = "rigids")]
         {
             let radii = RadiusLaw::new(&self.parameters);
-            self.rigids.feel(&mut self.particles, &radii, STEP as f32);
+            self.rigids.apply_smoke_forces(&mut self.particles, &radii, STEP as f32);
             self.rigids.step_world(STEP as f32);
         }
         ended(StepPart::World);

@@ -1,4 +1,4 @@
-//! What arrange leaves out because others hide it: held against rays that know nothing of grids.
+//! Coverage against brute-force rays.
 
 use crate::common::{STILL, newborn, simulator};
 use proptest::prelude::*;

@@ -1,4 +1,4 @@
-//! Rows: which, in which order, and what stands in them.
+//! Rows: selection, order and packing.
 
 use crate::common::{LIVELY, STILL, newborn, simulator, steps};
 use sim::Simulator;

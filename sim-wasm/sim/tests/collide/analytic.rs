@@ -1,4 +1,4 @@
-//! Colliders in closed form: what comes back, what is lost, and that nothing gets through.
+//! Colliders in closed form: restitution, friction, containment.
 
 use sim::collide::analytic::{AnalyticCollider, ColliderShape};
 use sim::particles::radius::RadiusLaw;

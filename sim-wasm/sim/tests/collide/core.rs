@@ -1,4 +1,4 @@
-//! The quick look never lets pass what the exact one would stop, and spares most of the exact ones.
+//! The conservative test never misses a collision of the exact one, and avoids most exact tests.
 
 use sim::collide::contact::{Material, Obstacle, Pass, Traveller};
 use sim::collide::shapes::{Ball, Capsule, Collider, Cuboid, Cylinder};

@@ -1,4 +1,4 @@
-//! The scenario of `collide_fixture.txt`, natively: the hashes that WASM has to come to as well.
+//! The scenario of `collide_fixture.txt`, natively; WASM must produce the same hashes.
 
 use sim::Simulator;
 

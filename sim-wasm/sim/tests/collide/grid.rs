@@ -1,4 +1,4 @@
-//! The grid is laid by a glance at some particles; all of them find their rigids.
+//! The grid is built from a sample of the particles; all of them find their rigids.
 
 use crate::collide::cloud::{Cloud, kinematic, rigid};
 use sim::math::pose::Pose;

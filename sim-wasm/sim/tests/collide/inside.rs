@@ -1,4 +1,4 @@
-//! Particles among moving rigids of every shape: none is ever inside one.
+//! Particles among moving rigids of every shape never end up inside one.
 
 use crate::collide::cloud::{Cloud, DT, excess, kinematic, random, rigid, shapes::shapes, turned};
 use sim::math::pose::{Frame, Pose};

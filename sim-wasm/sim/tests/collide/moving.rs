@@ -1,4 +1,4 @@
-//! Rigids on the move: they push, drag along and let nothing through.
+//! Moving rigids push, drag along and stop particles.
 
 use crate::collide::cloud::{Cloud, DT, excess, kinematic, random, rigid, turned};
 use sim::math::pose::Pose;

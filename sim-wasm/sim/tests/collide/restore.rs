@@ -1,4 +1,4 @@
-//! Rigids as numbers: saved and taken up again, damaged, or nonsense from the start.
+//! Rigids as flat numbers and saved bytes: round trips, damage, invalid numbers.
 
 use crate::collide::cloud::{Cloud, DT, kinematic, random, rigid, shapes::shapes, turned};
 use sim::math::pose::Pose;

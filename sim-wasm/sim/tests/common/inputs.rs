@@ -1,4 +1,4 @@
-//! Random things that people do, for property tests.
+//! Random inputs for property tests.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 use proptest::prelude::*;

@@ -1,4 +1,4 @@
-//! What several tests share.
+//! Shared helpers.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 pub mod inputs;

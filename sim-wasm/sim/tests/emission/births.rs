@@ -1,4 +1,4 @@
-//! Emitters: how many, when, where, and in which direction.
+//! Emitters: number, time, place and direction of births.
 
 use crate::common::{LIVELY, STILL, newborn, place, simulator, steps};
 use sim::particles::Newborn;

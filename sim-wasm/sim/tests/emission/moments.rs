@@ -1,4 +1,4 @@
-//! When particles are born: bursts, envelopes, what each emitter sets for its own, and a full simulator.
+//! Times of births: bursts, envelopes, settings per emitter, and a full simulator.
 
 use crate::common::{STILL, simulator, steps};
 use sim::Simulator;

@@ -1,4 +1,4 @@
-//! Emitters that ride on rigids: no beads, and their share of the rigid's velocity.
+//! Emitters on rigids: even trails, and inherited velocity.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Where particles are born on each shape, by the moments and the counts of what is uniform over it.
+//! Places of birth on each shape, by moments and counts of uniform distributions.
 
 use crate::common::{STILL, place, simulator, steps};
 use sim::Simulator;

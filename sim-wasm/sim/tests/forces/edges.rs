@@ -1,4 +1,4 @@
-//! Every force where formulas are apt to fail, and in a mirror.
+//! Every force at its singular points, and in mirrored scenes.
 
 use crate::common::{STILL, newborn, place, simulator, slip, steps};
 use sim::Simulator;

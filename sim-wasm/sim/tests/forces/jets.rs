@@ -1,4 +1,4 @@
-//! Jets against their profile, and their momentum.
+//! Jets against their profile and their momentum.
 
 use crate::common::{STILL, alone, assert_close, place, simulator, steps};
 use sim::Simulator;

@@ -1,4 +1,4 @@
-//! Forces that ride on a rigid which moves and turns.
+//! Forces on moving and rotating rigids.
 
 use crate::common::{STEP, STILL, newborn, place, simulator, slip, steps};
 use sim::Simulator;

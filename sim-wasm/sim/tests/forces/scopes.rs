@@ -1,4 +1,4 @@
-//! Regions, envelopes and lists at work in a simulator.
+//! Regions, envelopes and lists in a simulator.
 
 use crate::common::{STEP, STILL, alone, assert_close, newborn, place, simulator, slip, steps};
 

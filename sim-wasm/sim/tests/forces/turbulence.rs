@@ -1,4 +1,4 @@
-//! The field of turbulence: free of divergence, of the right speed, without favourites.
+//! The turbulence field: divergence, speed and isotropy.
 
 use sim::forces::force::TurbulenceState;
 use sim::forces::turbulence;

@@ -1,4 +1,4 @@
-//! Vortices that draw in and lift, Rankine's core, and what a mirror makes of a scene.
+//! Vortices with inflow and updraft, Rankine's core, and mirrored scenes.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Vortex particles: how they move the air and each other, spread, die and are kept.
+//! Vortex particles: velocity, interaction, spreading, death and saving.
 
 use crate::common::{LIVELY, STILL, newborn, place, simulator, steps};
 use sim::Simulator;

@@ -1,4 +1,4 @@
-//! Vortex particles behind what sheds them.
+//! Shedding of vortex particles.
 
 use crate::common::{STILL, simulator, steps};
 use sim::Simulator;

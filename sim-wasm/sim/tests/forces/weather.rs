@@ -1,4 +1,4 @@
-//! Wind that changes with height and time, and drag that grows with speed.
+//! Wind with shear and gusts, and quadratic drag.
 
 use std::f64::consts::TAU;
 

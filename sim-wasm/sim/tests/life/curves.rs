@@ -1,4 +1,4 @@
-//! Density drawn by hand, growth by entrainment, and that nothing ever pops.
+//! Density curves, growth by entrainment, and continuity of the radius.
 
 use crate::common::{STILL, newborn, simulator, steps};
 use proptest::prelude::*;

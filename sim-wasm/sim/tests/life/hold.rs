@@ -1,4 +1,4 @@
-//! Drawing on twos, threes and fours: what rows show goes on at held moments only, and nothing else does.
+//! Drawing on twos, threes and fours: rows change at held moments only, and nothing else changes.
 
 use crate::common::{LIVELY, STILL, newborn, simulator, steps};
 use sim::Simulator;

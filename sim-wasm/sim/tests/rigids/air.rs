@@ -1,4 +1,4 @@
-//! Rigids and the air: boundary layers that drag smoke along, and smoke that pushes rigids.
+//! Boundary layers, and the force of smoke on rigids.
 
 use crate::collide::cloud::{DT, kinematic, rigid, turned};
 use crate::common::{STILL, newborn, place, simulator, steps};

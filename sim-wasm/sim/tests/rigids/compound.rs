@@ -1,4 +1,4 @@
-//! Compounds: several shapes, one rigid, one motion.
+//! Compounds: several shapes that move as one rigid.
 
 use crate::collide::cloud::{Cloud, DT, kinematic, random, rigid, shapes::shapes, turned};
 use sim::math::pose::{Frame, Pose};

@@ -1,4 +1,4 @@
-//! Dragging by a spring: the closed form of its discrete step response, for every mass.
+//! Dragging by a spring: the closed form of its step response, for every mass.
 
 use crate::collide::cloud::{Cloud, DT, kinematic, rigid};
 use sim::math::pose::Pose;

@@ -1,4 +1,4 @@
-//! Obstacles that kill or tint what touches them, rigids and analytic ones alike.
+//! Rigids and analytic obstacles that kill or tint particles.
 
 use crate::collide::cloud::{kinematic, rigid};
 use crate::common::{STILL, newborn, place, simulator, steps};

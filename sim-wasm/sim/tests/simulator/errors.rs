@@ -1,4 +1,4 @@
-//! What is refused, by which name, and that nothing has changed then.
+//! Errors of invalid input: their keys, and that nothing changes.
 
 use crate::common::{LIVELY, simulator};
 use sim::Simulator;

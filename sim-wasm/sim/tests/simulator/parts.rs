@@ -1,4 +1,4 @@
-//! Emitters, forces and shedders that ride on parts.
+//! Emitters, forces and shedders on parts.
 
 use std::f64::consts::TAU;
 

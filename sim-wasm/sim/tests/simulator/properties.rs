@@ -1,4 +1,4 @@
-//! Whatever is taken: every state after every step is sound.
+//! Property tests: after any accepted input every state of every step is valid.
 
 use crate::common::steps;
 use proptest::prelude::*;

@@ -1,4 +1,4 @@
-//! Save, restore, and other capacities.
+//! Saving, restoring and resizing.
 
 use crate::common::{LIVELY, STILL, newborn, simulator, steps};
 use sim::Simulator;

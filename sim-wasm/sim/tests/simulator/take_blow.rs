@@ -1,4 +1,4 @@
-//! Blows: where and when the air of a gust moves.
+//! Blows: place and time of the air motion.
 
 use crate::common::{STILL, newborn, place, simulator, steps};
 use sim::Simulator;

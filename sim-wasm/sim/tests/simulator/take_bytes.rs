@@ -1,4 +1,4 @@
-//! Takes and saved simulations as bytes: what is damaged is refused, whoever damaged it, and nothing is changed.
+//! Serialisation of takes and saved simulations: damage is an error and changes nothing.
 
 use crate::common::inputs::{Act, perform, script};
 use crate::common::{LIVELY, simulator, steps};

@@ -1,4 +1,4 @@
-//! What was live and what is replayed are the same, to the last bit.
+//! Replays equal the live run to the last bit.
 
 use crate::common::inputs::{Act, perform, script};
 use crate::common::{LIVELY, simulator, steps};

@@ -1,4 +1,4 @@
-//! A cloud of particles among rigids, and shapes whose distance is known by a second way.
+//! A cloud of particles among rigids, and shapes with an independent distance function.
 #![allow(dead_code, reason = "each test program uses its own share")]
 
 pub mod shapes;
