@@ -1,6 +1,6 @@
 /**
  * The rows of the table for the simulator's lists - emitters, vortices, winds and so on -, `vortices.0.circulation` for
- * one. What a list holds is said by the simulator, which writes lists.json (see sim-wasm/sim/tests/page_table.rs).
+ * one. What a list holds is said by the simulator, which writes lists.json (see sim-wasm/sim/tests/simulator/page_table.rs).
  *
  * These rows are optional: without a value of its own, a parameter is as the scene has it.
  */

@@ -60,7 +60,7 @@ export const key = shape(
 
 export function list(check: Check, max: number): Check {
   return shape(
-    `an array of at max ${max}, each ${check.words}`,
+    `an array of at most ${max}, each ${check.words}`,
     (value) => Array.isArray(value) && value.length <= max && value.every(check),
   );
 }

@@ -9,7 +9,7 @@ import { describe, expect, it } from 'vitest';
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const FOLDERS = ['src', 'shaders', 'scripts', 'tests', 'examples'];
 /** Whether the Rust crates are held to the same words. */
-const INCLUDES_RUST = false;
+const INCLUDES_RUST = true;
 /** Built by wasm-bindgen; and this table. */
 const SKIPPED = /^src\/sim\/wasm\/|^tests\/unit\/words\.test\.ts$/;
 const TYPESCRIPT = ['.ts', '.tsx', '.mts', '.mjs'];

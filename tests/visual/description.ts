@@ -73,7 +73,7 @@ function rowsAsObjects({ count, place, attributes }: Rows): object[] {
   return Array.from({ length: count }, (_, row) => ({
     place: [...place.subarray(4 * row, 4 * row + 3)],
     radius: place[4 * row + 3],
-    look: [...attributes.subarray(2 * row, 2 * row + 2)],
+    attributes: [...attributes.subarray(2 * row, 2 * row + 2)],
   }));
 }
 
@@ -106,7 +106,7 @@ function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): obje
     rimColor: style.rimColor,
     shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,
     deepShadow: style.deepShadow,
-    leastCap: minCapOf(litThresholdOf(style), bakedPuffs()[style.form].latestCap),
+    minCap: minCapOf(litThresholdOf(style), bakedPuffs()[style.form].latestCap),
   };
 }
 

@@ -1,5 +1,5 @@
-//! What is known about the last panic. WASM cannot unwind: after a panic the call traps, and all that the web side
-//! gets is `unreachable`. The hook keeps the message, which can still be asked for afterwards.
+//! The message of the last panic. WASM cannot unwind: a panic traps, and the web side only sees `unreachable`. The hook
+//! stores the message for a later call.
 
 use std::cell::RefCell;
 
@@ -9,7 +9,7 @@ thread_local! {
     static LAST_FAULT: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// Keeps the message of every panic from now on; runs once, when the module is instantiated.
+/// Stores the message of every panic. Runs once, when the module is instantiated.
 #[wasm_bindgen(start)]
 pub fn record_faults() {
     std::panic::set_hook(Box::new(|panic| {
@@ -17,13 +17,13 @@ pub fn record_faults() {
     }));
 }
 
-/// Message and source line of the last panic; empty when there was none.
+/// Message and source line of the last panic; empty without one.
 #[wasm_bindgen(js_name = lastFault)]
 pub fn last_fault() -> String {
     LAST_FAULT.with(|fault| fault.borrow().clone())
 }
 
-/// Panics with `reason`, so that an application can try how it copes with a simulator that stops.
+/// Panics with `reason`, so that applications can test their handling of a stopped simulator.
 #[wasm_bindgen(js_name = provokeFault)]
 pub fn provoke_fault(reason: &str) {
     panic!("{reason}");

@@ -1,4 +1,4 @@
-//! What only the bench calls: steps and queries that read the clock inside of the module.
+//! Calls for benchmarks only: they read the clock inside of the module.
 
 use wasm_bindgen::prelude::*;
 
@@ -12,7 +12,7 @@ extern "C" {
 
 #[wasm_bindgen]
 impl Simulator {
-    /// One step; the milliseconds of each of its parts, see `sim::measure::Part`.
+    /// Makes one step and returns the milliseconds of each of its parts, see `sim::simulator::StepPart`.
     #[wasm_bindgen(js_name = stepObserved)]
     pub fn step_observed(&mut self) -> Vec<f64> {
         let mut took = Vec::with_capacity(8);
@@ -33,7 +33,7 @@ impl Simulator {
         found
     }
 
-    /// Milliseconds that Rapier's query pipeline takes to project `asked` particles, none farther than `limit` metres.
+    /// Milliseconds in which Rapier's query pipeline projects the particles `asked`, up to `limit` metres away.
     #[wasm_bindgen(js_name = projectionTime)]
     pub fn projection_time(&self, asked: &[u32], limit: f32) -> f64 {
         let mut distances = Vec::with_capacity(asked.len());
@@ -42,7 +42,7 @@ impl Simulator {
         now() - start
     }
 
-    /// The distances (m) that these projections give, negative inside.
+    /// The distances (m) of these projections, negative inside.
     pub fn distances(&self, asked: &[u32], limit: f32) -> Vec<f32> {
         let mut distances = Vec::with_capacity(asked.len());
         self.simulator.project(asked, limit, &mut distances);

@@ -1,5 +1,5 @@
-//! The rigids' part of the class `Simulator`, the same in both variants: in the one without Rapier every call that
-//! needs it is refused.
+//! Rigids of the class `Simulator`. Both variants have the same API; without Rapier every call that needs it is an
+//! error.
 
 use wasm_bindgen::prelude::*;
 
@@ -10,25 +10,25 @@ mod with_rapier {
     use sim::rigids::{Grab, JointDescription, Path, RigidDescription, RigidNumbers, Rigids, pose_of};
     use wasm_bindgen::JsValue;
 
-    use crate::refusal::parameter_refusal;
+    use crate::error::parameter_error;
 
     pub fn add(rigids: &mut Rigids, numbers: &RigidNumbers) -> Result<u32, JsValue> {
-        let description = RigidDescription::from_numbers(numbers).map_err(parameter_refusal)?;
-        rigids.add(description).map_err(parameter_refusal)
+        let description = RigidDescription::from_numbers(numbers).map_err(parameter_error)?;
+        rigids.add(description).map_err(parameter_error)
     }
 
     pub fn move_to(rigids: &mut Rigids, index: u32, pose: &[f32]) -> Result<(), JsValue> {
-        let pose = pose_of(pose).map_err(parameter_refusal)?;
-        rigids.move_to(index, pose).map_err(parameter_refusal)
+        let pose = pose_of(pose).map_err(parameter_error)?;
+        rigids.move_to(index, pose).map_err(parameter_error)
     }
 
     pub fn set_path(rigids: &mut Rigids, index: u32, numbers: &[f32]) -> Result<(), JsValue> {
-        let path = Path::from_numbers(numbers).map_err(parameter_refusal)?;
-        rigids.set_path(index, path).map_err(parameter_refusal)
+        let path = Path::from_numbers(numbers).map_err(parameter_error)?;
+        rigids.set_path(index, path).map_err(parameter_error)
     }
 
     pub fn set_spin(rigids: &mut Rigids, index: u32, axis: [f32; 3], rate: f32) -> Result<(), JsValue> {
-        rigids.set_spin(index, axis, rate).map_err(parameter_refusal)
+        rigids.set_spin(index, axis, rate).map_err(parameter_error)
     }
 
     pub fn drag(
@@ -38,28 +38,28 @@ mod with_rapier {
         target: [f32; 3],
         stiffness: f32,
     ) -> Result<(), JsValue> {
-        let grab = Grab::from_numbers(anchor, target, stiffness).map_err(parameter_refusal)?;
-        rigids.drag(index, grab).map_err(parameter_refusal)
+        let grab = Grab::from_numbers(anchor, target, stiffness).map_err(parameter_error)?;
+        rigids.drag(index, grab).map_err(parameter_error)
     }
 
     pub fn join(rigids: &mut Rigids, numbers: &[f32]) -> Result<u32, JsValue> {
-        let joint = JointDescription::from_numbers(numbers).map_err(parameter_refusal)?;
-        rigids.add_joint(&joint).map_err(parameter_refusal)
+        let joint = JointDescription::from_numbers(numbers).map_err(parameter_error)?;
+        rigids.add_joint(&joint).map_err(parameter_error)
     }
 
     pub fn release(rigids: &mut Rigids, index: u32) -> Result<(), JsValue> {
-        rigids.release(index).map_err(parameter_refusal)
+        rigids.release(index).map_err(parameter_error)
     }
 }
 
 #[cfg(not(feature = "rigids"))]
 pub fn without_rapier() -> JsValue {
-    crate::refusal::plain_refusal("This simulator has no rigids: use loadSimulators({ physics: true }).")
+    crate::error::plain_error("This simulator has no rigids: use loadSimulators({ physics: true }).")
 }
 
 #[wasm_bindgen]
 impl Simulator {
-    /// Adds a rigid and returns its index; `sim::rigids::RigidNumbers` tells what the numbers mean.
+    /// Adds a rigid and returns its index. See `sim::rigids::RigidNumbers` for the numbers.
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = addRigid)]
     pub fn add_rigid(
@@ -83,8 +83,8 @@ impl Simulator {
         Err(without_rapier())
     }
 
-    /// Sends a kinematic rigid to a pose, or puts a dynamic one there: position and quaternion. Seven numbers, since an array would be copied into
-    /// memory of its own at each call.
+    /// Sends a kinematic rigid to a pose, or teleports a dynamic one: position and quaternion. Seven numbers, since an
+    /// array would be copied to newly allocated memory.
     #[allow(clippy::too_many_arguments, reason = "see above")]
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = moveRigid)]
@@ -105,7 +105,7 @@ impl Simulator {
         Err(without_rapier())
     }
 
-    /// Gives a kinematic rigid a path; no numbers take it away. `sim::rigids::path` tells what they mean.
+    /// Sets the path of a kinematic rigid; no numbers remove it. See `sim::rigids::path` for the numbers.
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = setRigidPath)]
     pub fn set_rigid_path(&mut self, index: u32, numbers: &[f32]) -> Result<(), JsValue> {
@@ -115,7 +115,7 @@ impl Simulator {
         Err(without_rapier())
     }
 
-    /// Lets a kinematic rigid spin about an axis of its own, in rad/s.
+    /// Spins a kinematic rigid about an axis in its own space, in rad/s.
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = setRigidSpin)]
     pub fn set_rigid_spin(&mut self, index: u32, x: f32, y: f32, z: f32, rate: f32) -> Result<(), JsValue> {
@@ -125,7 +125,7 @@ impl Simulator {
         Err(without_rapier())
     }
 
-    /// Draws the point a, b, c of a rigid to x, y, z of the world by a spring.
+    /// Drags the point a, b, c of a rigid to x, y, z in world space by a spring.
     #[allow(clippy::too_many_arguments, reason = "as with moveRigid")]
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = dragRigid)]
@@ -146,7 +146,7 @@ impl Simulator {
         Err(without_rapier())
     }
 
-    /// Lets go of a rigid.
+    /// Ends the drag of a rigid.
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = releaseRigid)]
     pub fn release_rigid(&mut self, index: u32) -> Result<(), JsValue> {
@@ -156,7 +156,7 @@ impl Simulator {
         Err(without_rapier())
     }
 
-    /// Joins two rigids and returns the joint's index; `sim::rigids::joints` tells what the numbers mean.
+    /// Joins two rigids and returns the joint's index. See `sim::rigids::joints` for the numbers.
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = addJoint)]
     pub fn add_joint(&mut self, numbers: &[f32]) -> Result<u32, JsValue> {
@@ -166,7 +166,7 @@ impl Simulator {
         Err(without_rapier())
     }
 
-    /// Rigids added so far.
+    /// Number of rigids.
     #[wasm_bindgen(getter = rigidCount)]
     pub fn rigid_count(&self) -> u32 {
         #[cfg(feature = "rigids")]
@@ -175,7 +175,7 @@ impl Simulator {
         0
     }
 
-    /// Address of the poses, 14 float32 a rigid; 0 where there are none.
+    /// Address of the poses, 14 float32 per rigid; 0 without rigids.
     #[wasm_bindgen(getter = rigidPosesPointer)]
     pub fn rigid_poses_pointer(&self) -> u32 {
         #[cfg(feature = "rigids")]

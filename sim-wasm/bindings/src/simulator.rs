@@ -1,14 +1,14 @@
-//! The class `Simulator`: one call of `sim` behind each method.
+//! The class `Simulator`: each method is one call of `sim`.
 
 use wasm_bindgen::prelude::*;
 
-use crate::refusal::{parameter_refusal, plain_refusal};
+use crate::error::{parameter_error, plain_error};
 
 /// Floats of one rigid in the pose array: position and quaternion (x, y, z, w) one step earlier, then now.
 pub const RIGID_FLOATS: usize = 14;
 
-/// Particles, forces and colliders, and rigids in the variant that has them. Errors are refusal objects
-/// `{ key, value, min, max, message }`; after one nothing has changed.
+/// Particles, forces and colliders; rigids in the variant with physics. Errors are objects `{ key, value, min, max,
+/// message }`; a call that fails changes nothing.
 #[wasm_bindgen]
 pub struct Simulator {
     pub(crate) simulator: sim::Simulator,
@@ -16,29 +16,29 @@ pub struct Simulator {
 
 #[wasm_bindgen]
 impl Simulator {
-    /// A simulator for at most `capacity` particles; all memory it needs for them is taken here.
+    /// Creates a simulator for at most `capacity` particles and allocates their memory.
     #[wasm_bindgen(constructor)]
     pub fn new(capacity: u32, seed: u32) -> Result<Simulator, JsValue> {
-        let simulator = sim::Simulator::new(capacity, seed).map_err(parameter_refusal)?;
+        let simulator = sim::Simulator::new(capacity, seed).map_err(parameter_error)?;
         Ok(Simulator { simulator })
     }
 
-    /// Sets `values[i]` for the i-th line of `keys`; all or none.
+    /// Sets `values[i]` for line i of `keys`; all or none.
     pub fn set(&mut self, keys: &str, values: &[f64]) -> Result<(), JsValue> {
         let pairs: Vec<(&str, f64)> = keys.lines().zip(values.iter().copied()).collect();
-        self.simulator.set_all(&pairs).map_err(parameter_refusal)
+        self.simulator.set_all(&pairs).map_err(parameter_error)
     }
 
-    /// Takes up the surface of a mesh for emitters and returns its number: `sim::emission::surface::Surface::new`.
+    /// Adds the surface of a mesh for emitters and returns its index. See `sim::emission::surface::Surface::new`.
     #[wasm_bindgen(js_name = addSurface)]
     pub fn add_surface(&mut self, vertices: &[f32], indices: &[u32]) -> Result<u32, JsValue> {
-        self.simulator.add_surface(vertices, indices).map_err(parameter_refusal)
+        self.simulator.add_surface(vertices, indices).map_err(parameter_error)
     }
 
-    /// Says where the parts of the scene are in the coming step: `sim::parts::Parts::place`.
+    /// Sets the poses of the scene's parts for the coming step. See `sim::layout::scope::parts::Parts::place`.
     #[wasm_bindgen(js_name = placeParts)]
     pub fn place_parts(&mut self, numbers: &[f32]) -> Result<(), JsValue> {
-        self.simulator.place_parts(numbers).map_err(parameter_refusal)
+        self.simulator.place_parts(numbers).map_err(parameter_error)
     }
 
     /// Advances by `count` steps of 1/60 s.
@@ -48,17 +48,17 @@ impl Simulator {
         }
     }
 
-    /// Changes how many particles can live at once; those that live are carried over as far as they fit.
+    /// Changes the maximum number of particles. Living particles are kept as far as they fit.
     pub fn resize(&mut self, capacity: u32) -> Result<(), JsValue> {
-        self.simulator.resize(capacity).map_err(parameter_refusal)
+        self.simulator.resize(capacity).map_err(parameter_error)
     }
 
-    /// Writes the rows for a view, its floats and then its solids; returns how many were kept.
+    /// Writes the rows of a view, its floats and then its solids. Returns the number of rows.
     pub fn arrange(&mut self, view: &[f32]) -> Result<u32, JsValue> {
         self.simulator
             .arrange(view)
             .map(|count| count as u32)
-            .map_err(parameter_refusal)
+            .map_err(parameter_error)
     }
 
     /// Address of the place rows, four float32 each.
@@ -67,43 +67,44 @@ impl Simulator {
         self.simulator.place().as_ptr() as u32
     }
 
-    /// Columns, rows, cells from one row to the next, left, low and density of the grid of the last arrange.
+    /// Columns, rows, stride, left, low and density of the coverage grid of the last arrange.
     #[wasm_bindgen(getter = coverageShape)]
     pub fn coverage_shape(&self) -> Vec<f32> {
         self.simulator.coverage_shape().to_vec()
     }
 
-    /// Address of its depths, a float32 for each cell.
+    /// Address of its depths, one float32 per cell.
     #[wasm_bindgen(getter = coveragePointer)]
     pub fn coverage_pointer(&self) -> u32 {
         self.simulator.coverage_depths().as_ptr() as u32
     }
 
-    /// Address of the look rows, two uint32 each.
+    /// Address of the attribute rows, two uint32 each.
     #[wasm_bindgen(getter = lookPointer)]
     pub fn look_pointer(&self) -> u32 {
-        self.simulator.look().as_ptr() as u32
+        self.simulator.attributes().as_ptr() as u32
     }
 
-    /// Address of seven float32: least and greatest x, y, z and the greatest radius of what lives, as of the last arrange.
+    /// Address of seven float32: minimum and maximum x, y, z and the largest radius of living particles at the last
+    /// arrange.
     #[wasm_bindgen(getter = boundsPointer)]
     pub fn bounds_pointer(&self) -> u32 {
         self.simulator.bounds().as_ptr() as u32
     }
 
-    /// Particles that live.
+    /// Number of living particles.
     #[wasm_bindgen(getter)]
     pub fn alive(&self) -> u32 {
         self.simulator.alive() as u32
     }
 
-    /// Particles that wait for room.
+    /// Number of particles that wait for capacity.
     #[wasm_bindgen(getter)]
     pub fn waiting(&self) -> f64 {
         self.simulator.waiting() as f64
     }
 
-    /// Vortex particles that live.
+    /// Number of vortex particles.
     #[wasm_bindgen(getter = vortexParticles)]
     pub fn vortex_particles(&self) -> u32 {
         self.simulator.vortex_particles() as u32
@@ -115,20 +116,20 @@ impl Simulator {
         self.simulator.steps() as f64
     }
 
-    /// The state's fingerprint, 16 hexadecimal digits.
+    /// Hash of the state, 16 hexadecimal digits.
     pub fn hash(&self) -> String {
         format!("{:016x}", self.simulator.hash())
     }
 
-    /// The whole state as bytes.
+    /// Serialises the whole state.
     pub fn save(&self) -> Vec<u8> {
         self.simulator.save()
     }
 
-    /// Takes up what `save` gave.
+    /// Restores the bytes of `save`.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), JsValue> {
         self.simulator
             .restore(bytes)
-            .map_err(|error| plain_refusal(&error.message))
+            .map_err(|error| plain_error(&error.message))
     }
 }

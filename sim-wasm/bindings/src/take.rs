@@ -1,78 +1,79 @@
-//! Inputs and takes for JavaScript: one call of `sim` behind each method.
+//! Inputs and takes for JavaScript: each method is one call of `sim`.
 
-use sim::take::{BlowNumbers, Take};
+use sim::layout::blow::BlowNumbers;
+use sim::simulator::take::Take;
 use wasm_bindgen::prelude::*;
 
-use crate::refusal::{Object, parameter_refusal, plain_refusal};
+use crate::error::{Object, parameter_error, plain_error};
 use crate::simulator::Simulator;
 
 #[wasm_bindgen]
 impl Simulator {
-    /// Begins a take here and now.
+    /// Starts a take at the current state.
     pub fn record(&mut self) {
         self.simulator.record();
     }
 
-    /// An input: sets `values[i]` for the i-th line of `keys`; all or none.
+    /// Input: sets `values[i]` for line i of `keys`; all or none.
     #[wasm_bindgen(js_name = inputValues)]
     pub fn input_values(&mut self, keys: &str, values: &[f64]) -> Result<(), JsValue> {
         let pairs: Vec<(&str, f64)> = keys.lines().zip(values.iter().copied()).collect();
-        self.simulator.input_values(&pairs).map_err(parameter_refusal)
+        self.simulator.input_values(&pairs).map_err(parameter_error)
     }
 
-    /// An input: another capacity.
+    /// Input: changes the capacity.
     #[wasm_bindgen(js_name = inputCapacity)]
     pub fn input_capacity(&mut self, capacity: u32) -> Result<(), JsValue> {
-        self.simulator.input_capacity(capacity).map_err(parameter_refusal)
+        self.simulator.input_capacity(capacity).map_err(parameter_error)
     }
 
-    /// An input: a kinematic rigid is sent to, or a dynamic one put at, x, y, z and the quaternion x, y, z, w.
+    /// Input: sends a kinematic rigid to x, y, z and the quaternion x, y, z, w, or teleports a dynamic one.
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = inputPose)]
     pub fn input_pose(&mut self, rigid: u32, pose: &[f64]) -> Result<(), JsValue> {
         #[cfg(feature = "rigids")]
         return match pose.try_into() {
-            Ok(numbers) => self.simulator.input_pose(rigid, numbers).map_err(parameter_refusal),
-            Err(_) => Err(plain_refusal("a pose has seven numbers")),
+            Ok(numbers) => self.simulator.input_pose(rigid, numbers).map_err(parameter_error),
+            Err(_) => Err(plain_error("a pose has seven numbers")),
         };
         #[cfg(not(feature = "rigids"))]
         Err(crate::rigids::without_rapier())
     }
 
-    /// An input: a point of a rigid is drawn to a place, as seven numbers: point, place and stiffness.
+    /// Input: drags a point of a rigid, as seven numbers: point, target and stiffness.
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = inputDrag)]
     pub fn input_drag(&mut self, rigid: u32, numbers: &[f64]) -> Result<(), JsValue> {
         #[cfg(feature = "rigids")]
         return match numbers.try_into() {
-            Ok(numbers) => self.simulator.input_drag(rigid, numbers).map_err(parameter_refusal),
-            Err(_) => Err(plain_refusal("a drag has seven numbers")),
+            Ok(numbers) => self.simulator.input_drag(rigid, numbers).map_err(parameter_error),
+            Err(_) => Err(plain_error("a drag has seven numbers")),
         };
         #[cfg(not(feature = "rigids"))]
         Err(crate::rigids::without_rapier())
     }
 
-    /// An input: a rigid is let go.
+    /// Input: ends the drag of a rigid.
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = inputRelease)]
     pub fn input_release(&mut self, rigid: u32) -> Result<(), JsValue> {
         #[cfg(feature = "rigids")]
-        return self.simulator.input_release(rigid).map_err(parameter_refusal);
+        return self.simulator.input_release(rigid).map_err(parameter_error);
         #[cfg(not(feature = "rigids"))]
         Err(crate::rigids::without_rapier())
     }
 
-    /// An input: a channel gets a value.
+    /// Input: sets a channel.
     #[wasm_bindgen(js_name = inputSteer)]
     pub fn input_steer(&mut self, channel: u32, value: f64) -> Result<(), JsValue> {
-        self.simulator.input_steer(channel, value).map_err(parameter_refusal)
+        self.simulator.input_steer(channel, value).map_err(parameter_error)
     }
 
-    /// An input: a blow, as eleven numbers: origin, ray, velocity, radius and seconds.
+    /// Input: starts a gust, as eleven numbers: origin, ray, velocity, radius and seconds.
     #[wasm_bindgen(js_name = inputBlow)]
     pub fn input_blow(&mut self, numbers: &[f64]) -> Result<(), JsValue> {
         let Ok([ox, oy, oz, rx, ry, rz, vx, vy, vz, radius, seconds]) = <[f64; 11]>::try_from(numbers) else {
-            return Err(plain_refusal("a blow has eleven numbers"));
+            return Err(plain_error("a blow has eleven numbers"));
         };
         let blow = BlowNumbers {
             origin: [ox, oy, oz],
@@ -81,70 +82,68 @@ impl Simulator {
             radius,
             seconds,
         };
-        self.simulator.input_blow(&blow).map_err(parameter_refusal)
+        self.simulator.input_blow(&blow).map_err(parameter_error)
     }
 
-    /// What a channel was steered to.
+    /// Value of a channel.
     pub fn control(&self, channel: u32) -> f32 {
         self.simulator.control(channel)
     }
 
-    /// The take so far as bytes.
+    /// Serialises the take.
     pub fn take(&self, note: &str) -> Result<Vec<u8>, JsValue> {
-        self.simulator.take(note).map_err(|error| plain_refusal(&error.message))
+        self.simulator.take(note).map_err(|error| plain_error(&error.message))
     }
 
     /// Goes to the start of a take.
     pub fn replay(&mut self, take: &[u8]) -> Result<(), JsValue> {
-        self.simulator
-            .replay(take)
-            .map_err(|error| plain_refusal(&error.message))
+        self.simulator.replay(take).map_err(|error| plain_error(&error.message))
     }
 
-    /// Goes to a state that `save` gave within the take, or to its start.
+    /// Goes to a saved state within the take, or to its start.
     pub fn rewind(&mut self, state: Option<Vec<u8>>) -> Result<(), JsValue> {
         self.simulator
             .rewind(state.as_deref())
-            .map_err(|error| plain_refusal(&error.message))
+            .map_err(|error| plain_error(&error.message))
     }
 
-    /// Inputs of the take that have been done.
+    /// Number of inputs applied.
     #[wasm_bindgen(getter = inputsDone)]
     pub fn inputs_done(&self) -> u32 {
         self.simulator.inputs().0
     }
 
-    /// Inputs of the take.
+    /// Number of inputs in the take.
     #[wasm_bindgen(getter = inputCount)]
     pub fn input_count(&self) -> u32 {
         self.simulator.inputs().1
     }
 
-    /// Whether inputs came for which the take had no room.
+    /// True if inputs exceeded the capacity of the take.
     #[wasm_bindgen(getter = isTruncated)]
     pub fn is_truncated(&self) -> bool {
         self.simulator.is_truncated()
     }
 
-    /// Steps made at the farthest point of the take.
+    /// Number of steps at the farthest point of the take.
     #[wasm_bindgen(getter = takeEnd)]
     pub fn take_end(&self) -> f64 {
         self.simulator.end() as f64
     }
 
-    /// Most particles that live at once.
+    /// Maximum number of particles.
     #[wasm_bindgen(getter)]
     pub fn capacity(&self) -> u32 {
         self.simulator.capacity() as u32
     }
 
-    /// What starts the random numbers.
+    /// The seed of the random numbers.
     #[wasm_bindgen(getter)]
     pub fn seed(&self) -> u32 {
         self.simulator.seed()
     }
 
-    /// The keys of all parameters that exist now, in lines.
+    /// The keys of all existing parameters, one per line.
     #[wasm_bindgen(js_name = parameterKeys)]
     pub fn parameter_keys(&self) -> String {
         let mut keys = String::new();
@@ -157,7 +156,7 @@ impl Simulator {
         keys
     }
 
-    /// The values of all parameters that exist now, in the order of their keys.
+    /// The values of all existing parameters, in the order of their keys.
     #[wasm_bindgen(js_name = parameterValues)]
     pub fn parameter_values(&self) -> Vec<f64> {
         let entries = self.simulator.parameters().entries();
@@ -165,13 +164,13 @@ impl Simulator {
     }
 }
 
-/// What a take says of itself: `{ seed, mostParticles, start, end, inputs, isFresh, isExact, isTruncated, note }`.
+/// Description of a take: `{ seed, mostParticles, start, end, inputs, isFresh, isExact, isTruncated, note }`.
 #[wasm_bindgen(js_name = readTake)]
 pub fn read_take(bytes: &[u8]) -> Result<JsValue, JsValue> {
-    let take = Take::parse(bytes).map_err(|error| plain_refusal(&error.message))?;
+    let take = Take::parse(bytes).map_err(|error| plain_error(&error.message))?;
     let numbers = [
         ("seed", f64::from(take.origin.seed)),
-        ("mostParticles", f64::from(take.most_particles())),
+        ("mostParticles", f64::from(take.max_particles())),
         ("start", take.origin.step as f64),
         ("end", take.end as f64),
         ("inputs", take.log.len() as f64),

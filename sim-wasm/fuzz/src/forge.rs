@@ -1,8 +1,8 @@
-//! Envelopes as the simulator writes them, around anything.
+//! Forged envelopes around arbitrary bytes.
 
 use std::sync::OnceLock;
 
-use sim::hash::Hash;
+use sim::math::hash::Hash;
 
 use crate::running::lively;
 
@@ -10,22 +10,22 @@ use crate::running::lively;
 pub const ENVELOPE_BYTES: usize = 16;
 const KIND_AND_VERSION_BYTES: usize = 8;
 
-/// What begins an envelope: its kind and the version that the simulator writes at present.
+/// Start of an envelope: its kind and the current version.
 pub type Head = [u8; KIND_AND_VERSION_BYTES];
 
-/// The head of saved simulations.
+/// Head of saved simulations.
 pub fn save() -> &'static Head {
     static HEAD: OnceLock<Head> = OnceLock::new();
     HEAD.get_or_init(|| head_of(&lively().save()))
 }
 
-/// The head of takes.
+/// Head of takes.
 pub fn take() -> &'static Head {
     static HEAD: OnceLock<Head> = OnceLock::new();
     HEAD.get_or_init(|| head_of(&lively().take("").expect("it records")))
 }
 
-/// `body` behind a head and a checksum that holds.
+/// `body` after a head and a valid checksum.
 pub fn sealed(head: &Head, body: &[u8]) -> Vec<u8> {
     let mut hash = Hash::new();
     let (words, rest) = body.as_chunks::<4>();

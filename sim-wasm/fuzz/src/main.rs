@@ -1,7 +1,8 @@
-//! The fuzz target. The first byte chooses what the rest is: a configuration, a saved simulation or a take, with or
-//! without an envelope whose checksum holds. With FUZZ_SEEDS=FOLDER it writes sound inputs there to begin with.
+//! The fuzz target. The first byte selects the input: a configuration, a saved simulation or a take, with or without a
+//! valid envelope. With FUZZ_SEEDS=FOLDER it writes valid inputs there.
 //!
-//! Whatever comes is refused and leaves the running simulation as it was, or is taken and leaves one that goes on.
+//! Any input is either an error that leaves the running simulation unchanged, or accepted by a simulation that
+//! continues.
 
 #![no_main]
 

@@ -1,16 +1,16 @@
-//! The simulation that everything is thrown at.
+//! The simulation under test.
 
 use std::cell::RefCell;
 
 use sim::Simulator;
-use sim::parameters;
+use sim::layout::parameters;
 
 const CAPACITY: u32 = 64;
-/// Steps that must go well after something was taken.
+/// Number of steps that must succeed after an accepted input.
 const STEPS: usize = 3;
-/// Longer configurations find nothing more, and each entry costs a look at the whole state.
-const MOST_ENTRIES: usize = 48;
-/// What most configurations begin with, so that there is smoke to go wrong.
+/// Longer configurations find nothing more, and each entry compares the whole state.
+const MAX_ENTRIES: usize = 48;
+/// Start of most configurations, so that there is smoke.
 const LIVELY: &[(&str, f64)] = &[
     ("emission.rate", 400.0),
     ("emission.lifetime", 1.0),
@@ -27,7 +27,7 @@ pub struct Running {
     keys: Vec<String>,
 }
 
-/// Lets `action` have the running simulation, the same each time unless something changed it.
+/// Passes the running simulation to `action`; the same one unless an action changed it.
 pub fn with(action: impl FnOnce(&mut Running)) {
     thread_local! {
         static RUNNING: RefCell<Running> = RefCell::new(Running::new());
@@ -35,7 +35,7 @@ pub fn with(action: impl FnOnce(&mut Running)) {
     RUNNING.with_borrow_mut(action);
 }
 
-/// A lively simulation after a while, with a take of a few inputs.
+/// A simulation after some steps, with a take of a few inputs.
 pub fn lively() -> Simulator {
     let mut simulator = Simulator::new(CAPACITY, 7).expect("the capacity is in range");
     simulator.set_all(LIVELY).expect("all of these exist");
@@ -58,9 +58,9 @@ impl Running {
         }
     }
 
-    /// Ten bytes each: two choose a key and the item of a list, eight are the value.
+    /// Ten bytes per entry: two select a key and the item of a list, eight are the value.
     pub fn configure(&mut self, bytes: &[u8]) {
-        for entry in bytes.as_chunks::<10>().0.iter().take(MOST_ENTRIES) {
+        for entry in bytes.as_chunks::<10>().0.iter().take(MAX_ENTRIES) {
             let [a, b, value @ ..] = *entry;
             let choice = usize::from(u16::from_le_bytes([a, b]));
             let key = self.keys[choice / 8 % self.keys.len()].replace('#', &(choice % 8).to_string());
@@ -81,7 +81,7 @@ impl Running {
         }
     }
 
-    /// Does something; if it is refused, nothing may have changed.
+    /// Performs an action; if it fails, nothing may have changed.
     fn attempt(&mut self, action: impl FnOnce(&mut Simulator) -> bool) -> bool {
         let state = |simulator: &Simulator| (simulator.hash(), simulator.inputs(), *simulator.parameters());
         let before = state(&self.simulator);
@@ -93,7 +93,7 @@ impl Running {
         is_taken
     }
 
-    /// After a change: it must run, stay finite, save and come back; then a fresh one takes its place.
+    /// After a change the simulation must step, stay finite, save and restore. A fresh one replaces it.
     fn go_on(&mut self) {
         let simulator = &mut self.simulator;
         (0..STEPS).for_each(|_| simulator.step());

@@ -1,4 +1,4 @@
-//! Sound inputs to begin with: without them the fuzzer would have to guess the formats.
+//! Valid inputs: without them the fuzzer would have to guess the formats.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::forge::{self, ENVELOPE_BYTES};
 use crate::running::lively;
 
-/// Writes them to the folder that FUZZ_SEEDS names and ends the program; does nothing where it names none.
+/// Writes them to the folder in FUZZ_SEEDS and exits; returns if the variable is not set.
 pub fn write_if_asked() {
     let Some(folder) = std::env::var_os("FUZZ_SEEDS") else {
         return;

@@ -1,5 +1,5 @@
-//! What a billboard shows: the baked front of a puff, turned about the view axis by its roll. Where it is small in the
-//! picture it is read from fronts of half the size, a quarter and so on, whose texels are means of four.
+//! Billboards: the baked front of a puff, rotated about the view axis by its roll. Small billboards read mipmaps, whose
+//! texels are means of four.
 
 use glam::{DVec2, DVec3};
 
@@ -8,7 +8,7 @@ use crate::scene::Layers;
 /// Normal and depth as the layers hold them, then the coverage from 0 to 1.
 type Texel = [f64; 5];
 
-/// The fronts of all variations, from the largest.
+/// The mipmaps of the fronts of all variations, largest first.
 pub struct Billboards {
     levels: Vec<Level>,
     variations: usize,
@@ -21,13 +21,13 @@ struct Level {
     texels: Vec<Texel>,
 }
 
-/// What stands at a place of a front.
+/// The texel at a position of a front.
 pub struct Front {
-    /// Radii before the centre plane.
+    /// Height over the centre plane (radii).
     pub height: f64,
-    /// Radii to the silhouette, not above 0 inside.
+    /// Distance to the silhouette (radii), at most 0 inside.
     pub outside: f64,
-    /// Unit length, unrolled.
+    /// Unit normal, without the roll.
     pub normal: DVec3,
 }
 
@@ -53,7 +53,7 @@ impl Billboards {
         }
     }
 
-    /// `point`: in radii, in the frame of the front. `pixel`: radii that a pixel of the picture spans.
+    /// `point`: in radii, in the frame of the front. `pixel`: radii per pixel of the picture.
     pub fn at(&self, variation: usize, point: DVec2, pixel: f64) -> Front {
         let place = 0.5 + 0.5 * point / self.pad;
         let smallest = (self.levels.len() - 1) as f64;
@@ -84,7 +84,7 @@ impl Level {
         Self { size, texels }
     }
 
-    /// Between the middles of four texels; beyond those of the border as at the border. `place`: from 0 to 1.
+    /// Bilinear, clamped to the border. `place`: 0 to 1.
     fn at(&self, variation: usize, place: DVec2) -> Texel {
         let last = (self.size - 1) as f64;
         let [x, y] = (self.size as f64 * place - 0.5)

@@ -1,14 +1,14 @@
-//! The body of a particle: a board through its centre and parallel to the image plane, on which every ray meets the
-//! lobes along the view axis, or the baked front of a billboard. Round the silhouette runs a line of ink that lies deeper than the puff.
+//! The body of a particle: a board through its centre, parallel to the image plane. Every ray meets the lobes along the
+//! view axis, or the baked front of a billboard. A line of ink, deeper than the puff, surrounds the silhouette.
 
 use glam::{DMat3, DVec2, DVec3};
 
+use crate::attributes::PackedAttributes;
 use crate::billboards::Billboards;
 use crate::contact::{Ground, Ring};
 use crate::ink::{self, Line};
 use crate::light::Light;
 use crate::lobes::Lobes;
-use crate::look::Look;
 use crate::ray::{Camera, Ray};
 use crate::scene::{Row, Scene, Style};
 use crate::shade::{Along, Shade, gradient_factor};
@@ -16,17 +16,17 @@ use crate::shade::{Along, Shade, gradient_factor};
 pub struct Body<'a> {
     scene: &'a Scene,
     row: Row,
-    look: Look,
+    attributes: PackedAttributes,
     puff: Puff<'a>,
     /// In view space.
     center: DVec3,
     radius: f64,
-    /// Metres that a pixel spans at the centre.
+    /// Metres per pixel at the centre.
     pixel: f64,
     line: Line,
-    /// The world's way up, in view space.
+    /// The up direction of the world, in view space.
     up: DVec3,
-    /// Unit vector from the centre towards the light, in view space: the whole puff is lit from there.
+    /// Unit vector from the centre to the light, in view space. The whole puff uses it.
     light: DVec3,
 }
 
@@ -35,31 +35,31 @@ enum Puff<'a> {
     Billboard(&'a Billboards),
 }
 
-/// What is met over a point of the board; heights and lengths in radii.
+/// The result over a point of the board; heights and lengths in radii.
 struct Met {
     height: f64,
-    /// To the silhouette; not above 0 inside.
+    /// Distance to the silhouette; at most 0 inside.
     outside: f64,
     /// Unit vector towards the silhouette.
     inward: DVec2,
-    /// Of the form, and the one that it is shaded by.
+    /// Normal of the form, and normal for shading.
     form_normal: DVec3,
     normal: DVec3,
 }
 
-/// What a ray meets of a body.
+/// The intersection of a ray with a body.
 pub struct BodyHit {
     pub depth: f64,
     pub shade: Shade,
 }
 
-/// The share of its radius that a particle is drawn with: a puff that the eye runs into shrinks away.
+/// Share of its radius with which a particle is drawn: a puff close to the eye shrinks.
 pub fn grown(camera: &Camera, row: &Row, center: DVec3) -> f64 {
     ink::smooth_step(camera.near, camera.near + 2.0 * row.radius, -center.z)
 }
 
 impl<'a> Body<'a> {
-    /// None where the particle is not in front of the near plane.
+    /// None unless the particle is in front of the near plane.
     pub fn new(
         scene: &'a Scene,
         billboards: Option<&'a Billboards>,
@@ -67,7 +67,7 @@ impl<'a> Body<'a> {
         light: &Light,
         row: Row,
     ) -> Option<Self> {
-        let look = Look(row.look);
+        let attributes = PackedAttributes(row.attributes);
         let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
         let radius = row.radius * grown(camera, &row, center);
         if radius <= 0.0 {
@@ -86,13 +86,13 @@ impl<'a> Body<'a> {
         Some(Self {
             scene,
             row,
-            look,
+            attributes,
             puff: billboards.map_or_else(
                 || {
                     Puff::Lobes(Lobes::new(
                         &scene.puffs,
-                        look.variation(),
-                        turn * look.world_from_puff(),
+                        attributes.variation(),
+                        turn * attributes.world_from_puff(),
                     ))
                 },
                 Puff::Billboard,
@@ -102,7 +102,7 @@ impl<'a> Body<'a> {
             pixel,
             line: Line::new(ink_pixels, radius / pixel, ink_swell, light.truncate()).boiling(
                 boil,
-                look.seed(),
+                attributes.seed(),
                 drawing,
             ),
             up: turn.y_axis,
@@ -110,7 +110,7 @@ impl<'a> Body<'a> {
         })
     }
 
-    /// Corners of a box in the picture that holds all of it.
+    /// Bounding box in the picture.
     pub fn extent(&self, camera: &Camera) -> [DVec2; 2] {
         let reach = match &self.puff {
             Puff::Lobes(lobes) => lobes.reach(),
@@ -122,7 +122,7 @@ impl<'a> Body<'a> {
         [corners[0].min(corners[1]), corners[0].max(corners[1])]
     }
 
-    /// `screen`: from 0 at the bottom of the picture to 1 at its top. `at`: the pixel.
+    /// `screen`: 0 at the bottom of the picture, 1 at its top. `at`: the pixel.
     pub fn meet(&self, ray: Ray, screen: f64, ground: &Ground, at: [i64; 2]) -> Option<BodyHit> {
         let point = (ray.at(-self.center.z) - self.center).truncate() / self.radius;
         let width = self.line.width(point - self.middle());
@@ -151,7 +151,7 @@ impl<'a> Body<'a> {
         })
     }
 
-    /// From here a line looks outwards.
+    /// Outward direction of the line.
     fn middle(&self) -> DVec2 {
         match &self.puff {
             Puff::Lobes(lobes) => lobes.middle.truncate(),
@@ -159,7 +159,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// `surface`: height of what hides all that lies deeper; lobes deeper than that by more than `slack` have no rim.
+    /// `surface`: height of an occluding surface. Lobes deeper by more than `slack` have no rim.
     fn over(&self, point: DVec2, surface: f64, slack: f64) -> Met {
         match &self.puff {
             Puff::Lobes(lobes) => {
@@ -174,9 +174,13 @@ impl<'a> Body<'a> {
                 }
             }
             Puff::Billboard(billboards) => {
-                let roll = DVec2::from_angle(self.look.roll());
+                let roll = DVec2::from_angle(self.attributes.roll());
                 let pixel = self.pixel / self.radius;
-                let front = billboards.at(self.look.variation(), DVec2::new(roll.x, -roll.y).rotate(point), pixel);
+                let front = billboards.at(
+                    self.attributes.variation(),
+                    DVec2::new(roll.x, -roll.y).rotate(point),
+                    pixel,
+                );
                 let normal = roll.rotate(front.normal.truncate()).extend(front.normal.z);
                 Met {
                     height: front.height,
@@ -205,10 +209,10 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// `height`: of the place in the world, metres.
+    /// `height`: world height (m).
     fn shade(&self, place: DVec3, height: f64, normal: DVec3, screen: f64) -> Shade {
         let style = &self.scene.style;
-        let ramp = &style.smoke_ramps[self.look.ramp(&style.bands)];
+        let ramp = &style.smoke_ramps[self.attributes.ramp(&style.bands)];
         let gradient = gradient_factor(style, &self.along(place.y, height, screen));
         Shade::of_puff(style, ramp, normal, self.light, gradient)
     }
@@ -218,7 +222,7 @@ impl<'a> Body<'a> {
             puff,
             height,
             screen,
-            age: self.look.age(),
+            age: self.attributes.age(),
         }
     }
 }

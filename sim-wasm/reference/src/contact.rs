@@ -1,25 +1,25 @@
-//! Ink where smoke touches surfaces: rings that are lifted before what a puff rests on, lines along seams.
+//! Ink where smoke touches surfaces: raised rings, and lines along seams.
 
 use glam::{DVec2, DVec3};
 
 use crate::ray::Camera;
 
-/// A surface may come nearer by so much for each unit beside the silhouette and is still what lies behind the puff.
+/// Slope by which a surface may rise beside the silhouette and still count as behind the puff.
 pub const STEEPEST: f64 = 8.0;
-/// Puffs turn away so steeply beside their silhouette that a slope says nothing there.
+/// Maximum slope: puffs are too steep beside their silhouette.
 const FLATTEST: f64 = 0.1;
-/// Steps of the depth buffer by which a lifted ring stays before its surface.
+/// Depth steps between a raised ring and its surface.
 const LIFT: f64 = 3.0 / 16_777_216.0;
 
-/// The window depths that surfaces and their lines have left, row by row from the bottom.
+/// Window depths of surfaces and their lines, row by row from the bottom.
 pub struct Ground<'a> {
     pub camera: &'a Camera,
     pub width: usize,
     pub depths: Vec<f64>,
 }
 
-/// A ring of ink: its height were it not sunk, its height as it is (view z, m), how far it lies beside the silhouette
-/// (m), and the way to there (pixels).
+/// A ring of ink: its height without and with sinking (view z, m), its distance from the silhouette (m), and the
+/// direction to it (pixels).
 pub struct Ring {
     pub rim: f64,
     pub sunken: f64,
@@ -28,7 +28,7 @@ pub struct Ring {
 }
 
 impl Ground<'_> {
-    /// View z of the surface in a pixel; beyond the picture as the depth 0.
+    /// View z of the surface in a pixel; outside of the picture that of depth 0.
     pub fn z(&self, [x, y]: [i64; 2]) -> f64 {
         -self.camera.depth_of(self.depth([x, y]))
     }
@@ -47,7 +47,7 @@ impl Ground<'_> {
         if ahead.abs() < behind.abs() { ahead } else { behind }
     }
 
-    /// Whether a point of a puff lies within `reach` pixels of a seam.
+    /// Returns true if a point of a puff is within `reach` pixels of a seam.
     pub fn is_seam(&self, at: [i64; 2], z: f64, normal: DVec3, pixel: f64, reach: f64) -> bool {
         let gap = z - self.z(at);
         if reach <= 0.0 || gap > (STEEPEST + 1.0 / FLATTEST) * reach * pixel {

@@ -1,4 +1,4 @@
-//! Lines along sharp edges of surfaces and along seams: ribbons of even width, a little before what they lie on.
+//! Lines along sharp edges of surfaces and along seams: ribbons of constant width slightly in front.
 
 use std::collections::HashMap;
 
@@ -9,22 +9,22 @@ use crate::ray::Camera;
 use crate::scene::{Scene, Surface};
 use crate::seams::seams;
 
-/// Turn between two faces from which their edge has a line, degrees.
+/// Minimum angle (degrees) between the faces of an edge with a line.
 const SHARP: f64 = 40.0;
 
-/// Widths of the line by which it lies before its surface, and the most metres. Seams run in hollows.
+/// Distance in front of the surface, in line widths, and its maximum (m). Seams lie in hollows.
 const EDGE_RAISED: (f64, f64) = (0.75, 0.03);
 const SEAM_RAISED: (f64, f64) = (3.0, 0.05);
 
-/// A line in the world.
+/// A line in world space.
 struct Edge {
     ends: [DVec3; 2],
-    /// Of the faces beside an edge, none beside a seam.
+    /// Normals of the faces at an edge; none at a seam.
     normals: Vec<DVec3>,
     raised: (f64, f64),
 }
 
-/// A line in the picture: its ends with their window depths, pixels.
+/// A line in the picture: its ends (pixels) with their window depths.
 pub struct Ribbon {
     from: DVec2,
     along: DVec2,
@@ -33,7 +33,7 @@ pub struct Ribbon {
     depths: [f64; 2],
 }
 
-/// All that is drawn with a surface.
+/// All lines of a surface.
 pub fn ribbons_of(index: usize, scene: &Scene, camera: &Camera) -> Vec<Ribbon> {
     let surface = &scene.surfaces[index];
     let style = &scene.style;
@@ -61,7 +61,7 @@ pub fn ribbons_of(index: usize, scene: &Scene, camera: &Camera) -> Vec<Ribbon> {
         .collect()
 }
 
-/// Edges of one face only, and those at which two faces turn sharply and do not share the corners that they are shaded by.
+/// Edges of a single face, and edges between faces at a sharp angle that do not share shading normals.
 fn sharp_edges(mesh: &Mesh) -> Vec<Edge> {
     let mut edges: HashMap<[usize; 2], Vec<([usize; 2], DVec3)>> = HashMap::new();
     for &face in &mesh.faces {
@@ -89,7 +89,7 @@ fn sharp_edges(mesh: &Mesh) -> Vec<Edge> {
     edges.into_values().filter(|faces| is_sharp(faces)).map(edge).collect()
 }
 
-/// None of an edge that belongs to the silhouette, where one of its faces looks away, and of what lies behind the eye.
+/// None for edges of the silhouette, with a face that points away, and behind the eye.
 fn ribbon(edge: &Edge, width: f64, camera: &Camera) -> Option<Ribbon> {
     let [from, to] = edge.ends.map(|end| camera.view_from_world.transform_point3(end));
     let towards_eye = if camera.is_perspective() { -from } else { DVec3::Z };
@@ -113,7 +113,7 @@ fn ribbon(edge: &Edge, width: f64, camera: &Camera) -> Option<Ribbon> {
     })
 }
 
-/// An end, or where the line comes out of the near plane.
+/// The end, or the intersection with the near plane.
 fn before(end: DVec3, other: DVec3, near: f64) -> DVec3 {
     if -end.z >= near {
         end
@@ -123,8 +123,8 @@ fn before(end: DVec3, other: DVec3, near: f64) -> DVec3 {
 }
 
 impl Ribbon {
-    /// Pixels whose middles it covers, with its window depth there. It goes on by half its width beyond both ends, so
-    /// that no gap shows where lines meet.
+    /// Covered pixels with their window depths. The line extends by half its width beyond both ends, so that no gap
+    /// shows between lines.
     pub fn covered(&self, width: usize, height: usize) -> impl Iterator<Item = ([usize; 2], f64)> {
         let beyond = self.half_width * self.along;
         let (a, b) = (self.from - beyond, self.from + self.length * self.along + beyond);

@@ -1,5 +1,5 @@
-//! The line around a surface: its back faces, pushed outwards in the picture by the width of the line. A second copy,
-//! raised towards the eye, closes the line where the surface stands on another; it keeps off the surface's own pixels.
+//! The outline of a surface: its back faces, extruded in the picture by the line width. A raised copy closes the line
+//! where the surface stands on another; it does not cover the surface's own pixels.
 
 use glam::{DVec2, DVec3};
 
@@ -9,23 +9,23 @@ use crate::mesh::Mesh;
 use crate::ray::Camera;
 use crate::scene::{Style, Surface};
 
-/// Widths of the line by which the raised copy comes nearer, but not by more metres than this.
+/// Distance of the raised copy towards the eye in line widths, and its maximum (m).
 const RAISED_WIDTHS: f64 = 6.0;
 const HIGHEST: f64 = 0.05;
 
-/// A corner of a hull, in pixels, and its depth in the depth buffer: where it is, and raised.
+/// A corner of a hull (pixels), with its window depth in place and raised.
 #[derive(Clone, Copy)]
 struct Corner {
     pixel: DVec2,
     depths: DVec2,
 }
 
-/// The back faces of one surface as they lie in the picture.
+/// The back faces of one surface in the picture.
 pub struct Hull {
     faces: Vec<[Corner; 3]>,
 }
 
-/// A pixel that a hull covers, with its two depths.
+/// A covered pixel with both depths.
 pub struct Covered {
     pub x: usize,
     pub y: usize,
@@ -34,12 +34,12 @@ pub struct Covered {
 }
 
 impl Hull {
-    /// Empty where the surface has no line. Only triangles have one, and only those wholly before the near plane.
+    /// Empty without a line. Only triangle meshes have one, and only entirely in front of the near plane.
     pub fn new(surface: &Surface, style: &Style, camera: &Camera, light: &Light) -> Self {
         let Some(mesh) = Mesh::of(&surface.shape).filter(|_| surface.inked && style.ink_pixels > 0.0) else {
             return Self { faces: Vec::new() };
         };
-        // Where seams have lines of their own, no line closes around what stands still.
+        // Surfaces that stand still have no raised copy if seams have lines of their own.
         let is_raised = !style.creases || surface.carrier.is_some();
         let corners: Vec<Option<Corner>> = mesh
             .points
@@ -58,13 +58,13 @@ impl Hull {
         }
     }
 
-    /// All pixels of a picture whose middles it covers, some of them more than once.
+    /// All covered pixels; may repeat.
     pub fn covered(&self, width: usize, height: usize) -> impl Iterator<Item = Covered> {
         self.faces.iter().flat_map(move |face| covered_by(face, width, height))
     }
 }
 
-/// For each point the sum of the normals of all points at the same place: creases split points, lines do not end there.
+/// For each point the sum of the normals of all points at its position: a crease splits points but must not end a line.
 fn outward_of(mesh: &Mesh) -> Vec<DVec3> {
     let mut sums = vec![DVec3::ZERO; mesh.points.len()];
     for (&place, normal) in mesh.places.iter().zip(&mesh.normals) {
@@ -109,7 +109,7 @@ fn corner(
     })
 }
 
-/// Twice the area of a triangle, negative where it goes round clockwise.
+/// Twice the area of a triangle, negative if clockwise.
 fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }

@@ -1,25 +1,25 @@
-//! How wide a line is, beside a puff and else, and how much of it is ink. Widths and radii in pixels.
+//! Width and opacity of lines. Widths and radii in pixels.
 
 use std::f64::consts::TAU;
 
 use glam::DVec2;
 
-/// A line and how it swells: at 1 it is twice as wide away from the light, and half as wide towards it.
+/// A line and its swelling: at 1 it is twice as wide away from the light, and half as wide towards it.
 pub struct Line {
-    /// Where it runs across the light.
+    /// Width where it runs across the light.
     even: f64,
-    /// 0 to 1: how much of it is ink beside a puff of this radius.
+    /// Opacity beside a puff of this radius, 0 to 1.
     boldness: f64,
     swell: f64,
-    /// Of the unit vector towards the light, what lies in the image plane.
+    /// Image-plane component of the unit vector to the light.
     light: DVec2,
-    /// How much it trembles, 0 to 1, and where round the puff, radians.
+    /// Amplitude (0 to 1) and phases (rad) of trembling.
     boil: f64,
     phase: f64,
 }
 
 impl Line {
-    /// `full`: its even width beside a puff that is large enough, by what is widest of it.
+    /// `full`: its width beside a sufficiently large puff, by its widest point.
     pub fn new(full: f64, radius: f64, swell: f64, light: DVec2) -> Self {
         Self {
             even: line_width(full * swell.exp2(), radius) / swell.exp2(),
@@ -31,7 +31,7 @@ impl Line {
         }
     }
 
-    /// The same line drawn by an unsteady hand. `seed`: of the puff. `drawing`: number of the drawing.
+    /// The same line with trembling. `seed`: of the puff. `drawing`: index of the drawing.
     pub fn boiling(self, boil: f64, seed: u32, drawing: u32) -> Self {
         let bits = seed
             .wrapping_mul(747_796_405)
@@ -41,20 +41,19 @@ impl Line {
         Self { boil, phase, ..self }
     }
 
-    /// Width where the silhouette looks in the direction of `outward`.
+    /// Width where the silhouette faces `outward`.
     pub fn width(&self, outward: DVec2) -> f64 {
         self.even * swelling(outward.normalize_or_zero(), self.light, self.swell) * self.steadiness(outward)
     }
 
-    /// Share of the width that trembling leaves: waves of three and of eight periods round the puff.
+    /// Factor of trembling on the width: waves of three and of eight periods around the puff.
     fn steadiness(&self, outward: DVec2) -> f64 {
         let turn = outward.to_angle();
         let waves = (3.0 * turn + self.phase).sin() + (8.0 * turn - 2.7 * self.phase).sin();
         1.0 - self.boil * (0.25 + 0.125 * waves)
     }
 
-    /// How much of it is ink, where it is so wide: under a pixel it goes over into the colour of its smoke, and under half
-    /// a pixel it is gone.
+    /// Opacity at this width: below one pixel it blends into the colour of its smoke, below half a pixel it is 0.
     pub fn share(&self, width: f64) -> f64 {
         self.boldness * smooth_step(0.5, 1.0, width)
     }
@@ -64,12 +63,12 @@ impl Line {
     }
 }
 
-/// Factor on the width of a line that looks in the direction of `outward`, a unit vector of the image plane.
+/// Factor on the width of a line that faces `outward`, a unit vector of the image plane.
 pub fn swelling(outward: DVec2, light: DVec2, swell: f64) -> f64 {
     (-swell * outward.dot(light)).exp2()
 }
 
-/// Full beside puffs with a radius of 3.5 widths and more, nothing beside those no larger than the line is wide.
+/// 1 beside puffs with a radius of at least 3.5 widths, 0 beside those no larger than the line.
 fn line_width(full: f64, radius: f64) -> f64 {
     if full <= 0.0 {
         0.0
@@ -78,7 +77,7 @@ fn line_width(full: f64, radius: f64) -> f64 {
     }
 }
 
-/// From 0 at `from` to 1 at `to`, flat at both ends.
+/// Smoothstep from 0 at `from` to 1 at `to`.
 pub fn smooth_step(from: f64, to: f64, value: f64) -> f64 {
     let t = ((value - from) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)

@@ -1,13 +1,13 @@
-//! What lights the scene.
+//! The light of the scene.
 
 use glam::DVec3;
 
 use crate::scene;
 
 pub enum Light {
-    /// So far that its rays are parallel: the unit vector towards it.
+    /// A directional light: the unit vector towards it.
     Sun(DVec3),
-    /// Its place.
+    /// A point light: its position.
     Lamp(DVec3),
 }
 
@@ -19,7 +19,7 @@ impl Light {
         }
     }
 
-    /// Unit vector from a place.
+    /// Unit vector from a position to the light.
     pub fn towards(&self, place: DVec3) -> DVec3 {
         match *self {
             Self::Sun(towards) => towards,
@@ -27,7 +27,7 @@ impl Light {
         }
     }
 
-    /// From a place, metres.
+    /// Vector from a position to the light (m).
     pub fn distance(&self, place: DVec3) -> f64 {
         match *self {
             Self::Sun(_) => f64::INFINITY,

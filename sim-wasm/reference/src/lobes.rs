@@ -1,4 +1,4 @@
-//! A puff: balls of which a ray along the view axis meets the nearest surface.
+//! A puff: balls; a ray along the view axis meets the nearest surface.
 
 use glam::{DMat3, DVec2, DVec3};
 
@@ -11,7 +11,7 @@ pub struct Lobe {
     pub radius: f64,
 }
 
-/// The lobes of one variation, turned into view space; lengths in radii of the particle, z towards the eye.
+/// The lobes of one variation in view space; lengths in particle radii, z towards the eye.
 pub struct Lobes {
     lobes: Vec<Lobe>,
     pub middle: DVec3,
@@ -19,13 +19,13 @@ pub struct Lobes {
     blend: f64,
 }
 
-/// What is met over a point of the image plane.
+/// The result over a point of the image plane.
 pub struct Meeting {
-    /// Height of the surface, or outside the silhouette of the nearest lobe's rim.
+    /// Height of the surface; outside of the silhouette that of the nearest lobe's rim.
     pub height: f64,
-    /// To the silhouette; not above 0 inside.
+    /// Distance to the silhouette; at most 0 inside.
     pub outside: f64,
-    /// Middle of the lobe whose silhouette is nearest.
+    /// Centre of the lobe with the nearest silhouette.
     pub rim: DVec2,
 }
 
@@ -46,7 +46,7 @@ impl Lobes {
         }
     }
 
-    /// Farthest that the silhouette goes from the centre.
+    /// Maximum distance of the silhouette from the centre.
     pub fn reach(&self) -> f64 {
         self.lobes
             .iter()
@@ -54,7 +54,7 @@ impl Lobes {
             .fold(0.0, f64::max)
     }
 
-    /// `surface`: height of what hides all that lies deeper; lobes deeper than that by more than `slack` have no rim.
+    /// `surface`: height of an occluding surface. Lobes deeper by more than `slack` have no rim.
     pub fn meet(&self, point: DVec2, surface: f64, slack: f64) -> Meeting {
         let mut top = f64::NEG_INFINITY;
         let mut rim = Meeting {
@@ -87,15 +87,14 @@ impl Lobes {
         }
     }
 
-    /// Unit normal at a place of the surface or its rim for its shade: that of the form, mixed with the direction from
-    /// the middle of all.
+    /// Unit normal for shading: the normal of the form, mixed with the direction from the common centre.
     pub fn normal(&self, place: DVec3) -> DVec3 {
         self.form_normal(place)
             .lerp((place - self.middle).normalize(), self.blend)
             .normalize()
     }
 
-    /// Unit normal of the lobes at a place, one going over into the next along a crease.
+    /// Unit normal of the lobes, blended along creases.
     pub fn form_normal(&self, place: DVec3) -> DVec3 {
         let mut own = DVec3::ZERO;
         for lobe in &self.lobes {

@@ -1,7 +1,8 @@
 //! Reads a scene from standard input and writes its picture to standard output: see [`scene::Scene`] and
-//! [`picture::Picture::to_bytes`]. Everything follows from the definitions of the renderer, with one ray through the
-//! middle of each pixel and nothing shared with the shaders, so that the two can be compared.
+//! [`picture::Picture::to_bytes`]. Implements the definitions of the renderer with one ray through the centre of each
+//! pixel. It shares nothing with the shaders, so that the two can be compared.
 
+mod attributes;
 mod billboards;
 mod bodies;
 mod contact;
@@ -10,7 +11,6 @@ mod hull;
 mod ink;
 mod light;
 mod lobes;
-mod look;
 mod mesh;
 mod picture;
 mod ray;

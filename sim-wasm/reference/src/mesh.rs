@@ -1,4 +1,4 @@
-//! A surface's triangles as they stand in the world, and which of their corners are at one place.
+//! The triangles of a surface in world space, and corners at equal positions.
 
 use std::collections::HashMap;
 
@@ -6,21 +6,21 @@ use glam::{DMat3, DMat4, DVec3};
 
 use crate::scene::Shape;
 
-/// Corners are at the same place that the same hundredths of a millimetre hold.
+/// Corners are at the same position if they agree to a hundredth of a millimetre.
 const PLACES_A_METRE: f64 = 1e5;
 
 pub struct Mesh {
-    /// In world space, with the normals that they are shaded by.
+    /// World-space positions with their shading normals.
     pub points: Vec<DVec3>,
     pub normals: Vec<DVec3>,
-    /// Three corners each, anticlockwise seen from outside.
+    /// Three corners each, counter-clockwise from outside.
     pub faces: Vec<[usize; 3]>,
-    /// For each corner the number of its place: corners with several normals are several at one place.
+    /// Position index of each corner: a corner with several normals occurs several times at one position.
     pub places: Vec<usize>,
 }
 
 impl Mesh {
-    /// None of a shape that is no mesh.
+    /// None for a shape that is not a mesh.
     pub fn of(shape: &Shape) -> Option<Self> {
         let Shape::Triangles {
             positions,
@@ -60,7 +60,7 @@ impl Mesh {
         face.map(|corner| self.points[corner])
     }
 
-    /// Unit normal of a face; none where it has no area.
+    /// Unit normal of a face; none without an area.
     pub fn face_normal(&self, face: [usize; 3]) -> Option<DVec3> {
         let [a, b, c] = self.corners(face);
         let twice = (b - a).cross(c - a);

@@ -1,4 +1,4 @@
-//! The whole picture: what is nearest in each pixel, how many shadows lie over it, and its colour.
+//! The whole picture: the nearest surface, the shadow count and the colour of each pixel.
 
 use std::collections::HashMap;
 
@@ -16,24 +16,24 @@ use crate::shade::{Part, Shade, Shadow};
 use crate::surfaces::Solids;
 use crate::volumes::Volume;
 
-/// What is not smoke is numbered from here on.
+/// First number of surfaces that are not smoke.
 const SURFACES: u32 = 1 << 20;
 const BACKDROP: u32 = SURFACES - 1;
-/// Bodies keep off both ends of the depth range.
+/// Bodies keep this distance from both ends of the depth range.
 const DEPTH_MARGIN: f64 = 4e-7;
-/// The most that a stencil of 8 bits counts.
+/// Maximum count of an 8-bit stencil.
 const MOST: u32 = 255;
 
-/// What is nearest in a pixel.
+/// The nearest surface in a pixel.
 #[derive(Clone, Copy)]
 struct Nearest {
     shade: Shade,
-    /// As in the depth buffer, and as view depth.
+    /// Window depth, and view depth.
     window_depth: f64,
     depth: f64,
     what: u32,
     alpha: u8,
-    /// Of the surface that is seen here, or over which the line of another runs.
+    /// Index of the visible surface, or of the one under another's line.
     group: Option<usize>,
 }
 
@@ -45,8 +45,8 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Colours with alpha, a byte a channel; then counts of shadow volumes, a byte each; then numbers of regions, four
-    /// bytes each with the lowest first: pixels of one region show the same tone of the same thing.
+    /// RGBA colours, one byte per channel; then shadow volume counts, one byte each; then region numbers, four bytes
+    /// each, lowest first. The pixels of one region show the same tone of the same surface.
     pub fn to_bytes(&self) -> Vec<u8> {
         let regions = self.regions.iter().flat_map(|region| region.to_le_bytes());
         self.colors
@@ -120,7 +120,7 @@ impl<'a> Painter<'a> {
         )
     }
 
-    /// From 0 at the bottom of the picture to 1 at its top.
+    /// 0 at the bottom of the picture, 1 at its top.
     fn height_of(&self, pixel: usize) -> f64 {
         self.middle_of(pixel).y / self.scene.height as f64
     }
@@ -141,7 +141,7 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// The line around a surface.
+    /// The outline of a surface.
     fn draw_line(&self, index: usize, seen: &mut [Nearest]) {
         let surface = &self.scene.surfaces[index];
         let hull = Hull::new(surface, &self.scene.style, &self.camera, &self.light);
@@ -162,7 +162,7 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// The lines along the sharp edges of a surface, and along its seams with those behind it in the list.
+    /// Lines along the sharp edges of a surface, and along its seams with later surfaces.
     fn draw_creases(&self, index: usize, seen: &mut [Nearest]) {
         for ribbon in ribbons_of(index, self.scene, &self.camera) {
             for ([x, y], window_depth) in ribbon.covered(self.scene.width, self.scene.height) {
@@ -198,7 +198,7 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// What comes later wins where two lie equally deep.
+    /// At equal depth the later one wins.
     fn put(&self, BodyHit { depth, shade }: BodyHit, what: u32, seen: &mut Nearest) {
         let window_depth = self.camera.window_depth(depth).clamp(DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
         if window_depth <= seen.window_depth {
@@ -213,7 +213,7 @@ impl<'a> Painter<'a> {
         }
     }
 
-    /// How many volumes hold what is seen. What reaches through the near plane lies just behind it.
+    /// Number of volumes that contain the visible surface. A volume through the near plane starts just behind it.
     fn shadows_over(&self, pixel: usize, seen: &Nearest) -> u32 {
         if !self.scene.shadows || seen.what == BACKDROP {
             return 0;
@@ -222,7 +222,7 @@ impl<'a> Painter<'a> {
         let depth = seen.depth.max(self.camera.near);
         let of_puffs = self.volumes.iter().filter(|volume| volume.holds(ray, depth)).count() as u32;
         let of_solids = self.solids.shadows_over(ray.at(depth), &self.light);
-        // Where shadow has two steps, solids count as one.
+        // With two shadow steps solids count once.
         let most = self.scene.style.shadow_depth.map_or(u32::MAX, |_| 1);
         of_puffs + of_solids.min(most)
     }
@@ -257,7 +257,7 @@ fn finished(style: &Style, nearest: &[Nearest], counts: Vec<u32>) -> Picture {
     }
 }
 
-/// Numbers what the pixels show: which part of what, in which shadow.
+/// Numbers the regions: part, surface and shadow of each pixel.
 fn regions_of(nearest: &[Nearest], shadows: &[Shadow]) -> Vec<u32> {
     let mut numbers = HashMap::new();
     let mut number_of = |region| {

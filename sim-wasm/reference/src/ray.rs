@@ -1,10 +1,10 @@
-//! The camera, and rays through the middles of its pixels.
+//! The camera, and rays through pixel centres.
 
 use glam::{DMat4, DVec2, DVec3};
 
 use crate::scene::Scene;
 
-/// Points of a ray by their view depth: `origin + depth * direction`.
+/// Points of a ray by view depth: `origin + depth * direction`.
 #[derive(Clone, Copy)]
 pub struct Ray {
     pub origin: DVec3,
@@ -23,7 +23,7 @@ pub struct Camera {
     clip_from_view: DMat4,
     view_from_clip: DMat4,
     size: DVec2,
-    /// View depths of the planes between which surfaces are seen.
+    /// View depths of the near and the far plane.
     pub near: f64,
     pub far: f64,
 }
@@ -50,7 +50,7 @@ impl Camera {
         }
     }
 
-    /// The ray through a point of the picture in view space; pixels have their middles at halves, rows go upwards.
+    /// The ray through a point of the picture in view space. Pixel centres are at halves, rows go upwards.
     pub fn ray(&self, pixel: DVec2) -> Ray {
         let ndc = 2.0 * pixel / self.size - 1.0;
         let nearer = self.view_from_clip.project_point3(ndc.extend(0.0));
@@ -70,17 +70,17 @@ impl Camera {
         }
     }
 
-    /// Where a point of view space stands in the picture.
+    /// Projects a point of view space to the picture.
     pub fn pixel_of(&self, point: DVec3) -> DVec2 {
         0.5 * (self.clip_from_view.project_point3(point).truncate() + 1.0) * self.size
     }
 
-    /// What the depth buffer holds for a view depth: 0 at the near plane, 1 at the far one.
+    /// Window depth of a view depth: 0 at the near plane, 1 at the far plane.
     pub fn window_depth(&self, depth: f64) -> f64 {
         0.5 + 0.5 * self.clip_from_view.project_point3(DVec3::new(0.0, 0.0, -depth)).z
     }
 
-    /// The view depth for which the depth buffer holds a value.
+    /// View depth of a window depth.
     pub fn depth_of(&self, window_depth: f64) -> f64 {
         -self
             .view_from_clip
@@ -88,12 +88,12 @@ impl Camera {
             .z
     }
 
-    /// Metres that a pixel spans at a view depth.
+    /// Metres per pixel at a view depth.
     pub fn metres_per_pixel(&self, depth: f64) -> f64 {
         self.ray(DVec2::Y).at(depth).y - self.ray(DVec2::ZERO).at(depth).y
     }
 
-    /// Least and greatest slopes of the picture's rays against the view axis, to the right and up.
+    /// Minimum and maximum slope of rays relative to the view axis, to the right and up.
     pub fn slopes(&self) -> [DVec2; 2] {
         [DVec2::ZERO, self.size].map(|corner| self.ray(corner).direction.truncate())
     }

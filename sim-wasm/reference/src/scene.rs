@@ -1,5 +1,4 @@
-//! What is drawn, as it comes in: plain data in JSON. Lengths in metres, colours display-encoded from 0 to 255, matrices
-//! column by column.
+//! The scene, as JSON. Lengths in metres, colours display-encoded from 0 to 255, matrices by columns.
 
 use serde::Deserialize;
 
@@ -17,10 +16,10 @@ pub struct Scene {
     pub style: Style,
     pub puffs: Puffs,
     pub bodies: Vec<Row>,
-    /// What throws shadow.
+    /// The light that casts shadows.
     pub casters: Vec<Row>,
     pub surfaces: Vec<Surface>,
-    /// Whether anything throws shadow.
+    /// True if there are shadows.
     pub shadows: bool,
 }
 
@@ -45,39 +44,39 @@ pub struct Backdrop {
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Style {
-    /// Full width of the line in pixels; 0 draws none.
+    /// Full line width (pixels); 0: no lines.
     pub ink_pixels: f64,
     pub ink_color: Triple,
-    /// How much wider lines are away from the light, 0 to 1.
+    /// Swelling of lines away from the light, 0 to 1.
     pub ink_swell: f64,
-    /// How much the lines of puffs tremble from drawing to drawing, 0 to 1, and the number of the drawing.
+    /// Trembling of the lines of puffs, 0 to 1, and the index of the drawing.
     pub boil: f64,
     pub drawing: u32,
-    /// Whether sharp edges of surfaces have a line, and seams of surfaces that stand still to each other.
+    /// True if sharp edges of surfaces have lines, and seams of surfaces at relative rest.
     pub creases: bool,
-    /// How far the line of a puff lies behind it, in its radii.
+    /// Depth of a puff's line behind it, in its radii.
     pub inner_line: f64,
-    /// Share by which a line's outer edge lies deeper than its inner one.
+    /// Share by which a line's outer edge is deeper than its inner one.
     pub inner_taper: f64,
     pub gradient: Gradient,
     pub gradient_color: Triple,
     pub smoke_color: Triple,
-    /// World heights between which the gradient `height` runs.
+    /// World heights between which the gradient `height` runs (m).
     pub plume_height: [f64; 2],
-    /// Of smoke without a tint, of its three tints, then of each band of age and temperature.
+    /// Ramps of smoke without a tint, of the three tints, then of each band of age and temperature.
     pub smoke_ramps: Vec<Ramp>,
     pub bands: Bands,
-    /// Width of the band along silhouettes that look away from the light, 0 to 1.
+    /// Width of the rim along silhouettes that face away from the light, 0 to 1.
     pub rim: f64,
     pub rim_color: Triple,
-    /// How many volumes make deep shadow, where the colours of shadow are multiplied by another; none for plain shadow.
+    /// Number of volumes of deep shadow, and the factor on its colours; none for a single shadow step.
     pub shadow_depth: Option<u32>,
     pub deep_shadow: Triple,
-    /// How many radii behind its centre a puff's volume begins at the nearest.
-    pub least_cap: f64,
+    /// Minimum distance from a puff's centre to the start of its volume (radii).
+    pub min_cap: f64,
 }
 
-/// Numbers by byte whose sum is the ramp of smoke without a tint.
+/// Numbers by byte; their sum is the ramp of smoke without a tint.
 #[derive(Deserialize)]
 pub struct Bands {
     pub ages: Vec<usize>,
@@ -94,15 +93,15 @@ pub enum Gradient {
     Age,
 }
 
-/// What a material shows in the light and in shadow, by the cosine between its normal and the light.
+/// Colours in light and in shadow, by the cosine between normal and light.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Ramp {
     pub lit: Vec<Tone>,
     pub unlit: Vec<Tone>,
-    /// In the place of the first tone where the fill light reaches.
+    /// Replaces the first tone where the fill light reaches.
     pub filled: Option<Triple>,
-    /// Whether tones run into each other.
+    /// True if tones blend into each other.
     #[serde(default)]
     pub is_blended: bool,
 }
@@ -116,35 +115,35 @@ pub struct Tone {
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Puffs {
-    /// For each variation its lobes: centre and radius, in radii of the particle.
+    /// Lobes of each variation: centre and radius, in particle radii.
     pub lobes: Vec<Vec<[f64; 4]>>,
-    /// Reach of the fillet along creases, in radii, and share of the overall normal in every normal.
+    /// Radius of the fillet along creases (radii), and share of the common normal in every normal.
     pub fillet: f64,
     pub blend: f64,
     pub start_caps: StartCaps,
-    /// What of them is seen lies no deeper than this behind their centre planes, in radii.
+    /// Maximum visible depth behind the centre plane (radii).
     pub depth: f64,
-    /// What billboards show, which roll about the view axis; none of lobes.
+    /// Baked fronts of billboards, which roll about the view axis; none for lobes.
     pub layers: Option<Layers>,
 }
 
-/// The front of each variation on a square grid about its centre, from the lowest row up.
+/// Front of each variation on a square grid about its centre, lowest row first.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Layers {
-    /// Texels along each side.
+    /// Texels per side.
     pub size: usize,
-    /// Half a side of the square, in radii.
+    /// Half the side of the square (radii).
     pub pad: f64,
-    /// In radii: a coverage of 0 is half of it inside of the silhouette, 255 is half of it outside.
+    /// In radii: coverage 0 is half of it inside of the silhouette, 255 is half of it outside.
     pub distance_range: f64,
-    /// Four for each texel: (normal + 1) / 2, and 0.5 + height in sides of the square.
+    /// Four bytes per texel: (normal + 1) / 2, and 0.5 + height in sides of the square.
     pub normal_depth: Vec<f64>,
     pub coverage: Vec<f64>,
 }
 
-/// For each variation and direction towards the light, in the frame of the puff, how many radii behind the centre its
-/// farthest lit point lies. Columns go by azimuth about z from -pi, rows by the angle to z.
+/// Distance from the centre to the farthest lit point (radii), per variation and direction of the light in the puff's
+/// frame. Columns: azimuth about z from -pi. Rows: angle to z.
 #[derive(Deserialize)]
 pub struct StartCaps {
     pub width: usize,
@@ -152,12 +151,12 @@ pub struct StartCaps {
     pub values: Vec<f64>,
 }
 
-/// A particle as the simulator writes it: place and radius, then the two words of its look.
+/// A particle as the simulator writes it: place and radius, then its packed attributes.
 #[derive(Clone, Copy, Deserialize)]
 pub struct Row {
     pub place: Triple,
     pub radius: f64,
-    pub look: [u32; 2],
+    pub attributes: [u32; 2],
 }
 
 #[derive(Deserialize)]
@@ -165,11 +164,11 @@ pub struct Surface {
     pub shape: Shape,
     pub ramp: Ramp,
     pub casts: bool,
-    /// Whether it has a line around it.
+    /// True if it has an outline.
     pub inked: bool,
-    /// Surfaces of one group grow into each other without a line between them.
+    /// Surfaces of one group merge without a line between them.
     pub group: usize,
-    /// What it moves with, by name; none where it stands still.
+    /// Name of the object it moves with; none if it stands still.
     pub carrier: Option<String>,
 }
 
@@ -188,7 +187,7 @@ pub enum Shape {
         positions: Vec<f64>,
         normals: Vec<f64>,
         indices: Vec<usize>,
-        /// Where they are as they stand where absent.
+        /// Poses; identity if absent.
         world_from_model: Option<[f64; 16]>,
     },
 }

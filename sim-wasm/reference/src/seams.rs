@@ -1,10 +1,10 @@
-//! Where the faces of two meshes go through each other, or those of one end on those of the other.
+//! Intersections of the faces of two meshes, and faces that end on each other.
 
 use glam::DVec3;
 
 use crate::mesh::Mesh;
 
-/// A corner that is so near to the plane of a face lies on it, metres: what stands on something touches it so.
+/// Distance (m) up to which a corner lies on a plane: contact counts as intersection.
 const TOUCHING: f64 = 1e-5;
 
 struct Face {
@@ -59,7 +59,7 @@ fn box_of(faces: &[Face]) -> [DVec3; 2] {
     ]
 }
 
-/// The stretch of the line in which two planes meet that lies in both faces. Faces of one plane have none.
+/// The part of the intersection line of two planes that lies in both faces. None for coplanar faces.
 fn seam(a: &Face, b: &Face) -> Option<[DVec3; 2]> {
     let along = a.normal.cross(b.normal);
     if along.length() < 1e-6 {
@@ -86,7 +86,7 @@ impl Face {
         self.lowest.cmple(highest + TOUCHING).all() && lowest.cmple(self.highest + TOUCHING).all()
     }
 
-    /// The first and the last point of its border on the plane of another face.
+    /// First and last point of its border on the plane of another face.
     fn stretch_on(&self, plane: &Face, along: DVec3) -> Option<[DVec3; 2]> {
         let above = self.corners.map(|corner| plane.normal.dot(corner - plane.corners[0]));
         let mut points = Vec::new();

@@ -1,15 +1,15 @@
-//! Colours: the tones of ramps, and gradient fills. Channels from 0 to 255, display-encoded.
+//! Colours: tones of ramps, and gradients. Channels 0 to 255, display-encoded.
 
 use glam::DVec3;
 
 use crate::scene::{Gradient, Ramp, Style, Tone, Triple};
 
-/// Cosine to the fill light from which it shows.
+/// Minimum cosine to the fill light.
 const FILL_BORDER: f64 = 0.65;
-/// A ramp is a texture of so many texels, read at the nearest.
+/// Number of texels of a ramp, read without interpolation.
 const TEXELS: f64 = 256.0;
 
-/// What a pixel shows in the light and in shadow.
+/// Colours of a pixel in light and in shadow.
 #[derive(Clone, Copy)]
 pub struct Shade {
     pub lit: DVec3,
@@ -17,10 +17,10 @@ pub struct Shade {
     pub part: Part,
 }
 
-/// Which part of its colours a thing shows.
+/// The displayed part of its colours.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Part {
-    /// The numbers of the tones in the light and in shadow, and whether the fill light reaches them.
+    /// Numbers of the tones in light and in shadow, and whether the fill light reaches them.
     Tones {
         lit: usize,
         unlit: usize,
@@ -28,7 +28,7 @@ pub enum Part {
     },
     Rim,
     Ink,
-    /// So narrow a line that it is gone over into the colour of its smoke in part.
+    /// A line so narrow that it blends into the colour of its smoke.
     FaintInk,
     Only,
 }
@@ -42,7 +42,7 @@ impl Shade {
         }
     }
 
-    /// `facing`: cosine between normal and light. Where the fill light reaches, the ramp begins with another colour.
+    /// `facing`: cosine between normal and light. With fill light the ramp starts with another colour.
     pub fn of(ramp: &Ramp, facing: f64, is_filled: bool) -> Self {
         let first = ramp.filled.filter(|_| is_filled);
         let facing = (facing.clamp(0.0, 1.0) * TEXELS).floor() / TEXELS;
@@ -59,7 +59,7 @@ impl Shade {
         }
     }
 
-    /// Of smoke, in view space. A rim along the silhouette lies over everything where the puff looks away from the light.
+    /// Shading of smoke, in view space. A rim covers silhouettes where the puff faces away from the light.
     pub fn of_puff(style: &Style, ramp: &Ramp, normal: DVec3, light: DVec3, gradient: DVec3) -> Self {
         let facing = normal.dot(light);
         // As a share of the radius of a ball.
@@ -84,7 +84,7 @@ impl Shade {
     }
 }
 
-/// How much shadow lies over a place.
+/// The shadow over a position.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Shadow {
     No,
@@ -93,7 +93,7 @@ pub enum Shadow {
 }
 
 impl Shadow {
-    /// `count`: of the volumes that hold the place.
+    /// `count`: number of volumes that contain it.
     pub fn of(style: &Style, count: u32) -> Self {
         match style.shadow_depth {
             _ if count == 0 => Self::No,
@@ -114,12 +114,12 @@ impl Shade {
     }
 }
 
-/// The last tone that begins at or below a cosine; the first one also holds before it.
+/// The last tone that starts at or below a cosine; below its start the first one.
 fn tone_at(tones: &[Tone], facing: f64) -> usize {
     tones.iter().rposition(|tone| facing >= tone.from).unwrap_or(0)
 }
 
-/// `first` stands for the colour of the first tone, where there is one. Tones are flat or run into each other.
+/// `first` replaces the first tone, if given. Tones are flat or blend.
 fn color_at(tones: &[Tone], facing: f64, first: Option<Triple>, is_blended: bool) -> DVec3 {
     let color_of = |tone: usize| DVec3::from(first.filter(|_| tone == 0).unwrap_or(tones[tone].color));
     let tone = tone_at(tones, facing);
@@ -132,16 +132,16 @@ fn color_at(tones: &[Tone], facing: f64, first: Option<Triple>, is_blended: bool
     }
 }
 
-/// A weaker light from across the eye and a little from below.
+/// A weaker light from opposite of the eye and slightly below.
 fn towards_fill(light: DVec3) -> DVec3 {
     DVec3::new(-light.x, -0.4 * light.y, light.z.abs().max(0.3)).normalize()
 }
 
-/// Where a point stands along each kind of gradient, from 0 (the gradient's colour) to 1 (the smoke's own).
+/// Position along each kind of gradient, from 0 (its colour) to 1 (the smoke's colour).
 pub struct Along {
-    /// Height over the centre in radii, on the image plane.
+    /// Height over the centre on the image plane (radii).
     pub puff: f64,
-    /// World height, metres.
+    /// World height (m).
     pub height: f64,
     /// From the bottom to the top of the picture.
     pub screen: f64,

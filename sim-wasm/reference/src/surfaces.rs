@@ -1,4 +1,4 @@
-//! Ordinary solids of the scene: what a ray sees of them, and how often a point lies in their shadow.
+//! Solids of the scene: intersection with rays, and their shadow counts.
 
 use glam::DVec3;
 
@@ -9,15 +9,15 @@ use crate::scene::{Ramp, Shape, Surface};
 use crate::shade::Shade;
 use crate::triangles::Triangles;
 
-/// A surface's shadow begins this deep under its lit side, metres.
+/// Distance (m) below its lit side at which a surface's shadow starts.
 const INSET: f64 = 0.012;
 
-/// Where a line crosses a surface.
+/// Intersection of a line with a surface.
 #[derive(Clone, Copy)]
 pub struct Crossing {
     /// In lengths of the line's direction.
     pub at: f64,
-    /// Outward normal of what is crossed, and the one that it is shaded by.
+    /// Outward normal of the face, and normal for shading.
     pub face: DVec3,
     pub normal: DVec3,
 }
@@ -42,7 +42,7 @@ impl<'a> Solids<'a> {
         }
     }
 
-    /// Which surface a ray sees between two depths, at which depth, and its colours.
+    /// The surface that a ray meets between two depths, with its depth and colours.
     pub fn meet(&self, ray: Ray, depths: [f64; 2], light: &Light) -> Option<(usize, f64, Shade)> {
         let mut nearest: Option<(usize, Crossing)> = None;
         for (index, (solid, _)) in self.solids.iter().enumerate() {
@@ -66,7 +66,7 @@ impl<'a> Solids<'a> {
         })
     }
 
-    /// How many lit faces stand between a point and the light.
+    /// Number of lit faces between a point and the light.
     pub fn shadows_over(&self, point: DVec3, light: &Light) -> u32 {
         let (towards_light, distance) = (light.towards(point), light.distance(point));
         let mut count = 0;
@@ -147,7 +147,7 @@ fn cross_box(center: DVec3, half: DVec3, origin: DVec3, direction: DVec3, found:
 mod tests {
     use super::*;
 
-    /// Distances at which a line crosses a shape, from the nearest.
+    /// Distances of the intersections of a line with a shape, nearest first.
     fn crossings(shape: &Shape, origin: DVec3, direction: DVec3) -> Vec<f64> {
         let mut found = Vec::new();
         Solid::new(shape).cross(origin, direction, &mut |crossing| found.push(crossing.at));

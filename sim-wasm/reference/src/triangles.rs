@@ -1,11 +1,11 @@
-//! Triangles, and where a line crosses them.
+//! Intersection of lines and triangles.
 
 use glam::DVec3;
 
 use crate::mesh::Mesh;
 use crate::surfaces::Crossing;
 
-/// Most triangles that are tried one by one.
+/// Maximum number of triangles in a leaf.
 const FEW: usize = 4;
 
 struct Triangle {
@@ -13,7 +13,7 @@ struct Triangle {
     normals: [DVec3; 3],
 }
 
-/// Triangles in a box, in two halves where they are many.
+/// Triangles in a box, split in two halves if there are many.
 pub struct Triangles {
     lowest: DVec3,
     highest: DVec3,
@@ -49,7 +49,7 @@ impl Triangles {
         }
     }
 
-    /// Calls back for each crossing of the line `origin + t direction` with any of them, for all t.
+    /// Calls back for each intersection of the line `origin + t direction`, for all t.
     pub fn cross(&self, origin: DVec3, direction: DVec3, found: &mut impl FnMut(Crossing)) {
         if !self.is_near(origin, direction) {
             return;
@@ -61,7 +61,7 @@ impl Triangles {
         self.halves.iter().for_each(|half| half.cross(origin, direction, found));
     }
 
-    /// Whether the line goes through the box.
+    /// Returns true if the line intersects the box.
     fn is_near(&self, origin: DVec3, direction: DVec3) -> bool {
         let (a, b) = ((self.lowest - origin) / direction, (self.highest - origin) / direction);
         a.min(b).max_element() <= a.max(b).min_element() + 1e-9

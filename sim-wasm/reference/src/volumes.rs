@@ -1,28 +1,28 @@
-//! The shadow volume of a particle: what lies behind its puff, seen from the light.
+//! The shadow volume of a particle.
 
 use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec3};
 
+use crate::attributes::PackedAttributes;
 use crate::bodies::grown;
 use crate::light::Light;
-use crate::look::Look;
 use crate::ray::{Camera, Ray};
 use crate::scene::{Row, Scene, StartCaps};
 
-/// Radii between the farthest lit point and the beginning of the volume.
+/// Distance (radii) from the farthest lit point to the start of the volume.
 const SLACK: f64 = 0.02;
 
-/// All that the puff's lobes hide from the light, from behind the puff on without an end.
+/// Everything that the puff's lobes hide from the light, from behind the puff to infinity.
 pub struct Volume {
     center: DVec3,
     /// Unit vector away from the light.
     axis: DVec3,
-    /// Where it begins behind the centre, metres.
+    /// Distance from the centre to its start (m).
     begin: f64,
-    /// One over the distance of the light; 0 under a sun.
+    /// Inverse distance of the light; 0 for a directional light.
     growth: f64,
-    /// On the plane through the centre across the axis, metres from the centre: what the lobes show the light.
+    /// The discs of the lobes on the plane through the centre across the axis, in metres from the centre.
     discs: Vec<Disc>,
 }
 
@@ -32,7 +32,7 @@ struct Disc {
 }
 
 impl Volume {
-    /// None where the light stands within the puff: it lights all of it then.
+    /// None if the light is within the puff, which it lights entirely.
     pub fn new(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> Option<Self> {
         let center = DVec3::from(row.place);
         let growth = 1.0 / light.distance(center);
@@ -51,7 +51,8 @@ impl Volume {
         })
     }
 
-    /// Whether it holds the point of a view ray at a depth: along each ray it goes from the first entry to the last exit.
+    /// Returns true if it contains the point of a view ray at a depth. On each ray it extends from the first entry to
+    /// the last exit.
     pub fn holds(&self, ray: Ray, depth: f64) -> bool {
         if (ray.at(depth) - self.center).dot(self.axis) < self.begin {
             return false;
@@ -63,10 +64,10 @@ impl Volume {
         enter <= depth && depth <= leave
     }
 
-    /// The depths between which a view ray is among the light's rays that pass through a disc.
+    /// Depths between which a view ray is within the light's rays through a disc.
     fn stretch_in(&self, disc: &Disc, Ray { origin, direction }: Ray) -> Option<(f64, f64)> {
         let origin = origin - self.center;
-        // How wide the light's rays have spread along the view ray: `scale + depth * gain`.
+        // Divergence of the light's rays along the view ray: `scale + depth * gain`.
         let scale = 1.0 + self.growth * origin.dot(self.axis);
         let gain = self.growth * direction.dot(self.axis);
         let offset = origin.reject_from_normalized(self.axis) - scale * disc.center;
@@ -90,9 +91,9 @@ impl Volume {
 }
 
 fn discs(scene: &Scene, camera: &Camera, row: &Row, axis: DVec3, growth: f64) -> Vec<Disc> {
-    let look = Look(row.look);
-    let world_from_puff = world_from_puff(scene, camera, look);
-    let lobes = &scene.puffs.lobes[look.variation() % scene.puffs.lobes.len()];
+    let attributes = PackedAttributes(row.attributes);
+    let world_from_puff = world_from_puff(scene, camera, attributes);
+    let lobes = &scene.puffs.lobes[attributes.variation() % scene.puffs.lobes.len()];
     let disc = |&[x, y, z, radius]: &[f64; 4]| {
         let center = row.radius * (world_from_puff * DVec3::new(x, y, z));
         let nearness = 1.0 / (1.0 + growth * center.dot(axis));
@@ -106,28 +107,28 @@ fn discs(scene: &Scene, camera: &Camera, row: &Row, axis: DVec3, growth: f64) ->
     lobes.iter().map(disc).collect()
 }
 
-fn world_from_puff(scene: &Scene, camera: &Camera, look: Look) -> DMat3 {
+fn world_from_puff(scene: &Scene, camera: &Camera, attributes: PackedAttributes) -> DMat3 {
     if scene.puffs.layers.is_some() {
-        DMat3::from_mat4(camera.view_from_world).transpose() * DMat3::from_rotation_z(look.roll())
+        DMat3::from_mat4(camera.view_from_world).transpose() * DMat3::from_rotation_z(attributes.roll())
     } else {
-        look.world_from_puff()
+        attributes.world_from_puff()
     }
 }
 
-/// Radii from the centre, away from the light, to behind the farthest point of the puff that is lit.
+/// Distance (radii) from the centre, away from the light, to behind the farthest lit point.
 fn begin_behind(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> f64 {
-    let look = Look(row.look);
+    let attributes = PackedAttributes(row.attributes);
     let towards_light = light.towards(DVec3::from(row.place));
-    let in_puff = world_from_puff(scene, camera, look).transpose() * towards_light;
-    let variation = look.variation() % scene.puffs.lobes.len();
-    tabled(&scene.puffs.start_caps, variation, in_puff).max(scene.style.least_cap)
+    let in_puff = world_from_puff(scene, camera, attributes).transpose() * towards_light;
+    let variation = attributes.variation() % scene.puffs.lobes.len();
+    tabled(&scene.puffs.start_caps, variation, in_puff).max(scene.style.min_cap)
         + shear(scene, camera, row, towards_light)
         + SLACK
 }
 
-/// A board shows its relief along the view rays and not along the view axis: a point at a height over the board is
-/// moved sideways by that height times the ray's slope. How much farther from the light that can take a lit point that
-/// is in the picture, in radii of the particle.
+/// A board shows its relief along view rays instead of the view axis: a point at a height over the board is displaced
+/// sideways by the height times the ray's slope. This is the maximum displacement of a visible lit point away from the
+/// light, in particle radii.
 fn shear(scene: &Scene, camera: &Camera, row: &Row, towards_light: DVec3) -> f64 {
     if !camera.is_perspective() {
         return 0.0;
@@ -138,11 +139,11 @@ fn shear(scene: &Scene, camera: &Camera, row: &Row, towards_light: DVec3) -> f64
         return 0.0;
     }
     let light = (DMat3::from_mat4(camera.view_from_world) * towards_light).truncate();
-    // Per radius of height, at the board's point in the picture that is nearest to its middle; heights go from -depth to 1.
+    // Per radius of height, at the board's visible point nearest to its centre; heights are -depth to 1.
     let [least, greatest] = camera.slopes();
     let slope = light.dot((center.truncate() / -center.z).clamp(least, greatest));
-    // Farther out the slope differs by at most the offset over the depth, and height times offset is at most 1/2.
-    // A billboard's relief is baked as it is shown.
+    // Farther out the slope differs by at most the offset over the depth, and height times offset is at most 1/2. A
+    // billboard's relief is baked as shown.
     let share = if scene.puffs.layers.is_some() { 0.0 } else { 0.5 };
     let aside = share * light.length() * grown * row.radius / -center.z;
     grown * (slope.max(-scene.puffs.depth * slope) + aside)

@@ -4,10 +4,10 @@
 use std::time::Instant;
 
 use sim::Simulator;
-use sim::measure::Part;
+use sim::math::random::Random;
 use sim::particles::Newborn;
-use sim::random::Random;
 use sim::rigids::{RigidDescription, RigidKind, RigidShape, pose_of};
+use sim::simulator::StepPart;
 
 const ROUNDS: usize = 9;
 const STEPS: usize = 40;
@@ -81,7 +81,7 @@ fn round(rigids: usize) -> Times {
                 .expect("it is kinematic");
         }
         let mut start = Instant::now();
-        simulator.step_observed(|part: Part| {
+        simulator.step_observed(|part: StepPart| {
             times.parts[part as usize] += start.elapsed().as_secs_f64() * 1e3 / STEPS as f64;
             start = Instant::now();
         });
@@ -104,7 +104,7 @@ fn cloud(random: &mut Random) -> Simulator {
             lifetime: 1000.0,
             size: 0.06 + 0.02 * random.signed(),
             temperature: 0.4,
-            look: 0,
+            attributes: 0,
         });
     }
     simulator

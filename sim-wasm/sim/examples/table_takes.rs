@@ -2,15 +2,15 @@
 //! each, `rigids steps alive hash take`, the take in hexadecimal digits. Elsewhere they must come to the same hashes.
 
 use sim::Simulator;
-use sim::parameters;
-use sim::random::Random;
-use sim::take::BlowNumbers;
+use sim::layout::blow::BlowNumbers;
+use sim::layout::parameters;
+use sim::math::random::Random;
 
 const TAKES: u32 = 40;
 const STEPS: u32 = 120;
 const CAPACITY: u32 = 400;
 /// Most items of each list: more would leave few takes in which single forces show.
-const MOST_ITEMS: u32 = 3;
+const MAX_ITEMS: u32 = 3;
 
 fn main() {
     for seed in 0..TAKES {
@@ -71,7 +71,7 @@ fn length_of(lengths: &mut Vec<(String, u32)>, list: String, random: &mut Random
     if let Some((_, length)) = lengths.iter().find(|(known, _)| *known == list) {
         return *length;
     }
-    let length = random.below(MOST_ITEMS + 1);
+    let length = random.below(MAX_ITEMS + 1);
     lengths.push((list, length));
     length
 }

@@ -5,8 +5,8 @@ use std::time::Instant;
 
 use sim::Simulator;
 use sim::arrange::VIEW_FLOATS;
+use sim::math::random::Random;
 use sim::particles::Newborn;
-use sim::random::Random;
 
 const PARTICLES: u32 = 100_000;
 const ROUNDS: usize = 60;
@@ -59,7 +59,7 @@ fn cloud() -> Simulator {
             lifetime: 1000.0,
             size: 0.2,
             temperature: 1.0,
-            look: random.bits(),
+            attributes: random.bits(),
         });
     }
     simulator

@@ -5,9 +5,9 @@
 use std::time::Instant;
 
 use sim::Simulator;
+use sim::forces::vortex_particles::VortexParticle;
+use sim::math::random::Random;
 use sim::particles::Newborn;
-use sim::random::Random;
-use sim::vortex_particles::VortexParticle;
 
 const PARTICLES: u32 = 20_000;
 const VORTEX_PARTICLES: usize = 1000;
@@ -80,7 +80,7 @@ fn scene(core_radius: Option<f32>) -> Simulator {
             lifetime: 1000.0,
             size: 0.2,
             temperature: 0.5,
-            look: 0,
+            attributes: 0,
         });
     }
     for core_radius in core_radius.iter().cycle().take(VORTEX_PARTICLES) {

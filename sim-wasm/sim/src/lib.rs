@@ -1,38 +1,19 @@
 //! The particle simulator of cartoon-smoke: pure, deterministic, without WASM and without a clock.
 //!
-//! Start at [`Simulator::step`], which shows the order of a step.
+//! Start at [`Simulator::step`], which shows the order of a step. The folders are layers: each uses only those before it
+//! in this list.
 
 pub mod arrange;
-mod bytes;
-mod clamp;
 pub mod collide;
-pub mod coverage;
 pub mod emission;
-pub mod error;
 pub mod forces;
-pub mod hash;
-pub mod held;
+pub mod layout;
 pub mod life;
-#[cfg(feature = "bench")]
-pub mod measure;
-pub mod motion;
-mod obstacles;
-mod order;
-pub mod parameters;
+pub mod math;
 pub mod particles;
-pub mod parts;
-pub mod random;
 #[cfg(feature = "rigids")]
 pub mod rigids;
-pub mod rows;
-pub mod scope;
-pub mod simd;
 pub mod simulator;
-mod snapshot;
-pub mod take;
-pub mod tile;
-pub mod view;
-pub mod vortex_particles;
 
-pub use error::{ParameterError, RestoreError};
+pub use layout::error::{ParameterError, RestoreError};
 pub use simulator::Simulator;

@@ -1,6 +1,6 @@
-//! Rapier's world as bytes and back, by postcard: contacts and their history too, without which a pile of rigids would
-//! go on differently. Multibodies and soft bodies are left out, since no rigid is one: what reads them would be a tenth
-//! of the module.
+//! Serialisation of Rapier's world by postcard, including contacts and their history, without which a pile of rigids
+//! would not continue identically. Multibodies and soft bodies are omitted, since no rigid is one: reading them would
+//! be a tenth of the module.
 
 use rapier3d::dynamics::{ImpulseJointSet, IntegrationParameters, IslandManager, RigidBodySet};
 use rapier3d::geometry::{BroadPhaseBvh, ColliderSet, NarrowPhase};
@@ -16,7 +16,7 @@ type Saved = (
     ColliderSet,
     ImpulseJointSet,
 );
-/// The same, borrowed, which is all that writing needs.
+/// The same, borrowed, for writing.
 type SavedRef<'a> = (
     [f32; 3],
     &'a IntegrationParameters,
@@ -28,7 +28,7 @@ type SavedRef<'a> = (
     &'a ImpulseJointSet,
 );
 
-/// All that the next step depends on.
+/// Everything that the next step depends on.
 pub fn to_bytes(world: &PhysicsWorld) -> Vec<u8> {
     let state: SavedRef = (
         world.gravity.to_array(),
@@ -43,8 +43,8 @@ pub fn to_bytes(world: &PhysicsWorld) -> Vec<u8> {
     postcard::to_allocvec(&state).expect("memory takes every byte")
 }
 
-/// The world of bytes that [`to_bytes`] made. None for others, as far as that can be told: Rapier trusts its own
-/// state, so bytes that somebody may have changed must not come here.
+/// Restores the bytes of [`to_bytes`]; none for other bytes, as far as that can be detected. Rapier trusts its own
+/// state: bytes that may have been modified must not be passed.
 pub fn from_bytes(bytes: &[u8]) -> Option<PhysicsWorld> {
     let saved: Saved = postcard::from_bytes(bytes).ok()?;
     let (gravity, integration_parameters, islands, broad_phase, narrow_phase, bodies, colliders, impulse_joints) =

@@ -1,4 +1,4 @@
-//! One variant: cargo for wasm32, then wasm-bindgen as a library, so that its version is the one in Cargo.lock.
+//! Builds one variant: cargo for wasm32, then wasm-bindgen as a library, so that its version is the one in Cargo.lock.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use std::process::Command;
 use anyhow::{Context, Result, bail};
 use wasm_bindgen_cli_support::Bindgen;
 
-use crate::places::Places;
+use crate::folders::Folders;
 use crate::trim::trim;
 
 const TARGET: &str = "wasm32-unknown-unknown";
@@ -16,21 +16,20 @@ const PROFILE: &str = "wasm";
 
 /// One build of the bindings.
 pub struct Variant {
-    /// Also the name of the folder that it is written to.
+    /// Name of the output folder.
     pub name: &'static str,
     features: &'static [&'static str],
     has_rapier: bool,
 }
 
-/// Set-up code is called, not copied to each place that needs it: a tenth of the module. The loops over particles name
-/// what must be part of them by `inline`, which this leaves alone. Only short loops are unrolled, and only whole: those
-/// over particles do so much in a round that copies of it gain nothing.
+/// Set-up code is not inlined: a tenth of the module. Loops over particles mark what must be inlined. Only short loops
+/// are unrolled, and only completely: unrolling loops over particles gains nothing.
 const WRITTEN_ONCE: &[&str] = &[concat!(
     "-Cllvm-args=-inline-threshold=25",
     " -unroll-threshold=60 -unroll-partial-threshold=0 -unroll-runtime=false",
 )];
 
-/// Every build, in the order of building: the small one first, it is what most pages load.
+/// All builds in order. The small one comes first: most pages load it.
 pub const VARIANTS: &[Variant] = &[
     Variant {
         name: "core",
@@ -44,14 +43,14 @@ pub const VARIANTS: &[Variant] = &[
     },
 ];
 
-/// With calls that measure; no page loads it.
+/// With calls for measurements; no page loads it.
 pub const BENCH: Variant = Variant {
     name: "bench",
     features: &["bench"],
     has_rapier: true,
 };
 
-/// The generated files of a variant, without which it has to be built again.
+/// Generated files of a variant. If one is missing, the variant is built again.
 pub const FILES: &[&str] = &["bindings.js", "bindings.d.ts", "bindings_bg.wasm"];
 
 /// Builds `variant` into its folder under `output`.
@@ -61,9 +60,9 @@ pub const FILES: &[&str] = &["bindings.js", "bindings.d.ts", "bindings_bg.wasm"]
 ///
 /// # Errors
 /// When cargo or wasm-bindgen fail, or the folder cannot be written.
-pub fn build(variant: &Variant, places: &Places, output: &Path) -> Result<u64> {
-    let target = places.workspace.join("target").join("wasm");
-    compile(variant, places, &target)?;
+pub fn build(variant: &Variant, folders: &Folders, output: &Path) -> Result<u64> {
+    let target = folders.workspace.join("target").join("wasm");
+    compile(variant, folders, &target)?;
     let module = target.join(TARGET).join(PROFILE).join("bindings.wasm");
     let folder = output.join(variant.name);
     let bytes = fs::read(&module).with_context(|| format!("{} cannot be read", module.display()))?;
@@ -72,10 +71,10 @@ pub fn build(variant: &Variant, places: &Places, output: &Path) -> Result<u64> {
     Ok(size)
 }
 
-fn compile(variant: &Variant, places: &Places, target: &PathBuf) -> Result<()> {
+fn compile(variant: &Variant, folders: &Folders, target: &PathBuf) -> Result<()> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let status = Command::new(cargo)
-        .current_dir(&places.workspace)
+        .current_dir(&folders.workspace)
         .args(["build", "--package", "bindings", "--profile", PROFILE, "--locked"])
         .args(["--target", TARGET])
         .arg("--target-dir")

@@ -1,18 +1,18 @@
-//! `cargo xtask wasm [--force | --bench]`: the simulator as WASM, with the JavaScript and TypeScript that speak to it.
+//! `cargo xtask wasm [--force | --bench]`: builds the simulator as WASM, with its JavaScript and TypeScript bindings.
 //!
-//! Two variants of one API come out, `src/sim/wasm/core` (no Rapier) and `src/sim/wasm/physics`. Nothing is compiled
-//! when the sources are those of the last build; see [`stamp`]. `--bench` builds a third one with calls that measure,
-//! and nothing else: into `sim-wasm/target/wasm/bench`, since no page loads it.
+//! Builds two variants of one API: `src/sim/wasm/core` (without Rapier) and `src/sim/wasm/physics`. Skips compilation
+//! if the sources are those of the last build; see [`stamp`]. `--bench` only builds a third variant with calls for
+//! measurements, into `sim-wasm/target/wasm/bench`, since no page loads it.
 
 mod build;
-mod places;
+mod folders;
 mod stamp;
 mod trim;
 
 use std::process::ExitCode;
 
 use anyhow::{Result, bail};
-use places::Places;
+use folders::Folders;
 
 const USAGE: &str = "usage: cargo xtask wasm [--force | --bench]";
 
@@ -38,26 +38,26 @@ fn run(arguments: &[String]) -> Result<()> {
 }
 
 fn bench() -> Result<()> {
-    let places = Places::find();
-    build::build(&build::BENCH, &places, &places.workspace.join("target").join("wasm")).map(|_| ())
+    let folders = Folders::find();
+    build::build(&build::BENCH, &folders, &folders.workspace.join("target").join("wasm")).map(|_| ())
 }
 
 fn wasm(force: bool) -> Result<()> {
-    let places = Places::find();
-    let digest = stamp::digest(&places.workspace)?;
-    if !force && stamp::is_fresh(&places, &digest) {
+    let folders = Folders::find();
+    let digest = stamp::digest(&folders.workspace)?;
+    if !force && stamp::is_fresh(&folders, &digest) {
         println!("wasm is up to date");
         return Ok(());
     }
-    stamp::clear(&places)?;
+    stamp::clear(&folders)?;
     for variant in build::VARIANTS {
         println!("building wasm: {}", variant.name);
-        let size = build::build(variant, &places, &places.output)?;
+        let size = build::build(variant, &folders, &folders.output)?;
         println!("built {} ({} kB)", variant.name, size / 1000);
     }
-    // A second look: sources edited while the compiler ran would otherwise be taken for built.
-    if stamp::digest(&places.workspace)? == digest {
-        stamp::write(&places, &digest)?;
+    // Checked again: sources edited during compilation must not count as built.
+    if stamp::digest(&folders.workspace)? == digest {
+        stamp::write(&folders, &digest)?;
     }
     Ok(())
 }

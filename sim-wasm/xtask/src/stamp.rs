@@ -1,9 +1,8 @@
-//! Tells whether the WASM was built from the sources that lie here.
+//! Checks whether the WASM was built from the current sources.
 //!
-//! `src/sim/wasm/stamp.txt` holds one line, the SHA-256 in lower-case hex of all sources: for each file, in the order
-//! of the bytes of its path, the path relative to `sim-wasm/` with `/` between its parts, a NUL, the content, a NUL.
-//! The sources are [`SINGLE_FILES`] and every file under [`FOLDERS`]. Whoever wants to know about freshness without
-//! compiling this program can compute the same in a few lines.
+//! `src/sim/wasm/stamp.txt` holds one line, the SHA-256 of all sources in lower-case hex: for each file, in byte order
+//! of its path, the path relative to `sim-wasm/` with `/` as separator, a NUL, the content, a NUL. The sources are
+//! [`SINGLE_FILES`] and every file under [`FOLDERS`]. Other programs can compute the same digest in a few lines.
 
 use std::fs;
 use std::path::Path;
@@ -12,7 +11,7 @@ use anyhow::{Context, Result};
 use sha2::{Digest, Sha256};
 
 use crate::build::{FILES, VARIANTS};
-use crate::places::Places;
+use crate::folders::Folders;
 
 const SINGLE_FILES: &[&str] = &[
     ".cargo/config.toml",
@@ -62,34 +61,34 @@ fn collect(workspace: &Path, folder: &str, paths: &mut Vec<String>) -> Result<()
     Ok(())
 }
 
-/// Whether the last build was made from sources of this digest and all its files are still there.
-pub fn is_fresh(places: &Places, digest: &str) -> bool {
-    let stamped = fs::read_to_string(places.output.join(STAMP)).unwrap_or_default();
+/// Returns true if the last build used sources of this digest and all its files exist.
+pub fn is_fresh(folders: &Folders, digest: &str) -> bool {
+    let stamped = fs::read_to_string(folders.output.join(STAMP)).unwrap_or_default();
     stamped.trim() == digest
         && VARIANTS.iter().all(|variant| {
-            let folder = places.output.join(variant.name);
+            let folder = folders.output.join(variant.name);
             FILES.iter().all(|file| folder.join(file).is_file())
         })
 }
 
-/// Removes the stamp, so that a build that stops half-way is not taken for a whole one.
+/// Removes the stamp, so that an interrupted build does not count as complete.
 ///
 /// # Errors
 /// When the folder cannot be made or the old stamp cannot be removed.
-pub fn clear(places: &Places) -> Result<()> {
-    fs::create_dir_all(&places.output)?;
-    let stamp = places.output.join(STAMP);
+pub fn clear(folders: &Folders) -> Result<()> {
+    fs::create_dir_all(&folders.output)?;
+    let stamp = folders.output.join(STAMP);
     if stamp.exists() {
         fs::remove_file(stamp)?;
     }
     Ok(())
 }
 
-/// Notes that the output was built from sources of this digest.
+/// Stores the digest of the built sources.
 ///
 /// # Errors
 /// When the stamp cannot be written.
-pub fn write(places: &Places, digest: &str) -> Result<()> {
-    fs::write(places.output.join(STAMP), format!("{digest}\n"))?;
+pub fn write(folders: &Folders, digest: &str) -> Result<()> {
+    fs::write(folders.output.join(STAMP), format!("{digest}\n"))?;
     Ok(())
 }

@@ -1,11 +1,11 @@
-//! Takes out of a module what Rapier runs only where there are soft bodies, multibodies or shapes that nobody can ask for.
-//! The linker cannot know that there are none: it is a sixth of the module.
+//! Removes functions that Rapier runs only for soft bodies, multibodies or unsupported shapes. The linker cannot know
+//! that there are none: they are a sixth of the module.
 
 use anyhow::{Result, bail};
 use walrus::{FunctionBuilder, FunctionId, FunctionKind, LocalFunction, Module};
 
-/// Parts of the names of what is called with one soft body, one of its constraints, one multibody or one such shape in
-/// hand. It traps should it ever run, so that nothing goes on wrongly.
+/// Parts of the names of functions that are called with a soft body, one of its constraints, a multibody or such a
+/// shape. Their new body traps, so that nothing continues with wrong results.
 const CALLED_WITH_ONE: &[&str] = &[
     "soft_body..soft_body..SoftBody$GT$",
     "SoftBodySet$GT$4tear",
@@ -38,13 +38,13 @@ const CALLED_WITH_ONE: &[&str] = &[
     "6voxels6Voxels",
 ];
 
-/// Called in each step, and back at once where no soft body is awake.
+/// Called in each step; returns immediately without an awake soft body.
 const RETURNS_AT_ONCE: &[&str] = &["SoftConstraintsSet$GT$17assemble_contacts17h"];
 
-/// Smaller functions stay: the compiler keeps one for all that do the same, under any of their names. Instructions.
-const LEAST_SIZE: u64 = 100;
+/// Minimum size in instructions. Smaller functions stay: the compiler merges equal ones under any of their names.
+const MIN_SIZE: u64 = 100;
 
-/// A module without them.
+/// Returns the module without these functions.
 ///
 /// # Errors
 /// When the bytes are no module, or when none of its functions has one of the names: after a change of Rapier or of the
@@ -63,14 +63,14 @@ pub fn trim(bytes: &[u8]) -> Result<Vec<u8>> {
     Ok(module.emit_wasm())
 }
 
-/// Gives each larger function with this part in its name another body.
+/// Replaces the body of each larger function with this part in its name.
 fn empty(module: &mut Module, part: &str, fill: impl Fn(&mut walrus::InstrSeqBuilder)) -> Result<()> {
     let found: Vec<FunctionId> = module
         .funcs
         .iter_local()
         .filter(|(id, function)| {
             let name = module.funcs.get(*id).name.as_deref().unwrap_or_default();
-            name.contains(part) && !name.contains("drop_in_place") && function.size() >= LEAST_SIZE
+            name.contains(part) && !name.contains("drop_in_place") && function.size() >= MIN_SIZE
         })
         .map(|(id, _)| id)
         .collect();

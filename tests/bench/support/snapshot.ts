@@ -1,6 +1,6 @@
 /**
  * Particles in and out of a simulator by its saved state, because nothing else can place a given particle. Of the layout
- * in sim-wasm/sim/src/snapshot.rs only this is known here: an envelope with a checksum, sections with a name of four
+ * in sim-wasm/sim/src/simulator/snapshot.rs only this is known here: an envelope with a checksum, sections with a name of four
  * letters and a length, and what stands in the section of the particles.
  */
 
@@ -21,7 +21,7 @@ export const FLOAT_COLUMNS = [
   'temperature',
 ] as const;
 
-/** Struct of arrays; units as in sim-wasm/sim/src/particles.rs. */
+/** Struct of arrays; units as in sim-wasm/sim/src/particles/mod.rs. */
 export type Particles = Record<(typeof FLOAT_COLUMNS)[number], Float32Array> & { attributes: Uint32Array };
 
 /** What a simulator that has made no step yet remembers besides its particles, as far as the twin needs it. */
@@ -104,7 +104,7 @@ function findSection(saved: Uint8Array, name: string): { content: number; end: n
   throw new Error(`The saved state has no section ${name}.`);
 }
 
-/** FNV-1a over words as in sim-wasm/sim/src/hash.rs, in two halves of 32 bits. */
+/** FNV-1a over words as in sim-wasm/sim/src/math/hash.rs, in two halves of 32 bits. */
 function writeChecksum(bytes: Uint8Array): void {
   const view = viewOf(bytes);
   let high = 0xcbf29ce4;

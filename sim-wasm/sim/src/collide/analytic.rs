@@ -1,47 +1,52 @@
-//! Resting obstacles in closed form, as the parameters `colliders.#.*` describe them.
+//! Static obstacles in closed form: the parameters `colliders.#.*`.
 
-use super::contact::{Action, Material, Obstacle};
-use super::core::Core;
-use super::motion::Motion;
-use super::shapes::{Ball, Capsule, Collider, Cuboid, HalfSpace, Nearest};
-use super::space::{Bounds, Pose, Vector};
+use crate::collide::contact::{Action, Material, Obstacle};
+use crate::collide::core::Core;
+use crate::collide::shapes::{Ball, Capsule, Collider, Cuboid, HalfSpace, Nearest};
+use crate::layout::parameters::collider::ColliderParameters;
+use crate::layout::parameters::item::{LIST_LIMIT, item};
+use crate::layout::parameters::table::Parameters;
+use crate::math::bounds::Bounds;
+use crate::math::double::direction;
+use crate::math::pose::Pose;
+use crate::math::pose_motion::PoseMotion;
+use crate::math::vector::Vector;
 
 /// Shape of an [`AnalyticCollider`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColliderShape {
-    /// The half space below `position`, `axis` is its outward normal.
+    /// The half space below `position`, with the outward normal `axis`.
     Plane,
     /// A ball of `radius`.
     Ball,
-    /// A box of `half_extents`, its y axis along `axis`.
+    /// A box of `half_extents`, with its y axis along `axis`.
     Box,
-    /// A capsule of `radius`, its straight part `half_extents[1]` to both sides of `position` along `axis`.
+    /// A capsule of `radius` along `axis`, with a straight part of `half_extents[1]` to both sides of `position`.
     Capsule,
 }
 
-/// A resting obstacle in closed form, as the parameters `colliders.#.*` describe it.
+/// A static obstacle in closed form: the parameters `colliders.#.*`.
 #[derive(Clone, Copy, Debug)]
 pub struct AnalyticCollider {
     pub shape: ColliderShape,
-    /// A point on the plane, or the centre (m).
+    /// Centre, or a point on the plane (m).
     pub position: [f32; 3],
-    /// Unit vector: the plane's normal, the capsule's or box's y axis.
+    /// Unit vector: normal of the plane, y axis of a capsule or box.
     pub axis: [f32; 3],
-    /// Half sides of the box (m); the capsule uses the second.
+    /// Half extents of a box (m); a capsule uses the second.
     pub half_extents: [f32; 3],
-    /// Radius of ball and capsule (m).
+    /// Radius of a ball or capsule (m).
     pub radius: f32,
-    /// Share of the normal velocity that comes back, 0..1.
+    /// Share of the normal velocity that is reflected, 0..1.
     pub restitution: f32,
     /// Share of the tangential velocity that is lost, 0..1.
     pub friction: f32,
-    /// How unevenly particles keep off, 0..1: of what a particle has lost of its radius, the share that it keeps off at
-    /// most.
+    /// Roughness, 0..1: the maximum distance that particles keep, as a share of the radius they have lost.
     pub roughness: f32,
     pub action: Action,
 }
 
-/// The shape of a resting obstacle in its own space.
+/// The shape of a static obstacle in its own space.
 #[derive(Clone, Copy, Debug)]
 pub enum AnalyticShape {
     HalfSpace(HalfSpace),
@@ -51,11 +56,11 @@ pub enum AnalyticShape {
 }
 
 impl AnalyticCollider {
-    /// The obstacle that particles meet.
+    /// Creates the obstacle that particles collide with.
     pub fn obstacle(&self) -> Obstacle<AnalyticShape> {
         let shape = self.own_shape();
         let pose = Pose::along(Vector::from(self.position), Vector::from(self.axis));
-        let motion = Motion::resting(pose);
+        let motion = PoseMotion::resting(pose);
         let bounds = match shape {
             AnalyticShape::HalfSpace(_) => half_space_bounds(pose.position, Vector::from(self.axis)),
             _ => motion.bounds_of(&shape.bounds()),
@@ -90,7 +95,7 @@ impl AnalyticCollider {
     }
 }
 
-/// A ground ends at its height, which spares the particles high above it; a tilted half space has no box.
+/// A level half space is bounded by its height, which skips the particles above; a tilted one has no box.
 fn half_space_bounds(position: Vector, normal: Vector) -> Bounds {
     let mut bounds = Bounds::EVERYTHING;
     if normal == Vector::Y {
@@ -125,5 +130,34 @@ impl Collider for AnalyticShape {
             AnalyticShape::Cuboid(shape) => shape.core(),
             AnalyticShape::Capsule(shape) => shape.core(),
         }
+    }
+}
+
+/// The colliders that `parameters` describe. Only the items of the list are valid.
+pub fn colliders(parameters: &Parameters) -> [AnalyticCollider; LIST_LIMIT] {
+    let items = parameters.colliders.items();
+    std::array::from_fn(|i| collider(items.get(i).unwrap_or(&item())))
+}
+
+fn collider(parameters: &ColliderParameters) -> AnalyticCollider {
+    AnalyticCollider {
+        shape: shape(parameters.shape),
+        position: parameters.position.map(|component| component as f32),
+        axis: direction(parameters.axis),
+        half_extents: parameters.half_extents.map(|component| component as f32),
+        radius: parameters.radius as f32,
+        restitution: parameters.restitution as f32,
+        friction: parameters.friction as f32,
+        roughness: parameters.roughness as f32,
+        action: Action::from_numbers(parameters.action as u8, parameters.tint as u8),
+    }
+}
+
+fn shape(parameter: f64) -> ColliderShape {
+    match parameter as u32 {
+        0 => ColliderShape::Plane,
+        1 => ColliderShape::Ball,
+        2 => ColliderShape::Box,
+        _ => ColliderShape::Capsule,
     }
 }

@@ -1,36 +1,37 @@
-//! One particle, a sphere, meets one obstacle.
+//! Collision of one particle, a sphere, with one obstacle.
 //!
-//! In the obstacle's own moving frame the particle's way over the step is followed from where it began: from each
-//! point it can safely go on by its distance to the surface (sphere tracing, Hart 1996), so however thin the obstacle
-//! is, nothing gets through. Where the two meet, the velocity relative to the surface is turned back by restitution
-//! and slowed by friction, and the rest of the way is gone with what is left. At last the sphere is pushed out to the
-//! surface.
+//! The path of the particle is traced in the obstacle's moving frame: from each point it can advance safely by its
+//! distance to the surface (sphere tracing, Hart 1996), so nothing passes through thin obstacles. At a hit, restitution
+//! reflects the velocity relative to the surface, friction reduces it, and the rest of the path follows the new
+//! velocity. Finally the sphere is pushed out to the surface.
 
-use super::core::Core;
-use super::motion::Motion;
-use super::shapes::{Collider, Nearest};
-use super::space::{Bounds, Vector, greater, lesser};
+use crate::collide::core::Core;
+use crate::collide::shapes::{Collider, Nearest};
+use crate::math::bounds::Bounds;
+use crate::math::pose_motion::PoseMotion;
+use crate::math::scalar::{greater, lesser};
+use crate::math::vector::Vector;
 
 const TRACE_STEPS: u32 = 32;
-/// Pieces of a way (see [`Motion`]) that make a quarter of a turn.
+/// Pieces (see [`PoseMotion`]) that make a quarter turn.
 const QUARTER_TURN_PIECES: f32 = 8.0;
-/// Overlap that counts as none, as a share of the radius; well below what can be seen.
+/// Overlap that is ignored, as a share of the radius; not visible.
 const TOLERANCE: f32 = 1e-3;
 
-/// What becomes of a particle that touches a surface.
+/// Effect of a surface on a particle that touches it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Action {
-    /// It bounces.
+    /// The particle bounces.
     #[default]
     Bounce,
-    /// It dies at once.
+    /// The particle dies.
     Kill,
-    /// It goes on, tinted by this number, 1..=15.
+    /// The particle continues with this tint, 1..=15.
     Tint(u8),
 }
 
 impl Action {
-    /// The action of these numbers: 0 bounce, 1 kill, 2 tint.
+    /// Action 0 bounce, 1 kill, 2 tint.
     pub fn from_numbers(action: u8, tint: u8) -> Self {
         match action {
             0 => Self::Bounce,
@@ -40,68 +41,68 @@ impl Action {
     }
 }
 
-/// How a surface treats what hits it; the shares are 0..1.
+/// Material of a surface. All shares are 0..1.
 #[derive(Clone, Copy, Debug)]
 pub struct Material {
-    /// Share of the normal velocity that comes back.
+    /// Share of the normal velocity that is reflected.
     pub restitution: f32,
     /// Share of the tangential velocity that is lost.
     pub friction: f32,
-    /// Share of its margin by which a particle keeps off.
+    /// Share of its margin that a particle keeps as distance.
     pub roughness: f32,
-    /// Restitution and friction matter only where particles bounce.
+    /// Restitution and friction apply to bouncing only.
     pub action: Action,
 }
 
-/// A shape on its way through one step.
+/// A shape and its motion over one step.
 #[derive(Debug)]
 pub struct Obstacle<C> {
     pub shape: C,
-    pub motion: Motion,
+    pub motion: PoseMotion,
     pub material: Material,
-    /// The world box that holds the shape during the whole step.
+    /// World-space box of the shape during the whole step.
     pub bounds: Bounds,
-    /// A simple solid that holds the shape.
+    /// A bounding solid of the shape.
     pub core: Core,
 }
 
-/// A particle on its way through one step.
+/// A particle and its path over one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Traveller {
-    /// Position when its way began, and where it ends (m).
+    /// Positions at the start and at the end of the path (m).
     pub from: Vector,
     pub to: Vector,
-    /// Velocity at the end (m/s), air and slip together.
+    /// Velocity at the end (m/s): air plus slip.
     pub velocity: Vector,
-    /// Metres.
+    /// Radius (m).
     pub radius: f32,
-    /// How much farther (m) than its radius it keeps off the roughest surface, its own for each particle.
+    /// Maximum extra distance (m) that it keeps from rough surfaces; differs per particle.
     pub margin: f32,
-    /// Fraction of the step at which its way began; above 0 for the newborn.
+    /// Fraction of the step at which the path starts; above 0 for newborn particles.
     pub began: f32,
 }
 
-/// Which look at the same obstacle within one step this is.
+/// The round in which a particle meets an obstacle within one step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pass {
-    /// The particle comes as it flew.
+    /// The first: the particle follows its own path.
     First,
-    /// It may have been pushed here by another obstacle: friction has been paid.
+    /// A later one: another obstacle may have pushed the particle. Friction has been applied.
     Again,
 }
 
 struct Hit {
-    /// Fraction of the traveller's way.
+    /// Fraction of the path.
     way: f32,
-    /// Where, in the obstacle's frame.
+    /// Point of contact in the obstacle's frame.
     point: Vector,
     normal: Vector,
-    /// Where the rest of the way would have led, in the obstacle's frame.
+    /// Rest of the path in the obstacle's frame.
     rest: Vector,
 }
 
 impl<C: Collider> Obstacle<C> {
-    /// Lets `traveller` bump into the obstacle. False when the two do not touch; then nothing has changed.
+    /// Resolves a collision of `traveller` with the obstacle. Returns false and changes nothing if they do not touch.
     pub fn meet(&self, traveller: &mut Traveller, pass: Pass) -> bool {
         let end = self.motion.frame(1.0);
         let to = end.local_from_world(traveller.to);
@@ -119,19 +120,19 @@ impl<C: Collider> Obstacle<C> {
         if last.distance >= radius * (1.0 - TOLERANCE) {
             return false;
         }
-        self.respond(traveller, end.turned(last.normal), 1.0, traveller.to, pass);
+        self.respond(traveller, end.rotate(last.normal), 1.0, traveller.to, pass);
         traveller.to = end.world_from_local(to + last.normal * (radius - last.distance));
         true
     }
 
-    /// Along a smooth surface puffs end in one straight line; of a rough one each keeps its own distance.
+    /// Puffs along a smooth surface end in one straight line. On a rough surface each keeps its own distance.
     #[inline]
     fn contact_radius(&self, traveller: &Traveller) -> f32 {
         traveller.radius + self.material.roughness * traveller.margin
     }
 
-    /// Follows the way until the sphere touches. A sphere that touches already from the start is followed by a smaller
-    /// one that does not, and one that was pushed is only kept from crossing the surface.
+    /// Traces the path until the sphere touches. A sphere that touches at the start is traced with a smaller radius;
+    /// one that was pushed is only kept from crossing the surface.
     fn trace(&self, traveller: &Traveller, from: Vector, last: &Nearest, way: f32, pass: Pass) -> Option<Hit> {
         let first = self.shape.nearest(from, f32::INFINITY);
         if first.distance <= 0.0 {
@@ -163,8 +164,8 @@ impl<C: Collider> Obstacle<C> {
         None
     }
 
-    /// Where the way would have led from `point` on. One that turns is followed for a quarter of a turn at most: farther
-    /// round it says nothing of where the surface sends the traveller.
+    /// The rest of the path after `point`. A rotating path is followed for at most a quarter turn: beyond, it does not
+    /// predict where the surface sends the particle.
     fn rest(&self, traveller: &Traveller, point: Vector, way: f32, within_piece: Vector) -> Vector {
         let pieces = self.motion.pieces();
         if pieces == 1 {
@@ -197,7 +198,7 @@ impl<C: Collider> Obstacle<C> {
                 if nearest.normal.dot(to - from) < 0.0 {
                     return Some((gone / length, point, nearest.normal));
                 }
-                // Along or away from the surface nothing is hit, however near it is.
+                // Moving along or away from the surface is no hit, at any distance.
                 gone += greater(close, length / TRACE_STEPS as f32);
             } else {
                 gone += free;
@@ -207,7 +208,7 @@ impl<C: Collider> Obstacle<C> {
             }
             last = Some((gone / length, point, nearest.normal));
         }
-        // A way that hugs the surface is given up where it has been followed to, outside: late is better than through.
+        // A grazing path ends where tracing ends, outside of the surface: a late hit is better than a missed one.
         last
     }
 
@@ -216,12 +217,12 @@ impl<C: Collider> Obstacle<C> {
         let frame = self.motion.frame(fraction);
         self.respond(
             traveller,
-            frame.turned(hit.normal),
+            frame.rotate(hit.normal),
             fraction,
             frame.world_from_local(hit.point),
             pass,
         );
-        let rest = self.turned_back(hit.rest, hit.normal, pass);
+        let rest = self.reflected(hit.rest, hit.normal, pass);
         let wanted = hit.point + rest;
         let radius = self.contact_radius(traveller);
         let nearest = self.shape.nearest(wanted, radius);
@@ -231,12 +232,13 @@ impl<C: Collider> Obstacle<C> {
 
     fn respond(&self, traveller: &mut Traveller, normal: Vector, fraction: f32, point: Vector, pass: Pass) {
         let surface = self.motion.velocity_at(point, fraction);
-        traveller.velocity = surface + self.turned_back(traveller.velocity - surface, normal, pass);
+        traveller.velocity = surface + self.reflected(traveller.velocity - surface, normal, pass);
     }
 
-    /// What the surface makes of a velocity, or of a way, relative to it; unchanged when it leads away.
+    /// Applies restitution and friction to a relative velocity or displacement. No change if it leads away from the
+    /// surface.
     #[inline]
-    fn turned_back(&self, velocity: Vector, normal: Vector, pass: Pass) -> Vector {
+    fn reflected(&self, velocity: Vector, normal: Vector, pass: Pass) -> Vector {
         let inward = velocity.dot(normal);
         if inward >= 0.0 {
             return velocity;

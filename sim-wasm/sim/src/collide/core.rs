@@ -1,26 +1,27 @@
-//! A quick look at one particle and one obstacle: most of those whose boxes touch do not touch themselves.
+//! A conservative test of one particle against one obstacle: most pairs with overlapping boxes do not touch.
 
 use wide::f32x4;
 
-use super::motion::Motion;
-use super::space::{Bounds, Vector};
+use crate::math::bounds::Bounds;
+use crate::math::pose_motion::PoseMotion;
+use crate::math::vector::Vector;
 
-/// What lies within `radius` of a box, or of an upright cylinder: a simple solid that holds a shape.
+/// A bounding solid: all points within `radius` of a box or of an upright cylinder.
 #[derive(Clone, Copy, Debug)]
 pub struct Core {
     centre: Vector,
-    /// Half sides (m); of the cylinder x is the radius and z is 0.
+    /// Half extents (m). For a cylinder x is the radius and z is 0.
     half: f32x4,
-    /// Metres.
+    /// Radius (m).
     radius: f32,
-    /// A cylinder along y, not a box.
+    /// True for a cylinder along y.
     about_y: bool,
-    /// Distance (m) below which rounding may tell two looks at the shape apart.
+    /// Tolerance (m) of rounding between this test and the exact one.
     slack: f32,
 }
 
 impl Core {
-    /// A box.
+    /// The box `bounds`.
     pub fn of(bounds: &Bounds) -> Self {
         Self {
             centre: (bounds.min + bounds.max) * 0.5,
@@ -28,7 +29,7 @@ impl Core {
         }
     }
 
-    /// What is within `radius` of a box about the origin.
+    /// All points within `radius` of a box about the origin.
     pub fn around(half: Vector, radius: f32) -> Self {
         Self {
             centre: Vector::ZERO,
@@ -47,20 +48,20 @@ impl Core {
         }
     }
 
-    /// True when a sphere of `radius` that goes from `from` to `to` (m, world) over a whole step surely does not touch
-    /// what this holds; then [`super::contact::Obstacle::meet`] would change nothing.
+    /// Returns true if a sphere of `radius` that moves from `from` to `to` (m, world space) over a whole step certainly
+    /// misses the solid. Then [`super::contact::Obstacle::meet`] changes nothing.
     #[inline]
-    pub fn is_passed_by(&self, motion: &Motion, from: Vector, to: Vector, radius: f32) -> bool {
+    pub fn is_certainly_missed_by(&self, motion: &PoseMotion, from: Vector, to: Vector, radius: f32) -> bool {
         let (start, end) = motion.ends();
         let (from, to) = (start.local_from_world(from), end.local_from_world(to));
         let way = (to - from).length() + motion.detour(from, to);
         let (first, last) = (self.distance(from), self.distance(to));
-        // Rounding must not let anybody pass that the exact look would stop.
+        // The margin covers rounding: no particle may pass that the exact test would stop.
         let radius = radius * 1.001 + self.slack;
         (last >= radius) & (first + last >= way * 1.001 + 2.0 * radius)
     }
 
-    /// At most the distance to the shape; inside of the box or cylinder no deeper than its radius.
+    /// A lower bound of the distance to the shape; inside of the box or cylinder at least minus the radius.
     #[inline]
     fn distance(&self, point: Vector) -> f32 {
         let Vector { x, y, z } = point - self.centre;

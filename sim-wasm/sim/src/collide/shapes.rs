@@ -1,35 +1,36 @@
-//! What a thing must tell of its surface to be bumped into, and the shapes that can tell it in closed form.
+//! The interface of colliders, and shapes in closed form.
 //!
-//! Distances are signed: negative inside. The closed forms are those of Quilez, 'Distance functions'.
+//! Signed distances: negative inside. Closed forms after Quilez, 'Distance functions'.
 
-use super::core::Core;
-use super::space::{Bounds, Vector};
-use crate::clamp::clamped;
+use crate::collide::core::Core;
+use crate::math::bounds::Bounds;
+use crate::math::scalar::clamped;
+use crate::math::vector::Vector;
 
-/// The surface as seen from a point.
+/// The nearest point of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nearest {
     /// Distance to the surface (m), negative inside a solid.
     pub distance: f32,
-    /// Unit vector along which the distance grows fastest.
+    /// Unit gradient of the distance.
     pub normal: Vector,
 }
 
-/// A shape in its own space. Never moves there; see [`super::motion::Motion`].
+/// A shape in its own space. For its motion see [`crate::math::pose_motion::PoseMotion`].
 pub trait Collider {
-    /// The surface nearest to `point`. Where it is farther than `limit`, any distance from `limit` up to the true one
-    /// may be answered, and any normal.
+    /// The surface nearest to `point`. If it is farther than `limit`, the result may be any distance from `limit` up to
+    /// the true one, and any normal.
     fn nearest(&self, point: Vector, limit: f32) -> Nearest;
 
-    /// The box that holds the shape.
+    /// The bounding box.
     fn bounds(&self) -> Bounds;
 
-    /// A simple solid that holds the shape, the closer the better.
+    /// A bounding solid, as tight as possible.
     fn core(&self) -> Core {
         Core::of(&self.bounds())
     }
 
-    /// Whether turning the shape about its origin leaves it as it is.
+    /// Returns true if rotation about the origin does not change the shape.
     fn is_round(&self) -> bool {
         false
     }
@@ -133,7 +134,7 @@ fn with_signs(lengths: Vector, signs: Vector) -> Vector {
     )
 }
 
-/// All that is within `radius` of a segment along y.
+/// A capsule along y.
 #[derive(Clone, Copy, Debug)]
 pub struct Capsule {
     pub half_height: f32,

@@ -1,34 +1,35 @@
-//! Looking over all particles, four at a time.
+//! Broad phase over all particles, four at a time.
 
 use wide::f32x4;
 
-use super::space::Bounds;
+use crate::math::bounds::Bounds;
+use crate::math::simd::LANES;
 #[cfg(feature = "rigids")]
-use super::space::Vector;
-use crate::life::RadiusLaw;
-use crate::particles::{LANES, Particles};
+use crate::math::vector::Vector;
+use crate::particles::Particles;
+use crate::particles::radius::RadiusLaw;
 
-/// Where most particles are, and how far they reach from the middles of their ways.
+/// Distribution of particles: their bounds, and the size of their swept boxes.
 #[cfg(feature = "rigids")]
 #[derive(Clone, Copy, Debug)]
-pub struct Extent {
-    /// Holds the middles of the looked-at particles' ways over the step.
+pub struct ParticleExtent {
+    /// Box of the centres of the sampled swept boxes.
     pub middles: Bounds,
-    /// The greatest and the mean half side (m) of the boxes around the particles' ways, radius included.
+    /// Maximum and mean half extent (m) of the swept boxes, radius included.
     pub greatest_reach: f32,
     pub mean_reach: f32,
 }
 
-/// The boxes around the ways of four particles, spheres included.
-pub(crate) struct Ways {
+/// The boxes that four particles sweep in a step, radius included.
+pub(crate) struct SweptBoxes {
     min: [f32x4; 3],
     max: [f32x4; 3],
 }
 
-impl Ways {
+impl SweptBoxes {
     #[inline]
     fn load(particles: &Particles, radii: &RadiusLaw, first: usize) -> Self {
-        // The radius law never gives more than this, and needs neither age nor lifetime.
+        // An upper bound of the radius law that needs neither age nor lifetime.
         let reach = four(&particles.size, first) * f32x4::splat(radii.puff_size);
         let columns = [
             (&particles.x, &particles.px),
@@ -42,7 +43,7 @@ impl Ways {
         }
     }
 
-    /// Bit k is set when the k-th box touches `bounds`.
+    /// Bit k is set if box k touches `bounds`.
     #[inline]
     pub(crate) fn touching(&self, bounds: &Bounds) -> u32 {
         let (least, most): ([f32; 3], [f32; 3]) = (bounds.min.into(), bounds.max.into());
@@ -53,14 +54,14 @@ impl Ways {
         all.to_bitmask()
     }
 
-    /// The middles of the boxes.
+    /// Centres of the boxes.
     #[cfg(feature = "rigids")]
     #[inline]
     pub(crate) fn middles(&self) -> [f32x4; 3] {
         std::array::from_fn(|axis| (self.min[axis] + self.max[axis]) * f32x4::splat(0.5))
     }
 
-    /// Half of each box's longest side.
+    /// Half of the longest side of each box.
     #[cfg(feature = "rigids")]
     #[inline]
     pub(crate) fn reaches(&self) -> f32x4 {
@@ -76,64 +77,65 @@ fn four(column: &[f32], first: usize) -> f32x4 {
     f32x4::from(*lanes)
 }
 
-/// What a block of four particles finds around it.
+/// Broad-phase result of a block of four particles.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Sight {
-    /// Bit k is set when the k-th particle may be near an obstacle.
+pub(crate) struct NearLanes {
+    /// Bit k is set if particle k may be near an obstacle.
     pub(crate) lanes: u32,
-    /// Of each particle.
-    pub(crate) spots: [Spot; LANES],
+    /// Grid location of each particle.
+    pub(crate) locations: [GridLocation; LANES],
 }
 
-/// Where the grid of rigids is to be looked into for one particle.
+/// Location of a particle in the grid of rigids.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Spot {
+pub(crate) struct GridLocation {
     #[cfg(feature = "rigids")]
     pub(crate) cell: u32,
-    /// Too large for one cell.
+    /// True if the particle is too large for one cell.
     #[cfg(feature = "rigids")]
     pub(crate) is_large: bool,
 }
 
-/// Blocks that are looked at before those that they pick are met: what comes next is then easily foretold by a processor.
+/// Blocks per batch. Separate loops for search and collision help branch prediction.
 const BATCH: usize = 64;
 
-/// Calls `meet` for each living particle that `look` picks from a block of four, with its number and its spot.
+/// Calls `meet` for each living particle that `look` selects from a block of four, with its index and its grid
+/// location.
 pub(crate) fn for_each_near(
     particles: &mut Particles,
     radii: &RadiusLaw,
-    look: impl Fn(&Ways) -> Sight,
-    mut meet: impl FnMut(&mut Particles, usize, Spot),
+    look: impl Fn(&SweptBoxes) -> NearLanes,
+    mut meet: impl FnMut(&mut Particles, usize, GridLocation),
 ) {
     let alive = particles.alive();
-    let mut picked = [(0, Spot::default()); BATCH * LANES];
+    let mut picked = [(0, GridLocation::default()); BATCH * LANES];
     for begin in (0..alive).step_by(BATCH * LANES) {
         let mut count = 0;
         for first in (begin..alive.min(begin + BATCH * LANES)).step_by(LANES) {
-            let sight = look(&Ways::load(particles, radii, first));
-            if sight.lanes == 0 {
+            let near_lanes = look(&SweptBoxes::load(particles, radii, first));
+            if near_lanes.lanes == 0 {
                 continue;
             }
-            for (lane, spot) in sight.spots.into_iter().enumerate() {
-                picked[count] = (first + lane, spot);
-                count += (sight.lanes >> lane & 1) as usize;
+            for (lane, location) in near_lanes.locations.into_iter().enumerate() {
+                picked[count] = (first + lane, location);
+                count += (near_lanes.lanes >> lane & 1) as usize;
             }
         }
-        for &(i, spot) in &picked[..count] {
+        for &(i, location) in &picked[..count] {
             if i < alive {
-                meet(particles, i, spot);
+                meet(particles, i, location);
             }
         }
     }
 }
 
-/// One block in so many is measured: what follows needs to be fit for most, and right for all whatever is told here.
+/// One block in so many is sampled. The grid must suit most particles; its result is exact for all.
 #[cfg(feature = "rigids")]
 const BLOCKS_PER_LOOK: usize = 8;
 
-/// Measures some of the living particles, spread over all of them.
+/// Samples the living particles.
 #[cfg(feature = "rigids")]
-pub fn extent(particles: &Particles, radii: &RadiusLaw) -> Extent {
+pub fn extent(particles: &Particles, radii: &RadiusLaw) -> ParticleExtent {
     let mut least = [f32x4::splat(f32::INFINITY); 3];
     let mut most = [f32x4::splat(f32::NEG_INFINITY); 3];
     let mut greatest_reach = f32x4::splat(0.0);
@@ -141,13 +143,13 @@ pub fn extent(particles: &Particles, radii: &RadiusLaw) -> Extent {
     let firsts = (0..particles.alive()).step_by(LANES * BLOCKS_PER_LOOK);
     let looks = firsts.len();
     for first in firsts {
-        let ways = Ways::load(particles, radii, first);
-        let middles = ways.middles();
+        let swept_boxes = SweptBoxes::load(particles, radii, first);
+        let middles = swept_boxes.middles();
         for axis in 0..3 {
             least[axis] = least[axis].fast_min(middles[axis]);
             most[axis] = most[axis].fast_max(middles[axis]);
         }
-        let reaches = ways.reaches();
+        let reaches = swept_boxes.reaches();
         greatest_reach = greatest_reach.fast_max(reaches);
         sum += reaches;
     }
@@ -155,7 +157,7 @@ pub fn extent(particles: &Particles, radii: &RadiusLaw) -> Extent {
         let [x, y, z] = lanes.map(|lane| lane.to_array().into_iter().reduce(pick).expect("four lanes"));
         Vector::new(x, y, z)
     };
-    Extent {
+    ParticleExtent {
         middles: Bounds {
             min: vector(least, f32::min),
             max: vector(most, f32::max),

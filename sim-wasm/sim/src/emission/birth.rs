@@ -1,28 +1,92 @@
-//! One birth.
+//! Births from one emitter.
 
-use super::ride::Ride;
-use super::shapes::Nozzle;
-use super::{Emitter, Surroundings};
-use crate::collide::space::Vector;
-use crate::parameters::Parameters;
+use crate::emission::shapes::Nozzle;
+use crate::emission::surface::Surfaces;
+use crate::layout::parameters::emitter::Emitter;
+use crate::layout::parameters::item::Scope;
+use crate::layout::parameters::table::Parameters;
+use crate::layout::scope::parts::Parts;
+use crate::math::pose::{Frame, Pose};
+#[cfg(feature = "rigids")]
+use crate::math::pose_motion::PoseMotion;
+use crate::math::random::Random;
+use crate::math::vector::Vector;
 use crate::particles::{Newborn, Particles};
-use crate::random::Random;
 
-/// An emitter in one step, and where its births go.
-pub struct Source<'s> {
+/// The inputs of a step's births besides the emitter.
+pub struct EmissionContext<'s> {
+    pub parameters: &'s Parameters,
+    pub surfaces: &'s Surfaces,
+    pub parts: &'s Parts,
+    /// Motion of the rigid with this number in the step; none if there is no such rigid.
+    #[cfg(feature = "rigids")]
+    pub rigid: &'s dyn Fn(f64) -> Option<PoseMotion>,
+    /// Index of the step: selects the first emitter.
+    pub step: u64,
+    /// Simulated time at the middle of the step (s).
+    pub time: f64,
+    /// Length of the step (s).
+    pub dt: f64,
+}
+
+impl EmissionContext<'_> {
+    /// What an emitter with this scope is attached to; none in world space.
+    fn ride(&self, scope: &Scope) -> Option<Ride> {
+        let part = self.parts.ends(scope.rigid).map(Ride::Part);
+        #[cfg(feature = "rigids")]
+        let part = part.or_else(|| (self.rigid)(scope.rigid).map(Ride::Rigid));
+        part
+    }
+}
+
+/// The carrier of an emitter.
+#[derive(Clone, Copy, Debug)]
+pub enum Ride {
+    /// A rigid. It may rotate by more than pi in a step.
+    #[cfg(feature = "rigids")]
+    Rigid(PoseMotion),
+    /// A part: its poses at the start and at the end of the step.
+    Part([Pose; 2]),
+}
+
+impl Ride {
+    /// Coordinate frame at a fraction of a step of `dt` seconds, and the velocity (m/s) there of the point `local`.
+    pub fn at(&self, fraction: f32, dt: f32, local: Vector) -> (Frame, Vector) {
+        match self {
+            #[cfg(feature = "rigids")]
+            Ride::Rigid(motion) => {
+                let frame = motion.frame(fraction);
+                let place = frame.world_from_local(local);
+                (frame, motion.velocity_at(place, fraction))
+            }
+            Ride::Part([start, end]) => {
+                let frame = Frame::new(&start.towards(end, fraction));
+                // The derivative of `towards`.
+                let (half, cosine) = start.half_rotation_to(end);
+                let square = 1.0 - 2.0 * fraction * (1.0 - fraction) * (1.0 - cosine);
+                let spin = half * (2.0 / (square * dt));
+                let velocity = (end.position - start.position) * (1.0 / dt);
+                (frame, velocity + spin.cross(frame.rotate(local)))
+            }
+        }
+    }
+}
+
+/// An emitter in one step, and the destination of its births.
+pub struct EmitterSource<'s> {
     emitter: &'s Emitter,
     nozzle: Nozzle<'s>,
-    /// What it rides on; none in the world.
+    /// The carrier; none in world space.
     ride: Option<Ride>,
-    around: &'s Surroundings<'s>,
+    around: &'s EmissionContext<'s>,
     random: &'s mut Random,
     particles: &'s mut Particles,
 }
 
-impl<'s> Source<'s> {
+impl<'s> EmitterSource<'s> {
     pub fn new(
         emitter: &'s Emitter,
-        around: &'s Surroundings<'s>,
+        around: &'s EmissionContext<'s>,
         random: &'s mut Random,
         particles: &'s mut Particles,
     ) -> Self {
@@ -41,19 +105,19 @@ impl<'s> Source<'s> {
         self.around.dt
     }
 
-    /// How many more can live.
+    /// Number of particles that can still be added.
     pub fn room(&self) -> usize {
         self.particles.capacity() - self.particles.alive()
     }
 
-    /// One birth `delay` seconds after the start of the step.
-    pub fn bear(&mut self, delay: f64) {
+    /// Adds one particle, born `delay` seconds after the start of the step.
+    pub fn spawn(&mut self, delay: f64) {
         let emitter = self.emitter;
         let Parameters { emission, puff, .. } = self.around.parameters;
-        let spot = self.nozzle.spot(self.random);
+        let point = self.nozzle.birth_point(self.random);
         let speed = vary(emitter.speed, emitter.speed_variation, self.random);
-        let heading = self.nozzle.heading(&spot, self.random);
-        let (position, slip) = self.carried(spot.place, heading, speed, delay);
+        let heading = self.nozzle.heading(&point, self.random);
+        let (position, slip) = self.carried(point.place, heading, speed, delay);
         let lifetime = emission.lifetime * emitter.lifetime;
         let newborn = Newborn {
             position,
@@ -62,12 +126,12 @@ impl<'s> Source<'s> {
             lifetime: vary(lifetime, emitter.lifetime_variation, self.random).max(self.around.dt as f32),
             size: vary(emitter.size, emitter.size_variation, self.random),
             temperature: emitter.temperature as f32,
-            look: look(puff.variations as u32, emitter.tint as u32, self.random),
+            attributes: attributes(puff.variations as u32, emitter.tint as u32, self.random),
         };
         self.particles.push(&newborn);
     }
 
-    /// Place and slip in the world of what leaves at `place` towards `heading`, both in the space of what it rides on.
+    /// World-space position and slip of a birth at `place` towards `heading`, both given in the space of the carrier.
     fn carried(&self, place: [f32; 3], heading: [f32; 3], speed: f32, delay: f64) -> ([f32; 3], [f32; 3]) {
         let Some(ride) = &self.ride else {
             return (place, heading.map(|part| part * speed));
@@ -76,7 +140,7 @@ impl<'s> Source<'s> {
         let (frame, velocity) = ride.at(fraction, self.around.dt as f32, place.into());
         let place = frame.world_from_local(place.into());
         let momentum = velocity * self.emitter.inherit as f32;
-        let slip: Vector = frame.turned(heading.into()) * speed + momentum;
+        let slip: Vector = frame.rotate(heading.into()) * speed + momentum;
         (place.into(), slip.into())
     }
 }
@@ -85,8 +149,8 @@ fn vary(value: f64, variation: f64, random: &mut Random) -> f32 {
     value as f32 * (1.0 + variation as f32 * random.signed())
 }
 
-/// Variation, seed byte, roll and tint, packed as [`Particles`] documents.
-fn look(variations: u32, tint: u32, random: &mut Random) -> u32 {
+/// Variation, seed byte, roll and tint, packed as documented in [`Particles`].
+fn attributes(variations: u32, tint: u32, random: &mut Random) -> u32 {
     let variation = random.below(variations);
     variation | (random.bits() >> 24) << 8 | (random.bits() >> 20) << 16 | tint << 28
 }

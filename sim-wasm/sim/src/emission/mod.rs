@@ -1,119 +1,84 @@
-//! Births: how many, and when.
+//! Births: their number and their times.
 //!
-//! An emitter owes rate * share / (sum of shares) * level particles a second, its envelope's level in the middle of the
-//! step. What it owes is kept as a fraction, so that counts are exact over any time. Each birth has its own moment
-//! within the step, at which the emitter stands where its rigid has carried it by then, and from which on the particle
-//! moves (see `motion::Motion::launch`). Therefore neither a fast jet nor wind nor a fast emitter shows beads.
+//! An emitter owes rate * share / (sum of shares) * level particles per second, with the level of its envelope in the
+//! middle of the step. The fraction of a particle is carried over, so counts are exact over any time. Each birth has
+//! its own time within the step. The emitter stands at its pose of that time, and the particle moves from then on (see
+//! `ParticleMotion::launch`), so fast jets, wind and fast emitters leave no gaps.
 //!
-//! A burst is owed as a whole when the envelope starts, and spread evenly over that step. When the simulator is full,
-//! births wait, bursts too, and are made up as soon as there is room, of which each emitter gets at least about its
-//! share, so that none starves.
+//! A burst is owed when the envelope starts and is spread evenly over that step. Births wait while the simulator is
+//! full and are made up when there is capacity, of which each emitter gets at least about its share.
 
-mod birth;
-pub mod item;
-pub mod ride;
+pub(crate) mod birth;
 pub(crate) mod shapes;
 pub mod surface;
 
-use crate::clamp::clamped;
-#[cfg(feature = "rigids")]
-use crate::collide::motion::Motion;
-use crate::parameters::{LIST_LIMIT, Parameters};
+use crate::emission::birth::{EmissionContext, EmitterSource};
+use crate::layout::parameters::emitter::Emitter;
+use crate::layout::parameters::item::LIST_LIMIT;
+use crate::layout::scope::envelope;
+use crate::math::random::Random;
+use crate::math::scalar::clamped;
 use crate::particles::Particles;
-use crate::parts::Parts;
-use crate::random::Random;
-use crate::scope::{Scope, envelope};
-use birth::Source;
-pub use item::Emitter;
-use ride::Ride;
-use surface::Surfaces;
 
-/// What emitters remember from step to step.
+/// State of the emitters between steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Births {
-    /// Of each emitter: the part of a particle that it owes, 0..1.
+    /// Per emitter: the fraction of a particle that it owes, 0..1.
     pub owed: [f64; LIST_LIMIT],
-    /// Of each emitter: how many births wait for room.
+    /// Per emitter: the number of births that wait for capacity.
     pub waiting: [u64; LIST_LIMIT],
 }
 
-/// What a step's births depend on besides the emitter.
-pub struct Surroundings<'s> {
-    pub parameters: &'s Parameters,
-    pub surfaces: &'s Surfaces,
-    pub parts: &'s Parts,
-    /// How the rigid of this number moves in this step; none where there is none.
-    #[cfg(feature = "rigids")]
-    pub rigid: &'s dyn Fn(f64) -> Option<Motion>,
-    /// Number of the step: it decides which emitter comes first.
-    pub step: u64,
-    /// Simulated seconds at the middle of the step.
-    pub time: f64,
-    /// Length of the step (s).
-    pub dt: f64,
-}
-
-impl Surroundings<'_> {
-    /// What something with this scope rides on in this step; none where it stands in the world.
-    fn ride(&self, scope: &Scope) -> Option<Ride> {
-        let part = self.parts.ends(scope.rigid).map(Ride::Part);
-        #[cfg(feature = "rigids")]
-        let part = part.or_else(|| (self.rigid)(scope.rigid).map(Ride::Rigid));
-        part
-    }
-}
-
 impl Births {
-    /// How many births wait for room.
+    /// Number of births that wait for capacity.
     pub fn waiting(&self) -> u64 {
         self.waiting.iter().fold(0, |sum, count| sum.saturating_add(*count))
     }
 
-    /// The births of one step.
-    pub fn step(&mut self, around: &Surroundings, random: &mut Random, particles: &mut Particles) {
+    /// Makes the births of one step.
+    pub fn step(&mut self, around: &EmissionContext, random: &mut Random, particles: &mut Particles) {
         let emitters = around.parameters.emitters.items();
         for (emitter, waiting) in emitters.iter().zip(&mut self.waiting) {
             *waiting = waiting.saturating_add(burst(emitter, around));
         }
         self.make_up(around, random, particles);
         let shares: f64 = emitters.iter().map(|emitter| emitter.share).sum();
-        for index in turns(emitters.len(), around.step) {
+        for index in rotated_order(emitters.len(), around.step) {
             let emitter = &emitters[index];
             let share = emitter.share / shares.max(f64::MIN_POSITIVE);
             let rate = around.parameters.emission.rate * share * envelope::level(&emitter.scope, around.time);
             if rate > 0.0 {
-                self.emit(index, rate, &mut Source::new(emitter, around, random, particles));
+                self.emit(index, rate, &mut EmitterSource::new(emitter, around, random, particles));
             }
         }
     }
 
-    /// Births that waited, spread evenly over the step. Where there is no room for all, each emitter gets its share of
-    /// the room.
-    fn make_up(&mut self, around: &Surroundings, random: &mut Random, particles: &mut Particles) {
+    /// Makes waiting births, spread evenly over the step. If capacity is short, each emitter gets its share.
+    fn make_up(&mut self, around: &EmissionContext, random: &mut Random, particles: &mut Particles) {
         let emitters = around.parameters.emitters.items();
         let mut left: f64 = self.waiting[..emitters.len()].iter().map(|count| *count as f64).sum();
         if left == 0.0 {
             return;
         }
-        for index in turns(emitters.len(), around.step) {
+        for index in rotated_order(emitters.len(), around.step) {
             let waiting = self.waiting[index];
             if waiting == 0 {
                 continue;
             }
-            let mut source = Source::new(&emitters[index], around, random, particles);
-            // Rounded up: who is first gets at least one, and everybody is first at times.
+            let mut source = EmitterSource::new(&emitters[index], around, random, particles);
+            // Rounded up: the first emitter gets at least one, and every emitter is first in some steps.
             let part = libm::ceil(source.room() as f64 * (waiting as f64 / left));
             let count = waiting.min(part as u64).min(source.room() as u64);
             for number in 0..count {
-                source.bear(around.dt * (number as f64 + 0.5) / count as f64);
+                source.spawn(around.dt * (number as f64 + 0.5) / count as f64);
             }
             self.waiting[index] -= count;
             left -= waiting as f64;
         }
     }
 
-    /// Births that fall due in this step, each at its moment.
-    fn emit(&mut self, index: usize, rate: f64, source: &mut Source) {
+    /// Makes the births due in this step, each at its time.
+    fn emit(&mut self, index: usize, rate: f64, source: &mut EmitterSource) {
         // Sums of decimal fractions miss whole numbers by a few units in the last place.
         const SLACK: f64 = 1e-9;
         let before = self.owed[index];
@@ -124,23 +89,23 @@ impl Births {
                 self.waiting[index] = self.waiting[index].saturating_add(due as u64 + 1 - number);
                 break;
             }
-            source.bear(clamped((number as f64 - before) / rate, 0.0, source.dt()));
+            source.spawn(clamped((number as f64 - before) / rate, 0.0, source.dt()));
         }
         self.owed[index] = owed - due;
     }
 }
 
-/// The numbers below `count` in an order that begins with another one at each step, without a period that deaths could
-/// keep time with.
-fn turns(count: usize, step: u64) -> impl Iterator<Item = usize> {
+/// The numbers below `count`, rotated by a different amount in each step. The amounts have no period that deaths could
+/// synchronise with.
+fn rotated_order(count: usize, step: u64) -> impl Iterator<Item = usize> {
     const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
     let first = (step.wrapping_mul(GOLDEN) >> 33) as usize;
     (0..count).map(move |turn| (first + turn) % count)
 }
 
-/// How many births the bursts of `emitter` owe that begin between the middles of the last step and of this one: starts
-/// that are whole numbers of steps then never depend on rounding.
-fn burst(emitter: &Emitter, around: &Surroundings) -> u64 {
+/// Number of births of the bursts of `emitter` that start between the middle of the last step and the middle of this
+/// one: a start at a whole number of steps does not depend on rounding.
+fn burst(emitter: &Emitter, around: &EmissionContext) -> u64 {
     if emitter.burst_count <= 0.0 {
         return 0;
     }

@@ -1,34 +1,34 @@
-//! Where on an emitter a particle is born, and where it leaves to.
+//! The place and the direction of births.
 //!
-//! Places are uniform over the shape: by volume, area or length. Directions are uniform over the cone of `spread` about
-//! the emitter's direction; on a sphere or a surface about the normal, outwards. A cone is a nozzle: what is born on its
-//! disc leaves as if it came from the cone's apex, whose half angle is `spread`.
+//! Places are uniform over the shape, by volume, area or length. Directions are uniform over the cone of half angle
+//! `spread` about the emitter's direction; on a sphere or a surface, about the outward normal. A cone is a nozzle:
+//! particles leave its disc as if they came from the apex, whose half angle is `spread`.
 
-use super::Emitter;
-use super::surface::{Surface, Surfaces};
-use crate::forces::unit;
-use crate::random::Random;
+use crate::emission::surface::{Surface, Surfaces};
+use crate::layout::parameters::emitter::Emitter;
+use crate::math::double::direction;
+use crate::math::random::{Random, in_ball};
 
-/// A cone opens no wider (rad): beyond, it would need an infinite disc.
-const WIDEST_CONE: f64 = 1.5;
+/// Maximum half angle of a cone (rad): at a right angle its disc is infinite.
+const MAX_CONE_ANGLE: f64 = 1.5;
 
-/// Where a particle is born (m), and where its direction points.
-pub struct Spot {
+/// The place of a birth (m), and the rule for its direction.
+pub struct BirthPoint {
     pub place: [f32; 3],
-    way: Way,
+    heading_rule: HeadingRule,
 }
 
-/// Where particles leave to.
-enum Way {
-    /// Into the cone about the emitter's direction.
+/// The rule for the direction of a birth.
+enum HeadingRule {
+    /// In the cone about the emitter's direction.
     Ahead,
-    /// Into the cone about this unit vector.
+    /// In the cone about this unit vector.
     About([f32; 3]),
-    /// Exactly along this unit vector.
+    /// Along this unit vector.
     Along([f32; 3]),
 }
 
-/// An emitter made ready for many births.
+/// An emitter prepared for many births.
 pub struct Nozzle<'e> {
     emitter: &'e Emitter,
     surface: Option<&'e Surface>,
@@ -36,25 +36,25 @@ pub struct Nozzle<'e> {
     ahead: Axis,
     /// 1 - cos(spread).
     cap: f32,
-    /// Tangent of a nozzle's half angle.
+    /// Tangent of the half angle of a nozzle.
     slope: f32,
 }
 
 impl<'e> Nozzle<'e> {
-    /// That of `emitter`; its surface is one of `surfaces`.
+    /// Prepares `emitter`, whose surface is one of `surfaces`.
     pub fn new(emitter: &'e Emitter, surfaces: &'e Surfaces) -> Self {
         Self {
             emitter,
             surface: surfaces.get(emitter.surface as usize),
             centre: emitter.position.map(|metres| metres as f32),
-            ahead: Axis::new(unit(emitter.direction)),
+            ahead: Axis::new(direction(emitter.direction)),
             cap: 1.0 - libm::cos(emitter.spread) as f32,
-            slope: libm::tan(emitter.spread.min(WIDEST_CONE)) as f32,
+            slope: libm::tan(emitter.spread.min(MAX_CONE_ANGLE)) as f32,
         }
     }
 
-    /// A place of birth. A surface that does not exist is a point.
-    pub fn spot(&self, random: &mut Random) -> Spot {
+    /// Picks a place of birth. A missing surface counts as a point.
+    pub fn birth_point(&self, random: &mut Random) -> BirthPoint {
         match self.emitter.shape as u32 {
             1 => self.ahead_from(self.across(disc(0.0, random))),
             2 => self.ahead_from(in_ball(random).map(|part| part * self.radius())),
@@ -68,12 +68,12 @@ impl<'e> Nozzle<'e> {
         }
     }
 
-    /// The direction, a unit vector, in which what is born at `spot` leaves.
-    pub fn heading(&self, spot: &Spot, random: &mut Random) -> [f32; 3] {
-        match spot.way {
-            Way::Ahead => self.ahead.cone(self.cap, random),
-            Way::About(normal) => Axis::new(normal).cone(self.cap, random),
-            Way::Along(heading) => heading,
+    /// Picks the unit direction of a birth at `point`.
+    pub fn heading(&self, point: &BirthPoint, random: &mut Random) -> [f32; 3] {
+        match point.heading_rule {
+            HeadingRule::Ahead => self.ahead.cone(self.cap, random),
+            HeadingRule::About(normal) => Axis::new(normal).cone(self.cap, random),
+            HeadingRule::Along(heading) => heading,
         }
     }
 
@@ -81,53 +81,53 @@ impl<'e> Nozzle<'e> {
         self.emitter.radius as f32
     }
 
-    fn from(&self, offset: [f32; 3], way: Way) -> Spot {
-        Spot {
+    fn from(&self, offset: [f32; 3], heading_rule: HeadingRule) -> BirthPoint {
+        BirthPoint {
             place: std::array::from_fn(|i| self.centre[i] + offset[i]),
-            way,
+            heading_rule,
         }
     }
 
-    fn ahead_from(&self, offset: [f32; 3]) -> Spot {
-        self.from(offset, Way::Ahead)
+    fn ahead_from(&self, offset: [f32; 3]) -> BirthPoint {
+        self.from(offset, HeadingRule::Ahead)
     }
 
-    /// The offset of a place on the disc of radius 1.
+    /// The offset of a point of the unit disc.
     fn across(&self, [side, other_side]: [f32; 2]) -> [f32; 3] {
         self.ahead
             .vector(side, other_side, 0.0)
             .map(|part| part * self.radius())
     }
 
-    fn on_sphere(&self, random: &mut Random) -> Spot {
-        // Archimedes: what is uniform along the axis is uniform over the sphere.
+    fn on_sphere(&self, random: &mut Random) -> BirthPoint {
+        // Archimedes: uniform along the axis is uniform over the sphere.
         let normal = self.ahead.cone(2.0, random);
-        self.from(normal.map(|part| part * self.radius()), Way::About(normal))
+        self.from(normal.map(|part| part * self.radius()), HeadingRule::About(normal))
     }
 
-    fn in_nozzle(&self, random: &mut Random) -> Spot {
+    fn in_nozzle(&self, random: &mut Random) -> BirthPoint {
         let place = disc(0.0, random);
         let [side, other_side] = place.map(|part| part * self.slope);
         let length = (1.0 + side * side + other_side * other_side).sqrt();
         let heading = self.ahead.vector(side, other_side, 1.0).map(|part| part / length);
-        self.from(self.across(place), Way::Along(heading))
+        self.from(self.across(place), HeadingRule::Along(heading))
     }
 
-    fn on_line(&self, random: &mut Random) -> Spot {
+    fn on_line(&self, random: &mut Random) -> BirthPoint {
         let along = random.signed();
         self.ahead_from(self.emitter.extent.map(|half| along * half as f32))
     }
 
-    fn on_surface(&self, random: &mut Random) -> Spot {
+    fn on_surface(&self, random: &mut Random) -> BirthPoint {
         let Some(surface) = self.surface else {
             return self.ahead_from([0.0; 3]);
         };
         let (place, normal) = surface.pick(random);
-        self.from(place, Way::About(normal))
+        self.from(place, HeadingRule::About(normal))
     }
 }
 
-/// A unit vector with two others that are normal to it and to each other.
+/// An orthonormal basis.
 struct Axis {
     direction: [f32; 3],
     side: [f32; 3],
@@ -144,12 +144,12 @@ impl Axis {
         }
     }
 
-    /// The vector with these parts along the frame.
+    /// The vector with these components in the basis.
     fn vector(&self, side: f32, other_side: f32, forward: f32) -> [f32; 3] {
         std::array::from_fn(|i| side * self.side[i] + other_side * self.other_side[i] + forward * self.direction[i])
     }
 
-    /// A unit vector in the cone about the axis, uniform over the sphere; `cap` is 1 minus the cosine of half its angle.
+    /// A uniform unit vector in the cone about the axis; `cap` is 1 minus the cosine of its half angle.
     fn cone(&self, cap: f32, random: &mut Random) -> [f32; 3] {
         let forward = 1.0 - random.unit() * cap;
         let across = libm::sqrtf((1.0 - forward * forward).max(0.0));
@@ -158,7 +158,7 @@ impl Axis {
     }
 }
 
-/// A place on the disc of radius 1, outside of the radius `inner`.
+/// A uniform point of the unit disc outside of the radius `inner`.
 fn disc(inner: f32, random: &mut Random) -> [f32; 2] {
     let hole = inner * inner;
     let distance = libm::sqrtf(hole + random.unit() * (1.0 - hole));
@@ -166,18 +166,8 @@ fn disc(inner: f32, random: &mut Random) -> [f32; 2] {
     [distance * cosine, distance * sine]
 }
 
-/// A place in the ball of radius 1, by rejection: no cube root, and uniform.
-pub(crate) fn in_ball(random: &mut Random) -> [f32; 3] {
-    loop {
-        let place = [random.signed(), random.signed(), random.signed()];
-        if place.iter().map(|component| component * component).sum::<f32>() <= 1.0 {
-            return place;
-        }
-    }
-}
-
-/// Two unit vectors normal to the unit vector `n` and to each other. Duff et al., "Building an Orthonormal Basis,
-/// Revisited", JCGT 6 (1), 2017: no case distinction but the sign.
+/// Two unit vectors orthogonal to the unit vector `n` and to each other. Duff et al., "Building an Orthonormal Basis,
+/// Revisited", JCGT 6 (1), 2017.
 fn normals([x, y, z]: [f32; 3]) -> [[f32; 3]; 2] {
     let sign = 1.0_f32.copysign(z);
     let a = -1.0 / (sign + z);

@@ -1,45 +1,43 @@
-//! Surfaces of meshes that emitters smoke from.
+//! Surfaces of meshes as emitters.
 //!
-//! A place on a mesh: a triangle by its share of the area, a point uniform over the triangle (Turk, "Generating Random
-//! Points in Triangles", Graphics Gems, 1990). Surfaces are inputs, as parameters are: they are saved, and no part of
-//! the state's hash. They are no surfaces to be drawn and nothing bumps into them.
+//! Births pick a triangle by its area and a uniform point on it (Turk, "Generating Random Points in Triangles",
+//! Graphics Gems, 1990). Surfaces are inputs: they are saved but not part of the hash. They are not drawn, and
+//! particles do not collide with them.
 
-use crate::bytes::{Reader, Writer};
-use crate::collide::space::Vector;
-use crate::error::{ParameterError, RestoreError};
-use crate::hash::Hash;
-use crate::random::Random;
-use crate::snapshot::Section;
+use crate::layout::bytes::{Reader, SnapshotSection, Writer};
+use crate::layout::error::{ParameterError, RestoreError};
+use crate::layout::parameters::emitter::MAX_SURFACES;
+use crate::math::hash::Hash;
+use crate::math::random::Random;
+use crate::math::vector::Vector;
 
-/// Most surfaces of one simulator.
-pub const MOST_SURFACES: usize = 16;
-/// Most vertices, and most triangles, of one surface.
-pub const MOST_ELEMENTS: usize = 1_000_000;
-/// No coordinate of a vertex lies farther out (m).
-pub const FARTHEST: f32 = 1000.0;
+/// Maximum number of vertices, and of triangles, of a surface.
+pub const MAX_ELEMENTS: usize = 1_000_000;
+/// Maximum absolute coordinate of a vertex (m).
+pub const MAX_COORDINATE: f32 = 1000.0;
 
-/// A mesh, ready for births.
+/// A mesh prepared for births.
 #[derive(Clone, Debug)]
 pub struct Surface {
     vertices: Vec<f32>,
     indices: Vec<u32>,
-    /// Area (m2) of all triangles up to and with each.
+    /// Cumulative area of the triangles (m2).
     areas: Vec<f64>,
 }
 
 impl Surface {
-    /// The surface of `vertices` (m), three numbers each, and triangles of three `indices` each, counter-clockwise from
-    /// outside; what is born leaves there.
+    /// Creates a surface from `vertices` (m), three numbers each, and `indices`, three per triangle, counter-clockwise
+    /// as seen from outside. Particles leave outwards.
     ///
     /// # Errors
-    /// `surface.vertices`: none, not whole, too many, not finite or farther out than 1000 m. `surface.indices`: none, not
-    /// whole, too many, or without such a vertex. `surface.area`: all triangles are degenerate.
+    /// `surface.vertices`: empty, not a multiple of three, too many, not finite or beyond 1000 m. `surface.indices`:
+    /// empty, not a multiple of three, too many, or out of range. `surface.area`: all triangles are degenerate.
     pub fn new(vertices: &[f32], indices: &[u32]) -> Result<Self, ParameterError> {
         check_count("surface.vertices", vertices.len())?;
         check_count("surface.indices", indices.len())?;
         for (number, metres) in vertices.iter().enumerate() {
-            if !(-FARTHEST..=FARTHEST).contains(metres) {
-                return Err(refuse(
+            if !(-MAX_COORDINATE..=MAX_COORDINATE).contains(metres) {
+                return Err(range_error(
                     &format!("surface.vertices.{number}"),
                     f64::from(*metres),
                     -1e3,
@@ -51,7 +49,7 @@ impl Surface {
         for (number, vertex) in indices.iter().enumerate() {
             if *vertex > last {
                 let key = format!("surface.indices.{number}");
-                return Err(refuse(&key, f64::from(*vertex), 0.0, f64::from(last)));
+                return Err(range_error(&key, f64::from(*vertex), 0.0, f64::from(last)));
             }
         }
         Self::measured(vertices.to_vec(), indices.to_vec())
@@ -75,7 +73,7 @@ impl Surface {
         Err(malformed("surface.area", area, message))
     }
 
-    /// A place on it (m), uniform by area, and the unit normal there.
+    /// Picks a point (m), uniform by area, and its unit normal.
     pub fn pick(&self, random: &mut Random) -> ([f32; 3], [f32; 3]) {
         let total = self.areas[self.areas.len() - 1];
         let sought = total * f64::from(random.bits()) / 4_294_967_296.0;
@@ -94,35 +92,40 @@ impl Surface {
     }
 }
 
-/// The surfaces of one simulator, by their numbers.
+/// The surfaces of one simulator by index.
 #[derive(Clone, Debug, Default)]
 pub struct Surfaces(Vec<Surface>);
 
 impl Surfaces {
-    /// Takes up one more and returns its number.
+    /// Adds a surface and returns its index.
     ///
     /// # Errors
-    /// `surface.count`: there are [`MOST_SURFACES`] already.
+    /// `surface.count`: there are [`MAX_SURFACES`] already.
     pub fn add(&mut self, surface: Surface) -> Result<u32, ParameterError> {
         let count = self.0.len();
-        if count == MOST_SURFACES {
-            return Err(refuse("surface.count", count as f64 + 1.0, 0.0, MOST_SURFACES as f64));
+        if count == MAX_SURFACES {
+            return Err(range_error(
+                "surface.count",
+                count as f64 + 1.0,
+                0.0,
+                MAX_SURFACES as f64,
+            ));
         }
         self.0.push(surface);
         Ok(count as u32)
     }
 
-    /// How many there are.
+    /// Number of surfaces.
     pub fn count(&self) -> usize {
         self.0.len()
     }
 
-    /// The one of this number.
+    /// The surface at an index.
     pub fn get(&self, number: usize) -> Option<&Surface> {
         self.0.get(number)
     }
 
-    /// Adds all meshes to `hash`; nothing where there are none.
+    /// Adds all meshes to `hash`.
     pub fn hash_into(&self, hash: &mut Hash) {
         for Surface { vertices, indices, .. } in &self.0 {
             hash.floats(vertices);
@@ -131,7 +134,7 @@ impl Surfaces {
     }
 }
 
-impl Section for Surfaces {
+impl SnapshotSection for Surfaces {
     fn write(&self, body: &mut Writer) {
         body.word(self.0.len() as u32);
         for Surface { vertices, indices, .. } in &self.0 {
@@ -154,7 +157,7 @@ impl Section for Surfaces {
     }
 }
 
-/// As many as the word before them says. Memory grows with what is read, whatever that word claims.
+/// Reads a count and that many values. Memory grows with the bytes read, whatever the count claims.
 fn read_all<'b, T>(
     reader: &mut Reader<'b>,
     read: fn(&mut Reader<'b>) -> Result<T, RestoreError>,
@@ -167,28 +170,28 @@ fn read_all<'b, T>(
     Ok(values)
 }
 
-/// Twice the area (m2) along the direction from which the corners go round counter-clockwise.
+/// The normal of a triangle, counter-clockwise, with the length of twice its area (m2).
 fn normal([a, b, c]: &[Vector; 3]) -> Vector {
     (*b - *a).cross(*c - *a)
 }
 
 fn check_count(key: &str, count: usize) -> Result<(), ParameterError> {
-    if count.is_multiple_of(3) && (3..=3 * MOST_ELEMENTS).contains(&count) {
+    if count.is_multiple_of(3) && (3..=3 * MAX_ELEMENTS).contains(&count) {
         return Ok(());
     }
-    let most = 3 * MOST_ELEMENTS;
+    let most = 3 * MAX_ELEMENTS;
     let message = format!("{key} are {count} numbers; give three for each, at most {most}");
     Err(malformed(key, count as f64, message))
 }
 
-/// A refusal that no range explains.
+/// An error without a range.
 fn malformed(key: &str, value: f64, message: String) -> ParameterError {
     ParameterError {
         message,
-        ..refuse(key, value, f64::NAN, f64::NAN)
+        ..range_error(key, value, f64::NAN, f64::NAN)
     }
 }
 
-fn refuse(key: &str, value: f64, min: f64, max: f64) -> ParameterError {
+fn range_error(key: &str, value: f64, min: f64, max: f64) -> ParameterError {
     ParameterError::out_of_range(key, value, min, max)
 }

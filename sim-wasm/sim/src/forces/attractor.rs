@@ -1,52 +1,20 @@
-//! Attractors: a point draws smoke in, or drives it away.
+//! Attractors: a point attracts or repels smoke.
 //!
-//! a = -A (1 - r^2 / R^2)^2 (p - c) / max(r, s) for the distance r of the place p from the centre c, and 0 where
-//! r >= R: as strong at every distance but for the fade, and within the core linear, so that smoke swings through the
+//! a = -A (1 - r^2 / R^2)^2 (p - c) / max(r, s) for the distance r of the position p from the centre c, and 0 where
+//! r >= R. The strength is constant except for the fade, and linear within the core, so that smoke swings through the
 //! centre as on a spring. Parameters: `attractors.#.acceleration` A (m/s2, negative to repel), `.coreRadius` s (m),
-//! `.reach` R (m), `.position.*` c (m). The core is never smaller than 4 A h^2 for the step h, the least in which a
-//! step can follow the swing, all attractors of the list in one place included.
+//! `.reach` R (m), `.position.*` c (m). The core is at least 4 A h^2 for the step h: the minimum that a step can
+//! resolve, even with all attractors of the list in one place.
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, fade, place_in};
-use crate::parameters::field::{Field, PLACE, number, vector};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::{Vector4, larger};
-use crate::tile::Tile;
+use crate::forces::force::{Force, ForceContext, Phase, fade, place_in};
+use crate::layout::parameters::forces::attractor::Attractor;
+use crate::layout::scope::Reach;
+use crate::math::simd::{Vector4, larger};
+use crate::particles::tile::Tile;
 
-/// `attractors.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Attractor {
-    pub acceleration: f64,
-    pub core_radius: f64,
-    pub reach: f64,
-    pub position: [f64; 3],
-    pub scope: Scope,
-}
-
-impl Item for Attractor {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |a: &mut Self| {
-            &mut a.acceleration
-        })
-        .starts_at(3.0)
-        .says("Pull", "How strongly it draws smoke in; negative drives smoke away."),
-        number("coreRadius", "m", [0.01, 50.0], 0.1, |a: &mut Self| &mut a.core_radius)
-            .says("Core", "Radius within which the pull fades towards the centre."),
-        number("reach", "m", [0.05, 1000.0], 5.0, |a: &mut Self| &mut a.reach)
-            .says("Reach", "Distance at which the pull has faded to nothing."),
-        vector("position", "m", PLACE, [0.0; 3], |a: &mut Self| &mut a.position).says("Place", "Where it draws to."),
-    ];
-
-    const LABEL: &'static str = "Attractor";
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
-
-/// An attractor of one step.
+/// An attractor in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     position: Vector4,
@@ -58,20 +26,20 @@ pub struct Kernel {
 
 impl Force for Attractor {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Push;
+    const PHASE: Phase = Phase::Push;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
         if self.acceleration == 0.0 {
             return None;
         }
-        let dt = setting.now.dt;
+        let dt = context.now.dt;
         let core = self.core_radius.max(4.0 * self.acceleration.abs() * dt * dt);
         Some(Kernel {
-            position: place_in(&setting.now.frame(&self.scope), self.position),
+            position: place_in(&context.now.frame(&self.scope), self.position),
             acceleration: f32x4::splat(self.acceleration as f32),
             core: f32x4::splat(core as f32),
             inverse_reach_squared: f32x4::splat((1.0 / (self.reach * self.reach)) as f32),
-            scope: Reach::new(&self.scope, &setting.now)?,
+            scope: Reach::new(&self.scope, &context.now)?,
         })
     }
 

@@ -1,22 +1,22 @@
-//! Blows: gusts that people give along a ray, such as that from the eye through the pointer.
+//! Blows: gusts along a ray, such as the ray from the eye through the pointer.
 //!
-//! u = w e f(r / R)^2 a(s / R), for the velocity w at the height of the gust, its level e in time (`take::touch::Gust`),
-//! the distance r from the ray and s from its origin along it, and the radius R. f(x) = 1 - x^2 within the radius and 0
-//! beyond; a rises as 3 x^2 - 2 x^3 from the origin on and stays 1, so that nothing is torn at the mouth. The velocity
-//! has a direction of its own: a pointer that is swept across the picture blows across its ray.
+//! u = w e f(r / R)^2 a(s / R), with the peak velocity w, the level e in time (`layout::gust::Gust`), the distance r
+//! from the ray, the distance s along it from its origin, and the radius R. f(x) = 1 - x^2 within the radius and 0
+//! beyond. a rises as 3 x^2 - 2 x^3 from the origin and stays 1, so the flow is continuous at the origin. The velocity
+//! is independent of the ray: a pointer that sweeps across the picture blows across its ray.
 
 use arrayvec::ArrayVec;
 use wide::f32x4;
 
-use super::Setting;
-use crate::simd::{Vector4, positive_part, smaller};
-use crate::take::touch::{Gust, MOST_GUSTS};
-use crate::tile::{Columns, Tile};
+use crate::forces::force::ForceContext;
+use crate::layout::gust::{Gust, MAX_GUSTS};
+use crate::math::simd::{Vector4, positive_part, smaller};
+use crate::particles::tile::{Columns, Tile};
 
-/// All gusts of one step.
-pub type Kernels = ArrayVec<Kernel, MOST_GUSTS>;
+/// All gusts in one step.
+pub type Kernels = ArrayVec<Kernel, MAX_GUSTS>;
 
-/// A gust of one step.
+/// A gust in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     origin: Vector4,
@@ -26,12 +26,12 @@ pub struct Kernel {
     narrowness: f32x4,
 }
 
-/// The gusts that blow now.
-pub fn kernels(setting: &Setting) -> Kernels {
-    setting.gusts.iter().map(Kernel::new).collect()
+/// Prepares the active gusts.
+pub fn kernels(context: &ForceContext) -> Kernels {
+    context.gusts.iter().map(Kernel::new).collect()
 }
 
-/// Lets all of them act on the particles of `tile`.
+/// Adds the velocity of all gusts to the flow of `tile`.
 pub fn act(kernels: &Kernels, tile: &mut Tile) {
     let Columns { ahead, flow, .. } = tile.columns();
     for kernel in kernels {
@@ -52,7 +52,7 @@ impl Kernel {
         }
     }
 
-    /// How much of its velocity the air has at a place, 0..=1.
+    /// Share of the peak velocity at a place, 0..=1.
     #[inline(always)]
     fn share(&self, place: Vector4) -> f32x4 {
         let from_origin = place - self.origin;

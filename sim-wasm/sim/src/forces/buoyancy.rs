@@ -1,39 +1,18 @@
-//! Buoyancy: warm smoke rises until it has cooled.
+//! Buoyancy: warm smoke rises and cools.
 //!
-//! a = b m T up, and T falls by T' = -T / tau. Parameters: `buoyancy.acceleration` b (m/s2 upward at temperature 1),
-//! `forces.buoyancy` m (multiplier), `buoyancy.coolingTime` tau (s). The cooling of a whole step is exact.
-//! `buoyancies.#.*` add to b, or take from it, each in its region.
+//! a = b m T up, and T' = -T / tau. Parameters: `buoyancy.acceleration` b (m/s2 upward at temperature 1),
+//! `forces.buoyancy` m (multiplier), `buoyancy.coolingTime` tau (s). The cooling of a step is exact. `buoyancies.#.*`
+//! add to b in their regions; they may be negative.
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage};
-use crate::parameters::Parameters;
-use crate::parameters::field::{Field, number};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::tile::{Columns, Tile};
+use crate::forces::force::{Force, ForceContext, Phase};
+use crate::layout::parameters::forces::buoyancy::Buoyancy;
+use crate::layout::parameters::table::Parameters;
+use crate::layout::scope::Reach;
+use crate::particles::tile::{Columns, Tile};
 
-/// `buoyancies.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Buoyancy {
-    pub acceleration: f64,
-    pub scope: Scope,
-}
-
-impl Item for Buoyancy {
-    const LABEL: &'static str = "Lift";
-    const FIELDS: &'static [Field<Self>] = &[number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |b: &mut Self| {
-        &mut b.acceleration
-    })
-    .starts_at(1.0)
-    .says("Lift", "Upward acceleration of smoke at temperature 1 in its region.")];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
-
-/// A lift of one step.
+/// A buoyancy in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     acceleration: f32x4,
@@ -42,16 +21,16 @@ pub struct Kernel {
 
 impl Force for Buoyancy {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Push;
+    const PHASE: Phase = Phase::Push;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
-        let acceleration = (self.acceleration * setting.parameters.forces.buoyancy) as f32;
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
+        let acceleration = (self.acceleration * context.parameters.forces.buoyancy) as f32;
         if acceleration == 0.0 {
             return None;
         }
         Some(Kernel {
             acceleration: f32x4::splat(acceleration),
-            reach: Reach::new(&self.scope, &setting.now)?,
+            reach: Reach::new(&self.scope, &context.now)?,
         })
     }
 
@@ -73,12 +52,12 @@ impl Force for Buoyancy {
     }
 }
 
-/// Upward acceleration (m/s2) at temperature 1, everywhere.
+/// Global upward acceleration (m/s2) at temperature 1.
 pub fn acceleration_per_temperature(parameters: &Parameters) -> f32 {
     (parameters.buoyancy.acceleration * parameters.forces.buoyancy) as f32
 }
 
-/// What is left of a temperature after `dt` seconds, 0..1.
+/// Factor on the temperature after `dt` seconds, 0..1.
 pub fn cooling(parameters: &Parameters, dt: f64) -> f32 {
     libm::exp(-dt / parameters.buoyancy.cooling_time) as f32
 }

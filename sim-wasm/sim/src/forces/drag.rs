@@ -1,64 +1,23 @@
-//! Drag: the air takes smoke along.
+//! Drag between smoke and air.
 //!
-//! s' = a - k s for the slip s, with k = m (`rate` + `quadratic` |s|) for m = `forces.drag`. Under an acceleration a and a
-//! rate k that are constant over the step h the solution is exact and stable for every k, zero included:
+//! s' = a - k s for the slip s, with k = m (`rate` + `quadratic` |s|) and m = `forces.drag`. For an acceleration a and
+//! a rate k that are constant over the step h the solution is exact and stable for every k, zero included:
 //!
 //! s(h) = e s + p a,  displacement = p s + q a,  with e = exp(-k h), p = (1 - e) / k, q = (h - p) / k.
 //!
-//! Terminal velocity a / k, which with quadratic drag is where m (r + c s) s = a; without drag p = h and q = h^2 / 2,
-//! which is the parabola. `drag.rate` (1/s) and `drag.quadratic` (1/m) hold everywhere, `drags.#.*` add to them in their
-//! regions.
+//! The terminal velocity is a / k; with quadratic drag it solves m (r + c s) s = a. Without drag p = h and q = h^2 / 2:
+//! a parabola. `drag.rate` (1/s) and `drag.quadratic` (1/m) act everywhere, `drags.#.*` add to them in their regions.
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage};
-use crate::parameters::Parameters;
-use crate::parameters::field::{Field, number};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::exp_minus;
-use crate::tile::{Columns, Tile};
+use crate::forces::force::{Force, ForceContext, Phase};
+use crate::layout::parameters::forces::drag::Drag;
+use crate::layout::parameters::table::Parameters;
+use crate::layout::scope::Reach;
+use crate::math::simd::exp_minus;
+use crate::particles::tile::{Columns, Tile};
 
-/// `drag.*`: the drag that acts everywhere.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Resistance {
-    pub rate: f64,
-    pub quadratic: f64,
-}
-
-impl Item for Resistance {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("rate", "1/s", [0.0, 1000.0], 1.5, |d: &mut Self| &mut d.rate),
-        number("quadratic", "1/m", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.quadratic),
-    ];
-}
-
-/// `drags.#.*`: drag in a region.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Drag {
-    pub rate: f64,
-    pub quadratic: f64,
-    pub scope: Scope,
-}
-
-impl Item for Drag {
-    const LABEL: &'static str = "Drag";
-    const FIELDS: &'static [Field<Self>] = &[
-        number("rate", "1/s", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.rate)
-            .starts_at(2.0)
-            .says("Drag", "How firmly the air of its region takes smoke along."),
-        number("quadratic", "1/m", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.quadratic).says(
-            "Quadratic drag",
-            "Drag that grows with speed: fast smoke is stopped first.",
-        ),
-    ];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
-
-/// A drag of one step.
+/// A drag in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     rate: f32x4,
@@ -68,20 +27,20 @@ pub struct Kernel {
 
 impl Force for Drag {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Push;
+    const PHASE: Phase = Phase::Push;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
-        let reach = Reach::new(&self.scope, &setting.now)?;
-        Kernel::new(self.rate, self.quadratic, reach, setting.parameters)
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
+        let reach = Reach::new(&self.scope, &context.now)?;
+        Kernel::new(self.rate, self.quadratic, reach, context.parameters)
     }
 
-    /// Only the quadratic part: the other is the same for all particles, see [`Factors::new`].
-    fn everywhere(setting: &Setting) -> Option<Kernel> {
+    /// Only the quadratic part: the linear part is the same for all particles, see [`Factors::new`].
+    fn everywhere(context: &ForceContext) -> Option<Kernel> {
         Kernel::new(
             0.0,
-            setting.parameters.drag.quadratic,
+            context.parameters.drag.quadratic,
             Reach::everywhere(),
-            setting.parameters,
+            context.parameters,
         )
     }
 
@@ -114,30 +73,30 @@ impl Kernel {
     }
 }
 
-/// What drag makes of a step.
+/// The factors of a step under drag.
 #[derive(Clone, Copy, Debug)]
 pub struct Factors {
-    /// Share of the slip that is left after the step.
+    /// Share of the slip after the step.
     pub kept: f32x4,
-    /// Seconds: slip to displacement, and acceleration to slip.
+    /// Slip to displacement, and acceleration to slip (s).
     pub first: f32x4,
-    /// Seconds squared: acceleration to displacement.
+    /// Acceleration to displacement (s2).
     pub second: f32x4,
 }
 
 impl Factors {
-    /// The factors for steps of `dt` seconds under the rate of drag (1/s).
+    /// Factors of a step of `dt` seconds at a rate of drag (1/s).
     pub fn new(rate: f64, dt: f64) -> Self {
         let [kept, first, second] = factors(rate, dt).map(|value| f32x4::splat(value as f32));
         Self { kept, first, second }
     }
 
-    /// The factors of four particles, each with its own rate of drag (1/s).
+    /// Factors of four particles with individual rates of drag (1/s).
     #[inline(always)]
     pub fn of_rates(rates: f32x4, dt: f32) -> Self {
         let dt = f32x4::splat(dt);
         let x = rates * dt;
-        // Below 0.5 the closed forms lose digits; the terms that the series leave out are below 1e-7 there.
+        // Below 0.5 the closed forms lose digits. The omitted terms of the series are below 1e-7 there.
         let is_small = x.simd_lt(f32x4::HALF);
         let divisor = is_small.select(f32x4::ONE, x);
         let kept = exp_minus(x);
@@ -161,7 +120,7 @@ fn series(x: f32x4, k: f32) -> f32x4 {
     nested * f32x4::splat(1.0 / k)
 }
 
-/// Rate of the drag that acts everywhere (1/s).
+/// Global rate of drag (1/s).
 pub fn rate(parameters: &Parameters) -> f64 {
     parameters.drag.rate * parameters.forces.drag
 }
@@ -169,7 +128,7 @@ pub fn rate(parameters: &Parameters) -> f64 {
 fn factors(rate: f64, dt: f64) -> [f64; 3] {
     let x = rate * dt;
     if x < 1e-3 {
-        // The closed forms lose their digits here; the next terms of the series are below 1e-13.
+        // The closed forms lose digits here. The omitted terms of the series are below 1e-13.
         let first = dt * (1.0 - x / 2.0 + x * x / 6.0 - x * x * x / 24.0);
         let second = dt * dt * (0.5 - x / 6.0 + x * x / 24.0 - x * x * x / 120.0);
         return [libm::exp(-x), first, second];

@@ -1,64 +1,29 @@
-//! Explosions: a front runs out from a point and throws what it passes.
+//! Explosions: a spherical front that accelerates particles as it passes.
 //!
-//! At each switching on of its envelope a front starts from the centre and grows at a constant speed. In the step after
-//! the front has passed a particle, the particle's slip changes once by j (1 - r^2 / R^2)^2 outwards, less what drag
-//! takes of it in that step, r being its distance from the centre. Parameters: `explosions.#.impulse` j (m/s, negative inwards), `.speed` of the front (m/s),
-//! `.reach` R (m), `.position.*` (m). With an envelope that ends, the front ends too; the next start replaces a front
-//! that still runs. A particle that is born within the front, or overtakes it, is thrown when the front passes it next.
+//! At each start of its envelope a front leaves the centre at a constant speed. In the step after it passes a particle,
+//! the particle's slip changes once by j (1 - r^2 / R^2)^2 outwards, less the drag of that step, for the distance r
+//! from the centre. Parameters: `explosions.#.impulse` j (m/s, negative inwards), `.speed` of the front (m/s), `.reach`
+//! R (m), `.position.*` (m). The front ends with its envelope; the next start replaces a running front. A particle that
+//! is born within the front, or overtakes it, waits for the next front.
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, fade, place_in};
-use crate::parameters::field::{Field, PLACE, number, vector};
-use crate::parameters::section::Item;
-use crate::scope::envelope::since_start;
-use crate::scope::{Reach, Scope};
-use crate::simd::Vector4;
-use crate::tile::{Columns, Tile};
+use crate::forces::force::{Force, ForceContext, Phase, fade, place_in};
+use crate::layout::parameters::forces::explosion::Explosion;
+use crate::layout::scope::Reach;
+use crate::layout::scope::envelope::since_start;
+use crate::math::simd::Vector4;
+use crate::particles::tile::{Columns, Tile};
 
-/// Nearer to the centre than this (m) there is no way out.
+/// Distance from the centre (m) below which there is no outward direction.
 const NOWHERE: f32 = 1e-12;
 
-/// `explosions.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Explosion {
-    pub impulse: f64,
-    pub speed: f64,
-    pub reach: f64,
-    pub position: [f64; 3],
-    pub scope: Scope,
-}
-
-impl Item for Explosion {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("impulse", "m/s", [-100.0, 100.0], 0.0, |e: &mut Self| &mut e.impulse)
-            .starts_at(4.0)
-            .says(
-                "Impulse",
-                "Speed that it gives to smoke at its centre; negative is inwards.",
-            ),
-        number("speed", "m/s", [0.1, 1000.0], 20.0, |e: &mut Self| &mut e.speed)
-            .says("Front", "How fast it spreads; smoke is thrown when the front passes."),
-        number("reach", "m", [0.05, 1000.0], 3.0, |e: &mut Self| &mut e.reach)
-            .says("Reach", "Distance at which it has faded to nothing."),
-        vector("position", "m", PLACE, [0.0; 3], |e: &mut Self| &mut e.position).says("Place", "Its centre."),
-    ];
-
-    const LABEL: &'static str = "Explosion";
-
-    const STARTS: &'static [(&'static str, f64)] = &[("envelope.period", 2.0)];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
-
-/// A front of one step.
+/// A front in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     position: Vector4,
     impulse: f32x4,
-    /// Radius (m) one step before the start of this one, at its start and at its end; below 0 before there is a front.
+    /// Radius (m) one step before the start of this step, at its start and at its end; below 0 before the front starts.
     fronts: [f32x4; 3],
     inverse_reach_squared: f32x4,
     scope: Reach,
@@ -66,24 +31,24 @@ pub struct Kernel {
 
 impl Force for Explosion {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Push;
+    const PHASE: Phase = Phase::Push;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
         if self.impulse == 0.0 {
             return None;
         }
-        let dt = setting.now.dt;
-        let since = since_start(&self.scope, setting.now.time + dt * 0.5)?;
+        let dt = context.now.dt;
+        let since = since_start(&self.scope, context.now.time + dt * 0.5)?;
         let front = |steps: f64| self.speed * (since - steps * dt);
         if front(2.0) > self.reach {
             return None;
         }
         Some(Kernel {
-            position: place_in(&setting.now.frame(&self.scope), self.position),
+            position: place_in(&context.now.frame(&self.scope), self.position),
             impulse: f32x4::splat(self.impulse as f32),
             fronts: [2.0, 1.0, 0.0].map(|steps| f32x4::splat(front(steps) as f32)),
             inverse_reach_squared: f32x4::splat((1.0 / (self.reach * self.reach)) as f32),
-            scope: Reach::new(&self.scope, &setting.now)?,
+            scope: Reach::new(&self.scope, &context.now)?,
         })
     }
 
@@ -104,7 +69,7 @@ impl Force for Explosion {
             kernel.scope.weigh(ahead, weight);
             for (block, push) in push.iter_mut().enumerate() {
                 let place = place[block];
-                // The way of the last step where it is known, else that of this one, which is straight.
+                // Uses the last displacement if it is known, else that of this step, which is straight.
                 let thrown = if is_instant {
                     kernel.throw(place, place, place + slip[block] * dt, 1)
                 } else {
@@ -117,8 +82,8 @@ impl Force for Explosion {
 }
 
 impl Kernel {
-    /// What a particle at `place` gets (m/s) if the front has passed it between `from` and `to`, which is a step that
-    /// began with front number `first`.
+    /// Velocity change (m/s) of a particle at `place` if the front passes it between `from` and `to`, a step that
+    /// starts with front number `first`.
     #[inline(always)]
     fn throw(&self, place: Vector4, from: Vector4, to: Vector4, first: usize) -> Vector4 {
         let distance = |place: Vector4| {

@@ -1,40 +1,16 @@
-//! Gravity: smoke that is heavier than air sinks.
+//! Gravity: smoke heavier than air sinks.
 //!
-//! a = -g m up. Parameters: `gravity.acceleration` g (m/s2, downward: the weight that the air does not carry, not
-//! 9.81 for smoke), `forces.gravity` m (multiplier). `gravities.#.*` pull in any direction, each in its region.
+//! a = -g m up. Parameters: `gravity.acceleration` g (m/s2, downward: the net weight in air, not 9.81 for smoke),
+//! `forces.gravity` m (multiplier). `gravities.#.*` pull in any direction in their regions.
 
-use super::{Force, Setting, Stage, vector_in};
-use crate::parameters::Parameters;
-use crate::parameters::field::{Field, vector};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::Vector4;
-use crate::tile::{Columns, Tile};
+use crate::forces::force::{Force, ForceContext, Phase, vector_in};
+use crate::layout::parameters::forces::gravity::Gravity;
+use crate::layout::parameters::table::Parameters;
+use crate::layout::scope::Reach;
+use crate::math::simd::Vector4;
+use crate::particles::tile::{Columns, Tile};
 
-/// `gravities.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Gravity {
-    pub acceleration: [f64; 3],
-    pub scope: Scope,
-}
-
-impl Item for Gravity {
-    const LABEL: &'static str = "Pull";
-    const FIELDS: &'static [Field<Self>] =
-        &[
-            vector("acceleration", "m/s2", [-100.0, 100.0], [0.0; 3], |g: &mut Self| {
-                &mut g.acceleration
-            })
-            .starts_at(1.0)
-            .says("Pull", "Acceleration of all smoke in its region."),
-        ];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
-
-/// A pull of one step.
+/// A pull in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     acceleration: Vector4,
@@ -43,18 +19,18 @@ pub struct Kernel {
 
 impl Force for Gravity {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Push;
+    const PHASE: Phase = Phase::Push;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
-        let strength = setting.parameters.forces.gravity;
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
+        let strength = context.parameters.forces.gravity;
         let acceleration = self.acceleration.map(|component| (component * strength) as f32);
         if acceleration == [0.0; 3] {
             return None;
         }
-        let frame = setting.now.frame(&self.scope);
+        let frame = context.now.frame(&self.scope);
         Some(Kernel {
             acceleration: vector_in(&frame, acceleration),
-            reach: Reach::new(&self.scope, &setting.now)?,
+            reach: Reach::new(&self.scope, &context.now)?,
         })
     }
 
@@ -72,7 +48,7 @@ impl Force for Gravity {
     }
 }
 
-/// Downward acceleration (m/s2) everywhere.
+/// Global downward acceleration (m/s2).
 pub fn acceleration(parameters: &Parameters) -> f32 {
     (parameters.gravity.acceleration * parameters.forces.gravity) as f32
 }

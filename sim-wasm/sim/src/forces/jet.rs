@@ -1,83 +1,40 @@
-//! Jets: air blown from a round nozzle, which widens and slows down.
+//! Jets: air from a round nozzle, widening and slowing down.
 //!
 //! At the distance z from the nozzle and r from its axis the air moves along the axis at
 //!
 //! u = U min(1, sqrt(2) n / w) exp(-(max(0, r - k) / w)^2) (1 - z^2 / R^2)^2,  w = max(b z, n / 10).
 //!
-//! Beyond the core this is the round turbulent jet, whose profile keeps its shape: a Gaussian of the width b z. That the
-//! momentum of the jet is the same in every section makes its speed U sqrt(2) n / (b z), for the usual b = 0.113 that is
-//! 6.3 U times the diameter over z, as measured (b = S / sqrt(ln 2) with S = 0.094 in Pope, "Turbulent Flows", Cambridge
-//! 2000, section 5.1; the Gaussian profile and the core of constant speed after Albertson, Dai, Jensen and Rouse,
-//! "Diffusion of Submerged Jets", Transactions of the ASCE 115, 1950). Nearer than 6.3 diameters there is a core of the
-//! radius k that still has the full speed: k = sqrt(n^2 - (1/2 - pi/8) w^2) - sqrt(pi/8) w, again by the momentum. The
-//! last factor makes an end, and behind the nozzle the air comes up to speed within one radius.
+//! Beyond the core this is the self-similar round turbulent jet: a Gaussian profile of the width b z. Conservation of
+//! momentum gives the speed U sqrt(2) n / (b z) on the axis; for the usual b = 0.113 that is 6.3 U times the diameter
+//! over z, as measured (b = S / sqrt(ln 2) with S = 0.094 in Pope, "Turbulent Flows", Cambridge 2000, section 5.1;
+//! Gaussian profile and core of constant speed after Albertson, Dai, Jensen and Rouse, "Diffusion of Submerged Jets",
+//! Transactions of the ASCE 115, 1950). Nearer than 6.3 diameters a core of the radius k keeps the full speed: k =
+//! sqrt(n^2 - (1/2 - pi/8) w^2) - sqrt(pi/8) w, again by momentum. The last factor ends the jet at its reach. Behind
+//! the nozzle the air accelerates within one radius.
 //!
-//! Parameters: `jets.#.speed` U (m/s), `.radius` n (m), `.spread` b, `.reach` R (m), `.position.*` (m, the nozzle's
-//! middle), `.direction.*` (of any length). The air that a real jet draws in from its sides is left out: it is slower by
-//! far.
+//! Parameters: `jets.#.speed` U (m/s), `.radius` n (m), `.spread` b, `.reach` R (m), `.position.*` (m, centre of the
+//! nozzle), `.direction.*` (of any length). The entrained air of a real jet is far slower and left out.
 
 use std::f64::consts::PI;
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, direction_in, fade, place_in};
-use crate::parameters::field::{DIRECTION, Field, PLACE, number, vector};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::{Vector4, exp_minus, larger, positive_part, smaller};
-use crate::tile::{Columns, Tile};
+use crate::forces::force::{Force, ForceContext, Phase, direction_in, fade, place_in};
+use crate::layout::parameters::forces::jet::Jet;
+use crate::layout::scope::Reach;
+use crate::math::simd::{Vector4, exp_minus, larger, positive_part, smaller};
+use crate::particles::tile::{Columns, Tile};
 
-/// The edge of the jet at the nozzle, as a share of the nozzle's radius.
+/// Width of the jet's edge at the nozzle, as a share of the nozzle's radius.
 const EDGE: f64 = 0.1;
 
-/// `jets.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Jet {
-    pub speed: f64,
-    pub radius: f64,
-    pub spread: f64,
-    pub reach: f64,
-    pub position: [f64; 3],
-    pub direction: [f64; 3],
-    pub scope: Scope,
-}
-
-impl Item for Jet {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("speed", "m/s", [0.0, 100.0], 0.0, |j: &mut Self| &mut j.speed)
-            .starts_at(4.0)
-            .says("Speed", "How fast the air leaves the nozzle."),
-        number("radius", "m", [0.001, 50.0], 0.1, |j: &mut Self| &mut j.radius).says("Nozzle", "Radius of the nozzle."),
-        number("spread", "1", [0.01, 1.0], 0.113, |j: &mut Self| &mut j.spread).says(
-            "Spread",
-            "How much wider the jet is for each metre; air in air has 0.113.",
-        ),
-        number("reach", "m", [0.05, 1000.0], 5.0, |j: &mut Self| &mut j.reach).says(
-            "Reach",
-            "Distance from the nozzle at which the jet has faded to nothing.",
-        ),
-        vector("position", "m", PLACE, [0.0; 3], |j: &mut Self| &mut j.position)
-            .says("Place", "The middle of the nozzle."),
-        vector("direction", "1", DIRECTION, [0.0, 1.0, 0.0], |j: &mut Self| {
-            &mut j.direction
-        })
-        .says("Direction", "Where it blows."),
-    ];
-
-    const LABEL: &'static str = "Jet";
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
-
-/// A jet of one step.
+/// A jet in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     position: Vector4,
     direction: Vector4,
     speed: f32x4,
-    /// The width at which there is no core left (m).
+    /// Width at which the core ends (m).
     coreless: f32x4,
     radius_squared: f32x4,
     per_radius: f32x4,
@@ -89,13 +46,13 @@ pub struct Kernel {
 
 impl Force for Jet {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Air;
+    const PHASE: Phase = Phase::Air;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
         if self.speed == 0.0 {
             return None;
         }
-        let frame = setting.now.frame(&self.scope);
+        let frame = context.now.frame(&self.scope);
         let splat = |value: f64| f32x4::splat(value as f32);
         Some(Kernel {
             position: place_in(&frame, self.position),
@@ -107,7 +64,7 @@ impl Force for Jet {
             spread: splat(self.spread),
             edge: splat(EDGE * self.radius),
             inverse_reach_squared: splat(1.0 / (self.reach * self.reach)),
-            scope: Reach::new(&self.scope, &setting.now)?,
+            scope: Reach::new(&self.scope, &context.now)?,
         })
     }
 
@@ -136,7 +93,7 @@ impl Kernel {
         self.speed * middle * exp_minus(beyond * beyond) * self.ends(along)
     }
 
-    /// Radius of the part that has the full speed (m) where the edge is `width` wide.
+    /// Radius of the core (m) where the edge is `width` wide.
     #[inline(always)]
     fn core(&self, width: f32x4) -> f32x4 {
         const LOST: f32 = (0.5 - PI / 8.0) as f32;
@@ -145,7 +102,7 @@ impl Kernel {
         positive_part(kept.sqrt() - width * f32x4::splat(0.626_657_1))
     }
 
-    /// How the jet begins and ends along its axis, 0..=1.
+    /// Fade along the axis, 0..=1.
     #[inline(always)]
     fn ends(&self, along: f32x4) -> f32x4 {
         let ahead = positive_part(along);

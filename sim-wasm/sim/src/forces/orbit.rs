@@ -1,67 +1,29 @@
-//! Orbits: smoke circles a mass in a point or along a line, as planets do.
+//! Orbits: smoke circles a point or a line.
 //!
-//! a = -mu d / (d^2 + s^2)^(3/2) for the way d from a point (Plummer, "On the problem of distribution in globular star
-//! clusters", Monthly Notices of the Royal Astronomical Society 71, 1911), and a = -mu d / (d^2 + s^2) for the way d from
-//! a line. Parameters: `orbits.#.acceleration` (m/s2), what mu pulls with at a distance of one metre from a core of no
-//! size, negative to repel; `.coreRadius` s (m); `.position.*` (m), the point, or a point on the line; `.axis.*`, the
-//! direction of the line, all 0 for a point. After Sims, "Particle Animation and Rendering Using Data Parallel
-//! Computation", SIGGRAPH 1990.
+//! a = -mu d / (d^2 + s^2)^(3/2) for the vector d from a point (Plummer, "On the problem of distribution in globular
+//! star clusters", Monthly Notices of the Royal Astronomical Society 71, 1911), and a = -mu d / (d^2 + s^2) for the
+//! vector d from a line. Parameters: `orbits.#.acceleration` (m/s2), the strength of mu at a distance of one metre
+//! without a core, negative to repel; `.coreRadius` s (m); `.position.*` (m), the point, or a point on the line;
+//! `.axis.*`, the direction of the line, all 0 for a point. After Sims, "Particle Animation and Rendering Using Data
+//! Parallel Computation", SIGGRAPH 1990.
 //!
-//! With the speed sqrt(mu / r), around a line sqrt(mu), smoke without drag stays on a circle well outside of the core.
-//! Its slip is followed by leapfrog steps, which keep the energy of a closed orbit. The core is never so small that a
-//! swing through it takes less than four pi steps.
+//! At the speed sqrt(mu / r), around a line sqrt(mu), smoke without drag stays on a circle well outside of the core.
+//! Leapfrog steps conserve the energy of a closed orbit. The core is at least so large that a swing through it takes
+//! four pi steps.
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, direction_in, place_in};
-use crate::parameters::field::{DIRECTION, Field, PLACE, number, vector};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::Vector4;
-use crate::tile::Tile;
+use crate::forces::force::{Force, ForceContext, Phase, direction_in, place_in};
+use crate::layout::parameters::forces::orbit::Orbit;
+use crate::layout::scope::Reach;
+use crate::math::simd::Vector4;
+use crate::particles::tile::Tile;
 
-/// `orbits.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Orbit {
-    pub acceleration: f64,
-    pub core_radius: f64,
-    pub position: [f64; 3],
-    pub axis: [f64; 3],
-    pub scope: Scope,
-}
-
-impl Item for Orbit {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |o: &mut Self| {
-            &mut o.acceleration
-        })
-        .starts_at(2.0)
-        .says(
-            "Pull",
-            "Pull at a distance of one metre: nearer it grows, farther away it falls.",
-        ),
-        number("coreRadius", "m", [0.01, 50.0], 0.1, |o: &mut Self| &mut o.core_radius)
-            .says("Core", "Radius within which the pull fades towards the centre."),
-        vector("position", "m", PLACE, [0.0; 3], |o: &mut Self| &mut o.position)
-            .says("Place", "What smoke orbits, or a point on the line that it orbits."),
-        vector("axis", "1", DIRECTION, [0.0; 3], |o: &mut Self| &mut o.axis).says(
-            "Axis",
-            "Direction of the line that smoke orbits; all 0 where it is a point.",
-        ),
-    ];
-
-    const LABEL: &'static str = "Orbit";
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
-
-/// An orbit's centre of one step.
+/// The centre of an orbit in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     position: Vector4,
-    /// No length: a point.
+    /// Zero for a point.
     axis: Vector4,
     is_line: bool,
     acceleration: f32x4,
@@ -71,15 +33,15 @@ pub struct Kernel {
 
 impl Force for Orbit {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Push;
+    const PHASE: Phase = Phase::Push;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
         if self.acceleration == 0.0 {
             return None;
         }
-        let frame = setting.now.frame(&self.scope);
+        let frame = context.now.frame(&self.scope);
         let is_line = self.axis != [0.0; 3];
-        let core = self.core_radius.max(self.least_core(is_line, setting.now.dt));
+        let core = self.core_radius.max(self.min_core(is_line, context.now.dt));
         Some(Kernel {
             position: place_in(&frame, self.position),
             axis: if is_line {
@@ -90,7 +52,7 @@ impl Force for Orbit {
             is_line,
             acceleration: f32x4::splat(self.acceleration as f32),
             core_squared: f32x4::splat((core * core) as f32),
-            scope: Reach::new(&self.scope, &setting.now)?,
+            scope: Reach::new(&self.scope, &context.now)?,
         })
     }
 
@@ -100,8 +62,8 @@ impl Force for Orbit {
 }
 
 impl Orbit {
-    /// The core (m) in which smoke swings by half a radian in a step: eight in one place still are followed.
-    fn least_core(&self, is_line: bool, dt: f64) -> f64 {
+    /// Minimum core (m): smoke swings by half a radian per step, which is stable even for eight orbits in one place.
+    fn min_core(&self, is_line: bool, dt: f64) -> f64 {
         let volume = 4.0 * self.acceleration.abs() * dt * dt;
         if is_line {
             libm::sqrt(volume)

@@ -1,42 +1,19 @@
-//! Speed limits: smoke moves no faster than it may.
+//! Speed limits.
 //!
-//! Where air and slip together would take a particle farther in a step than L h, its way and its slip become shorter by
-//! the same factor: a hard limit, below which nothing changes. Where the region's weight is w, the factor f becomes
-//! 1 - w (1 - f). Parameter: `speedLimits.#.speed` L (m/s). After Sims, "Particle Animation and Rendering Using Data
-//! Parallel Computation", SIGGRAPH 1990.
+//! If air and slip would move a particle farther than L h in a step, its displacement and its slip are scaled by the
+//! same factor f: a hard limit without effect below it. At the region's weight w the factor is 1 - w (1 - f).
+//! Parameter: `speedLimits.#.speed` L (m/s). After Sims, "Particle Animation and Rendering Using Data Parallel
+//! Computation", SIGGRAPH 1990.
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage};
-use crate::parameters::field::{Field, number};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::Vector4;
-use crate::tile::{Columns, Tile};
+use crate::forces::force::{Force, ForceContext, Phase};
+use crate::layout::parameters::forces::speed_limit::SpeedLimit;
+use crate::layout::scope::Reach;
+use crate::math::simd::Vector4;
+use crate::particles::tile::{Columns, Tile};
 
-/// `speedLimits.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SpeedLimit {
-    pub speed: f64,
-    pub scope: Scope,
-}
-
-impl Item for SpeedLimit {
-    const FIELDS: &'static [Field<Self>] =
-        &[
-            number("speed", "m/s", [0.0, 1000.0], 1000.0, |s: &mut Self| &mut s.speed)
-                .starts_at(0.5)
-                .says("Top speed", "Smoke in its region moves no faster."),
-        ];
-
-    const LABEL: &'static str = "Speed limit";
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
-
-/// A limit of one step.
+/// A speed limit in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     speed: f32x4,
@@ -45,12 +22,12 @@ pub struct Kernel {
 
 impl Force for SpeedLimit {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Limit;
+    const PHASE: Phase = Phase::Limit;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
         Some(Kernel {
             speed: f32x4::splat(self.speed as f32),
-            reach: Reach::new(&self.scope, &setting.now)?,
+            reach: Reach::new(&self.scope, &context.now)?,
         })
     }
 
@@ -68,7 +45,7 @@ impl Force for SpeedLimit {
         for kernel in kernels {
             kernel.reach.weigh(ahead, weight);
             for (block, weight) in weight.iter().enumerate() {
-                // The paper's rule has one velocity, and it stands where slip stands otherwise.
+                // The integrator `paper` has one velocity, stored as slip.
                 let velocity = if is_instant {
                     slip[block]
                 } else {

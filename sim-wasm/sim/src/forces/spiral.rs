@@ -1,4 +1,4 @@
-//! Spirals: the air turns about an axis like a wheel, draws in and rises.
+//! Spirals: the air rotates about an axis like a rigid wheel, flows inwards and rises.
 //!
 //! r' = -i f min(1, r / c), theta' = w f, z' = v f with f = (1 - r^2 / R^2)^2, and still air where r >= R. Parameters:
 //! `spirals.#.turn` w (rad/s, counter-clockwise seen against the axis), `.inward` i (m/s, negative outwards), `.along` v
@@ -7,64 +7,19 @@
 //! Parallel Computation", SIGGRAPH 1990. The core of the inward flow is at least as wide as two steps of it are long,
 //! so that nothing swings across the axis.
 //!
-//! A particle must not spiral out by the rule that follows the air. The way of a step is expected to be that of the last
-//! step, turned by the angle a of this one; the air at its middle, w lengthened to 2 tan(a / 2) / h, then moves the
-//! particle along the very chord of its circle. With other flows the rule is of second order.
+//! The integrator must not move a particle outwards. The expected displacement of a step is that of the last step,
+//! rotated by the angle a of this one. The air velocity at its middle, with w lengthened to 2 tan(a / 2) / h, then
+//! moves the particle along the exact chord of its circle. Combined with other flows the rule is of second order.
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, direction_in, fade, place_in};
-use crate::parameters::field::{DIRECTION, Field, PLACE, number, vector};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::{Vector4, larger};
-use crate::tile::{Columns, Tile};
+use crate::forces::force::{Force, ForceContext, Phase, direction_in, fade, place_in};
+use crate::layout::parameters::forces::spiral::Spiral;
+use crate::layout::scope::Reach;
+use crate::math::simd::{Vector4, larger};
+use crate::particles::tile::{Columns, Tile};
 
-/// `spirals.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Spiral {
-    pub turn: f64,
-    pub inward: f64,
-    pub along: f64,
-    pub core_radius: f64,
-    pub reach: f64,
-    pub position: [f64; 3],
-    pub axis: [f64; 3],
-    pub scope: Scope,
-}
-
-impl Item for Spiral {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("turn", "rad/s", [-50.0, 50.0], 0.0, |s: &mut Self| &mut s.turn)
-            .starts_at(3.0)
-            .says("Turn", "How fast and in which sense the air turns about the axis."),
-        number("inward", "m/s", [-20.0, 20.0], 0.0, |s: &mut Self| &mut s.inward).says(
-            "Inward",
-            "How fast the air moves towards the axis; negative is away from it.",
-        ),
-        number("along", "m/s", [-50.0, 50.0], 0.0, |s: &mut Self| &mut s.along)
-            .says("Along", "How fast the air moves along the axis."),
-        number("coreRadius", "m", [0.01, 50.0], 0.25, |s: &mut Self| &mut s.core_radius).says(
-            "Core",
-            "Distance from the axis within which the air slows down on its way inward.",
-        ),
-        number("reach", "m", [0.05, 1000.0], 2.0, |s: &mut Self| &mut s.reach).says(
-            "Reach",
-            "Distance from the axis at which the spiral has faded to nothing.",
-        ),
-        vector("position", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.position).says("Place", "A point on the axis."),
-        vector("axis", "1", DIRECTION, [0.0, 1.0, 0.0], |s: &mut Self| &mut s.axis)
-            .says("Axis", "Direction of the axis."),
-    ];
-
-    const LABEL: &'static str = "Spiral";
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
-
-/// A spiral of one step.
+/// A spiral in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     position: Vector4,
@@ -82,15 +37,15 @@ pub struct Kernel {
 
 impl Force for Spiral {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Air;
+    const PHASE: Phase = Phase::Air;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
         if [self.turn, self.inward, self.along] == [0.0; 3] {
             return None;
         }
-        let frame = setting.now.frame(&self.scope);
+        let frame = context.now.frame(&self.scope);
         let splat = |value: f64| f32x4::splat(value as f32);
-        let dt = setting.now.dt;
+        let dt = context.now.dt;
         Some(Kernel {
             position: place_in(&frame, self.position),
             axis: direction_in(&frame, self.axis),
@@ -101,7 +56,7 @@ impl Force for Spiral {
             inverse_reach_squared: splat(1.0 / (self.reach * self.reach)),
             half: splat(dt * 0.5),
             per_half: splat(2.0 / dt),
-            scope: Reach::new(&self.scope, &setting.now)?,
+            scope: Reach::new(&self.scope, &context.now)?,
         })
     }
 
@@ -132,7 +87,7 @@ impl Force for Spiral {
 }
 
 impl Kernel {
-    /// The way out from the axis.
+    /// The vector from the axis.
     #[inline(always)]
     fn outwards(&self, place: Vector4) -> Vector4 {
         let offset = place - self.position;
@@ -145,13 +100,13 @@ impl Kernel {
         fade(outwards.dot(outwards), self.inverse_reach_squared)
     }
 
-    /// Where the middle of the chord will be that a step at the angular velocity `turn` takes, and the angular velocity
-    /// that takes it there. The way to `ahead` is half of the last step.
+    /// The expected middle of a step's chord at the angular velocity `turn`, and the angular velocity that moves the
+    /// particle along the chord. `ahead` is half of the last displacement away.
     #[inline(always)]
     fn chord(&self, place: Vector4, ahead: Vector4, turn: f32x4) -> (Vector4, f32x4) {
         let angle = turn * self.half;
         let square = angle * angle;
-        // The tangent of half the angle; the series is 4e-4 off at the fastest turn of the table.
+        // Tangent of half the angle. The error of the series is 4e-4 at the maximum angular velocity.
         let tangent = angle * (f32x4::ONE + square * (f32x4::splat(1.0 / 3.0) + square * f32x4::splat(2.0 / 15.0)));
         let share = tangent * f32x4::splat(2.0) / (f32x4::ONE + tangent * tangent);
         let way = ahead - place;

@@ -1,4 +1,4 @@
-//! Turbulence: small irregular swirls.
+//! Turbulence: small irregular vortices.
 //!
 //! It is the sum of octaves, random flows that are free of divergence (see `octave`). Each octave has half the size of
 //! the one before, which has `turbulence.scale` (m), and 0.6 times its speed; `turbulence.octaves` 0..4 of them
@@ -10,82 +10,25 @@
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage};
-use crate::parameters::field::{Field, number};
-use crate::parameters::section::Item;
-use crate::parameters::{LIST_LIMIT, Parameters};
-use crate::scope::{Reach, Scope};
-use crate::simd::Vector4;
-use crate::tile::{Columns, Tile};
+use crate::forces::force::{Force, ForceContext, Phase, TurbulenceState};
+use crate::forces::turbulence::octave::Octave;
+use crate::layout::parameters::forces::turbulence::Turbulence;
+use crate::layout::parameters::item::LIST_LIMIT;
+use crate::layout::parameters::settings::Pattern;
+use crate::layout::parameters::table::Parameters;
+use crate::layout::scope::Reach;
+use crate::math::simd::Vector4;
+use crate::particles::tile::{Columns, Tile};
 
 pub mod octave;
-use octave::Octave;
 
-/// Most octaves.
+/// Maximum number of octaves.
 pub const OCTAVE_LIMIT: usize = 4;
 
 const OCTAVE_SPEED: f64 = 0.6;
 const OCTAVE_PACE: f64 = 1.5;
-/// `turbulence.*`: the swirls that are everywhere.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pattern {
-    pub speed: f64,
-    pub scale: f64,
-    pub octaves: f64,
-    pub evolution: f64,
-}
 
-impl Item for Pattern {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("speed", "m/s", [0.0, 20.0], 0.0, |t: &mut Self| &mut t.speed),
-        number("scale", "m", [0.05, 100.0], 1.0, |t: &mut Self| &mut t.scale),
-        number("octaves", "1", [0.0, 4.0], 1.0, |t: &mut Self| &mut t.octaves).whole(),
-        number("evolution", "1/s", [0.0, 10.0], 0.3, |t: &mut Self| &mut t.evolution),
-    ];
-}
-
-/// `turbulences.#.*`: swirls in a region.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Turbulence {
-    pub pattern: Pattern,
-    pub scope: Scope,
-}
-
-impl Item for Turbulence {
-    const LABEL: &'static str = "Turbulence";
-    const FIELDS: &'static [Field<Self>] = &[
-        number("speed", "m/s", [0.0, 20.0], 0.0, |t: &mut Self| &mut t.pattern.speed)
-            .starts_at(0.5)
-            .says(
-                "Speed",
-                "Typical (root mean square) speed of the swirls; 0 takes this turbulence away.",
-            ),
-        number("scale", "m", [0.05, 100.0], 1.0, |t: &mut Self| &mut t.pattern.scale)
-            .says("Scale", "Size of the largest swirls."),
-        number("octaves", "1", [0.0, 4.0], 1.0, |t: &mut Self| &mut t.pattern.octaves)
-            .whole()
-            .says("Octaves", "How many finer layers of swirls are added; 0 is still air."),
-        number("evolution", "1/s", [0.0, 10.0], 0.3, |t: &mut Self| {
-            &mut t.pattern.evolution
-        })
-        .says("Evolution", "How fast the pattern of swirls changes."),
-    ];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
-
-/// What a turbulence remembers from step to step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct TurbulenceState {
-    /// How far the wind has carried the pattern (m).
-    pub drift: [f64; 3],
-    /// p of the first octave (rad).
-    pub phase: f64,
-}
-
-/// Moves all patterns on by `dt` seconds: those of the list, then the one that is everywhere.
+/// Advances all patterns by `dt` seconds: those of the list, then the global one.
 pub fn advance(states: &mut [TurbulenceState; LIST_LIMIT + 1], parameters: &Parameters, dt: f64) {
     let listed = parameters.lists.turbulences.items().iter();
     for (state, turbulence) in states.iter_mut().zip(listed) {
@@ -105,16 +48,16 @@ impl TurbulenceState {
 
 impl Force for Turbulence {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Air;
+    const PHASE: Phase = Phase::Air;
 
-    fn kernel(&self, index: usize, setting: &Setting) -> Option<Kernel> {
-        let swirls = Swirls::of_setting(&self.pattern, setting, index)?;
-        let reach = Reach::new(&self.scope, &setting.now)?;
+    fn kernel(&self, index: usize, context: &ForceContext) -> Option<Kernel> {
+        let swirls = Swirls::of_context(&self.pattern, context, index)?;
+        let reach = Reach::new(&self.scope, &context.now)?;
         Some(Kernel { swirls, reach })
     }
 
-    fn everywhere(setting: &Setting) -> Option<Kernel> {
-        let swirls = Swirls::of_setting(&setting.parameters.turbulence, setting, LIST_LIMIT)?;
+    fn everywhere(context: &ForceContext) -> Option<Kernel> {
+        let swirls = Swirls::of_context(&context.parameters.turbulence, context, LIST_LIMIT)?;
         Some(Kernel {
             swirls,
             reach: Reach::everywhere(),
@@ -134,14 +77,14 @@ impl Force for Turbulence {
     }
 }
 
-/// A turbulence of one step.
+/// A turbulence in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     swirls: Swirls,
     reach: Reach,
 }
 
-/// The field of one step.
+/// The velocity field of one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Swirls {
     octaves: [Octave; OCTAVE_LIMIT],
@@ -149,7 +92,7 @@ pub struct Swirls {
 }
 
 impl Swirls {
-    /// The field of `pattern`, its speed multiplied by `strength`; none without octaves or speed.
+    /// The field of `pattern` with its speed multiplied by `strength`; none without octaves or speed.
     pub fn new(pattern: &Pattern, strength: f64, state: &TurbulenceState, seed: u32) -> Option<Self> {
         let speed = pattern.speed * strength;
         let len = pattern.octaves as usize;
@@ -174,13 +117,13 @@ impl Swirls {
         Some(Self { octaves, len })
     }
 
-    /// Number `index` of all turbulences of a simulation.
-    fn of_setting(pattern: &Pattern, setting: &Setting, index: usize) -> Option<Self> {
-        // The one that is everywhere keeps the seed as it is.
+    /// The field of turbulence `index`.
+    fn of_context(pattern: &Pattern, context: &ForceContext, index: usize) -> Option<Self> {
+        // The global turbulence keeps the seed unchanged.
         let number = (index + 1) % (LIST_LIMIT + 1);
-        let seed = setting.seed ^ (number as u32).wrapping_mul(0xc2b2_ae35);
-        let strength = setting.parameters.forces.turbulence;
-        Self::new(pattern, strength, &setting.turbulence[index], seed)
+        let seed = context.seed ^ (number as u32).wrapping_mul(0xc2b2_ae35);
+        let strength = context.parameters.forces.turbulence;
+        Self::new(pattern, strength, &context.turbulence[index], seed)
     }
 
     /// Velocity (m/s) at four places.

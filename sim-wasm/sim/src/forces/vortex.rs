@@ -1,115 +1,76 @@
-//! Vortices: the air turns about an axis.
+//! Vortices: the air rotates about an axis.
 //!
-//! Lamb-Oseen: at the distance r from the axis the air moves around it at the angular velocity
+//! Lamb-Oseen: at the distance r from the axis the air rotates at the angular velocity
 //!
 //! w(r) = G m / (2 pi r^2) * (1 - exp(-r^2 / c^2)) * (1 - r^2 / R^2)^2,  and at 0 where r >= R.
 //!
 //! Parameters: `vortices.#.circulation` G (m2/s, counter-clockwise seen against the axis), `.coreRadius` c (m),
-//! `.reach` R (m, distance from the axis at which the swirl has faded to nothing), `.position.*` (m, a point on the
-//! axis), `.axis.*` (a direction of any length), `forces.vortex` m (multiplier). Inside the core the air turns like a
-//! solid, outside like a free vortex; the last factor makes the end smooth. `.profile` 1 is the core of Rankine
-//! instead, which turns exactly like a solid: 1 - exp(-r^2 / c^2) becomes the smaller of r^2 / c^2 and 1. Any w(r) is
-//! free of divergence. `.inflow` and `.updraft` (m/s) draw air to the axis and along it: see `draft`.
+//! `.reach` R (m, distance from the axis at which the swirl ends), `.position.*` (m, a point on the axis), `.axis.*` (a
+//! direction of any length), `forces.vortex` m (multiplier). The air rotates as a solid within the core and as a free
+//! vortex outside; the last factor ends it smoothly. `.profile` 1 selects the core of Rankine, an exact solid rotation:
+//! 1 - exp(-r^2 / c^2) becomes min(r^2 / c^2, 1). Any w(r) is free of divergence. `.inflow` and `.updraft` (m/s) draw
+//! air to the axis and along it: see `draft`.
 //!
-//! A particle must not spiral out. The plain midpoint rule grows the radius by a^4 / 8 for a turn by the angle a, which
-//! is 1 % after 20 turns at 5 rad/s. Here w is taken where the last step, continued, puts the middle of this one; the
-//! half step turns about the axis by 2 atan(a / 4) instead of going straight, and the whole step takes the chord that
-//! belongs to it. A lone vortex then keeps the radius at any speed but for rounding, only its angle lags (by a^3 / 48
-//! a step), no vortex moves anything by more than twice its distance, and with other flows the rule is of second order.
+//! The integrator must not move a particle outwards. The plain midpoint rule multiplies the radius by 1 + a^4 / 8 for a
+//! rotation by the angle a: 1 % after 20 revolutions at 5 rad/s. Here w is evaluated at the middle that the last step
+//! predicts; the half step rotates about the axis by 2 atan(a / 4) instead of moving straight, and the whole step
+//! follows its chord. A lone vortex keeps the radius at any speed except for rounding; only the angle lags (by a^3 / 48
+//! per step). No vortex moves anything by more than twice its distance. Combined with other flows the rule is of second
+//! order.
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage};
-use crate::parameters::LIST_LIMIT;
-use crate::parameters::field::{DIRECTION, Field, PLACE, number, vector};
-use crate::parameters::section::Item;
-use crate::scope::{Reach, Scope};
-use crate::simd::Vector4;
-use crate::tile::{Columns, TILE_BLOCKS, Tile};
+use crate::forces::force::{Force, ForceContext, Phase};
+use crate::forces::vortex::draft::Draft;
+use crate::forces::vortex::swirl::{HalfRotation, Swirl};
+use crate::layout::parameters::forces::vortex::Vortex;
+use crate::layout::parameters::item::LIST_LIMIT;
+use crate::layout::scope::Reach;
+use crate::math::simd::Vector4;
+use crate::particles::tile::{Columns, TILE_BLOCKS, Tile};
 
-mod draft;
-mod kernel;
-use kernel::{Kernel, Turn};
-
-/// `vortices.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Vortex {
-    pub circulation: f64,
-    pub core_radius: f64,
-    pub reach: f64,
-    pub profile: f64,
-    pub inflow: f64,
-    pub updraft: f64,
-    pub position: [f64; 3],
-    pub axis: [f64; 3],
-    pub scope: Scope,
-}
-
-impl Item for Vortex {
-    const LABEL: &'static str = "Vortex";
-    const FIELDS: &'static [Field<Self>] = &[
-        number("circulation", "m2/s", [-200.0, 200.0], 0.0, |v: &mut Self| {
-            &mut v.circulation
-        })
-        .starts_at(2.0)
-        .says(
-            "Circulation",
-            "Strength and sense of the swirl; 0 takes this vortex away.",
-        ),
-        number("coreRadius", "m", [0.01, 50.0], 0.25, |v: &mut Self| &mut v.core_radius)
-            .says("Core", "Radius of the calm middle, where the swirl is fastest."),
-        number("reach", "m", [0.05, 1000.0], 2.0, |v: &mut Self| &mut v.reach).says(
-            "Reach",
-            "Distance from the axis at which the swirl has faded to nothing.",
-        ),
-        number("profile", "1", [0.0, 1.0], 0.0, |v: &mut Self| &mut v.profile)
-            .named(&["lambOseen", "rankine"])
-            .says("Profile", "A soft core, or one that turns like a solid."),
-        number("inflow", "m/s", [-20.0, 20.0], 0.0, |v: &mut Self| &mut v.inflow).says(
-            "Inflow",
-            "Speed at which smoke is drawn towards the axis, at the core radius.",
-        ),
-        number("updraft", "m/s", [-20.0, 20.0], 0.0, |v: &mut Self| &mut v.updraft)
-            .says("Updraft", "Speed along the axis, in the middle of the core."),
-        vector("position", "m", PLACE, [0.0; 3], |v: &mut Self| &mut v.position).says("Place", "A point on the axis."),
-        vector("axis", "1", DIRECTION, [0.0, 0.0, 1.0], |v: &mut Self| &mut v.axis)
-            .says("Axis", "Direction of the axis."),
-    ];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
+pub(crate) mod draft;
+pub(crate) mod swirl;
 
 impl Vortex {
-    fn is_rankine(&self) -> bool {
-        self.profile == 1.0
-    }
-
     fn is_still(&self) -> bool {
         self.circulation == 0.0 && self.inflow == 0.0 && self.updraft == 0.0
     }
 }
 
+/// A vortex in one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Kernel {
+    swirl: Swirl,
+    scope: Reach,
+    /// Inflow and updraft, if any.
+    draft: Option<Draft>,
+}
+
 impl Force for Vortex {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Swirl;
+    const PHASE: Phase = Phase::Swirl;
 
-    fn kernel(&self, _index: usize, setting: &Setting) -> Option<Kernel> {
-        let strength = setting.parameters.forces.vortex;
+    fn kernel(&self, _index: usize, context: &ForceContext) -> Option<Kernel> {
+        let strength = context.parameters.forces.vortex;
         if strength == 0.0 || self.is_still() {
             return None;
         }
-        let scope = Reach::new(&self.scope, &setting.now)?;
-        let frame = setting.now.frame(&self.scope);
-        Some(Kernel::new(self, strength, &frame, scope, setting.now.dt as f32))
+        let scope = Reach::new(&self.scope, &context.now)?;
+        let frame = context.now.frame(&self.scope);
+        let dt = context.now.dt as f32;
+        Some(Kernel {
+            swirl: Swirl::new(self, strength, &frame, dt),
+            scope,
+            draft: Draft::new(self, strength, dt),
+        })
     }
 
     fn act(kernels: &[Kernel], tile: &mut Tile) {
         if tile.is_instant {
             return add_velocities(kernels, tile);
         }
-        // The common case keeps its turn in registers instead of a table.
+        // The common case keeps its rotation in registers.
         match kernels {
             [kernel] if kernel.draft.is_none() => add_mean_velocity(kernel, tile),
             _ => add_mean_velocities(kernels, tile),
@@ -117,7 +78,7 @@ impl Force for Vortex {
     }
 }
 
-/// Adds the velocities (m/s) at the places.
+/// Adds the velocities (m/s) at the current places.
 fn add_velocities(kernels: &[Kernel], tile: &mut Tile) {
     let Columns {
         place, flow, weight, ..
@@ -125,15 +86,15 @@ fn add_velocities(kernels: &[Kernel], tile: &mut Tile) {
     for kernel in kernels {
         kernel.scope.weigh(place, weight);
         for ((flow, place), weight) in flow.iter_mut().zip(&*place).zip(&*weight) {
-            *flow += kernel.velocity(*place) * *weight;
+            *flow += kernel.swirl.velocity(*place) * *weight;
             if let Some(draft) = &kernel.draft {
-                *flow += draft.velocity(kernel, *place) * *weight;
+                *flow += draft.velocity(&kernel.swirl, *place) * *weight;
             }
         }
     }
 }
 
-/// Adds the mean velocity (m/s) over the step where there is one vortex.
+/// Adds the mean velocity (m/s) over the step of a single vortex.
 fn add_mean_velocity(kernel: &Kernel, tile: &mut Tile) {
     let dt = f32x4::splat(tile.dt);
     let Columns {
@@ -147,17 +108,17 @@ fn add_mean_velocity(kernel: &Kernel, tile: &mut Tile) {
     kernel.scope.weigh(ahead, weight);
     let rest = ahead.iter().zip(&*slipped).zip(&*weight);
     for ((flow, place), ((ahead, slipped), weight)) in flow.iter_mut().zip(&*place).zip(rest) {
-        let turn = kernel.turn(*ahead, *weight);
+        let rotation = kernel.swirl.rotation(*ahead, *weight);
         let half = (*flow * dt + *slipped) * f32x4::HALF;
-        let middle = *place + half + kernel.half_step(*place, &turn);
-        *flow += kernel.chord_velocity(middle, &turn);
+        let middle = *place + half + kernel.swirl.half_step(*place, &rotation);
+        *flow += kernel.swirl.chord_velocity(middle, &rotation);
     }
 }
 
-/// Adds the mean velocity (m/s) over the step of several vortices, each of which moves the middle for the others.
+/// Adds the mean velocity (m/s) over the step of several vortices. Each moves the middle of the step for the others.
 fn add_mean_velocities(kernels: &[Kernel], tile: &mut Tile) {
     let dt = f32x4::splat(tile.dt);
-    let mut turns = [[Turn::STILL; TILE_BLOCKS]; LIST_LIMIT];
+    let mut rotations = [[HalfRotation::IDENTITY; TILE_BLOCKS]; LIST_LIMIT];
     let mut middles = [Vector4::zero(); TILE_BLOCKS];
     let Columns {
         place,
@@ -170,25 +131,25 @@ fn add_mean_velocities(kernels: &[Kernel], tile: &mut Tile) {
     for (((middle, place), slipped), flow) in middles.iter_mut().zip(&*place).zip(&*slipped).zip(&*flow) {
         *middle = *place + (*flow * dt + *slipped) * f32x4::HALF;
     }
-    for (kernel, turns) in kernels.iter().zip(&mut turns) {
+    for (kernel, rotations) in kernels.iter().zip(&mut rotations) {
         kernel.scope.weigh(ahead, weight);
-        for (block, turn) in turns[..place.len()].iter_mut().enumerate() {
-            *turn = kernel.turn(ahead[block], weight[block]);
-            let mut half = kernel.half_step(place[block], turn);
+        for (block, rotation) in rotations[..place.len()].iter_mut().enumerate() {
+            *rotation = kernel.swirl.rotation(ahead[block], weight[block]);
+            let mut half = kernel.swirl.half_step(place[block], rotation);
             if let Some(draft) = &kernel.draft {
-                half += draft.half_step(kernel, place[block], ahead[block], turn, weight[block]);
+                half += draft.half_step(&kernel.swirl, place[block], ahead[block], rotation, weight[block]);
             }
             middles[block] += half;
         }
     }
-    for (kernel, turns) in kernels.iter().zip(&turns) {
-        for ((flow, middle), turn) in flow.iter_mut().zip(&middles).zip(turns) {
-            *flow += kernel.chord_velocity(*middle, turn);
+    for (kernel, rotations) in kernels.iter().zip(&rotations) {
+        for ((flow, middle), rotation) in flow.iter_mut().zip(&middles).zip(rotations) {
+            *flow += kernel.swirl.chord_velocity(*middle, rotation);
         }
         let Some(draft) = &kernel.draft else { continue };
         kernel.scope.weigh(ahead, weight);
         for (block, flow) in flow.iter_mut().enumerate() {
-            *flow += draft.chord_velocity(kernel, middles[block], &turns[block], weight[block]);
+            *flow += draft.chord_velocity(&kernel.swirl, middles[block], &rotations[block], weight[block]);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Wind: the air as a whole moves.
+//! Wind: the air moves as a whole.
 //!
 //! u = w (1 + s (y - h)) + d g(t), for the mean velocity w (m/s), the shear s (1/m) about the height h (m), and gusts g
 //! along the direction d of the mean wind. The shear never turns the wind around: where its factor would be negative, it
@@ -12,81 +12,24 @@
 
 use wide::f32x4;
 
-use super::{Force, Setting, Stage, unit, vector_in};
-use crate::collide::space::Frame;
-use crate::parameters::field::{Field, PLACE, number, vector};
-use crate::parameters::section::Item;
-use crate::random::Random;
-use crate::scope::{Reach, Scope};
-use crate::simd::{Vector4, positive_part};
-use crate::tile::{Columns, Tile};
+use crate::forces::force::{Force, ForceContext, Phase, vector_in};
+use crate::layout::parameters::forces::wind::Wind;
+use crate::layout::parameters::item::Scope;
+use crate::layout::parameters::settings::Weather;
+use crate::layout::scope::Reach;
+use crate::math::double::direction;
+use crate::math::pose::Frame;
+use crate::math::random::Random;
+use crate::math::simd::{Vector4, positive_part};
+use crate::particles::tile::{Columns, Tile};
 
 const WAVES: u32 = 16;
-/// From one wave to the next the frequency grows by this factor: sixteen of them span a factor of 300.
+/// Ratio of consecutive wave frequencies: sixteen waves span a factor of 300.
 const FREQUENCY_RATIO: f64 = 1.46;
-/// The slowest wave, as a share of 1 / `gustTime`.
+/// Lowest frequency, as a share of 1 / `gustTime`.
 const SLOWEST: f64 = 0.1;
 
-/// `wind.*`: how the wind of `forces.wind.*` changes with height and time.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Weather {
-    pub gusts: f64,
-    pub gust_time: f64,
-    pub shear: f64,
-    pub height: f64,
-}
-
-impl Item for Weather {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("gusts", "m/s", [0.0, 20.0], 0.0, |w: &mut Self| &mut w.gusts)
-            .says("Gusts", "Typical (root mean square) speed of gusts along the wind."),
-        number("gustTime", "s", [0.1, 60.0], 2.0, |w: &mut Self| &mut w.gust_time)
-            .says("Gust time", "How long a strong gust lasts."),
-        number("shear", "1/m", [-10.0, 10.0], 0.0, |w: &mut Self| &mut w.shear).says(
-            "Shear",
-            "How much faster the wind is for each metre of height, as a share.",
-        ),
-        number("height", "m", PLACE, 0.0, |w: &mut Self| &mut w.height)
-            .says("Shear height", "Height at which shear changes nothing."),
-    ];
-}
-
-/// `winds.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Wind {
-    pub velocity: [f64; 3],
-    pub weather: Weather,
-    pub scope: Scope,
-}
-
-impl Item for Wind {
-    const LABEL: &'static str = "Wind";
-    const FIELDS: &'static [Field<Self>] = &[
-        vector("velocity", "m/s", [-50.0, 50.0], [0.0; 3], |w: &mut Self| {
-            &mut w.velocity
-        })
-        .starts_at(0.5)
-        .says("Wind", "Velocity of the wind."),
-        number("gusts", "m/s", [0.0, 20.0], 0.0, |w: &mut Self| &mut w.weather.gusts)
-            .says("Gusts", "Typical (root mean square) speed of gusts along the wind."),
-        number("gustTime", "s", [0.1, 60.0], 2.0, |w: &mut Self| {
-            &mut w.weather.gust_time
-        })
-        .says("Gust time", "How long a strong gust lasts."),
-        number("shear", "1/m", [-10.0, 10.0], 0.0, |w: &mut Self| &mut w.weather.shear).says(
-            "Shear",
-            "How much faster the wind is for each metre of height, as a share.",
-        ),
-        number("height", "m", PLACE, 0.0, |w: &mut Self| &mut w.weather.height)
-            .says("Shear height", "Height at which shear changes nothing."),
-    ];
-
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
-}
-
-/// A wind of one step.
+/// A wind in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     mean: Vector4,
@@ -98,22 +41,22 @@ pub struct Kernel {
 
 impl Force for Wind {
     type Kernel = Kernel;
-    const STAGE: Stage = Stage::Air;
+    const PHASE: Phase = Phase::Air;
 
-    fn kernel(&self, index: usize, setting: &Setting) -> Option<Kernel> {
-        self.blowing(index as u32 + 1, setting)
+    fn kernel(&self, index: usize, context: &ForceContext) -> Option<Kernel> {
+        self.blowing(index as u32 + 1, context)
     }
 
-    fn everywhere(setting: &Setting) -> Option<Kernel> {
+    fn everywhere(context: &ForceContext) -> Option<Kernel> {
         let wind = Wind {
-            velocity: setting.parameters.forces.wind,
-            weather: setting.parameters.wind,
+            velocity: context.parameters.forces.wind,
+            weather: context.parameters.wind,
             scope: Scope {
-                rigid: crate::scope::WORLD,
+                rigid: crate::layout::parameters::item::WORLD,
                 ..Scope::default()
             },
         };
-        wind.blowing(0, setting)
+        wind.blowing(0, context)
     }
 
     fn act(kernels: &[Kernel], tile: &mut Tile) {
@@ -131,23 +74,23 @@ impl Force for Wind {
 }
 
 impl Wind {
-    /// The wind of this step; `number` tells its gusts from those of the others.
-    fn blowing(&self, number: u32, setting: &Setting) -> Option<Kernel> {
+    /// Prepares the wind; `number` selects the random phases of its gusts.
+    fn blowing(&self, number: u32, context: &ForceContext) -> Option<Kernel> {
         if self.velocity == [0.0; 3] && self.weather.gusts == 0.0 {
             return None;
         }
-        let reach = Reach::new(&self.scope, &setting.now)?;
-        let frame = setting.now.frame(&self.scope);
-        Some(self.blow(&frame, reach, number, setting))
+        let reach = Reach::new(&self.scope, &context.now)?;
+        let frame = context.now.frame(&self.scope);
+        Some(self.blow(&frame, reach, number, context))
     }
 
-    fn blow(&self, frame: &Frame, reach: Reach, number: u32, setting: &Setting) -> Kernel {
+    fn blow(&self, frame: &Frame, reach: Reach, number: u32, context: &ForceContext) -> Kernel {
         let along = if self.velocity == [0.0; 3] {
             [1.0, 0.0, 0.0]
         } else {
-            unit(self.velocity)
+            direction(self.velocity)
         };
-        let speed = gust(&self.weather, setting.now.time, setting.seed ^ number) as f32;
+        let speed = gust(&self.weather, context.now.time, context.seed ^ number) as f32;
         Kernel {
             mean: vector_in(frame, self.velocity.map(|component| component as f32)),
             gust: vector_in(frame, along.map(|component| component * speed)),
@@ -169,7 +112,7 @@ pub fn gust(weather: &Weather, time: f64, seed: u32) -> f64 {
         let share = SLOWEST * libm::pow(FREQUENCY_RATIO, f64::from(wave));
         let phase = f64::from(random.unit());
         let density = libm::pow(1.0 + share, -5.0 / 3.0);
-        // The waves stand at equal ratios, so that each has a band as wide as its frequency to stand for.
+        // Frequencies have equal ratios, so each wave represents a band as wide as its frequency.
         let amplitude = libm::sqrt(density * share);
         let cycles = share / weather.gust_time * time + phase;
         sum += amplitude * libm::sin(2.0 * std::f64::consts::PI * (cycles - libm::floor(cycles)));

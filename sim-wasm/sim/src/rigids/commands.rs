@@ -1,23 +1,22 @@
-//! What a rigid can be told once it is there.
+//! Commands to existing rigids.
 
-use super::description::{RigidKind, Spin, ranged, shape_error};
-use super::grab::Grab;
-use super::path::Path;
-use super::track::Track;
-use super::{Member, Rigids, TOP_SPEED};
-use crate::collide::space::{Pose, Vector};
-use crate::error::ParameterError;
-
-/// Fastest spin (rad/s), for shapes so small that [`TOP_SPEED`] would allow more: two turns a step.
-const FASTEST_SPIN: f32 = 720.0;
+use crate::layout::error::ParameterError;
+use crate::math::pose::Pose;
+use crate::rigids::checks::{no_such_rigid, shape_error};
+use crate::rigids::description::RigidKind;
+use crate::rigids::grab::Grab;
+use crate::rigids::path::Path;
+use crate::rigids::set::{Member, Rigids};
+use crate::rigids::spin::{check_spin, spin_of};
+use crate::rigids::track::Track;
 
 impl Rigids {
-    /// Sends a kinematic rigid to a pose: it is there after the coming step, or after more when its surface would have
-    /// to move faster than [`TOP_SPEED`]. It leaves its path for that; its spin goes on. A dynamic rigid is put there
-    /// instead, at rest and without a way that would sweep smoke along, and moves on from there in the coming step.
+    /// Sends a kinematic rigid to a pose. It arrives in the coming step, or later if its surface would move faster than
+    /// [`TOP_SPEED`]. It leaves its path; its spin continues. A dynamic rigid is teleported instead: it rests at the
+    /// pose, without sweeping smoke along, and moves on in the coming step.
     ///
     /// # Errors
-    /// When there is no such rigid or it is fixed.
+    /// The rigid does not exist or is fixed.
     pub fn move_to(&mut self, index: u32, pose: Pose) -> Result<(), ParameterError> {
         self.check_movable(index)?;
         let member = self.member(index)?;
@@ -27,11 +26,11 @@ impl Rigids {
         Ok(())
     }
 
-    /// Gives a kinematic rigid a path, or takes it away. The path's time is that of the simulator; a rigid that is
-    /// elsewhere goes to its path no faster than [`TOP_SPEED`].
+    /// Sets or removes the path of a kinematic rigid. The path's time is that of the simulator. A rigid that is
+    /// elsewhere moves to its path at no more than [`TOP_SPEED`].
     ///
     /// # Errors
-    /// When there is no such rigid or it is not kinematic.
+    /// The rigid does not exist or is not kinematic.
     pub fn set_path(&mut self, index: u32, path: Option<Path>) -> Result<(), ParameterError> {
         let member = self.kinematic(index)?;
         member.guide.target = None;
@@ -40,12 +39,12 @@ impl Rigids {
         Ok(())
     }
 
-    /// Lets a kinematic rigid spin about `axis`, in its own space, at `rate` rad/s on top of all else that moves it. It
-    /// goes on from how it is turned now.
+    /// Spins a kinematic rigid about `axis`, in its own space, at `rate` rad/s, in addition to all other motion. The
+    /// spin starts at the current rotation.
     ///
     /// # Errors
-    /// When there is no such rigid, it is not kinematic, the axis has no direction, or the surface would move faster
-    /// than [`TOP_SPEED`].
+    /// The rigid does not exist or is not kinematic, the axis is zero, or the surface would move faster than
+    /// [`TOP_SPEED`].
     pub fn set_spin(&mut self, index: u32, axis: [f32; 3], rate: f32) -> Result<(), ParameterError> {
         let member = self.kinematic(index)?;
         let spin = spin_of(axis, rate)?;
@@ -56,10 +55,10 @@ impl Rigids {
         Ok(())
     }
 
-    /// Draws a point of a rigid to a place by a critically damped spring, until [`Rigids::release`].
+    /// Drags a point of a rigid to a position by a critically damped spring, until [`Rigids::release`].
     ///
     /// # Errors
-    /// When there is no such rigid or it is fixed.
+    /// The rigid does not exist or is fixed.
     pub fn drag(&mut self, index: u32, grab: Grab) -> Result<(), ParameterError> {
         self.check_movable(index)?;
         let member = self.member(index)?;
@@ -68,10 +67,10 @@ impl Rigids {
         Ok(())
     }
 
-    /// Lets go: a kinematic rigid stays where it is or goes back to its path, a dynamic one flies on.
+    /// Ends the drag. A kinematic rigid stays or returns to its path, a dynamic one keeps its velocity.
     ///
     /// # Errors
-    /// When there is no such rigid.
+    /// The rigid does not exist.
     pub fn release(&mut self, index: u32) -> Result<(), ParameterError> {
         self.member(index)?.guide.grab = None;
         Ok(())
@@ -100,12 +99,12 @@ impl Rigids {
             .ok_or_else(|| no_such_rigid(index, self.count()))
     }
 
-    /// Refuses a rigid that does not exist.
+    /// Checks that a rigid exists.
     pub(crate) fn check_exists(&mut self, index: u32) -> Result<(), ParameterError> {
         self.member(index).map(|_| ())
     }
 
-    /// Refuses a rigid that does not exist or is fixed.
+    /// Checks that a rigid exists and is not fixed.
     pub(crate) fn check_movable(&self, index: u32) -> Result<(), ParameterError> {
         if self.kind(index)? != RigidKind::Fixed {
             return Ok(());
@@ -113,36 +112,4 @@ impl Rigids {
         let message = format!("rigid {index} is fixed; only kinematic and dynamic rigids can be moved");
         Err(shape_error("rigid.index", f64::from(index), message))
     }
-}
-
-/// A refusal of the number of a rigid, where there are `count`.
-pub(super) fn no_such_rigid(index: u32, count: usize) -> ParameterError {
-    ParameterError::out_of_range("rigid.index", f64::from(index), 0.0, count as f64 - 1.0)
-}
-
-/// Reads a spin: its axis, brought to unit length, and its rate (rad/s).
-///
-/// # Errors
-/// When a number is not finite or too large, or the axis has no direction.
-pub(super) fn spin_of(axis: [f32; 3], rate: f32) -> Result<Spin, ParameterError> {
-    let rate = ranged(
-        "rigid.spin.rate",
-        rate,
-        (-f64::from(FASTEST_SPIN), f64::from(FASTEST_SPIN)),
-    )?;
-    for (name, value) in ["x", "y", "z"].iter().zip(axis) {
-        ranged(&format!("rigid.spin.axis.{name}"), value, (-1e3, 1e3))?;
-    }
-    let length = Vector::from(axis).length();
-    ranged("rigid.spin.axis", length, (1e-3, 2e3))?;
-    // What is a unit but for rounding stays bit for bit, as with rotations.
-    let scale = if (length - 1.0).abs() < 1e-5 { 1.0 } else { 1.0 / length };
-    let axis = Vector::from(axis) * scale;
-    Ok(Spin { axis, rate })
-}
-
-/// Refuses a spin at which a rigid of `reach` (m) would be faster than [`TOP_SPEED`].
-pub(super) fn check_spin(spin: &Spin, reach: f32) -> Result<(), ParameterError> {
-    let most = f64::from((TOP_SPEED / reach).min(FASTEST_SPIN));
-    ranged("rigid.spin.rate", spin.rate, (-most, most)).map(|_| ())
 }

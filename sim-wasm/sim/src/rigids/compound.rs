@@ -1,32 +1,34 @@
-//! Several shapes as one obstacle.
+//! Compound shapes.
 
-use super::meshes::distance_to_box;
 use crate::collide::shapes::{Collider, Nearest};
-use crate::collide::space::{Bounds, Frame, Pose, Vector};
+use crate::math::bounds::Bounds;
+use crate::math::pose::{Frame, Pose};
+use crate::math::vector::Vector;
+use crate::rigids::meshes::distance_to_box;
 
-/// The union of its parts.
+/// The union of several shapes.
 pub struct Compound {
-    parts: Vec<Part>,
+    parts: Vec<CompoundPart>,
     bounds: Bounds,
 }
 
-struct Part {
+struct CompoundPart {
     frame: Frame,
-    /// In the compound's space.
+    /// In the space of the compound.
     bounds: Bounds,
     shape: Box<dyn Collider>,
 }
 
 impl Compound {
-    /// The union of shapes, each at its pose; there is at least one.
+    /// The union of at least one shape, each at its pose.
     pub fn new(shapes: impl Iterator<Item = (Pose, Box<dyn Collider>)>) -> Self {
-        let parts: Vec<Part> = shapes.map(|(pose, shape)| Part::new(&pose, shape)).collect();
+        let parts: Vec<CompoundPart> = shapes.map(|(pose, shape)| CompoundPart::new(&pose, shape)).collect();
         let bounds = parts.iter().fold(Bounds::NOTHING, |all, part| all.with(&part.bounds));
         Self { parts, bounds }
     }
 }
 
-impl Part {
+impl CompoundPart {
     fn new(pose: &Pose, shape: Box<dyn Collider>) -> Self {
         let frame = Frame::new(pose);
         let bounds = frame.bounds_of(&shape.bounds());
@@ -37,13 +39,13 @@ impl Part {
         let nearest = self.shape.nearest(self.frame.local_from_world(point), limit);
         Nearest {
             distance: nearest.distance,
-            normal: self.frame.turned(nearest.normal),
+            normal: self.frame.rotate(nearest.normal),
         }
     }
 }
 
 impl Collider for Compound {
-    /// Inside of several parts the deepest counts: its surface is the farthest way out.
+    /// Inside of several parts the deepest one counts: its surface is the farthest.
     fn nearest(&self, point: Vector, limit: f32) -> Nearest {
         let mut best = Nearest {
             distance: f32::INFINITY,
@@ -51,7 +53,7 @@ impl Collider for Compound {
         };
         for part in &self.parts {
             let away = distance_to_box(&part.bounds, point);
-            // Within a box nothing is known of the depth, so the part is always asked.
+            // Inside a part's box the depth is unknown: the part must be tested.
             if away > 0.0 && away >= best.distance {
                 continue;
             }

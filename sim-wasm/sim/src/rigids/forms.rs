@@ -1,37 +1,39 @@
-//! From a described shape to its two forms: one that Rapier moves, one that particles bump into.
+//! Construction of a shape's two forms: Rapier's, and the collider of particles.
 
 use rapier3d::glamx::Vec3;
 use rapier3d::parry::shape::{ConvexPolyhedron, SharedShape, TriMesh, TriMeshFlags};
 use rapier3d::parry::transformation::try_convex_hull;
 
-use super::compound::Compound;
-use super::description::{RigidDescription, RigidKind, RigidShape, shape_error};
-use super::meshes::{Hull, Mesh};
 use crate::collide::shapes::{Ball, Capsule, Collider, Cuboid, Cylinder};
-use crate::collide::space::{Pose, Vector};
-use crate::error::ParameterError;
+use crate::layout::error::ParameterError;
+use crate::math::pose::Pose;
+use crate::math::vector::Vector;
+use crate::rigids::checks::shape_error;
+use crate::rigids::compound::Compound;
+use crate::rigids::description::{RigidDescription, RigidKind, RigidShape};
+use crate::rigids::meshes::{Hull, Mesh};
 
-/// A volume below this share of its box's is no volume.
-const LEAST_FILLING: f32 = 1e-4;
-const LEAST_HALF_EXTENT: f32 = 5e-4;
+/// Minimum volume, as a share of the box's.
+const MIN_FILL_RATIO: f32 = 1e-4;
+const MIN_HALF_EXTENT: f32 = 5e-4;
 
-/// A rigid's shape twice.
+/// Both forms of a rigid's shape.
 pub struct Forms {
     /// Each with its pose in the rigid.
     pub rapiers: Vec<(Pose, SharedShape)>,
     pub ours: Box<dyn Collider>,
 }
 
-/// A shape twice.
+/// Both forms of a single shape.
 struct Form {
     rapiers: SharedShape,
     ours: Box<dyn Collider>,
 }
 
-/// Makes both forms of a described rigid.
+/// Creates both forms of a description.
 ///
 /// # Errors
-/// When points span no volume, or no triangle has an area, or a dynamic rigid is a sheet, which has no mass.
+/// The points span no volume, no triangle has an area, or a dynamic rigid is a sheet, which has no mass.
 pub fn forms_of(description: &RigidDescription) -> Result<Forms, ParameterError> {
     let RigidShape::Compound { parts } = &description.shape else {
         let Form { rapiers, ours } = form_of(&description.shape, description.kind)?;
@@ -88,24 +90,24 @@ fn form_of(shape: &RigidShape, kind: RigidKind) -> Result<Form, ParameterError> 
 
 fn hull(vertices: &[[f32; 3]]) -> Result<Form, ParameterError> {
     let points: Vec<Vec3> = vertices.iter().map(|vertex| Vec3::from(*vertex)).collect();
-    let refused = || {
+    let error = || {
         let message = "rigid.vertices span no volume; give at least four points that do not lie in one plane";
         shape_error("rigid.vertices", vertices.len() as f64, message.to_owned())
     };
-    // Asked before the hull is made: its algorithm need not survive points in a line or a plane.
+    // Checked before the hull is built: its algorithm may fail for points on a line or a plane.
     if !spans_volume(&points) {
-        return Err(refused());
+        return Err(error());
     }
-    let (corners, triangles) = try_convex_hull(&points).map_err(|_| refused())?;
-    let polyhedron = ConvexPolyhedron::from_convex_mesh(corners.clone(), &triangles).ok_or_else(refused)?;
-    let mesh = oriented(corners, triangles).ok_or_else(refused)?;
+    let (corners, triangles) = try_convex_hull(&points).map_err(|_| error())?;
+    let polyhedron = ConvexPolyhedron::from_convex_mesh(corners.clone(), &triangles).ok_or_else(error)?;
+    let mesh = oriented(corners, triangles).ok_or_else(error)?;
     Ok(Form {
         rapiers: SharedShape::new(polyhedron),
         ours: Box::new(Hull::new(mesh)),
     })
 }
 
-/// Whether some four of the points are the corners of a tetrahedron that is not flat for their size.
+/// Returns true if four of the points form a tetrahedron that is not degenerate for its size.
 fn spans_volume(points: &[Vec3]) -> bool {
     let origin = points[0];
     let farthest = |measure: &dyn Fn(Vec3) -> f32| {
@@ -119,7 +121,7 @@ fn spans_volume(points: &[Vec3]) -> bool {
     let b = farthest(&|offset| a.cross(offset).length());
     let c = farthest(&|offset| a.cross(b).dot(offset).abs());
     let (area, volume) = (a.cross(b).length(), a.cross(b).dot(c).abs());
-    length > LEAST_HALF_EXTENT && area > LEAST_FILLING * length * length && volume > LEAST_FILLING * area * length
+    length > MIN_HALF_EXTENT && area > MIN_FILL_RATIO * length * length && volume > MIN_FILL_RATIO * area * length
 }
 
 fn trimesh(vertices: &[[f32; 3]], indices: &[[u32; 3]], kind: RigidKind) -> Result<Form, ParameterError> {
@@ -127,7 +129,7 @@ fn trimesh(vertices: &[[f32; 3]], indices: &[[u32; 3]], kind: RigidKind) -> Resu
     let flags = TriMeshFlags::MERGE_DUPLICATE_VERTICES | TriMeshFlags::DELETE_DEGENERATE_TRIANGLES;
     let merged = TriMesh::with_flags(points, indices.to_vec(), flags).ok();
     let merged = merged
-        .filter(|mesh| area_of(mesh) > LEAST_HALF_EXTENT * LEAST_HALF_EXTENT)
+        .filter(|mesh| area_of(mesh) > MIN_HALF_EXTENT * MIN_HALF_EXTENT)
         .ok_or_else(|| {
             let message = "rigid.indices make no triangle with an area".to_owned();
             shape_error("rigid.indices", indices.len() as f64, message)
@@ -164,7 +166,7 @@ fn area_of(mesh: &TriMesh) -> f32 {
         .sum()
 }
 
-/// The triangles, all turned over when they look inwards.
+/// The triangles, all flipped if they face inwards.
 fn outward(mesh: &TriMesh) -> Vec<[u32; 3]> {
     let origin = mesh.vertices()[0];
     let volume: f32 = mesh
@@ -175,7 +177,7 @@ fn outward(mesh: &TriMesh) -> Vec<[u32; 3]> {
     mesh.indices().iter().map(|triangle| turned(*triangle)).collect()
 }
 
-/// Whether each edge is walked once in each direction.
+/// Returns true if each edge occurs once in each direction.
 fn is_closed(triangles: &[[u32; 3]]) -> bool {
     let mut edges: Vec<(u32, u32)> = triangles
         .iter()

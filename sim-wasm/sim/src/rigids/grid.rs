@@ -1,55 +1,55 @@
-//! Which rigids are near: a uniform grid that is laid anew in each step over where rigids and particles both are.
+//! A uniform grid to find nearby rigids. It is rebuilt in each step over the intersection of rigids and particles.
 //!
-//! A rigid stands in each cell that its box touches, widened by a margin; a particle whose own box is no larger than
-//! the margin finds all its neighbours in the one cell of its middle. Rigids that would fill many cells stand in a list
-//! of their own, and a particle that is larger than the margin or outside of the grid looks at all rigids. Neither
-//! changes what is found.
+//! A rigid is entered in each cell that its box, widened by a margin, touches. A particle no larger than the margin
+//! finds all nearby rigids in the cell of its centre. Rigids that would fill many cells go to a separate list.
+//! Particles larger than the margin, or outside of the grid, test all rigids. The result does not depend on the grid.
 
 use wide::{f32x4, i32x4};
 
-use crate::collide::space::{Bounds, Vector, WideBounds};
-use crate::collide::survey::{Extent, Sight, Spot, Ways};
-use crate::particles::LANES;
+use crate::collide::survey::{GridLocation, NearLanes, ParticleExtent, SweptBoxes};
+use crate::math::bounds::{Bounds, WideBounds};
+use crate::math::simd::LANES;
+use crate::math::vector::Vector;
 
 const CELLS_PER_RIGID: usize = 64;
-const FEWEST_CELLS: usize = 512;
-const MOST_CELLS: usize = 32_768;
-/// A rigid in more cells than this is looked at by every particle.
-const MOST_CELLS_OF_ONE: usize = 512;
-const MOST_ALONG_AN_AXIS: f32 = 128.0;
+const MIN_CELLS: usize = 512;
+const MAX_CELLS: usize = 32_768;
+/// Maximum number of cells per rigid. Larger rigids are tested by every particle.
+const MAX_CELLS_PER_RIGID: usize = 512;
+const MAX_CELLS_PER_AXIS: f32 = 128.0;
 
 /// The grid of one step.
 #[derive(Debug, Default)]
-pub struct Grid {
+pub struct RigidGrid {
     boxes: Vec<Bounds>,
-    /// The same boxes.
+    /// The same boxes in SIMD registers.
     wide: Vec<WideBounds>,
     margin: f32,
-    /// Least and greatest corner.
+    /// Minimum corner and maximum corner (m).
     origin: Vector,
     end: Vector,
     cells_per_metre: [f32; 3],
     size: [usize; 3],
-    /// Where the entries of each cell begin; one more than there are cells.
+    /// First entry of each cell, then the number of entries.
     starts: Vec<u32>,
     entries: Vec<u16>,
     large: Vec<u16>,
 }
 
 /// Cells from..to along each axis.
-struct Span {
+struct CellRange {
     from: [usize; 3],
     to: [usize; 3],
 }
 
-impl Span {
+impl CellRange {
     fn count(&self) -> usize {
         (0..3).map(|axis| self.to[axis] - self.from[axis]).product()
     }
 }
 
-impl Grid {
-    /// Makes room for one more rigid, so that laying the grid never allocates.
+impl RigidGrid {
+    /// Reserves memory for one more rigid, so that rebuilding never allocates.
     pub fn add(&mut self, bounds: Bounds) {
         self.boxes.push(bounds);
         self.wide.push(WideBounds::from(&bounds));
@@ -57,11 +57,11 @@ impl Grid {
         self.starts
             .reserve((cell_limit(count) + 2).saturating_sub(self.starts.len()));
         self.entries
-            .reserve((count * MOST_CELLS_OF_ONE).saturating_sub(self.entries.len()));
+            .reserve((count * MAX_CELLS_PER_RIGID).saturating_sub(self.entries.len()));
         self.large.reserve(count.saturating_sub(self.large.len()));
     }
 
-    /// Tells where a rigid is during the coming step.
+    /// Sets the box of a rigid during the coming step.
     pub fn place(&mut self, index: usize, bounds: Bounds) {
         self.boxes[index] = bounds;
         self.wide[index] = WideBounds::from(&bounds);
@@ -72,9 +72,9 @@ impl Grid {
         self.boxes.iter().fold(Bounds::NOTHING, |all, one| all.with(one))
     }
 
-    /// Lays the grid over that part of where most particles are that can be near a rigid.
-    pub fn lay(&mut self, extent: &Extent) {
-        // A few particles that are far larger or faster than the rest shall not make the cells of all others too full.
+    /// Rebuilds the grid over the region in which most particles may be near a rigid.
+    pub fn rebuild(&mut self, extent: &ParticleExtent) {
+        // A few far larger or faster particles must not enlarge the cells of all others.
         let margin = extent.greatest_reach.min(3.0 * extent.mean_reach);
         let middles = &extent.middles;
         self.margin = margin;
@@ -88,39 +88,39 @@ impl Grid {
         self.write_entries(&area);
     }
 
-    /// The spots of four particles, and for which of them a look there is worth while; `all` is the box of all rigids.
+    /// Grid locations of four particles, and the lanes that may be near a rigid. `all` is the box of all rigids.
     #[inline]
-    pub fn look(&self, ways: &Ways, all: &Bounds) -> Sight {
-        match ways.touching(all) {
-            0 => Sight::default(),
+    pub fn look(&self, swept_boxes: &SweptBoxes, all: &Bounds) -> NearLanes {
+        match swept_boxes.touching(all) {
+            0 => NearLanes::default(),
             lanes => {
-                let sight = self.sight(ways);
-                Sight {
-                    lanes: lanes & sight.lanes,
-                    ..sight
+                let near_lanes = self.near_lanes(swept_boxes);
+                NearLanes {
+                    lanes: lanes & near_lanes.lanes,
+                    ..near_lanes
                 }
             }
         }
     }
 
     #[inline]
-    fn sight(&self, ways: &Ways) -> Sight {
-        let middles = ways.middles();
+    fn near_lanes(&self, swept_boxes: &SweptBoxes) -> NearLanes {
+        let middles = swept_boxes.middles();
         let cells = self.cells_of(&middles);
-        let large = ways.reaches().simd_gt(f32x4::splat(self.margin)).to_bitmask() | self.outside(&middles);
+        let large = swept_boxes.reaches().simd_gt(f32x4::splat(self.margin)).to_bitmask() | self.outside(&middles);
         let mut lanes = large;
         for index in &self.large {
-            lanes |= ways.touching(&self.boxes[usize::from(*index)]);
+            lanes |= swept_boxes.touching(&self.boxes[usize::from(*index)]);
         }
-        let spots = std::array::from_fn(|lane| {
+        let locations = std::array::from_fn(|lane| {
             let cell = cells[lane] as usize;
             lanes |= u32::from(self.starts[cell] != self.starts[cell + 1]) << lane;
-            Spot {
+            GridLocation {
                 cell: cells[lane] as u32,
                 is_large: large >> lane & 1 == 1,
             }
         });
-        Sight { lanes, spots }
+        NearLanes { lanes, locations }
     }
 
     #[inline]
@@ -144,19 +144,19 @@ impl Grid {
         ((z * height + y) * width + x).to_array()
     }
 
-    /// Appends the rigids whose boxes touch `bounds`, each number raised by `first`; there is room for all.
+    /// Appends the rigids whose boxes touch `bounds`; `first` is added to their indices. Never allocates.
     #[inline]
-    pub fn find_touching(&self, bounds: &WideBounds, spot: Spot, first: u32, near: &mut Vec<u32>) {
+    pub fn find_touching(&self, bounds: &WideBounds, location: GridLocation, first: u32, near: &mut Vec<u32>) {
         let touches = |index: &usize| self.wide[*index].touches(bounds);
-        if spot.is_large {
+        if location.is_large {
             near.extend((0..self.wide.len()).filter(touches).map(|index| first + index as u32));
             return;
         }
         let large = self.large.iter().map(|index| usize::from(*index));
         near.extend(large.filter(touches).map(|index| first + index as u32));
-        let cell = spot.cell as usize;
+        let cell = location.cell as usize;
         let entries = &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize];
-        // Written first and kept if it touches: a processor foretells that better than a branch.
+        // Written first and kept if it touches: branch-free, since the condition is unpredictable.
         let mut count = near.len();
         near.resize(count + entries.len(), 0);
         for index in entries {
@@ -173,7 +173,7 @@ impl Grid {
         let side = libm::cbrtf(extent.x * extent.y * extent.z / cells as f32);
         let mut left = cells;
         for (axis, length) in <[f32; 3]>::from(extent).into_iter().enumerate() {
-            let wanted = (length / side).clamp(1.0, MOST_ALONG_AN_AXIS) as usize;
+            let wanted = (length / side).clamp(1.0, MAX_CELLS_PER_AXIS) as usize;
             self.size[axis] = wanted.min(left).max(1);
             left /= self.size[axis];
             self.cells_per_metre[axis] = self.size[axis] as f32 / length;
@@ -189,11 +189,11 @@ impl Grid {
             let Some(span) = self.span_of(index, area) else {
                 continue;
             };
-            if span.count() > MOST_CELLS_OF_ONE {
+            if span.count() > MAX_CELLS_PER_RIGID {
                 self.large.push(index as u16);
                 continue;
             }
-            // Two places on: after the sums a cell's start stands one place on, ready to be counted up while writing.
+            // Shifted by two: after the prefix sums a cell's start is at the next index, where writing increments it.
             self.for_each_cell(&span, |starts, _, cell| starts[cell + 2] += 1);
         }
         for cell in 2..self.starts.len() {
@@ -208,7 +208,7 @@ impl Grid {
             let Some(span) = self.span_of(index, area) else {
                 continue;
             };
-            if span.count() > MOST_CELLS_OF_ONE {
+            if span.count() > MAX_CELLS_PER_RIGID {
                 continue;
             }
             self.for_each_cell(&span, |starts, entries, cell| {
@@ -218,7 +218,7 @@ impl Grid {
         }
     }
 
-    fn for_each_cell(&mut self, span: &Span, mut act: impl FnMut(&mut [u32], &mut [u16], usize)) {
+    fn for_each_cell(&mut self, span: &CellRange, mut act: impl FnMut(&mut [u32], &mut [u16], usize)) {
         for z in span.from[2]..span.to[2] {
             for y in span.from[1]..span.to[1] {
                 let row = (z * self.size[1] + y) * self.size[0];
@@ -229,14 +229,14 @@ impl Grid {
         }
     }
 
-    /// The cells of a rigid; none when it is not near the area.
-    fn span_of(&self, index: usize, area: &Bounds) -> Option<Span> {
+    /// Cells of a rigid; none outside of the area.
+    fn span_of(&self, index: usize, area: &Bounds) -> Option<CellRange> {
         let bounds = self.boxes[index].wider(self.margin);
         if !bounds.touches(area) {
             return None;
         }
         let (from, to) = (self.place_of(bounds.min), self.place_of(bounds.max));
-        Some(Span {
+        Some(CellRange {
             from,
             to: to.map(|last| last + 1),
         })
@@ -246,12 +246,12 @@ impl Grid {
         let offset: [f32; 3] = (point - self.origin).into();
         std::array::from_fn(|axis| {
             let place = offset[axis] * self.cells_per_metre[axis];
-            // A float too large for an integer becomes the greatest one, a negative one 0.
+            // Float to integer conversion saturates; negative numbers become 0.
             (place as usize).min(self.size[axis] - 1)
         })
     }
 }
 
 fn cell_limit(rigids: usize) -> usize {
-    (rigids * CELLS_PER_RIGID).clamp(FEWEST_CELLS, MOST_CELLS)
+    (rigids * CELLS_PER_RIGID).clamp(MIN_CELLS, MAX_CELLS)
 }

@@ -1,29 +1,30 @@
-//! What leads a kinematic rigid: a place it was told to go to, a path, a pointer that drags it; and a spin on top.
+//! Guidance of a kinematic rigid: a target pose, a path or a drag, plus a spin.
 
-use super::description::Spin;
-use super::grab::Grab;
-use super::track::Track;
-use super::{TOP_SPEED, pose_numbers};
-use crate::collide::space::{Frame, Pose, Vector, product, rotation_about};
-use crate::hash::Hash;
+use crate::math::hash::Hash;
+use crate::math::pose::{Frame, Pose, product, rotation_about};
+use crate::math::vector::Vector;
+use crate::rigids::checks::{TOP_SPEED, pose_numbers};
+use crate::rigids::grab::Grab;
+use crate::rigids::spin::Spin;
+use crate::rigids::track::Track;
 
-/// The state of what leads one rigid.
+/// The guidance of one rigid.
 #[derive(Clone, Debug)]
 pub struct Guide {
-    /// The pose without the spin.
+    /// Pose without the spin.
     pub base: Pose,
-    /// Velocity (m/s) of the base while it is dragged, and until the step after it is let go.
+    /// Velocity (m/s) of the base during a drag, and until the step after it.
     pub velocity: Vector,
-    /// How far it has spun (rad), 0..2 pi.
+    /// Angle of the spin (rad), 0..2 pi.
     pub angle: f64,
-    /// Where it was told to go, until it is there; a dynamic rigid is there at once.
+    /// Target pose until it is reached; a dynamic rigid is teleported there.
     pub target: Option<Pose>,
     pub track: Option<Track>,
     pub grab: Option<Grab>,
 }
 
 impl Guide {
-    /// Nothing leads.
+    /// No guidance.
     pub fn new(base: Pose) -> Self {
         Self {
             base,
@@ -35,9 +36,9 @@ impl Guide {
         }
     }
 
-    /// Leads a rigid of `reach` (m) for `dt` seconds, up to `time` (s); none when nothing leads it.
+    /// Advances by `dt` seconds, up to `time` (s), for a rigid of `reach` (m). None without guidance.
     pub fn next(&mut self, time: f64, dt: f32, reach: f32, spin: &Spin) -> Option<Pose> {
-        // Only now: that somebody let go is an input of this step and must not tell in the hash before it.
+        // Not on release: that is an input of this step and must not change the hash before it.
         if self.grab.is_none() {
             self.velocity = Vector::ZERO;
         }
@@ -53,7 +54,7 @@ impl Guide {
         Some(self.pose(spin))
     }
 
-    /// The base with the spin.
+    /// The base pose with the spin applied.
     pub fn pose(&self, spin: &Spin) -> Pose {
         if spin.rate == 0.0 && self.angle == 0.0 {
             return self.base;
@@ -64,14 +65,14 @@ impl Guide {
         }
     }
 
-    /// Axis times angle (rad, world space) by which the spin turns the rigid in `dt` seconds.
-    pub fn turn(&self, spin: &Spin, dt: f32) -> Vector {
-        Frame::new(&self.base).turned(spin.axis) * (spin.rate * dt)
+    /// Rotation vector (rad, world space) of the spin in `dt` seconds.
+    pub fn rotation_vector(&self, spin: &Spin, dt: f32) -> Vector {
+        Frame::new(&self.base).rotate(spin.axis) * (spin.rate * dt)
     }
 
     fn goal(&mut self, time: f64, dt: f32) -> Option<Pose> {
         if let Some(grab) = &self.grab {
-            let anchor = Frame::new(&self.base).turned(grab.anchor);
+            let anchor = Frame::new(&self.base).rotate(grab.anchor);
             self.velocity = grab.spring(self.base.position, self.velocity, grab.target - anchor, dt);
             return Some(Pose {
                 position: self.base.position + self.velocity * dt,
@@ -84,10 +85,10 @@ impl Guide {
         self.target
     }
 
-    /// Goes as far as [`TOP_SPEED`] allows.
+    /// Moves towards `goal` as far as [`TOP_SPEED`] allows.
     fn go_to(&mut self, goal: &Pose, dt: f32, reach: f32) {
         let way = (goal.position - self.base.position).length();
-        let arc = self.base.turn_to(goal).length() * reach;
+        let arc = self.base.rotation_vector_to(goal).length() * reach;
         let share = TOP_SPEED * dt / (way + arc).max(f32::MIN_POSITIVE);
         if share >= 1.0 {
             self.target = None;
@@ -97,8 +98,7 @@ impl Guide {
         }
     }
 
-    /// Adds to `hash` how it moves; nothing for what nothing leads. Where it was told to go is an input, as parameters
-    /// are, and no part of the state.
+    /// Adds the motion to `hash`; nothing without guidance. The target is an input and not part of the state.
     pub fn hash_into(&self, hash: &mut Hash) {
         if self.angle != 0.0 {
             hash.floats(&pose_numbers(&self.base));

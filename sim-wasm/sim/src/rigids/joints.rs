@@ -1,8 +1,8 @@
-//! Joints between two rigids, by Rapier's.
+//! Joints between two rigids.
 //!
-//! Flat numbers: kind (0 fixed, 1 ball, 2 hinge, 3 rope, 4 spring), the two rigids, the anchor in each (x, y, z). Then
-//! of a hinge: axis x, y, z, 1 where it has limits, the limits, motor speed, motor torque (0: no motor). Of a rope:
-//! length. Of a spring: length, stiffness, damping.
+//! Flat numbers: kind (0 fixed, 1 ball, 2 hinge, 3 rope, 4 spring), the two rigids, the anchor in each (x, y, z).
+//! Hinge: axis x, y, z, limited (0 or 1), the limits, motor speed, motor torque (0: no motor). Rope: length. Spring:
+//! length, stiffness, damping.
 
 use rapier3d::dynamics::{
     FixedJointBuilder, GenericJoint, JointAxis, RevoluteJointBuilder, RopeJointBuilder, SphericalJointBuilder,
@@ -10,66 +10,67 @@ use rapier3d::dynamics::{
 };
 use rapier3d::glamx::{Pose3, Quat, Vec3};
 
-use super::Rigids;
-use super::commands::no_such_rigid;
-use super::description::{AXES, PLACES, RigidKind, count_error, ranged, shape_error};
-use super::meshes::parrys;
-use crate::collide::space::{Pose, Vector};
-use crate::error::ParameterError;
+use crate::layout::error::ParameterError;
+use crate::math::pose::Pose;
+use crate::math::vector::Vector;
+use crate::rigids::checks::{AXES, PLACES, count_error, no_such_rigid, ranged, shape_error};
+use crate::rigids::description::RigidKind;
+use crate::rigids::meshes::parrys;
+use crate::rigids::set::Rigids;
 
 const LENGTHS: (f64, f64) = (1e-3, 1e3);
 const COEFFICIENTS: (f64, f64) = (0.0, 1e6);
 const ANGLES: (f64, f64) = (-std::f64::consts::PI, std::f64::consts::PI);
 const MOTOR_SPEEDS: (f64, f64) = (-200.0, 200.0);
 const MOTOR_TORQUES: (f64, f64) = (0.0, 1e6);
-/// How fast (1/s) a motor comes to its speed, where its torque allows.
+/// Gain of a motor (1/s), within its torque.
 const MOTOR_GAIN: f32 = 1000.0;
-const MOST_JOINTS: usize = 4096;
+const MAX_JOINTS: usize = 4096;
 
-/// What a joint leaves free.
+/// The degrees of freedom that a joint leaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JointKind {
-    /// Nothing: the two stay as they stand to each other now.
+    /// None: the current relative pose is kept.
     Fixed,
-    /// All turning about the common point.
+    /// All rotations about the common point.
     Ball,
-    /// Turning about `axis` (unit vector in the first rigid's space), from how the two stand now between the `limits`
-    /// (rad, -pi..pi).
+    /// Rotation about `axis` (unit vector in the first rigid's space) within the `limits` (rad, -pi..pi), relative to
+    /// the current pose.
     Hinge {
         axis: Vector,
         limits: Option<[f32; 2]>,
         motor: Option<Motor>,
     },
-    /// All within a distance (m).
+    /// All motion within a distance (m).
     Rope { length: f32 },
-    /// All, but a spring draws the anchors to a distance (m): stiffness in N/m, damping in N s/m.
+    /// All motion, with a spring of the rest length `length` (m), stiffness in N/m and damping in N s/m.
     Spring { length: f32, stiffness: f32, damping: f32 },
 }
 
-/// Turns the second rigid about the hinge.
+/// A motor that rotates the second rigid about a hinge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motor {
-    /// rad/s, -200..200.
+    /// Angular velocity, -200..=200 rad/s.
     pub speed: f32,
-    /// The greatest torque (N m), above 0.
+    /// Maximum torque (N m), above 0.
     pub torque: f32,
 }
 
-/// A joint before it is added.
+/// The description of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointDescription {
     pub kind: JointKind,
-    /// The numbers of two rigids, at least one of them dynamic. They do not collide with each other.
+    /// Indices of two rigids, at least one of them dynamic. They do not collide with each other.
     pub rigids: [u32; 2],
-    /// Where it is fastened, in each rigid's own space (m).
+    /// Anchor in each rigid's own space (m).
     pub anchors: [Vector; 2],
 }
 
 impl JointDescription {
-    /// Reads and checks flat numbers; the rigids are judged when the joint is added.
+    /// Reads and checks flat numbers. [`Rigids::add_joint`] checks the rigids.
     ///
     /// # Errors
-    /// Names the number that is missing, not finite or out of range, as `joint.*`.
+    /// A number is missing, not finite or out of range; the key is `joint.*`.
     pub fn from_numbers(numbers: &[f32]) -> Result<Self, ParameterError> {
         let [kind, a, b, anchors @ ..] = numbers else {
             return Err(count_error("joint.numbers", numbers.len(), 9));
@@ -91,15 +92,15 @@ impl JointDescription {
 }
 
 impl Rigids {
-    /// Joins two rigids as they stand now and returns the joint's number.
+    /// Joins two rigids at their current poses and returns the joint's index.
     ///
     /// # Errors
-    /// When a rigid does not exist, both are the same, none is dynamic, or there are 4096 joints already.
+    /// A rigid does not exist, both are the same, none is dynamic, or there are 4096 joints already.
     pub fn add_joint(&mut self, description: &JointDescription) -> Result<u32, ParameterError> {
         let index = self.world.joint_count();
-        let refused = |message: &str| Err(shape_error("joint.rigids", f64::NAN, message.to_owned()));
-        if index == MOST_JOINTS {
-            let most = MOST_JOINTS as f64;
+        let error = |message: &str| Err(shape_error("joint.rigids", f64::NAN, message.to_owned()));
+        if index == MAX_JOINTS {
+            let most = MAX_JOINTS as f64;
             return Err(ParameterError::out_of_range("joint.count", most + 1.0, 0.0, most));
         }
         let [a, b] = description.rigids;
@@ -107,11 +108,11 @@ impl Rigids {
             return Err(no_such_rigid(missing, self.count()));
         }
         if a == b {
-            return refused("joint.rigids are the same; join two different rigids");
+            return error("joint.rigids are the same; join two different rigids");
         }
         let dynamic = |rigid: u32| self.members[rigid as usize].description.kind == RigidKind::Dynamic;
         if !dynamic(a) && !dynamic(b) {
-            return refused("joint.rigids are neither dynamic; at least one of them must be");
+            return error("joint.rigids are neither dynamic; at least one of them must be");
         }
         let poses = [a, b].map(|rigid| self.world.pose(rigid as usize));
         self.world.join(a as usize, b as usize, rapiers(description, &poses));
@@ -121,9 +122,9 @@ impl Rigids {
 
 fn rapiers(description: &JointDescription, poses: &[Pose; 2]) -> GenericJoint {
     let [a, b] = description.anchors.map(parrys);
-    let turns = poses.map(|pose| Quat::from_array(pose.rotation));
-    // A frame of the first rigid as the second one sees it, so that the present poses already fulfil the joint.
-    let seen = |frame: Quat| turns[1].inverse() * turns[0] * frame;
+    let rotations = poses.map(|pose| Quat::from_array(pose.rotation));
+    // A frame of the first rigid in the second one, so that the current poses satisfy the joint.
+    let seen = |frame: Quat| rotations[1].inverse() * rotations[0] * frame;
     let mut joint: GenericJoint = match description.kind {
         JointKind::Fixed => FixedJointBuilder::new()
             .local_frame1(Pose3::from_parts(a, Quat::IDENTITY))

@@ -1,24 +1,24 @@
-//! Boundary layers: air near a moving rigid is dragged along.
+//! Boundary layers: moving rigids drag the air near them along.
 //!
-//! Within the layer a particle goes with the surface point nearest to it, times 1 - t^2 (3 - 2 t), t = distance /
-//! thickness: 1 at the surface, 0 and flat at the edge. This is air, not slip: nothing of it is kept when the rigid has
-//! passed. What passes within less than a step is followed in parts of a step.
+//! Within the layer a particle moves with the nearest point of the surface, times 1 - t^2 (3 - 2 t) for t = distance /
+//! thickness: 1 at the surface, 0 with slope 0 at the edge. This is air velocity, not slip: a particle keeps none of
+//! it. Rigids that pass within less than a step are followed in substeps.
 
-use super::Rigids;
 use crate::collide::contact::Obstacle;
 use crate::collide::shapes::Collider;
-use crate::collide::space::Vector;
-use crate::life::RadiusLaw;
+use crate::math::vector::Vector;
 use crate::particles::Particles;
+use crate::particles::radius::RadiusLaw;
+use crate::rigids::set::Rigids;
 
-/// A rigid goes no farther than this share of its layer's thickness in one part of a step ...
+/// Maximum displacement of a rigid per substep, as a share of the thickness of its layer,
 const SHARE_OF_LAYER: f32 = 0.25;
-/// ... where that does not need more parts than this.
-const MOST_PARTS: f32 = 64.0;
+/// up to this number of substeps.
+const MAX_PARTS: f32 = 64.0;
 
 impl Rigids {
-    /// Moves the particles near rigids that have a boundary layer; to be called after all else has moved them over
-    /// `dt` seconds and before they meet obstacles.
+    /// Moves the particles near rigids that have a boundary layer. Call it after all other motion over `dt` seconds and
+    /// before collisions.
     pub(crate) fn drag_air(&mut self, particles: &mut Particles, radii: &RadiusLaw, dt: f32) {
         let Self {
             obstacles,
@@ -53,15 +53,15 @@ struct Layer<'a> {
 }
 
 impl Layer<'_> {
-    /// How far (m) the layer takes a particle that goes from `from` to `to` in a step of `dt` seconds.
+    /// Displacement (m) by the layer of a particle that moves from `from` to `to` in a step of `dt` seconds.
     fn drag(&self, from: Vector, to: Vector, dt: f32) -> Vector {
         let motion = &self.obstacle.motion;
         let way = motion.top_speed(self.reach) * dt;
-        let parts = (way / (SHARE_OF_LAYER * self.thickness)).ceil().clamp(1.0, MOST_PARTS);
+        let parts = (way / (SHARE_OF_LAYER * self.thickness)).ceil().clamp(1.0, MAX_PARTS);
         let mut dragged = Vector::ZERO;
         let span = dt / parts;
         for part in 0..parts as u32 {
-            // The midpoint rule, as for all air: what goes in circles shall not be thrown out of them.
+            // The midpoint rule, as for all air: circular flow must not throw particles out.
             let fraction = (part as f32 + 0.5) / parts;
             let place = from.towards(to, fraction) + dragged;
             let half = self.velocity(place, fraction) * (0.5 * span);
@@ -80,7 +80,7 @@ impl Layer<'_> {
         if t >= 1.0 {
             return Vector::ZERO;
         }
-        let surface = place - frame.turned(nearest.normal) * nearest.distance;
+        let surface = place - frame.rotate(nearest.normal) * nearest.distance;
         motion.velocity_at(surface, fraction) * (1.0 - t * t * (3.0 - 2.0 * t))
     }
 }

@@ -1,23 +1,23 @@
-//! Shapes made of triangles, as obstacles: convex hulls and triangle meshes. The nearest triangle is found through
-//! the bounding volume hierarchy of Parry.
+//! Triangle meshes and convex hulls as colliders. Parry's bounding volume hierarchy finds the nearest triangle.
 
 use rapier3d::glamx::Vec3;
 use rapier3d::parry::query::PointQueryWithLocation;
 use rapier3d::parry::shape::TriMesh;
 
 use crate::collide::shapes::{Collider, Nearest};
-use crate::collide::space::{Bounds, Vector};
+use crate::math::bounds::Bounds;
+use crate::math::vector::Vector;
 
-/// A triangle mesh: solid where it closes a volume, else a sheet with two sides.
+/// A triangle mesh: a solid if it is closed, else a two-sided sheet.
 pub struct Mesh {
     mesh: TriMesh,
     bounds: Bounds,
-    /// No point inside is deeper than this (m); 0 for a sheet.
+    /// Upper bound of the depth of inner points (m); 0 for a sheet.
     depth: f32,
 }
 
 impl Mesh {
-    /// A solid, whose triangles close a volume and know inside from outside, or a sheet.
+    /// Creates a solid from a closed, oriented mesh, or a sheet.
     pub fn new(mesh: TriMesh, solid: bool) -> Self {
         let aabb = mesh.local_aabb();
         let bounds = Bounds {
@@ -43,7 +43,7 @@ impl Collider for Mesh {
                 normal: Vector::Y,
             };
         }
-        // A point in the middle of a solid is farther from the surface than a caller asks for, and must be found.
+        // An inner point may be farther from the surface than `limit`, and must be found.
         let limit = if outside > 0.0 {
             limit
         } else {
@@ -81,7 +81,7 @@ impl Collider for Mesh {
     }
 }
 
-/// A convex polyhedron: the planes of its faces say at once how deep a point is, or that it is far.
+/// A convex polyhedron: the planes of its faces give the depth of inner points and exclude far points.
 pub struct Hull {
     mesh: Mesh,
     faces: Vec<Face>,
@@ -93,7 +93,7 @@ struct Face {
 }
 
 impl Hull {
-    /// The solid of `mesh`, which is closed, convex and oriented.
+    /// The solid of `mesh`, which must be closed, convex and oriented.
     pub fn new(mesh: TriMesh) -> Self {
         let mut faces: Vec<Face> = Vec::new();
         for triangle in mesh.triangles() {
@@ -150,7 +150,7 @@ impl Collider for Hull {
     }
 }
 
-/// How far (m) a point is from a box; 0 inside.
+/// Distance (m) from a point to a box; 0 inside.
 pub fn distance_to_box(bounds: &Bounds, point: Vector) -> f32 {
     (bounds.min - point)
         .greatest(point - bounds.max)
@@ -158,12 +158,12 @@ pub fn distance_to_box(bounds: &Bounds, point: Vector) -> f32 {
         .length()
 }
 
-/// A vector of ours for Parry.
+/// Converts to Parry's vector.
 pub fn parrys(vector: Vector) -> Vec3 {
     Vec3::new(vector.x, vector.y, vector.z)
 }
 
-/// A vector of Parry for us.
+/// Converts from Parry's vector.
 pub fn ours(vector: Vec3) -> Vector {
     Vector::new(vector.x, vector.y, vector.z)
 }

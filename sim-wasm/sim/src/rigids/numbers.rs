@@ -1,28 +1,27 @@
-//! Rigids as flat numbers: how they cross a language boundary and how they are saved.
+//! Flat numbers of rigids, for language boundaries and saving.
 //!
-//! `numbers`: kind (0 fixed, 1 kinematic, 2 dynamic); position x, y, z and quaternion x, y, z, w; restitution, friction,
-//! density, action (0 bounce, 1 kill, 2 tint) and tint, boundary layer, feels smoke; the axis of the spin x, y, z and its rate; the count of parts, 0 for a single
-//! shape that is no compound. Then for each part: shape (0 ball, 1 cuboid, 2 capsule, 3 cylinder, 4 convex hull,
-//! 5 trimesh), how many dimensions, vertex numbers and indices it has, its pose in the rigid (7, as above), and its
-//! dimensions. Ball: radius. Cuboid: half extents. Capsule and cylinder: half height, radius. Hull and trimesh: none.
+//! `numbers`: kind (0 fixed, 1 kinematic, 2 dynamic); position x, y, z and quaternion x, y, z, w; restitution,
+//! friction, density, action (0 bounce, 1 kill, 2 tint) and tint, boundary layer, feels smoke; the axis of the spin x,
+//! y, z and its rate; the number of parts, 0 for a single shape. Then for each part: shape (0 ball, 1 cuboid, 2
+//! capsule, 3 cylinder, 4 convex hull, 5 trimesh), the numbers of its dimensions, vertex numbers and indices, its pose
+//! in the rigid (7, as above), and its dimensions. Ball: radius. Cuboid: half extents. Capsule and cylinder: half
+//! height, radius. Hull and trimesh: none.
 
-use super::commands::spin_of;
-use super::description::{
-    AXES, LENGTHS, RigidDescription, RigidKind, RigidPart, RigidShape, Spin, count_error, pose_under, ranged,
-    shape_error,
-};
-use super::path::Path;
-use super::pose_numbers;
 use crate::collide::contact::Action;
-use crate::collide::space::{Pose, Vector};
-use crate::error::ParameterError;
+use crate::layout::error::ParameterError;
+use crate::math::pose::Pose;
+use crate::math::vector::Vector;
+use crate::rigids::checks::{AXES, LENGTHS, count_error, pose_numbers, pose_under, ranged, shape_error};
+use crate::rigids::description::{RigidDescription, RigidKind, RigidPart, RigidShape};
+use crate::rigids::path::Path;
+use crate::rigids::spin::{Spin, spin_of};
 
 const DENSITIES: (f64, f64) = (1e-2, 1e5);
 const LAYERS: (f64, f64) = (0.0, 10.0);
 const FEELINGS: (f64, f64) = (0.0, 10.0);
-const MOST_PARTS: usize = 64;
+const MAX_PARTS: usize = 64;
 
-/// A rigid as flat numbers, as the head of this file tells.
+/// A rigid as flat numbers. See the module documentation.
 #[derive(Clone, Copy, Debug)]
 pub struct RigidNumbers<'a> {
     pub numbers: &'a [f32],
@@ -30,11 +29,11 @@ pub struct RigidNumbers<'a> {
     pub vertices: &'a [f32],
     /// Three vertices of each triangle, counted within the part; part by part.
     pub indices: &'a [u32],
-    /// As [`Path::from_numbers`] reads it.
+    /// The format of [`Path::from_numbers`].
     pub path: &'a [f32],
 }
 
-/// The same, owned.
+/// Owned [`RigidNumbers`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FlatRigid {
     pub numbers: Vec<f32>,
@@ -47,10 +46,10 @@ impl RigidDescription {
     /// Reads and checks flat numbers.
     ///
     /// # Errors
-    /// Names the number that is not finite or out of range, as `rigid.*`. Whether points span a hull is judged when
-    /// the rigid is added.
+    /// A number is not finite or out of range; the key is `rigid.*`. Adding the rigid checks whether points span a
+    /// hull.
     pub fn from_numbers(numbers: &RigidNumbers) -> Result<Self, ParameterError> {
-        let mut reader = Reader { rest: *numbers };
+        let mut reader = FlatReader { rest: *numbers };
         let kind = kind_of(reader.number()?)?;
         let pose = pose_under("rigid", reader.numbers(7)?)?;
         let restitution = ranged("rigid.restitution", reader.number()?, (0.0, 1.0))?;
@@ -75,7 +74,7 @@ impl RigidDescription {
         })
     }
 
-    /// The flat numbers of which [`RigidDescription::from_numbers`] makes the same description.
+    /// The inverse of [`RigidDescription::from_numbers`].
     pub fn to_numbers(&self) -> FlatRigid {
         let mut flat = FlatRigid {
             path: self.path.as_ref().map(Path::to_numbers).unwrap_or_default(),
@@ -134,11 +133,11 @@ impl FlatRigid {
     }
 }
 
-struct Reader<'a> {
+struct FlatReader<'a> {
     rest: RigidNumbers<'a>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> FlatReader<'a> {
     fn numbers(&mut self, count: usize) -> Result<&'a [f32], ParameterError> {
         take(&mut self.rest.numbers, count, "rigid.numbers")
     }
@@ -147,7 +146,7 @@ impl<'a> Reader<'a> {
         self.numbers(1).map(|numbers| numbers[0])
     }
 
-    /// A whole number that counts something.
+    /// Reads a count.
     fn count(&mut self, key: &str, most: usize) -> Result<usize, ParameterError> {
         let count = ranged(key, self.number()?, (0.0, most as f64))?;
         if count.fract() != 0.0 {
@@ -171,7 +170,7 @@ impl<'a> Reader<'a> {
     }
 
     fn shape(&mut self) -> Result<RigidShape, ParameterError> {
-        let count = self.count("rigid.parts", MOST_PARTS)?;
+        let count = self.count("rigid.parts", MAX_PARTS)?;
         if count == 0 {
             return self.part("rigid").map(|part| part.shape);
         }
@@ -215,7 +214,7 @@ fn kind_of(number: f32) -> Result<RigidKind, ParameterError> {
     }
 }
 
-/// The lengths of one part, under the name by which refusals call it.
+/// Dimensions and geometry of one part. `name` starts the keys of errors.
 struct Lengths<'a> {
     name: &'a str,
     dimensions: &'a [f32],

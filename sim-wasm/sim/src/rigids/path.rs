@@ -1,46 +1,45 @@
-//! The way that a kinematic rigid goes by itself, as it is described and as flat numbers.
+//! Paths of kinematic rigids: descriptions and flat numbers.
 //!
-//! `numbers` of keyframes: 0, looped (0 or 1), then for each frame its time and pose (position, quaternion). Of a
-//! spline: 1, looped, along (0 or 1), 0 and a duration or 1 and a speed, then x, y, z of each point. None: no path.
+//! Keyframes: 0, looped (0 or 1), then time and pose (position, quaternion) of each frame. Spline: 1, looped, along (0
+//! or 1), 0 and a duration or 1 and a speed, then x, y, z of each point. No numbers: no path.
 
-use super::description::{AXES, PLACES, pose_under, ranged, shape_error};
-use super::{TOP_SPEED, pose_numbers};
-use crate::collide::space::Pose;
-use crate::error::ParameterError;
+use crate::layout::error::ParameterError;
+use crate::math::pose::Pose;
+use crate::rigids::checks::{AXES, PLACES, TOP_SPEED, pose_numbers, pose_under, ranged, shape_error};
 
 const TIMES: (f64, f64) = (0.0, 1e5);
 const DURATIONS: (f64, f64) = (1e-2, 1e5);
 const SPEEDS: (f64, f64) = (1e-3, TOP_SPEED as f64);
-const MOST_FRAMES: usize = 1024;
-const MOST_POINTS: usize = 256;
-/// Points nearer to each other than this (m) say nothing of a direction.
-const LEAST_DISTANCE: f32 = 1e-4;
+const MAX_FRAMES: usize = 1024;
+const MAX_POINTS: usize = 256;
+/// Minimum distance of consecutive points (m), which defines a direction.
+const MIN_DISTANCE: f32 = 1e-4;
 const FRAME_NUMBERS: usize = 8;
 
-/// A pose at a time (s) of the simulator.
+/// A pose at a simulated time (s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Keyframe {
     pub time: f32,
     pub pose: Pose,
 }
 
-/// How fast a spline is followed.
+/// The pace along a spline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pace {
-    /// Seconds for the whole way, 0.01..100,000.
+    /// Duration of the whole path, 0.01..=100,000 s.
     Duration(f32),
-    /// m/s, 0.001..[`TOP_SPEED`].
+    /// Speed, 0.001..=[`TOP_SPEED`] m/s.
     Speed(f32),
 }
 
-/// Where a kinematic rigid is at each time of the simulator; 1..=1024 frames or 2..=256 points.
+/// The pose of a kinematic rigid as a function of simulated time; 1..=1024 frames or 2..=256 points.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Path {
-    /// From pose to pose, straight and by the shorter turn, each at an even pace. Before the first it stands at the
-    /// first; after the last it stands there, or begins anew when `looped`. Times ascend, 0..100,000.
+    /// Interpolates between poses at an even pace, by the shorter rotation. The rigid rests at the first frame before
+    /// its time, and at the last one afterwards, or repeats if `looped`. Times ascend, 0..=100,000.
     Keyframes { frames: Vec<Keyframe>, looped: bool },
-    /// A centripetal Catmull-Rom spline through `points` at an even pace from time 0 on. `looped`: closed, for ever.
-    /// `along`: the rigid's z axis looks ahead, its y axis as far up as that allows; else it keeps its rotation.
+    /// A centripetal Catmull-Rom spline through `points` at an even pace from time 0 on. `looped`: closed and repeated.
+    /// `along`: the z axis points ahead and the y axis up as far as possible; else the rotation is kept.
     Spline {
         points: Vec<[f32; 3]>,
         pace: Pace,
@@ -50,10 +49,10 @@ pub enum Path {
 }
 
 impl Path {
-    /// Reads and checks flat numbers; none make no path.
+    /// Reads and checks flat numbers. No numbers give no path.
     ///
     /// # Errors
-    /// Names the number that is missing, not finite or out of range, as `rigid.path.*`.
+    /// A number is missing, not finite or out of range; the key is `rigid.path.*`.
     pub fn from_numbers(numbers: &[f32]) -> Result<Option<Self>, ParameterError> {
         match numbers {
             [] => Ok(None),
@@ -73,7 +72,7 @@ impl Path {
         }
     }
 
-    /// The flat numbers of which [`Path::from_numbers`] makes the same path.
+    /// The inverse of [`Path::from_numbers`].
     pub fn to_numbers(&self) -> Vec<f32> {
         let flag = |is: bool| f32::from(u8::from(is));
         match self {
@@ -104,7 +103,7 @@ impl Path {
 
 fn keyframes(numbers: &[f32], looped: bool) -> Result<Path, ParameterError> {
     let (chunks, rest) = numbers.as_chunks::<FRAME_NUMBERS>();
-    check_count("rigid.path.keyframes", chunks.len(), (1, MOST_FRAMES), rest.len())?;
+    check_count("rigid.path.keyframes", chunks.len(), (1, MAX_FRAMES), rest.len())?;
     let mut frames: Vec<Keyframe> = Vec::with_capacity(chunks.len());
     for (index, [time, pose @ ..]) in chunks.iter().enumerate() {
         let name = format!("rigid.path.keyframes.{index}");
@@ -122,7 +121,7 @@ fn keyframes(numbers: &[f32], looped: bool) -> Result<Path, ParameterError> {
 
 fn points_of(numbers: &[f32], looped: bool) -> Result<Vec<[f32; 3]>, ParameterError> {
     let (points, rest) = numbers.as_chunks::<3>();
-    check_count("rigid.path.points", points.len(), (2, MOST_POINTS), rest.len())?;
+    check_count("rigid.path.points", points.len(), (2, MAX_POINTS), rest.len())?;
     for (place, value) in numbers.iter().enumerate() {
         let key = format!("rigid.path.points.{}.{}", place / 3, AXES[place % 3]);
         ranged(&key, *value, PLACES)?;
@@ -131,7 +130,7 @@ fn points_of(numbers: &[f32], looped: bool) -> Result<Vec<[f32; 3]>, ParameterEr
     for index in 0..steps {
         let (from, to) = (points[index], points[(index + 1) % points.len()]);
         let apart = (0..3).map(|axis| (to[axis] - from[axis]).abs()).fold(0.0, f32::max);
-        if apart < LEAST_DISTANCE {
+        if apart < MIN_DISTANCE {
             let key = format!("rigid.path.points.{index}");
             let message =
                 format!("{key} is where the next point is, in a loop the first after the last; leave one out");

@@ -1,28 +1,30 @@
-//! Rigids as bytes, by postcard: descriptions, poses and targets of ours, and Rapier's world as it is, so that what
-//! is taken up again goes on to the same hash.
+//! Serialisation of rigids by postcard: descriptions, poses, guidance and Rapier's world. Restored rigids continue to
+//! the same hash.
 
-use super::description::{RigidDescription, pose_of};
-use super::grab::Grab;
-use super::guide::Guide;
-use super::numbers::{FlatRigid, RigidNumbers};
-use super::world::World;
-use super::{Member, POSE_PAIR_FLOATS, Rigids, forms, pose_numbers};
-use crate::error::{ParameterError, RestoreError};
-use crate::hash::Hash;
+use crate::layout::error::{ParameterError, RestoreError};
+use crate::math::hash::Hash;
+use crate::rigids::checks::{pose_numbers, pose_of};
+use crate::rigids::description::RigidDescription;
+use crate::rigids::forms;
+use crate::rigids::grab::Grab;
+use crate::rigids::guide::Guide;
+use crate::rigids::numbers::{FlatRigid, RigidNumbers};
+use crate::rigids::set::{Member, POSE_PAIR_FLOATS, Rigids};
+use crate::rigids::world::World;
 
-/// The description as flat numbers: numbers, vertices, indices, path.
+/// Flat numbers of a description: numbers, vertices, indices, path.
 type SavedRigid = (Vec<f32>, Vec<f32>, Vec<u32>, Vec<f32>);
-/// What leads a rigid: base, velocity, angle, target, grab.
+/// Guidance of a rigid: base, velocity, angle, target, grab.
 type SavedGuide = ([f32; 7], [f32; 3], f64, Option<[f32; 7]>, Option<[f32; 7]>);
-/// Steps, rigids, poses, guides, and the world as the crate `world` writes it.
+/// Steps, rigids, poses, guidance, and the world as the crate `world` writes it.
 type Saved = (u64, Vec<SavedRigid>, Vec<f32>, Vec<SavedGuide>, Vec<u8>);
-/// The same, borrowed, which is all that writing needs.
+/// The same, borrowed, for writing.
 type SavedRef<'a> = (u64, Vec<SavedRigid>, &'a [f32], Vec<SavedGuide>, Vec<u8>);
 
 const DIGEST_BYTES: usize = 8;
 
 impl Rigids {
-    /// The rigids' state as bytes; empty when there are none.
+    /// Serialises the rigids; empty without rigids.
     pub fn save(&self) -> Vec<u8> {
         if self.count() == 0 {
             return Vec::new();
@@ -35,15 +37,15 @@ impl Rigids {
         bytes
     }
 
-    /// Rigids from bytes that `save` made; refuses corrupt ones.
+    /// Restores rigids from the bytes of `save`.
     ///
     /// # Errors
-    /// When the bytes are not exactly what `save` made.
+    /// The bytes are not exactly what `save` wrote.
     pub fn restore(bytes: &[u8]) -> Result<Self, RestoreError> {
         if bytes.is_empty() {
             return Ok(Self::new());
         }
-        // Rapier trusts its own state: bytes that were changed must not reach it.
+        // Rapier trusts its own state: modified bytes must not reach it.
         let split = bytes.len().checked_sub(DIGEST_BYTES).ok_or_else(corrupt)?;
         let (state, checked) = bytes.split_at(split);
         if digest(state) != checked {
@@ -66,7 +68,7 @@ impl Rigids {
             let forms = forms::forms_of(&description).map_err(|error| RestoreError::new(error.message))?;
             restored.place(description, forms.ours);
             let member = restored.members.last_mut().expect("one was just placed");
-            take_up(&mut member.guide, guide).map_err(|error| RestoreError::new(error.message))?;
+            restore_guide(&mut member.guide, guide).map_err(|error| RestoreError::new(error.message))?;
         }
         restored.poses = poses;
         restored.steps = steps;
@@ -84,7 +86,7 @@ fn saved_guide(guide: &Guide) -> SavedGuide {
     )
 }
 
-fn take_up(guide: &mut Guide, (base, velocity, angle, target, grab): SavedGuide) -> Result<(), ParameterError> {
+fn restore_guide(guide: &mut Guide, (base, velocity, angle, target, grab): SavedGuide) -> Result<(), ParameterError> {
     guide.base = pose_of(&base)?;
     guide.velocity = velocity.into();
     guide.angle = angle;

@@ -1,30 +1,31 @@
-//! The neighbourhood of those rigids that do something to the air around them, or feel it: a grid of its own, so that
-//! all others cost nothing, and of these only the particles near them do.
+//! The particles near selected rigids: those with a boundary layer, or those that feel smoke. A separate grid keeps all
+//! other rigids free of cost.
 
-use super::grid::Grid;
-use crate::collide::space::{Bounds, Vector, WideBounds};
-use crate::collide::survey::{Ways, extent, for_each_near};
-use crate::life::RadiusLaw;
+use crate::collide::survey::{SweptBoxes, extent, for_each_near};
+use crate::math::bounds::{Bounds, WideBounds};
+use crate::math::vector::Vector;
 use crate::particles::Particles;
+use crate::particles::radius::RadiusLaw;
+use crate::rigids::grid::RigidGrid;
 
-/// Some of the rigids, each with a box around it.
+/// Selected rigids, each with a box around it.
 #[derive(Debug, Default)]
 pub struct Shells {
     rigids: Vec<usize>,
-    grid: Grid,
+    grid: RigidGrid,
     near: Vec<u32>,
 }
 
 impl Shells {
-    /// Takes up a rigid.
+    /// Adds a rigid.
     pub fn add(&mut self, rigid: usize) {
         self.rigids.push(rigid);
         self.grid.add(Bounds::NOTHING);
         self.near.reserve(self.rigids.len());
     }
 
-    /// Calls `meet` for each particle near the box of a rigid, in the order of the particles and for each in that of
-    /// the rigids; `bounds` tells the box, none where the rigid does not count now.
+    /// Calls `meet` for each particle near the box of a rigid, ordered by particle, then by rigid. `bounds` returns the
+    /// box; none skips the rigid in this step.
     pub fn for_each_near(
         &mut self,
         particles: &mut Particles,
@@ -40,13 +41,13 @@ impl Shells {
             return;
         }
         let extent = extent(particles, radii);
-        self.grid.lay(&extent);
+        self.grid.rebuild(&extent);
         let Self { rigids, grid, near } = self;
-        let look = |ways: &Ways| grid.look(ways, &all);
-        for_each_near(particles, radii, look, |particles, i, spot| {
+        let look = |swept_boxes: &SweptBoxes| grid.look(swept_boxes, &all);
+        for_each_near(particles, radii, look, |particles, i, location| {
             near.clear();
             let way = way_of(particles, i, radii);
-            grid.find_touching(&way, spot, 0, near);
+            grid.find_touching(&way, location, 0, near);
             near.sort_unstable();
             for slot in near.iter() {
                 meet(particles, i, rigids[*slot as usize]);
@@ -55,7 +56,7 @@ impl Shells {
     }
 }
 
-/// The box around the way of a particle in the last step, its sphere included.
+/// The box that a particle swept in the last step, radius included.
 fn way_of(particles: &Particles, i: usize, radii: &RadiusLaw) -> WideBounds {
     let from = Vector::new(particles.px[i], particles.py[i], particles.pz[i]);
     let to = Vector::new(particles.x[i], particles.y[i], particles.z[i]);

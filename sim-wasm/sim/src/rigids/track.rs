@@ -1,12 +1,13 @@
-//! A path made ready to be asked at any time. Plain arithmetic, square roots and libm: the same on every machine.
+//! Evaluation of paths. Uses only arithmetic, square roots and libm: the same on every machine.
 
-use super::path::{Keyframe, Pace, Path};
-use crate::collide::space::{Pose, Vector};
+use crate::math::pose::Pose;
+use crate::math::vector::Vector;
+use crate::rigids::path::{Keyframe, Pace, Path};
 
-/// Chords into which a piece of a spline is cut to measure its length.
+/// Chords per piece of a spline, to measure its length.
 const CHORDS: usize = 128;
 
-/// A path, ready.
+/// A prepared path.
 #[derive(Clone, Debug)]
 pub enum Track {
     Keyframes { frames: Vec<Keyframe>, looped: bool },
@@ -14,7 +15,7 @@ pub enum Track {
 }
 
 impl Track {
-    /// Makes a path ready; its numbers were checked when it was read.
+    /// Prepares a path, whose numbers are valid.
     pub fn new(path: &Path) -> Self {
         match path {
             Path::Keyframes { frames, looped } => Track::Keyframes {
@@ -30,7 +31,7 @@ impl Track {
         }
     }
 
-    /// The pose at `time` (s); `rotation` where the path says nothing of it.
+    /// The pose at `time` (s). `rotation` is used where the path defines none.
     pub fn pose(&self, time: f64, rotation: [f32; 4]) -> Pose {
         match self {
             Track::Keyframes { frames, looped } => between_frames(frames, *looped, time),
@@ -56,19 +57,22 @@ fn between_frames(frames: &[Keyframe], looped: bool, time: f64) -> Pose {
     let fraction = ((time - start) / (stop - start)) as f32;
     Pose {
         position: from.pose.position.towards(to.pose.position, fraction),
-        rotation: from.pose.turned_by(from.pose.turn_to(&to.pose) * fraction).rotation,
+        rotation: from
+            .pose
+            .rotated_by(from.pose.rotation_vector_to(&to.pose) * fraction)
+            .rotation,
     }
 }
 
 /// A centripetal Catmull-Rom spline (Yuksel, Schaefer and Keyser, 'Parameterization and applications of Catmull-Rom
-/// curves', 2011: no cusps and no loops within a piece), followed by its length.
+/// curves', 2011: no cusps or loops within a piece), parametrised by arc length.
 #[derive(Clone, Debug)]
 pub struct Spline {
-    /// Of each piece the coefficients of 1, u, u2, u3, u in 0..1.
+    /// Coefficients of 1, u, u2, u3 for each piece, u in 0..1.
     pieces: Vec<[Vector; 4]>,
-    /// Way (m) at the end of each chord.
+    /// Arc length (m) at the end of each chord.
     lengths: Vec<f32>,
-    /// Seconds for the whole way.
+    /// Duration of the whole path (s).
     duration: f64,
     looped: bool,
     along: bool,
@@ -120,7 +124,7 @@ impl Spline {
         Pose { position, rotation }
     }
 
-    /// Whole chords, and the share of the next one, that lie before a share of the way.
+    /// Position at a share of the length, in chords.
     fn chord_at(&self, share: f32) -> f32 {
         let way = share * self.lengths[self.lengths.len() - 1];
         let chord = self
@@ -151,7 +155,7 @@ fn at_chord(pieces: &[[Vector; 4]], chord: f32) -> Vector {
     a + (b + (c + d * u) * u) * u
 }
 
-/// The point `index`, counted around when looped; beyond an open end the mirror image of the point before it.
+/// Point `index`, cyclic if looped; beyond an open end the reflection of the point before it.
 fn knot(points: &[[f32; 3]], index: isize, looped: bool) -> Vector {
     let count = points.len() as isize;
     let point = |index: isize| Vector::from(points[index.rem_euclid(count) as usize]);
@@ -164,7 +168,7 @@ fn knot(points: &[[f32; 3]], index: isize, looped: bool) -> Vector {
     }
 }
 
-/// The piece from `b` to `c`. Knots lie apart by the square root of the distance of their points.
+/// Coefficients of the piece from `b` to `c`. Knot distances are square roots of the distances of the points.
 fn coefficients(a: Vector, b: Vector, c: Vector, d: Vector) -> [Vector; 4] {
     let [before, here, after] = [b - a, c - b, d - c].map(|step| step.length().sqrt());
     let slope = |first: Vector, second: Vector, early: f32, late: f32| {
@@ -176,7 +180,7 @@ fn coefficients(a: Vector, b: Vector, c: Vector, d: Vector) -> [Vector; 4] {
     [b, start, step * 3.0 - start * 2.0 - end, start + end - step * 2.0]
 }
 
-/// The rotation whose z axis is `ahead` and whose y axis is as far up as that allows.
+/// The rotation with the z axis along `ahead` and the y axis up as far as possible.
 fn looking(ahead: Vector) -> [f32; 4] {
     let side = Vector::Y.cross(ahead);
     let x = side.unit_or(Vector::new(1.0, 0.0, 0.0));
@@ -184,7 +188,7 @@ fn looking(ahead: Vector) -> [f32; 4] {
     quaternion(x, y, ahead)
 }
 
-/// The rotation with these axes (Shepperd, 'Quaternion from rotation matrix', 1978: the largest part first).
+/// The rotation with these axes (Shepperd, 'Quaternion from rotation matrix', 1978: largest component first).
 fn quaternion(x: Vector, y: Vector, z: Vector) -> [f32; 4] {
     let squares = [
         1.0 + x.x - y.y - z.z,

@@ -1,4 +1,4 @@
-//! The world of Rapier: what falls, is pushed and is told where to go. Gravity is 9.81 m/s2 downward.
+//! The physics world of Rapier. Gravity is 9.81 m/s2 downward.
 
 use rapier3d::glamx::{Mat3, Pose3, Quat, Vec3};
 use rapier3d::parry::shape::SharedShape;
@@ -6,42 +6,43 @@ use rapier3d::prelude::{
     ColliderBuilder, GenericJoint, PhysicsWorld, RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodyMassProps,
 };
 
-use super::description::{RigidDescription, RigidKind};
-use super::grab::Grab;
-use super::meshes::{ours, parrys};
-use crate::collide::space::{Pose, Vector};
-use crate::hash::Hash;
+use crate::math::hash::Hash;
+use crate::math::pose::Pose;
+use crate::math::vector::Vector;
+use crate::rigids::description::{RigidDescription, RigidKind};
+use crate::rigids::grab::Grab;
+use crate::rigids::meshes::{ours, parrys};
 
 const GRAVITY: f32 = -9.81;
-/// Angular damping of what is dragged, as a share of the spring's stiffness.
+/// Angular damping during a drag, as a share of the spring's stiffness.
 const SWING_DAMPING: f32 = 0.5;
 
-/// Rapier's world; its rigid bodies are numbered as they were added, and none is ever removed.
+/// Rapier's world. Bodies have the indices of their rigids; none is ever removed.
 pub struct World {
     physics: PhysicsWorld,
 }
 
-/// Air that pushes a rigid.
+/// The force of air on a rigid.
 pub struct Push {
-    /// The air's velocity (m/s).
+    /// Air velocity (m/s).
     pub velocity: Vector,
-    /// The rigid's own axes in the world.
+    /// The rigid's axes in world space.
     pub axes: [Vector; 3],
-    /// Along each axis, force (N) by the square of the relative velocity, kg/m.
+    /// Force per squared relative velocity along each axis (kg/m).
     pub resistance: Vector,
-    /// Where it pushes, world space (m).
+    /// Point of application in world space (m).
     pub point: Vector,
 }
 
 impl World {
-    /// Nothing in it.
+    /// Creates an empty world.
     pub fn new() -> Self {
         let mut physics = PhysicsWorld::new();
         physics.gravity = Vec3::new(0.0, GRAVITY, 0.0);
         Self { physics }
     }
 
-    /// Adds a rigid with the shapes made from its description, at least one, each with its pose in the rigid.
+    /// Adds a rigid with at least one shape, each at its pose in the rigid.
     pub fn add(&mut self, description: &RigidDescription, shapes: &[(Pose, SharedShape)]) {
         let body = match description.kind {
             RigidKind::Fixed => RigidBodyBuilder::fixed(),
@@ -64,17 +65,17 @@ impl World {
         self.physics.insert_impulse_joint(handle(a), handle(b), joint);
     }
 
-    /// Joints added so far.
+    /// Number of joints.
     pub fn joint_count(&self) -> usize {
         self.physics.impulse_joints.len()
     }
 
-    /// Where the coming step takes a kinematic rigid.
+    /// Sets the pose of a kinematic rigid after the coming step.
     pub fn head_for(&mut self, index: usize, pose: &Pose) {
         self.physics.bodies[handle(index)].set_next_kinematic_position(rapiers(pose));
     }
 
-    /// Puts a dynamic rigid somewhere, at rest and awake.
+    /// Teleports a dynamic rigid, at rest and awake.
     pub fn put(&mut self, index: usize, pose: &Pose) {
         let body = &mut self.physics.bodies[handle(index)];
         body.set_position(rapiers(pose), true);
@@ -82,8 +83,8 @@ impl World {
         body.set_angvel(Vec3::ZERO, true);
     }
 
-    /// Draws a point of a dynamic rigid: by the force that gives the point, over `dt` seconds and against gravity, the
-    /// velocity that the spring wants, whatever the rigid's mass is. Its swinging about the point is damped.
+    /// Drags a point of a dynamic rigid: applies the force that gives the point the velocity of the spring after `dt`
+    /// seconds, against gravity and for any mass. Damps the rotation about the point.
     pub fn pull(&mut self, index: usize, grab: &Grab, dt: f32) {
         let gravity = self.physics.gravity;
         let body = &mut self.physics.bodies[handle(index)];
@@ -96,8 +97,8 @@ impl World {
         body.set_angular_damping(SWING_DAMPING * grab.stiffness);
     }
 
-    /// Pushes a dynamic rigid by air. The force is that of the velocity relative to the air at the step's end, so that
-    /// it never throws a rigid back however light that is, and is exact where it balances gravity.
+    /// Applies the force of air to a dynamic rigid. It uses the relative velocity at the end of the step, so it never
+    /// throws back a light rigid and is exact in equilibrium with gravity.
     pub fn blow(&mut self, index: usize, push: &Push, dt: f32) {
         let gravity = self.physics.gravity;
         let body = &mut self.physics.bodies[handle(index)];
@@ -118,7 +119,7 @@ impl World {
         body.set_angular_damping(damping);
     }
 
-    /// Forgets the forces of the step that was made.
+    /// Clears the forces of the last step.
     pub fn clear_forces(&mut self, index: usize) {
         let body = &mut self.physics.bodies[handle(index)];
         body.reset_forces(false);
@@ -132,7 +133,7 @@ impl World {
         self.physics.step();
     }
 
-    /// Where a rigid is.
+    /// The pose of a rigid.
     pub fn pose(&self, index: usize) -> Pose {
         let pose = self.body(index).position();
         Pose {
@@ -141,7 +142,7 @@ impl World {
         }
     }
 
-    /// Adds to `hash` what the next step of a rigid depends on.
+    /// Adds the state of a rigid to `hash`.
     pub fn hash_into(&self, index: usize, hash: &mut Hash) {
         let body = self.body(index);
         let pose = body.position();
@@ -156,30 +157,30 @@ impl World {
         &self.physics.bodies[handle(index)]
     }
 
-    /// How many rigids are in it.
+    /// Number of rigids.
     pub fn count(&self) -> usize {
         self.physics.bodies.len()
     }
 
-    /// What Rapier itself has, to compare with.
+    /// Rapier's own world, for comparison.
     #[cfg(feature = "bench")]
     pub fn physics(&self) -> &PhysicsWorld {
         &self.physics
     }
 
-    /// The whole of it for a save.
+    /// Serialises the world.
     pub fn to_bytes(&self) -> Vec<u8> {
         world::to_bytes(&self.physics)
     }
 
-    /// A world as it was saved; none of other bytes.
+    /// Restores a saved world; none for invalid bytes.
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
         world::from_bytes(bytes).map(|physics| Self { physics })
     }
 }
 
-/// How a rigid resists being accelerated at a point, kg: the inverse of 1/m - [r] I^-1 [r]. None before the first
-/// step, in which Rapier finds the masses.
+/// Effective mass at a point (kg): the inverse of 1/m - [r] I^-1 [r]. Zero before the first step, in which Rapier
+/// computes masses.
 fn mass_at(properties: &RigidBodyMassProps, point: Vec3) -> Mat3 {
     let arm = point - properties.world_com;
     let column = |axis: Vec3| {

@@ -1,9 +1,9 @@
-//! Random things that people do, for property tests.
+//! Random inputs for property tests.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 use proptest::prelude::*;
 use sim::Simulator;
-use sim::take::BlowNumbers;
+use sim::layout::blow::BlowNumbers;
 
 /// Something that a person does.
 #[derive(Clone, Debug)]

@@ -1,4 +1,4 @@
-//! What several tests share.
+//! Shared helpers.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 pub mod inputs;
@@ -54,7 +54,7 @@ pub fn newborn(position: [f32; 3]) -> Newborn {
         lifetime: 1e6,
         size: 0.2,
         temperature: 1.0,
-        look: 0,
+        attributes: 0,
     }
 }
 
@@ -70,7 +70,7 @@ pub fn place(simulator: &Simulator, i: usize) -> [f32; 3] {
 }
 
 /// Length of a step (s).
-pub const STEP: f64 = sim::simulator::STEP;
+pub const STEP: f64 = sim::layout::limits::STEP;
 
 /// A simulator in still air with one particle, which has this slip.
 pub fn alone(settings: &[(&str, f64)], position: [f32; 3], slip: [f32; 3]) -> Simulator {

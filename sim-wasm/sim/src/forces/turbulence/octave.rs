@@ -1,8 +1,8 @@
-//! One octave of turbulence: a random flow that is free of divergence by construction.
+//! One octave of turbulence: a random flow, free of divergence by construction.
 //!
-//! Space is cut into equal tetrahedra whose corners are a body-centred cubic lattice, that of simplex noise. The axes
-//! are skewed by s(x) = x + (x.x + x.y + x.z) / 3, so that its corners are the whole numbers: the cube below gives the
-//! first corner, the order of the three fractions the way from there to the last one. After Perlin, "Noise hardware",
+//! Space is divided into equal tetrahedra with corners on a body-centred cubic lattice, as in simplex noise. The axes
+//! are skewed by s(x) = x + (x.x + x.y + x.z) / 3, so that corners have whole coordinates: the cell below gives the
+//! first corner, the order of the three fractions the path from there to the last one. After Perlin, "Noise hardware",
 //! SIGGRAPH 2001 course notes; Gustavson, "Simplex noise demystified", 2005.
 //!
 //! With d from a corner to the place, in units in which a corner is sqrt(3) from the opposite face, the corner's hashed
@@ -11,71 +11,71 @@
 //!
 //! A = sum over the corners of t^3 (v x d / 12 - e v / 6).
 //!
-//! The first part turns about the corner's vector like a ring of smoke, the second around it. Their curls, from
-//! curl(f v x d) = grad f x (v x d) + 2 f v, curl(g v) = grad g x v and grad t = -2 d, are
+//! The first part circulates around the corner's vector like a vortex ring, the second rotates about it. Their curls,
+//! from curl(f v x d) = grad f x (v x d) + 2 f v, curl(g v) = grad g x v and grad t = -2 d, are
 //!
 //! u = sum of t^2 (v (1/2 - 2/3 d.d) + d (d.v) / 2 + e d x v).
 //!
-//! So the divergence of u vanishes as that of a curl. A weight ends where the opposite face begins: nothing is cut off
-//! where tetrahedra meet, and as t^2 ends with slope 0, u has continuous first derivatives. Four corners with one hash
-//! each are the fewest that space can be cut for. Rings alone are strong near corners, where swirls vanish; swirls this
-//! much stronger make the root mean square speed even, within a factor of 1.39 between any two places of a tetrahedron
-//! (2.4 with rings on cubes), and the two senses e leave no handedness. After Bridson, Hourihan and Nordenstam,
-//! "Curl-Noise for Procedural Fluid Flow", SIGGRAPH 2007; the local potential is ours.
+//! As a curl, u is free of divergence. A weight ends at the opposite face, so nothing is cut off between tetrahedra;
+//! t^2 ends with slope 0, so u has continuous first derivatives. Four corners with one hash each are the minimum of any
+//! subdivision. Rings alone are strong near corners, where rotations vanish. The relative strength of the two makes the
+//! root mean square speed even, within a factor of 1.39 between any two places of a tetrahedron (2.4 with rings on
+//! cubes). The two signs e cancel any handedness. After Bridson, Hourihan and Nordenstam, "Curl-Noise for Procedural
+//! Fluid Flow", SIGGRAPH 2007; the local potential is ours.
 //!
-//! A component of v is a triangle wave of its hashed phase plus the octave's: at any time all of them are spread
-//! evenly, so that the speed stays the same, and after a quarter of the period nothing is left of the old pattern.
+//! A component of v is a triangle wave of its hashed phase plus the octave's phase. The phases are uniform at any time,
+//! so the speed is constant; after a quarter of the period nothing remains of the old pattern.
 
 use std::f64::consts::TAU;
 
 use wide::bytemuck::cast;
 use wide::{f32x4, u32x4};
 
-use crate::simd::{CELL_ZERO, Vector4, cell_and_fraction, positive_part};
+use crate::math::simd::{CELL_ZERO, Vector4, cell_and_fraction, positive_part};
 
-/// Sides of the lattice's cubes in one `turbulence.scale`. It makes vorticity over speed the same as on cubes with
-/// sides of that scale, each corner with the quintic of Perlin's noise.
+/// Lattice cells per `turbulence.scale`. Makes the ratio of vorticity to speed equal to that of Perlin's quintic noise
+/// on cubes of that scale.
 pub const CELLS: f64 = 0.765;
 
 const STRIDE: [u32; 3] = [0x8da6_b343, 0xd816_3841, 0xcb1a_b31f];
-/// Hashed components are spread evenly from -2^30 to 2^30: this is the mean of their squares.
+/// Mean square of hashed components, which are uniform in -2^30..2^30.
 const COMPONENT_VARIANCE: f64 = 1_152_921_504_606_846_976.0 / 3.0;
-/// Mean over space of |u|^2 where the components of v have variance 1, from the formula above.
+/// Spatial mean of |u|^2 for components of v of variance 1, from the formula above.
 const CELL_VARIANCE: f64 = 46.017_793;
-/// Side of the lattice's cubes in the units of d: the square root of 6.
+/// Cell size in the units of d: the square root of 6.
 const SIDE: f32 = 2.449_489_7;
-/// The square of how far a corner acts, in the units of d.
+/// Squared reach of a corner, in the units of d.
 const REACH_SQUARED: f32 = 3.0;
 
-/// The flow of one step.
+/// The flow in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Octave {
-    /// Cells in a metre.
+    /// Cells per metre.
     frequency: f32x4,
-    /// Part of a cell by which the pattern has drifted, on skewed axes.
+    /// Fractional drift of the pattern in cells, on skewed axes.
     fraction: Vector4,
-    /// Whole cells of drift and the seed, as one number that is added to each hash.
+    /// Whole cells of drift and the seed, combined to one number that is added to each hash.
     key: u32x4,
-    /// Whole cells of drift along all axes together.
+    /// Sum of the whole cells of drift over all axes.
     parity: u32x4,
-    /// How far the vectors have come in their period of 2^32.
+    /// Phase of the vectors, with the period 2^32.
     phase: u32x4,
-    /// Speed (m/s) of what hashed vectors give.
+    /// Speed (m/s) per unit of the hashed vectors.
     amplitude: f32x4,
 }
 
-/// What the corners of a tetrahedron add up to: rings, and swirls where e = 1 less those where e = -1.
+/// Sums over the corners of a tetrahedron: rings, and rotations of the lattices e = 1 and e = -1.
 struct Sums {
     ring: Vector4,
     swirl: [Vector4; 2],
 }
 
 impl Octave {
-    /// Octave `number` with swirls of size `scale` (m) and root mean square `speed` (m/s), carried along by `drift`
-    /// (m); `phase` (rad) grows as the pattern changes.
+    /// Octave `number` with vortices of size `scale` (m) and root mean square `speed` (m/s), displaced by `drift` (m).
+    /// `phase` (rad) evolves the pattern.
     pub fn new(number: u32, scale: f64, speed: f64, drift: [f64; 3], phase: f64, seed: u32) -> Self {
         let frequency = CELLS / scale;
-        // The shift keeps the corners of the octaves, and the world's origin, from falling on each other.
+        // The shift keeps the lattices of the octaves, and the world's origin, apart.
         let shift = 0.37 * (f64::from(number) + 1.0);
         let drift = skewed(drift.map(|metres| metres * frequency)).map(|cells| cells + shift);
         let whole = drift.map(|cells| libm::floor(cells) as i64 as u32);
@@ -91,7 +91,7 @@ impl Octave {
         }
     }
 
-    /// Adds the velocity (m/s) at `places`, each times its `weight`, to `flow`.
+    /// Adds the velocity (m/s) at `places`, times `weight`, to `flow`.
     pub fn add(&self, places: &[Vector4], weight: &[f32x4], flow: &mut [Vector4]) {
         for ((flow, place), weight) in flow.iter_mut().zip(places).zip(weight) {
             *flow += self.flow(*place) * (self.amplitude * *weight);
@@ -111,8 +111,9 @@ impl Octave {
         sums.ring + (sums.swirl[0] - sums.swirl[1]).negated_where(odd)
     }
 
-    /// Sums over the tetrahedron in which `fraction` lies, of the cube whose lowest corner has the hash `lowest`. The
-    /// second corner is one step along the greatest fraction, the third lacks only the step along the least.
+    /// Sums over the tetrahedron that contains `fraction`, in the cube whose lowest corner has the hash `lowest`. The
+    /// second corner is one step along the axis of the largest fraction, the third lacks the step along the axis of the
+    /// smallest.
     #[inline(always)]
     fn corners(&self, fraction: Vector4, lowest: u32x4) -> Sums {
         let Vector4 { x, y, z } = fraction;
@@ -136,7 +137,7 @@ impl Octave {
         sums
     }
 
-    /// Adds what the corner with the hash `hash` gives; `d` leads from it to the place.
+    /// Adds the corner with the hash `hash`; `d` is the vector from it to the place.
     #[inline(always)]
     fn corner(&self, d: Vector4, hash: u32x4, lattice: usize, sums: &mut Sums) {
         let squared = d.dot(d);
@@ -147,8 +148,8 @@ impl Octave {
         sums.swirl[lattice] += d.cross(v);
     }
 
-    /// The vector of a corner. Its components are the mixed bits from bit 31, 20 and 9 downwards; what stands below the
-    /// first ten bits of each is only fine detail.
+    /// The vector of a corner. Its components are the mixed bits from bit 31, 20 and 9 downwards; bits below the first
+    /// ten of each only add detail.
     #[inline(always)]
     fn vector(&self, hash: u32x4) -> Vector4 {
         let bits = mix(hash);
@@ -164,7 +165,7 @@ impl Octave {
     }
 }
 
-/// One step on skewed axes along the `chosen` one, in the units of d, but for the part that is the same on all axes.
+/// One step on skewed axes along the `chosen` one, in the units of d, without the part common to all axes.
 #[inline(always)]
 fn step(chosen: [f32x4; 3]) -> Vector4 {
     let side = f32x4::splat(SIDE);
@@ -175,7 +176,7 @@ fn step(chosen: [f32x4; 3]) -> Vector4 {
     }
 }
 
-/// What one step along the `chosen` axis adds to a hash.
+/// Hash difference of one step along the `chosen` axis.
 #[inline(always)]
 fn stride(chosen: [f32x4; 3]) -> u32x4 {
     let of = |axis: usize| cast::<f32x4, u32x4>(chosen[axis]) & u32x4::splat(STRIDE[axis]);
@@ -187,7 +188,7 @@ fn strided(cell: u32x4, axis: usize) -> u32x4 {
     cell * u32x4::splat(STRIDE[axis])
 }
 
-/// A multiplication carries upwards only: the shifts before and after it bring the high bits down.
+/// A multiplication carries only upwards: the shifts before and after it bring high bits down.
 #[inline(always)]
 fn mix(hash: u32x4) -> u32x4 {
     let carried = (hash ^ (hash >> 15)) * u32x4::splat(0x2c1b_3c6d);

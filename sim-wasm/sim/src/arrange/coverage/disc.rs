@@ -1,0 +1,43 @@
+//! A disc on the grid: a part of a puff that it certainly covers, or that it may show.
+
+use wide::f32x4;
+
+/// Lengths across the grid in cells, depths in metres along the view. The front is flat or spherical.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Disc {
+    /// Centre, relative to the corner of the grid.
+    pub u: f32,
+    pub v: f32,
+    pub radius: f32,
+    /// Depth of the centre plane (m).
+    pub depth: f32,
+    /// Metres per cell of the front's height; 0 for a flat front.
+    pub bulge: f32,
+    /// Radius with the ring of ink, and the minimum depth of the ring.
+    pub rim: f32,
+    pub rim_depth: f32,
+}
+
+impl Disc {
+    /// The same disc on a grid with cells `factor` times as large.
+    pub(crate) fn on_coarser(&self, factor: f32) -> Self {
+        Self {
+            u: self.u / factor,
+            v: self.v / factor,
+            radius: self.radius / factor,
+            bulge: self.bulge * factor,
+            rim: self.rim / factor,
+            ..*self
+        }
+    }
+
+    /// Depth of the front at a squared distance from the centre, for four cells. Outside of the disc, the depth of the
+    /// centre plane.
+    #[inline(always)]
+    pub(crate) fn front(&self, squared: f32x4) -> f32x4 {
+        let height = (f32x4::splat(self.radius * self.radius) - squared)
+            .fast_max(f32x4::ZERO)
+            .sqrt();
+        f32x4::splat(self.depth) - height * f32x4::splat(self.bulge)
+    }
+}

@@ -1,0 +1,358 @@
+//! The discs of a puff, or of its shadow, on the grid: what it certainly covers, and what it may show.
+
+use crate::arrange::coverage::disc::Disc;
+use crate::arrange::coverage::grid::CoverageGrid;
+use crate::arrange::coverage::plan::{Bodies, Plan, PlanKind, Shadows};
+use crate::arrange::coverage::polygon::Polygon;
+use crate::arrange::coverage::solids::{BALLS_LIMIT, Orientations, RotatedBalls};
+use crate::math::scalar::clamped;
+
+/// The end of a shadow that continues, and of one of which nothing is left. Other ends are in 256ths of a radius behind
+/// the centre.
+pub(crate) const NO_END: u32 = 0xffff;
+
+/// Steps per radius.
+const END_STEPS: f32 = 256.0;
+
+pub(super) const NOTHING_LEFT: u32 = 0x10000;
+/// Single precision: a coordinate is a sum of terms as large as those of the place.
+const ROUNDING: f32 = 2e-6;
+/// Displacement (pixels) by a rasteriser that snaps corners to sixteenths.
+const SNAP: f32 = 0.1;
+/// Displacement of a volume's side by rounding, in radii and in pixels.
+const EDGE_ROUNDING: f32 = 0.01;
+const EDGE_PIXELS: f32 = 0.25;
+/// The eye's axes in view space.
+const VIEW_AXES: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+const CAP_ROUNDING: f32 = 1e-3;
+/// A puff close to the eye shrinks. Below this share of its size it covers nothing.
+const MIN_COVERING_GROWTH: f32 = 0.05;
+const GROWTH_TOLERANCE: f32 = 0.002;
+/// As in shaders/volumes/volumes.vert.
+const CAP_SLACK: f32 = 0.02;
+
+/// The discs of one row. The memory is reused.
+#[derive(Debug, Default)]
+pub(crate) struct Outline {
+    /// Bounding disc of everything that the row may show.
+    pub hull: Disc,
+    /// Everything that a shadow may darken.
+    pub polygon: Polygon,
+    inner: [Disc; BALLS_LIMIT],
+    outer: [Disc; BALLS_LIMIT],
+    inner_count: usize,
+    outer_count: usize,
+    balls: RotatedBalls,
+    projected: ProjectedPuff,
+}
+
+/// A row, projected to the grid.
+#[derive(Clone, Copy, Debug, Default)]
+struct ProjectedPuff {
+    u: f32,
+    v: f32,
+    /// Cells per metre.
+    density: f32,
+    depth: f32,
+    w: f32,
+    radius: f32,
+    /// Tolerance of depths (m), and of outlines (radii).
+    slack: f32,
+    tolerance: f32,
+    /// Distance (m) by which its ring may be nearer than its lobes.
+    lift: f32,
+    covers: bool,
+}
+
+impl Outline {
+    pub(crate) fn inner(&self) -> &[Disc] {
+        &self.inner[..self.inner_count]
+    }
+
+    pub(crate) fn outer(&self) -> &[Disc] {
+        &self.outer[..self.outer_count]
+    }
+}
+
+/// Projects rows to a grid.
+#[derive(Debug)]
+pub(crate) struct Outliner<'a> {
+    plan: &'a Plan<'a>,
+    orientations: &'a Orientations,
+    corner: [f32; 2],
+    density: f32,
+}
+
+impl<'a> Outliner<'a> {
+    pub(crate) fn new(plan: &'a Plan, grid: &CoverageGrid, orientations: &'a Orientations) -> Self {
+        Self {
+            plan,
+            orientations,
+            corner: grid.corner,
+            density: grid.density,
+        }
+    }
+
+    /// Writes the bounding disc of a row. Returns false if nothing of it is drawn.
+    #[inline(always)]
+    pub(crate) fn place(&self, place: [f32; 4], outline: &mut Outline) -> bool {
+        match &self.plan.kind {
+            PlanKind::Bodies(bodies) => self.place_body(bodies, place, outline),
+            PlanKind::Shadows(shadows) => self.place_shadow(shadows, place, outline),
+        }
+    }
+
+    /// Writes the discs of the row that `place` projected.
+    #[inline(always)]
+    pub(crate) fn draw(&self, place: [f32; 4], attributes: [u32; 2], outline: &mut Outline) {
+        match &self.plan.kind {
+            PlanKind::Bodies(bodies) => self.draw_body(bodies, attributes, outline),
+            PlanKind::Shadows(shadows) => self.draw_shadow(shadows, place, attributes, outline),
+        }
+    }
+
+    #[inline(always)]
+    fn projected(&self, place: [f32; 4]) -> ProjectedPuff {
+        let chart = &self.plan.chart;
+        let w = chart.w.at(place);
+        let [_, _, back] = &chart.axes;
+        let size = place[0].abs() + place[1].abs() + place[2].abs();
+        ProjectedPuff {
+            u: (chart.across.at(place) / w - self.corner[0]) * self.density,
+            v: (chart.up.at(place) / w - self.corner[1]) * self.density,
+            density: self.density / w,
+            depth: -(back[0] * place[0] + back[1] * place[1] + back[2] * place[2]),
+            w,
+            radius: place[3],
+            slack: ROUNDING * size,
+            tolerance: ROUNDING * size / place[3],
+            lift: 0.0,
+            covers: true,
+        }
+    }
+
+    /// The end of the shadow that was just drawn, if others continue from `depth`.
+    pub(crate) fn end(&self, place: [f32; 4], depth: f32, outline: &Outline) -> u32 {
+        if depth <= outline.polygon.depth {
+            return NOTHING_LEFT;
+        }
+        let steps = (depth - outline.projected.depth) / place[3] * END_STEPS + 1.0;
+        if steps < NO_END as f32 {
+            steps.max(0.0) as u32
+        } else {
+            NO_END
+        }
+    }
+
+    fn place_body(&self, bodies: &Bodies, place: [f32; 4], outline: &mut Outline) -> bool {
+        let mut projected = self.projected(place);
+        let grown = grown(projected.depth - self.plan.range[0], place[3]);
+        projected.radius *= grown;
+        if projected.radius <= 0.0 || projected.w <= 0.0 {
+            return false;
+        }
+        projected.covers = grown > MIN_COVERING_GROWTH;
+        if grown < 1.0 {
+            projected.tolerance += GROWTH_TOLERANCE;
+        }
+        if !projected.covers {
+            projected.radius = place[3];
+        }
+        projected.tolerance += bodies.tolerance + (bodies.blur + SNAP) * bodies.pixel * projected.w / projected.radius;
+        let farthest = projected.w + bodies.reach * projected.radius;
+        projected.slack += bodies.tolerance * projected.radius + bodies.depth_step * farthest * farthest;
+        projected.lift = bodies.lift_of(place, projected.w);
+        // Ink lies beside its lobe at the depth of the centre: a ball enlarged by the line contains it.
+        let radius =
+            ((bodies.reach + projected.tolerance) * projected.radius + bodies.pad * projected.w) * projected.density;
+        outline.hull = Disc {
+            u: projected.u,
+            v: projected.v,
+            radius,
+            depth: projected.depth - projected.slack - projected.lift,
+            bulge: 1.0 / projected.density,
+            rim: radius,
+            rim_depth: f32::INFINITY,
+        };
+        outline.projected = projected;
+        true
+    }
+
+    fn draw_body(&self, bodies: &Bodies, attributes: [u32; 2], outline: &mut Outline) {
+        let projected = outline.projected;
+        (outline.inner_count, outline.outer_count) = (0, 0);
+        if !projected.covers {
+            (outline.outer[0], outline.outer_count) = (outline.hull, 1);
+            return;
+        }
+        let rotation = if bodies.solids.faces_eye {
+            self.orientations.facing(attributes, &VIEW_AXES)
+        } else {
+            self.orientations.standing(attributes, &self.plan.chart.axes)
+        };
+        bodies.solids.rotate(attributes, &rotation, &mut outline.balls);
+        let balls = &outline.balls;
+        let cells = projected.radius * projected.density;
+        let line = bodies.pad * projected.w * projected.density;
+        // Baked layers extend the relief of the last texel into the ring.
+        let rise = |radius: f32| match bodies.solids.faces_eye {
+            true => (4.0 * radius * projected.tolerance).sqrt() * projected.radius,
+            false => 0.0,
+        };
+        for ball in (0..balls.count).filter(|ball| balls.radius[*ball] > 0.0) {
+            let height = balls.z[ball] * projected.radius;
+            let disc = Disc {
+                u: projected.u + balls.x[ball] * cells,
+                v: projected.v + balls.y[ball] * cells,
+                radius: (balls.radius[ball] - projected.tolerance) * cells,
+                depth: projected.depth - height + bodies.tolerance * projected.radius,
+                bulge: 1.0 / projected.density,
+                ..Disc::default()
+            };
+            if disc.radius > 0.0 {
+                outline.inner[outline.inner_count] = disc;
+                outline.inner_count += 1;
+            }
+            let radius = (balls.radius[ball] + projected.tolerance) * cells;
+            outline.outer[outline.outer_count] = Disc {
+                radius,
+                depth: projected.depth - height - projected.slack,
+                rim: radius + line,
+                rim_depth: if line > 0.0 {
+                    projected.depth - height - rise(balls.radius[ball]) - projected.lift - projected.slack
+                } else {
+                    f32::INFINITY
+                },
+                ..disc
+            };
+            outline.outer_count += 1;
+        }
+    }
+
+    fn place_shadow(&self, shadows: &Shadows, place: [f32; 4], outline: &mut Outline) -> bool {
+        let mut projected = self.projected(place);
+        let [eye_w, shear] = shadows.seen(place);
+        projected.covers = eye_w > place[3] || !shadows.eye.is_perspective;
+        projected.tolerance += shadows.tolerance + EDGE_ROUNDING;
+        projected.tolerance += EDGE_PIXELS * shadows.eye.pixel * eye_w.max(0.0) / place[3];
+        projected.slack += (CAP_ROUNDING + shadows.tolerance) * place[3];
+        let start = if projected.covers {
+            projected.depth + Shadows::cap(shadows.caps.range[0], shear) * place[3]
+        } else {
+            f32::NEG_INFINITY
+        };
+        outline.hull = flat(
+            &projected,
+            (shadows.reach + projected.tolerance) * place[3],
+            start - projected.slack,
+        );
+        outline.projected = projected;
+        place[3] > 0.0
+    }
+
+    /// The discs of all lobes of a shadow are certain. The area between them depends on the eye, so the polygon around
+    /// them bounds what it may darken.
+    fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], attributes: [u32; 2], outline: &mut Outline) {
+        let projected = outline.projected;
+        let rotation = if shadows.solids.faces_eye {
+            self.orientations.facing(attributes, &shadows.axes_in_view)
+        } else {
+            self.orientations.standing(attributes, &self.plan.chart.axes)
+        };
+        shadows.solids.rotate(attributes, &rotation, &mut outline.balls);
+        let balls = &outline.balls;
+        let [_, shear] = shadows.seen(place);
+        let starts = shadows
+            .caps
+            .of(attributes, rotation[2])
+            .map(|cap| projected.depth + Shadows::cap(cap, shear) * place[3]);
+        let cells = place[3] * projected.density;
+        let nearest = if projected.covers {
+            starts[0] - projected.slack
+        } else {
+            f32::NEG_INFINITY
+        };
+        outline.polygon = Polygon::at(projected.u, projected.v, nearest);
+        let mut count = 0;
+        for ball in (0..balls.count).filter(|ball| balls.radius[*ball] > 0.0) {
+            let [x, y] = [balls.x[ball] * cells, balls.y[ball] * cells];
+            outline
+                .polygon
+                .hold(x, y, (balls.radius[ball] + projected.tolerance) * cells);
+            let disc = flat(
+                &projected,
+                (balls.radius[ball] - projected.tolerance) * place[3],
+                starts[1] + projected.slack,
+            );
+            if projected.covers && disc.radius > 0.0 {
+                outline.inner[count] = Disc {
+                    u: projected.u + x,
+                    v: projected.v + y,
+                    ..disc
+                };
+                count += 1;
+            }
+        }
+        if self.plan.covers > 1 && count > 1 {
+            // Discs of one puff must not count as several covers.
+            let largest = outline.inner[..count]
+                .iter()
+                .max_by(|a, b| a.radius.total_cmp(&b.radius));
+            outline.inner[0] = *largest.unwrap_or(&outline.inner[0]);
+            count = 1;
+        }
+        outline.inner_count = count;
+    }
+}
+
+/// Share of its radius with which a puff is drawn, by its distance from the near plane. Same as in shaders/bodies.
+#[inline(always)]
+fn grown(beyond_near: f32, radius: f32) -> f32 {
+    let share = (beyond_near / (2.0 * radius)).clamp(0.0, 1.0);
+    share * share * (3.0 - 2.0 * share)
+}
+
+/// A disc with a flat front; `radius` in metres.
+fn flat(projected: &ProjectedPuff, radius: f32, depth: f32) -> Disc {
+    let radius = radius * projected.density;
+    Disc {
+        u: projected.u,
+        v: projected.v,
+        radius,
+        depth,
+        bulge: 0.0,
+        rim: radius,
+        rim_depth: f32::INFINITY,
+    }
+}
+
+impl Shadows<'_> {
+    /// Clip w of a place, and the displacement of the volume's start by the nailboard's shear (radii).
+    #[inline(always)]
+    fn seen(&self, place: [f32; 4]) -> [f32; 2] {
+        let eye = &self.eye;
+        let w = eye.w.at(place);
+        if !eye.is_perspective {
+            return [w, 0.0];
+        }
+        let grown = grown(w - eye.near, place[3]);
+        if grown <= 0.0 {
+            return [w, 0.0];
+        }
+        let ray = [eye.right.at(place) / w, eye.up.at(place) / w];
+        let ray = [0, 1].map(|axis: usize| clamped(ray[axis], eye.slopes[axis][0], eye.slopes[axis][1]));
+        let slope = -(eye.travel[0] * ray[0] + eye.travel[1] * ray[1]);
+        if self.solids.faces_eye {
+            return [w, grown * slope.max(0.0)];
+        }
+        let sideways = (eye.travel[0] * eye.travel[0] + eye.travel[1] * eye.travel[1]).sqrt();
+        let aside = 0.5 * sideways * grown * place[3] / w;
+        [w, grown * (slope.max(-self.depth * slope) + aside)]
+    }
+
+    /// Distance from the centre to the start (radii). Same as in the shader.
+    #[inline(always)]
+    fn cap(tabulated: f32, shear: f32) -> f32 {
+        tabulated + shear + CAP_SLACK
+    }
+}

@@ -1,0 +1,326 @@
+//! Preparation of coverage for a view: the chart, the depths, and the geometry of puffs or shadows.
+
+use crate::arrange::coverage::chart::{Chart, Linear};
+use crate::arrange::coverage::solids::Solids;
+use crate::arrange::coverage::start_caps::{ENTRIES, StartCaps};
+use crate::arrange::view_layout::{CAPS_FOLLOW, VIEW_LENGTH};
+use crate::math::double::{cross, dot, length, unit};
+
+/// The coverage settings of a view.
+#[derive(Clone, Copy, Debug)]
+pub struct Plan<'v> {
+    pub(crate) chart: Chart,
+    /// Depths along the view of the near and the far plane.
+    pub(crate) range: [f32; 2],
+    /// Number of covers that hide a puff.
+    pub(crate) covers: usize,
+    pub(crate) kind: PlanKind<'v>,
+}
+
+/// Bodies for the eye, or shadows for the light.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum PlanKind<'v> {
+    Bodies(Bodies<'v>),
+    Shadows(Shadows<'v>),
+}
+
+/// Lengths in particle radii unless stated otherwise.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bodies<'v> {
+    pub solids: Solids<'v>,
+    pub reach: f32,
+    /// Tolerance of the solids: in radii, and in pixels.
+    pub tolerance: f32,
+    pub blur: f32,
+    /// Metres per unit of clip w: a pixel, and the ring of ink.
+    pub pixel: f32,
+    pub pad: f32,
+    /// Metres per unit of clip w by which surfaces may lift the ring, and the boxes of those surfaces.
+    lift: f32,
+    lifters: &'v [[f32; 6]],
+    /// Depth resolution: metres per unit of w squared.
+    pub depth_step: f32,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shadows<'v> {
+    pub solids: Solids<'v>,
+    pub reach: f32,
+    pub tolerance: f32,
+    /// Distance from the centre to the start of volumes, without the shear.
+    pub caps: StartCaps<'v>,
+    /// Maximum depth behind its centre plane at which a puff is visible.
+    pub depth: f32,
+    pub eye: ShadowEye,
+    /// The axes of the chart in view space.
+    pub axes_in_view: [[f32; 3]; 3],
+}
+
+/// The inputs of a nailboard's shear; see `shearOf` in shaders/volumes/volumes.vert.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ShadowEye {
+    pub right: Linear,
+    pub up: Linear,
+    pub w: Linear,
+    /// Right and up component of the light's direction.
+    pub travel: [f32; 2],
+    /// Clip w at the near plane.
+    pub near: f32,
+    /// Minimum and maximum slope of rays relative to the view axis, to the right and up.
+    pub slopes: [[f32; 2]; 2],
+    pub is_perspective: bool,
+    pub pixel: f32,
+}
+
+impl<'v> Plan<'v> {
+    /// Reads the checked numbers of a view and its solids. None if coverage is off or impossible.
+    pub(crate) fn new(numbers: &'v [f32; VIEW_LENGTH], solids: &'v [f32], direction: [f32; 3]) -> Option<Self> {
+        let covers = numbers[33] as usize;
+        let eye = EyeAxes::new(&numbers[4..20])?;
+        let plan = |chart, range, kind| Self {
+            chart,
+            range,
+            covers,
+            kind,
+        };
+        match (covers, numbers[0] != 0.0) {
+            (0, _) => None,
+            (_, true) => {
+                let chart = light_chart(direction);
+                let shadows = Shadows::new(numbers, solids, &eye, &chart)?;
+                let boundless = [f32::NEG_INFINITY, f32::INFINITY];
+                Some(plan(chart, boundless, PlanKind::Shadows(shadows)))
+            }
+            (_, false) => {
+                let bodies = Bodies::new(numbers, solids, &eye)?;
+                let range = [
+                    numbers[31],
+                    bodies.farthest_certain(numbers[31], numbers[32], &eye.chart().w, direction),
+                ];
+                Some(plan(eye.chart(), range, PlanKind::Bodies(bodies)))
+            }
+        }
+    }
+}
+
+impl Plan<'_> {
+    /// Factor on a particle's radius for its extent on the chart, without lines and tolerances in pixels.
+    pub(crate) fn radius_factor(&self) -> f32 {
+        match &self.kind {
+            PlanKind::Bodies(bodies) => bodies.reach + bodies.tolerance,
+            PlanKind::Shadows(shadows) => WIDENING * shadows.reach,
+        }
+    }
+
+    /// Returns true if shadows may end where others continue; not with several covers.
+    pub(crate) fn has_ends(&self) -> bool {
+        self.covers == 1 && matches!(self.kind, PlanKind::Shadows(_))
+    }
+
+    /// Extent of lines and tolerances in pixels on the chart.
+    pub(crate) fn margin(&self) -> f32 {
+        match &self.kind {
+            PlanKind::Bodies(bodies) => bodies.pad + (bodies.blur + 1.0) * bodies.pixel,
+            PlanKind::Shadows(_) => 0.0,
+        }
+    }
+}
+
+/// Number of start-cap entries in `tables` numbers behind a view. The entries follow the balls of all variations.
+fn caps_length(numbers: &[f32; VIEW_LENGTH], tables: usize) -> usize {
+    let balls = 4 * numbers[41] as usize;
+    if numbers[CAPS_FOLLOW] != 0.0 {
+        tables / (balls + ENTRIES) * ENTRIES
+    } else {
+        0
+    }
+}
+
+impl<'v> Bodies<'v> {
+    fn new(numbers: &'v [f32; VIEW_LENGTH], solids: &'v [f32], eye: &EyeAxes) -> Option<Self> {
+        let balls = numbers[41] as usize;
+        let (boxes, _) = numbers[43..CAPS_FOLLOW].as_chunks();
+        let solids = &solids[..solids.len() - caps_length(numbers, solids.len())];
+        (!solids.is_empty()).then(|| Self {
+            solids: Solids::new(solids, balls, numbers[36] != 0.0),
+            reach: numbers[23],
+            tolerance: numbers[34],
+            blur: numbers[35],
+            pixel: numbers[30],
+            pad: numbers[3],
+            lift: numbers[37],
+            lifters: &boxes[..numbers[42] as usize],
+            depth_step: eye.depth_step(),
+        })
+    }
+
+    /// Distance (m) by which a surface may lift the ring of a puff; 0 unless a surface is near.
+    pub(crate) fn lift_of(&self, place: [f32; 4], w: f32) -> f32 {
+        let lift = self.lift * w;
+        let reach = self.reach * place[3] + self.pad * w + lift;
+        let is_near =
+            |lifter: &&[f32; 6]| (0..3).all(|i| lifter[i] - reach <= place[i] && place[i] <= lifter[3 + i] + reach);
+        self.lifters.iter().find(is_near).map_or(0.0, |_| lift)
+    }
+
+    /// Maximum depth that is drawn distinct from the far plane.
+    fn farthest_certain(&self, near: f32, far: f32, w: &Linear, direction: [f32; 3]) -> f32 {
+        let (first, last) = (w.at_depth(near, direction), w.at_depth(far, direction));
+        if last <= first {
+            return far - self.depth_step;
+        }
+        // The resolution is proportional to w squared. Where it exceeds w, all depths are one step.
+        let w = last.min(0.5 / self.depth_step);
+        near + (w - first) - self.depth_step * w * w
+    }
+}
+
+impl<'v> Shadows<'v> {
+    fn new(numbers: &[f32; VIEW_LENGTH], tables: &'v [f32], eye: &EyeAxes, chart: &Chart) -> Option<Self> {
+        let travel = chart.axes[2].map(|component| -component);
+        let (solids, caps) = tables.split_at(tables.len() - caps_length(numbers, tables.len()));
+        (!solids.is_empty()).then(|| Self {
+            solids: Solids::new(solids, numbers[41] as usize, numbers[36] != 0.0),
+            reach: numbers[23],
+            tolerance: numbers[34],
+            caps: StartCaps::new(caps, [numbers[38], numbers[39]]),
+            depth: numbers[40],
+            eye: eye.of_shadows(travel, numbers[30], numbers[31]),
+            axes_in_view: chart.axes.map(|axis| eye.in_view(axis)),
+        })
+    }
+}
+
+/// Allowance for the tolerance of most shadows.
+const WIDENING: f32 = 1.02;
+/// Depth steps between a hidden puff and the one that hides it: rounding of both, and the margin of bodies to the ends
+/// of the range.
+const DEPTH_STEPS: f64 = 12.0;
+const DEPTH_STEP: f64 = 1.0 / 16_777_216.0;
+
+/// A row of a matrix stored by columns.
+type Row = [f64; 4];
+
+/// The axes of a view, derived from its matrix.
+pub(crate) struct EyeAxes {
+    rows: [Row; 4],
+    forward: [f64; 3],
+    scale: [f64; 2],
+    sides: [[f64; 3]; 2],
+}
+
+impl EyeAxes {
+    /// None for a skewed projection, which no camera has.
+    pub(crate) fn new(columns: &[f32]) -> Option<Self> {
+        let rows: [Row; 4] = std::array::from_fn(|row| std::array::from_fn(|i| f64::from(columns[4 * i + row])));
+        let w = [rows[3][0], rows[3][1], rows[3][2]];
+        let forward = if length(w) > 1e-9 {
+            unit(w)
+        } else {
+            // Orthographic: the view direction is orthogonal to both sides of the picture.
+            unit(cross([0, 1, 2].map(|i| rows[1][i]), [0, 1, 2].map(|i| rows[0][i])))
+        };
+        let beside = [0, 1].map(|row: usize| {
+            let row = [rows[row][0], rows[row][1], rows[row][2]];
+            let along = dot(row, forward);
+            std::array::from_fn(|i| row[i] - along * forward[i])
+        });
+        let scale = beside.map(self::length);
+        if scale[0] < 1e-9 || scale[1] < 1e-9 {
+            return None;
+        }
+        let sides = [0, 1].map(|axis: usize| beside[axis].map(|component| component / scale[axis]));
+        (dot(sides[0], sides[1]).abs() < 1e-4).then_some(Self {
+            rows,
+            forward,
+            scale,
+            sides,
+        })
+    }
+
+    /// A world-space direction in view space: right, up, towards the eye.
+    fn in_view(&self, direction: [f32; 3]) -> [f32; 3] {
+        let direction = direction.map(f64::from);
+        let [right, up] = self.sides.map(|side| dot(side, direction) as f32);
+        [right, up, -dot(self.forward, direction) as f32]
+    }
+
+    pub(crate) fn is_perspective(&self) -> bool {
+        length([self.rows[3][0], self.rows[3][1], self.rows[3][2]]) > 1e-9
+    }
+
+    /// The chart of the image plane at unit depth.
+    pub(crate) fn chart(&self) -> Chart {
+        let line = |axis: usize| linear(self.rows[axis].map(|value| value / self.scale[axis]));
+        let [width, height] = self.scale.map(|scale| (1.0 / scale) as f32);
+        Chart {
+            across: line(0),
+            up: line(1),
+            w: linear(self.rows[3]),
+            axes: [self.sides[0], self.sides[1], self.forward.map(|c| -c)].map(|axis| axis.map(|c| c as f32)),
+            limits: [-width, -height, width, height],
+        }
+    }
+
+    /// Metres per unit of clip w squared of one step of a 24-bit depth buffer, with a margin.
+    pub(crate) fn depth_step(&self) -> f32 {
+        let depth = |row: &Row| dot([row[0], row[1], row[2]], self.forward);
+        // At depth t along the view clip z = a t + b and clip w = c t + e.
+        let (a, c) = (depth(&self.rows[2]), depth(&self.rows[3]));
+        let slope = (a * self.rows[3][3] - self.rows[2][3] * c).abs();
+        (2.0 * DEPTH_STEPS * DEPTH_STEP / slope.max(1e-12)) as f32
+    }
+
+    /// The inputs of the shear. `near`: depth of the near plane along the view.
+    pub(crate) fn of_shadows(&self, travel: [f32; 3], pixel: f32, near: f32) -> ShadowEye {
+        let along = |row: &Row| dot([row[0], row[1], row[2]], self.forward);
+        let beside = |axis: usize| {
+            let w_share = if self.is_perspective() {
+                along(&self.rows[axis])
+            } else {
+                0.0
+            };
+            linear(std::array::from_fn(|i| {
+                (self.rows[axis][i] - w_share * self.rows[3][i]) / self.scale[axis]
+            }))
+        };
+        let travel = travel.map(f64::from);
+        ShadowEye {
+            right: beside(0),
+            up: beside(1),
+            w: linear(self.rows[3]),
+            travel: self.sides.map(|side| dot(side, travel) as f32),
+            near: (along(&self.rows[3]) * f64::from(near) + self.rows[3][3]) as f32,
+            slopes: [0, 1]
+                .map(|axis: usize| [-1.0, 1.0].map(|end| ((end - along(&self.rows[axis])) / self.scale[axis]) as f32)),
+            is_perspective: self.is_perspective(),
+            pixel,
+        }
+    }
+}
+
+/// A chart across the light; `direction` is a unit vector.
+pub(crate) fn light_chart(direction: [f32; 3]) -> Chart {
+    let d = direction.map(f64::from);
+    let least = (0..3).min_by(|a, b| d[*a].abs().total_cmp(&d[*b].abs())).unwrap_or(0);
+    let mut side: [f64; 3] = std::array::from_fn(|i| if i == least { 1.0 } else { 0.0 });
+    let along = d[least];
+    side = std::array::from_fn(|i| side[i] - along * d[i]);
+    let side = unit(side);
+    let up = cross(d, side);
+    let line = |axis: [f64; 3]| linear([axis[0], axis[1], axis[2], 0.0]);
+    Chart {
+        across: line(side),
+        up: line(up),
+        w: linear([0.0, 0.0, 0.0, 1.0]),
+        axes: [side, up, d.map(|c| -c)].map(|axis| axis.map(|c| c as f32)),
+        limits: [-1e9, -1e9, 1e9, 1e9],
+    }
+}
+
+fn linear(row: Row) -> Linear {
+    Linear {
+        normal: [row[0] as f32, row[1] as f32, row[2] as f32],
+        offset: row[3] as f32,
+    }
+}

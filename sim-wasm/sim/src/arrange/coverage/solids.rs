@@ -1,0 +1,121 @@
+//! The balls of puffs and their orientation, as in src/puffs/solids.ts and shaders/lib/orientation.glsl.
+
+use wide::f32x4;
+
+/// Maximum number of balls per puff.
+pub const BALLS_LIMIT: usize = 12;
+const LANES: usize = 4;
+const SEEDS: usize = 256;
+/// Entries per revolution of the sine table. The tolerance of the solids covers the error between them.
+const SINES: usize = 4096;
+/// Rotation of the seed axes about z from one seed to the next.
+const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
+
+/// The shapes of puffs. Lengths in particle radii.
+#[derive(Clone, Copy, Debug)]
+pub struct Solids<'v> {
+    /// Per variation the x of all balls, then their y, z and radii. A radius of 0 marks a missing ball.
+    table: &'v [f32],
+    balls: usize,
+    /// True if puffs face the eye and roll about the view axis; false if they are fixed in world space.
+    pub faces_eye: bool,
+}
+
+/// The balls of one puff in view space: right, up, towards the eye.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct RotatedBalls {
+    pub x: [f32; BALLS_LIMIT],
+    pub y: [f32; BALLS_LIMIT],
+    pub z: [f32; BALLS_LIMIT],
+    pub radius: [f32; BALLS_LIMIT],
+    pub count: usize,
+}
+
+impl<'v> Solids<'v> {
+    /// `table` holds 4 * `balls` numbers per variation; `balls` is 4, 8 or 12.
+    pub(crate) fn new(table: &'v [f32], balls: usize, faces_eye: bool) -> Self {
+        debug_assert!(balls.is_multiple_of(LANES) && balls <= BALLS_LIMIT && !table.is_empty());
+        Self {
+            table,
+            balls,
+            faces_eye,
+        }
+    }
+
+    /// Rotates the puff with these packed attributes by `rotation`.
+    #[inline(always)]
+    pub(crate) fn rotate(&self, attributes: [u32; 2], rotation: &[[f32; 3]; 3], into: &mut RotatedBalls) {
+        let size = 4 * self.balls;
+        let variation = (attributes[1] & 0xff) as usize % (self.table.len() / size);
+        let columns = &self.table[variation * size..(variation + 1) * size];
+        let lanes = |column: usize, at: usize| {
+            let start = column * self.balls + at;
+            let lanes: &[f32; LANES] = columns[start..start + LANES].try_into().expect("whole blocks");
+            f32x4::new(*lanes)
+        };
+        into.count = self.balls;
+        for at in (0..self.balls).step_by(LANES) {
+            let (x, y, z) = (lanes(0, at), lanes(1, at), lanes(2, at));
+            let along = |row: [f32; 3]| x * f32x4::splat(row[0]) + y * f32x4::splat(row[1]) + z * f32x4::splat(row[2]);
+            into.x[at..at + LANES].copy_from_slice(along(rotation[0]).as_array());
+            into.y[at..at + LANES].copy_from_slice(along(rotation[1]).as_array());
+            into.z[at..at + LANES].copy_from_slice(along(rotation[2]).as_array());
+            into.radius[at..at + LANES].copy_from_slice(lanes(3, at).as_array());
+        }
+    }
+}
+
+/// The sine table, and the rotation axes of the seeds.
+#[derive(Debug)]
+pub(crate) struct Orientations {
+    sines: Box<[f32; SINES]>,
+    axes: Box<[[f32; 3]; SEEDS]>,
+}
+
+impl Orientations {
+    pub(crate) fn new() -> Self {
+        let mut orientations = Self {
+            sines: Box::new([0.0; SINES]),
+            axes: Box::new([[0.0; 3]; SEEDS]),
+        };
+        for (index, sine) in orientations.sines.iter_mut().enumerate() {
+            *sine = libm::sin(index as f64 * std::f64::consts::TAU / SINES as f64) as f32;
+        }
+        for (seed, axis) in orientations.axes.iter_mut().enumerate() {
+            let z = 1.0 - (2.0 * seed as f64 + 1.0) / SEEDS as f64;
+            let (reach, angle) = (libm::sqrt(1.0 - z * z), seed as f64 * GOLDEN_ANGLE);
+            *axis = [reach * libm::cos(angle), reach * libm::sin(angle), z].map(|component| component as f32);
+        }
+        orientations
+    }
+
+    /// Sine and cosine of the roll in packed attributes.
+    #[inline(always)]
+    fn roll(&self, attributes: [u32; 2]) -> (f32, f32) {
+        let index = ((attributes[0] & 0xffff) as usize * SINES + 0x8000) >> 16;
+        (self.sines[index % SINES], self.sines[(index + SINES / 4) % SINES])
+    }
+
+    /// Rows of the rotation from a puff's frame to `axes`, for a puff fixed in world space.
+    #[inline(always)]
+    pub(crate) fn standing(&self, attributes: [u32; 2], axes: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
+        let (sine, cosine) = self.roll(attributes);
+        let axis = self.axes[(attributes[1] >> 8 & 0xff) as usize];
+        axes.map(|row| {
+            let across = [
+                row[1] * axis[2] - row[2] * axis[1],
+                row[2] * axis[0] - row[0] * axis[2],
+                row[0] * axis[1] - row[1] * axis[0],
+            ];
+            let share = (1.0 - cosine) * (row[0] * axis[0] + row[1] * axis[1] + row[2] * axis[2]);
+            std::array::from_fn(|i| cosine * row[i] + sine * across[i] + share * axis[i])
+        })
+    }
+
+    /// Same for a puff that faces the eye and rolls, with axes in view space.
+    #[inline(always)]
+    pub(crate) fn facing(&self, attributes: [u32; 2], axes_in_view: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
+        let (sine, cosine) = self.roll(attributes);
+        axes_in_view.map(|[right, up, back]| [right * cosine + up * sine, up * cosine - right * sine, back])
+    }
+}

@@ -1,0 +1,99 @@
+//! The starts of a puff's shadow, by the direction of the light, as tabulated in src/puffs/startCaps.ts.
+
+use std::f32::consts::{FRAC_PI_2, PI};
+
+/// Azimuths and polar angles of a variation's table.
+const COLUMNS: usize = 64;
+const ROWS: usize = 32;
+/// Entries per variation.
+pub(crate) const ENTRIES: usize = COLUMNS * ROWS;
+/// Tolerance of a direction in cells: the error of the sine table and of the short series.
+const DOUBT: f32 = 0.03;
+
+/// Tables of all variations. Without tables the range applies to each.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StartCaps<'v> {
+    table: &'v [f32],
+    /// Minimum and maximum distance behind the centre (radii).
+    pub range: [f32; 2],
+}
+
+impl<'v> StartCaps<'v> {
+    pub(crate) fn new(table: &'v [f32], range: [f32; 2]) -> Self {
+        debug_assert!(table.len().is_multiple_of(ENTRIES));
+        Self { table, range }
+    }
+
+    /// Minimum and maximum that the renderer may read for packed attributes, by the direction towards the light in the
+    /// puff's frame.
+    pub(crate) fn of(&self, attributes: [u32; 2], [x, y, z]: [f32; 3]) -> [f32; 2] {
+        if self.table.is_empty() {
+            return self.range;
+        }
+        let first = (attributes[1] & 0xff) as usize % (self.table.len() / ENTRIES) * ENTRIES;
+        let table = &self.table[first..first + ENTRIES];
+        let across = (x * x + y * y).sqrt();
+        let row = angle(z, across) / PI * ROWS as f32;
+        let column = (angle(x, y) / (2.0 * PI) + 0.5) * COLUMNS as f32;
+        let doubt = (DOUBT / across.max(1e-6)).min(COLUMNS as f32 / 2.0);
+        let (low, high) = ((row - DOUBT).max(0.0) as usize, ((row + DOUBT) as usize).min(ROWS - 1));
+        let (left, right) = (column - doubt + COLUMNS as f32, column + doubt + COLUMNS as f32);
+        let mut bounds = [f32::INFINITY, f32::NEG_INFINITY];
+        for row in low.min(ROWS - 1)..=high {
+            for column in left as usize..=right as usize {
+                let cap = table[row * COLUMNS + column % COLUMNS];
+                bounds = [bounds[0].min(cap), bounds[1].max(cap)];
+            }
+        }
+        bounds.map(|cap| cap.max(self.range[0]))
+    }
+}
+
+/// The angle from x to (x, y), -pi..pi, with an error of at most 0.0005.
+#[inline(always)]
+fn angle(x: f32, y: f32) -> f32 {
+    let (least, most) = (x.abs().min(y.abs()), x.abs().max(y.abs()));
+    let tangent = least / most.max(1e-20);
+    let square = tangent * tangent;
+    let eighth = ((-0.046_496_475 * square + 0.159_314_22) * square - 0.327_622_76) * square * tangent + tangent;
+    let quarter = if y.abs() > x.abs() { FRAC_PI_2 - eighth } else { eighth };
+    let half = if x < 0.0 { PI - quarter } else { quarter };
+    half.copysign(y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::Random;
+
+    #[test]
+    fn angles_are_right_to_a_fraction_of_a_cell() {
+        let mut random = Random::new(2);
+        for _ in 0..2000 {
+            let (x, y) = (random.signed(), random.signed());
+            let exact = libm::atan2(f64::from(y), f64::from(x));
+            assert!((f64::from(angle(x, y)) - exact).abs() < 5e-4, "({x}, {y})");
+        }
+    }
+
+    #[test]
+    fn the_entry_that_the_shader_reads_lies_within() {
+        let mut random = Random::new(3);
+        let table: Vec<f32> = (0..2 * ENTRIES).map(|_| random.unit()).collect();
+        let caps = StartCaps::new(&table, [0.1, 1.0]);
+        let mut single = 0;
+        for number in 0..2000 {
+            let at: [f64; 3] = std::array::from_fn(|_| f64::from(random.signed()));
+            let length = at.iter().map(|c| c * c).sum::<f64>().sqrt();
+            let [x, y, z] = at.map(|c| c / length);
+            let column = ((libm::atan2(y, x) / std::f64::consts::TAU + 0.5) * COLUMNS as f64) as usize;
+            let row = (libm::acos(z) / std::f64::consts::PI * ROWS as f64) as usize;
+            let variation = number % 2;
+            let entry = table[variation * ENTRIES + row.min(ROWS - 1) * COLUMNS + column.min(COLUMNS - 1)].max(0.1);
+            let [least, most] = caps.of([0, variation as u32], [x, y, z].map(|c| c as f32));
+            assert!(least <= entry && entry <= most);
+            single += usize::from(least == most);
+        }
+        assert!(single > 1400, "only {single} of 2000 are certain");
+    }
+}

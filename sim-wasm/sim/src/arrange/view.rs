@@ -1,0 +1,275 @@
+//! A view: the input of `arrange`.
+//!
+//! `view_layout` documents its numbers.
+
+use wide::f32x4;
+
+use crate::arrange::coverage::plan::Plan;
+use crate::arrange::coverage::solids::BALLS_LIMIT;
+use crate::arrange::coverage::start_caps::ENTRIES;
+use crate::arrange::view_layout::{CAPS_FOLLOW, LIFTERS_LIMIT, VIEW_LENGTH};
+use crate::layout::error::ParameterError;
+use crate::math::simd::{Vector4, positive_part};
+
+/// Maximum number of covers.
+const COVERS_LIMIT: f64 = 16.0;
+
+/// A checked view.
+#[derive(Clone, Copy, Debug)]
+pub struct View<'v> {
+    /// Interpolation between the previous step (0) and now (1).
+    pub blend: f32,
+    /// Unit vector along which rows are sorted, near to far.
+    pub direction: [f32; 3],
+    /// True for the casters of a light: rows hold the ends of shadows instead of ages.
+    pub is_light: bool,
+    /// Frustum culling, if enabled.
+    pub cull: Option<Cull>,
+    /// Occlusion culling, if enabled.
+    pub coverage: Option<Plan<'v>>,
+}
+
+impl<'v> View<'v> {
+    /// Checks the numbers. One that is not finite or out of range is an error with its name.
+    pub fn new(all: &'v [f32]) -> Result<Self, ParameterError> {
+        let (numbers, solids) = all.split_first_chunk().ok_or_else(|| wrong_length(all.len()))?;
+        if let Some(index) = all.iter().position(|value| !value.is_finite()) {
+            let limit = f64::from(f32::MAX);
+            within(&format!("view[{index}]"), all[index], -limit, limit)?;
+        }
+        within("view.purpose", numbers[0], 0.0, 1.0)?;
+        within("view.blend", numbers[1], 0.0, 1.0)?;
+        within("view.cull", numbers[2], 0.0, 1.0)?;
+        within("view.pad", numbers[3], 0.0, 1e6)?;
+        within("view.reach", numbers[23], 0.0, 1e6)?;
+        check_coverage(numbers, solids)?;
+        let direction = direction(numbers)?;
+        let cull = (numbers[2] != 0.0).then(|| Cull::new(numbers, direction));
+        let coverage = cull.and_then(|_| Plan::new(numbers, solids, direction));
+        Ok(Self {
+            blend: numbers[1],
+            direction,
+            is_light: numbers[0] != 0.0,
+            cull,
+            coverage,
+        })
+    }
+}
+
+fn check_coverage(numbers: &[f32; VIEW_LENGTH], solids: &[f32]) -> Result<(), ParameterError> {
+    let lengths = [
+        ("view.pixel", 30),
+        ("view.tolerance", 34),
+        ("view.blur", 35),
+        ("view.lift", 37),
+        ("view.depth", 40),
+        ("view.balls", 41),
+    ];
+    for (name, index) in lengths {
+        within(name, numbers[index], 0.0, 1e6)?;
+    }
+    within("view.covers", numbers[33], 0.0, COVERS_LIMIT)?;
+    within("view.lifters", numbers[42], 0.0, LIFTERS_LIMIT as f64)?;
+    within(
+        "view.farthest",
+        numbers[32],
+        f64::from(numbers[31]),
+        f64::from(f32::MAX),
+    )?;
+    within("view.capMost", numbers[39], f64::from(numbers[38]), 1e6)?;
+    let balls = numbers[41] as usize;
+    if numbers[41] != balls as f32 || !balls.is_multiple_of(4) || balls > BALLS_LIMIT {
+        let value = f64::from(numbers[41]);
+        return Err(ParameterError::out_of_range(
+            "view.balls",
+            value,
+            0.0,
+            BALLS_LIMIT as f64,
+        ));
+    }
+    within("view.capsFollow", numbers[CAPS_FOLLOW], 0.0, 1.0)?;
+    let variation = 4 * balls + if numbers[CAPS_FOLLOW] != 0.0 { ENTRIES } else { 0 };
+    let is_whole = if balls == 0 {
+        solids.is_empty()
+    } else {
+        solids.len().is_multiple_of(variation)
+    };
+    if is_whole {
+        Ok(())
+    } else {
+        Err(wrong_length(VIEW_LENGTH + solids.len()))
+    }
+}
+
+fn within(name: &str, value: f32, min: f64, max: f64) -> Result<(), ParameterError> {
+    let value = f64::from(value);
+    if (min..=max).contains(&value) {
+        Ok(())
+    } else {
+        Err(ParameterError::out_of_range(name, value, min, max))
+    }
+}
+
+fn wrong_length(length: usize) -> ParameterError {
+    let expected = VIEW_LENGTH as f64;
+    ParameterError::out_of_range("view.length", length as f64, expected, expected)
+}
+
+fn direction(numbers: &[f32; VIEW_LENGTH]) -> Result<[f32; 3], ParameterError> {
+    let [x, y, z] = [numbers[20], numbers[21], numbers[22]].map(f64::from);
+    let length = libm::sqrt(x * x + y * y + z * z);
+    // Accepts rounding, but not a vector that was never normalised: its picture would be wrong elsewhere too.
+    if !(0.99..=1.01).contains(&length) {
+        return Err(ParameterError::out_of_range(
+            "view.direction (length)",
+            length,
+            0.99,
+            1.01,
+        ));
+    }
+    Ok([x, y, z].map(|component| (component / length) as f32))
+}
+
+/// Culls what is not visible, or throws no visible shadow. Conservative.
+///
+/// Uses the four side planes only. In perspective they also exclude everything behind the eye. Near and far plane must
+/// not cull, since nailboards and volumes clamp their depth instead of being clipped.
+#[derive(Clone, Copy, Debug)]
+pub struct Cull {
+    planes: [Plane; 4],
+    clip_w: Plane,
+    reach: f32x4,
+    pad: f32x4,
+    sweep: Option<Sweep>,
+}
+
+/// A plane with the signed distance n.x + d, positive inside; also any other linear function of the place.
+#[derive(Clone, Copy, Debug)]
+struct Plane {
+    normal: Vector4,
+    offset: f32x4,
+}
+
+/// The path of a shadow: from the caster along the light to the exit from the receivers' box.
+#[derive(Clone, Copy, Debug)]
+struct Sweep {
+    direction: Vector4,
+    /// The face of the box through which each component exits.
+    face: Vector4,
+    /// 1 / direction, or 0 for a component close to 0, whose exit time is then `never`.
+    inverse: Vector4,
+    never: Vector4,
+}
+
+impl Cull {
+    fn new(numbers: &[f32; VIEW_LENGTH], direction: [f32; 3]) -> Self {
+        let row = |row: usize| [0, 1, 2, 3].map(|column| f64::from(numbers[4 + 4 * column + row]));
+        let side = |axis: usize, sign: f64| {
+            let (w, other) = (row(3), row(axis));
+            ExactPlane::new(std::array::from_fn(|i| w[i] + sign * other[i]))
+                .normalised()
+                .lanes()
+        };
+        Self {
+            planes: [side(0, 1.0), side(0, -1.0), side(1, 1.0), side(1, -1.0)],
+            clip_w: ExactPlane::new(row(3)).lanes(),
+            reach: f32x4::splat(numbers[23]),
+            pad: f32x4::splat(numbers[3]),
+            sweep: (numbers[0] != 0.0).then(|| Sweep::new(numbers, direction)),
+        }
+    }
+
+    /// A mask of the particles that may touch the frustum.
+    #[inline(always)]
+    pub fn keeps(&self, place: Vector4, radius: f32x4) -> f32x4 {
+        let length = self.sweep.map_or(f32x4::ZERO, |sweep| sweep.length(place));
+        let direction = self.sweep.map_or(Vector4::zero(), |sweep| sweep.direction);
+        let w = self.clip_w.value(place);
+        let furthest_w = w + positive_part(self.clip_w.normal.dot(direction) * length);
+        // Single precision: a distance is a sum of terms as large as the coordinates.
+        let slack = (place.x.abs() + place.y.abs() + place.z.abs() + length) * f32x4::splat(2e-6);
+        let touch = radius * self.reach + positive_part(furthest_w) * self.pad + slack;
+        let mut kept = radius.simd_gt(f32x4::ZERO);
+        for plane in &self.planes {
+            let start = plane.value(place);
+            let gain = positive_part(plane.normal.dot(direction) * length);
+            kept &= (start + gain + touch + plane.offset.abs() * f32x4::splat(2e-6)).simd_ge(f32x4::ZERO);
+        }
+        kept
+    }
+}
+
+/// A plane in double precision.
+struct ExactPlane {
+    normal: [f64; 3],
+    offset: f64,
+}
+
+impl Plane {
+    #[inline(always)]
+    fn value(&self, place: Vector4) -> f32x4 {
+        self.normal.dot(place) + self.offset
+    }
+}
+
+impl ExactPlane {
+    fn new([x, y, z, offset]: [f64; 4]) -> Self {
+        Self {
+            normal: [x, y, z],
+            offset,
+        }
+    }
+
+    /// Scales to metres. A plane without a normal excludes nothing.
+    fn normalised(self) -> Self {
+        let length = libm::sqrt(self.normal.iter().map(|component| component * component).sum());
+        if length < 1e-12 {
+            return Self {
+                normal: [0.0; 3],
+                offset: 1.0,
+            };
+        }
+        Self {
+            normal: self.normal.map(|component| component / length),
+            offset: self.offset / length,
+        }
+    }
+
+    fn lanes(self) -> Plane {
+        Plane {
+            normal: Vector4::splat(self.normal.map(|component| component as f32)),
+            offset: f32x4::splat(self.offset as f32),
+        }
+    }
+}
+
+impl Sweep {
+    fn new(numbers: &[f32; VIEW_LENGTH], direction: [f32; 3]) -> Self {
+        let moves = direction.map(|component| component.abs() > 1e-6);
+        let axes = [0, 1, 2];
+        Self {
+            direction: Vector4::splat(direction),
+            face: Vector4::splat(axes.map(|i| {
+                if direction[i] > 0.0 {
+                    numbers[27 + i]
+                } else {
+                    numbers[24 + i]
+                }
+            })),
+            inverse: Vector4::splat(axes.map(|i| if moves[i] { 1.0 / direction[i] } else { 0.0 })),
+            never: Vector4::splat(axes.map(|i| if moves[i] { 0.0 } else { 1e30 })),
+        }
+    }
+
+    /// Distance to the exit (m); 0 behind the box.
+    #[inline(always)]
+    fn length(&self, place: Vector4) -> f32x4 {
+        let way = self.face - place;
+        let exit = Vector4 {
+            x: way.x * self.inverse.x + self.never.x,
+            y: way.y * self.inverse.y + self.never.y,
+            z: way.z * self.inverse.z + self.never.z,
+        };
+        positive_part(exit.x.fast_min(exit.y).fast_min(exit.z))
+    }
+}

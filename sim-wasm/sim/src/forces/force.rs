@@ -1,0 +1,91 @@
+//! The interface of forces, and their inputs.
+
+use wide::f32x4;
+
+use crate::layout::gust::Gust;
+use crate::layout::parameters::item::{Item, LIST_LIMIT};
+use crate::layout::parameters::table::Parameters;
+use crate::layout::scope::StepTime;
+use crate::math::double::direction;
+use crate::math::pose::Frame;
+use crate::math::simd::{Vector4, positive_part};
+use crate::math::vector::Vector;
+use crate::particles::tile::Tile;
+
+/// The phase of a step in which a force acts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// Adds air velocity, evaluated at the expected middle of the step.
+    Air,
+    /// Adds accelerations and drag, or changes the slip.
+    Push,
+    /// Rotates the air, once all other motion of the particle is known.
+    Swirl,
+    /// Limits the displacement of the step.
+    Limit,
+}
+
+/// The inputs of all forces in a step.
+#[derive(Clone, Copy, Debug)]
+pub struct ForceContext<'s> {
+    pub parameters: &'s Parameters,
+    pub now: StepTime<'s>,
+    /// Selects the random patterns.
+    pub seed: u32,
+    /// State of each turbulence of the list, then of the global one.
+    pub turbulence: &'s [TurbulenceState; LIST_LIMIT + 1],
+    /// The active gusts.
+    pub gusts: &'s [Gust],
+}
+
+/// A kind of force, with the parameters of one item as `Self`.
+pub trait Force: Item {
+    /// An item prepared for the SIMD lanes of one step.
+    type Kernel;
+
+    /// The phase in which it acts.
+    const PHASE: Phase;
+
+    /// Prepares item `index`; none if it has no effect in this step.
+    fn kernel(&self, index: usize, context: &ForceContext) -> Option<Self::Kernel>;
+
+    /// The global force of this kind, which has parameters of its own.
+    fn everywhere(_setting: &ForceContext) -> Option<Self::Kernel> {
+        None
+    }
+
+    /// Applies all `kernels` to the particles of `tile`.
+    fn act(kernels: &[Self::Kernel], tile: &mut Tile);
+}
+
+/// State of a turbulence between steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TurbulenceState {
+    /// Displacement of the pattern by the wind (m).
+    pub drift: [f64; 3],
+    /// Phase of the first octave (rad).
+    pub phase: f64,
+}
+
+/// Transforms a place (m) from `frame` to world space, in all lanes.
+pub(crate) fn place_in(frame: &Frame, place: [f64; 3]) -> Vector4 {
+    let local = Vector::from(place.map(|metres| metres as f32));
+    Vector4::splat(frame.world_from_local(local).into())
+}
+
+/// Rotates a vector from `frame` to world space, in all lanes.
+pub(crate) fn vector_in(frame: &Frame, vector: [f32; 3]) -> Vector4 {
+    Vector4::splat(frame.rotate(Vector::from(vector)).into())
+}
+
+/// The unit vector of a direction, rotated from `frame` to world space, in all lanes.
+pub(crate) fn direction_in(frame: &Frame, axis: [f64; 3]) -> Vector4 {
+    vector_in(frame, self::direction(axis))
+}
+
+/// The fade (1 - r^2 / R^2)^2 for the squared distance r^2 and the inverse of R^2; 0 where r >= R.
+#[inline(always)]
+pub(crate) fn fade(squared: f32x4, inverse_reach_squared: f32x4) -> f32x4 {
+    let left = positive_part(f32x4::ONE - squared * inverse_reach_squared);
+    left * left
+}

@@ -1,0 +1,22 @@
+//! Step length and capacity limit.
+
+use crate::layout::error::ParameterError;
+
+/// Length of a step (s).
+pub const STEP: f64 = 1.0 / 60.0;
+
+/// Maximum capacity of a simulator.
+pub const CAPACITY_LIMIT: u32 = 1_000_000;
+
+pub(crate) fn check_capacity(capacity: u32) -> Result<usize, ParameterError> {
+    if (1..=CAPACITY_LIMIT).contains(&capacity) {
+        return Ok(capacity as usize);
+    }
+    let limit = f64::from(CAPACITY_LIMIT);
+    Err(ParameterError::out_of_range(
+        "simulation.maxParticles",
+        f64::from(capacity),
+        1.0,
+        limit,
+    ))
+}

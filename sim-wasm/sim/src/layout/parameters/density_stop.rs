@@ -1,0 +1,23 @@
+//! Parameters of `density.#`.
+
+use crate::layout::parameters::field::{Field, SHARE, number};
+use crate::layout::parameters::item::Item;
+
+/// `density.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stop {
+    pub age: f64,
+    pub value: f64,
+}
+
+impl Item for Stop {
+    const LABEL: &'static str = "Density stop";
+    const FIELDS: &'static [Field<Self>] = &[
+        number("age", "1", SHARE, 0.0, |s: &mut Self| &mut s.age)
+            .says("Age", "Where in a puff's life, as a share of it."),
+        number("value", "1", SHARE, 1.0, |s: &mut Self| &mut s.value).says(
+            "Density",
+            "How much of its size a puff has then; without stops it shrinks evenly.",
+        ),
+    ];
+}

@@ -1,0 +1,164 @@
+//! Description of a parameter, and access to its value.
+
+/// Description of a parameter.
+#[derive(Clone, Copy, Debug)]
+pub struct Meta {
+    /// Key after the section's name, such as `coreRadius`. The numbers of a vector add `.x`, `.y` and `.z`.
+    pub key: &'static str,
+    /// Unit, `1` for plain numbers.
+    pub unit: &'static str,
+    pub min: f64,
+    pub max: f64,
+    /// Default value. A single number uses the first element.
+    pub default: [f64; 3],
+    /// Accepts whole numbers only.
+    pub whole: bool,
+    /// Names of the values 0, 1, ...; empty for a count. Native builds only, as all text.
+    #[cfg(not(target_family = "wasm"))]
+    pub names: &'static [&'static str],
+    /// Initial value in a newly added item, if the default has no effect.
+    #[cfg(not(target_family = "wasm"))]
+    pub start: Option<f64>,
+    /// Short label of a user interface.
+    #[cfg(not(target_family = "wasm"))]
+    pub label: &'static str,
+    /// One sentence on the effect of the parameter.
+    #[cfg(not(target_family = "wasm"))]
+    pub text: &'static str,
+}
+
+/// A parameter of an `Item`.
+pub struct Field<Item> {
+    pub meta: Meta,
+    accessor: Accessor<Item>,
+}
+
+enum Accessor<Item> {
+    Number(fn(&mut Item) -> &mut f64),
+    Vector(fn(&mut Item) -> &mut [f64; 3]),
+}
+
+/// Key suffixes of the numbers of a vector.
+const PARTS: [&str; 3] = [".x", ".y", ".z"];
+
+impl<Item> Field<Item> {
+    const fn new(
+        key: &'static str,
+        unit: &'static str,
+        range: [f64; 2],
+        default: [f64; 3],
+        accessor: Accessor<Item>,
+    ) -> Self {
+        let meta = Meta {
+            key,
+            unit,
+            min: range[0],
+            max: range[1],
+            default,
+            whole: false,
+            #[cfg(not(target_family = "wasm"))]
+            names: &[],
+            #[cfg(not(target_family = "wasm"))]
+            start: None,
+            #[cfg(not(target_family = "wasm"))]
+            label: "",
+            #[cfg(not(target_family = "wasm"))]
+            text: "",
+        };
+        Self { meta, accessor }
+    }
+
+    /// Accepts whole numbers only.
+    pub const fn whole(mut self) -> Self {
+        self.meta.whole = true;
+        self
+    }
+
+    /// Names the values 0, 1, ...; the range must match.
+    #[cfg_attr(
+        target_family = "wasm",
+        allow(unused_variables, reason = "words stay out of the module")
+    )]
+    pub const fn named(mut self, names: &'static [&'static str]) -> Self {
+        self.meta.whole = true;
+        #[cfg(not(target_family = "wasm"))]
+        {
+            self.meta.names = names;
+        }
+        self
+    }
+
+    /// Sets the initial value in a newly added item.
+    #[cfg_attr(
+        target_family = "wasm",
+        allow(unused_variables, unused_mut, reason = "pages know it from the table")
+    )]
+    pub const fn starts_at(mut self, value: f64) -> Self {
+        #[cfg(not(target_family = "wasm"))]
+        {
+            self.meta.start = Some(value);
+        }
+        self
+    }
+
+    /// Sets the label and the sentence of a user interface.
+    #[cfg_attr(
+        target_family = "wasm",
+        allow(unused_variables, unused_mut, reason = "words stay out of the module")
+    )]
+    pub const fn says(mut self, label: &'static str, text: &'static str) -> Self {
+        #[cfg(not(target_family = "wasm"))]
+        {
+            self.meta.label = label;
+            self.meta.text = text;
+        }
+        self
+    }
+
+    /// Key suffix of each number.
+    pub fn parts(&self) -> &'static [&'static str] {
+        match self.accessor {
+            Accessor::Number(_) => &[""],
+            Accessor::Vector(_) => &PARTS,
+        }
+    }
+
+    /// Mutable access to number `part`.
+    pub fn value<'i>(&self, item: &'i mut Item, part: usize) -> &'i mut f64 {
+        match self.accessor {
+            Accessor::Number(of) => of(item),
+            Accessor::Vector(of) => &mut of(item)[part],
+        }
+    }
+}
+
+/// A parameter of one number.
+pub const fn number<Item>(
+    key: &'static str,
+    unit: &'static str,
+    range: [f64; 2],
+    default: f64,
+    of: fn(&mut Item) -> &mut f64,
+) -> Field<Item> {
+    Field::new(key, unit, range, [default; 3], Accessor::Number(of))
+}
+
+/// A parameter of three numbers with the same range.
+pub const fn vector<Item>(
+    key: &'static str,
+    unit: &'static str,
+    range: [f64; 2],
+    default: [f64; 3],
+    of: fn(&mut Item) -> &mut [f64; 3],
+) -> Field<Item> {
+    Field::new(key, unit, range, default, Accessor::Vector(of))
+}
+
+/// Range of a world position (m).
+pub const PLACE: [f64; 2] = [-1000.0, 1000.0];
+/// Range of a component of a direction of any length.
+pub const DIRECTION: [f64; 2] = [-1.0, 1.0];
+/// Range of a length above 0 (m).
+pub const LENGTH: [f64; 2] = [0.001, 1000.0];
+/// Range of a share.
+pub const SHARE: [f64; 2] = [0.0, 1.0];

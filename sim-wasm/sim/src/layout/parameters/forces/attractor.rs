@@ -1,0 +1,35 @@
+//! Parameters of `attractors.#`.
+
+use crate::layout::parameters::field::{Field, PLACE, number, vector};
+use crate::layout::parameters::item::{Item, Scope};
+
+/// `attractors.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Attractor {
+    pub acceleration: f64,
+    pub core_radius: f64,
+    pub reach: f64,
+    pub position: [f64; 3],
+    pub scope: Scope,
+}
+
+impl Item for Attractor {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |a: &mut Self| {
+            &mut a.acceleration
+        })
+        .starts_at(3.0)
+        .says("Pull", "How strongly it draws smoke in; negative drives smoke away."),
+        number("coreRadius", "m", [0.01, 50.0], 0.1, |a: &mut Self| &mut a.core_radius)
+            .says("Core", "Radius within which the pull fades towards the centre."),
+        number("reach", "m", [0.05, 1000.0], 5.0, |a: &mut Self| &mut a.reach)
+            .says("Reach", "Distance at which the pull has faded to nothing."),
+        vector("position", "m", PLACE, [0.0; 3], |a: &mut Self| &mut a.position).says("Place", "Where it draws to."),
+    ];
+
+    const LABEL: &'static str = "Attractor";
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}

@@ -1,0 +1,38 @@
+//! Parameters of `explosions.#`.
+
+use crate::layout::parameters::field::{Field, PLACE, number, vector};
+use crate::layout::parameters::item::{Item, Scope};
+
+/// `explosions.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Explosion {
+    pub impulse: f64,
+    pub speed: f64,
+    pub reach: f64,
+    pub position: [f64; 3],
+    pub scope: Scope,
+}
+
+impl Item for Explosion {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("impulse", "m/s", [-100.0, 100.0], 0.0, |e: &mut Self| &mut e.impulse)
+            .starts_at(4.0)
+            .says(
+                "Impulse",
+                "Speed that it gives to smoke at its centre; negative is inwards.",
+            ),
+        number("speed", "m/s", [0.1, 1000.0], 20.0, |e: &mut Self| &mut e.speed)
+            .says("Front", "How fast it spreads; smoke is thrown when the front passes."),
+        number("reach", "m", [0.05, 1000.0], 3.0, |e: &mut Self| &mut e.reach)
+            .says("Reach", "Distance at which it has faded to nothing."),
+        vector("position", "m", PLACE, [0.0; 3], |e: &mut Self| &mut e.position).says("Place", "Its centre."),
+    ];
+
+    const LABEL: &'static str = "Explosion";
+
+    const STARTS: &'static [(&'static str, f64)] = &[("envelope.period", 2.0)];
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}

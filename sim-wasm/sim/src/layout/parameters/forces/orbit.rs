@@ -1,0 +1,41 @@
+//! Parameters of `orbits.#`.
+
+use crate::layout::parameters::field::{DIRECTION, Field, PLACE, number, vector};
+use crate::layout::parameters::item::{Item, Scope};
+
+/// `orbits.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Orbit {
+    pub acceleration: f64,
+    pub core_radius: f64,
+    pub position: [f64; 3],
+    pub axis: [f64; 3],
+    pub scope: Scope,
+}
+
+impl Item for Orbit {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |o: &mut Self| {
+            &mut o.acceleration
+        })
+        .starts_at(2.0)
+        .says(
+            "Pull",
+            "Pull at a distance of one metre: nearer it grows, farther away it falls.",
+        ),
+        number("coreRadius", "m", [0.01, 50.0], 0.1, |o: &mut Self| &mut o.core_radius)
+            .says("Core", "Radius within which the pull fades towards the centre."),
+        vector("position", "m", PLACE, [0.0; 3], |o: &mut Self| &mut o.position)
+            .says("Place", "What smoke orbits, or a point on the line that it orbits."),
+        vector("axis", "1", DIRECTION, [0.0; 3], |o: &mut Self| &mut o.axis).says(
+            "Axis",
+            "Direction of the line that smoke orbits; all 0 where it is a point.",
+        ),
+    ];
+
+    const LABEL: &'static str = "Orbit";
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}

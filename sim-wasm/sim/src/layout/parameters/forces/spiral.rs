@@ -1,0 +1,48 @@
+//! Parameters of `spirals.#`.
+
+use crate::layout::parameters::field::{DIRECTION, Field, PLACE, number, vector};
+use crate::layout::parameters::item::{Item, Scope};
+
+/// `spirals.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spiral {
+    pub turn: f64,
+    pub inward: f64,
+    pub along: f64,
+    pub core_radius: f64,
+    pub reach: f64,
+    pub position: [f64; 3],
+    pub axis: [f64; 3],
+    pub scope: Scope,
+}
+
+impl Item for Spiral {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("turn", "rad/s", [-50.0, 50.0], 0.0, |s: &mut Self| &mut s.turn)
+            .starts_at(3.0)
+            .says("Turn", "How fast and in which sense the air turns about the axis."),
+        number("inward", "m/s", [-20.0, 20.0], 0.0, |s: &mut Self| &mut s.inward).says(
+            "Inward",
+            "How fast the air moves towards the axis; negative is away from it.",
+        ),
+        number("along", "m/s", [-50.0, 50.0], 0.0, |s: &mut Self| &mut s.along)
+            .says("Along", "How fast the air moves along the axis."),
+        number("coreRadius", "m", [0.01, 50.0], 0.25, |s: &mut Self| &mut s.core_radius).says(
+            "Core",
+            "Distance from the axis within which the air slows down on its way inward.",
+        ),
+        number("reach", "m", [0.05, 1000.0], 2.0, |s: &mut Self| &mut s.reach).says(
+            "Reach",
+            "Distance from the axis at which the spiral has faded to nothing.",
+        ),
+        vector("position", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.position).says("Place", "A point on the axis."),
+        vector("axis", "1", DIRECTION, [0.0, 1.0, 0.0], |s: &mut Self| &mut s.axis)
+            .says("Axis", "Direction of the axis."),
+    ];
+
+    const LABEL: &'static str = "Spiral";
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}

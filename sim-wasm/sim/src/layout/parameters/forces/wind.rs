@@ -1,0 +1,40 @@
+//! Parameters of `winds.#`.
+
+use crate::layout::parameters::field::{Field, PLACE, number, vector};
+use crate::layout::parameters::item::{Item, Scope};
+use crate::layout::parameters::settings::Weather;
+
+/// `winds.#.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wind {
+    pub velocity: [f64; 3],
+    pub weather: Weather,
+    pub scope: Scope,
+}
+
+impl Item for Wind {
+    const LABEL: &'static str = "Wind";
+    const FIELDS: &'static [Field<Self>] = &[
+        vector("velocity", "m/s", [-50.0, 50.0], [0.0; 3], |w: &mut Self| {
+            &mut w.velocity
+        })
+        .starts_at(0.5)
+        .says("Wind", "Velocity of the wind."),
+        number("gusts", "m/s", [0.0, 20.0], 0.0, |w: &mut Self| &mut w.weather.gusts)
+            .says("Gusts", "Typical (root mean square) speed of gusts along the wind."),
+        number("gustTime", "s", [0.1, 60.0], 2.0, |w: &mut Self| {
+            &mut w.weather.gust_time
+        })
+        .says("Gust time", "How long a strong gust lasts."),
+        number("shear", "1/m", [-10.0, 10.0], 0.0, |w: &mut Self| &mut w.weather.shear).says(
+            "Shear",
+            "How much faster the wind is for each metre of height, as a share.",
+        ),
+        number("height", "m", PLACE, 0.0, |w: &mut Self| &mut w.weather.height)
+            .says("Shear height", "Height at which shear changes nothing."),
+    ];
+
+    fn scope(&mut self) -> Option<&mut Scope> {
+        Some(&mut self.scope)
+    }
+}

@@ -1,0 +1,227 @@
+//! Parameters of the simulator, by the flat keys of the share link.
+//!
+//! The table consists of sections: single groups, such as `emission.rate`, and lists, such as `vortices.0.circulation`.
+//! The items of a list have the same parameters. Setting an item extends the list to its index. Values are checked
+//! before anything changes.
+
+pub mod collider;
+pub mod density_stop;
+pub mod emitter;
+pub mod field;
+pub mod forces;
+pub mod item;
+pub mod settings;
+pub mod shedder;
+pub mod table;
+
+use crate::layout::error::ParameterError;
+use crate::layout::parameters::field::Meta;
+use crate::layout::parameters::item::Slot;
+use crate::layout::parameters::table::{Section, sections};
+
+pub use item::LIST_LIMIT;
+pub use table::Parameters;
+
+/// One number of the table. In a list it stands for all items.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The key; `#` stands for the index in a list.
+    pub key: String,
+    pub default: f64,
+    pub is_of_list: bool,
+    /// Unit, range and description. `meta.key` is only the last part of the key.
+    pub meta: &'static Meta,
+}
+
+/// A parameter that was found, and a value that it accepts.
+struct Assignment {
+    section: &'static dyn Section,
+    index: usize,
+    slot: Slot,
+    value: f64,
+}
+
+impl Parameters {
+    /// Sets one parameter. An unknown key, or a value that is not finite or out of range, is an error.
+    pub fn set(&mut self, key: &str, value: f64) -> Result<(), ParameterError> {
+        let Assignment {
+            section,
+            index,
+            slot,
+            value,
+        } = check(key, value)?;
+        *section.value(self, index, slot) = value;
+        section.lengthen(self, index + 1);
+        Ok(())
+    }
+
+    /// Sets all `entries`, or none of them and returns the first error.
+    pub fn set_all(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
+        for (key, value) in entries {
+            check(key, *value)?;
+        }
+        entries.iter().try_for_each(|(key, value)| self.set(key, *value))
+    }
+
+    /// All existing keys with their values. Setting them on defaults reproduces these parameters.
+    pub fn entries(&self) -> Vec<(String, f64)> {
+        let mut copy = *self;
+        let mut entries = Vec::new();
+        for section in sections() {
+            for index in 0..section.len(self) {
+                for_each_slot(section, |meta, end, slot| {
+                    let key = key_of(section, &index.to_string(), meta, end);
+                    entries.push((key, *section.value(&mut copy, index, slot)));
+                });
+            }
+        }
+        entries
+    }
+}
+
+fn check(key: &str, value: f64) -> Result<Assignment, ParameterError> {
+    let (section, index, slot) = find(key).ok_or_else(|| ParameterError::unknown_key(key, value))?;
+    let (meta, _) = section.meta(slot.field).expect("what was found exists");
+    if !(meta.min..=meta.max).contains(&value) {
+        return Err(ParameterError::out_of_range(key, value, meta.min, meta.max));
+    }
+    if meta.whole && libm::floor(value) != value {
+        return Err(ParameterError::not_whole(key, value, meta.min, meta.max));
+    }
+    // Minus zero equals zero and must act the same: adding zero normalises it.
+    let value = value + 0.0;
+    Ok(Assignment {
+        section,
+        index,
+        slot,
+        value,
+    })
+}
+
+fn find(key: &str) -> Option<(&'static dyn Section, usize, Slot)> {
+    let (name, rest) = key.split_once('.')?;
+    sections().filter(|section| section.name() == name).find_map(|section| {
+        let (index, rest) = if section.is_list() {
+            let (digit, rest) = rest.split_once('.')?;
+            (index(digit)?, rest)
+        } else {
+            (0, rest)
+        };
+        Some((section, index, slot_named(section, rest)?))
+    })
+}
+
+/// Finds the parameter of `section` by its key after name and index.
+// Works on `dyn Section`: a generic search would be compiled once per section.
+fn slot_named(section: &dyn Section, key: &str) -> Option<Slot> {
+    fields(section).enumerate().find_map(|(field, (meta, ends))| {
+        let end = key.strip_prefix(meta.key)?;
+        let part = ends.iter().position(|part| *part == end)?;
+        Some(Slot { field, part })
+    })
+}
+
+/// Descriptions and key suffixes of all parameters of `section`.
+fn fields(section: &dyn Section) -> impl Iterator<Item = (&'static Meta, &'static [&'static str])> {
+    (0..).map_while(|field| section.meta(field))
+}
+
+/// Parses one digit below [`LIST_LIMIT`].
+fn index(text: &str) -> Option<usize> {
+    let [digit] = text.as_bytes() else {
+        return None;
+    };
+    let index = usize::from(digit.wrapping_sub(b'0'));
+    (index < LIST_LIMIT).then_some(index)
+}
+
+fn for_each_slot(section: &dyn Section, mut visit: impl FnMut(&'static Meta, &'static str, Slot)) {
+    for (field, (meta, ends)) in fields(section).enumerate() {
+        for (part, end) in ends.iter().enumerate() {
+            visit(meta, end, Slot { field, part });
+        }
+    }
+}
+
+fn key_of(section: &dyn Section, index: &str, meta: &Meta, end: &str) -> String {
+    let mut key = String::from(section.name());
+    if section.is_list() {
+        key.push('.');
+        key.push_str(index);
+    }
+    key.push('.');
+    key.push_str(meta.key);
+    key.push_str(end);
+    key
+}
+
+/// All numbers of the table in order.
+pub fn rows() -> Vec<Row> {
+    let mut rows = Vec::new();
+    for section in sections() {
+        for_each_slot(section, |meta, end, slot| {
+            rows.push(Row {
+                key: key_of(section, "#", meta, end),
+                default: meta.default[slot.part],
+                is_of_list: section.is_list(),
+                meta,
+            });
+        });
+    }
+    rows
+}
+
+/// The lists as JSON: name and label of each list, and the [`Meta`] of each parameter, one per line.
+#[cfg(not(target_family = "wasm"))]
+pub fn lists_as_json() -> String {
+    let lists: Vec<String> = sections()
+        .filter(|section| section.is_list())
+        .map(list_as_json)
+        .collect();
+    format!("{{\n{}\n}}\n", lists.join(",\n"))
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn list_as_json(section: &dyn Section) -> String {
+    let fields: Vec<String> = fields(section)
+        .map(|(meta, ends)| format!("      {}", field_as_json(section, meta, ends)))
+        .collect();
+    let (name, label) = (section.name(), section.label());
+    let fields = fields.join(",\n");
+    format!("  \"{name}\": {{\n    \"label\": \"{label}\",\n    \"fields\": [\n{fields}\n    ]\n  }}")
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn field_as_json(section: &dyn Section, meta: &Meta, ends: &[&str]) -> String {
+    let Meta {
+        key,
+        unit,
+        min,
+        max,
+        default,
+        whole,
+        names,
+        start,
+        label,
+        text,
+    } = meta;
+    let default = &default[..ends.len()];
+    let start = start.or_else(|| section.start(key));
+    let start = start.map(|start| format!(", \"start\": {start}")).unwrap_or_default();
+    format!(
+        "{{ \"key\": \"{key}\", \"unit\": \"{unit}\", \"min\": {min}, \"max\": {max}, \"default\": {default:?}{start}, \
+         \"whole\": {whole}, \"names\": {names:?}, \"label\": \"{label}\", \"text\": \"{text}\" }}"
+    )
+}
+
+/// The table as text with one line per key: `key min max default whole|real unit`.
+pub fn describe() -> String {
+    let line = |row: Row| {
+        let Meta {
+            min, max, unit, whole, ..
+        } = row.meta;
+        let kind = if *whole { "whole" } else { "real" };
+        format!("{} {min} {max} {} {kind} {unit}\n", row.key, row.default)
+    };
+    rows().into_iter().map(line).collect()
+}

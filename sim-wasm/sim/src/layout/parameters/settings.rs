@@ -1,0 +1,188 @@
+//! Sections that exist once.
+
+use crate::layout::parameters::field::{Field, PLACE, number, vector};
+use crate::layout::parameters::item::Item;
+
+const MULTIPLIER: [f64; 2] = [0.0, 10.0];
+
+/// `emission.*`: settings of all emitters.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Emission {
+    pub rate: f64,
+    pub lifetime: f64,
+    pub growth_time: f64,
+    pub entrainment: f64,
+}
+
+impl Item for Emission {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("rate", "particles/s", [0.0, 20_000.0], 120.0, |e: &mut Self| {
+            &mut e.rate
+        }),
+        number("lifetime", "s", [0.1, 60.0], 4.0, |e: &mut Self| &mut e.lifetime),
+        number("growthTime", "s", [0.0, 30.0], 0.0, |e: &mut Self| &mut e.growth_time),
+        number("entrainment", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.entrainment),
+    ];
+}
+
+/// `puff.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Puff {
+    pub size: f64,
+    pub variations: f64,
+}
+
+impl Item for Puff {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("size", "1", [0.1, 4.0], 1.0, |p: &mut Self| &mut p.size),
+        number("variations", "1", [1.0, 255.0], 4.0, |p: &mut Self| &mut p.variations).whole(),
+    ];
+}
+
+/// `forces.*`: multipliers of each kind of force, and the global wind.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Multipliers {
+    pub gravity: f64,
+    pub buoyancy: f64,
+    pub turbulence: f64,
+    pub vortex: f64,
+    pub drag: f64,
+    pub wind: [f64; 3],
+}
+
+impl Item for Multipliers {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("gravity", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.gravity),
+        number("buoyancy", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.buoyancy),
+        number("turbulence", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.turbulence),
+        number("vortex", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.vortex),
+        number("drag", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.drag),
+        vector("wind", "m/s", [-50.0, 50.0], [0.0; 3], |f: &mut Self| &mut f.wind),
+    ];
+}
+
+/// `gravity.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct UniformGravity {
+    pub acceleration: f64,
+}
+
+impl Item for UniformGravity {
+    const FIELDS: &'static [Field<Self>] = &[number("acceleration", "m/s2", [0.0, 100.0], 0.0, |g: &mut Self| {
+        &mut g.acceleration
+    })];
+}
+
+/// `buoyancy.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct UniformBuoyancy {
+    pub acceleration: f64,
+    pub cooling_time: f64,
+}
+
+impl Item for UniformBuoyancy {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("acceleration", "m/s2", [0.0, 100.0], 1.5, |b: &mut Self| {
+            &mut b.acceleration
+        }),
+        number("coolingTime", "s", [0.01, 1000.0], 4.0, |b: &mut Self| {
+            &mut b.cooling_time
+        }),
+    ];
+}
+
+/// `style.*`: the style settings that affect rows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Style {
+    pub hold: f64,
+}
+
+impl Item for Style {
+    const FIELDS: &'static [Field<Self>] = &[number("hold", "1", [1.0, 4.0], 1.0, |s: &mut Self| &mut s.hold).whole()];
+}
+
+/// `simulation.*`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SimulationSettings {
+    pub integrator: f64,
+}
+
+impl Item for SimulationSettings {
+    const FIELDS: &'static [Field<Self>] =
+        &[
+            number("integrator", "1", [0.0, 1.0], 0.0, |s: &mut Self| &mut s.integrator)
+                .named(&["airAndSlip", "paper"]),
+        ];
+}
+
+/// `wind.*`: variation of `forces.wind.*` with height and time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Weather {
+    pub gusts: f64,
+    pub gust_time: f64,
+    pub shear: f64,
+    pub height: f64,
+}
+
+impl Item for Weather {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("gusts", "m/s", [0.0, 20.0], 0.0, |w: &mut Self| &mut w.gusts)
+            .says("Gusts", "Typical (root mean square) speed of gusts along the wind."),
+        number("gustTime", "s", [0.1, 60.0], 2.0, |w: &mut Self| &mut w.gust_time)
+            .says("Gust time", "How long a strong gust lasts."),
+        number("shear", "1/m", [-10.0, 10.0], 0.0, |w: &mut Self| &mut w.shear).says(
+            "Shear",
+            "How much faster the wind is for each metre of height, as a share.",
+        ),
+        number("height", "m", PLACE, 0.0, |w: &mut Self| &mut w.height)
+            .says("Shear height", "Height at which shear changes nothing."),
+    ];
+}
+
+/// `turbulence.*`: the global turbulence.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pattern {
+    pub speed: f64,
+    pub scale: f64,
+    pub octaves: f64,
+    pub evolution: f64,
+}
+
+impl Item for Pattern {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("speed", "m/s", [0.0, 20.0], 0.0, |t: &mut Self| &mut t.speed),
+        number("scale", "m", [0.05, 100.0], 1.0, |t: &mut Self| &mut t.scale),
+        number("octaves", "1", [0.0, 4.0], 1.0, |t: &mut Self| &mut t.octaves).whole(),
+        number("evolution", "1/s", [0.0, 10.0], 0.3, |t: &mut Self| &mut t.evolution),
+    ];
+}
+
+/// `drag.*`: the global drag.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Resistance {
+    pub rate: f64,
+    pub quadratic: f64,
+}
+
+impl Item for Resistance {
+    const FIELDS: &'static [Field<Self>] = &[
+        number("rate", "1/s", [0.0, 1000.0], 1.5, |d: &mut Self| &mut d.rate),
+        number("quadratic", "1/m", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.quadratic),
+    ];
+}
+
+/// The integrator of particle motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Integrator {
+    /// Air velocity by the midpoint rule, slip in closed form.
+    AirAndSlip,
+    /// Forward Euler on one inertial velocity, as published.
+    Paper,
+}
+
+impl Integrator {
+    /// The value of `simulation.integrator`: 0 air and slip, 1 paper.
+    pub fn from_parameter(value: f64) -> Self {
+        if value == 1.0 { Self::Paper } else { Self::AirAndSlip }
+    }
+}

@@ -1,0 +1,241 @@
+//! The state of all particles, as a struct of arrays.
+//!
+//! Each column has the length of the capacity, rounded up to whole SIMD blocks, and never grows. Particles `0..alive`
+//! are alive. The rest holds finite values, so that kernels may process the last, partly filled block. Removing a
+//! particle moves the last one into the gap, so the order is not kept. 56 bytes per particle.
+
+pub mod density;
+pub mod entrainment;
+pub mod held;
+pub mod radius;
+pub mod tile;
+
+use crate::math::radix_sort::{self, Entry, Histogram};
+use crate::math::simd::LANES;
+use crate::particles::held::Held;
+
+/// Columns of particle state: positions in metres, velocities in metres per second, times in seconds.
+#[derive(Clone, Debug)]
+pub struct Particles {
+    /// Position (m, world space, y up).
+    pub x: Vec<f32>,
+    pub y: Vec<f32>,
+    pub z: Vec<f32>,
+    /// Position one step earlier (m). Pictures interpolate between the two.
+    pub px: Vec<f32>,
+    pub py: Vec<f32>,
+    pub pz: Vec<f32>,
+    /// Slip (m/s): velocity relative to the air. The integrator `paper` stores the whole velocity.
+    pub sx: Vec<f32>,
+    pub sy: Vec<f32>,
+    pub sz: Vec<f32>,
+    /// Time since birth (s). Negative within the step of birth.
+    pub age: Vec<f32>,
+    /// Age at death (s), above 0.
+    pub lifetime: Vec<f32>,
+    /// Radius at full density (m), before the factor `puff.size`.
+    pub size: Vec<f32>,
+    /// Temperature above the air's, 0 or more; drives buoyancy.
+    pub temperature: Vec<f32>,
+    /// Packed: variation (bits 0-7), seed byte (8-15), roll at birth in 4,096ths of a turn (16-27), tint (28-31, 0:
+    /// none).
+    pub attributes: Vec<u32>,
+    /// Shown instead of the current state; none while drawing on ones.
+    pub held: Option<Box<Held>>,
+    alive: usize,
+    capacity: usize,
+}
+
+/// A particle at birth. Units as in [`Particles`].
+#[derive(Clone, Copy, Debug)]
+pub struct Newborn {
+    pub position: [f32; 3],
+    pub slip: [f32; 3],
+    pub age: f32,
+    pub lifetime: f32,
+    pub size: f32,
+    pub temperature: f32,
+    pub attributes: u32,
+}
+
+impl Particles {
+    /// Creates an empty set for `capacity` particles. Nothing else allocates.
+    pub fn new(capacity: usize) -> Self {
+        let padded = capacity.next_multiple_of(LANES);
+        let zeros = || vec![0.0_f32; padded];
+        Self {
+            x: zeros(),
+            y: zeros(),
+            z: zeros(),
+            px: zeros(),
+            py: zeros(),
+            pz: zeros(),
+            sx: zeros(),
+            sy: zeros(),
+            sz: zeros(),
+            age: zeros(),
+            // 1 instead of 0: kernels compute the tail too, and it must stay finite.
+            lifetime: vec![1.0; padded],
+            size: zeros(),
+            temperature: zeros(),
+            attributes: vec![0; padded],
+            held: None,
+            alive: 0,
+            capacity,
+        }
+    }
+
+    /// Number of living particles, `0..alive()` of each column.
+    pub fn alive(&self) -> usize {
+        self.alive
+    }
+
+    /// Maximum number of living particles.
+    pub fn capacity(&self) -> usize {
+        self.capacity
+    }
+
+    /// Length of the columns that kernels process, in whole blocks of [`LANES`].
+    pub fn padded_alive(&self) -> usize {
+        self.alive.next_multiple_of(LANES)
+    }
+
+    /// Adds a particle at the end. Returns false if there is no capacity.
+    pub fn push(&mut self, newborn: &Newborn) -> bool {
+        if self.alive == self.capacity {
+            return false;
+        }
+        let i = self.alive;
+        [self.x[i], self.y[i], self.z[i]] = newborn.position;
+        [self.px[i], self.py[i], self.pz[i]] = newborn.position;
+        [self.sx[i], self.sy[i], self.sz[i]] = newborn.slip;
+        self.age[i] = newborn.age;
+        self.lifetime[i] = newborn.lifetime;
+        self.size[i] = newborn.size;
+        self.temperature[i] = newborn.temperature;
+        self.attributes[i] = newborn.attributes;
+        if let Some(held) = &mut self.held {
+            held.age[i] = -1.0;
+        }
+        self.alive += 1;
+        true
+    }
+
+    /// Removes particle `i` by moving the last living particle into its place.
+    pub fn swap_remove(&mut self, i: usize) {
+        assert!(i < self.alive, "particle {i} of {} does not live", self.alive);
+        let last = self.alive - 1;
+        for column in self.float_columns_mut() {
+            column.swap(i, last);
+        }
+        self.attributes.swap(i, last);
+        if let Some(held) = &mut self.held {
+            held.columns_mut().into_iter().for_each(|column| column.swap(i, last));
+        }
+        self.alive = last;
+    }
+
+    /// The thirteen columns of numbers in the order of declaration.
+    pub fn float_columns(&self) -> [&[f32]; 13] {
+        [
+            &self.x,
+            &self.y,
+            &self.z,
+            &self.px,
+            &self.py,
+            &self.pz,
+            &self.sx,
+            &self.sy,
+            &self.sz,
+            &self.age,
+            &self.lifetime,
+            &self.size,
+            &self.temperature,
+        ]
+    }
+
+    /// The thirteen columns of numbers, mutable, in the order of declaration.
+    pub fn float_columns_mut(&mut self) -> [&mut [f32]; 13] {
+        [
+            &mut self.x,
+            &mut self.y,
+            &mut self.z,
+            &mut self.px,
+            &mut self.py,
+            &mut self.pz,
+            &mut self.sx,
+            &mut self.sy,
+            &mut self.sz,
+            &mut self.age,
+            &mut self.lifetime,
+            &mut self.size,
+            &mut self.temperature,
+        ]
+    }
+
+    /// Sets the number of living particles after their columns were written. Panics beyond the capacity.
+    pub fn set_alive(&mut self, alive: usize) {
+        assert!(
+            alive <= self.capacity,
+            "{alive} particles do not fit into {}",
+            self.capacity
+        );
+        self.alive = alive;
+    }
+
+    /// Indices of the `count` particles with the smallest share of life over, in order.
+    fn freshest(&self, count: usize) -> Vec<usize> {
+        let worn = |i: usize| self.age[i] / self.lifetime[i];
+        let mut entries: Vec<Entry> = (0..self.alive).map(|i| [radix_sort::key(worn(i)), i as u32]).collect();
+        let mut sorted = vec![[0; 2]; self.alive];
+        radix_sort::sort(&mut entries, &mut sorted, &mut Histogram::new());
+        let mut stays = vec![false; self.alive];
+        sorted.iter().take(count).for_each(|[_, i]| stays[*i as usize] = true);
+        (0..self.alive).filter(|i| stays[*i]).collect()
+    }
+
+    /// Copies the particles to another capacity. If they exceed it, those nearest to their death are dropped.
+    pub fn resized(&self, capacity: usize) -> Self {
+        let kept = self.freshest(capacity);
+        let mut resized = Self::new(capacity);
+        for (to, from) in resized.float_columns_mut().into_iter().zip(self.float_columns()) {
+            kept.iter().zip(to).for_each(|(i, value)| *value = from[*i]);
+        }
+        kept.iter()
+            .zip(&mut resized.attributes)
+            .for_each(|(i, attributes)| *attributes = self.attributes[*i]);
+        resized.set_alive(kept.len());
+        if let Some(held) = &self.held {
+            resized.hold(true);
+            for (to, from) in resized.held_columns_mut().into_iter().zip(held.columns()) {
+                kept.iter().zip(to).for_each(|(i, value)| *value = from[*i]);
+            }
+        }
+        resized
+    }
+
+    /// Starts or stops holding. Starting holds the current state; no change if already in that mode.
+    pub fn hold(&mut self, holds: bool) {
+        if !holds {
+            self.held = None;
+        } else if self.held.is_none() {
+            self.held = Some(Box::new(Held {
+                x: self.x.clone(),
+                y: self.y.clone(),
+                z: self.z.clone(),
+                age: self.age.clone(),
+                size: self.size.clone(),
+            }));
+        }
+    }
+
+    /// The held columns; empty if nothing is held.
+    pub(crate) fn held_columns_mut(&mut self) -> Vec<&mut [f32]> {
+        self.held.iter_mut().flat_map(|held| held.columns_mut()).collect()
+    }
+}
+
+/// Sets the tint, 0..=15, in packed attributes.
+pub(crate) fn set_tint(attributes: &mut u32, tint: u8) {
+    *attributes = *attributes & 0x0fff_ffff | u32::from(tint & 15) << 28;
+}

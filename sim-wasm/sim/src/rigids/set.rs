@@ -1,0 +1,372 @@
+//! The rigids of one simulator.
+
+use crate::collide::contact::{Material, Obstacle};
+use crate::collide::core::Core;
+use crate::collide::shapes::{Collider, Nearest};
+use crate::collide::survey::{NearLanes, ParticleExtent, SweptBoxes};
+use crate::collide::swept_particle::SweptParticle;
+use crate::layout::error::ParameterError;
+use crate::layout::limits::STEP;
+use crate::layout::scope::parts::{FIRST_PART, ends_of_rigid};
+use crate::math::bounds::Bounds;
+use crate::math::hash::Hash;
+use crate::math::pose::Pose;
+use crate::math::pose_motion::PoseMotion;
+use crate::math::vector::Vector;
+use crate::rigids::checks::pose_numbers;
+use crate::rigids::checks::shape_error;
+use crate::rigids::description::{RigidDescription, RigidKind};
+use crate::rigids::forms;
+use crate::rigids::grid::RigidGrid;
+use crate::rigids::guide::Guide;
+#[cfg(feature = "bench")]
+use crate::rigids::meshes::{ours, parrys};
+use crate::rigids::shells::Shells;
+use crate::rigids::spin::check_spin;
+use crate::rigids::track::Track;
+use crate::rigids::world::World;
+
+/// Floats per rigid in [`Rigids::poses`].
+pub const POSE_PAIR_FLOATS: usize = 14;
+const MAX_RIGIDS: usize = FIRST_PART;
+
+/// The rigids of one simulator.
+pub struct Rigids {
+    pub(super) world: World,
+    pub(super) members: Vec<Member>,
+    pub(super) obstacles: Vec<Obstacle<Box<dyn Collider>>>,
+    pub(super) poses: Vec<f32>,
+    pub(super) grid: RigidGrid,
+    pub(super) bounds: Bounds,
+    /// Number of steps of the simulator, the time base of paths.
+    pub(super) steps: u64,
+    /// Rigids with a boundary layer; rigids that feel smoke, and their measurements.
+    pub(super) layered: Shells,
+    pub(super) feeling: Shells,
+    pub(super) sums: Vec<SmokeSum>,
+}
+
+/// Weighted mean of the particles near one rigid.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SmokeSum {
+    pub(super) weight: f32,
+    pub(super) velocity: Vector,
+    /// Relative to the rigid's origin, world space.
+    pub(super) offset: Vector,
+}
+
+pub(super) struct Member {
+    pub(super) description: RigidDescription,
+    pub(super) pose: Pose,
+    pub(super) guide: Guide,
+    /// Upper bound of the distance of the shape from its origin (m).
+    pub(super) reach: f32,
+}
+
+impl Default for Rigids {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl std::fmt::Debug for Rigids {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter
+            .debug_struct("Rigids")
+            .field("count", &self.count())
+            .finish_non_exhaustive()
+    }
+}
+
+impl Rigids {
+    /// Creates an empty set.
+    pub fn new() -> Self {
+        Self {
+            world: World::new(),
+            members: Vec::new(),
+            obstacles: Vec::new(),
+            poses: Vec::new(),
+            grid: RigidGrid::default(),
+            bounds: Bounds::NOTHING,
+            steps: 0,
+            layered: Shells::default(),
+            feeling: Shells::default(),
+            sums: Vec::new(),
+        }
+    }
+
+    /// Sets the number of steps of the simulator, the time base of paths.
+    pub fn set_steps(&mut self, steps: u64) {
+        self.steps = steps;
+    }
+
+    /// Number of rigids.
+    pub fn count(&self) -> usize {
+        self.members.len()
+    }
+
+    /// Adds a rigid and returns its index.
+    ///
+    /// # Errors
+    /// The shape has no volume, or there are 4096 rigids already; nothing is added.
+    pub fn add(&mut self, description: RigidDescription) -> Result<u32, ParameterError> {
+        let index = self.count();
+        if index == MAX_RIGIDS {
+            return Err(ParameterError::out_of_range(
+                "rigid.count",
+                index as f64 + 1.0,
+                0.0,
+                MAX_RIGIDS as f64,
+            ));
+        }
+        let forms = forms::forms_of(&description)?;
+        check_motion(&description, reach_of(&forms.ours.bounds()))?;
+        self.world.add(&description, &forms.rapiers);
+        self.place(description, forms.ours);
+        Ok(index as u32)
+    }
+
+    /// Registers a rigid that the world already contains.
+    pub(super) fn place(&mut self, description: RigidDescription, shape: Box<dyn Collider>) {
+        let pose = self.world.pose(self.count());
+        let own = shape.bounds();
+        let material = Material {
+            restitution: description.restitution,
+            friction: description.friction,
+            roughness: 0.0,
+            action: description.action,
+        };
+        let motion = PoseMotion::resting(pose);
+        let bounds = motion.bounds_of(&own);
+        self.grid.add(bounds);
+        self.bounds = self.grid.bounds();
+        self.obstacles.push(Obstacle {
+            core: shape.core(),
+            shape,
+            motion,
+            material,
+            bounds,
+        });
+        let mut guide = Guide::new(pose);
+        guide.track = description.path.as_ref().map(Track::new);
+        self.members.push(Member {
+            description,
+            pose,
+            guide,
+            reach: reach_of(&own),
+        });
+        self.poses.extend_from_slice(&pair(&pose, &pose));
+        self.register_air_effects();
+    }
+
+    /// Registers the last rigid for its boundary layer and for smoke.
+    fn register_air_effects(&mut self) {
+        let index = self.count() - 1;
+        let member = &self.members[index];
+        if member.description.boundary_layer > 0.0 {
+            self.layered.add(index);
+        }
+        if member.feels_smoke() {
+            self.feeling.add(index);
+        }
+        self.sums.push(SmokeSum::default());
+    }
+
+    /// Poses of each rigid before and after the last step: x, y, z (m) and the quaternion x, y, z, w, twice.
+    pub fn poses(&self) -> &[f32] {
+        &self.poses
+    }
+
+    /// Moves all rigids over `dt` seconds and stores their poses at the start and at the end.
+    pub fn advance(&mut self, dt: f32) {
+        self.step_world(dt);
+        self.follow_world(dt);
+    }
+
+    /// First half of [`Rigids::advance`]: the step of the world.
+    pub(crate) fn step_world(&mut self, dt: f32) {
+        self.steps += 1;
+        if self.members.is_empty() {
+            return;
+        }
+        let time = self.steps as f64 * STEP;
+        for (index, member) in self.members.iter_mut().enumerate() {
+            member.put(index, &mut self.world);
+            member.lead(index, &mut self.world, time, dt);
+        }
+        self.world.step(dt);
+        for (index, member) in self.members.iter().enumerate() {
+            if member.description.kind == RigidKind::Dynamic {
+                self.world.clear_forces(index);
+            }
+        }
+    }
+
+    /// Second half of [`Rigids::advance`]: each rigid becomes a moving obstacle.
+    pub(crate) fn follow_world(&mut self, dt: f32) {
+        for index in 0..self.count() {
+            let start = self.members[index].pose;
+            let end = self.world.pose(index);
+            self.members[index].pose = end;
+            self.follow(index, start, end, dt);
+        }
+        self.bounds = self.grid.bounds();
+    }
+
+    fn follow(&mut self, index: usize, start: Pose, end: Pose, dt: f32) {
+        let obstacle = &mut self.obstacles[index];
+        let member = &self.members[index];
+        let rotation_vector = member.guide.rotation_vector(&member.description.spin, dt);
+        let still = start == end && rotation_vector == Vector::ZERO;
+        obstacle.motion = if still {
+            PoseMotion::resting(end)
+        } else {
+            PoseMotion::rotating(start, end, dt, obstacle.shape.is_round(), rotation_vector)
+        };
+        obstacle.bounds = obstacle.motion.bounds_of(&obstacle.shape.bounds());
+        self.grid.place(index, obstacle.bounds);
+        self.poses[index * POSE_PAIR_FLOATS..][..POSE_PAIR_FLOATS].copy_from_slice(&pair(&start, &end));
+    }
+
+    /// Motion of the rigid with this number in the step, including the rotation of round ones; none if there is no such
+    /// rigid.
+    pub(crate) fn ride(&self, number: f64) -> Option<PoseMotion> {
+        let index = (number >= 0.0).then_some(number as usize)?;
+        let rotation_vector = self.obstacles.get(index)?.motion.rotation_vector(STEP as f32);
+        let [start, end] = ends_of_rigid(&self.poses, index)?;
+        Some(PoseMotion::rotating(start, end, STEP as f32, false, rotation_vector))
+    }
+
+    /// Prepares [`Rigids::find_near`] for the distribution of the particles.
+    pub(crate) fn prepare(&mut self, extent: &ParticleExtent) {
+        self.grid.rebuild(extent);
+    }
+
+    /// Broad-phase result of four particles.
+    #[inline]
+    pub(crate) fn look(&self, swept_boxes: &SweptBoxes) -> NearLanes {
+        self.grid.look(swept_boxes, &self.bounds)
+    }
+
+    /// Appends the rigids whose box the particle's box touches; `first` is added to their indices. Returns true if the
+    /// particle certainly misses all of them.
+    #[inline]
+    pub(crate) fn find_near(&self, swept_particle: &SweptParticle, first: u32, near: &mut Vec<u32>) -> bool {
+        let begin = near.len();
+        self.grid
+            .find_touching(&swept_particle.bounds, swept_particle.location, first, near);
+        let mut misses = true;
+        for index in &near[begin..] {
+            misses &= swept_particle.certainly_misses(&self.obstacles[(index - first) as usize]);
+        }
+        misses
+    }
+
+    /// A rigid as an obstacle of the step.
+    pub(crate) fn obstacle(&self, index: usize) -> &Obstacle<Box<dyn Collider>> {
+        &self.obstacles[index]
+    }
+
+    /// Adds the state of the rigids to `hash`; nothing without rigids.
+    pub fn hash_into(&self, hash: &mut Hash) {
+        hash.floats(&self.poses);
+        for (index, member) in self.members.iter().enumerate() {
+            self.world.hash_into(index, hash);
+            member.guide.hash_into(hash);
+        }
+    }
+}
+
+/// Reference answers for measurements.
+#[cfg(feature = "bench")]
+impl Rigids {
+    /// Returns true if the box that a rigid swept in the last step touches `bounds`.
+    pub(crate) fn any_touches(&self, bounds: &Bounds) -> bool {
+        self.obstacles.iter().any(|obstacle| obstacle.bounds.touches(bounds))
+    }
+
+    /// Appends the signed distance (m) from each point to the nearest rigid, by Rapier's query pipeline.
+    pub(crate) fn project(&self, points: impl Iterator<Item = Vector>, limit: f32, distances: &mut Vec<f32>) {
+        let pipeline = self.world.physics().query_pipeline();
+        distances.extend(
+            points.map(|point| match pipeline.project_point(parrys(point), limit, false) {
+                Some((_, projection)) => {
+                    let distance = (ours(projection.point) - point).length();
+                    if projection.is_inside { -distance } else { distance }
+                }
+                None => limit,
+            }),
+        );
+    }
+}
+
+impl Member {
+    /// Returns true if smoke pushes this rigid.
+    pub(super) fn feels_smoke(&self) -> bool {
+        self.description.kind == RigidKind::Dynamic && self.description.feels_smoke > 0.0
+    }
+
+    /// Applies the guidance for the coming step, which ends at `time`.
+    fn lead(&mut self, index: usize, world: &mut World, time: f64, dt: f32) {
+        match (self.description.kind, &self.guide.grab) {
+            (RigidKind::Kinematic, _) => {
+                if let Some(next) = self.guide.next(time, dt, self.reach, &self.description.spin) {
+                    world.head_for(index, &next);
+                }
+            }
+            (RigidKind::Dynamic, Some(grab)) => world.pull(index, grab, dt),
+            _ => {}
+        }
+    }
+
+    /// Teleports a dynamic rigid to its target. Its motion over the step starts there.
+    fn put(&mut self, index: usize, world: &mut World) {
+        if self.description.kind != RigidKind::Dynamic {
+            return;
+        }
+        if let Some(pose) = self.guide.target.take() {
+            world.put(index, &pose);
+            self.pose = pose;
+        }
+    }
+}
+
+/// Checks that only kinematic rigids have a path or a spin, and the speed of the spin for a shape of `reach` (m).
+fn check_motion(description: &RigidDescription, reach: f32) -> Result<(), ParameterError> {
+    let moves = description.path.is_some() || description.spin.rate != 0.0;
+    if moves && description.kind != RigidKind::Kinematic {
+        let message = "rigid.kind must be kinematic for a rigid with a path or a spin".to_owned();
+        return Err(shape_error("rigid.kind", f64::NAN, message));
+    }
+    check_spin(&description.spin, reach)
+}
+
+/// Maximum distance of a point of the box from the origin (m).
+fn reach_of(bounds: &Bounds) -> f32 {
+    bounds.min.abs().greatest(bounds.max.abs()).length()
+}
+
+impl Collider for Box<dyn Collider> {
+    fn nearest(&self, point: Vector, limit: f32) -> Nearest {
+        self.as_ref().nearest(point, limit)
+    }
+
+    fn bounds(&self) -> Bounds {
+        self.as_ref().bounds()
+    }
+
+    fn core(&self) -> Core {
+        self.as_ref().core()
+    }
+
+    fn is_round(&self) -> bool {
+        self.as_ref().is_round()
+    }
+}
+
+fn pair(start: &Pose, end: &Pose) -> [f32; POSE_PAIR_FLOATS] {
+    let mut floats = [0.0; POSE_PAIR_FLOATS];
+    floats[..7].copy_from_slice(&pose_numbers(start));
+    floats[7..].copy_from_slice(&pose_numbers(end));
+    floats
+}

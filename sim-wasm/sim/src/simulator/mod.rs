@@ -1,0 +1,444 @@
+//! One simulation: its state, and the order of a step.
+//!
+//! A step is 1/60 s. Equal seeds, parameters and inputs at the same steps give the same state to the last bit, natively
+//! and in WASM. Memory is allocated on creation; vortex particles allocate when the first shedder is set, held columns
+//! when `style.hold` first exceeds 1. `step` and `arrange` never allocate.
+
+pub mod collisions;
+#[cfg(feature = "bench")]
+pub mod measure;
+pub(crate) mod snapshot;
+pub mod take;
+
+use crate::arrange::Arranger;
+use crate::arrange::rows::RowSampler;
+use crate::arrange::view::View;
+use crate::collide::analytic::{self, AnalyticCollider};
+use crate::emission::Births;
+use crate::emission::birth::EmissionContext;
+use crate::emission::surface::{Surface, Surfaces};
+use crate::forces::force::{ForceContext, TurbulenceState};
+use crate::forces::particle_motion::ParticleMotion;
+use crate::forces::turbulence;
+use crate::forces::vortex_particles::VortexParticles;
+use crate::forces::vortex_particles::swarm::VortexParticle;
+use crate::layout::error::ParameterError;
+use crate::layout::limits::{STEP, check_capacity};
+use crate::layout::parameters::item::LIST_LIMIT;
+use crate::layout::parameters::settings::Integrator;
+use crate::layout::parameters::table::Parameters;
+use crate::layout::scope::StepTime;
+use crate::layout::scope::parts::Parts;
+use crate::life;
+use crate::life::{Ageing, hold};
+use crate::math::hash::Hash;
+use crate::math::random::Random;
+use crate::particles::radius::RadiusLaw;
+use crate::particles::{Newborn, Particles};
+#[cfg(feature = "rigids")]
+use crate::rigids::set::Rigids;
+use crate::simulator::collisions::Scratch;
+use crate::simulator::take::active_inputs::ActiveInputs;
+use crate::simulator::take::recorder::Recorder;
+
+/// The parts of a step, in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StepPart {
+    /// The step of Rapier.
+    World,
+    /// Preparation of the rigids' motions for particles.
+    Follow,
+    /// Births and motion.
+    Motion,
+    /// Collisions.
+    Collision,
+    /// Ageing, and all state that is not particles.
+    Rest,
+}
+
+/// A simulation. See the module documentation.
+pub struct Simulator {
+    pub(crate) parameters: Parameters,
+    pub(crate) seed: u32,
+    pub(crate) steps: u64,
+    pub(crate) random: Random,
+    pub(crate) births: Births,
+    pub(crate) turbulence: [TurbulenceState; LIST_LIMIT + 1],
+    pub(crate) surfaces: Surfaces,
+    pub(crate) particles: Particles,
+    #[cfg(feature = "rigids")]
+    pub(crate) rigids: Rigids,
+    parts: Parts,
+    /// None until the first shedder is set.
+    pub(crate) vortex_particles: Option<Box<VortexParticles>>,
+    pub(crate) active_inputs: ActiveInputs,
+    pub(crate) recorder: Recorder,
+    arranger: Arranger,
+    scratch: Scratch,
+}
+
+impl Simulator {
+    /// Creates an empty simulation. `capacity` is the maximum number of particles, 1..=[`CAPACITY_LIMIT`]. `seed`
+    /// starts the random numbers and selects the pattern of turbulence.
+    pub fn new(capacity: u32, seed: u32) -> Result<Self, ParameterError> {
+        let room = check_capacity(capacity)?;
+        Ok(Self {
+            parameters: Parameters::default(),
+            seed,
+            steps: 0,
+            random: Random::new(seed),
+            births: Births::default(),
+            turbulence: [TurbulenceState::default(); LIST_LIMIT + 1],
+            surfaces: Surfaces::default(),
+            particles: Particles::new(room),
+            #[cfg(feature = "rigids")]
+            rigids: Rigids::new(),
+            parts: Parts::default(),
+            vortex_particles: None,
+            active_inputs: ActiveInputs::default(),
+            recorder: Recorder::default(),
+            arranger: Arranger::new(room),
+            scratch: Scratch::new(room),
+        })
+    }
+
+    /// Sets the parameter `key`. An unknown key, or a value that is not finite or out of range, is an error and changes
+    /// nothing.
+    pub fn set(&mut self, key: &str, value: f64) -> Result<(), ParameterError> {
+        self.set_all(&[(key, value)])
+    }
+
+    /// Sets all `entries`, or none of them if one is invalid.
+    pub fn set_all(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
+        let before = self.integrator();
+        self.parameters.set_all(entries)?;
+        if self.integrator() != before {
+            let vortex_particles = self.vortex_particles.as_deref();
+            self.motion().take_over(&mut self.particles, vortex_particles);
+        }
+        if !self.parameters.shedders.items().is_empty() {
+            self.vortex_particles_mut();
+        }
+        self.particles.hold(self.parameters.style.hold > 1.0);
+        Ok(())
+    }
+
+    /// The current parameters.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// Adds a particle without an emitter. Returns false if the simulator is full.
+    pub fn add(&mut self, newborn: &Newborn) -> bool {
+        self.particles.push(newborn)
+    }
+
+    /// Adds the surface of a mesh for emitters of shape 8 and returns its index. See [`Surface::new`].
+    ///
+    /// # Errors
+    /// The mesh is invalid, or there are 16 surfaces already.
+    pub fn add_surface(&mut self, vertices: &[f32], indices: &[u32]) -> Result<u32, ParameterError> {
+        self.surfaces.add(Surface::new(vertices, indices)?)
+    }
+
+    /// Sets the poses of the scene's parts for the coming step. See [`Parts::place`].
+    ///
+    /// # Errors
+    /// A number is out of range; the previous poses stay.
+    pub fn place_parts(&mut self, numbers: &[f32]) -> Result<(), ParameterError> {
+        self.parts.place(numbers)
+    }
+
+    /// Advances by 1/60 s.
+    pub fn step(&mut self) {
+        self.step_observed_by(|_| ());
+    }
+
+    /// Same as `step`. Calls `ended` at the end of each part, for measurements.
+    pub(crate) fn step_observed_by(&mut self, mut ended: impl FnMut(StepPart)) {
+        #[cfg(feature = "rigids")]
+        {
+            let radii = RadiusLaw::new(&self.parameters);
+            self.rigids.apply_smoke_forces(&mut self.particles, &radii, STEP as f32);
+            self.rigids.step_world(STEP as f32);
+        }
+        ended(StepPart::World);
+        #[cfg(feature = "rigids")]
+        self.rigids.follow_world(STEP as f32);
+        ended(StepPart::Follow);
+        self.begin_parts();
+        let motion = self.motion();
+        self.spawn(&motion);
+        let ageing = Ageing::new(&self.parameters, STEP);
+        let vortex_particles = self.vortex_particles.as_deref();
+        if self.has_obstacles() {
+            motion.advance(&mut self.particles, vortex_particles, &mut |_, _, _| ());
+            #[cfg(feature = "rigids")]
+            self.rigids
+                .drag_air(&mut self.particles, &RadiusLaw::new(&self.parameters), STEP as f32);
+            ended(StepPart::Motion);
+            self.collide();
+            ended(StepPart::Collision);
+            life::advance(&mut self.particles, &ageing);
+        } else {
+            // No collision separates motion from ageing: one pass over the memory instead of two.
+            motion.advance(&mut self.particles, vortex_particles, &mut |particles, first, len| {
+                life::advance_tile(particles, &ageing, first, len);
+            });
+            ended(StepPart::Motion);
+            ended(StepPart::Collision);
+        }
+        self.shed(&motion);
+        turbulence::advance(&mut self.turbulence, &self.parameters, STEP);
+        self.active_inputs.advance();
+        self.steps += 1;
+        hold::follow(&mut self.particles, self.steps, self.parameters.style.hold as u64);
+        self.parts.end();
+        self.follow_log();
+        ended(StepPart::Rest);
+    }
+
+    /// Writes the rows of `view` (see [`View`]) and returns their number. A malformed view is an error and leaves the
+    /// rows of the last call.
+    pub fn arrange(&mut self, view: &[f32]) -> Result<usize, ParameterError> {
+        let view = View::new(view)?;
+        let radii = RadiusLaw::new(&self.parameters);
+        let sampler = RowSampler {
+            radii,
+            // Held particles do not move between steps.
+            blend: if self.particles.held.is_some() { 1.0 } else { view.blend },
+            dt: STEP as f32,
+        };
+        Ok(self.arranger.arrange(&self.particles, &view, &sampler))
+    }
+
+    /// Rows of x, y, z and radius (m). Valid up to the count of the last `arrange`.
+    pub fn place(&self) -> &[[f32; 4]] {
+        self.arranger.place()
+    }
+
+    /// Rows of packed attributes, see `rows`. Valid up to the count of the last `arrange`.
+    pub fn attributes(&self) -> &[[u32; 2]] {
+        self.arranger.attributes()
+    }
+
+    /// Minimum corner and maximum corner (m) of all particles at the last `arrange`, radii included, then the largest
+    /// radius. Zeros if no particle is visible.
+    pub fn bounds(&self) -> &[f32; 7] {
+        self.arranger.bounds()
+    }
+
+    /// See [`Arranger::coverage_shape`].
+    pub fn coverage_shape(&self) -> [f32; 6] {
+        self.arranger.coverage_shape()
+    }
+
+    /// See [`Arranger::coverage_depths`].
+    pub fn coverage_depths(&self) -> &[f32] {
+        self.arranger.coverage_depths()
+    }
+
+    /// Number of living particles.
+    pub fn alive(&self) -> usize {
+        self.particles.alive()
+    }
+
+    /// Maximum number of living particles.
+    pub fn capacity(&self) -> usize {
+        self.particles.capacity()
+    }
+
+    /// Number of births that wait for capacity.
+    pub fn waiting(&self) -> u64 {
+        self.births.waiting()
+    }
+
+    /// Number of steps made.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// The seed of the random numbers.
+    pub fn seed(&self) -> u32 {
+        self.seed
+    }
+
+    /// The particles.
+    pub fn particles(&self) -> &Particles {
+        &self.particles
+    }
+
+    /// Air velocity (m/s) at `place` (m) in the middle of the coming step.
+    pub fn air_velocity(&self, place: [f32; 3]) -> [f32; 3] {
+        self.motion().air_velocity(place, self.vortex_particles.as_deref())
+    }
+
+    /// Adds a vortex particle without a shedder. Beyond the limit the oldest is removed. Returns false and changes
+    /// nothing if `particle` is invalid.
+    pub fn add_vortex_particle(&mut self, particle: &VortexParticle) -> bool {
+        self.vortex_particles_mut().add(particle)
+    }
+
+    /// Number of vortex particles.
+    pub fn vortex_particles(&self) -> usize {
+        self.vortex_particles.as_ref().map_or(0, |all| all.count())
+    }
+
+    /// Vortex particle `index`, in the order of shedding.
+    pub fn vortex_particle(&self, index: usize) -> Option<VortexParticle> {
+        self.vortex_particles.as_ref()?.get(index)
+    }
+
+    /// The rigids.
+    #[cfg(feature = "rigids")]
+    pub fn rigids(&self) -> &Rigids {
+        &self.rigids
+    }
+
+    /// Mutable access to the rigids.
+    #[cfg(feature = "rigids")]
+    pub fn rigids_mut(&mut self) -> &mut Rigids {
+        &mut self.rigids
+    }
+
+    /// Hash of the state: living particles, rigids, emitters, turbulence, vortex particles, random numbers and the step
+    /// count. Parameters are inputs and not part of it.
+    pub fn hash(&self) -> u64 {
+        let mut hash = Hash::new();
+        hash.long(self.steps);
+        hash.long(self.random.state());
+        hash.long(self.particles.alive() as u64);
+        for column in self.particles.float_columns() {
+            hash.floats(&column[..self.particles.alive()]);
+        }
+        self.particles.attributes[..self.particles.alive()]
+            .iter()
+            .for_each(|attributes| hash.word(*attributes));
+        let Births { owed, waiting } = self.births;
+        owed.iter().for_each(|number| hash.long(number.to_bits()));
+        for TurbulenceState { drift, phase } in &self.turbulence {
+            drift
+                .iter()
+                .chain([phase])
+                .for_each(|number| hash.long(number.to_bits()));
+        }
+        waiting.iter().for_each(|count| hash.long(*count));
+        self.active_inputs.hash_into(&mut hash);
+        if let Some(all) = &self.vortex_particles {
+            all.hash_into(&mut hash);
+        }
+        #[cfg(feature = "rigids")]
+        self.rigids.hash_into(&mut hash);
+        hash.finish()
+    }
+
+    /// Changes the maximum number of particles. Living particles are kept; if they exceed the new capacity, those
+    /// nearest to their death are removed.
+    pub fn resize(&mut self, capacity: u32) -> Result<(), ParameterError> {
+        let room = check_capacity(capacity)?;
+        self.put_particles(self.particles.resized(room));
+        Ok(())
+    }
+
+    /// Replaces the particles, and the buffers if the capacity differs.
+    pub(crate) fn put_particles(&mut self, particles: Particles) {
+        let room = particles.capacity();
+        if room != self.capacity() {
+            self.arranger = Arranger::new(room);
+            self.scratch = Scratch::new(room);
+        }
+        self.particles = particles;
+    }
+
+    fn integrator(&self) -> Integrator {
+        Integrator::from_parameter(self.parameters.simulation.integrator)
+    }
+
+    fn motion(&self) -> ParticleMotion {
+        ParticleMotion::new(&self.context())
+    }
+
+    fn context(&self) -> ForceContext<'_> {
+        ForceContext {
+            parameters: &self.parameters,
+            now: StepTime {
+                time: (self.steps as f64 + 0.5) * STEP,
+                dt: STEP,
+                poses: self.rigid_poses(),
+                parts: &self.parts,
+            },
+            seed: self.seed,
+            turbulence: &self.turbulence,
+            gusts: self.active_inputs.gusts(),
+        }
+    }
+
+    /// Returns true if particles can meet any obstacle.
+    fn has_obstacles(&self) -> bool {
+        #[cfg(feature = "rigids")]
+        if self.rigids.count() > 0 {
+            return true;
+        }
+        !self.parameters.colliders.items().is_empty()
+    }
+
+    #[cfg(feature = "rigids")]
+    fn rigid_poses(&self) -> &[f32] {
+        self.rigids.poses()
+    }
+
+    #[cfg(not(feature = "rigids"))]
+    fn rigid_poses(&self) -> &[f32] {
+        &[]
+    }
+
+    fn begin_parts(&mut self) {
+        self.parts.begin();
+        #[cfg(feature = "rigids")]
+        self.parts.carry(self.rigids.poses());
+    }
+
+    fn spawn(&mut self, motion: &ParticleMotion) {
+        let around = EmissionContext {
+            parameters: &self.parameters,
+            surfaces: &self.surfaces,
+            parts: &self.parts,
+            #[cfg(feature = "rigids")]
+            rigid: &|number| self.rigids.ride(number),
+            step: self.steps,
+            time: (self.steps as f64 + 0.5) * STEP,
+            dt: STEP,
+        };
+        let first = self.particles.alive();
+        self.births.step(&around, &mut self.random, &mut self.particles);
+        if self.particles.alive() > first {
+            motion.launch(&mut self.particles, first, self.vortex_particles.as_deref());
+        }
+    }
+
+    fn shed(&mut self, motion: &ParticleMotion) {
+        if let Some(mut all) = self.vortex_particles.take() {
+            all.step(motion, &self.context());
+            self.vortex_particles = Some(all);
+        }
+    }
+
+    fn vortex_particles_mut(&mut self) -> &mut VortexParticles {
+        let seed = self.seed;
+        self.vortex_particles
+            .get_or_insert_with(|| Box::new(VortexParticles::new(seed)))
+    }
+
+    fn collide(&mut self) {
+        let colliders: [AnalyticCollider; LIST_LIMIT] = analytic::colliders(&self.parameters);
+        collisions::resolve(
+            &mut self.particles,
+            &RadiusLaw::new(&self.parameters),
+            &colliders[..self.parameters.colliders.items().len()],
+            #[cfg(feature = "rigids")]
+            &mut self.rigids,
+            STEP as f32,
+            &mut self.scratch,
+        );
+    }
+}

@@ -1,0 +1,264 @@
+//! Saving and restoring a simulation.
+//!
+//! The format is an envelope (kind, version, checksum) around named sections with their lengths. Each part of the state
+//! implements [`SnapshotSection`] and has a row in `sections!`. Only the current version can be read.
+
+use crate::emission::Births;
+use crate::emission::surface::Surfaces;
+use crate::forces::force::TurbulenceState;
+use crate::forces::vortex_particles::VortexParticles;
+use crate::layout::bytes::{Reader, SnapshotSection, Writer};
+use crate::layout::error::RestoreError;
+use crate::layout::limits::CAPACITY_LIMIT;
+use crate::layout::parameters::item::LIST_LIMIT;
+use crate::layout::parameters::table::Parameters;
+use crate::math::random::Random;
+use crate::particles::Particles;
+use crate::simulator::Simulator;
+use crate::simulator::take::active_inputs::ActiveInputs;
+
+const KIND: &[u8; 4] = b"smok";
+const VERSION: u32 = 4;
+const NAME: &str = "saved simulation";
+
+/// Declares the saved sections besides particles and rigids: section name, field of the simulator, type.
+macro_rules! sections {
+    ($($name:literal => $field:ident: $type:ty,)*) => {
+        struct SavedState {
+            $($field: $type,)*
+        }
+
+        impl SavedState {
+            fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+                Ok(Self { $($field: reader.section($name, <$type as SnapshotSection>::read)?,)* })
+            }
+
+            fn put_into(self, simulator: &mut Simulator) {
+                $(simulator.$field = self.$field;)*
+            }
+        }
+
+        fn write_sections(simulator: &Simulator, body: &mut Writer) {
+            $(body.section($name, |body| simulator.$field.write(body));)*
+        }
+    };
+}
+
+sections! {
+    b"time" => steps: u64,
+    b"seed" => seed: u32,
+    b"rand" => random: Random,
+    b"born" => births: Births,
+    b"turb" => turbulence: [TurbulenceState; LIST_LIMIT + 1],
+    b"hand" => active_inputs: ActiveInputs,
+    b"vort" => vortex_particles: Option<Box<VortexParticles>>,
+    b"para" => parameters: Parameters,
+    b"surf" => surfaces: Surfaces,
+}
+
+/// Selects the capacity of a restored simulator.
+#[derive(Clone, Copy, PartialEq)]
+pub enum RestoredCapacity {
+    /// The simulator keeps its capacity; the saved particles must fit.
+    Own,
+    /// The simulator takes over the saved capacity.
+    Saved,
+}
+
+impl Simulator {
+    /// Serialises the state and the parameters. See `snapshot`.
+    pub fn save(&self) -> Vec<u8> {
+        save(self)
+    }
+
+    /// Restores bytes from `save`, independent of the current seed. The living particles must fit the current capacity.
+    /// Damaged bytes are an error and change nothing. A recorded take starts anew.
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
+        restore(self, bytes, RestoredCapacity::Own)?;
+        self.begin_take_anew();
+        Ok(())
+    }
+}
+
+/// Serialises `simulator`.
+pub fn save(simulator: &Simulator) -> Vec<u8> {
+    let mut body = Writer::default();
+    write_sections(simulator, &mut body);
+    body.section(b"rigi", |body| body.raw(&rigids_bytes(simulator)));
+    body.section(b"room", |body| body.word(simulator.capacity() as u32));
+    body.section(b"part", |body| write_particles(body, &simulator.particles));
+    body.seal(KIND, VERSION)
+}
+
+/// Restores `bytes` into `simulator`. On error nothing changes.
+pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: RestoredCapacity) -> Result<(), RestoreError> {
+    let (mut reader, _) = Reader::open(bytes, KIND, [VERSION; 2], NAME)?;
+    let saved_state = SavedState::read(&mut reader)?;
+    let rigids = reader.section(b"rigi", |reader| Ok(reader.rest()))?;
+    let saved = reader.section(b"room", read_capacity)?;
+    let capacity = if room == RestoredCapacity::Saved {
+        saved
+    } else {
+        simulator.capacity()
+    };
+    let particles = reader.section(b"part", |reader| read_particles(reader, capacity))?;
+    reader.end()?;
+    // Rigids are restored first: they are the last step that can fail.
+    restore_rigids(simulator, rigids, saved_state.steps)?;
+    saved_state.put_into(simulator);
+    simulator.put_particles(particles);
+    simulator.particles.hold(simulator.parameters.style.hold > 1.0);
+    Ok(())
+}
+
+impl SnapshotSection for Random {
+    fn write(&self, body: &mut Writer) {
+        body.long(self.state());
+    }
+
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        reader.long().map(Random::from_state)
+    }
+}
+
+impl SnapshotSection for Births {
+    fn write(&self, body: &mut Writer) {
+        self.owed.iter().for_each(|owed| body.number(*owed));
+        self.waiting.iter().for_each(|count| body.long(*count));
+    }
+
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        let mut births = Self::default();
+        for index in 0..LIST_LIMIT {
+            births.owed[index] = reader.number()?.clamp(-1.0, 1.0);
+        }
+        for index in 0..LIST_LIMIT {
+            births.waiting[index] = reader.long()?;
+        }
+        Ok(births)
+    }
+}
+
+impl<const N: usize> SnapshotSection for [TurbulenceState; N] {
+    fn write(&self, body: &mut Writer) {
+        for TurbulenceState { drift, phase } in self {
+            drift.iter().chain([phase]).for_each(|number| body.number(*number));
+        }
+    }
+
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        let mut states = [TurbulenceState::default(); N];
+        for TurbulenceState { drift, phase } in &mut states {
+            for number in drift.iter_mut().chain([phase]) {
+                *number = reader.number()?;
+            }
+        }
+        Ok(states)
+    }
+}
+
+impl SnapshotSection for Parameters {
+    fn write(&self, body: &mut Writer) {
+        let entries = self.entries();
+        body.word(entries.len() as u32);
+        for (key, value) in entries {
+            body.text(&key);
+            body.number(value);
+        }
+    }
+
+    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        let mut parameters = Self::default();
+        for _ in 0..reader.word()? {
+            let (key, value) = (reader.text()?, reader.number()?);
+            parameters.set(key, value).map_err(RestoreError::from)?;
+        }
+        Ok(parameters)
+    }
+}
+
+fn read_capacity(reader: &mut Reader) -> Result<usize, RestoreError> {
+    let capacity = reader.word()?;
+    if (1..=CAPACITY_LIMIT).contains(&capacity) {
+        return Ok(capacity as usize);
+    }
+    Err(RestoreError::new(
+        "the saved simulation has no capacity that a simulator can have",
+    ))
+}
+
+fn write_particles(body: &mut Writer, particles: &Particles) {
+    let alive = particles.alive();
+    body.word(alive as u32);
+    for column in particles.float_columns() {
+        column[..alive].iter().for_each(|value| body.word(value.to_bits()));
+    }
+    particles.attributes[..alive]
+        .iter()
+        .for_each(|attributes| body.word(*attributes));
+    body.word(u32::from(particles.held.is_some()));
+    for column in particles.held.iter().flat_map(|held| held.columns()) {
+        column[..alive].iter().for_each(|value| body.word(value.to_bits()));
+    }
+}
+
+fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, RestoreError> {
+    let alive = reader.word()? as usize;
+    if alive > capacity {
+        let message = format!("{alive} particles were saved, there is room for {capacity}; make a larger simulator");
+        return Err(RestoreError::new(message));
+    }
+    let mut particles = Particles::new(capacity);
+    for column in particles.float_columns_mut() {
+        column[..alive]
+            .iter_mut()
+            .try_for_each(|value| reader.float().map(|saved| *value = saved))?;
+    }
+    particles.attributes[..alive]
+        .iter_mut()
+        .try_for_each(|attributes| reader.word().map(|saved| *attributes = saved))?;
+    if particles.lifetime[..alive].iter().any(|lifetime| *lifetime <= 0.0) {
+        return Err(RestoreError::new(
+            "the saved simulation holds a particle without a lifetime",
+        ));
+    }
+    particles.hold(reader.word()? != 0);
+    for column in particles.held_columns_mut() {
+        column[..alive]
+            .iter_mut()
+            .try_for_each(|value| reader.float().map(|saved| *value = saved))?;
+    }
+    particles.set_alive(alive);
+    Ok(particles)
+}
+
+#[cfg(feature = "rigids")]
+fn rigids_bytes(simulator: &Simulator) -> Vec<u8> {
+    simulator.rigids.save()
+}
+
+#[cfg(not(feature = "rigids"))]
+fn rigids_bytes(_simulator: &Simulator) -> Vec<u8> {
+    Vec::new()
+}
+
+#[cfg(feature = "rigids")]
+fn restore_rigids(simulator: &mut Simulator, bytes: &[u8], steps: u64) -> Result<(), RestoreError> {
+    simulator.rigids = if bytes.is_empty() {
+        crate::rigids::Rigids::new()
+    } else {
+        crate::rigids::Rigids::restore(bytes)?
+    };
+    simulator.rigids.set_steps(steps);
+    Ok(())
+}
+
+#[cfg(not(feature = "rigids"))]
+fn restore_rigids(_simulator: &mut Simulator, bytes: &[u8], _steps: u64) -> Result<(), RestoreError> {
+    if bytes.is_empty() {
+        return Ok(());
+    }
+    Err(RestoreError::new(
+        "the saved simulation has rigids; load the simulator with physics to restore it",
+    ))
+}

@@ -1,0 +1,4 @@
+//! Rows and coverage.
+
+mod coverage;
+mod rows;

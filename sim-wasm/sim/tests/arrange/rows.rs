@@ -1,0 +1,362 @@
+//! Rows: selection, order and packing.
+
+use crate::common::{LIVELY, STILL, newborn, simulator, steps};
+use sim::Simulator;
+use sim::arrange::VIEW_FLOATS;
+use sim::math::random::Random;
+use sim::particles::Newborn;
+
+/// The paper's law: particles are born full, and have a row from the start.
+const FULL: &[(&str, f64)] = &[("simulation.integrator", 1.0)];
+const BOX: [f32; 6] = [-12.0, -1.0, -12.0, 12.0, 12.0, 12.0];
+
+/// A view that keeps everything, ordered along -z.
+fn view() -> [f32; VIEW_FLOATS] {
+    let mut view = [0.0; VIEW_FLOATS];
+    view[1] = 1.0;
+    view[4..20].copy_from_slice(&perspective());
+    view[20..23].copy_from_slice(&[0.0, 0.0, -1.0]);
+    view[23] = 1.0;
+    view[24..30].copy_from_slice(&BOX);
+    view
+}
+
+/// clipFromWorld by columns: eye at (1, 2, 9), looking along -z, 50 degrees high, off the axis by a quarter.
+fn perspective() -> [f32; 16] {
+    let (f, near, far) = (1.0 / 25_f32.to_radians().tan(), 0.1, 60.0);
+    let (a, b) = ((far + near) / (near - far), 2.0 * far * near / (near - far));
+    let projection = [
+        f / 1.5,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        f,
+        0.0,
+        0.0,
+        0.25,
+        0.0,
+        a,
+        -1.0,
+        0.0,
+        0.0,
+        b,
+        0.0,
+    ];
+    moved(projection, [-1.0, -2.0, -9.0])
+}
+
+fn orthographic() -> [f32; 16] {
+    let mut projection = [0.0; 16];
+    (projection[0], projection[5], projection[10], projection[15]) = (0.25, 0.4, -0.02, 1.0);
+    moved(projection, [0.5, -1.0, -5.0])
+}
+
+/// `projection` after a move by `by`.
+fn moved(mut projection: [f32; 16], by: [f32; 3]) -> [f32; 16] {
+    for row in 0..4 {
+        projection[12 + row] += (0..3)
+            .map(|column| projection[4 * column + row] * by[column])
+            .sum::<f32>();
+    }
+    projection
+}
+
+fn cloud(count: u32) -> Simulator {
+    let mut simulator = simulator(count, 1, &[STILL, FULL]);
+    let mut random = Random::new(8);
+    for _ in 0..count {
+        let position = [random.signed() * 12.0, random.unit() * 12.0, random.signed() * 12.0];
+        let size = 0.05 + random.unit() * 0.5;
+        simulator.add(&Newborn {
+            size,
+            attributes: random.bits(),
+            ..newborn(position)
+        });
+    }
+    simulator
+}
+
+fn rows(simulator: &mut Simulator, view: &[f32]) -> Vec<[f32; 4]> {
+    let count = simulator.arrange(view).unwrap();
+    simulator.place()[..count].to_vec()
+}
+
+#[test]
+fn rows_come_near_to_far_and_are_complete() {
+    let mut simulator = cloud(1001);
+    for direction in [[0.0, 0.0, -1.0], [0.6, -0.8, 0.0], [0.48, -0.6, 0.64]] {
+        let mut view = view();
+        view[20..23].copy_from_slice(&direction);
+        let rows = rows(&mut simulator, &view);
+        let depth = |row: &[f32; 4]| row[0] * direction[0] + row[1] * direction[1] + row[2] * direction[2];
+        assert!(
+            rows.windows(2).all(|pair| depth(&pair[0]) <= depth(&pair[1]) + 1e-5),
+            "out of order"
+        );
+        let mut places = rows.clone();
+        places.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        places.dedup();
+        assert_eq!(places.len(), 1001);
+    }
+}
+
+#[test]
+fn equal_depths_keep_the_order_of_slots() {
+    let mut simulator = simulator(40, 1, &[STILL, FULL]);
+    (0..40).for_each(|i| assert!(simulator.add(&newborn([i as f32, 0.0, (i % 2) as f32 * -0.0]))));
+    let rows = rows(&mut simulator, &view());
+    assert!(rows.windows(2).all(|pair| pair[0][0] < pair[1][0]), "{rows:?}");
+}
+
+#[test]
+fn arranging_changes_nothing_and_repeats() {
+    let mut simulator = simulator(2000, 1, &[LIVELY]);
+    steps(&mut simulator, 200);
+    let hash = simulator.hash();
+    let first = rows(&mut simulator, &view());
+    assert_eq!(rows(&mut simulator, &view()), first);
+    assert_eq!(simulator.hash(), hash);
+}
+
+#[test]
+fn blend_runs_from_the_previous_step_to_this_one() {
+    let settings = [("forces.wind.x", 6.0), ("emission.growthTime", 0.0)];
+    let mut simulator = simulator(1, 1, &[STILL, &settings]);
+    simulator.add(&Newborn {
+        lifetime: 1.0,
+        ..newborn([0.0, 1.0, 0.0])
+    });
+    steps(&mut simulator, 7);
+    for (blend, x, age) in [(0.0, 0.6, 6.0), (0.5, 0.65, 6.5), (1.0, 0.7, 7.0)] {
+        let mut view = view();
+        view[1] = blend;
+        let row = rows(&mut simulator, &view)[0];
+        let radius = 0.2 * (1.0 - age / 60.0);
+        assert!(
+            (row[0] - x).abs() < 1e-5 && (row[3] - radius).abs() < 1e-6,
+            "blend {blend}: {row:?}"
+        );
+        let word = simulator.attributes()[0][0];
+        assert_eq!(word >> 16, (age / 60.0 * 65_535.0 + 0.5) as u32, "age at blend {blend}");
+    }
+    let mut early = view();
+    early[1] = 0.0;
+    assert_eq!(rows(&mut simulator, &early)[0][0], simulator.particles().px[0]);
+}
+
+#[test]
+fn unborn_particles_and_zero_radii_have_no_row() {
+    let settings = [
+        ("emission.rate", 60.0 * 64.0),
+        ("emitters.0.speed", 3.0),
+        ("emission.growthTime", 0.0),
+    ];
+    let mut newborns = simulator(64, 1, &[STILL, FULL, &settings]);
+    newborns.step();
+    for (blend, expected) in [(0.0, 0), (0.25, 16), (0.5, 32), (1.0, 64)] {
+        let mut view = view();
+        view[1] = blend;
+        assert_eq!(rows(&mut newborns, &view).len(), expected, "blend {blend}");
+    }
+    let mut simulator = simulator(2, 1, &[STILL, &[("emission.growthTime", 1.0)]]);
+    simulator.add(&newborn([0.0; 3]));
+    simulator.add(&Newborn {
+        age: 0.5,
+        ..newborn([0.0; 3])
+    });
+    assert_eq!(rows(&mut simulator, &view()).len(), 1);
+}
+
+#[test]
+fn particles_outside_of_the_world_have_no_row() {
+    let mut simulator = simulator(4, 1, &[STILL, FULL]);
+    simulator.add(&newborn([0.0; 3]));
+    simulator.add(&newborn([20_000.0, 0.0, 0.0]));
+    simulator.step();
+    assert_eq!(rows(&mut simulator, &view()).len(), 1);
+    assert!(simulator.bounds()[3] < 1.0);
+}
+
+#[test]
+fn attributes_are_packed_as_documented() {
+    let mut simulator = simulator(3, 1, &[STILL, FULL]);
+    let attributes = 3 | 200 << 8 | 0x400 << 16 | 9 << 28;
+    for (age, temperature) in [(0.0, 0.0), (10.0, 1.0), (30.0, 9.0)] {
+        simulator.add(&Newborn {
+            attributes,
+            age,
+            temperature,
+            lifetime: 40.0,
+            ..newborn([age, 0.0, -age])
+        });
+    }
+    simulator.arrange(&view()).unwrap();
+    let spin = |age: f32| 0x4000 + (age * (200.0 - 127.5) / 127.5 * 0.04 * 65_536.0) as u32;
+    let expected = |age: f32, heat: u32| {
+        [
+            (spin(age) & 0xffff) | ((age / 40.0 * 65_535.0 + 0.5) as u32) << 16,
+            3 | 200 << 8 | heat << 16 | 9 << 24,
+        ]
+    };
+    assert_eq!(
+        simulator.attributes()[..3],
+        [expected(0.0, 0), expected(10.0, 64), expected(30.0, 255)]
+    );
+}
+
+#[test]
+fn bounds_hold_all_that_lives_whatever_is_culled() {
+    let mut simulator = simulator(3, 1, &[STILL, FULL]);
+    let mut view = view();
+    view[2] = 1.0;
+    assert_eq!(simulator.arrange(&view).unwrap(), 0);
+    assert_eq!(*simulator.bounds(), [0.0; 7]);
+    simulator.add(&Newborn {
+        size: 0.5,
+        ..newborn([-100.0, 2.0, 3.0])
+    });
+    simulator.add(&Newborn {
+        size: 1.0,
+        ..newborn([4.0, 5.0, -60.0])
+    });
+    simulator.add(&Newborn {
+        age: -1.0,
+        ..newborn([0.0, 900.0, 0.0])
+    });
+    assert!(simulator.arrange(&view).unwrap() < 2);
+    assert_eq!(*simulator.bounds(), [-100.5, 1.5, -61.0, 5.0, 6.0, 3.5, 1.0]);
+}
+
+#[test]
+fn malformed_views_are_errors_with_their_key() {
+    let mut simulator = cloud(10);
+    let cases = [
+        (1, -0.1, "view.blend"),
+        (1, 1.1, "view.blend"),
+        (3, -1.0, "view.pad"),
+        (7, f32::NAN, "view[7]"),
+    ];
+    for (index, value, name) in cases
+        .into_iter()
+        .chain([(22, 0.3, "view.direction"), (23, f32::INFINITY, "view[23]")])
+    {
+        let mut view = view();
+        view[index] = value;
+        let error = simulator.arrange(&view).unwrap_err();
+        assert!(error.key.starts_with(name), "{error:?}");
+    }
+    assert_eq!(
+        simulator.arrange(&view()[..VIEW_FLOATS - 1]).unwrap_err().key,
+        "view.length"
+    );
+}
+
+/// Whether a place is between the four sides of the frustum.
+fn is_inside(clip_from_world: &[f32], place: [f64; 3]) -> bool {
+    let clip = |row: usize| {
+        let column = |column: usize| f64::from(clip_from_world[4 * column + row]);
+        column(0) * place[0] + column(1) * place[1] + column(2) * place[2] + column(3)
+    };
+    clip(0).abs() <= clip(3) && clip(1).abs() <= clip(3)
+}
+
+/// A place on the ball, or within.
+fn within(random: &mut Random, row: [f32; 4]) -> [f64; 3] {
+    let way: [f64; 3] = std::array::from_fn(|_| f64::from(random.signed()));
+    let length = way.iter().map(|c| c * c).sum::<f64>().sqrt();
+    std::array::from_fn(|i| f64::from(row[i]) + way[i] / length * f64::from(row[3]))
+}
+
+/// Metres from a place along a direction to where it leaves the box, by small steps.
+fn exit(place: [f32; 4], direction: [f32; 3]) -> f64 {
+    let outside = |t: f64| {
+        (0..3).any(|i| {
+            let at = f64::from(place[i]) + t * f64::from(direction[i]);
+            if direction[i] > 0.0 {
+                at > f64::from(BOX[3 + i])
+            } else {
+                direction[i] < 0.0 && at < f64::from(BOX[i])
+            }
+        })
+    };
+    (0..10_000)
+        .map(|step| f64::from(step) * 0.01)
+        .find(|t| outside(*t))
+        .unwrap()
+}
+
+#[test]
+fn culling_keeps_every_body_that_touches_the_frustum() {
+    let mut simulator = cloud(4000);
+    let all = rows(&mut simulator, &view());
+    let mut random = Random::new(2);
+    for clip_from_world in [perspective(), orthographic()] {
+        let mut view = view();
+        view[2] = 1.0;
+        view[4..20].copy_from_slice(&clip_from_world);
+        let kept = rows(&mut simulator, &view);
+        for row in all.iter().filter(|row| !kept.contains(row)) {
+            let mut touches = || is_inside(&clip_from_world, within(&mut random, *row));
+            assert!(!(0..200).any(|_| touches()), "{row:?} can be seen and is missing");
+        }
+        assert!(
+            kept.len() > 200 && kept.len() < 3000,
+            "{} of {} kept",
+            kept.len(),
+            all.len()
+        );
+        assert!(
+            kept.windows(2).all(|pair| pair[0][2] >= pair[1][2]),
+            "kept rows are out of order"
+        );
+    }
+}
+
+#[test]
+fn pad_and_reach_enlarge_what_is_kept() {
+    let mut simulator = cloud(4000);
+    let mut kept = |reach: f32, pad: f32| {
+        let mut view = view();
+        (view[2], view[3], view[23]) = (1.0, pad, reach);
+        simulator.arrange(&view).unwrap()
+    };
+    let [plain, reached, padded] = [kept(1.0, 0.0), kept(1.5, 0.0), kept(1.0, 0.05)];
+    assert!(
+        reached > plain + 20 && padded > plain + 20,
+        "{plain}, {reached} with reach, {padded} with pad"
+    );
+}
+
+#[test]
+fn culling_keeps_every_caster_whose_sweep_touches_the_frustum() {
+    let mut simulator = cloud(2000);
+    let all = rows(&mut simulator, &view());
+    let mut random = Random::new(2);
+    for direction in [[0.6, -0.8, 0.0], [-0.48, -0.6, 0.64], [0.0, 0.0, -1.0]] {
+        let mut view = view();
+        (view[0], view[2]) = (1.0, 1.0);
+        view[20..23].copy_from_slice(&direction);
+        let kept = rows(&mut simulator, &view);
+        for row in all.iter().filter(|row| !kept.contains(row)) {
+            let length = exit(*row, direction);
+            let mut touches = || {
+                let (t, place) = (f64::from(random.unit()) * length, within(&mut random, *row));
+                is_inside(
+                    &view[4..20],
+                    std::array::from_fn(|i| place[i] + t * f64::from(direction[i])),
+                )
+            };
+            assert!(
+                !(0..300).any(|_| touches()),
+                "the shadow of {row:?} along {direction:?} can be seen"
+            );
+        }
+        assert!(
+            kept.len() > 200 && kept.len() < 1900,
+            "{} of {} kept",
+            kept.len(),
+            all.len()
+        );
+    }
+}

@@ -1,0 +1,100 @@
+//! The scenario of `collide_fixture.txt`, natively; WASM must produce the same hashes.
+
+use sim::Simulator;
+
+const FIXTURE: &str = include_str!("../collide_fixture.txt");
+
+fn lines(word: &str) -> impl Iterator<Item = &'static str> {
+    FIXTURE
+        .lines()
+        .filter_map(move |line| line.strip_prefix(word))
+        .map(str::trim)
+}
+
+fn number<T: std::str::FromStr<Err: std::fmt::Debug>>(word: &str) -> T {
+    lines(word).next().unwrap().parse().unwrap()
+}
+
+fn simulator() -> Simulator {
+    let mut simulator = Simulator::new(number("capacity"), number("seed")).unwrap();
+    for line in lines("set ") {
+        let (key, value) = line.split_once(' ').unwrap();
+        simulator.set(key, value.parse().unwrap()).unwrap();
+    }
+    simulator
+}
+
+fn expected(which: &str) -> &'static str {
+    lines("hash ").find_map(|line| line.strip_prefix(which)).unwrap().trim()
+}
+
+fn check(simulator: &Simulator, which: &str) {
+    assert!(
+        simulator.alive() > 1000,
+        "a scenario with smoke in it: {}",
+        simulator.alive()
+    );
+    assert_eq!(format!("{:016x}", simulator.hash()), expected(which), "{which}");
+}
+
+/// Runs in both builds, with the feature `rigids` and without: an unused Rapier changes nothing.
+#[test]
+fn hash_without_rigids() {
+    let mut simulator = simulator();
+    (0..number("steps")).for_each(|_: u32| simulator.step());
+    check(&simulator, "without rigids");
+}
+
+#[cfg(feature = "rigids")]
+#[test]
+fn hash_with_rigids() {
+    use sim::rigids::{RigidDescription, RigidKind, pose_of};
+
+    let floats = |text: &str| -> Vec<f32> { text.split([' ', ',']).map(|part| part.parse().unwrap()).collect() };
+    let mut simulator = simulator();
+    for line in lines("rigid ") {
+        let (form, pose) = line.split_once(" | ").unwrap();
+        let parts: Vec<&str> = form.split(' ').collect();
+        let (sizes, pose) = (floats(parts[2]), floats(pose));
+        let kind = match parts[0] {
+            "0" => RigidKind::Fixed,
+            "1" => RigidKind::Kinematic,
+            _ => RigidKind::Dynamic,
+        };
+        let description = RigidDescription {
+            restitution: 0.1,
+            friction: 0.3,
+            density: 500.0,
+            ..RigidDescription::new(kind, shape(parts[1], &sizes), pose_of(&pose).unwrap())
+        };
+        simulator.rigids_mut().add(description).unwrap();
+    }
+    for step in 0..number::<u16>("steps") {
+        // A power of two: exact in every number format that is between here and there.
+        let x = -1.0 + f32::from(step) / 128.0;
+        let pose = pose_of(&[x, 0.75, 0.0, 0.0, 0.0, 0.0, 1.0]).unwrap();
+        simulator.rigids_mut().move_to(0, pose).unwrap();
+        simulator.step();
+    }
+    check(&simulator, "with rigids");
+}
+
+#[cfg(feature = "rigids")]
+fn shape(number: &str, sizes: &[f32]) -> sim::rigids::RigidShape {
+    use sim::rigids::RigidShape;
+
+    match number {
+        "0" => RigidShape::Ball { radius: sizes[0] },
+        "1" => RigidShape::Cuboid {
+            half_extents: [sizes[0], sizes[1], sizes[2]],
+        },
+        "2" => RigidShape::Capsule {
+            half_height: sizes[0],
+            radius: sizes[1],
+        },
+        _ => RigidShape::Cylinder {
+            half_height: sizes[0],
+            radius: sizes[1],
+        },
+    }
+}

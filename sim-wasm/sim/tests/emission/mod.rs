@@ -1,0 +1,8 @@
+//! Births.
+
+mod births;
+mod moments;
+#[cfg(feature = "rigids")]
+mod riding;
+mod shapes;
+mod surface;

@@ -1,0 +1,17 @@
+//! What moves air and particles.
+
+mod closed_forms;
+mod edges;
+mod explosions;
+mod jets;
+mod orbits;
+#[cfg(feature = "rigids")]
+mod riding;
+mod scopes;
+mod spirals;
+mod turbulence;
+mod vortex;
+mod vortex_particles;
+#[cfg(feature = "rigids")]
+mod vortex_shedding;
+mod weather;

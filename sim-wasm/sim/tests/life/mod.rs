@@ -1,0 +1,5 @@
+//! Radius, ageing, death and held drawing.
+
+mod ageing;
+mod curves;
+mod hold;

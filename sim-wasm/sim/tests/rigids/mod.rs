@@ -1,0 +1,8 @@
+//! Rigid bodies.
+
+mod air;
+mod compound;
+mod drag;
+mod joints;
+mod paths;
+mod sensors;
