@@ -122,9 +122,9 @@ describe('the place of a fault', () => {
 });
 
 describe('the schema', () => {
-  it('stands in public/ as the table makes it (UPDATE_SCHEMA=1 writes it anew)', () => {
+  it('stands in public/ as the table makes it (npm run generate writes it)', () => {
     const text = `${JSON.stringify(fileSchema(), null, 1)}\n`;
-    if (process.env.UPDATE_SCHEMA) writeFileSync(SCHEMA, text);
+    if (process.env.GENERATE) writeFileSync(SCHEMA, text);
     else expect(readFileSync(SCHEMA, 'utf8')).toBe(text);
   });
 

@@ -1,5 +1,4 @@
-//! The page's table of lists, `src/preset/lists.json`, is written from the simulator's own:
-//! `UPDATE_LISTS=1 cargo test -p sim --test all page_table` writes it anew.
+//! `npm run generate` writes the page's table of lists, `src/preset/lists.json`, from the simulator's own.
 
 use std::fs;
 use std::path::Path;
@@ -10,13 +9,13 @@ use sim::layout::parameters::{lists_as_json, rows};
 fn the_page_has_the_lists_of_the_simulator() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../src/preset/lists.json");
     let expected = lists_as_json();
-    if std::env::var_os("UPDATE_LISTS").is_some() {
+    if std::env::var_os("GENERATE").is_some() {
         fs::write(&path, &expected).unwrap();
     }
     let found = fs::read_to_string(&path).unwrap();
     assert!(
         found == expected,
-        "src/preset/lists.json is not what the simulator has; write it anew as the head of this test tells"
+        "src/preset/lists.json is stale: run npm run generate"
     );
 }
 

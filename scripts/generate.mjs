@@ -1,0 +1,43 @@
+/**
+ * `npm run generate`: writes the files that repeat what stands elsewhere. The tests that do it fail where one is stale.
+ * Each file depends on those before it.
+ */
+
+import { readArguments } from './lib/arguments.mjs';
+import { run } from './lib/command.mjs';
+import { inRoot } from './lib/paths.mjs';
+import { withProgress } from './lib/progress.mjs';
+import { conclude, UserError } from './lib/userError.mjs';
+import { PAGE, setUp } from './setup/setup.mjs';
+import { cargo, NATIVE } from './setup/toolchain.mjs';
+
+const environment = { GENERATE: '1' };
+
+/** @typedef {(line: string) => void} Say */
+
+/** @type {[file: string, work: (say: Say) => Promise<import('./lib/command.mjs').Outcome>][]} */
+const FILES = [
+  [
+    'src/preset/lists.json',
+    (say) => cargo(['test', ...NATIVE, '--test', 'all', 'simulator::page_table'], say, environment),
+  ],
+  ['src/element/attributes/names.json', (say) => vitest('element.names', 'lists the keys', say)],
+  ['public/smoke-file.schema.json', (say) => vitest('file', 'stands in public/', say)],
+  ['tables in docs/', (say) => vitest('documents', 'has the generated table', say)],
+];
+
+await conclude(async () => {
+  readArguments({}, 'npm run generate');
+  await setUp(PAGE);
+  for (const [file, work] of FILES) {
+    const { status, output } = await withProgress(file, work);
+    if (status !== 0) throw new UserError(`${file} could not be written: see the output above.`, output);
+  }
+});
+
+/** @param {string} name of a file in tests/unit @param {string} test part of the title @param {Say} say */
+function vitest(name, test, say) {
+  const script = inRoot('node_modules/vitest/vitest.mjs');
+  const parameters = [script, 'run', `tests/unit/${name}.test.ts`, '-t', test];
+  return run(process.execPath, parameters, { environment, onLine: say });
+}
