@@ -1,4 +1,4 @@
-/** The library's front door: exports only. Nothing inside imports it. */
+/** Exports of the package. No module of the library imports this file. */
 export { CartoonSmokeElement } from './element/cartoonSmokeElement.ts';
 export type { SmokeEvent, SmokeEvents, StateChange } from './element/events.ts';
 export { createDevice, type Device, type DeviceCanvas } from './device/device.ts';

@@ -1,4 +1,7 @@
-/** `cartoon-smoke/preset`: the parameter table and the share link, without three.js and without a page. Exports only. */
+/**
+ * `cartoon-smoke/preset`: the parameter table and the codec of share links. It needs neither three.js nor a DOM.
+ * Exports only.
+ */
 export { decode, encode, type Decoded, type State } from './preset/codec.ts';
 export { ParameterError, SmokeError } from './preset/errors.ts';
 export { readFile, writeFile } from './preset/file.ts';

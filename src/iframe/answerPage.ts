@@ -5,13 +5,13 @@ import { packError } from '../remote/packedErrors.ts';
 import { OPENING } from '../remote/protocol.ts';
 import { serveStage } from '../remote/serveStage.ts';
 
-/** A page that connects more often than that gets no answer any more. */
+/** Connections after this many get no answer. */
 const MAX_CONNECTIONS = 16;
 
 /**
- * Lets the page around this frame have the stage.
- * @param allowed the one origin that may, as `?origin=` says; undefined lets any, empty none
- * @param whenStanding asks for the smoke and is settled when its first picture stands
+ * Serves the stage to the page that embeds this frame.
+ * @param allowed origin that may connect, from `?origin=`; undefined allows any origin, an empty string none
+ * @param whenStanding starts the smoke and resolves with its first frame
  */
 export function answerPage(
   stage: RemoteStage,
@@ -35,7 +35,7 @@ export function answerPage(
     );
   });
   window.addEventListener('pagehide', ({ persisted }) => {
-    // A page that goes into the browser's cache may come back.
+    // A page in the back/forward cache can be restored.
     if (persisted) return;
     const error = packError(new SimulatorError('The frame was unloaded; connect again.'));
     for (const port of standing) port.postMessage({ id: OPENING, error });
@@ -43,7 +43,10 @@ export function answerPage(
   window.parent.postMessage(handshake('here'), allowed ?? '*');
 }
 
-/** The origin that a query names, such as `?origin=https://example.org`; empty, for nobody, where it is no address. */
+/**
+ * Reads the allowed origin from a query such as `?origin=https://example.org`. An invalid URL gives an empty string,
+ * which allows no origin.
+ */
 export function originOf(search: string): string | undefined {
   const given = new URLSearchParams(search).get('origin');
   if (given === null) return undefined;

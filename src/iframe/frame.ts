@@ -1,4 +1,4 @@
-/** The page in a frame, `embed.html`: smoke by the same hash and query as the demo, without its panel. */
+/** Entry of `embed.html`, the page for iframes. It reads the same hash and query as the demo page but has no panel. */
 import { CartoonSmokeElement } from '../element/define.ts';
 import { answerPage, originOf } from './answerPage.ts';
 import { HANDED_ON } from '../element/methods.ts';
@@ -7,37 +7,41 @@ import type { RemoteMethods, RemoteStage } from '../remote/contract.ts';
 import { unpackBytes } from '../preset/packing.ts';
 import { takeWasmFrom } from '../sim/load.ts';
 
-/** Written by the build: the core, deflated, in base64url; and the address of the script that brings the physics. */
+/**
+ * Defined by the build: the core WASM, deflated and base64url-encoded, and the URL of the script that contains the
+ * physics WASM.
+ */
 declare const CORE_WASM: string | undefined;
 declare const PHYSICS_SCRIPT: string;
 
-/** What that script calls. */
+/** Callback that the physics script calls. */
 type Bring = (packed: string) => void;
 type Asked = (...given: never[]) => Promise<unknown>;
 
 const MAX_BYTES = 16 * 1024 * 1024;
 
 function begin(smoke: CartoonSmokeElement): void {
-  // A worker would need an origin, and most browsers give a frame of another site a thread of its own.
+  // A worker needs an origin, which a sandboxed frame may lack. Most browsers already run cross-site frames in a
+  // separate process.
   smoke.thread = 'main';
   smoke.interactive = new URLSearchParams(location.search).get('interactive') !== '0';
   const follow = () => (smoke.src = location.href);
   addEventListener('hashchange', follow);
   follow();
   const stand = () => {
-    // Whoever was here before has ended it.
+    // An earlier connection may have disposed the stage, which removes the element.
     if (!smoke.isConnected) document.body.prepend(smoke);
     return smoke.stage;
   };
   answerPage(elementStage(smoke), originOf(location.search), stand);
 }
 
-/** The smoke of an element as a RemoteStage. The element knows by itself how large it is and whether it is in view. */
+/** Adapts an element to the RemoteStage interface. The element handles its size and visibility itself. */
 function elementStage(element: CartoonSmokeElement): RemoteStage {
   const handedOn = HANDED_ON.map((name) => [
     name,
     async (...given: never[]) => {
-      // One that is on no page would wait to be put back.
+      // A disconnected element would wait until it is inserted again.
       if (!element.isConnected) throw new SimulatorError('This stage was disposed; connect again.');
       return (element[name] as Asked)(...given);
     },
@@ -60,8 +64,8 @@ function elementStage(element: CartoonSmokeElement): RemoteStage {
 }
 
 /**
- * Takes the WASM from the scripts of a built page: nothing else can be fetched in a sandbox without an origin. From a
- * development server it is fetched.
+ * Reads the WASM from the scripts of a built page, because a sandbox without an origin can fetch nothing else. The
+ * development server serves it over fetch.
  */
 function useBytesInside(): void {
   if (typeof CORE_WASM === 'undefined') return;

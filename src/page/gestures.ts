@@ -1,8 +1,8 @@
-/** How far gestures and keys move the view, the same on the demo page and in an element. */
+/** Gesture and key sensitivity, shared by the demo page and the element. */
 
-/** Radians for each CSS pixel of a drag. */
+/** Radians per CSS pixel of a drag. */
 export const ORBIT_PER_PIXEL = 0.006;
-/** Radians for each press of an arrow key. */
+/** Radians per press of an arrow key. */
 export const ORBIT_PER_KEY = Math.PI / 24;
 
 interface Point {
@@ -10,7 +10,7 @@ interface Point {
   readonly y: number;
 }
 
-/** Distance between the first two points, in pixels; 0 for fewer. */
+/** Distance between the first two points, in pixels; 0 for fewer than two. */
 export function spread([a, b]: readonly Point[]): number {
   return a && b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
 }

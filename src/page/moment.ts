@@ -1,14 +1,14 @@
-/** What a link that leads to one moment may ask for, and what of it no take keeps. */
+/** Limits for share links that contain a take, and the values that takes do not record. */
 import type { Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
 
-/** The most particles that the take of a link may make room for. */
+/** Maximum particle capacity that a take from a link may request. */
 export function linkCapacity(): number {
   const row = findParameter('simulation.maxParticles');
   return row?.kind === 'integer' ? (row.linkMax ?? row.max) : 0;
 }
 
-/** Style, light and camera: what the simulator does not read, and so no take keeps by step. */
+/** Values for style, light and camera. The simulator does not read them, so takes do not record them per step. */
 export function lookOf(values: Values): Values {
   const isLook = (key: string) => ['style', 'light', 'camera'].includes(findParameter(key)!.reader);
   return Object.fromEntries(Object.entries(values).filter(([key]) => isLook(key)));

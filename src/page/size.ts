@@ -1,19 +1,20 @@
-// Ink is drawn at the resolution of the screen; beyond two pixels a CSS pixel nobody sees more, but every pixel costs.
+// Ink is drawn at device resolution. Above two device pixels per CSS pixel the difference is invisible, but the cost
+// grows.
 const LARGEST_PIXEL_RATIO = 2;
-// As many as a screen of 4K has: what is larger, such as an element as large as its page, is never seen whole.
+// The pixel count of a 4K screen. A larger element, for example one as tall as its page, is never fully visible.
 const MAX_PIXELS = 3840 * 2160;
 
-// WebGL guarantees less, but no machine that draws smoke has less.
+// WebGL guarantees less, but every GPU that can render smoke supports this size.
 const LONGEST_SIDE = 8192;
 
-/** In CSS pixels, and how many pixels make one. */
+/** Size in CSS pixels, and device pixels per CSS pixel. */
 export interface Size {
   readonly width: number;
   readonly height: number;
   readonly pixelRatio: number;
 }
 
-/** How large the picture in an element is to be. */
+/** Size of the drawing buffer for an element. */
 export function sizeOf(element: Element): Size {
   const { clientWidth: width, clientHeight: height } = element;
   const affordable = Math.sqrt(MAX_PIXELS / Math.max(1, width * height));
@@ -22,8 +23,8 @@ export function sizeOf(element: Element): Size {
 }
 
 /**
- * Tells the size of an element whenever it changes, or the page is zoomed or goes to another screen.
- * @returns the function that ends it
+ * Reports the size of an element when the element, the zoom factor or the screen changes.
+ * @returns a function that stops watching
  */
 export function watchSize(element: Element, notify: (size: Size) => void): () => void {
   const end = new AbortController();
@@ -37,7 +38,7 @@ export function watchSize(element: Element, notify: (size: Size) => void): () =>
   };
 }
 
-/** A query holds for one pixel ratio: with each change the next is asked. */
+/** A media query matches a single pixel ratio, so each change registers a new query. */
 function watchPixelRatio(update: () => void, signal: AbortSignal): void {
   const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
   const change = () => {

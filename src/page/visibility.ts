@@ -1,14 +1,14 @@
 import type { Stage } from '../stage/stage.ts';
 
-/** How far beyond the viewport an element may be for its smoke to be fetched: about a second of fast scrolling. */
+/** Distance from the viewport at which fetching starts: about one second of fast scrolling. */
 const MARGIN = '400px';
 
 /**
- * Calls back, once, when an element nears the viewport or is scrolled to.
- * @returns the function that ends the waiting
+ * Calls back once when an element comes near the viewport.
+ * @returns a function that stops observing
  */
 export function whenNear(element: Element, arrive: () => void): () => void {
-  // scrollMargin is for boxes that scroll within the page; browsers that do not know it leave it out.
+  // scrollMargin applies to nested scroll containers. Browsers without support ignore it.
   const margins = { rootMargin: MARGIN, scrollMargin: MARGIN };
   const observer = new IntersectionObserver((entries) => {
     if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
@@ -19,7 +19,7 @@ export function whenNear(element: Element, arrive: () => void): () => void {
   return () => observer.disconnect();
 }
 
-/** Rests while nobody can see the page, and goes on only if it was playing. */
+/** Pauses while the page is hidden, and resumes only if the stage was playing. */
 export function restWhileHidden(stage: Stage): void {
   let goesOn = false;
   document.addEventListener('visibilitychange', () => {

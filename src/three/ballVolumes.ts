@@ -11,11 +11,11 @@ import { bakedPuffs } from '../smoke/bakedPuffs.ts';
 import type { BallAt } from './proxies.ts';
 import { isShown } from './shown.ts';
 
-/** The most balls that can stand in for what bends or is open. */
+/** Maximum number of proxy balls for deforming or open objects. */
 const MAX_BALLS = 512;
-/** A puff of one lobe, which is a ball of the particle's radius. */
+/** A puff with one lobe, which is a ball with the particle's radius. */
 const BALL: readonly PuffShape[] = [{ name: 'ball', lobes: [{ center: [0, 0, 0], radius: 1 }] }];
-/** N . L from which the host's materials are taken to be lit: a ball's volume begins behind all of it that is. */
+/** N . L above which the host's materials count as lit. A ball's volume begins behind its whole lit side. */
 const LIT_THRESHOLD = 0;
 
 /** Balls that stand in for an object. */
@@ -24,7 +24,7 @@ interface BallsOf {
   readonly balls: readonly BallAt[];
 }
 
-/** Shadow volumes of balls, by the particles' own shader: each is a puff of one lobe. */
+/** Shadow volumes of balls. They use the particles' shader: each ball is a puff with one lobe. */
 export class BallVolumes {
   private readonly groups: BallsOf[] = [];
   private count = 0;
@@ -32,7 +32,7 @@ export class BallVolumes {
   private readonly rows = new Instances(MAX_BALLS, FRONT_AND_BACK);
   private readonly volumes: VolumesPass;
   private readonly place = new Float32Array(4 * MAX_BALLS);
-  // They may fall on anything of the host's scene.
+  // The shadows may fall on any surface of the host's scene.
   private readonly attributes = new Uint32Array(ATTRIBUTE_WORDS * MAX_BALLS).map((_, word) =>
     word % ATTRIBUTE_WORDS === 0 ? NO_END : 0,
   );
@@ -43,7 +43,7 @@ export class BallVolumes {
     this.volumes.follow('lobes', LIT_THRESHOLD);
   }
 
-  /** @throws ParameterError when there are too many */
+  /** @throws ParameterError when the total exceeds the maximum */
   add(balls: readonly BallAt[], object: Object3D): void {
     const count = this.count + balls.length;
     if (count > MAX_BALLS) throw new ParameterError('cast.proxies', count, `at most ${MAX_BALLS} balls in all`);
@@ -51,7 +51,7 @@ export class BallVolumes {
     this.groups.push({ object, balls });
   }
 
-  /** @param scene of which the picture is: what is not in it or hidden throws no shadow */
+  /** @param scene the rendered scene; objects that are hidden or outside it cast no shadow */
   draw(renderer: WebGLRenderer, scene: Object3D): void {
     const balls = this.groups.flatMap((group) => (isShown(group.object, scene) ? group.balls : []));
     if (balls.length === 0) return;
@@ -59,7 +59,7 @@ export class BallVolumes {
     this.volumes.draw(renderer);
   }
 
-  /** Lets go of what is on the device; what is drawn again gets it anew. */
+  /** Frees the GPU resources. The next draw recreates them. */
   release(): void {
     this.rows.dispose();
     this.volumes.dispose();

@@ -39,14 +39,14 @@ import {
 import { receiversIn } from './casters.ts';
 import { requirementError, requireRenderer } from './requirements.ts';
 
-/** Spent with each picture on puffs whose knobs have been turned. */
+/** Milliseconds per frame for baking puffs whose parameters have changed. */
 const BAKING_MS = 4;
-/** Before everything else that is blended. */
+/** Renders before all other blended objects. */
 const FIRST = -1e9;
 
 /**
- * Cartoon smoke for a three.js scene of your own: add it to the scene and go on rendering as before. It draws itself
- * into whatever the renderer draws, canvas or target, for any number of cameras, and leaves materials untouched.
+ * Cartoon smoke for an existing three.js scene. Add it to the scene and keep rendering as before. It renders itself
+ * into the canvas or the current render target, for any number of cameras, and does not modify materials.
  *
  * ```ts
  * const smoke = await CartoonSmoke.create({ renderer, keyLight, values: { 'style.smokeColor': '#ffffff' } });
@@ -55,8 +55,9 @@ const FIRST = -1e9;
  * renderer.setAnimationLoop(() => { smoke.update(clock.getDelta()); renderer.render(scene, camera); });
  * ```
  *
- * Smoke lives in world space: where this object stands changes nothing. Its event `error` tells what could not be fetched and
- * is left out; no such thing is thrown into your frames. See {@link CartoonSmokeEvents}.
+ * Smoke is simulated in world space: the transform of this object has no effect. The event `error` reports a resource
+ * that could not be fetched and that smoke does without; such errors are not thrown from the render loop.
+ * See {@link CartoonSmokeEvents}.
  */
 export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private readonly device: Device;
@@ -82,9 +83,9 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private drawn = { bodiesDrawn: 0, castersDrawn: 0 };
 
   /**
-   * @throws UnsupportedError when the renderer lacks something, or the browser does. ParameterError for an unknown preset,
-   * a value out of range, or a light of another kind. LoadError when the simulator cannot be fetched, or
-   * billboards that the values ask for.
+   * @throws UnsupportedError when the renderer or the browser lacks a required feature. ParameterError for an unknown
+   * preset, a value out of range or an unsupported type of light. LoadError when the simulator cannot be fetched, or
+   * the billboards that the values require.
    */
   static async create(options: CartoonSmokeOptions): Promise<CartoonSmoke> {
     requireRenderer(options.renderer);
@@ -134,7 +135,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.add(unlitMesh);
   }
 
-  /** Lets smoke bump into an object, wherever that goes from now on. See {@link CollideOptions}. */
+  /** Makes smoke collide with an object and follow its movement. See {@link CollideOptions}. */
   collide(object: Object3D, options: CollideOptions = {}): void {
     this.requireAlive();
     if (!this.hasPhysics)
@@ -143,9 +144,10 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   }
 
   /**
-   * Lets an object throw its shadow onto smoke and onto all else: closed rigid meshes by their silhouettes, others by
-   * balls, one for each bone or instance. While it is hidden or out of the scene it throws none.
-   * @throws ParameterError when there is no mesh in it, or one that is open and has no proxies
+   * Makes an object cast shadow volumes onto smoke and onto the rest of the scene. Closed rigid meshes use their
+   * silhouettes. Other meshes use balls, one for each instance, or several for each bone. An object that is hidden or
+   * outside the scene casts no shadow.
+   * @throws ParameterError when the object contains no mesh, or an open mesh without proxies
    */
   cast(object: Object3D, { proxies }: CastOptions = {}): void {
     this.requireAlive();
@@ -153,9 +155,9 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   }
 
   /**
-   * Lets an emitter follow an object: puffs are born at its origin and leave along its y axis.
-   * @param emitter 0 to 7, as of `emitters.0.speed` and so on
-   * @throws ParameterError for another one
+   * Attaches an emitter to an object: puffs spawn at its origin and leave along its y axis.
+   * @param emitter index from 0 to 7, as in `emitters.0.speed`
+   * @throws ParameterError for any other index
    */
   emitFrom(object: Object3D, emitter = 0): void {
     this.requireAlive();
@@ -164,10 +166,11 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   }
 
   /**
-   * Lets time pass: once before each picture.
-   * @param seconds since the last call; those of the first one do not pass, and a twelfth of a second at most at once. Pictures
+   * Advances the simulation. Call it once before each render.
+   * @param seconds since the last call. The first call advances nothing; later calls advance at most 1/12 s. Frames
    * between two steps are interpolated
-   * @throws ParameterError for what is no number. UnsupportedError for a view that smoke could not be drawn into since the last call
+   * @throws ParameterError when `seconds` is not finite. UnsupportedError when smoke could not be drawn into a view
+   * since the last call
    */
   update(seconds: number): void {
     this.requireAlive();
@@ -179,8 +182,8 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   }
 
   /**
-   * Makes exactly so many steps of 1/60 s, and shows the last one: the same pictures each time.
-   * @param count a whole number from 0
+   * Simulates exactly `count` steps of 1/60 s and shows the last one. The frames are reproducible.
+   * @param count integer from 0
    * @throws ParameterError for any other count
    */
   step(count = 1): void {
@@ -193,10 +196,10 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   }
 
   /**
-   * Changes values by their flat keys: all of them, or none when one is refused, with a ParameterError. The code of billboards
-   * is fetched when `puff.form` first becomes theirs; until it has come, and where it cannot be had, nailboards of lobes are
-   * drawn. An `error` event tells so once, and no later `set` of other values tries anew: `complete` does, or asking for
-   * billboards again after lobes.
+   * Changes values by their flat keys. If one value is invalid, throws a ParameterError and changes none. The code of
+   * billboards is fetched when `puff.form` first selects them. Until it arrives, or if the fetch fails, smoke renders
+   * nailboards of lobes. A failure emits one `error` event. Later `set` calls retry only if they change `puff.form` to
+   * billboards again; `complete` also retries.
    */
   set(values: Values): void {
     this.requireAlive();
@@ -210,16 +213,16 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   }
 
   /**
-   * Settled when the next picture is drawn as the values ask: for whoever records pictures. What could not be fetched is tried
-   * anew.
-   * @throws LoadError when it cannot be fetched: smoke goes on without it
+   * Resolves when the next frame renders with the requested values. Use it before recording frames. Failed fetches are
+   * retried.
+   * @throws LoadError when the fetch fails again; smoke continues without the resource
    */
   async complete(): Promise<void> {
     this.requireAlive();
     await this.completion.wait();
   }
 
-  /** All values that smoke has. */
+  /** All current values. */
   get(): Values {
     return { ...this.values };
   }
@@ -229,12 +232,15 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     return { steps, alive, waiting, ...this.drawn };
   }
 
-  /** The simulator's state in 16 digits: equal states, equal hashes. */
+  /** Hash of the simulator's state, 16 hexadecimal digits. Equal states have equal hashes. */
   hash(): string {
     return this.simulator.hash();
   }
 
-  /** Takes it out of its scene and gives everything back. Renderer and scene stay yours. May be called again. */
+  /**
+   * Removes this object from its scene and frees its resources. The renderer and the scene stay usable. Further calls
+   * have no effect.
+   */
   override dispose(): void {
     if (this.isDisposed) return;
     super.dispose();
@@ -250,7 +256,10 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     if (puffs) this.passes.smoke.setPuffs(puffs);
   }
 
-  /** Draws all but the marker itself; false where smoke cannot be drawn, which the next update tells. */
+  /**
+   * Draws everything except the marker mesh. Returns false where smoke cannot be drawn; the next `update` throws the
+   * reason.
+   */
   private draw(renderer: WebGLRenderer, scene: Scene, camera: Camera): boolean {
     if (this.isDrawing || !this.device.isUsable) return false;
     const error = requirementError(renderer, camera);
@@ -311,7 +320,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   }
 }
 
-/** Where an emitter is, while it follows an object. */
+/** Binds an emitter to the transform of an object. */
 class Nozzle {
   private readonly object: Object3D;
   private readonly key: string;
@@ -323,7 +332,7 @@ class Nozzle {
     this.key = `emitters.${emitter}`;
   }
 
-  /** The simulator's values for it as the object stands now. */
+  /** The emitter's parameters for the current transform of the object. */
   values(): Record<string, number> {
     const { object, key, position, direction } = this;
     object.updateWorldMatrix(true, false);

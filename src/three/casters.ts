@@ -21,15 +21,15 @@ import { isBlended, materialsOf } from './materials.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);
 
-/** A rigid closed mesh and its shadow volume. */
+/** A closed rigid mesh and its shadow volume. */
 interface MeshCaster {
   mesh: Mesh;
   volume: MeshVolumesPass;
 }
 
 /**
- * What throws shadow volumes in the host's scene besides smoke: rigid closed meshes by their silhouettes; what is
- * skinned, instanced or open by balls.
+ * Shadow casters of the host's scene besides smoke. Closed rigid meshes use their silhouettes; skinned, instanced and
+ * open meshes use balls.
  */
 export class HostCasters {
   private readonly eye: FrameView;
@@ -41,7 +41,7 @@ export class HostCasters {
     this.balls = new BallVolumes(device, eye);
   }
 
-  /** @throws ParameterError when there is no mesh, when one is open and has no proxies, or when there are too many balls */
+  /** @throws ParameterError without a mesh, for an open mesh without proxies, or for too many balls */
   add(object: Object3D, proxies: readonly ProxyBall[] | undefined): void {
     object.updateWorldMatrix(true, true);
     if (proxies) return this.balls.add(proxies.map(follow), object);
@@ -52,7 +52,9 @@ export class HostCasters {
     for (const mesh of meshes) this.addMesh(mesh);
   }
 
-  /** Counts the volumes of meshes, which wrap, and then those of balls, which clamp as the particles' do. */
+  /**
+   * Draws mesh volumes first, whose stencil operations wrap. Ball volumes follow and clamp, like those of particles.
+   */
   draw(renderer: WebGLRenderer, scene: Object3D): void {
     const pose: Pose = poseScratch;
     for (const { mesh, volume } of this.meshes) {
@@ -64,7 +66,7 @@ export class HostCasters {
     this.balls.draw(renderer, scene);
   }
 
-  /** Lets go of what is on the device; what is drawn again gets it anew. */
+  /** Frees the GPU resources. The next draw recreates them. */
   release(): void {
     for (const { volume } of this.meshes) volume.dispose();
     this.balls.release();
@@ -102,7 +104,7 @@ function openMesh({ name, type }: Mesh): ParameterError {
 
 const scratch = new Box3();
 
-/** The box of all that is opaque in a scene, world space: beyond it no shadow can be seen. */
+/** World-space bounding box of all opaque objects in a scene. No shadow is visible outside it. */
 export function receiversIn(scene: Object3D, into: Box3): Box3 {
   into.makeEmpty();
   scene.traverseVisible((object) => {
@@ -113,7 +115,7 @@ export function receiversIn(scene: Object3D, into: Box3): Box3 {
   return into;
 }
 
-/** As three.js bounds them for culling: deformed meshes by a sphere that they themselves keep. */
+/** Bounds as three.js uses them for culling: deformed meshes provide their own bounding sphere. */
 function boxOf(mesh: Mesh, into: Box3): Box3 {
   const deformed = mesh as Mesh &
     Partial<Pick<SkinnedMesh | InstancedMesh, 'boundingSphere' | 'computeBoundingSphere'>>;

@@ -5,16 +5,16 @@ import type { Simulator } from '../sim/simulator.ts';
 import { boneBalls, follow, type BallAt, type ProxyBall } from './proxies.ts';
 import { poseOf, scaleOf, shapeOf, type Pose } from './shapes.ts';
 
-/** How smoke meets an object. */
+/** Options for collisions with an object. */
 export interface CollideOptions extends Pick<
   RigidDescription,
   'restitution' | 'friction' | 'action' | 'tint' | 'boundaryLayer'
 > {
-  /** What stands in for the object, instead of its own meshes. */
+  /** Balls that replace the object's meshes. */
   proxies?: readonly ProxyBall[];
 }
 
-/** A rigid of the simulator that goes where something of the host's scene is. */
+/** A rigid of the simulator that follows an object of the host's scene. */
 interface Follower {
   rigid: number;
   locate: (into: Pose) => Pose;
@@ -22,7 +22,7 @@ interface Follower {
   now: Pose;
 }
 
-/** What smoke bumps into in the host's scene: kinematic rigids that follow its objects. Their scale is read once. */
+/** Colliders of the host's scene: kinematic rigids that follow its objects. Their scale is read once. */
 export class Colliders {
   private readonly simulator: Simulator;
   private readonly followers: Follower[] = [];
@@ -33,8 +33,9 @@ export class Colliders {
   }
 
   /**
-   * Takes up every mesh of an object: by its own shape, by each instance's, or by balls on the bones of its skeleton.
-   * @throws ParameterError when there is no mesh in it, or a shape that the simulator does not take
+   * Adds every mesh of an object: by its shape, by the shape of each instance, or by balls on the bones of its
+   * skeleton.
+   * @throws ParameterError when the object contains no mesh, or a shape that the simulator rejects
    */
   add(object: Object3D, { proxies, ...surface }: CollideOptions): void {
     object.updateWorldMatrix(true, true);
@@ -45,7 +46,7 @@ export class Colliders {
       throw new ParameterError('collide', object.name || object.type, 'an object with a mesh in it');
   }
 
-  /** Reads where everything is now; the steps that follow lead there. */
+  /** Reads the current poses. The next steps interpolate towards them. */
   look(): void {
     for (const follower of this.followers) {
       [follower.before, follower.now] = [follower.now, follower.before];
@@ -53,7 +54,10 @@ export class Colliders {
     }
   }
 
-  /** Sends the rigids to where they are in the coming step: a share of the way from the last look but one to the last. */
+  /**
+   * Moves the rigids for the next step.
+   * @param share fraction of the way between the poses of the last two `look` calls
+   */
   move(share: number): void {
     const { between } = this;
     for (const { rigid, before, now } of this.followers) {

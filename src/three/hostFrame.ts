@@ -6,24 +6,24 @@ import { relight } from './relight.ts';
 import { isLinearPicture } from './requirements.ts';
 import { RendererState } from './rendererState.ts';
 
-/** Into whose picture smoke is drawn. */
+/** The host's view that smoke is drawn into. */
 export interface HostView {
   renderer: WebGLRenderer;
   scene: Scene;
   camera: Camera;
   keyLight: KeyLight;
-  /** Where the picture begins in its target, pixels. */
+  /** Origin of the viewport in its render target, in pixels. */
   origin: Vector2;
-  /** Called before and after the scene is drawn once more in shadow. */
+  /** Called before and after the scene is drawn again in shadow. */
   onRelight: (isInShadow: boolean) => void;
 }
 
 /**
- * Smoke in the middle of the host's frame, between the opaque objects and the blended ones:
- * arrange -> the host's depth, which ink asks for -> bodies alone into unlit, lit and depth -> pictures, smoothed
- * -> their depth into the host's -> volumes into the stencil -> lit smoke where that is zero
- * -> the scene without its key light elsewhere -> deep shadow where the stencil counts enough.
- * Unlit smoke follows, as the first of the blended objects.
+ * Draws smoke in the middle of the host's frame, between its opaque and its blended objects:
+ * arrange -> read the host's depth (if ink needs it) -> draw bodies into unlit, lit and depth targets -> resolve
+ * -> write their depth to the host's depth buffer -> volumes into the stencil -> lit smoke where the stencil is 0
+ * -> elsewhere, the scene without its key light -> deep shadow where the stencil count is high enough.
+ * Unlit smoke follows, as the first blended object.
  */
 export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInput): FrameReport {
   const { smoke, pictures, insert, casters } = passes;
@@ -65,9 +65,10 @@ export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInp
 }
 
 /**
- * Lets a mesh that covers the whole view mark where in the host's frame smoke is drawn: among the blended objects, when all
- * that is opaque stands.
- * @param draw draws all but the mesh itself, before it; false where smoke cannot be drawn, which hides the mesh
+ * Uses a full-screen mesh to mark the point in the host's frame at which smoke is drawn: among the blended objects,
+ * after all opaque ones.
+ * @param draw draws everything except the mesh, before it; returns false where smoke cannot be drawn, which hides the
+ * mesh
  */
 export function markWith(mesh: Mesh, draw: (renderer: WebGLRenderer, scene: Scene, camera: Camera) => boolean): void {
   mesh.onBeforeRender = (renderer, scene, camera) => {
@@ -79,6 +80,6 @@ export function markWith(mesh: Mesh, draw: (renderer: WebGLRenderer, scene: Scen
     renderer.state.buffers.stencil.setTest(false);
     renderer.state.setBlending(NoBlending);
   };
-  // Nobody means it when pointing at something.
+  // The marker must not be hit by raycasts.
   mesh.raycast = () => {};
 }

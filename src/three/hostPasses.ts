@@ -5,14 +5,14 @@ import { SmokeRenderer } from '../smoke/smoke.ts';
 import { HostCasters } from './casters.ts';
 import type { WebGLRenderer } from 'three';
 
-/** What a frame in the host's scene is drawn with. */
+/** Passes for a frame in the host's scene. */
 export class HostPasses {
   readonly smoke: SmokeRenderer;
   readonly casters: HostCasters;
   readonly insert: InsertPass;
   readonly pictures = new SmokePictures();
 
-  /** @param capacity most particles that smoke may have */
+  /** @param capacity maximum number of particles */
   constructor(device: Device, capacity: number) {
     this.smoke = new SmokeRenderer(device, { capacity, surfaces: [], isGuest: true });
     const { eye } = this.smoke.passes;
@@ -20,7 +20,7 @@ export class HostPasses {
     this.insert = new InsertPass(eye);
   }
 
-  /** Lets go of what is on the device; what is drawn again gets it anew. */
+  /** Frees the GPU resources. The next draw recreates them. */
   release(): void {
     this.insert.dispose();
     this.pictures.dispose();
@@ -41,7 +41,9 @@ interface BorrowedDevice {
 
 const devices = new WeakMap<WebGLRenderer, BorrowedDevice>();
 
-/** The device of the host's renderer: all smokes on it share one. Give it back with {@link releaseDevice}. */
+/**
+ * Returns the device of the host's renderer, which all smoke objects on it share. Return it with {@link releaseDevice}.
+ */
 export function borrowDevice(renderer: WebGLRenderer): Device {
   let shared = devices.get(renderer);
   if (!shared) {
@@ -52,7 +54,7 @@ export function borrowDevice(renderer: WebGLRenderer): Device {
   return shared.device;
 }
 
-/** Ends the device with its last user. */
+/** Disposes of the device when its last user releases it. */
 export function releaseDevice({ renderer }: Device): void {
   const shared = devices.get(renderer);
   if (!shared || --shared.users > 0) return;

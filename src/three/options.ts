@@ -8,51 +8,54 @@ import { styleOf, type Style } from '../smoke/style.ts';
 import type { KeyLight } from './keyLight.ts';
 import type { ProxyBall } from './proxies.ts';
 
-/** What smoke in a scene of yours is made of. */
+/** Options of `CartoonSmoke.create`. */
 export interface CartoonSmokeOptions {
-  /** Yours; it must have a stencil buffer: `new WebGLRenderer({ stencil: true })`. */
+  /** The host's renderer. It must have a stencil buffer: `new WebGLRenderer({ stencil: true })`. */
   renderer: WebGLRenderer;
-  /** The light that smoke is shaded by and keeps from what it shadows. It stays yours and may move. */
+  /** The light that shades smoke and that smoke blocks. The host keeps ownership and may move it. */
   keyLight: KeyLight;
-  /** The name of a preset, from which `values` differ. Its light and its scene are left to yours. */
+  /** Name of a preset, the base for `values`. The preset's light and scene are ignored. */
   preset?: string;
   /** Flat values of the parameter table, such as `{ 'emission.rate': 60, 'emitters.0.position.y': 1 }`. */
   values?: Values;
-  /** Whether objects can collide, which loads the larger simulator. Default true. */
+  /** Whether objects can collide with smoke, which loads the larger simulator. Default true. */
   physics?: boolean;
-  /** Called before and after your opaque objects are drawn once more in shadow, for shaders that light themselves. */
+  /** Called before and after the opaque objects are drawn again in shadow, for shaders with custom lighting. */
   onRelight?: (isInShadow: boolean) => void;
 }
 
-/** What smoke tells, beside what three.js tells of every object: `smoke.addEventListener('error', ({ error }) => {})`. */
+/** Events besides those of Object3D: `smoke.addEventListener('error', ({ error }) => {})`. */
 export interface CartoonSmokeEvents extends Object3DEventMap {
-  /** Something could not be fetched, and smoke goes on without it; once each time that values begin to ask for it. */
+  /**
+   * A resource could not be fetched and smoke continues without it. Emitted once each time that values start to require
+   * it.
+   */
   error: { readonly error: LoadError };
 }
 
-/** How an object throws its shadow. */
+/** Options for casting shadows. */
 export interface CastOptions {
-  /** What stands in for the object, instead of its own meshes. */
+  /** Balls that replace the object's meshes. */
   proxies?: readonly ProxyBall[];
 }
 
-/** What smoke counts. */
+/** Counters of a smoke object. */
 export interface CartoonSmokeStats {
   /** Steps of 1/60 s since creation. */
   steps: number;
   alive: number;
-  /** Particles that wait to be born until there is room. */
+  /** Particles that wait for free capacity before they spawn. */
   waiting: number;
-  /** Of the latest view that was drawn. */
+  /** In the view that was drawn last. */
   bodiesDrawn: number;
   castersDrawn: number;
 }
 
-/** Without a value of its own the first emitter is a small disc that blows upwards from the origin. */
+/** Without other values the first emitter is a small disc at the origin that emits upwards. */
 const EMITTER: Values = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
 const AT_CREATION = ['seed', 'simulation.maxParticles'];
 
-/** Every value that smoke begins with: defaults, a small emitter, the preset, what the caller gave. */
+/** The initial values: the defaults, then the small emitter, the preset and the caller's values. */
 export function startValues({ preset: name, values = {} }: CartoonSmokeOptions): Values {
   const preset = name === undefined ? undefined : findPreset(name);
   if (name !== undefined && !preset)
@@ -63,8 +66,8 @@ export function startValues({ preset: name, values = {} }: CartoonSmokeOptions):
 }
 
 /**
- * Checks values that are to change while smoke lives.
- * @throws ParameterError for the first that is out of range or cannot change
+ * Validates values that are set after creation.
+ * @throws ParameterError for the first value that is out of range or fixed at creation
  */
 export function requireChangeable(values: Values): void {
   validate(values);
@@ -74,13 +77,13 @@ export function requireChangeable(values: Values): void {
   requireOpen(values);
 }
 
-/** @throws ParameterError for the number of an emitter that there is not */
+/** @throws ParameterError when there is no emitter with this index */
 export function requireEmitter(emitter: number): void {
   if (Number.isInteger(emitter) && emitter >= 0 && emitter < LIST_LIMIT) return;
   throw new ParameterError('emitter', emitter, `a whole number from 0 to ${LIST_LIMIT - 1}`);
 }
 
-/** @throws ParameterError for what the scene around the smoke decides */
+/** @throws ParameterError for a value that the host's scene determines */
 function requireOpen(values: Values): void {
   for (const [key, value] of Object.entries(values)) {
     if (key === 'scene' || key.startsWith('light.'))
@@ -89,7 +92,7 @@ function requireOpen(values: Values): void {
   }
 }
 
-/** A preset may compare renderers; among other things there is only this one. */
+/** A preset may select a comparison renderer; in a host scene only nailboards are supported. */
 export function hostStyle(values: Values): Style {
   return { ...styleOf(values), renderer: 'nailboards' };
 }

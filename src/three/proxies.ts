@@ -1,16 +1,16 @@
 import { Matrix4, Vector3, type Bone, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh } from 'three';
 import { ParameterError } from '../preset/errors.ts';
 
-/** A ball that stands in for a part of something that bends: it follows an object, such as a bone. */
+/** A ball that approximates a part of a deforming object. It follows an object, such as a bone. */
 export interface ProxyBall {
   follows: Object3D;
-  /** Its centre in the space of what it follows; the origin there when left out. */
+  /** Centre in the local space of `follows`. Default: its origin. */
   center?: Vector3;
-  /** In the space of what it follows, which may be scaled. */
+  /** Radius in the local space of `follows`, which may be scaled. */
   radius: number;
 }
 
-/** A capsule that stands in for a limb or a beam: a segment in the space of what it follows, and a radius. */
+/** A capsule that approximates a limb or a beam: a segment in the local space of `follows`, and a radius. */
 export interface ProxyCapsule {
   follows: Object3D;
   from: Vector3;
@@ -18,11 +18,14 @@ export interface ProxyCapsule {
   radius: number;
 }
 
-/** Of its radius, how far apart the balls of a capsule stand at most: their outline dips by 3 % of the radius then. */
+/**
+ * Maximum distance between the balls of a capsule, as a fraction of its radius. The outline then dips by 3 % of the
+ * radius.
+ */
 const CAPSULE_PITCH = 0.5;
 
 /**
- * A capsule as the balls that `cast` and `collide` take: a row without gaps.
+ * Converts a capsule to overlapping balls for `cast` and `collide`.
  * @throws ParameterError when the radius is not above 0
  */
 export function capsule({ follows, from, to, radius }: ProxyCapsule): ProxyBall[] {
@@ -41,15 +44,15 @@ export interface Ball {
   radius: number;
 }
 
-/** Tells where a ball is now; the same object each time. */
+/** Returns the current ball; the same object on each call. */
 export type BallAt = () => Ball;
 
-/** Balls stay within the skin, where their shadows do not touch its lit side. */
+/** Keeps balls inside the skin, so that their shadows do not touch its lit side. */
 const FILLING = 0.9;
-/** A thin limb has no more balls than this and one. */
+/** Limits a thin limb to this number of balls plus one. */
 const MAX_GAPS = 7;
 
-/** Follows a proxy through the world. */
+/** Tracks a proxy in world space. */
 export function follow({ follows, center, radius }: ProxyBall): BallAt {
   const ball = { center: new Vector3(), radius };
   return () => {
@@ -60,7 +63,7 @@ export function follow({ follows, center, radius }: ProxyBall): BallAt {
   };
 }
 
-/** A ball for each instance of a mesh, as large as the mesh. */
+/** One ball for each instance of a mesh, from the bounding sphere of its geometry. */
 export function instanceBalls(mesh: InstancedMesh): BallAt[] {
   if (!mesh.geometry.boundingSphere) mesh.geometry.computeBoundingSphere();
   const sphere = mesh.geometry.boundingSphere!;
@@ -77,7 +80,10 @@ export function instanceBalls(mesh: InstancedMesh): BallAt[] {
   });
 }
 
-/** Balls along each bone that moves some of the skin more than any other bone does, as thick as that. */
+/**
+ * Balls along each bone. A bone covers the vertices that have their largest skin weight on it; the radius follows their
+ * distance from its axis.
+ */
 export function boneBalls(mesh: SkinnedMesh): ProxyBall[] {
   const parts = new Map<number, Vector3[]>();
   const { position, skinIndex, skinWeight } = mesh.geometry.attributes;
@@ -94,21 +100,24 @@ export function boneBalls(mesh: SkinnedMesh): ProxyBall[] {
   });
 }
 
-/** The balls that stand in for a mesh of which the parts move by themselves; none for one that is rigid. */
+/** The proxy balls of a skinned or instanced mesh; empty for a rigid mesh. */
 export function ballsOf(mesh: Mesh): BallAt[] {
   if ('isSkinnedMesh' in mesh) return boneBalls(mesh as SkinnedMesh).map(follow);
   if ('isInstancedMesh' in mesh) return instanceBalls(mesh as InstancedMesh);
   return [];
 }
 
-/** Where a bone leads: to its first child, or on from its parent. */
+/** Direction of a bone: towards its first child bone, otherwise away from its parent. */
 function axisOf(bone: Bone): Vector3 {
   const child = bone.children.find((each) => 'isBone' in each);
   const axis = (child ?? bone).position.clone();
   return axis.lengthSq() > 0 ? axis.normalize() : axis.set(0, 1, 0);
 }
 
-/** Balls in a row along an axis through the middle of some skin, each as thick as the skin is about it. */
+/**
+ * A row of balls along an axis through the centroid of the vertices. The radius follows their mean distance from the
+ * axis.
+ */
 function ballsAlong(places: readonly Vector3[], axis: Vector3): Ball[] {
   const middle = new Vector3();
   for (const place of places) middle.addScaledVector(place, 1 / places.length);

@@ -12,9 +12,10 @@ import { isBlended, materialsOf } from './materials.ts';
 import { withoutBackground } from './rendererState.ts';
 
 /**
- * Shades what smoke shadows: the scene's opaque objects are drawn once more where the stencil counts, with their own
- * materials and the key light at intensity 0, which compiles nothing anew. Their depth is the same again and passes.
- * After the ambient pass of Heidmann's shadow volumes ('Real shadows, real time', 1991), in the opposite order.
+ * Shades the areas that smoke shadows. The scene's opaque objects are drawn again where the stencil is not zero, with
+ * their own materials and the key light at intensity 0, which requires no shader compilation. Their depth is equal to
+ * the stored depth and passes the test.
+ * Based on the ambient pass of Heidmann's shadow volumes ('Real shadows, real time', 1991), in the opposite order.
  */
 export function relight(renderer: WebGLRenderer, scene: Scene, camera: Camera, keyLight: Light): void {
   const hidden = hideBlended(scene);
@@ -30,7 +31,7 @@ export function relight(renderer: WebGLRenderer, scene: Scene, camera: Camera, k
   }
 }
 
-/** Where the stencil is not zero: whatever the materials say of it, until the lock is taken away. */
+/** Locks the stencil test to 'not equal 0', regardless of the materials' settings. */
 function lockStencil(renderer: WebGLRenderer): void {
   const { stencil } = renderer.state.buffers;
   stencil.setTest(true);
@@ -40,7 +41,7 @@ function lockStencil(renderer: WebGLRenderer): void {
   stencil.setLocked(true);
 }
 
-/** Hides what is blended or refracts, and returns which materials that are: they are drawn over smoke, and once. */
+/** Hides blended and transmissive materials and returns them. They are drawn over smoke, and only once. */
 function hideBlended(scene: Scene): Set<Material> {
   const hidden = new Set<Material>();
   scene.traverseVisible((object) => {

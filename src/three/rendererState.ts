@@ -1,6 +1,6 @@
 import { Color, type Scene, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 
-/** What drawing smoke changes of the host's renderer in mid-frame, kept to be put back. */
+/** Saves the renderer state that drawing smoke in mid-frame changes, and restores it. */
 export class RendererState {
   private readonly renderer: WebGLRenderer;
   private readonly target: WebGLRenderTarget | null;
@@ -12,7 +12,7 @@ export class RendererState {
   private readonly needsUpdate: boolean;
   private readonly clearColor = new Color();
   private readonly clearAlpha: number;
-  /** What the context clears with, which is the scene's background when it has one. */
+  /** The clear colour of the context, which is the scene's background if it has one. */
   private readonly clearing: Float32Array;
   private readonly stencilTest: boolean;
 
@@ -32,7 +32,7 @@ export class RendererState {
     this.stencilTest = gl.isEnabled(gl.STENCIL_TEST);
   }
 
-  /** Lets several draws add up to one frame, with the shadow maps as they are. */
+  /** Lets several render calls count as one frame, without updating the shadow maps. */
   hold(): void {
     const { renderer } = this;
     renderer.autoClear = false;
@@ -41,7 +41,7 @@ export class RendererState {
     renderer.shadowMap.needsUpdate = false;
   }
 
-  /** Goes on drawing where the renderer's owner did. */
+  /** Restores the host's render target. */
   returnToTarget(): void {
     this.renderer.setRenderTarget(this.target, this.face, this.level);
   }
@@ -60,7 +60,7 @@ export class RendererState {
   }
 }
 
-/** Runs `draw` with a scene's background taken away: drawn again it would cover what stands. */
+/** Runs `draw` without the scene's background, which would overwrite the current frame. */
 export function withoutBackground(scene: Scene, draw: () => void): void {
   const { background, matrixWorldAutoUpdate } = scene;
   scene.background = null;

@@ -2,8 +2,8 @@ import { LinearSRGBColorSpace, SRGBColorSpace, type Camera, type WebGLRenderer }
 import { UnsupportedError } from '../preset/errors.ts';
 
 /**
- * What smoke needs of a renderer for as long as that lives.
- * @throws UnsupportedError that says what to create it with
+ * Checks the renderer settings that are fixed at creation.
+ * @throws UnsupportedError that names the required options
  */
 export function requireRenderer(renderer: WebGLRenderer): void {
   if (!('isWebGLRenderer' in renderer)) throw new UnsupportedError('Smoke needs a WebGLRenderer of three.js.');
@@ -17,13 +17,13 @@ export function requireRenderer(renderer: WebGLRenderer): void {
 }
 
 /**
- * Why smoke cannot be drawn where the renderer draws just now; undefined when it can.
- * A render target is judged like the canvas, for the renderer may draw into another one next.
+ * Why smoke cannot be drawn into the renderer's current target; undefined when it can.
+ * Render targets have the same requirements as the canvas, because the renderer may switch to another target.
  */
 export function requirementError(renderer: WebGLRenderer, camera: Camera): UnsupportedError | undefined {
   const target = renderer.getRenderTarget();
   if (renderer.xr.isPresenting) return new UnsupportedError('Smoke cannot be drawn in an XR session.');
-  // The cameras of an array carry a viewport of their own, which drawing in between would lose.
+  // The cameras of an ArrayCamera have their own viewports, which a draw in between would lose.
   if ('viewport' in camera && camera.viewport)
     return new UnsupportedError('Smoke cannot be drawn by an ArrayCamera: render with one camera at a time.');
   if (target && !(target.stencilBuffer && target.depthBuffer))
@@ -40,7 +40,7 @@ export function requirementError(renderer: WebGLRenderer, camera: Camera): Unsup
   return undefined;
 }
 
-/** Whether the picture that is drawn just now holds linear colour, as render targets do, instead of display-encoded. */
+/** Whether the current target holds linear colour, as render targets do, instead of display-encoded colour. */
 export function isLinearPicture(renderer: WebGLRenderer): boolean {
   return renderer.getRenderTarget() !== null || renderer.outputColorSpace === LinearSRGBColorSpace;
 }

@@ -2,7 +2,7 @@ import { BoxGeometry, Quaternion, SphereGeometry, Vector3, type BufferGeometry, 
 import type { TriangleMesh } from '../passes/extrusion.ts';
 import type { SingleShape } from '../sim/rigid.ts';
 
-/** Where something stands in the world without its scale, which its shape has taken up. */
+/** World position and rotation. The shape includes the scale. */
 export interface Pose {
   position: Vector3;
   rotation: Quaternion;
@@ -11,20 +11,19 @@ export interface Pose {
 const scratch = new Vector3();
 const other = new Vector3();
 
-/** Takes a world matrix apart. Shear has no place in a pose and is left out. */
+/** Decomposes a world matrix. A pose cannot represent shear, so shear is ignored. */
 export function poseOf(world: Matrix4, into: Pose, scale = scratch): Pose {
   world.decompose(into.position, into.rotation, scale);
   return into;
 }
 
-/** The scale in a world matrix. */
 export function scaleOf(world: Matrix4): Vector3 {
   const scale = new Vector3();
   world.decompose(new Vector3(), new Quaternion(), scale);
   return scale;
 }
 
-/** What smoke bumps into for a geometry: whole spheres and boxes exactly, everything else by its triangles. */
+/** The collision shape of a geometry: exact for complete spheres and boxes, a triangle mesh for everything else. */
 export function shapeOf(geometry: BufferGeometry, scale: Vector3): SingleShape {
   const [x, y, z] = [Math.abs(scale.x), Math.abs(scale.y), Math.abs(scale.z)];
   if (isWholeBox(geometry)) {
@@ -38,7 +37,10 @@ export function shapeOf(geometry: BufferGeometry, scale: Vector3): SingleShape {
   return { type: 'trimesh', vertices: positions, indices };
 }
 
-/** The triangles of a geometry at a scale; those of a mirrored one are turned over, to stay anticlockwise from outside. */
+/**
+ * The triangles of a geometry at a scale. A mirroring scale reverses the winding, so triangles stay anticlockwise from
+ * outside.
+ */
 export function trianglesOf(geometry: BufferGeometry, scale: Vector3): TriangleMesh {
   const { position } = geometry.attributes;
   const positions = new Float32Array(3 * position.count);
@@ -70,7 +72,7 @@ function isWholeSphere(geometry: BufferGeometry): geometry is SphereGeometry {
   return isAsMade(geometry, new SphereGeometry(radius, widthSegments, heightSegments));
 }
 
-/** Whether nobody has moved, turned or bent it since: its parameters stay what they were. */
+/** Whether the vertices are unmodified. Editing a geometry does not change its `parameters`. */
 function isAsMade(geometry: BufferGeometry, made: BufferGeometry): boolean {
   const [now, then] = [geometry.attributes.position, made.attributes.position];
   if (now.count !== then.count) return false;
