@@ -14,10 +14,10 @@ import type { Session } from './session.ts';
 import { Shell } from './shell/shell.ts';
 import { version } from './version.ts';
 
-/** On a server there are no elements; importing this must not fail there. */
+/** Importing this module must not fail on a server, where HTMLElement is undefined. */
 const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement);
 
-/** Attributes that say what the smoke is, beside the parameters. */
+/** Attributes besides the parameters that select the smoke. */
 const PARSED_TOGETHER: readonly string[] = ['preset', 'src'];
 
 // eslint-disable-next-line typescript/no-unsafe-declaration-merging -- the methods and properties are made from tables below
@@ -49,17 +49,20 @@ export interface CartoonSmokeElement extends HandedOn {
 }
 
 export interface ElementOptions {
-  /** What goes wrong, to try how a page copes. What is built does not heed it. */
+  /** Simulates a failure, to test how a page handles it. Builds ignore it. */
   fault?: Fault;
 }
 
 /**
  * `<cartoon-smoke preset="lamp" emission-rate="60" paused>`: smoke on any page. Every parameter is an attribute and a
- * property; the methods of RemoteStage are its own, and wait until the smoke stands. Nothing heavy is fetched until it
- * nears the viewport, unless `loading="eager"` says so or a method is called.
+ * property. The element has the methods of RemoteStage, which wait for the smoke to be ready. Large resources are
+ * fetched when the element comes near the viewport, when a method is called, or at once with `loading="eager"`.
  */
 export class CartoonSmokeElement extends Base {
-  /** Of the package: with several on one page, `customElements.get('cartoon-smoke').version` is the one in use. */
+  /**
+   * Version of the package. With several versions on one page, `customElements.get('cartoon-smoke').version` is the one
+   * in use.
+   */
   static readonly version: string = version;
 
   static get observedAttributes(): string[] {
@@ -69,22 +72,22 @@ export class CartoonSmokeElement extends Base {
   readonly #fault: Fault | undefined;
   readonly #shell = new Shell(this.attachShadow({ mode: 'open' }));
   #stopWaiting: (() => void) | undefined;
-  /** Ends what was started, on its way or come to stand; aborted when it has failed. */
+  /** Cancels the current start or session. Aborted after a failure. */
   #start: AbortController | undefined;
-  /** Attributes that have changed since it was started and before it stood. */
+  /** Attributes that changed between the start and the first frame. */
   readonly #changed = new Set<string>();
-  /** Whether a person asked for motion here, though the system may ask for less. */
+  /** Whether a user started playback on this element despite reduced motion. */
   #isConsented = false;
-  /** Once its first picture stands. */
+  /** Set once the first frame is rendered. */
   #session: Session | undefined;
   #awaited = new Deferred<Session>();
 
-  /** @param options for those who make an element by hand; @see ElementOptions */
+  /** @param options for elements created by script; @see ElementOptions */
   constructor({ fault }: ElementOptions = {}) {
     super();
     this.#fault = fault;
     this.#shell.button.addEventListener('click', (event) => {
-      // It may stand in a link of the page.
+      // The element may be inside a link.
       event.preventDefault();
       if (this.playing) return this.pause();
       this.paused = false;
@@ -92,21 +95,24 @@ export class CartoonSmokeElement extends Base {
     });
   }
 
-  /** Settled when the first picture stands; rejects with the error that is told when there will be none. */
+  /** Resolves with the first frame. Rejects with the error of the `error` event. */
   get ready(): Promise<void> {
     const ready = this.#awaited.promise.then(() => undefined);
     ignoreRejection(ready);
     return ready;
   }
 
-  /** The stage, for its events. Who asks does not wait for the viewport; rejects with the error that is told. */
+  /**
+   * The stage, for its events. Reading it starts the smoke outside the viewport, too. Rejects with the error of the
+   * `error` event.
+   */
   get stage(): Promise<RemoteStage> {
     const stage = this.#demand().then((session) => session.stage);
     ignoreRejection(stage);
     return stage;
   }
 
-  /** Whether the smoke moves. Out of sight it rests and counts as moving. */
+  /** Whether the smoke plays. Out of view it pauses and still counts as playing. */
   get playing(): boolean {
     return this.#session?.isPlaying ?? false;
   }
@@ -126,11 +132,11 @@ export class CartoonSmokeElement extends Base {
   }
 
   disconnectedCallback(): void {
-    // Whoever moves it puts it back in the same task.
+    // A script that moves the element inserts it again within the same task.
     queueMicrotask(() => this.isConnected || this.#end());
   }
 
-  /** Moving by moveBefore leaves everything as it is. */
+  /** Moving with moveBefore preserves the state. */
   connectedMoveCallback(): void {}
 
   adoptedCallback(): void {
@@ -146,19 +152,21 @@ export class CartoonSmokeElement extends Base {
     else this.#session.takeUp(name);
   }
 
-  /** There is no smoke, or no more; nothing is tried again until the page asks for other smoke or puts the element back. */
+  /**
+   * The smoke failed to start or stopped. Retry only when the page selects other smoke or inserts the element again.
+   */
   get #hasFailed(): boolean {
     return this.#start?.signal.aborted ?? false;
   }
 
-  /** @param name of the attribute that has changed */
+  /** @param name of the changed attribute */
   #tryAnew(name: string): void {
     if (!PARSED_TOGETHER.includes(name)) return;
     this.#end();
     this.#waitOrStart();
   }
 
-  /** Starts, if that has not happened yet, and gives the smoke once it stands. */
+  /** Starts the smoke if necessary. Resolves when it is ready. */
   #demand(): Promise<Session> {
     if (this.isConnected) this.#begin();
     return this.#awaited.promise;
@@ -209,7 +217,7 @@ export class CartoonSmokeElement extends Base {
   }
 
   #fail(error: SmokeError): void {
-    // Of what failed on its way the page may want no more by now.
+    // The page may have selected other smoke while this one failed to start.
     const isPast = !this.#session && PARSED_TOGETHER.some((name) => this.#changed.has(name));
     this.#start?.abort();
     this.#session = undefined;

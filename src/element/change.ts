@@ -2,8 +2,8 @@ import type { Values } from '../preset/parameter.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 
 /**
- * Goes from what was wanted before to what is wanted now, by as little as there is between the two. All is sent at once, so that
- * whoever changes something after this comes after all of it.
+ * Applies the differences between two sets of values. All calls are sent at once, so that later calls take effect after
+ * them.
  */
 export async function change(stage: RemoteStage, before: Values, after: Values): Promise<void> {
   const gone = Object.keys(before).filter((key) => !(key in after));

@@ -1,6 +1,6 @@
 import { ignoreRejection } from './ignoreRejection.ts';
 
-/** A promise that is settled from outside. Who waits for it hears of a failure; where nobody waits, nobody does. */
+/** A promise that is settled from outside. A rejection that nobody awaits is not reported as unhandled. */
 export class Deferred<Value> {
   resolve!: (value: Value) => void;
   reject!: (error: Error) => void;

@@ -1,4 +1,4 @@
-/** Importing this makes `<cartoon-smoke>` an element of the page. Of several versions on one page the first counts. */
+/** Importing this module defines `<cartoon-smoke>`. With several versions on one page, the first one wins. */
 import { CartoonSmokeElement } from './cartoonSmokeElement.ts';
 import type { StateChange } from './events.ts';
 
@@ -16,7 +16,7 @@ if (globalThis.customElements) {
   else if (first !== CartoonSmokeElement) warnOfSecond(first);
 }
 
-/** Elements stay what the first version made of them, and whoever listens to them learns that a second one came. */
+/** Notifies listeners that a second version was loaded. Existing elements keep the class of the first version. */
 function warnOfSecond(first: CustomElementConstructor): void {
   const given = CartoonSmokeElement.version;
   const used = (first as Partial<typeof CartoonSmokeElement>).version ?? 'another one';

@@ -1,5 +1,5 @@
 /**
- * Descriptions of the element's API besides the parameters, for docs/element.md and the custom-elements manifest. No
+ * Descriptions of the element's API except the parameters, for docs/element.md and the custom-elements manifest. No
  * bundle contains them.
  */
 

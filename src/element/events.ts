@@ -1,19 +1,19 @@
 import type { SmokeError } from '../preset/errors.ts';
 import type { Notice } from '../preset/notice.ts';
 
-/** Something about the smoke has changed, or was not taken as it stood. */
+/** Detail of `statechange`: playback or an attribute's effective value has changed. */
 export interface StateChange {
-  /** Whether the smoke moves; out of sight it counts as moving. */
+  /** Whether the smoke plays. Out of view it counts as playing. */
   readonly playing: boolean;
-  /** What was not taken as it stood in the attributes, and what is shown instead; empty otherwise. */
+  /** Attribute values that were corrected or ignored, with the values in effect; otherwise empty. */
   readonly notices: readonly Notice[];
 }
 
-/** What `detail` holds of each event. None of them bubbles. */
+/** `detail` of each event. The events do not bubble. */
 export interface SmokeEvents {
-  /** The first picture stands. */
+  /** The first frame is rendered. */
   ready: { readonly thread: 'main' | 'worker' | 'frame' };
-  /** There is no smoke, or no more: the poster and the fallback are shown. */
+  /** The smoke failed to start or stopped. The poster and the fallback are shown. */
   error: { readonly error: SmokeError };
   statechange: StateChange;
 }

@@ -1,6 +1,6 @@
 /**
- * Lets something run whose failure is told elsewhere, by the stage's own event, or comes of the stage's end: the console
- * of a page is not ours.
+ * Marks a rejection as handled, for work whose failure is reported elsewhere (by the stage's `error` event) or follows
+ * from disposal. The library does not write to the page's console.
  */
 export function ignoreRejection(work: Promise<unknown>): void {
   work.catch(() => undefined);

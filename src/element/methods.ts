@@ -1,6 +1,6 @@
 import type { RemoteMethods } from '../remote/contract.ts';
 
-/** What an element hands on to its stage as it is; what is missing here, an element does in its own way, or by itself. */
+/** Methods that the element passes to its stage unchanged. It implements all others itself. */
 export const HANDED_ON = [
   'step',
   'seek',

@@ -5,14 +5,14 @@ import type { RemoteStage } from '../remote/contract.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import type { Take } from '../stage/take.ts';
 
-/** Nobody waits for more on a page that is about something else. */
+/** Limit for pages on which smoke is a side feature. */
 const LONGEST_SECONDS = 600;
 
 /**
- * Does again what was done in a take out of a share link.
- * @param seconds where to stop; the end of the take when left out
- * @param values of the link, for what no take keeps: style, light and camera
- * @returns why it was left out, or that it may end differently; nothing otherwise
+ * Replays a take from a share link.
+ * @param seconds where to stop; defaults to the end of the take
+ * @param values of the link for style, light and camera, which takes do not record
+ * @returns a notice when the take is ignored or may end differently; otherwise none
  */
 export async function goToMoment(
   stage: RemoteStage,
@@ -35,7 +35,7 @@ export async function goToMoment(
   }
 }
 
-/** @throws Error when an untrusted take asks for more than links may */
+/** @throws Error when an untrusted take exceeds the limits of links */
 function checkCapacity({ isFresh, mostParticles }: Take): void {
   const max = linkCapacity();
   if (!isFresh) throw new Error('it starts from a saved state.');

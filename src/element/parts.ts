@@ -1,4 +1,7 @@
-/** What an element fetches, and when: nothing of it before it nears the viewport, and of the rest only what it asks for. */
+/**
+ * Lazy modules of the element. None is fetched before the element comes near the viewport, and each only when an
+ * attribute requires it.
+ */
 import { fetched } from '../preset/timeout.ts';
 import { fetchPreset, FIRST_PRESET } from '../preset/byScene/fetchPreset.ts';
 import type { Preset } from '../preset/byScene/preset.ts';
@@ -9,7 +12,7 @@ const parts = {
   session: () => import('./session.ts'),
   /** With `src` or `start`. */
   link: () => import('./attributes/link.ts'),
-  /** Where that leads to the moment of a take. */
+  /** With a link to a moment of a take. */
   moment: () => import('./moment.ts'),
   /** With `interactive`. */
   pointers: () => import('./pointers.ts'),
@@ -26,7 +29,7 @@ const called: Partial<Record<Name, string>> = {
 };
 
 /**
- * Fetches a part, or gives the one that is here.
+ * Fetches a module, or returns the loaded one.
  * @throws LoadError when it cannot be fetched
  */
 export function part<Each extends Name>(name: Each): Promise<LazyModule<Each>> {
@@ -34,14 +37,14 @@ export function part<Each extends Name>(name: Each): Promise<LazyModule<Each>> {
 }
 
 /**
- * Fetches the preset that an element names. The first one of a scene has its name, and shows it as it wants to be seen.
+ * Fetches the preset that an element names. The name of a scene selects the scene's first preset.
  * @throws LoadError when it cannot be fetched
  */
 export function presetOf(element: Element): Promise<Preset | undefined> {
   return fetchPreset(element.getAttribute('preset') ?? element.getAttribute('scene') ?? FIRST_PRESET);
 }
 
-/** Begins to fetch what the session asks for at once, so that it need not wait. Whoever needs it is told of faults. */
+/** Prefetches what the session needs first. Errors are reported where the result is used. */
 export function fetchAhead(element: Element): void {
   const asks = (...names: string[]) => names.some((name) => element.hasAttribute(name));
   if (!asks('src')) ignoreRejection(presetOf(element));

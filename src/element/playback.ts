@@ -1,12 +1,12 @@
 import type { RemoteStage } from '../remote/contract.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
 
-/** Whether this visitor's system asks for less motion. */
+/** Whether the user's system requests reduced motion. */
 export const calm = (): MediaQueryList => matchMedia('(prefers-reduced-motion: reduce)');
 
 /**
- * Decides whether the smoke of an element plays: as the page or a person wants it, unless the system asks for stillness
- * and nobody has asked for motion here. That it rests out of sight is the stage's own affair.
+ * Decides whether the smoke of an element plays. The page or the user decides, unless the system requests reduced
+ * motion and the user has not started playback on this element. The stage itself pauses out of view.
  */
 export class Playback {
   private readonly stage: RemoteStage;
@@ -15,7 +15,7 @@ export class Playback {
   private isPaused: boolean;
   private isConsented = false;
 
-  /** @param notify called when it begins, and whenever playing begins or ends as people understand it: out of sight it goes on */
+  /** @param notify called at the start and whenever playback starts or stops; pausing out of view does not count */
   constructor(stage: RemoteStage, isPaused: boolean, notify: Playback['notify']) {
     this.stage = stage;
     this.notify = notify;
@@ -27,7 +27,7 @@ export class Playback {
     this.update();
   }
 
-  /** Whether smoke moves, in sight or out of it. */
+  /** Whether the smoke plays, in view or not. */
   get isPlaying(): boolean {
     return !this.isPaused && !this.isStill;
   }
@@ -37,7 +37,7 @@ export class Playback {
     this.update();
   }
 
-  /** A person asked for motion here and now, which outweighs what the system asks for. */
+  /** Starts playback by a user action, which overrides reduced motion. */
   consent(): void {
     const wasStill = this.isStill;
     this.isConsented = true;
@@ -48,7 +48,7 @@ export class Playback {
     this.calm.removeEventListener('change', this.update);
   }
 
-  /** Whether the system alone keeps it still. */
+  /** Whether reduced motion alone keeps the smoke still. */
   private get isStill(): boolean {
     return this.calm.matches && !this.isConsented;
   }

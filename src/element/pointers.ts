@@ -6,16 +6,18 @@ import type { Shell } from './shell/shell.ts';
 const ZOOM_PER_PIXEL = 0.01;
 const ZOOM_PER_KEY = 1.15;
 
-/** What a pointer does from its press on; what it took hold of is not known at once, because the stage may be elsewhere. */
+/**
+ * A pointer that is down. Whether it holds a rigid is known only later, because the stage may run in another thread.
+ */
 interface Press {
   x: number;
   y: number;
   readonly isHolding: Promise<boolean>;
-  /** Known not to hold anything. */
+  /** Whether it is known to hold nothing. */
   isLoose: boolean;
 }
 
-/** What keys do to the view. */
+/** Keys that move the view. */
 const KEYS: Readonly<Record<string, (stage: RemoteStage) => Promise<void>>> = {
   ArrowLeft: (stage) => stage.orbit(-ORBIT_PER_KEY, 0),
   ArrowRight: (stage) => stage.orbit(ORBIT_PER_KEY, 0),
@@ -28,9 +30,9 @@ const KEYS: Readonly<Record<string, (stage: RemoteStage) => Promise<void>>> = {
 };
 
 /**
- * Lets people move what can be moved and turn the view, while the element is interactive; pointers and keys are the page's
- * own otherwise. The wheel stays the page's, which scrolls by it; with Ctrl, as of a pinch, it zooms. Likewise swipes up and
- * down scroll the page (`touch-action` of the canvas), and two fingers zoom.
+ * Lets users drag rigids and orbit the view while the element is interactive; otherwise pointers and keys belong to the
+ * page. The wheel scrolls the page; with Ctrl, as in a trackpad pinch, it zooms. Vertical swipes scroll the page
+ * (`touch-action` of the canvas), and two fingers zoom.
  */
 export class PointerControls {
   private readonly stage: RemoteStage;
@@ -75,7 +77,7 @@ export class PointerControls {
     );
     const press = { x: event.clientX, y: event.clientY, isHolding, isLoose: false };
     this.presses.set(event.pointerId, press);
-    // It may be over by the time of the answer.
+    // The pointer may be up by the time of the answer.
     const isOn = () => this.presses.get(event.pointerId) === press;
     ignoreRejection(
       isHolding.then((isHeld) => {
@@ -88,7 +90,7 @@ export class PointerControls {
   private move(event: PointerEvent): void {
     const press = this.presses.get(event.pointerId);
     if (!press) return;
-    // It was let go where nobody could tell, as while the canvas was moved about the page.
+    // The button was released where no event could fire, for example while the canvas was moved within the page.
     if (event.buttons === 0) return this.release(event, 'cancel');
     const before = this.spread();
     const [dx, dy] = [event.clientX - press.x, event.clientY - press.y];
@@ -104,13 +106,13 @@ export class PointerControls {
     );
   }
 
-  /** By pixels of a drag, and by how much farther two fingers have gone from each other. */
+  /** @param nearer ratio of the distances between two fingers, after to before */
   private look(dx: number, dy: number, nearer: number): Promise<unknown> {
     const orbited = this.stage.orbit(-dx * ORBIT_PER_PIXEL, dy * ORBIT_PER_PIXEL);
     return nearer === 1 ? orbited : Promise.all([orbited, this.stage.zoom(nearer)]);
   }
 
-  /** Distance between two pointers that hold nothing, in pixels; 0 for fewer. */
+  /** Distance between two pointers that hold nothing, in pixels; 0 for fewer than two. */
   private spread(): number {
     return spread([...this.presses.values()].filter(({ isLoose }) => isLoose));
   }
@@ -140,7 +142,7 @@ export class PointerControls {
   }
 }
 
-/** In CSS pixels from the top left of the canvas, whatever transforms it has on the page. */
+/** Offset from the top left of the canvas in CSS pixels, before any transforms of the page. */
 function placeOf({ offsetX, offsetY }: PointerEvent): { x: number; y: number } {
   return { x: offsetX, y: offsetY };
 }

@@ -1,6 +1,6 @@
 /**
- * The one file for CDNs. On a page it makes `<cartoon-smoke>` an element; the worker that the element starts is the same
- * file, which is in the browser's cache by then.
+ * The single file for CDNs. On a page it defines `<cartoon-smoke>`. The element's worker loads the same file, which is
+ * in the browser's cache by then.
  */
 export { CartoonSmokeElement } from './define.ts';
 

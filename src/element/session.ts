@@ -1,4 +1,4 @@
-/** The heavy half of an element, fetched when it nears the viewport: everything between its attributes and its stage. */
+/** The large part of an element, fetched when it comes near the viewport. It connects the attributes with the stage. */
 import type { Fault } from '../device/faults.ts';
 import { LoadError, ParameterError, type SmokeError } from '../preset/errors.ts';
 import { notice, type Notice } from '../preset/notice.ts';
@@ -18,23 +18,24 @@ import { ignoreRejection } from './ignoreRejection.ts';
 import type { Shell } from './shell/shell.ts';
 import { parseAttributes, type ParsedAttributes } from './attributes/parsedAttributes.ts';
 
-/** With reduced motion a still picture is shown; by then smoke has filled its column. */
+/** With reduced motion a still frame is shown. After this time the smoke has filled its column. */
 const STILL_SECONDS = 4;
 
-/** What a session needs to know of its element. */
+/** Interface of the element to its session. */
 export interface SessionOwner {
   readonly element: HTMLElement;
   readonly shell: Shell;
   notify<Name extends keyof SmokeEvents>(name: Name, detail: SmokeEvents[Name]): void;
-  /** The smoke has come to an end by itself. */
+  /** Called when the smoke fails. */
   fail(error: SmokeError): void;
   readonly fault: Fault | undefined;
 }
 
 /**
- * Opens what the attributes ask for, up to its first picture.
- * @param signal ends it, at any time
- * @throws SmokeError saying why there can be none, and `signal` has to be aborted then; the signal's reason when that aborts
+ * Opens the smoke that the attributes describe, up to its first frame.
+ * @param signal cancels it at any time
+ * @throws SmokeError with the reason of a failure; the caller must then abort `signal`. Throws the reason of `signal`
+ * when that aborts
  */
 export async function openSession(owner: SessionOwner, signal: AbortSignal): Promise<Session> {
   const { element, shell } = owner;
@@ -58,16 +59,16 @@ export async function openSession(owner: SessionOwner, signal: AbortSignal): Pro
   return session;
 }
 
-/** An element's smoke while it stands. */
+/** The running smoke of an element. */
 export class Session {
   readonly stage: RemoteStage;
   private readonly owner: SessionOwner;
   private readonly playback: Playback;
   private readonly endings: (() => void)[];
   private attributes: ParsedAttributes;
-  /** Once people could turn the view. */
+  /** Set once the element was interactive. */
   private pointers: PointerControls | undefined;
-  /** While the page has things in the smoke. */
+  /** Set while elements of the page are in the smoke. */
   private onPage: OnPage | undefined;
   private isBehind = false;
   private isFollowing = false;
@@ -91,7 +92,7 @@ export class Session {
     ];
   }
 
-  /** Goes to where the smoke shall begin, with what the page has in it, and plays if it shall. */
+  /** Seeks to the start, adds the page's elements, and starts playback if requested. */
   async begin(): Promise<void> {
     await this.stage.ready;
     await this.lookAtPage();
@@ -106,7 +107,7 @@ export class Session {
     return this.playback.isPlaying;
   }
 
-  /** An attribute that is no parameter has changed. */
+  /** Applies a changed attribute that is not a parameter. */
   takeUp(name: string): void {
     const { element, shell } = this.owner;
     const isOn = element.hasAttribute(name);
@@ -118,18 +119,18 @@ export class Session {
     else if (OF_PAGE.includes(name)) this.lookAtPage().catch((error) => this.notifyMissing(error));
   }
 
-  /** A person asked for motion here and now. */
+  /** Starts playback by a user action, despite reduced motion. */
   consent(): void {
     this.playback.consent();
   }
 
-  /** Parameters have changed: all that changed in one task is taken up at once. */
+  /** Applies changed parameters. Changes of the same task are merged. */
   follow(): void {
     this.isBehind = true;
     if (!this.isFollowing) ignoreRejection(this.followAll());
   }
 
-  /** Attributes have changed before anybody listened. */
+  /** Applies attributes that changed before the session was ready. */
   catchUp(): void {
     for (const name of [...FLAGS, ...LABELS, 'alt', 'collide']) this.takeUp(name);
     this.follow();
@@ -164,7 +165,7 @@ export class Session {
       after.notices.filter(({ message }) => !before.notices.some((notified) => notified.message === message)),
     );
     try {
-      // A link that leads to no moment changes smoke that goes on.
+      // A link without a moment changes the running smoke.
       const isOtherMoment = after.link !== before.link && (after.take ?? startOf(after)) !== undefined;
       if (isOtherMoment || after.values.scene !== before.values.scene) {
         await this.stage.enter(after.values);
@@ -177,7 +178,7 @@ export class Session {
     }
   }
 
-  /** What the page has in the smoke is the page's to change, and may follow what has changed here. */
+  /** Values that the page's elements control stay as they are; the elements are measured again afterwards. */
   private async changeValues(before: Values, after: Values): Promise<void> {
     const { onPage } = this;
     const own = (values: Values) => onPage?.without(values) ?? values;
@@ -185,7 +186,7 @@ export class Session {
     onPage?.measure();
   }
 
-  /** Lets people move what can be moved and turn the view, or no longer. */
+  /** Enables or disables dragging and orbiting. */
   private async interact(): Promise<void> {
     const isWanted = () => this.owner.element.hasAttribute('interactive');
     if (!this.isDisposed && isWanted() && !this.pointers) {
@@ -195,7 +196,7 @@ export class Session {
     if (!this.isDisposed) this.pointers?.toggle(isWanted());
   }
 
-  /** Puts things of the page into the smoke, or looks at them again, or takes them out. */
+  /** Adds, updates or removes the page's elements in the smoke. */
   private async lookAtPage(): Promise<void> {
     const { element, shell } = this.owner;
     const hasThings = () => ['collide', 'emit-from'].some((name) => element.hasAttribute(name));
@@ -223,7 +224,7 @@ export class Session {
     this.owner.notify('statechange', { playing: isPlaying, notices: [] });
   }
 
-  /** Something that it can do without could not be fetched; of whatever else goes wrong the stage tells. */
+  /** Reports an optional resource that could not be fetched. The stage reports all other errors. */
   private notifyMissing(error: Error): void {
     if (error instanceof LoadError) this.notify([notice('malformed', '', '', () => error.message)]);
   }
@@ -233,7 +234,7 @@ export class Session {
   }
 }
 
-/** Goes to where the smoke shall begin: the moment that was shared, the start that was asked for, or a still picture. */
+/** Seeks to the shared moment, to the requested start, or to the still frame for reduced motion. */
 async function lead(stage: RemoteStage, attributes: ParsedAttributes): Promise<readonly Notice[]> {
   const { take, start, values } = attributes;
   if (take) return (await part('moment')).goToMoment(stage, take, start, values);
@@ -246,7 +247,9 @@ function startOf({ start }: ParsedAttributes): number | undefined {
   return start ?? (calm().matches ? STILL_SECONDS : undefined);
 }
 
-/** What the simulator would not take although the table does, such as one value without another. */
+/**
+ * Converts an error of the simulator for values that the table accepts, for example a value that requires another one.
+ */
 function noticeOf({ key, value, message }: ParameterError): Notice {
   return notice('malformed', key, String(value), () => message);
 }

@@ -1,11 +1,11 @@
-/** What a share link asks of an element, and moments as links name them. */
+/** Parsing of share links in `src` and of their `t` values. */
 import { decode } from '../../preset/codec.ts';
 import { readEnvironment, readTime } from '../../preset/environment.ts';
 import { notice, type Notice } from '../../preset/notice.ts';
 import { defaultPreset } from '../../preset/presets.ts';
 import type { Base } from './parsedAttributes.ts';
 
-/** Reads `src`. Never rejects. */
+/** Parses `src`. Never rejects; problems are added to `notices`. */
 export async function readLink(link: string, base: string, notices: Notice[]): Promise<Base> {
   const { hash, search } = addressOf(link, base, notices);
   const { state, take, notices: ofHash } = await decode(hash);
@@ -29,7 +29,7 @@ function addressOf(link: string, base: string, notices: Notice[]): Pick<URL, 'ha
   }
 }
 
-/** Reads the start as the `t` of a link is read. */
+/** Parses `start` with the syntax of a link's `t`. */
 export function readStart(text: string, notices: Notice[]): number | undefined {
   return readTime(text, notices, 'start');
 }

@@ -1,32 +1,35 @@
 /**
- * The names of all parameters as attributes (`emission-rate`) and as properties (`emissionRate`). The table itself, with its
- * ranges and texts, comes with the smoke; the element that waits for it knows names only, from names.json, which a test
- * compares with the table.
+ * The names of all parameters as attributes (`emission-rate`) and as properties (`emissionRate`). The parameter table
+ * with its ranges and texts is loaded with the smoke. Before that, the element has only the names from names.json,
+ * which a test compares with the table.
  */
 import listed from './names.json' with { type: 'json' };
 
 export interface Name {
-  /** Of the table, such as `emission.rate`. */
+  /** Key in the parameter table, such as `emission.rate`. */
   readonly key: string;
   readonly attribute: string;
   readonly property: string;
-  /** Whether its values are words, colours or stops, which stay as they were written; numbers otherwise. */
+  /**
+   * Whether the values are strings (words, colours or colour stops) that are passed on unparsed; otherwise they are
+   * numbers.
+   */
   readonly isText: boolean;
 }
 
 const LIST_LIMIT = 8;
 
-/** Every parameter in the order of the table. */
+/** Every parameter, in the order of the table. */
 export const names: readonly Name[] = Object.entries(listed).flatMap(([list, fields]) =>
   list === ''
     ? namesOf('', fields)
     : Array.from({ length: LIST_LIMIT }, (_, index) => namesOf(`${list}.${index}.`, fields)).flat(),
 );
 
-/** The key of each attribute. */
+/** Maps each attribute to its key. */
 export const keyOfAttribute: ReadonlyMap<string, string> = new Map(names.map(({ attribute, key }) => [attribute, key]));
 
-/** @param fields keys apart by spaces: `$` behind a text, `.xyz` behind a vector */
+/** @param fields space-separated keys; `$` marks a string, `.xyz` a vector */
 function namesOf(prefix: string, fields: string): Name[] {
   return fields.split(' ').flatMap((field) => {
     const isText = field.endsWith('$');

@@ -7,22 +7,22 @@ import { keyOfAttribute } from './names.ts';
 import { part, presetOf } from '../parts.ts';
 import { EMIT_ON } from './properties.ts';
 
-/** What an element asks for by its attributes. */
+/** The state that the attributes of an element describe. */
 export interface ParsedAttributes {
-  /** The share link as `src` has it. */
+  /** The share link, as in `src`. */
   readonly link: string | null;
   readonly values: Values;
-  /** Simulated seconds before the first picture. */
+  /** Simulated seconds before the first frame. */
   readonly start: number | undefined;
-  /** Whether the link shows something still. */
+  /** Whether the link requests a paused frame. */
   readonly isPaused: boolean;
-  /** Bytes of a take out of a share link, which leads to one moment. */
+  /** Bytes of the take in a share link to one moment. */
   readonly take: Uint8Array | undefined;
-  /** What was not taken as it stands. */
+  /** Attribute values that were corrected or ignored. */
   readonly notices: readonly Notice[];
 }
 
-/** What attributes take that are no parameters; the first is what holds without one. */
+/** Allowed values of attributes that are not parameters. The first one is the default. */
 const CHOICES = [
   ['thread', ['auto', 'main', 'worker']],
   ['loading', ['lazy', 'eager']],
@@ -30,9 +30,9 @@ const CHOICES = [
 ] as const;
 
 /**
- * Reads `src`, `preset`, `start` and the parameters: a link, or else a preset, and over it each parameter by itself.
- * Attributes may ask for no more than links, because on many pages untrusted people can write them.
- * @throws LoadError when what reads links cannot be fetched
+ * Reads `src`, `preset`, `start` and the parameters. A link takes precedence over a preset, and parameter attributes
+ * override both. Attributes have the same limits as links, because many pages let untrusted users write them.
+ * @throws LoadError when the link parser cannot be fetched
  */
 export async function parseAttributes(element: Element): Promise<ParsedAttributes> {
   const notices: Notice[] = [];
@@ -55,7 +55,7 @@ export async function parseAttributes(element: Element): Promise<ParsedAttribute
   };
 }
 
-/** What the parameters stand over. */
+/** State that the parameter attributes override. */
 export type Base = Omit<ParsedAttributes, 'notices'>;
 
 async function readBase(element: Element, notices: Notice[]): Promise<Base> {

@@ -1,19 +1,19 @@
 import { names } from './names.ts';
 
-/** Attributes besides the parameters. */
+/** Boolean attributes besides the parameters. */
 export const FLAGS = ['paused', 'transparent', 'interactive'] as const;
-/** Those about things of the page in the smoke. */
+/** Attributes that connect elements of the page with the smoke. */
 export const OF_PAGE: readonly string[] = ['collide', 'emit-from', 'emit-on'];
-/** When smoke rises from an element of the page. */
+/** When an element of the page emits smoke. */
 export const EMIT_ON = ['always', 'hover', 'click'] as const;
-/** What the button says to those who do not see it. */
+/** Accessible names of the button. */
 export const LABELS: readonly string[] = ['label-play', 'label-pause'];
 export const TEXTS = ['preset', 'src', 'start', 'alt', 'thread', 'loading', ...LABELS, ...OF_PAGE];
 
-/** Values as properties take them; without one the attribute goes, and the preset decides. */
+/** Value of a property. `null` and `undefined` remove the attribute, so that the preset applies. */
 type Given = number | string | boolean | null | undefined;
 
-/** Gives a class of elements a property for each attribute; what is set there stands in the attribute, and the other way round. */
+/** Defines a property on the element class for each attribute. Properties and attributes reflect each other. */
 export function defineProperties(prototype: HTMLElement): void {
   const flags = FLAGS.map((name) => [name, flag(name)]);
   const texts = TEXTS.map((name) => [camelCase(name), parameter(name, true)]);
@@ -21,7 +21,10 @@ export function defineProperties(prototype: HTMLElement): void {
   Object.defineProperties(prototype, Object.fromEntries([...flags, ...texts, ...parameters]));
 }
 
-/** What was set on an element before its class was known would lie over the properties of the class: it is set again. */
+/**
+ * Properties that were set before the element was upgraded shadow the accessors of the class. Sets them again through
+ * the accessors.
+ */
 export function takeUpEarlier(element: HTMLElement): void {
   for (const [name, value] of Object.entries(element)) {
     if (!(name in Object.getPrototypeOf(element))) continue;

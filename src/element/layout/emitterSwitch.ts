@@ -1,7 +1,7 @@
-/** How long a click or a tap lets smoke rise. */
+/** How long a click or tap emits smoke, in milliseconds. */
 const PUFF_MS = 900;
 
-/** Knows which of the elements that smoke rises from do so now: always, under a pointer or the keyboard, or after a click. */
+/** Tracks which elements emit smoke now: always, on hover or keyboard focus, or after a click. */
 export class EmitterSwitch {
   private readonly notify: () => void;
   private readonly until = new Map<Element, number>();
@@ -9,7 +9,7 @@ export class EmitterSwitch {
   private readonly listening = new Map<Element, AbortController>();
   private when = '';
 
-  /** @param notify called when one begins or ends */
+  /** @param notify called when an element starts or stops emitting */
   constructor(notify: () => void) {
     this.notify = notify;
   }
@@ -23,7 +23,7 @@ export class EmitterSwitch {
     return (this.until.get(element) ?? 0) > performance.now();
   }
 
-  /** @param when one of `EMIT_ON`; what it is not means always */
+  /** @param when a value of `EMIT_ON`; any other value means `always` */
   attach(elements: readonly Element[], when: string): void {
     if (when !== this.when) this.dispose();
     this.when = when === 'hover' || when === 'click' ? when : 'always';
@@ -46,11 +46,11 @@ export class EmitterSwitch {
   private followHover(element: Element, signal: AbortSignal): void {
     const on = (type: string, act: (event: Event) => void) => element.addEventListener(type, act, { signal });
     on('pointerenter', () => this.rise(element, Infinity));
-    // A finger hovers nowhere, and a tap would be over before anything is seen to rise.
+    // A touch pointer leaves when the finger lifts. Without a delay the smoke would stop before it is visible.
     on('pointerleave', (event) => this.rise(element, (event as PointerEvent).pointerType === 'touch' ? PUFF_MS : 0));
     on('focusin', () => this.focus(element, isUnderKeyboard(element)));
     on('focusout', () => this.focus(element, false));
-    // Who was there before the smoke came enters no more.
+    // An element that is already hovered or focused fires no further event.
     if (element.matches(':hover')) this.until.set(element, Infinity);
     if (isUnderKeyboard(element)) this.focused.add(element);
   }
@@ -75,7 +75,7 @@ export class EmitterSwitch {
   }
 }
 
-/** What a mouse has clicked keeps the focus, too, but browsers ring only what the keyboard acts on. */
+/** A clicked element keeps the focus, too, but `:focus-visible` matches only keyboard focus. */
 function isUnderKeyboard(element: Element): boolean {
   let { activeElement } = element.ownerDocument;
   while (activeElement?.shadowRoot?.activeElement) ({ activeElement } = activeElement.shadowRoot);

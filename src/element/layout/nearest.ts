@@ -1,10 +1,10 @@
 export type Box = Pick<DOMRect, 'left' | 'top' | 'width' | 'height'>;
 
 /**
- * Those boxes that smoke meets first, in the order in which they were given: of what the smoke's container shows, those nearest to where
- * smoke rises, and only then what lies outside.
+ * Selects the boxes that smoke is most likely to reach, in their original order. Boxes within the container come first,
+ * nearest to a source; boxes outside it follow by their distance to it.
  * @param container of the smoke on the page
- * @param sources what smoke rises from; none where the page does not know
+ * @param sources boxes that emit smoke; empty when unknown
  */
 export function nearest<Given extends Box>(
   boxes: readonly Given[],
@@ -23,7 +23,7 @@ function gapToAny(box: Box, others: readonly Box[]): number {
   return others.length === 0 ? 0 : Math.min(...others.map((other) => gap(box, other)));
 }
 
-/** Pixels between two boxes; 0 where they touch. */
+/** Distance between two boxes in pixels; 0 where they touch or overlap. */
 function gap(one: Box, other: Box): number {
   const across = Math.max(one.left - other.left - other.width, other.left - one.left - one.width, 0);
   const down = Math.max(one.top - other.top - other.height, other.top - one.top - one.height, 0);

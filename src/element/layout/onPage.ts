@@ -1,4 +1,4 @@
-/** Things of the page in the smoke: boxes that it flows around (`collide`), and elements that it rises from (`emit-from`). */
+/** Elements of the page in the smoke: obstacles (`collide`) and emitters (`emit-from`). */
 import { notice, type Notice } from '../../preset/notice.ts';
 import type { Values } from '../../preset/parameter.ts';
 import type { RemoteStage } from '../../remote/contract.ts';
@@ -12,9 +12,9 @@ import { ignoreRejection } from '../ignoreRejection.ts';
 
 interface PageOwner {
   readonly element: HTMLElement;
-  /** The box of the smoke. */
+  /** The element's box. */
   readonly container: HTMLElement;
-  /** What the smoke is without things of the page. */
+  /** The values without obstacles and emitters of the page. */
   readonly values: () => Values;
   readonly notify: (notices: readonly Notice[]) => void;
 }
@@ -39,14 +39,17 @@ export class OnPage {
     this.stopWatching = watchLayout(owner.container, () => this.measure());
   }
 
-  /** Settled when things of the page are in the smoke for the first time. */
+  /** Resolves when the page's elements are first in the smoke. */
   async begin(): Promise<void> {
     await this.holdView();
     this.measure();
     await this.hasBegun.promise;
   }
 
-  /** The smoke has lost what it was given, as by another scene. Settled when things of the page are in it again. */
+  /**
+   * Restores the page's elements after the smoke has lost them, for example through a change of scene. Resolves when
+   * they are in the smoke again.
+   */
   async beginAnew(): Promise<void> {
     this.given = {};
     this.hasBegun.resolve();
@@ -54,18 +57,18 @@ export class OnPage {
     await this.begin();
   }
 
-  /** Those of some values that things of the page leave alone. */
+  /** The given values without those that the page's elements control. */
   without(values: Values): Values {
     return Object.fromEntries(Object.entries(values).filter(([key]) => !(key in this.given)));
   }
 
-  /** Looks where everything is, soon: not more than once at a time. */
+  /** Measures all boxes soon. Concurrent calls are merged. */
   measure(): void {
     this.isBehind = true;
     if (!this.isMeasuring) ignoreRejection(this.measureAll());
   }
 
-  /** Takes the things of the page out of the smoke again. */
+  /** Removes the page's elements from the smoke. */
   dispose(): void {
     this.hasEnded = true;
     this.stopWatching();
@@ -73,7 +76,10 @@ export class OnPage {
     ignoreRejection(change(this.stage, this.given, this.restored()));
   }
 
-  /** A view that turned by itself would leave the things behind: it stays as it is until somebody turns it. */
+  /**
+   * Stops an automatic camera, whose motion would separate the smoke from the page's elements. The user can still orbit
+   * the view.
+   */
   private async holdView(): Promise<void> {
     await this.stage.orbit(0, 0);
     await this.stage.zoom(1);
@@ -114,7 +120,7 @@ export class OnPage {
     this.notified = messages;
   }
 
-  /** @param which of too many count */
+  /** @param which the matches that are used when there are too many */
   private matches(attribute: string, which: 'first' | 'nearest', notices: Notice[]): Element[] {
     const selector = this.owner.element.getAttribute(attribute);
     if (selector === null) return [];
@@ -159,7 +165,7 @@ export class OnPage {
     };
   }
 
-  /** What the attributes say of the keys that were given before and are not now. */
+  /** The attributes' values for keys that were overridden before and are not any more. */
   private restored(now: Values = {}, before: Values = this.given): Values {
     const own = this.owner.values();
     const gone = Object.keys(before).filter((key) => !(key in now) && own[key] !== undefined);
@@ -167,13 +173,13 @@ export class OnPage {
   }
 }
 
-/** How many vortices the attributes have already. */
+/** Number of vortices that the attributes define. */
 function vorticesOf(values: Values): number {
   const used = Object.keys(values).flatMap((key) => /^vortices\.(\d)\./.exec(key)?.[1] ?? []);
   return used.length === 0 ? 0 : 1 + Math.max(...used.map(Number));
 }
 
-/** What is folded away, as in closed details, may have a box all the same. */
+/** Collapsed content, for example in closed details, may still have a box. */
 function isShown(element: Partial<Element>): boolean {
   return element.checkVisibility?.() ?? true;
 }
@@ -182,13 +188,13 @@ function hasArea({ width, height }: Box): boolean {
   return width > 0 && height > 0;
 }
 
-/** What moves without an event of its own is found so late. */
+/** Polling interval for movements that fire no event, in milliseconds. */
 const LOOK_MS = 400;
 
 /**
- * Calls back when things on a page may have moved against each other: scrolling, sizes, pictures that have come, and now
- * and then while the container is in view. It may call back although nothing moved.
- * @returns the function that ends it
+ * Calls back when elements of the page may have moved: on scroll, resize, image loads, and at intervals while the
+ * container is in view. It may call back although nothing has moved.
+ * @returns a function that stops watching
  */
 function watchLayout(container: Element, look: () => void): () => void {
   const end = new AbortController();

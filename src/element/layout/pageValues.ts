@@ -1,24 +1,29 @@
-/** What boxes on the page are for the simulator: obstacles and emitters in the plane that the eye looks at. */
+/** Converts boxes of the page to obstacles and emitters in the plane that the camera looks at. */
 import type { Values } from '../../preset/parameter.ts';
 import type { ScenePlane } from '../../stage/sight.ts';
 import type { Box } from './nearest.ts';
 
-/** Smoke is born behind and before the plane, too: boxes reach through all of it. Metres. */
+/**
+ * Half depth of obstacles, in metres. Smoke spawns behind and in front of the plane, too, so boxes extend through all
+ * of it.
+ */
 const DEPTH = 20;
-/** So thick is what smoke is born in along the top of an element, as half a side. Metres. */
+/** Half thickness of the strip along an element's top edge in which puffs spawn, in metres. */
 const SEAM = 0.02;
-/** How strongly smoke curls around the ends of obstacles: circulation for each metre that it reaches, m/s. */
+/** Circulation per metre of reach of the vortices at the ends of obstacles, in m/s. */
 const CURL = 1.2;
-/** Dying puffs keep off unevenly: along a smooth box they would line up in one straight edge. */
+/** Roughness of obstacles. Along a perfectly smooth box, dying puffs would form a straight edge. */
 const ROUGHNESS = 1;
-/** As many as the simulator has of each list: a collider for an obstacle, and two vortices for one that smoke curls at. */
+/**
+ * The simulator's limit for each list. An obstacle needs one collider, and two vortices where smoke curls around it.
+ */
 export const MAX_FOLLOWED = 8;
 const MILLIMETRE = 1000;
 const MIN_HALF = 0.001;
 
 type Triple = readonly [x: number, y: number, z: number];
 
-/** A box on the plane, metres. */
+/** A rectangle on the plane, in metres. */
 export interface PlaneRectangle {
   readonly middle: Triple;
   readonly top: Triple;
@@ -29,7 +34,7 @@ export interface PlaneRectangle {
 /**
  * @param box on the page
  * @param container of the smoke on the page
- * @param scale CSS pixels of the smoke for one of the page: not 1 where the page is transformed
+ * @param scale CSS pixels of the smoke per CSS pixel of the page; not 1 where the page is transformed
  */
 export function placeOnPlane(box: Box, container: Box, scale: number, plane: ScenePlane): PlaneRectangle {
   const x = (box.left + box.width / 2 - container.left - container.width / 2) * scale;
@@ -44,9 +49,9 @@ export function placeOnPlane(box: Box, container: Box, scale: number, plane: Sce
 }
 
 /**
- * Flat values of so many obstacles, from the first on. The simulator turns a box by its upright alone, so its sides do not look
- * at every eye; it reaches through the plane along the side that looks there most, and its cut with the plane is the
- * place, wherever the eye stands.
+ * Flat values of obstacles, starting at index 0. The simulator rotates a box about its up axis only, so a box cannot
+ * face every camera. The box extends through the plane along its horizontal axis that is closest to the line of sight.
+ * Its cross-section with the plane is the rectangle.
  */
 export function colliderValues(places: readonly PlaneRectangle[], plane: ScenePlane): Values {
   const axis = unit(plane.up);
@@ -72,15 +77,15 @@ function halfOf(metres: number): number {
   return rounded(Math.max(metres, MIN_HALF));
 }
 
-/** How many obstacles smoke can curl at. @param first vortex that is free */
+/** Maximum number of obstacles with vortices. @param first index of the first free vortex */
 export function maxCurled(first: number): number {
   return Math.max(0, Math.floor((MAX_FOLLOWED - first) / 2));
 }
 
 /**
- * Flat values of vortices at both ends of obstacles, which lead smoke out from under them and curl it around their ends:
- * smoke that only bumped would lie under a headline until it is gone.
- * @param first index that is free
+ * Flat values of vortices at both ends of obstacles, which move smoke out from under them and curl it around their
+ * ends. With collisions alone, smoke would collect under a headline until it fades.
+ * @param first index of the first free vortex
  */
 export function curlValues(places: readonly PlaneRectangle[], plane: ScenePlane, first: number): Values {
   const axis = cross(unit(plane.right), unit(plane.up));
@@ -109,8 +114,8 @@ function curls(
 }
 
 /**
- * Flat values of so many emitters, each along the top of its place and with its share of the births. Emitters do not turn:
- * where the eye looks slantwise, smoke is born in a strip as wide as the place.
+ * Flat values of emitters, each along the top edge of its rectangle and with its share of the emission rate. Emitters
+ * do not rotate: where the camera looks at an angle, the strip is as wide as the rectangle.
  */
 export function emitterValues(
   emitters: readonly { readonly place: PlaneRectangle; readonly isOn: boolean }[],
@@ -127,7 +132,7 @@ export function emitterValues(
       'extent.x': rounded(Math.max(place.halfWidth * x, SEAM)),
       'extent.y': SEAM,
       'extent.z': rounded(Math.max(place.halfWidth * z, SEAM)),
-      // While none of them smokes nothing is born; a share of nothing would be refused.
+      // When no emitter is on, the rate is 0. Shares that add up to 0 would be rejected.
       share: isOn || !isAnyOn ? 1 : 0,
     }),
   );
@@ -155,7 +160,7 @@ function underKey(prefix: string, values: Values): Values {
   return Object.fromEntries(Object.entries(values).map(([key, value]) => [`${prefix}.${key}`, value]));
 }
 
-/** To the millimetre: what moves by less is not worth a message. */
+/** Rounds to millimetres, so that smaller movements send no message. */
 function rounded(metres: number): number {
   return Math.round(metres * MILLIMETRE) / MILLIMETRE + 0;
 }

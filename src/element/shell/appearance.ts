@@ -1,6 +1,6 @@
 /**
- * How the element looks. What it is built of lies in the shadow tree and does not rely on the element's own box, so that
- * a page that resets everything, the element too, still shows smoke of a sensible size.
+ * Styles of the element. Everything inside the shadow tree is independent of the element's own box, so that smoke has a
+ * usable size on a page that resets all styles, including those of the element.
  */
 export const css = `
 :host { display: block; pointer-events: none; }

@@ -3,15 +3,15 @@ import { css } from './appearance.ts';
 const SVG = 'http://www.w3.org/2000/svg';
 const ICONS = { pause: 'M5 3h4v14H5zM11 3h4v14h-4z', play: 'M5 2.5 17 10 5 17.5z' } as const;
 
-/** What the shell shows: the poster, the smoke, or that there will be none. */
+/** What the shell shows: the poster, the smoke or the failure state. */
 export type Showing = 'poster' | 'smoke' | 'failure';
 
-/** One for all elements of a document; those of another document may not use it. */
+/** One style sheet per document. A constructed style sheet cannot be shared between documents. */
 const sheets = new WeakMap<Document, CSSStyleSheet>();
 
-/** What stands in the element's shadow tree: a place for the canvas, the poster, the fallback and the button. */
+/** Content of the element's shadow tree: the canvas, the poster, the fallback and the button. */
 export class Shell {
-  /** Takes as much room as the canvas will; as large as the element. */
+  /** Reserves the space of the canvas; as large as the element. */
   readonly container = document.createElement('div');
   readonly button = document.createElement('button');
   private readonly icon = document.createElementNS(SVG, 'path');
@@ -28,18 +28,21 @@ export class Shell {
     root.append(this.container);
   }
 
-  /** Gives the tree its looks; once more in each document that it comes to. Those of templates have no window, and show nothing. */
+  /**
+   * Adopts the style sheet; called again for each new document. Documents of templates have no window and are never
+   * rendered.
+   */
   dress(): void {
     const { ownerDocument } = this.root;
     if (ownerDocument.defaultView) this.root.adoptedStyleSheets = [sheetOf(ownerDocument)];
   }
 
-  /** Where the smoke is drawn; none before it starts and after it has ended. */
+  /** The canvas; undefined before the smoke starts and after it ends. */
   get canvas(): HTMLCanvasElement | undefined {
     return this.shown;
   }
 
-  /** A fresh canvas in the place of the one before: one that was handed to a worker cannot be used again. */
+  /** Replaces the canvas. A canvas that was transferred to a worker cannot be reused. */
   makeCanvas(description: string | null): HTMLCanvasElement {
     const canvas = document.createElement('canvas');
     canvas.className = 'layer';
@@ -51,7 +54,7 @@ export class Shell {
     return canvas;
   }
 
-  /** @param description what screen readers say; nothing when it is empty, because the smoke is ornament then */
+  /** @param description accessible name; an empty one marks the smoke as decorative */
   describe(description: string | null): void {
     const { canvas } = this;
     if (!canvas) return;
@@ -67,7 +70,7 @@ export class Shell {
     this.shown = undefined;
   }
 
-  /** @param isStill whether nothing moves until somebody plays, so that the button stands out */
+  /** @param isStill whether nothing moves until the user starts playback, which highlights the button */
   showPlaying(isPlaying: boolean, isStill: boolean): void {
     this.isPlaying = isPlaying;
     this.nameButton();
@@ -75,7 +78,7 @@ export class Shell {
     this.container.classList.toggle('still', isStill);
   }
 
-  /** Names the button as the page wants it, in whatever language. */
+  /** Sets the button's accessible name, which the page can localize. */
   nameButton(): void {
     const { host } = this.root;
     this.button.ariaLabel = this.isPlaying
@@ -95,7 +98,7 @@ export class Shell {
   }
 }
 
-/** In the flow, and replaced: so the element has a size of its own where nobody gives one, in table cells too. */
+/** An in-flow replaced element gives the element an intrinsic size where the page sets none, in table cells, too. */
 function sizer(): SVGElement {
   const svg = document.createElementNS(SVG, 'svg');
   svg.setAttribute('viewBox', '0 0 16 9');
@@ -114,7 +117,7 @@ function layer(name: string, slot?: string): HTMLElement {
   return element;
 }
 
-/** @param owner has a window */
+/** @param owner a document with a window */
 function sheetOf(owner: Document): CSSStyleSheet {
   let sheet = sheets.get(owner);
   if (!sheet) {
