@@ -1,6 +1,4 @@
-/**
- * The demo page: a user of the library like any other. Reads the address, sets the stage up, and puts controls over it.
- */
+/** The demo page, built on the public API. Parses the address, creates the stage and adds the controls. */
 import { decode, type Decoded } from '../preset/codec.ts';
 import { LoadError } from '../preset/errors.ts';
 import { readEnvironment, type Environment } from '../preset/environment.ts';
@@ -30,14 +28,16 @@ import { takeStep, togglePlaying } from './playback/transport.ts';
 
 declare global {
   interface Window {
-    /** The stage of the page, for people who use the console. */
+    /** The page's stage, for use in the console. */
     cartoonSmoke?: Stage;
   }
 }
 
-/** With reduced motion the page starts with a still picture; by then the smoke has filled its column. */
+/**
+ * With reduced motion the page starts with a still frame. After this time in seconds the smoke has filled its column.
+ */
 const STILL_SECONDS = 4;
-/** Late frames after which the page says so: the governor has seen by then that it is no passing load. */
+/** Number of late frames before a notice appears. By then the governor has ruled out a temporary load. */
 const LATE_FRAMES = 8;
 
 const canvas = document.querySelector<HTMLCanvasElement>('#smoke')!;
@@ -53,7 +53,7 @@ async function start(): Promise<void> {
   container.append(notices.element);
   const moment = momentOf(decoded, environment);
   const stage = await load(editor, environment);
-  // Not with the region for messages, or screen readers would take them for what has always stood there.
+  // Add messages after the live region, otherwise screen readers treat them as initial content.
   notifyAll(notices, decoded);
   notifyAll(notices, environment);
   window.cartoonSmoke = stage;
@@ -85,7 +85,7 @@ function momentOf({ take, state }: Decoded, environment?: Environment): LinkedMo
   return take && { take, state, seconds: environment?.time, isTrusted: false };
 }
 
-/** Before anything follows the stage, so that the address keeps the moment until somebody edits. */
+/** Runs before anything follows the stage, so that the address keeps the moment until the first edit. */
 async function arriveAt(moment: LinkedMoment, stage: Stage, editor: Editor, notices: Notices): Promise<void> {
   await goToMoment(stage, moment, notices, container);
   editor.adopt(stage.get());
@@ -109,8 +109,8 @@ async function load(editor: Editor, { quality, view }: Environment): Promise<Sta
 }
 
 /**
- * Winds forward to the first picture, then plays unless the address or the system asks for stillness. What plays from its
- * first step shows no picture before there is smoke in it.
+ * Seeks to the first frame, then plays unless the address or the system requests a still frame. Smoke that plays from
+ * its first step is shown only once it has particles.
  */
 async function begin(stage: Stage, { paused, time }: Environment, notices: Notices): Promise<void> {
   const lead = time ?? (calm.matches ? STILL_SECONDS : 0);
@@ -125,7 +125,7 @@ async function begin(stage: Stage, { paused, time }: Environment, notices: Notic
   else if (!paused) stage.play();
 }
 
-/** A button in the middle of the still picture, until somebody plays by whatever means. */
+/** Shows a play button over the still frame until playback starts by any means. */
 function offerToPlay(stage: Stage): void {
   const button = textButton('loud play-smoke', strings.transport.playSmoke, () => stage.play());
   const end = stage.on('statechange', ({ playing }) => {
@@ -178,7 +178,7 @@ function showError(error: unknown): void {
   container.classList.remove('is-bare');
 }
 
-/** Keeps the canvas's label, for who cannot see it, with the scene that is shown. */
+/** Updates the canvas's accessible name with the current scene. */
 function describeScene(stage: Stage): void {
   const show = () => {
     const { picture, hand } = strings.scenes[String(stage.get().scene)];
@@ -189,11 +189,11 @@ function describeScene(stage: Stage): void {
   show();
 }
 
-/** Says once when this machine keeps up with the smoke by fewer pixels only, and what would help. */
+/** Notifies once when the machine needs a lower resolution to keep up, and suggests a remedy. */
 function notifyOfSlowMachine(stage: Stage, notices: Notices): void {
   let frames = 0;
   const stop = stage.on('frame', ({ scale }) => {
-    // What somebody has asked for by `?quality=` is no news.
+    // Do not report a quality that was set by `?quality=`.
     if (scale === 1 || stage.quality !== 'auto') return;
     frames += 1;
     if (frames < LATE_FRAMES) return;

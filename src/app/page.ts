@@ -18,7 +18,7 @@ import { ShareSheet } from './share/shareSheet.ts';
 import { createStatistics } from './panel/statistics.ts';
 import { strings } from './strings.ts';
 
-/** What the keys need of the page's controls. */
+/** Actions of the page's controls that shortcut keys use. */
 export interface Page {
   share(): void;
   capture(): void;
@@ -31,28 +31,28 @@ export interface Page {
   toggleStatistics(): void;
   drop(): void;
   blow(): void;
-  /** Whether drags beside things blow. */
+  /** Whether drags that grab nothing blow. */
   readonly dragsBlow: boolean;
 }
 
-/** On a phone the panel covers half of the smoke, so it starts closed there. */
+/** On a phone the panel covers half of the smoke, so it starts closed. */
 const ROOMY = '(min-width: 701px) and (min-height: 501px)';
 
-/** What the controls act on and talk through. */
+/** Dependencies of the controls. */
 export interface PageParts {
   readonly editor: Editor;
   readonly stage: Stage;
-  /** On which the stage draws. */
+  /** The stage's canvas. */
   readonly canvas: HTMLCanvasElement;
   readonly notices: Notices;
   readonly scrubber: Scrubber;
-  /** Waits until the stage has taken up all edits. */
+  /** Resolves when the stage has applied all edits. */
   readonly caughtUp: () => Promise<void>;
-  /** Whether statistics are shown from the start. */
+  /** Whether statistics are shown initially. */
   readonly hasStatistics: boolean;
 }
 
-/** Puts the controls over the canvas. @param container the element that holds them */
+/** Adds the controls over the canvas. @param container parent of the controls */
 export function buildPage(container: HTMLElement, parts: PageParts): Page {
   const { editor, stage, notices, scrubber } = parts;
   const help = new Help(stage);
@@ -97,7 +97,7 @@ export function buildPage(container: HTMLElement, parts: PageParts): Page {
     toggleGizmos: () => {
       const isShown = gizmos.toggle();
       gizmoToggle.setAttribute('aria-pressed', String(isShown));
-      // On a phone the gallery would lie over some of them.
+      // On a phone the gallery would cover some of them.
       if (isShown && !matchMedia(ROOMY).matches) dock.closeGallery();
     },
     toggleStatistics: () => statistics.toggle(),
@@ -139,7 +139,7 @@ function createWordmark(): HTMLElement {
   return create('h1', { class: 'wordmark', 'aria-label': strings.title }, ...words);
 }
 
-/** Blowing for who has no Alt key: a button by which drags beside things blow, and a gust by the keyboard. */
+/** Blowing without an Alt key: a button that makes drags blow, and a gust by the keyboard. */
 class Blowing {
   readonly element: HTMLButtonElement;
   private readonly stage: Stage;
@@ -156,12 +156,12 @@ class Blowing {
     canvas.addEventListener('pointerleave', () => (this.pointer = undefined));
   }
 
-  /** Whether a drag that grabs nothing blows instead of turning the view. */
+  /** Whether a drag that grabs nothing blows instead of orbiting the camera. */
   get takesDrags(): boolean {
     return this.isOn;
   }
 
-  /** A gust away from the viewer: where the pointer is, or in the middle. */
+  /** Blows away from the viewer, at the pointer or in the middle. */
   here(): void {
     const { clientWidth, clientHeight } = this.canvas;
     this.stage.blow(this.pointer ?? { x: clientWidth / 2, y: clientHeight / 2 });

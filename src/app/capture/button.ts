@@ -5,7 +5,7 @@ import { icon } from '../ui/icons.ts';
 import type { Notices } from '../ui/notices.ts';
 import { strings } from '../strings.ts';
 
-/** Opens the sheet of captures, which comes with its code when it is first asked for. */
+/** Opens the capture dialog, whose code is fetched on first use. */
 export class CaptureButton {
   readonly element = iconButton('icon-button', strings.capture.button, icon('camera'), () => this.press());
   private readonly stage: Stage;
@@ -13,7 +13,7 @@ export class CaptureButton {
   private readonly notices: Notices;
   private dialog: Promise<CaptureDialog> | undefined;
 
-  /** @param container where the sheet is put */
+  /** @param container parent of the dialog */
   constructor(stage: Stage, container: HTMLElement, notices: Notices) {
     this.stage = stage;
     this.container = container;
@@ -25,7 +25,7 @@ export class CaptureButton {
     this.dialog.then(
       (dialog) => dialog.open(),
       (error: unknown) => {
-        // Asked for again, it may come.
+        // Allow a retry after a failed fetch.
         this.dialog = undefined;
         this.notices.notify(strings.capture.failed((error as Error).message));
       },

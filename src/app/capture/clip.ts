@@ -2,18 +2,17 @@ import { nextTask } from '../../stage/seek.ts';
 import { frameCount, type CaptureSettings } from './settings.ts';
 import type { Studio } from './studio.ts';
 
-/** Work that takes its time, and that somebody may want to end. */
+/** A long-running operation that can be cancelled. */
 export interface Task {
   readonly signal: AbortSignal;
-  /** Called with how much is done, 0 to 1. */
+  /** Called with the progress, 0 to 1. */
   readonly onProgress: (share: number) => void;
 }
 
 /**
- * Goes through a clip frame by frame, in steps of the simulation and not in the time of the machine, so that each frame is
- * there however long it takes.
- * @param shoot takes a frame, which it must read from the canvas before it waits for anything
- * @throws the signal's reason when it was aborted
+ * Renders a clip frame by frame in simulated time, so that no frame is dropped, however long rendering takes.
+ * @param shoot captures a frame; it must read the canvas before its first await
+ * @throws the signal's reason when the task is aborted
  */
 export async function shootClip(
   { stage, draw }: Studio,

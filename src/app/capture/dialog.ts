@@ -8,7 +8,7 @@ import type { CaptureSettings, Format } from './settings.ts';
 import type { Task } from './clip.ts';
 import { openStudio, type Studio } from './studio.ts';
 
-/** Where people choose what to capture, wait for it, and may change their mind. The smoke rests meanwhile. */
+/** Dialog that selects what to capture, shows progress and allows cancelling. The smoke is paused meanwhile. */
 export class CaptureDialog {
   readonly element: HTMLDialogElement;
   private readonly stage: Stage;
@@ -45,7 +45,7 @@ export class CaptureDialog {
   }
 
   private leave(): void {
-    // The event comes with the frame after the closing, and somebody may have been quicker than it.
+    // The close event fires asynchronously; the dialog may be open again by then.
     if (this.element.open) return;
     this.work?.abort();
     if (this.wasPlaying) this.stage.play();
@@ -83,7 +83,7 @@ export class CaptureDialog {
 
 type Maker = (studio: Studio, settings: CaptureSettings, task: Task) => Promise<Blob>;
 
-/** Each comes with its library, and only when it is asked for. */
+/** Encoders by format. Each module and its library are fetched on first use. */
 const makers: Readonly<Record<Format, () => Promise<Maker>>> = {
   png: async () => (await import('./png.ts')).makePng,
   svg: async () => (await import('./svg.ts')).makeSvg,
@@ -94,8 +94,8 @@ const makers: Readonly<Record<Format, () => Promise<Maker>>> = {
 };
 
 /**
- * What a stage shows, from this moment on, as a file. The stage is left as it is.
- * @throws the reason of the task's signal when it was aborted, VideoError where the browser has no encoder for the format
+ * Captures what a stage shows, from the current time on, as a file. The stage is not modified.
+ * @throws the reason of the task's signal when it is aborted; VideoError when the browser has no encoder for the format
  */
 export async function capture(stage: Stage, settings: CaptureSettings, task: Task): Promise<Blob> {
   const make = await makers[settings.format]();

@@ -8,10 +8,10 @@ import type { FrameInput } from '../../smoke/frameInput.ts';
 import { joined, stillOf, type Still } from './still.ts';
 
 const FOREVER = 0;
-/** What was drawn goes before the next frame, or a hole would show it. */
+/** GIF disposal method: clears the previous frame, which would otherwise show through transparent pixels. */
 const RESTORE_BACKGROUND = 2;
 
-/** A GIF that goes on for ever: its end leads to its beginning. */
+/** Encodes a GIF that loops without a visible seam. */
 export async function makeGif(studio: Studio, settings: CaptureSettings, task: Task): Promise<Blob> {
   const [width, height] = pixelSize(settings);
   const reader = new PixelReader(width, height);
@@ -31,20 +31,20 @@ export async function makeGif(studio: Studio, settings: CaptureSettings, task: T
   return new Blob([encoder.bytes()], { type: 'image/gif' });
 }
 
-/** Milliseconds in whole hundredths of a second, as long together as the frames shall be. */
+/** Delay of a frame in milliseconds, a multiple of 10. Rounding errors do not accumulate over frames. */
 function delayOf(frame: number, rate: number): number {
   const until = (count: number) => Math.round((100 * count) / rate);
   return 10 * (until(frame + 1) - until(frame));
 }
 
-/** How long the end takes to turn into the beginning, and which share of the clip at most. */
+/** Length of the transition from the end to the beginning, and its maximum fraction of the clip. */
 const JOIN_SECONDS = 0.75;
 const JOIN_SHARE = 0.5;
 
 /**
- * Goes through a clip whose last frame leads to its first: what comes before the first frame is kept, and at the end
- * the smoke turns into it.
- * @param shoot as of shootClip
+ * Renders a clip that loops. It stores the smoke from before the first frame, and at the end the smoke dissolves into
+ * it.
+ * @param shoot as in shootClip
  */
 async function shootLoop(
   { stage, ...studio }: Studio,

@@ -1,22 +1,23 @@
 import { quantize } from 'gifenc';
 
 const MAX_COLORS = 256;
-/** So many entries hold the commonest colours as they are: flat tones, ink, and the rows of a backdrop. */
+/** Palette entries reserved for the most common colours, which stay exact: flat tones, ink and backdrop rows. */
 const EXACT = 208;
-/** Below half of it a pixel is left out: a GIF knows no half. */
+/** Pixels with less alpha become transparent, because a GIF has no partial transparency. */
 const HALF = 128;
 
-/** A frame as a GIF has it: up to 256 colours, and one of them for each pixel. */
+/** A GIF frame: a palette of up to 256 colours and one index per pixel. */
 export interface IndexedFrame {
   readonly palette: number[][];
   readonly indices: Uint8Array;
-  /** Number of the colour that is not drawn; undefined where all is. */
+  /** Index of the transparent colour; undefined when the frame is opaque. */
   readonly transparent: number | undefined;
 }
 
 /**
- * Gives a frame its colours: the commonest stay exactly as they are, which a common quantizer would mix with their
- * neighbours, and what is rare, mostly smoothed edges, gets the nearest of what a quantizer makes of the rest.
+ * Converts a frame to indexed colour. The most common colours stay exact; an ordinary quantizer would mix them with
+ * similar ones. Rare colours, mostly on antialiased edges, map to the nearest colour of a palette that is quantized
+ * from the rest.
  */
 export function indexFrame({ data }: ImageData): IndexedFrame {
   const pixels = new Uint32Array(data.buffer);
@@ -37,7 +38,10 @@ export function indexFrame({ data }: ImageData): IndexedFrame {
   return { palette, indices: Uint8Array.from(pixels, (pixel) => numbers.get(opaque(pixel))!), transparent };
 }
 
-/** A pixel without its alpha, or 0. Opaque black keeps its alpha and so is not 0. */
+/**
+ * Returns the pixel with full alpha, or 0 when it is transparent. Opaque black includes its alpha, so it differs from
+ * 0.
+ */
 function opaque(pixel: number): number {
   return pixel >>> 24 < HALF ? 0 : (pixel | 0xff000000) >>> 0;
 }

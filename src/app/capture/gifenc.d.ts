@@ -1,10 +1,10 @@
-/** What we use of gifenc, which comes without types. */
+/** Types for the used parts of gifenc, which has no type declarations. */
 declare module 'gifenc' {
   export interface FrameOptions {
     palette: number[][];
     /** Milliseconds. */
     delay: number;
-    /** How often all is played again; 0 is forever. Counts in the first frame. */
+    /** Number of repetitions; 0 loops forever. Only the first frame's value counts. */
     repeat: number;
     transparent: boolean;
     transparentIndex: number;

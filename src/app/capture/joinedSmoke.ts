@@ -4,17 +4,17 @@ import type { Bounds } from '../../sim/simulator.ts';
 import type { View } from '../../sim/view.ts';
 import type { Arranger } from '../../smoke/frameInput.ts';
 
-/** Puffs come and go one after the other, by their seeds; each takes this share of the whole time. */
+/** Puffs dissolve one after the other, ordered by seed. Each takes this fraction of the total time. */
 const ONE_PUFF = 0.4;
 const MAX_SEED = 255;
 
-/** All puffs of a moment and the box around them. */
+/** All puffs at one time, and their bounding box. */
 export interface RetainedSmoke {
   readonly rows: Rows;
   readonly bounds: Bounds;
 }
 
-/** All puffs that an arranger has, in arrays of their own. */
+/** Copies all puffs of an arranger to new arrays. */
 export function keep(smoke: Arranger, view: View): RetainedSmoke {
   const { count, place, attributes } = smoke.arrange(everything(view));
   const rows = {
@@ -25,13 +25,15 @@ export function keep(smoke: Arranger, view: View): RetainedSmoke {
   return { rows, bounds: smoke.bounds };
 }
 
-/** Smoke on its way from one moment to another: puffs of the first shrink until they are gone, those of the second swell. */
+/**
+ * Smoke in transition between two times: the puffs of the first shrink until they disappear, those of the second grow.
+ */
 export class JoinedSmoke implements Arranger {
   private readonly from: Arranger;
   private readonly to: RetainedSmoke;
   private readonly share: number;
 
-  /** @param share of the way, 0 to 1 */
+  /** @param share progress of the transition, 0 to 1 */
   constructor(from: Arranger, to: RetainedSmoke, share: number) {
     this.from = from;
     this.to = to;
@@ -49,7 +51,7 @@ export class JoinedSmoke implements Arranger {
     };
   }
 
-  /** What puffs hide is not known of smoke that changes so: every puff is there. */
+  /** Occlusion culling does not work during a transition, so all puffs are returned. */
   arrange(view: View): Rows {
     const rows = new RowList(view.purpose === 'light');
     const from = this.from.arrange(everything(view));
@@ -58,14 +60,14 @@ export class JoinedSmoke implements Arranger {
     return rows.rows;
   }
 
-  /** Share of its radius that a puff of the second moment has. */
+  /** Scale of a puff of the second time, 0 to 1. */
   private swelling(seed: number): number {
     const begin = (1 - ONE_PUFF) * (seed / MAX_SEED);
     return MathUtils.smoothstep(this.share, begin, begin + ONE_PUFF);
   }
 }
 
-/** Rows that are added up from several lists. */
+/** Rows merged from several lists. */
 class RowList {
   private readonly place: number[] = [];
   private readonly attributes: number[] = [];
@@ -84,7 +86,7 @@ class RowList {
     };
   }
 
-  /** @param scaleOf share of the radius that is left to a row, by its seed */
+  /** @param scaleOf scale of a row's radius by its seed, 0 to 1 */
   add({ count, place, attributes }: Rows, scaleOf: (seed: number) => number): void {
     for (let row = 0; row < count; ++row) {
       const kind = attributes[ATTRIBUTE_WORDS * row + 1];

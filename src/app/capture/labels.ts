@@ -1,22 +1,22 @@
-/** A picture in few flat colours, by their numbers. */
+/** An image in a few flat colours, as indices. */
 export interface Labels {
   readonly width: number;
   readonly height: number;
-  /** Number of the colour of each pixel, row by row; 0 is nothing. */
+  /** Colour index of each pixel in row order; 0 is transparent. */
   readonly of: Uint8Array;
-  /** As 0xAABBGGRR, by number; the first is nothing. */
+  /** Colours as 0xAABBGGRR, by index; the first one is transparent. */
   readonly colors: readonly number[];
 }
 
-/** A colour with fewer pixels is taken for a smoothed edge. */
+/** Colours with fewer pixels are treated as antialiasing. */
 const MIN_SHARE = 1 / 20_000;
 const MIN_PIXELS = 4;
 const MAX_COLORS = 64;
 const HALF = 128;
 
 /**
- * Gives each pixel one of the commonest colours, exactly as they are. Pixels of smoothed edges go over to the nearest of the
- * flat colours beside them, so that no rim of a third colour stands between two.
+ * Assigns each pixel one of the most common colours. Antialiased pixels take the nearest of the flat colours next to
+ * them, so that no outline of a third colour appears between two regions.
  */
 export function labelColors({ data, width, height }: ImageData): Labels {
   const pixels = new Uint32Array(data.buffer);
@@ -32,7 +32,7 @@ export function labelColors({ data, width, height }: ImageData): Labels {
 
 const UNKNOWN = 255;
 
-/** A pixel of full alpha as it is, nothing as 0; half of a pixel is an edge. */
+/** Returns opaque pixels unchanged, transparent ones as 0 and partially transparent ones as 1, which marks an edge. */
 function settled(pixel: number): number {
   const alpha = pixel >>> 24;
   return alpha === 0 ? 0 : alpha === 255 ? pixel : 1;
@@ -49,7 +49,7 @@ function commonestColors(pixels: Uint32Array): number[] {
   return [0, ...common.slice(0, MAX_COLORS).map(([color]) => color)];
 }
 
-/** Numbers of the colours around a pixel; all of them where none is around it. */
+/** Colour indices around a pixel; all indices when there are none. */
 function beside(found: Uint8Array, at: number, width: number): Set<number> {
   const numbers = new Set<number>();
   const column = at % width;
@@ -73,7 +73,7 @@ function nearestOf(numbers: Set<number>, colors: readonly number[], pixel: numbe
   return best;
 }
 
-/** What lies before nothing differs from it by its alpha alone. */
+/** The distance to transparency depends on alpha only. */
 function distance(color: number, pixel: number): number {
   if (color === 0) return (pixel >>> 24) ** 2;
   if (pixel >>> 24 < HALF) return 2 * 255 ** 2;

@@ -6,15 +6,15 @@ export const LAYERS = ['flats', 'shadow', 'ink', 'depth'] as const;
 export type Layer = (typeof LAYERS)[number];
 
 /**
- * Takes a moment apart: flats without shadow and ink, shadow as the colours that it brings, ink alone, and depth, near
- * white. Flats, shadow and ink laid over each other are the picture.
+ * Splits a frame into layers: flat colours without shadow and ink, shadow (the colours that it adds), ink, and depth,
+ * where near is white. Flats, shadow and ink composited in this order give the frame.
  */
 export class LayerCamera {
   private readonly studio: Studio;
   private readonly reader: PixelReader;
   private readonly style: Values;
 
-  /** @param width, height of the studio's canvas */
+  /** @param width, height of the studio's canvas, in pixels */
   constructor(studio: Studio, width: number, height: number) {
     this.studio = studio;
     this.reader = new PixelReader(width, height);
@@ -47,7 +47,9 @@ export class LayerCamera {
     return shadowed;
   }
 
-  /** How much of a pixel is ink tells the difference between white ink and black. */
+  /**
+   * Computes the ink coverage of each pixel from the difference between a frame with white ink and one with black ink.
+   */
   private ink(): ImageData {
     const black = this.read({ 'style.inkColor': '#000000' }).data;
     const white = this.read({ 'style.inkColor': '#ffffff' });
@@ -87,7 +89,7 @@ function rgbOf(color: string): number[] {
   return [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
 }
 
-/** Light of an sRGB code, 0 to 1. */
+/** Converts an sRGB code (0 to 255) to linear light (0 to 1). */
 function linear(code: number): number {
   const value = code / 255;
   return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;

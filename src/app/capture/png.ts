@@ -1,7 +1,7 @@
 import { encodePng } from '../../stage/presenter.ts';
 import type { Studio } from './studio.ts';
 
-/** The picture as it stands, without loss. */
+/** Encodes the current frame without loss. */
 export function makePng({ canvas, draw }: Studio): Promise<Blob> {
   draw();
   return encodePng(canvas);

@@ -5,7 +5,7 @@ import { LayerCamera } from './layers.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
 import type { Studio } from './studio.ts';
 
-/** PNGs by number in a zip, with alpha; in layers a folder each. */
+/** Encodes numbered PNGs with alpha in a zip; with layers, one folder for each layer. */
 export async function makePngSequence(studio: Studio, settings: CaptureSettings, task: Task): Promise<Blob> {
   const archive = new Archive();
   const layers = settings.inLayers ? new LayerCamera(studio, ...pixelSize(settings)) : undefined;
@@ -17,7 +17,7 @@ export async function makePngSequence(studio: Studio, settings: CaptureSettings,
   return archive.finish();
 }
 
-/** A zip without compression of its own: PNGs are as small as they get. */
+/** A zip without compression, because PNGs are compressed already. */
 class Archive {
   private readonly parts: Uint8Array<ArrayBuffer>[] = [];
   private failure: Error | undefined;

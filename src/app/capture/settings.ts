@@ -1,4 +1,4 @@
-/** What can be captured, and what somebody has asked for. */
+/** Capture formats and settings. */
 export const FORMATS = {
   png: { isClip: false, hasAlpha: true },
   svg: { isClip: false, hasAlpha: true },
@@ -9,34 +9,36 @@ export const FORMATS = {
 } as const;
 export type Format = keyof typeof FORMATS;
 
-/** Pixels in a CSS pixel. */
+/** Device pixels per CSS pixel. */
 export const SCALES = [1, 2, 4] as const;
-/** Frames a second; a GIF counts hundredths of a second, and browsers slow down what is faster than 50. */
+/**
+ * Frames per second. GIF delays are in hundredths of a second, and browsers slow down GIFs above 50 frames per second.
+ */
 export const RATES = [12, 24, 30, 60] as const;
 export const FASTEST_GIF = 30;
-/** Longest clip, seconds. */
+/** Maximum length of a clip in seconds. */
 export const LONGEST = 60;
 
 export interface CaptureSettings {
   readonly format: Format;
-  /** Size in CSS pixels, and how many pixels make one. */
+  /** Size in CSS pixels, and device pixels per CSS pixel. */
   readonly width: number;
   readonly height: number;
   readonly scale: number;
   readonly hasBackground: boolean;
-  /** Length of a clip in seconds, and its frames a second. */
+  /** Length of a clip in seconds, and its frames per second. */
   readonly seconds: number;
   readonly rate: number;
-  /** Whether a zip holds flats, shadow, ink and depth apart, instead of pictures. */
+  /** Whether the zip contains flats, shadow, ink and depth as separate layers instead of complete frames. */
   readonly inLayers: boolean;
 }
 
-/** How many frames a clip has, at least 1. */
+/** Number of frames in a clip, at least 1. */
 export function frameCount({ seconds, rate }: CaptureSettings): number {
   return Math.max(1, Math.round(seconds * rate));
 }
 
-/** Size in pixels. Encoders of video take even sizes only. */
+/** Size in device pixels. Video encoders require even sizes. */
 export function pixelSize({ format, width, height, scale }: CaptureSettings): [width: number, height: number] {
   const grain = format === 'webm' || format === 'mp4' ? 2 : 1;
   return [width, height].map((side) => Math.max(grain, grain * Math.round((side * scale) / grain))) as [number, number];

@@ -12,13 +12,13 @@ import {
   type CaptureSettings,
 } from './settings.ts';
 
-/** Sizes to choose from besides the window's, CSS pixels. */
+/** Preset sizes besides the window's, in CSS pixels. */
 const SIZES = ['1920x1080', '1280x720', '640x360', '1080x1080', '1080x1920'] as const;
 const WINDOW = 'window';
-/** A drawing is traced from a picture twice as fine. */
+/** An SVG is traced from a frame at twice the resolution. */
 const DRAWING_SCALE = 2;
 
-/** What to capture, in native fields. */
+/** Capture settings as native form fields. */
 export class SettingsForm {
   readonly element = create('form', { class: 'capture-form' });
   private readonly fields = create('fieldset', { class: 'capture-fields' });
@@ -53,7 +53,7 @@ export class SettingsForm {
     this.fields.disabled = isLocked;
   }
 
-  /** Offers the window as large as it is now. */
+  /** Updates the 'window' option with the current size. */
   measureWindow(): void {
     this.size.options[0].textContent = strings.capture.window(innerWidth, innerHeight);
     this.follow();
@@ -75,7 +75,7 @@ export class SettingsForm {
     };
   }
 
-  /** Shows the fields that the format has, and what comes of them. */
+  /** Shows the fields of the selected format, and a summary of the result. */
   private follow(): void {
     const format = this.format.value as Format;
     const { isClip, hasAlpha } = FORMATS[format];

@@ -1,9 +1,9 @@
-/** A corner of a pixel, or a point between two. */
+/** A pixel corner, or a point between two corners. */
 export type Point = readonly [x: number, y: number];
 
 /**
- * Leaves out what a line can do without, and rounds the stairs of pixels. The same for both directions of a line. Its ends stay.
- * @param tolerance pixels
+ * Simplifies a polyline and smooths pixel staircases. The result does not depend on direction, and the end points stay.
+ * @param tolerance maximum deviation in pixels
  */
 export function simplifyArc(corners: readonly Point[], tolerance: number): Point[] {
   const isReversed = comesLater(corners);
@@ -12,7 +12,7 @@ export function simplifyArc(corners: readonly Point[], tolerance: number): Point
   return isReversed ? kept.toReversed() : kept;
 }
 
-/** Whether the other direction is the one to work in. */
+/** Whether the reversed direction is the canonical one. */
 function comesLater(corners: readonly Point[]): boolean {
   const last = corners.length - 1;
   for (let at = 0; at <= last / 2; ++at) {
@@ -23,13 +23,13 @@ function comesLater(corners: readonly Point[]): boolean {
   return false;
 }
 
-/** Middles of the edges between the ends: a stair of pixels becomes a slope. */
+/** Replaces corners with the midpoints of edges, which turns a pixel staircase into a slope. The end points stay. */
 function smoothed(corners: readonly Point[]): Point[] {
   const middles = corners.slice(1).map(([x, y], at): Point => [(x + corners[at][0]) / 2, (y + corners[at][1]) / 2]);
   return [corners[0], ...middles, corners.at(-1)!];
 }
 
-/** After Douglas and Peucker (1973), without recursion: outlines have many thousand points. */
+/** Douglas-Peucker simplification (1973). It is iterative because outlines have many thousand points. */
 function withoutNeedless(line: readonly Point[], tolerance: number): Point[] {
   const keeps = new Uint8Array(line.length);
   keeps[0] = keeps[line.length - 1] = 1;
@@ -53,7 +53,7 @@ function farthest(line: readonly Point[], first: number, last: number): { at: nu
   return { at, away };
 }
 
-/** From a point to the line through two others, or to them where they are the same. */
+/** Distance from a point to the line through two others, or to the point where they coincide. */
 function distanceTo([x, y]: Point, [fromX, fromY]: Point, [toX, toY]: Point): number {
   const [alongX, alongY] = [toX - fromX, toY - fromY];
   const length = Math.hypot(alongX, alongY);

@@ -4,7 +4,7 @@ import type { FrameInput } from '../../smoke/frameInput.ts';
 import type { Light } from '../../smoke/light.ts';
 import { JoinedSmoke, keep, type RetainedSmoke } from './joinedSmoke.ts';
 
-/** What a frame was drawn from, kept while the stage goes on. */
+/** The inputs of a frame, stored while the stage continues. */
 export interface Still {
   readonly smoke: RetainedSmoke;
   readonly camera: Camera;
@@ -20,8 +20,8 @@ export function stillOf({ simulator, camera, light, rigids, parts = [], blend }:
 }
 
 /**
- * A frame on its way from one moment to another: smoke dissolves into smoke, and things, eye and light go there.
- * @param eased share of the way, 0 to 1
+ * A frame in transition between two times: the smoke dissolves, and rigids, camera and light are interpolated.
+ * @param share progress of the transition, 0 to 1
  */
 export function joined(from: FrameInput, to: Still, share: number): FrameInput {
   const eased = MathUtils.smoothstep(share, 0, 1);
@@ -49,7 +49,7 @@ function litBetween(from: Light, to: Light, eased: number): Light {
   return { kind: 'sun', towards: from.towards.clone().lerp(to.towards, eased).normalize() };
 }
 
-/** Of two places of a thing. */
+/** Interpolates between two poses of a rigid. */
 function mixed(from: Matrix4, to: Matrix4, eased: number): Matrix4 {
   const [place, rotation, size] = [new Vector3(), new Quaternion(), new Vector3()];
   const [otherPlace, otherRotation] = [new Vector3(), new Quaternion()];

@@ -2,23 +2,22 @@ import type { Stage } from '../../stage/stage.ts';
 import { strings } from '../strings.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
 
-/** A stage on a canvas that nobody sees. */
+/** A stage on an offscreen canvas. */
 export interface Studio {
   readonly stage: Stage;
   readonly canvas: HTMLCanvasElement;
-  /** Draws the moment that the stage stands at; what is drawn can be read in the same task. */
+  /** Draws the stage at its current time. The pixels can be read within the same task. */
   readonly draw: () => void;
 }
 
 /**
- * A copy of what a stage shows, as large as somebody wants it. The stage itself is left as it is, whatever happens in the
- * studio.
- * @throws RangeError for more pixels than the graphics card has room for
+ * Opens a copy of a stage at the requested size. The original stage is not modified.
+ * @throws RangeError when the size exceeds the limit of the GPU
  */
 export async function openStudio(stage: Stage, settings: CaptureSettings): Promise<Studio> {
   const [width, height] = pixelSize(settings);
   const { scale, hasBackground } = settings;
-  // WebKitGTK has no WebGL on an OffscreenCanvas.
+  // WebKitGTK does not support WebGL on an OffscreenCanvas.
   const canvas = document.createElement('canvas');
   const options = { width: 1, height: 1, background: hasBackground, historyBytes: 0 };
   const copy = await stage.copy(canvas, options);
@@ -27,7 +26,7 @@ export async function openStudio(stage: Stage, settings: CaptureSettings): Promi
     copy.dispose();
     throw new RangeError(strings.capture.tooLarge(width, height, max));
   }
-  // Until somebody wants a picture, as few pixels as possible are drawn.
+  // The canvas stays at its minimum size until a frame is requested.
   const draw = () => copy.resize(width / scale, height / scale, scale);
   return { stage: copy, canvas, draw };
 }

@@ -5,13 +5,13 @@ import type { Point } from './simplify.ts';
 import type { Studio } from './studio.ts';
 import { traceRegion } from './trace.ts';
 
-/** Half of a pixel beside the true edge, nobody sees. */
+/** Maximum deviation of outlines in pixels, too small to be visible. */
 const TOLERANCE = 0.6;
 const STOPS = 9;
 
 /**
- * The picture as a drawing: backdrop, flats with their shadow, and ink, each a group with a name, and in it a path for each
- * colour. Where ink lies, flats go on beneath it. Colours that change all the way, as gradients do, become steps.
+ * Encodes a frame as SVG: backdrop, flats with their shadow, and ink, each a named group with one path for each colour.
+ * Flats continue beneath ink. Gradients become discrete steps.
  */
 export async function makeSvg(studio: Studio, settings: CaptureSettings): Promise<Blob> {
   const [width, height] = pixelSize(settings);
@@ -39,7 +39,7 @@ export async function makeSvg(studio: Studio, settings: CaptureSettings): Promis
   return new Blob([text], { type: 'image/svg+xml' });
 }
 
-/** A group of paths, one for each of the given colours. The line around each closes what rounding leaves open. */
+/** A group of paths, one for each colour. The stroke closes gaps that rounding leaves. */
 function group(name: string, labels: Labels, colors: readonly number[]): string {
   const paths = colors.map((color) => {
     const outlines = traceRegion(labels, labels.colors.indexOf(color), TOLERANCE);
@@ -49,7 +49,7 @@ function group(name: string, labels: Labels, colors: readonly number[]): string 
   return `<g id="${name}" fill-rule="evenodd" stroke-width=".7">\n${paths.filter(Boolean).join('\n')}\n</g>`;
 }
 
-/** Closed, relative and in halves of a pixel, which is short. */
+/** Path data of a closed outline, in relative commands at half-pixel precision to keep it short. */
 function pathOf(outline: readonly Point[]): string {
   let [x, y] = outline[0];
   const steps = outline.slice(1).map(([toX, toY]) => {
@@ -64,7 +64,7 @@ function short(value: number): string {
   return String(value).replace(/^(-?)0\./, '$1.');
 }
 
-/** What shows where nothing stands, from top to bottom, as a gradient. */
+/** The backdrop as a vertical gradient, sampled where nothing covers it. */
 function backdrop(whole: ImageData, cut: ImageData): string {
   const stops = Array.from({ length: STOPS }, (_, stop) => {
     const share = stop / (STOPS - 1);
@@ -79,7 +79,7 @@ function backdrop(whole: ImageData, cut: ImageData): string {
   ].join('\n');
 }
 
-/** The colour of a row where nothing stands. */
+/** The backdrop's colour in a row, at a pixel that nothing covers. */
 function emptyColor(whole: ImageData, cut: ImageData, row: number): number | undefined {
   const from = row * whole.width;
   const [colors, holes] = [whole, cut].map(({ data }) => new Uint32Array(data.buffer, 4 * from, whole.width));

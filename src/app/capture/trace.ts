@@ -12,16 +12,16 @@ const STEPS = [
 ] as const;
 
 /**
- * The outlines of all pixels of one number, closed, what is inside on the right hand; holes run the other way round.
- * Where two regions meet, both get the very same points: outlines are cut where three regions meet, and each piece is made
- * simpler by itself, in one direction.
- * @param tolerance how far a simpler line may lie beside the pixels' edges, in pixels
+ * Traces the closed outlines of all pixels with one index. The inside is on the right; holes run in the opposite
+ * direction. Adjacent regions share exactly the same points: outlines are split where three regions meet, and each
+ * piece is simplified separately, in a canonical direction.
+ * @param tolerance maximum distance between the simplified line and the pixel edges, in pixels
  */
 export function traceRegion(labels: Labels, number: number, tolerance: number): Point[][] {
   const seen = new Uint8Array(labels.of.length);
   const outlines: Point[][] = [];
   for (let at = 0; at < labels.of.length; ++at) {
-    // Each outline has an edge on top of a pixel, which is walked to the right.
+    // Each outline contains a top edge of a pixel, which is traversed to the right.
     if (seen[at] || labels.of[at] !== number || above(labels, at) === number) continue;
     const corners = walk(labels, number, at, seen);
     const outline = simplified(corners, labels, tolerance);
@@ -34,12 +34,12 @@ function above({ of, width }: Labels, at: number): number | undefined {
   return of[at - width];
 }
 
-/** The number at a place; nothing of the picture lies outside of it. */
+/** The index at a position; outside the image a value that no pixel has. */
 function numberAt({ of, width, height }: Labels, x: number, y: number): number {
   return x < 0 || y < 0 || x >= width || y >= height ? OUTSIDE : of[y * width + x];
 }
 
-/** Follows an outline from the top left corner of a pixel back to it, and marks the tops that it passes. */
+/** Follows an outline from the top left corner of a pixel back to it, and marks the top edges that it passes. */
 function walk(labels: Labels, number: number, first: number, seen: Uint8Array): Point[] {
   const start: Point = [first % labels.width, Math.floor(first / labels.width)];
   const points: Point[] = [];
@@ -55,7 +55,7 @@ function walk(labels: Labels, number: number, first: number, seen: Uint8Array): 
   return points;
 }
 
-/** Keeps the region on the right; where two of its pixels touch by a corner alone, they stay apart. */
+/** Keeps the region on the right. Two pixels of a region that touch only at a corner stay separate. */
 function nextHeading(labels: Labels, number: number, x: number, y: number, heading: number): number {
   const isInside = (ahead: number) => {
     const [px, py] = [STEPS[ahead], STEPS[(ahead + 1) % 4]].reduce(([sx, sy], [dx, dy]) => [sx + dx, sy + dy], [0, 0]);
@@ -65,7 +65,7 @@ function nextHeading(labels: Labels, number: number, x: number, y: number, headi
   return isInside((heading + 3) % 4) ? (heading + 3) % 4 : heading;
 }
 
-/** Cuts an outline where three regions meet, or the border is reached, and makes each piece simpler. */
+/** Splits an outline where three regions meet or at the image border, and simplifies each piece. */
 function simplified(corners: Point[], labels: Labels, tolerance: number): Point[] {
   const joints = corners.flatMap((corner, at) => (isJoint(labels, corner) ? [at] : []));
   if (joints.length === 0) joints.push(lowest(corners));
@@ -92,7 +92,7 @@ function isJoint(labels: Labels, [x, y]: Point): boolean {
   return changes > 2 || isCornerOfPicture;
 }
 
-/** Where a closed outline without joints begins, whichever side it is walked from. */
+/** Start of a closed outline without joints, independent of its direction. */
 function lowest(corners: Point[]): number {
   let best = 0;
   corners.forEach(([x, y], at) => {

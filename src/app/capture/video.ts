@@ -14,20 +14,20 @@ import { shootClip, type Task } from './clip.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
 import type { Studio } from './studio.ts';
 
-/** What plays in most places comes first. */
+/** Codecs in order of browser support. */
 const CODECS: Readonly<Record<'webm' | 'mp4', VideoCodec[]>> = {
   webm: ['vp9', 'vp8', 'av1'],
   mp4: ['avc', 'hevc', 'av1', 'vp9'],
 };
 
-/** The browser has no encoder for a format; the message says what to take instead. */
+/** The browser has no encoder for a format. The message suggests an alternative. */
 export class VideoError extends Error {
   override name = 'VideoError';
 }
 
 /**
- * A WebM or MP4 with every frame, encoded by the browser.
- * @throws VideoError where the browser cannot encode the format in this size
+ * Encodes every frame as WebM or MP4 with the browser's encoder.
+ * @throws VideoError when the browser cannot encode the format at this size
  */
 export async function makeVideo(studio: Studio, settings: CaptureSettings, task: Task): Promise<Blob> {
   const source = new VideoSampleSource(await encodingOf(settings));
@@ -54,7 +54,7 @@ async function addFrame(
   rate: number,
 ): Promise<void> {
   const sample = new VideoSample(canvas, { timestamp: frame / rate, duration: 1 / rate });
-  // Waits while the encoder has more to do than it can hold.
+  // Waits while the encoder's queue is full.
   await source.add(sample);
   sample.close();
 }

@@ -4,11 +4,12 @@ import type { Changes, Editor } from './editor.ts';
 import { enterScene } from './entering.ts';
 
 /**
- * Lets stage and editor follow each other: edits reach the stage once a frame, and values that somebody gives to the
- * stage directly, as from the console, reach the editor.
- * @param notify says what the stage rejected
- * @param container where progress is shown
- * @returns waits until the stage has taken up all edits: what is done to it before, they would undo
+ * Synchronizes a stage and an editor. Edits reach the stage once per frame. Values set on the stage directly, for
+ * example from the console, reach the editor.
+ * @param notify reports what the stage rejected
+ * @param container parent of the progress bar
+ * @returns a function that waits until the stage has applied all edits. Await it before changing the stage: pending
+ * edits would overwrite the change
  */
 export function connectStage(
   editor: Editor,
@@ -18,7 +19,7 @@ export function connectStage(
 ): () => Promise<void> {
   let waiting: Changes = {};
   let isFlushing = false;
-  // What the editor learns from the stage must not come back to it later: it would undo what a take has set meanwhile.
+  // Values that the editor adopts from the stage must not be sent back later: they would overwrite what a take has set.
   let isAdopting = false;
   const isWaiting = () => Object.keys(waiting).length > 0;
   const isBehind = () => isWaiting() || isFlushing;
@@ -37,7 +38,7 @@ export function connectStage(
         await enterScene(stage, editor.state.values, container);
       } else {
         apply(changes, stage);
-        // While edits waited for their frame, the editor heard nothing of what else was done to the stage.
+        // While edits were pending, the editor ignored other changes to the stage.
         adopt();
       }
     } catch (error) {
@@ -62,7 +63,7 @@ export function connectStage(
   };
 }
 
-/** Each call draws a picture in a pause: none for nothing. */
+/** Calls the stage only when there are changes, because each call redraws a paused stage. */
 function apply(changes: Changes, stage: Stage): void {
   const taken = Object.keys(changes).filter((key) => changes[key] === undefined);
   const given = Object.entries(changes).filter((change): change is [string, Value] => change[1] !== undefined);

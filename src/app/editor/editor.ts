@@ -4,13 +4,16 @@ import { defaultPreset, findPreset, presetValues } from '../../preset/presets.ts
 import { findParameter } from '../../preset/table.ts';
 import { History } from './history.ts';
 
-/** What changed: the new values, and undefined for optional ones that went back to what the scene has. */
+/** Changed values; undefined for optional parameters that reverted to the scene's value. */
 export type Changes = Readonly<Record<string, Value | undefined>>;
 
-/** Called after each change: the state as it is now and what is new in it. */
+/** Called after each change with the new state and the changed values. */
 export type EditListener = (state: State, changed: Changes) => void;
 
-/** What the page edits: a preset and its values, with undo. Panel, stage and address bar listen; none of them is known here. */
+/**
+ * Model of the page: a preset and its values, with undo. Panel, stage and address bar subscribe to it; it does not
+ * depend on them.
+ */
 export class Editor {
   private current: State;
   private readonly history = new History<State>();
@@ -32,7 +35,7 @@ export class Editor {
     return this.history.canRedo;
   }
 
-  /** The values that "reset" goes back to: the preset's own. */
+  /** The preset's own values, which "reset" restores. */
   get base(): Values {
     return presetValues(findPreset(this.current.preset) ?? defaultPreset);
   }
@@ -41,12 +44,12 @@ export class Editor {
     this.listeners.push(listener);
   }
 
-  /** Sets one value. Changes of the same gesture are undone together, until `settle`. */
+  /** Sets one value. Changes with the same gesture are undone together, until `settle`. */
   change(key: string, value: Value, gesture?: string): void {
     this.changeAll({ [key]: value }, gesture);
   }
 
-  /** Sets several values, or takes optional ones away, as one change. */
+  /** Sets several values, or removes optional ones, as one change. */
   changeAll(changes: Changes, gesture?: string): void {
     const entries = Object.entries({ ...this.current.values, ...changes });
     const values = Object.fromEntries(entries.filter((entry): entry is [string, Value] => entry[1] !== undefined));
@@ -67,19 +70,22 @@ export class Editor {
     this.replace({ ...this.current, values: this.base });
   }
 
-  /** Shows a preset. In the same scene people go on looking from where they look. */
+  /** Selects a preset. Within the same scene the camera stays. */
   choose(preset: string, gesture?: string): void {
     const values = presetValues(findPreset(preset) ?? defaultPreset);
     const eye = values.scene === this.current.values.scene ? eyeOf(this.current.values) : {};
     this.replace({ preset, values: { ...eye, ...values } }, gesture);
   }
 
-  /** Takes up a whole state, as from a link; it can be undone. */
+  /** Replaces the whole state, for example from a link. Can be undone. */
   load(state: State): void {
     this.replace(state);
   }
 
-  /** Takes up the values of the stage, which somebody changed directly, as from the console; a run is undone together. */
+  /**
+   * Adopts values that were set on the stage directly, for example from the console. Consecutive calls are undone
+   * together.
+   */
   adopt(values: Values): void {
     this.replace({ ...this.current, values }, 'stage');
   }
@@ -113,14 +119,14 @@ export class Editor {
   }
 }
 
-/** Of these values, where the eye is. */
+/** Those of the values that belong to the camera. */
 function eyeOf(values: Values): Values {
   return Object.fromEntries(Object.entries(values).filter(([key]) => findParameter(key)?.reader === 'camera'));
 }
 
-/** What `after` has otherwise than `before`. */
+/** Values of `after` that differ from `before`; undefined for keys that `after` lacks. */
 export function differences(before: Values, after: Values): Changes {
-  // States hold a few dozen of the table's thousands of keys.
+  // A state contains a few dozen of the table's thousands of keys.
   const keys = new Set([...Object.keys(before), ...Object.keys(after)]);
   return Object.fromEntries([...keys].filter((key) => before[key] !== after[key]).map((key) => [key, after[key]]));
 }

@@ -3,12 +3,12 @@ import type { Stage } from '../../stage/stage.ts';
 import { Progress } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
 
-/** What comes sooner needs no word, milliseconds. */
+/** Delay in milliseconds before a loading message appears. */
 const SOON_MS = 400;
 
 /**
- * Goes to the scene of these values; where that takes its time, says so over the old one.
- * @throws what `Stage.enter` throws
+ * Enters the scene of these values, and shows progress over the previous scene if loading is slow.
+ * @throws the errors of `Stage.enter`
  */
 export async function enterScene(stage: Stage, values: Values, container: HTMLElement): Promise<void> {
   const progress = new Progress(strings.scenes[String(values.scene)].loading);

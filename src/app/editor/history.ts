@@ -1,8 +1,8 @@
 const MAX_ENTRIES = 200;
 
 /**
- * Undo and redo over whole states. A gesture (a slider on its way, a number being typed) counts as one change: it opens
- * with the first change that names it and closes with `settle` or with a change of another name.
+ * Undo and redo over complete states. A gesture (dragging a slider, typing a number) counts as one change: it starts
+ * with the first change with its name and ends with `settle` or with a change with another name.
  */
 export class History<State> {
   private past: State[] = [];
@@ -17,7 +17,7 @@ export class History<State> {
     return this.future.length > 0;
   }
 
-  /** Remembers what stood before a change. */
+  /** Stores the state before a change. */
   record(before: State, gesture?: string): void {
     if (gesture !== undefined && gesture === this.gesture) return;
     this.gesture = gesture;
@@ -26,7 +26,7 @@ export class History<State> {
     this.future = [];
   }
 
-  /** Ends a gesture; one that came back to where it began leaves nothing to undo. */
+  /** Ends a gesture. A gesture that returned to its start leaves no undo step. */
   settle(now: State, isSame: (a: State, b: State) => boolean): void {
     if (this.gesture !== undefined && isSame(this.past[this.past.length - 1], now)) this.past.pop();
     this.gesture = undefined;

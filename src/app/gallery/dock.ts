@@ -7,14 +7,14 @@ import type { Scrubber } from '../playback/scrubber.ts';
 import { strings } from '../strings.ts';
 import { createTransport } from '../playback/transport.ts';
 
-/** What stands below the smoke: the transport, and the gallery, which can be put away. */
+/** The bar below the smoke: the transport and the collapsible gallery. */
 export interface Dock {
   readonly element: HTMLElement;
   toggleGallery(): void;
   closeGallery(): void;
 }
 
-/** @param play buttons for what people can do to the smoke */
+/** @param play buttons for interactions with the smoke */
 export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...play: HTMLElement[]): Dock {
   const gallery = createGallery(editor);
   const toggle = iconButton('icon-button', strings.gallery.toggle, icon('pictures'), () => dock.toggleGallery());
@@ -27,7 +27,7 @@ export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...
   const low = matchMedia(`(max-height: ${MIN_HEIGHT - 1}px)`);
   let comesBack = false;
   low.addEventListener('change', () => {
-    // Of a window that is turned back at once this is told later, when it is as it was.
+    // After a quick rotation there and back, the change event arrives late, when the window has its first size again.
     comesBack ||= !gallery.hidden;
     show(!low.matches && comesBack);
     if (!low.matches) comesBack = false;
@@ -36,5 +36,5 @@ export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...
   return dock;
 }
 
-/** Lower windows, such as phones on their side, keep their height for the smoke at first, and when they are turned. CSS pixels. */
+/** In lower windows, such as phones in landscape, the gallery starts closed, and closes on rotation. CSS pixels. */
 const MIN_HEIGHT = 600;

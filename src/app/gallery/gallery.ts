@@ -5,12 +5,12 @@ import { create } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { strings } from '../strings.ts';
 
-/** Pixels of a thumbnail; `npm run thumbnails` makes them. */
+/** Size of a thumbnail in pixels; `npm run thumbnails` creates them. */
 const SIZE = { width: 192, height: 128 };
 
 /**
- * The presets as a strip of pictures, those of a scene together: radio buttons, so that it is one stop for Tab and the
- * arrow keys go along it.
+ * The presets as a strip of thumbnails, grouped by scene. They are radio buttons: a single tab stop with arrow-key
+ * navigation.
  */
 export function createGallery(editor: Editor): HTMLElement {
   const inputs = new Map(presets.map((preset) => [preset.name, createInput(preset)]));
@@ -36,10 +36,10 @@ export function createGallery(editor: Editor): HTMLElement {
   return element;
 }
 
-/** Around the chosen card, pixels. */
+/** Space around the selected card in pixels. */
 const MARGIN = 14;
 
-/** Moves the strip alone, and not the page. */
+/** Scrolls only the strip, unlike scrollIntoView, which also scrolls the page. */
 function bringIntoSight(card: HTMLElement, strip: HTMLElement): void {
   const [at, frame] = [card.getBoundingClientRect(), strip.getBoundingClientRect()];
   const way = (from: number, to: number, min: number, max: number) =>
@@ -47,7 +47,7 @@ function bringIntoSight(card: HTMLElement, strip: HTMLElement): void {
   strip.scrollBy(way(at.left, at.right, frame.left, frame.right), way(at.top, at.bottom, frame.top, frame.bottom));
 }
 
-/** Each press of a pointer is a choice; all presets that people come past by keys are one, which is undone together. */
+/** Makes each pointer press one undo step. Presets that are passed with the arrow keys share one step. */
 function followChoices(gallery: HTMLElement, editor: Editor): void {
   let gesture: string | undefined;
   gallery.addEventListener('pointerdown', () => (gesture = undefined));

@@ -1,14 +1,14 @@
-/** Files of meshes as plain triangles. What reads them is fetched when the first file comes. */
+/** Loads mesh files as plain triangles. The loaders are fetched with the first file. */
 import { LoadingManager, Mesh, type BufferGeometry, type Matrix4, type Object3D } from 'three';
 import { ShapeError } from '../../preset/errors.ts';
 import type { PlainMesh } from '../../puffs/fit/closedMesh.ts';
 
-/** What a chooser of files offers. */
+/** File types for the file picker. */
 export const MESH_TYPES = '.glb,.gltf,.obj';
-/** The largest file that is read: a puff keeps little of it. */
+/** Maximum file size in bytes. A puff keeps little detail, so larger files bring no benefit. */
 const MAX_BYTES = 16 * 1024 * 1024;
 
-/** @throws ShapeError when the file is too large, of another kind, or cannot be read */
+/** @throws ShapeError when the file is too large, has an unsupported type, or cannot be read */
 export async function readMesh(file: File): Promise<PlainMesh> {
   if (file.size > MAX_BYTES) {
     const size = (file.size / 1024 / 1024).toFixed(0);
@@ -37,7 +37,7 @@ async function objectIn(file: File): Promise<Object3D> {
   throw new ShapeError(`${file.name} is not a supported mesh. Use .glb, .gltf with embedded data, or .obj.`);
 }
 
-/** Files that point to others, on this machine or the web, cannot be followed there. */
+/** Rejects references to other files, local or on the web. */
 function embeddedOnly(): LoadingManager {
   const manager = new LoadingManager();
   manager.setURLModifier((address) => {
@@ -47,7 +47,7 @@ function embeddedOnly(): LoadingManager {
   return manager;
 }
 
-/** All triangles of all meshes where they stand. */
+/** The triangles of all meshes in world space. */
 function trianglesOf(root: Object3D): PlainMesh {
   const positions: number[] = [];
   const indices: number[] = [];
@@ -65,7 +65,7 @@ function addTriangles(geometry: BufferGeometry, world: Matrix4, positions: numbe
     positions.push(places.getX(vertex), places.getY(vertex), places.getZ(vertex));
   }
   const corners = geometry.index?.array ?? Uint32Array.from({ length: places.count }, (_, vertex) => vertex);
-  // A mirrored part would be inside out beside the others.
+  // A mirroring transform reverses the winding.
   const [second, third] = world.determinant() < 0 ? [2, 1] : [1, 2];
   for (let at = 0; at + 2 < corners.length; at += 3) {
     indices.push(first + corners[at], first + corners[at + second], first + corners[at + third]);

@@ -11,9 +11,9 @@ import { strings } from '../strings.ts';
 
 const words = strings.own;
 
-/** What the visitor has kept: cards to go back to, rename, save and remove, and a way to keep more. */
+/** The user's stored presets as cards: select, rename, save and remove them, and store new ones. */
 export class OwnPresets {
-  /** For the panel. */
+  /** Element for the panel. */
   readonly element: HTMLElement;
   private readonly editor: Editor;
   private readonly stage: Stage;
@@ -72,7 +72,7 @@ export class OwnPresets {
     this.notices.mention(strings.files.opened(name));
   }
 
-  /** Writes where the name stands: Enter and leaving keep it, Escape does not. */
+  /** Edits the name in place. Enter and blur confirm, Escape cancels. */
   private rename(card: HTMLElement, { id, name }: StoredPreset): void {
     const field = create('input', { type: 'text', value: name, maxlength: MAX_NAME, 'aria-label': words.newName });
     let isDone = false;
@@ -85,7 +85,7 @@ export class OwnPresets {
     field.addEventListener('keydown', (event) => {
       if (event.key !== 'Enter' && event.key !== 'Escape') return;
       event.stopPropagation();
-      // What else the key does would be done to what has the focus then: Enter would press the card.
+      // The key's default action would apply to the newly focused element: Enter would click the card.
       event.preventDefault();
       finish(event.key === 'Enter');
     });
@@ -111,7 +111,7 @@ export class OwnPresets {
     this.cards.querySelector<HTMLElement>(`[data-id="${CSS.escape(id)}"] .own-show`)?.focus();
   }
 
-  /** What cannot be done is said, and nothing has changed. */
+  /** Shows the error of a failed action, which has changed nothing. */
   private async attempt(action: () => void | Promise<void>): Promise<void> {
     try {
       await action();
@@ -121,14 +121,14 @@ export class OwnPresets {
   }
 }
 
-/** Small pictures of the smoke, as text that fits into the browser's storage. */
+/** Thumbnails, encoded to fit into the browser's storage. Size in pixels. */
 
 const [WIDTH, HEIGHT] = [160, 100];
 const QUALITY = 0.8;
-/** Of the picture, from its middle: the smoke shall be seen, not the room around it. */
+/** Visible fraction of the frame, from its centre, so that the thumbnail shows the smoke and not the room. */
 const SHOWN = 0.72;
 
-/** The middle of a picture, small, as base64. */
+/** Crops and scales a frame to a thumbnail, as base64. */
 async function shrink(picture: Blob): Promise<string> {
   const whole = await createImageBitmap(picture);
   const scale = SHOWN * Math.min(whole.width / WIDTH, whole.height / HEIGHT);
@@ -142,7 +142,7 @@ async function shrink(picture: Blob): Promise<string> {
   return canvas.toDataURL('image/webp', QUALITY).split(',')[1];
 }
 
-/** Draws one that `shrink` made; what cannot be read leaves the canvas empty. No address is loaded for it. */
+/** Draws a thumbnail from `shrink`. Invalid data leaves the canvas empty. It never loads a URL. */
 async function drawThumbnail(canvas: HTMLCanvasElement, picture: string): Promise<void> {
   try {
     const bytes = Uint8Array.from(atob(picture), (character) => character.charCodeAt(0));
@@ -154,7 +154,7 @@ async function drawThumbnail(canvas: HTMLCanvasElement, picture: string): Promis
   }
 }
 
-/** An empty one. */
+/** Creates an empty thumbnail. */
 function createThumbnail(): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   [canvas.width, canvas.height] = [WIDTH, HEIGHT];

@@ -6,9 +6,9 @@ import type { Notices } from '../ui/notices.ts';
 import { Progress } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
 
-/** A mesh of the visitor's own as puffs: chosen in the panel or dropped on the page, and given up again. */
+/** A mesh from the user as puff shape: chosen in the panel or dropped onto the page, and removable. */
 export class OwnShape {
-  /** For the panel. */
+  /** Element for the panel. */
   readonly element: HTMLElement;
   private readonly stage: Stage;
   private readonly notices: Notices;
@@ -18,7 +18,7 @@ export class OwnShape {
   private fitting: AbortController | undefined;
   private shown: string | undefined;
 
-  /** @param container where progress is shown */
+  /** @param container parent of the progress bar */
   constructor(stage: Stage, notices: Notices, container: HTMLElement) {
     this.stage = stage;
     this.notices = notices;
@@ -45,7 +45,7 @@ export class OwnShape {
     return this.shown;
   }
 
-  /** Shows what is in a file, or says why not; a later file takes over from one that is still being fitted. */
+  /** Shows the mesh of a file, or reports why it cannot. Opening another file cancels a fit in progress. */
   async open(file: File): Promise<void> {
     this.fitting?.abort();
     const controller = (this.fitting = new AbortController());

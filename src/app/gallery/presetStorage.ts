@@ -1,31 +1,31 @@
-/** Presets of the visitor's own, kept in the browser. Nothing is thrown away: what cannot be read is set aside. */
+/** Presets of the user, stored in the browser. Unreadable data is moved aside, not deleted. */
 import { SmokeError } from '../../preset/errors.ts';
 import { nameOf } from '../../preset/file.ts';
 import { strings } from '../strings.ts';
 
-/** One of them. */
+/** A stored preset. */
 export interface StoredPreset {
   readonly id: string;
   readonly name: string;
-  /** As a file holds it. */
+  /** Content of the preset file. */
   readonly file: string;
-  /** A small picture as base64, in a format that browsers know; empty for none. */
+  /** Thumbnail as base64, in an image format that browsers support; empty for none. */
   readonly picture: string;
 }
 
 const KEY = 'cartoon-smoke.presets';
 const SET_ASIDE = 'cartoon-smoke.presets.damaged';
 
-/** The presets in the order in which they were kept. Other tabs of the same site have the same ones. */
+/** The presets in the order of storage, shared between tabs of the same origin. */
 export class PresetStorage {
-  /** Called after each change, also of another tab. */
+  /** Called after each change, including changes in another tab. */
   onChange: () => void = () => undefined;
-  /** What could not be read, for people; undefined where all could. */
+  /** Message about unreadable data; undefined when all data was read. */
   readonly error: string | undefined;
   private stored: readonly StoredPreset[] = [];
   private readonly storage: Storage | undefined;
 
-  /** @param storage undefined where the browser lets the page keep nothing */
+  /** @param storage undefined where the browser denies storage to the page */
   constructor(storage: Storage | undefined) {
     this.storage = storage;
     this.error = this.read();
@@ -40,19 +40,19 @@ export class PresetStorage {
     return this.stored;
   }
 
-  /** @throws SmokeError when the browser keeps no more; nothing has changed then */
+  /** @throws SmokeError when the storage is full; nothing has changed then */
   keep(name: string, file: string, picture: string): StoredPreset {
     const stored = { id: crypto.randomUUID(), name: nameOf(name), file, picture };
     this.write([...this.stored, stored]);
     return stored;
   }
 
-  /** @throws SmokeError when the browser keeps no more; nothing has changed then */
+  /** @throws SmokeError when the storage is full; nothing has changed then */
   rename(id: string, name: string): void {
     this.write(this.stored.map((stored) => (stored.id === id ? { ...stored, name: nameOf(name) } : stored)));
   }
 
-  /** @returns what brings it back to where it was */
+  /** @returns a function that restores it at its position */
   remove(id: string): () => void {
     const at = this.stored.findIndex((stored) => stored.id === id);
     const removed = this.stored[at];
@@ -82,7 +82,7 @@ export class PresetStorage {
   }
 }
 
-/** The browser's own storage; undefined where it refuses, as in frames of some sites. */
+/** Storage on the browser's localStorage; without it where access is denied, for example in cross-site frames. */
 export function localPresetStorage(): PresetStorage {
   try {
     return new PresetStorage(localStorage);

@@ -5,24 +5,24 @@ import type { Changes, Editor } from '../editor/editor.ts';
 import { icon, type IconName } from '../ui/icons.ts';
 import { strings } from '../strings.ts';
 
-/** Something in the scene that can be taken by a handle on the picture. */
+/** An object in the scene with a handle on the overlay. */
 export interface Gizmo {
-  /** Tells it apart, in gestures and tests. */
+  /** Unique key, for gestures and tests. */
   readonly key: string;
   readonly icon: IconName;
-  /** For people, with what it is set to. */
+  /** Accessible name with the current values. */
   describe(values: Values): string;
-  /** Where its handle is, CSS pixels from the top left of the overlay; undefined out of sight. */
+  /** Position of the handle in CSS pixels from the top left of the overlay; undefined when it is out of view. */
   place(values: Values): { x: number; y: number } | undefined;
-  /** What changes when its handle goes so many CSS pixels to the right, up and towards the viewer. */
+  /** Changes for a move of the handle by CSS pixels to the right, up and towards the viewer. */
   move(from: Values, way: Direction): Changes;
 }
 
-/** Pixels that a press of an arrow key is worth, and with Shift. */
+/** CSS pixels per press of an arrow key, without and with Shift. */
 const NUDGE = 8;
 const LEAP = 40;
 
-/** The handle of a gizmo: dragged by mouse or finger, or moved by arrow keys while it has the focus. */
+/** Handle of a gizmo. It is dragged by pointer, or moved by arrow keys while focused. */
 export class GizmoHandle {
   readonly element: HTMLButtonElement;
   private readonly gizmo: Gizmo;
@@ -30,7 +30,7 @@ export class GizmoHandle {
   private readonly valuesNow: () => Values;
   private held: { id: number; x: number; y: number; from: Values } | undefined;
 
-  /** @param valuesNow with what the scene sets of the optional ones */
+  /** @param valuesNow current values, including the scene's values for optional parameters */
   constructor(gizmo: Gizmo, editor: Editor, valuesNow: () => Values) {
     this.gizmo = gizmo;
     this.editor = editor;
@@ -73,7 +73,7 @@ export class GizmoHandle {
     this.held = { id: event.pointerId, x: event.clientX, y: event.clientY, from: this.valuesNow() };
   }
 
-  /** From where it was grabbed, so that what is rounded or clamped on the way does not add up. */
+  /** Moves from the position at the start of the drag, so that rounding and clamping errors do not accumulate. */
   private drag(event: PointerEvent): void {
     if (event.pointerId !== this.held?.id) return;
     const { x, y, from } = this.held;
@@ -90,7 +90,7 @@ export class GizmoHandle {
     const way = DIRECTIONS[event.key];
     if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
-    // The arrows of the page move its ball.
+    // The page uses the arrow keys to move the ball.
     event.stopPropagation();
     const pixels = event.shiftKey ? LEAP : NUDGE;
     this.apply(this.valuesNow(), [pixels * way[0], pixels * way[1], pixels * way[2]]);

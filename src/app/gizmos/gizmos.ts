@@ -12,7 +12,7 @@ import { WindGizmo } from './windGizmo.ts';
 
 const INDICES = Array.from({ length: LIST_LIMIT }, (_, index) => index);
 
-/** Handles on the picture for what shapes the smoke: sun, wind, emitters and vortices. */
+/** Handles over the smoke: sun, wind, emitters and vortices. */
 export class Gizmos {
   readonly element: HTMLElement;
   private readonly editor: Editor;
@@ -45,7 +45,7 @@ export class Gizmos {
     this.listen();
   }
 
-  /** Shows or hides them. @returns whether they are shown now */
+  /** Shows or hides the handles. @returns whether they are shown now */
   toggle(): boolean {
     this.element.hidden = !this.element.hidden;
     this.show();
@@ -91,7 +91,7 @@ export class Gizmos {
     return new PlaceGizmo(list, index, () => this.stage.sight, offset);
   }
 
-  /** A vortex where the eye looks, which turns about the line of sight. */
+  /** Adds a vortex at the camera's target, with its axis along the line of sight. */
   private addWhirl(): void {
     const free = INDICES.find((index) => !isPresent(`vortices.${index}`, this.values));
     if (free === undefined) return;
@@ -104,7 +104,7 @@ export class Gizmos {
   }
 }
 
-/** A vortex without circulation is none; an emitter is there as soon as anything of it is set. */
+/** A vortex exists when its circulation is not 0; an emitter exists when any of its values is set. */
 function isPresent(key: string, values: Values): boolean {
   if (key.startsWith('vortices')) return Number(values[`${key}.circulation`] ?? 0) !== 0;
   return Object.keys(values).some((name) => name.startsWith(`${key}.`));

@@ -12,7 +12,7 @@ type List = 'emitters' | 'vortices';
 
 const AXES = ['x', 'y', 'z'] as const;
 
-/** An emitter or a vortex, which is where it is in the scene, or on what it rides on. */
+/** Handle of an emitter or a vortex, at its position in the scene or on its carrier. */
 export class PlaceGizmo implements Gizmo {
   readonly key: string;
   readonly icon: 'emitter' | 'vortex';
@@ -20,7 +20,7 @@ export class PlaceGizmo implements Gizmo {
   private readonly sight: () => Stage['sight'];
   private readonly offset: () => { x: number; y: number };
 
-  /** @param offset of the picture from the overlay, CSS pixels */
+  /** @param offset of the canvas from the overlay, in CSS pixels */
   constructor(list: List, index: number, sight: () => Stage['sight'], offset: () => { x: number; y: number }) {
     this.key = `${list}.${index}`;
     this.icon = list === 'emitters' ? 'emitter' : 'vortex';
@@ -43,13 +43,13 @@ export class PlaceGizmo implements Gizmo {
     return this.at(this.sight().shift(this.positionIn(from), way, this.carrierIn(from)));
   }
 
-  /** Lets it ride on a carrier, by the number that `carrierChoices` has, -1 for none, without moving it. */
+  /** Attaches it to a carrier without moving it. Carriers are numbered as in `carrierChoices`; -1 detaches. */
   ride(from: Values, carrier: number): Changes {
     const place = this.sight().change(this.positionIn(from), this.carrierIn(from), carrier);
     return { ...this.at(place), [`${this.key}.rigid`]: carrier };
   }
 
-  /** The number of what it rides on, -1 for none. */
+  /** Index of its carrier; -1 for none. */
   carrierIn(values: Values): number {
     return Number(values[`${this.key}.rigid`] ?? -1);
   }

@@ -6,7 +6,10 @@ import type { Editor } from '../editor/editor.ts';
 import type { PlaceGizmo } from './placeGizmo.ts';
 import { strings } from '../strings.ts';
 
-/** Attaches what was taken last by its handle to an object of the scene; it stays where it is and then rides along. */
+/**
+ * Attaches the emitter or vortex that was dragged last to an object of the scene. It keeps its position and then
+ * follows the object.
+ */
 export class Riding {
   readonly element: HTMLElement;
   private readonly stage: Stage;

@@ -6,10 +6,10 @@ import type { Direction } from '../input/directions.ts';
 import type { Gizmo } from './gizmo.ts';
 import { strings } from '../strings.ts';
 
-/** The sky over the picture, as shares of its size: half its width, the horizon, its height, and how its arcs sag. */
+/** The sky over the overlay, as fractions of its size: half width, horizon, height and the sag of its arcs. */
 const SKY = { half: 0.42, horizon: 0.5, height: 0.36, sag: 0.1 };
 
-/** Size of the overlay, and where the eye stands about the vertical, radians. */
+/** Size of the overlay in CSS pixels, and the camera's azimuth in radians. */
 export interface Sky {
   readonly width: number;
   readonly height: number;
@@ -17,8 +17,8 @@ export interface Sky {
 }
 
 /**
- * The sun on an arc: to the sides it goes about the scene, in the middle it stands behind the viewer, at both ends behind
- * the scene; higher is higher.
+ * Handle of the sun on an arc. Horizontal moves change the azimuth: in the middle the sun is behind the viewer, at both
+ * ends behind the scene. Vertical moves change the elevation.
  */
 export class SunGizmo implements Gizmo {
   readonly key = 'light';
@@ -48,14 +48,14 @@ export class SunGizmo implements Gizmo {
     };
   }
 
-  /** The arc on which the sun stands at its height, as the path of a drawing. */
+  /** SVG path of the arc at the sun's elevation. */
   arc(values: Values): string {
     const azimuths = Array.from({ length: 25 }, (_, index) => -180 + 15 * index);
     const points = azimuths.map((angle) => this.at(angle, Number(values['light.elevation'])));
     return `M${points.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L')}`;
   }
 
-  /** Degrees to the right of where the viewer stands. */
+  /** Azimuth relative to the viewer, in degrees to the right. */
   private azimuthOf(values: Values): number {
     return wrapped(Number(values['light.azimuth']) - (this.sky().azimuth * 180) / Math.PI);
   }
@@ -76,7 +76,7 @@ function elevations(): [low: number, high: number] {
   return row.kind === 'number' ? [row.min, row.max] : [0, 90];
 }
 
-/** From -180 up to 180. */
+/** Wraps degrees to the range from -180 (inclusive) to 180 (exclusive). */
 function wrapped(degrees: number): number {
   return ((((degrees + 180) % 360) + 360) % 360) - 180;
 }

@@ -10,10 +10,10 @@ type Vector = readonly [x: number, y: number, z: number];
 
 const KEYS = ['forces.wind.x', 'forces.wind.y', 'forces.wind.z'] as const;
 const PIXELS_PER_SPEED = 40;
-/** Where the arrow begins, as shares of the overlay's size. */
+/** Start of the arrow, as fractions of the overlay's size. */
 const BEGIN = { x: 0.2, y: 0.66 };
 
-/** The wind as an arrow; its handle is the head. */
+/** Handle of the wind: the head of an arrow. */
 export class WindGizmo implements Gizmo {
   readonly key = 'wind';
   readonly icon = 'wind';
@@ -34,7 +34,7 @@ export class WindGizmo implements Gizmo {
     return { x: BEGIN.x * width, y: BEGIN.y * height };
   }
 
-  /** A storm's arrow ends where the overlay does. */
+  /** Clamps the head to the overlay, for strong wind. */
   place(values: Values): { x: number; y: number } {
     const { width, height } = this.size();
     const [right, up] = this.sight().across(velocityOf(values));

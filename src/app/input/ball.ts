@@ -1,11 +1,11 @@
 import type { Stage } from '../../stage/stage.ts';
 
 const METRES_PER_SECOND = 0.9;
-// A tap moves the ball at once, and a slow frame not far.
+// A tap moves the ball at once. Slow frames move it by a limited distance.
 const FIRST_SECONDS = 1 / 30;
 const LONGEST_SECONDS = 0.1;
 
-/** Moves the stage's rigid while keys are held, along the axes of the picture. */
+/** Moves the stage's rigid along the screen axes while keys are down. */
 export class BallKeys {
   private readonly stage: Stage;
   private direction = [0, 0, 0];

@@ -1,7 +1,7 @@
-/** A way in the picture, in steps. */
+/** A direction in screen space, in steps. */
 export type Direction = readonly [right: number, up: number, near: number];
 
-/** Which way a key goes. */
+/** Direction of each key. */
 export const DIRECTIONS: Readonly<Record<string, Direction>> = {
   ArrowLeft: [-1, 0, 0],
   ArrowRight: [1, 0, 0],

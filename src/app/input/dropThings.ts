@@ -3,15 +3,18 @@ import { iconButton } from '../ui/dom.ts';
 import { icon } from '../ui/icons.ts';
 import { strings } from '../strings.ts';
 
-/** Height of the picture at which things begin to fall that nobody pointed at, as a share from above. */
+/** Height at which objects drop without a pointer, as a fraction of the canvas from the top. */
 const HEIGHT = 0.22;
-/** They fall beside each other: so far from the middle at most, as a share of the smaller side. */
+/**
+ * Maximum distance from the middle, as a fraction of the canvas's smaller side, so that objects fall next to each
+ * other.
+ */
 const SPREAD = 0.16;
 const GOLDEN = 0.618;
 
-/** Drops balls and crates into scenes with physics: where a pointer is, or above the middle. */
+/** Drops balls and crates into scenes with physics, at the pointer or above the middle. */
 export class DropThings {
-  /** Hidden where nothing can be dropped. */
+  /** Hidden where the scene does not support it. */
   readonly element: HTMLButtonElement;
   private readonly stage: Stage;
   private readonly canvas: HTMLCanvasElement;
@@ -30,7 +33,7 @@ export class DropThings {
     show();
   }
 
-  /** At the pointer while that is over the smoke. */
+  /** Drops an object at the pointer, or above the middle when the pointer is not over the smoke. */
   here(): void {
     if (this.pointer) this.stage.drop(this.pointer.x, this.pointer.y);
     else this.above();

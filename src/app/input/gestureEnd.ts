@@ -1,23 +1,23 @@
-/** A wheel and keys say when they turn, not when they are done: after so long without, they are. */
+/** Wheels and keys have no end event. Their gesture ends after this time without input, in milliseconds. */
 export const QUIET_MS = 300;
 
-/** Finds out when a gesture that moves the eye has ended, so that all of it is undone together. */
+/** Detects the end of a camera gesture, so that the whole gesture is one undo step. */
 export class GestureEnd {
   private readonly notify: () => void;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param notify called with each end */
+  /** @param notify called at the end of each gesture */
   constructor(notify: () => void) {
     this.notify = notify;
   }
 
-  /** Something moved that does not say when it ends. */
+  /** Restarts the timeout, for input without an end event. */
   postpone(): void {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.now(), QUIET_MS);
   }
 
-  /** It has ended, or another one begins. */
+  /** Ends the gesture now. */
   now(): void {
     clearTimeout(this.timer);
     this.timer = undefined;

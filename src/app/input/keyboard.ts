@@ -1,13 +1,13 @@
 import { DIRECTIONS } from './directions.ts';
 
-/** What the keys of the page do; the page fills it in. */
+/** Actions of the page's shortcut keys. */
 export interface KeyActions {
   togglePlaying(): void;
   step(): void;
   stepBack(): void;
-  /** Goes on or back by seconds. */
+  /** Seeks by seconds, forwards or backwards. */
   shift(seconds: number): void;
-  /** Ends a way along the time line where it has come to. */
+  /** Stops a seek at the current time. */
   stopSeeking(): void;
   restart(): void;
   share(): void;
@@ -18,7 +18,7 @@ export interface KeyActions {
   toggleGallery(): void;
   toggleGizmos(): void;
   toggleStatistics(): void;
-  /** Drops something into the smoke. */
+  /** Drops an object into the smoke. */
   drop(): void;
   /** Blows into the smoke. */
   blow(): void;
@@ -28,18 +28,18 @@ export interface KeyActions {
   redo(): void;
   resetView(): void;
   zoom(factor: number): void;
-  /** Turns the view: right and up, in steps. */
+  /** Orbits the camera in steps, to the right and up. */
   orbit(right: number, up: number): void;
-  /** Where the held keys push what people can move: right, up, towards the viewer, each -1, 0 or 1. */
+  /** Direction in which the pressed keys push the movable rigid: right, up, towards the viewer, each -1, 0 or 1. */
   push(right: number, up: number, near: number): void;
 }
 
 const ZOOM_STEP = 1.15;
 
-/** Holding these down does them again and again. */
+/** Keys whose action repeats while they are down. */
 const REPEATING = new Set([',', '.', '[', ']', '+', '=', '-']);
 
-/** Listens to the keys of the whole page, but leaves alone what a focused input needs itself. */
+/** Listens to keys on the whole page, except those that a focused input needs. */
 export function listenToKeys(actions: KeyActions): void {
   const simple = simpleKeys(actions);
   const held = new Set<string>();
@@ -63,7 +63,7 @@ export function listenToKeys(actions: KeyActions): void {
     push();
   });
   addEventListener('keyup', (event) => release(event.key));
-  // Keys that are let go while another window has the focus never say so.
+  // A key that is released while another window has the focus fires no keyup event.
   addEventListener('blur', () => [...held].forEach(release));
 }
 
@@ -105,12 +105,12 @@ function undoOrRedo(event: KeyboardEvent, actions: KeyActions): void {
   else actions.undo();
 }
 
-/** Typing belongs to fields, arrows to sliders and choices, the space bar to whatever can be pressed. */
+/** Typing belongs to text fields, arrow keys to sliders and radio buttons, the space bar to buttons. */
 function belongsToFocus({ target, key }: KeyboardEvent): boolean {
   if (!(target instanceof Element)) return false;
-  // Not by the focus: a button that is disabled loses it.
+  // The focus does not tell: a button loses it when it is disabled.
   if (document.querySelector('dialog:modal')) return key !== '?';
-  // A field of a dialog that was just closed keeps the focus until the next frame.
+  // A field in a dialog that has just closed keeps the focus until the next frame.
   if (target.getClientRects().length === 0) return false;
   if (target.matches('select, input:not([type=range], [type=checkbox], [type=color], [type=radio])')) return true;
   if (target.matches('input[type=range], input[type=radio]')) return key === ' ' || key in DIRECTIONS;

@@ -3,21 +3,24 @@ import type { Stage } from '../../stage/stage.ts';
 import type { GestureEnd } from './gestureEnd.ts';
 
 const ZOOM_PER_PIXEL = 0.0015;
-// What one line of a wheel that counts in lines is worth.
+// CSS pixels per line, for wheels that report lines.
 const PIXELS_PER_LINE = 32;
 
-// A blow tells the way of a sixtieth of a second; moves that come closer together than half of that say little of it.
+// A blow uses the movement within 1/60 s. Samples less than half of that apart give an unreliable direction.
 const BLOW_MS = 1000 / 60;
 
 interface Point {
   x: number;
   y: number;
-  /** When the pointer was there, milliseconds. */
+  /** Timestamp of the position in milliseconds. */
   at: number;
   does: 'orbit' | 'pan' | 'blow';
 }
 
-/** Hands mouse, pen and touch to the stage: what does not grab a rigid turns, shifts or zooms the view, or blows. */
+/**
+ * Passes mouse, pen and touch input to the stage. A drag that grabs no rigid orbits, pans or zooms the camera, or
+ * blows.
+ */
 export class Pointers {
   private readonly stage: Stage;
   private readonly canvas: HTMLCanvasElement;
@@ -27,8 +30,8 @@ export class Pointers {
   private readonly blows: () => boolean;
 
   /**
-   * @param orbitEnd called when the view has been turned, shifted or zoomed
-   * @param blows whether drags blow without a key
+   * @param orbitEnd notified when the camera has been orbited, panned or zoomed
+   * @param blows whether drags blow without a modifier key
    */
   constructor(stage: Stage, canvas: HTMLCanvasElement, orbitEnd: GestureEnd, blows: () => boolean) {
     this.stage = stage;
@@ -83,7 +86,7 @@ export class Pointers {
     if (this.loose.size === 0) this.orbitEnd.postpone();
   }
 
-  /** Two fingers: their distance zooms, their common way shifts. */
+  /** Two fingers: their distance zooms, their common movement pans. */
   private pinch(before: number, dx: number, dy: number): void {
     const after = this.spread();
     if (before > 0 && after > 0) this.stage.camera.zoom(after / before);
@@ -96,7 +99,7 @@ export class Pointers {
     this.stage.blow({ ...this.placeOf(event), dx: dx * share, dy: dy * share });
   }
 
-  /** Distance between the first two loose pointers, 0 for fewer. */
+  /** Distance between the first two pointers that grab nothing, in pixels; 0 for fewer than two. */
   private spread(): number {
     return spread([...this.loose.values()]);
   }
@@ -105,7 +108,7 @@ export class Pointers {
     return this.stage.pointer({ type, id: event.pointerId, ...this.placeOf(event) });
   }
 
-  /** In CSS pixels from the top left of the canvas. */
+  /** Position in CSS pixels from the top left of the canvas. */
   private placeOf(event: PointerEvent): { x: number; y: number } {
     const box = this.canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };

@@ -1,15 +1,15 @@
-/** Installs the service worker of the built site, and tells when a new version of the site has come. */
+/** Installs the service worker of the built site, and reports new versions of the site. */
 
 type Offer = (takeOver: () => void) => void;
 
 /**
- * Call this when the smoke stands: it fetches, and nothing that shows waits for it.
- * @param offer shows that a new version is there; its argument goes over to it
+ * Call this after the first frame: it fetches files, and nothing visible depends on it.
+ * @param offer reports a new version; its argument activates it
  */
 export function workOffline(offer: Offer): void {
-  // The development server changes its files all the time, and browsers keep nothing for an insecure address.
+  // Files of the development server change constantly, and service workers require a secure context.
   if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
-  // Where a browser is told to keep nothing, the page works as well, with a network.
+  // The page also works without a service worker, when online.
   install(offer).catch(() => undefined);
 }
 
@@ -19,8 +19,8 @@ async function install(offer: Offer): Promise<void> {
   const registration = await serviceWorker.register('./sw.js');
   watchForVersions(registration, offer);
   const { active } = await serviceWorker.ready;
-  // What came before the worker did was not seen by it.
-  // oxlint-disable-next-line unicorn/require-post-message-target-origin -- workers have none
+  // The service worker did not see requests from before its activation.
+  // // oxlint-disable-next-line unicorn/require-post-message-target-origin -- workers have none
   if (!wasControlled) active?.postMessage(performance.getEntriesByType('resource').map(({ name }) => name));
 }
 
@@ -36,12 +36,12 @@ function watchForVersions(registration: ServiceWorkerRegistration, offer: Offer)
     });
   };
   if (registration.waiting && registration.active) offerNew(registration.waiting);
-  // The browser looks for a new version by itself, and may have found it before anybody could listen.
+  // The browser may have found an update before this listener was added.
   watch();
   registration.addEventListener('updatefound', watch);
 }
 
-/** Reloads as soon as the new worker answers for this page: before, the old one would answer again. */
+/** Reloads as soon as the new worker controls this page. An earlier reload would be served by the old worker. */
 function takeOver(waiting: ServiceWorker): void {
   navigator.serviceWorker.addEventListener('controllerchange', () => location.reload(), { once: true });
   // oxlint-disable-next-line unicorn/require-post-message-target-origin -- workers have none

@@ -1,10 +1,10 @@
 /**
- * The service worker: what was once fetched works without a network. Files with a hash in their name come from the
- * cache first, for they never change; pages come from the network first, so that a new version is met at once. Nothing is
- * fetched ahead but the start page: a visitor pays for what is looked at and for no more.
+ * The service worker: everything that was fetched once works offline. Files with a hash in their name are served
+ * cache-first, because they never change. Pages are served network-first, so that updates appear at once. Only the
+ * start page is prefetched, so visitors download only what they use.
  */
 
-/** What TypeScript's library of the page lacks. */
+/** Types that TypeScript's DOM library lacks. */
 interface LastingEvent extends Event {
   waitUntil(work: Promise<unknown>): void;
 }
@@ -21,15 +21,15 @@ interface WorkerScope {
   addEventListener(type: 'message', listener: (event: LastingEvent & { readonly data: unknown }) => void): void;
 }
 
-/** Written by the build: the files of this version whose names hold a hash, relative to the scope. */
+/** Defined by the build: the files of this version with a hash in their name, relative to the scope. */
 declare const HASHED_FILES: readonly string[];
 
-/** A page that the network has not begun to send by then is taken from the cache. */
+/** Timeout in milliseconds for the first response; then the cached page is used. */
 const TIMEOUT_MS = 4000;
 
 const worker = self as unknown as WorkerScope;
 const { scope } = worker.registration;
-// Other pages of the host have caches in the same place, so the name says whose it is.
+// Other pages of the origin share the cache storage, so the name includes the scope.
 const CACHE = `cartoon-smoke ${scope}`;
 const hashed = new Set(HASHED_FILES.map((file) => new URL(file, scope).href));
 
@@ -46,14 +46,14 @@ worker.addEventListener('fetch', (event) => {
   else if (request.mode === 'navigate' && request.url.startsWith(scope)) event.respondWith(networkFirst(request));
 });
 
-/** Puts files into the cache that are not there yet; the start page anew. */
+/** Adds missing files to the cache, and refreshes the start page. */
 async function keep(files: readonly string[]): Promise<void> {
   const cache = await caches.open(CACHE);
   const cached = new Set((await cache.keys()).map(({ url }) => url));
   await cache.addAll(files.filter((file) => file === scope || !cached.has(file)));
 }
 
-/** Drops the files of other versions; pages stay. */
+/** Deletes the files of other versions; pages stay. */
 async function forget(): Promise<void> {
   const cache = await caches.open(CACHE);
   const assets = new URL('assets/', scope).href;
