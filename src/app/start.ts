@@ -1,6 +1,6 @@
 /**
- * The page's entry, and small: it finds out which scene the address asks for, so that scene and simulator are on their way
- * while the rest of the page still comes.
+ * The page's small entry module. It determines the scene from the address, so that scene and simulator load in parallel
+ * with the rest of the page.
  */
 import { decode } from '../preset/codec.ts';
 import { openScene } from '../stage/openScene.ts';
@@ -10,6 +10,6 @@ async function fetchAhead(): Promise<void> {
   await openScene(state.values.scene as string);
 }
 
-// Whatever fails here fails again where it is told.
+// The main module repeats failed fetches and reports errors.
 fetchAhead().catch(() => undefined);
 void import('./main.ts');

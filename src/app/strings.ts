@@ -1,10 +1,10 @@
-/** What the page says of a scene. */
+/** Texts for a scene. */
 interface SceneWords {
-  /** While it comes. */
+  /** Shown while the scene loads. */
   readonly loading: string;
-  /** What its picture shows. */
+  /** Description of the scene. */
   readonly picture: string;
-  /** What people can move in it, and what for. */
+  /** What the user can move, and its effect. */
   readonly hand?: { readonly thing: string; readonly does: string };
 }
 
@@ -40,7 +40,7 @@ const scenes: Readonly<Record<string, SceneWords>> = {
   air: { loading: 'Taking a breath\u2026', picture: 'Nothing but smoke.' },
 };
 
-/** All words of the page in one place, so that somebody can translate them. Labels of parameters are in the table. */
+/** All texts of the page, in one place for translation. Labels of parameters are in the table. */
 export const strings = {
   title: 'Cartoon Smoke',
   scenes,

@@ -20,7 +20,7 @@ async function install(offer: Offer): Promise<void> {
   watchForVersions(registration, offer);
   const { active } = await serviceWorker.ready;
   // The service worker did not see requests from before its activation.
-  // // oxlint-disable-next-line unicorn/require-post-message-target-origin -- workers have none
+  // oxlint-disable-next-line unicorn/require-post-message-target-origin -- workers have none
   if (!wasControlled) active?.postMessage(performance.getEntriesByType('resource').map(({ name }) => name));
 }
 

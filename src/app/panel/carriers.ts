@@ -1,19 +1,19 @@
 import { FIRST_PART } from '../../sim/rows.ts';
 import { strings } from '../strings.ts';
 
-/** Names of what a scene has to ride on, by their numbers. */
+/** Names of a scene's carriers, by index. */
 export interface CarrierNames {
   readonly rigidNames: readonly string[];
   readonly partNames: readonly string[];
 }
 
-/** A choice of what to ride on, by the value of parameters such as `vortices.0.rigid`. */
+/** A carrier as an option for parameters such as `vortices.0.rigid`. */
 export interface CarrierChoice {
   readonly value: number;
   readonly label: string;
 }
 
-/** Nothing, then the rigids, then the parts. */
+/** The world first, then the rigids, then the parts. */
 export function carrierChoices({ rigidNames, partNames }: CarrierNames): readonly CarrierChoice[] {
   return [
     { value: -1, label: strings.items.world },
@@ -22,7 +22,7 @@ export function carrierChoices({ rigidNames, partNames }: CarrierNames): readonl
   ];
 }
 
-/** Whether both offer the same; another scene has other carriers. */
+/** Whether both lists are equal. Scenes differ in their carriers. */
 export function areSame(some: readonly CarrierChoice[], others: readonly CarrierChoice[]): boolean {
   return JSON.stringify(some) === JSON.stringify(others);
 }

@@ -7,7 +7,7 @@ import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from './slider.ts';
 import { strings } from '../strings.ts';
 import type { Control, ControlListener } from './controlTypes.ts';
 
-/** Native inputs for a row of the table. @param describedBy id of the element with its text */
+/** Creates native inputs for a parameter. @param describedBy id of the element with its description */
 export function createControl(parameter: Parameter, describedBy: string, listener: ControlListener): Control {
   switch (parameter.kind) {
     case 'toggle':
@@ -98,7 +98,7 @@ function createExact(parameter: NumberParameter, listener: ControlListener): HTM
     if (isAccepted(parameter, value)) listener.change(value);
   });
   exact.addEventListener('change', () => {
-    // What was typed beyond the range goes to its end, as in a link; what is no number goes back to what was.
+    // Numbers out of range are clamped, as in a link. Other text restores the previous value.
     const value = parameter.kind === 'integer' ? Math.round(exact.valueAsNumber) : exact.valueAsNumber;
     if (!Number.isNaN(value)) listener.change(Math.min(Math.max(value, min), max));
     listener.settle();

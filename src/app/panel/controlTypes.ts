@@ -1,16 +1,16 @@
 import type { Value } from '../../preset/parameter.ts';
 
-/** The inputs of one parameter: they show a value and report what people make of it. */
+/** The inputs of a parameter. They show a value and report changes. */
 export interface Control {
   readonly elements: readonly HTMLElement[];
-  /** The input that the label names. */
+  /** The input that the label refers to. */
   readonly id: string;
   show(value: Value): void;
 }
 
 export interface ControlListener {
-  /** The value is on its way, many times a gesture. */
+  /** Called on each change, often many times per gesture. */
   change(value: Value): void;
-  /** The gesture has ended. */
+  /** Called at the end of a gesture. */
   settle(): void;
 }

@@ -5,9 +5,9 @@ import { strings } from '../strings.ts';
 
 const [WIDTH, HEIGHT, MARGIN] = [240, 96, 8];
 const STEP = 0.02;
-/** A stop is taken from so far away from its middle: nothing smaller is easily met. */
+/** Hit radius of a stop, large enough for touch. */
 const REACH = 12;
-/** Stops do not come nearer to each other than this. */
+/** Minimum distance between stops. */
 const MIN_GAP = 0.02;
 
 const ARROWS: Readonly<Record<string, readonly [at: number, value: number]>> = {
@@ -17,7 +17,10 @@ const ARROWS: Readonly<Record<string, readonly [at: number, value: number]>> = {
   ArrowUp: [0, STEP],
 };
 
-/** A curve to draw on: stops are dragged, or moved with the arrow keys; a press on the free plane adds one, Delete takes one. */
+/**
+ * Curve editor. Stops are dragged or moved with the arrow keys. A press on the empty plane adds one; Delete removes
+ * one.
+ */
 export function createCurve(describedBy: string, label: string, listener: ControlListener): Control {
   const id = uniqueId();
   const line = createSvg('polyline', { class: 'curve-line' });
@@ -34,7 +37,7 @@ export function createCurve(describedBy: string, label: string, listener: Contro
   drawing.setAttribute('aria-describedby', describedBy);
   let stops: readonly Stop[] = [];
   let held = -1;
-  /** From the pointer to the stop that it holds. */
+  /** Offset from the pointer to the dragged stop. */
   let grip: Stop = { at: 0, value: 0 };
   const change = (next: readonly Stop[]) => listener.change(writeCurve(next));
 
@@ -93,7 +96,7 @@ export function createCurve(describedBy: string, label: string, listener: Contro
   return { elements: [create('div', { class: 'curve-holder' }, drawing)], id, show };
 }
 
-/** The stop where a pointer is. */
+/** The pointer's position in curve coordinates. */
 function pointed(drawing: SVGElement, { clientX, clientY }: PointerEvent): Stop {
   const box = drawing.getBoundingClientRect();
   const across = ((clientX - box.left) / box.width) * (WIDTH + 2 * MARGIN) - MARGIN;
@@ -101,14 +104,14 @@ function pointed(drawing: SVGElement, { clientX, clientY }: PointerEvent): Stop 
   return { at: across / WIDTH, value: 1 - down / HEIGHT };
 }
 
-/** Number of the stop that a finger beside it means, or -1. */
+/** Index of the stop within reach of the pointer, or -1. */
 function reached(stops: readonly Stop[], { at, value }: Stop): number {
   const away = stops.map((stop) => Math.hypot((stop.at - at) * WIDTH, (stop.value - value) * HEIGHT));
   const nearest = away.indexOf(Math.min(...away));
   return away[nearest] < REACH ? nearest : -1;
 }
 
-/** The stops with one of them moved, between its neighbours and within the plane. */
+/** Moves a stop, limited by its neighbours and the plane. */
 export function moved(stops: readonly Stop[], index: number, { at, value }: Stop): Stop[] {
   const min = index === 0 ? 0 : stops[index - 1].at + MIN_GAP;
   const max = index === stops.length - 1 ? 1 : stops[index + 1].at - MIN_GAP;
@@ -116,7 +119,7 @@ export function moved(stops: readonly Stop[], index: number, { at, value }: Stop
   return stops.map((other, number) => (number === index ? stop : other));
 }
 
-/** The line goes on level before the first stop and after the last. */
+/** The curve is constant before the first stop and after the last. */
 function pointsOf(stops: readonly Stop[]): string {
   const [first, last] = [stops[0], stops[stops.length - 1]];
   const all = [{ at: 0, value: first.value }, ...stops, { at: 1, value: last.value }];

@@ -4,7 +4,7 @@ import { create, uniqueId } from '../ui/dom.ts';
 import type { Statistics } from './statistics.ts';
 import { strings } from '../strings.ts';
 
-/** What lies behind the picture, for people without keys: statistics, and what the passes work with. */
+/** Debug panel: statistics and the intermediate textures of the passes, for users without a keyboard. */
 export function createDebugPanel(stage: Stage, statistics: Statistics): HTMLElement {
   const { title, view, picture, names } = strings.debugPanel;
   const options = DEBUG_VIEWS.map((name) => create('option', { value: name }, names[name]));
@@ -29,7 +29,7 @@ function row(label: string, control: HTMLElement): HTMLElement {
   return create('div', { class: 'debug-panel-row' }, create('label', { for: control.id }, label), control);
 }
 
-/** What is shown instead of the picture, with its name and how to read it. */
+/** Legend of the debug view: its name and how to read it. */
 export class Views {
   readonly element = create('p', { class: 'legend card', role: 'status' });
   private readonly stage: Stage;
@@ -40,7 +40,7 @@ export class Views {
     this.notify();
   }
 
-  /** Shows the next view, and after the last one the picture. */
+  /** Shows the next debug view; after the last one the normal frame. */
   next(): void {
     const order: readonly (DebugView | undefined)[] = [undefined, ...DEBUG_VIEWS];
     this.stage.view = order[(order.indexOf(this.stage.view) + 1) % order.length];

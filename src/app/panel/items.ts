@@ -8,13 +8,13 @@ import type { Editor } from '../editor/editor.ts';
 import { createRow, type Row } from './row.ts';
 import { strings } from '../strings.ts';
 
-/** What the scene says of the lists. */
+/** Carriers and default values of the current scene's lists. */
 export interface SceneLists extends CarrierNames {
-  /** Values of optional parameters that hold where nobody has set one. */
+  /** The scene's values for optional parameters, in effect where none is set. */
   readonly rig: Values;
 }
 
-/** A part of the panel. */
+/** A section of the panel. */
 export interface Section {
   readonly element: HTMLElement;
   show(state: State): void;
@@ -22,16 +22,16 @@ export interface Section {
 
 interface Item extends Section {
   readonly element: HTMLDetailsElement;
-  /** Its rows, made by now. */
+  /** The rows that exist so far. */
   rows(): ReadonlyMap<Parameter, Row>;
 }
 
 export interface Items extends Section {
-  /** Those of all items that are there. */
+  /** Rows of all items that exist so far. */
   rows(): (readonly [Parameter, Row])[];
 }
 
-/** Emitters, vortices and the other lists: the items that the scene or somebody has set, and a way to add more. */
+/** Emitters, vortices and the other lists: the items that the scene or the user has set, and a control to add more. */
 export function createItems(editor: Editor, scene: SceneLists): Items {
   const items = new Map<string, Item>();
   const holder = create('div', { class: 'items' });
@@ -65,12 +65,12 @@ export function createItems(editor: Editor, scene: SceneLists): Items {
   return { element, show, rows };
 }
 
-/** Groups, such as `vortices.0`, of the items that have a value. */
+/** Group keys, such as `vortices.0`, of the items that have a value. */
 function itemsOf(values: Values): ReadonlySet<string> {
   return new Set(Object.keys(values).flatMap((key) => findParameter(key)?.group ?? []));
 }
 
-/** Adds the first item of a list that is not there yet. @param reveal shows the group that was added */
+/** Control that adds the first unused item of a list. @param reveal called with the group of the new item */
 function createAdder(editor: Editor, scene: SceneLists, reveal: (group: string) => void): HTMLElement {
   const options = listNames.map((list) => create('option', { value: list }, listLabel(list)));
   const select = create('select', { 'aria-label': strings.items.kind }, ...options);
@@ -84,7 +84,7 @@ function createAdder(editor: Editor, scene: SceneLists, reveal: (group: string) 
   return create('div', { class: 'adder' }, select, button);
 }
 
-/** One item, whose rows are made when somebody looks at them or searches: there may be dozens. */
+/** One item. Its rows are created when it is opened or searched, because there may be dozens of items. */
 function createItem(group: string, label: string, editor: Editor, scene: SceneLists): Item {
   const rows = new Map<Parameter, Row>();
   const remove = textButton('quiet', strings.items.remove(label), () => editor.changeAll(removal(group, editor)));
@@ -115,7 +115,7 @@ function createItem(group: string, label: string, editor: Editor, scene: SceneLi
   return { element, show, rows: make };
 }
 
-/** The number of a carrier as a choice among the names that the scene's carriers have. */
+/** Replaces the integer parameter for a carrier by a choice with the carriers' names. */
 function riding(parameter: Parameter, scene: SceneLists): Parameter {
   if (parameter.kind !== 'integer' || !parameter.key.endsWith('.rigid')) return parameter;
   const { key, group, label, text, reader } = parameter;
@@ -123,7 +123,7 @@ function riding(parameter: Parameter, scene: SceneLists): Parameter {
   return { kind: 'choice', key, group, label, text, reader, options, default: -1 } satisfies ChoiceParameter;
 }
 
-/** What the scene or the preset has can be turned down but not taken away. */
+/** Items of the scene or the preset can be changed but not removed. */
 function canBeRemoved(group: string, editor: Editor, scene: SceneLists): boolean {
   return !itemsOf({ ...scene.rig, ...editor.base }).has(group);
 }

@@ -13,10 +13,10 @@ import { strings } from '../strings.ts';
 
 export const PANEL_ID = 'parameters';
 
-/** What stands below the rows of a group, by the group's key, at the top (`presets`) or at the `end`. */
+/** Elements below the rows of a group, by group key, at the top (`presets`) or at the `end`. */
 type Feet = Readonly<Record<string, HTMLElement>>;
 
-/** The panel of live parameters, made from the table. */
+/** The parameter panel, created from the table. */
 export function createPanel(editor: Editor, scene: SceneLists, feet: Feet, close: () => void): HTMLElement {
   const shown = table.filter((parameter) => hasChoice(parameter) && isOfPanel(parameter));
   const rows = new Map(shown.map((parameter) => [parameter, createRow(parameter, editor)]));
@@ -44,12 +44,12 @@ export function createPanel(editor: Editor, scene: SceneLists, feet: Feet, close
   return panel;
 }
 
-/** A choice of one is no choice; it comes into the panel when there is a second. */
+/** A choice with a single option is omitted from the panel. */
 function hasChoice(parameter: Parameter): boolean {
   return parameter.kind !== 'choice' || parameter.options.length > 1;
 }
 
-/** Items of lists come into the panel when they are added. */
+/** List items are added to the panel separately. */
 function isOfPanel({ group }: Parameter): boolean {
   return groups.some(({ key }) => key === group);
 }
@@ -79,7 +79,7 @@ function createHead(editor: Editor, close: () => void): { element: HTMLElement; 
   };
 }
 
-/** Shows what the row under the pointer or the focus does; screen readers get the same text from the row itself. */
+/** Shows the description of the row under the pointer or the focus. Screen readers get the same text from the row. */
 function explainIn(caption: HTMLElement, panel: HTMLElement): void {
   const explain = ({ target }: Event) => {
     const row = target instanceof Element ? target.closest<HTMLElement>('[data-text]') : null;

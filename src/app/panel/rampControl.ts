@@ -5,9 +5,9 @@ import { strings } from '../strings.ts';
 
 const [WIDTH, HEIGHT, MARGIN] = [240, 28, 8];
 const STEP = 0.02;
-/** Stops do not come nearer to each other than this. */
+/** Minimum distance between stops. */
 const MIN_GAP = 0.01;
-/** What a press on the bar of an empty ramp begins with. */
+/** Initial stops after a press on the bar of an empty ramp. */
 const FIRST_STOPS: readonly RampStop[] = [
   { at: 0, color: '#6a6a8c' },
   { at: 0.5, color: '#ffffff' },
@@ -21,8 +21,9 @@ const ARROWS: Readonly<Record<string, number>> = {
 };
 
 /**
- * A bar of colours: stops are dragged, or moved with the arrow keys; a press on the bar adds one, Delete or the button
- * takes the chosen one, and with fewer than two the ramp is empty. The colour of the chosen stop stands below.
+ * Ramp editor: a bar of colours. Stops are dragged or moved with the arrow keys. A press on the bar adds one; Delete or
+ * the button removes the selected one. With fewer than two stops the ramp is empty. The colour of the selected stop is
+ * edited below.
  */
 export function createRamp(describedBy: string, label: string, listener: ControlListener): Control {
   const editor = new RampEditor(label, listener);
@@ -78,7 +79,7 @@ class RampEditor {
     this.fields.replaceChildren(...fields);
   }
 
-  /** Handles stay the same elements, so that the one in focus keeps it. */
+  /** Reuses handle elements, so that the focus stays. */
   private drawHandles(): void {
     const { handles, stops } = this;
     while (handles.childElementCount > stops.length) handles.lastElementChild!.remove();
@@ -174,7 +175,7 @@ class RampEditor {
   }
 }
 
-/** The stops with one of them at another place, between its neighbours. */
+/** Moves a stop, limited by its neighbours. */
 export function withPlace(stops: readonly RampStop[], index: number, at: number): RampStop[] {
   const min = index === 0 ? 0 : stops[index - 1].at + MIN_GAP;
   const max = index === stops.length - 1 ? 1 : stops[index + 1].at - MIN_GAP;
@@ -185,7 +186,7 @@ function hasGaps(stops: readonly RampStop[]): boolean {
   return stops.every(({ at }, index) => index === 0 || at >= stops[index - 1].at + MIN_GAP);
 }
 
-/** As precise as the text of a ramp. */
+/** Rounds to the precision of the ramp's text format. */
 function rounded(at: number): number {
   return Number(at.toFixed(3));
 }

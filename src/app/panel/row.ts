@@ -6,10 +6,10 @@ import type { Editor } from '../editor/editor.ts';
 import { icon } from '../ui/icons.ts';
 import { strings } from '../strings.ts';
 
-/** One parameter in the panel: its name, its inputs and the button that resets it. */
+/** A parameter in the panel: its label, its inputs and a reset button. */
 export interface Row {
   readonly element: HTMLElement;
-  /** @param base what resetting goes back to */
+  /** @param base value that the reset button restores */
   show(value: Value, base: Value): void;
 }
 
@@ -34,7 +34,7 @@ export function createRow(parameter: Parameter, editor: Editor): Row {
       const isIdle = value === base;
       if (isIdle === wasIdle) return;
       wasIdle = isIdle;
-      // Hidden, not disabled: a page of grey buttons would say nothing about what was changed.
+      // The button is hidden instead of disabled: many disabled buttons would make it hard to see what has changed.
       reset.classList.toggle('is-idle', isIdle);
       reset.tabIndex = isIdle ? -1 : 0;
       reset.setAttribute('aria-hidden', String(isIdle));
@@ -47,7 +47,9 @@ function unitOf(parameter: Parameter): HTMLElement[] {
   return hasUnit ? [create('span', { class: 'unit' }, parameter.unit)] : [];
 }
 
-/** What makes a new simulator, or bakes billboards, waits for the end of the gesture; the rest follows the finger. */
+/**
+ * Parameters that create a new simulator or bake billboards are applied at the end of a gesture; all others at once.
+ */
 function connect({ key, reader, isBaked }: Parameter, editor: Editor, preview: (value: Value) => void) {
   let waiting: Value | undefined;
   return {

@@ -6,9 +6,9 @@ import { strings } from '../strings.ts';
 type ParameterRows = Iterable<readonly [Parameter, Row]>;
 
 /**
- * A field that leaves in the panel what its words speak of: in labels, texts, keys, or names of groups, which open.
- * @param all rows that there are now: those of items come and go
- * @param panel holds the groups
+ * Search field that filters the panel by labels, descriptions, keys and group names. Matching groups open.
+ * @param all returns the current rows, which change with the items
+ * @param panel contains the groups
  */
 export function createSearch(all: () => ParameterRows, panel: HTMLElement): HTMLElement {
   const id = uniqueId();

@@ -1,16 +1,16 @@
 import { create } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
 
-/** Heights that a sheet rests at, as shares of the window; the smoke keeps what the lower one leaves. */
+/** Resting heights of the sheet, as fractions of the window. The smoke uses the space above the lower one. */
 const RESTS = { half: 0.48, full: 0.88 } as const;
-/** Let go below this share of the window it closes. */
+/** The sheet closes when it is released below this fraction of the window. */
 const CLOSES_BELOW = 0.28;
-/** A finger that goes less far has tapped, CSS pixels. */
+/** Maximum movement of a tap in CSS pixels. */
 const TAP_PIXELS = 6;
 
 /**
- * The grip of a sheet that comes from below on phones: dragged up and down it rests at two heights, dragged far down it
- * closes; a tap or Enter goes from one height to the other.
+ * Handle of the bottom sheet on phones. Dragging snaps to one of two heights or, far down, closes the sheet. A tap or
+ * Enter switches between the heights.
  */
 export class SheetGrip {
   readonly element = create('button', { type: 'button', class: 'grip', 'aria-label': strings.panel.sheet });
@@ -64,7 +64,9 @@ export class SheetGrip {
     else this.closeAtHalf();
   }
 
-  /** The click that ends a drag is none; after a finger's drag none comes, so that a key's click must not be taken for it. */
+  /**
+   * Ignores the click that follows a mouse drag. Touch drags fire no click, so a later click by key must still count.
+   */
   private toggle(isByKey: boolean): void {
     const endsDrag = this.held?.isMoved && !isByKey;
     this.held = undefined;

@@ -7,13 +7,13 @@ const REFRESH_MS = 250;
 
 export interface Statistics {
   readonly element: HTMLElement;
-  /** Shows or hides them; the other of both without an argument. */
+  /** Shows or hides the statistics; without an argument, toggles them. */
   toggle(isShown?: boolean): void;
-  /** Calls back at once, and whenever they are shown or hidden. */
+  /** Calls back at once and after each change. */
   onToggle(listener: (isShown: boolean) => void): void;
 }
 
-/** The figures of the stage, for `?stats=1` and on demand. */
+/** Statistics of the stage, for `?stats=1` and on demand. */
 export function createStatistics(stage: Stage): Statistics {
   const output = create('pre', { class: 'statistics', role: 'region', hidden: true });
   output.setAttribute('aria-label', strings.statistics.title);
@@ -33,7 +33,7 @@ export function createStatistics(stage: Stage): Statistics {
     element: output,
     toggle(isShown = output.hidden !== false) {
       output.hidden = !isShown;
-      // In a pause no frame would tell.
+      // A paused stage emits no frame event.
       output.textContent = describe(stage.stats, 0);
       for (const listener of listeners) listener(isShown);
     },

@@ -1,6 +1,6 @@
 /**
- * The page about the paper: draws its figures with the library on a canvas that nobody sees, each twice, by the paper's means
- * and by ours.
+ * The page about the paper. It renders the paper's figures with the library on an offscreen canvas, once with the
+ * paper's method and once with ours.
  */
 import { encode } from '../../preset/codec.ts';
 import type { Values } from '../../preset/parameter.ts';
@@ -23,20 +23,20 @@ const MEANS: readonly Means[] = [
   {
     id: 'paper',
     title: "The paper's method",
-    // In the paper puffs are born at full size and shrink from there.
+    // In the paper, puffs spawn at full size and shrink from there.
     values: { 'puff.form': 'billboards', 'simulation.integrator': 'paper', 'emission.growthTime': 0 },
   },
   { id: 'ours', title: 'Our method', values: {} },
 ];
-/** Simulated seconds, by which the smoke fills its column, and by which the airplane is amid the clouds. */
+/** Simulated seconds of each figure: the smoke has filled its column, and the airplane is among the clouds. */
 const MOMENTS = { lamp: 6, airplane: 4.5 };
-/** On narrow windows pictures are small, and so is the work. */
+/** Narrow windows use smaller images to reduce the work. */
 const isNarrow = matchMedia('(max-width: 640px)').matches;
 const SIZE = { width: isNarrow ? 400 : 640, height: isNarrow ? 300 : 480, pixelRatio: 1 };
 const TILE = isNarrow ? 64 : 96;
-/** Half the width of a tile, in radii of the puff. */
+/** Half the width of a tile, in puff radii. */
 const PAD = 1.2;
-/** By how much the lobes are turned that are met per pixel, in radians. */
+/** Roll of the lobes for the per-pixel figures, in radians. */
 const ROLL = 0.7;
 const CHANNEL_NAMES: Readonly<Record<string, string>> = { N: 'Normals', d: 'Depth', C: 'Colour', coverage: 'Coverage' };
 const RAMPS = [
@@ -60,7 +60,7 @@ async function drawFigures(): Promise<void> {
   for (const means of MEANS) await drawAirplane(means);
 }
 
-/** Figures 1 and 13: the same smoke, whose three-tone picture is in both. */
+/** Figures 1 and 13. They show the same smoke, and both contain the three-tone image. */
 async function drawLamp(means: Means): Promise<void> {
   const how = means.title.toLowerCase();
   await onStage('lamp', means, async (stage) => {
@@ -92,7 +92,7 @@ async function onStage(
   { values }: Means,
   draw: (stage: Stage) => Promise<void>,
 ): Promise<void> {
-  // WebKitGTK has no WebGL on an OffscreenCanvas.
+  // WebKitGTK does not support WebGL on an OffscreenCanvas.
   const canvas = create('canvas');
   const stage = await createStage(canvas, { ...SIZE, values: { ...presetValues(findPreset(preset)!), ...values } });
   try {
@@ -117,7 +117,7 @@ function channelCanvas({ name, size, pixels }: ChannelPicture): HTMLElement {
   return create('div', { class: 'channel' }, canvas, create('span', { 'aria-hidden': 'true' }, CHANNEL_NAMES[name]));
 }
 
-/** Lays out both columns of a figure, so that nothing moves when the pictures come. */
+/** Creates both columns of a figure in advance, to avoid layout shifts. */
 function prepare(figure: string): void {
   const columns = MEANS.map(({ id, title }) =>
     create('section', { class: id }, create('h3', {}, title), create('div', { class: 'pictures' })),
@@ -129,7 +129,7 @@ function show(figure: string, means: Means['id'], ...pictures: HTMLElement[]): v
   document.querySelector(`#${figure} .${means} .pictures`)!.append(...pictures);
 }
 
-/** Lets a column's smoke be opened in the demo, at the same moment. */
+/** Adds a link that opens a column's smoke in the demo at the same time. */
 async function link(figure: string, { id, values, title }: Means, preset: keyof typeof MOMENTS, more: Values) {
   const state = { preset, values: { ...presetValues(findPreset(preset)!), ...values, ...more } };
   const href = `./?t=${MOMENTS[preset]}${await encode(state)}`;

@@ -2,13 +2,13 @@ import { iconButton } from '../ui/dom.ts';
 import { icon } from '../ui/icons.ts';
 import { strings } from '../strings.ts';
 
-/** Lets the page fill the screen, or gives the screen back. Nothing happens where the browser does not allow it. */
+/** Toggles full screen. Does nothing where the browser does not allow it. */
 export async function toggleFullScreen(): Promise<void> {
   if (document.fullscreenElement) await document.exitFullscreen();
   else if (document.fullscreenEnabled) await document.documentElement.requestFullscreen();
 }
 
-/** Its button, hidden where a page cannot fill the screen, as on some phones and in some frames. */
+/** Full-screen button, hidden where full screen is unavailable, for example on some phones and in some iframes. */
 export function createFullScreenButton(): HTMLButtonElement {
   const { fullScreen } = strings.transport;
   const button = iconButton('icon-button', fullScreen, icon('fullScreen'), () => void toggleFullScreen());

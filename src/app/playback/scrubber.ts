@@ -1,22 +1,22 @@
 import { STEP_SECONDS } from '../../sim/clock.ts';
 import type { Stage } from '../../stage/stage.ts';
 
-/** A seek to one moment; another one for each that people ask for. */
+/** A seek to one time. Each request creates a new object. */
 export interface Seek {
-  /** Where it leads, simulated seconds. */
+  /** Target time in simulated seconds. */
   readonly goal: number;
-  /** How far it has come, 0 to 1. */
+  /** Progress, 0 to 1. */
   share: number;
 }
 
-/** Called with each part of a seek; with nothing when it has ended. */
+/** Called with the progress of a seek; with undefined at its end. */
 type SeekListener = (seek: Seek | undefined) => void;
 
-/** Goes to moments as fast as people ask for them: one seek at a time, and of several goals the last counts. */
+/** Coalesces seek requests: one seek runs at a time, and of several requests the last one wins. */
 export class Scrubber {
   private readonly stage: Stage;
   private readonly listeners: SeekListener[] = [];
-  /** Where people want to be next, and where it is going now. */
+  /** The next requested time, and the target of the current seek, in simulated seconds. */
   private goal: number | undefined;
   private heading: number | undefined;
   private controller = new AbortController();
@@ -30,18 +30,18 @@ export class Scrubber {
     this.listeners.push(listener);
   }
 
-  /** Where people want to be, simulated seconds; undefined while nothing seeks. */
+  /** The requested time in simulated seconds; undefined when idle. */
   get wanted(): number | undefined {
     return this.goal ?? this.heading;
   }
 
-  /** Stays where it has come to. */
+  /** Cancels the seek at its current time. */
   stop(): void {
     this.goal = undefined;
     this.controller.abort();
   }
 
-  /** Settled when nobody wants to be elsewhere any more. @param seconds simulated; below 0 is the start */
+  /** Resolves when the last requested time is reached. @param seconds simulated seconds; negative values mean 0 */
   async go(seconds: number): Promise<void> {
     this.goal = Math.max(seconds, 0);
     this.controller.abort();
@@ -56,12 +56,12 @@ export class Scrubber {
     }
   }
 
-  /** Goes on or back by so many seconds from where it is, or from where it is going. */
+  /** Seeks relative to the current time, or to the target of the current seek. */
   async shift(seconds: number): Promise<void> {
     await this.go((this.wanted ?? this.stage.stats.time) + seconds);
   }
 
-  /** One step back, then stillness, as a step forward is. */
+  /** Goes one step back and pauses, like a step forward. */
   async stepBack(): Promise<void> {
     this.stage.pause();
     await this.shift(-STEP_SECONDS);

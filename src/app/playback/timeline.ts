@@ -3,11 +3,11 @@ import { create } from '../ui/dom.ts';
 import type { Scrubber } from './scrubber.ts';
 import { strings } from '../strings.ts';
 
-/** The line is this long at first and grows by as much, seconds: far enough to go ahead, short enough to aim. */
+/** Initial length of the timeline and its increment, in seconds: a compromise between range and precision. */
 const SPAN_SECONDS = 10;
 const STEP_SECONDS = 0.1;
 
-/** A slider over simulated time. Its knob is where people want to be, what is filled tells where the smoke is. */
+/** A slider over simulated time. The thumb shows the requested time, the filled part the current time. */
 export function createTimeline(stage: Stage, scrubber: Scrubber): HTMLInputElement {
   const name = strings.transport.timeline;
   const range = { type: 'range', min: 0, max: SPAN_SECONDS, step: STEP_SECONDS, value: 0 };
@@ -30,7 +30,7 @@ export function createTimeline(stage: Stage, scrubber: Scrubber): HTMLInputEleme
   return line;
 }
 
-/** While a pointer holds the knob, time must not run away under it; afterwards it goes on if it went on before. */
+/** Pauses the stage while a pointer holds the thumb, and resumes afterwards if it was playing. */
 function holdStill(line: HTMLInputElement, stage: Stage, notify: (isHeld: boolean) => void): void {
   line.addEventListener('pointerdown', () => {
     const goesOn = stage.playing;

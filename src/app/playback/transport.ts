@@ -6,12 +6,12 @@ import type { Scrubber } from './scrubber.ts';
 import { strings } from '../strings.ts';
 import { createTimeline } from './timeline.ts';
 
-// The clock changes this often; every frame would only flicker.
+// Update interval of the clock in milliseconds. An update on every frame would flicker.
 const READOUT_MS = 100;
 
 /**
- * Play, pause, step, start over, a line to go back and forth on, the simulated time, speed and full screen.
- * @param more buttons behind all others
+ * Play, pause, step, restart, timeline, simulated time, speed and full screen.
+ * @param more buttons after all others
  */
 export function createTransport(stage: Stage, scrubber: Scrubber, ...more: HTMLElement[]): HTMLElement {
   const { title, restart, step } = strings.transport;
@@ -29,7 +29,7 @@ export function createTransport(stage: Stage, scrubber: Scrubber, ...more: HTMLE
   return bar;
 }
 
-/** One step, then stillness: a step while playing would not be seen. */
+/** Steps and pauses: a single step during playback would not be visible. */
 export function takeStep(stage: Stage): void {
   stage.pause();
   stage.step(1);

@@ -2,14 +2,14 @@ import { decode, encode, type Decoded } from '../../preset/codec.ts';
 import type { Editor } from '../editor/editor.ts';
 import { QUIET_MS } from '../input/gestureEnd.ts';
 
-/** The share link of what the page shows now; the smoke starts anew wherever it is opened. */
+/** The share link of the current state. The smoke starts from the beginning where it is opened. */
 export async function linkTo(editor: Editor): Promise<string> {
   const address = new URL(await addressOf(editor));
   for (const name of ['t', 'paused']) address.searchParams.delete(name);
   return address.href;
 }
 
-/** What the address bar shall say. */
+/** The URL for the address bar. */
 async function addressOf(editor: Editor): Promise<string> {
   const address = new URL(location.href);
   address.hash = await encode(editor.state);
@@ -17,9 +17,8 @@ async function addressOf(editor: Editor): Promise<string> {
 }
 
 /**
- * Keeps the address bar on what is edited, and edits what somebody puts into the address bar. A moment that was put there
- * stays until somebody edits.
- * @param arrive called with what was put there, once the editor has it; settled when the page shows it
+ * Synchronizes the address bar and the editor. A moment in the address stays until the first edit.
+ * @param arrive called with a new address after the editor has loaded it; resolves when the page shows it
  */
 export function followAddress(
   editor: Editor,
@@ -34,18 +33,18 @@ export function followAddress(
     timer = setTimeout(async () => {
       const started = timer;
       const link = await addressOf(editor);
-      // A packed link takes a moment; if an edit came meanwhile, its own turn will write.
+      // Encoding is asynchronous. A later edit starts its own write.
       if (timer === started) history.replaceState(history.state, '', link);
     }, QUIET_MS);
   });
   addEventListener('hashchange', async ({ newURL }) => {
     clearTimeout(timer);
     timer = undefined;
-    // A write that was under way may have replaced the new address before this event came.
+    // A pending write may have replaced the new address before this event.
     if (location.href !== newURL) history.replaceState(history.state, '', newURL);
     const reading = (newest = decode(new URL(newURL).hash));
     const decoded = await reading;
-    // A packed link takes a moment; what was put there since goes before.
+    // Decoding is asynchronous. The newest address wins.
     if (reading !== newest) return;
     arriving = decoded;
     editor.load(decoded.state);

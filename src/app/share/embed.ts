@@ -1,9 +1,9 @@
-/** Code for pages of other people that shall show this smoke. */
+/** Embed code for other pages. */
 
-/** CSS pixels. */
+/** Size in CSS pixels. */
 export const FRAME = { width: 640, height: 360 };
 
-/** A frame around what a share link shows, without the page. @param title for screen readers */
+/** Iframe code for a share link, without the page's controls. @param title for screen readers */
 export function frameCode(link: string, title: string): string {
   const address = new URL(link);
   address.pathname = address.pathname.replace(/[^/]*$/, 'embed.html');
@@ -17,15 +17,15 @@ export function frameOf(address: string, title: string): string {
   return `<iframe ${attributes} loading="lazy" referrerpolicy="no-referrer" style="border: 0"></iframe>`;
 }
 
-/** The script that makes `<cartoon-smoke>` an element. */
+/** The script that defines `<cartoon-smoke>`. */
 export interface ElementScript {
-  /** Whole address. */
+  /** Absolute URL. */
   readonly address: string;
-  /** Hash of its content: a browser runs nothing else. */
+  /** Subresource integrity hash. */
   readonly integrity: string;
 }
 
-/** The element, with the script that it needs unless the page has the package. */
+/** Element code, with the script unless the page uses the package. */
 export function elementCode(link: string, script?: ElementScript): string {
   const element = `<cartoon-smoke src="${quoted(link)}"></cartoon-smoke>`;
   if (!script) return element;
@@ -34,7 +34,7 @@ export function elementCode(link: string, script?: ElementScript): string {
   return `<script type="module" ${attributes}></script>\n${element}`;
 }
 
-/** As it must stand in an attribute. */
+/** Escapes text for an attribute value. */
 function quoted(text: string): string {
   return text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;').replaceAll('>', '&gt;');
 }

@@ -1,4 +1,4 @@
-/** Presets and takes that come and go as files. */
+/** Saves and opens presets and takes as files. */
 import type { State } from '../../preset/codec.ts';
 import { FileError } from '../../preset/errors.ts';
 import { nameOf, readFile, writeFile, type SmokeFile } from '../../preset/file.ts';
@@ -12,20 +12,20 @@ import type { Notices } from '../ui/notices.ts';
 import type { ShareKind } from './shareKind.ts';
 import { strings } from '../strings.ts';
 
-/** The largest file that is read: a take that begins with a hundred thousand particles has less. */
+/** Maximum file size in bytes. A take that starts with 100,000 particles is smaller. */
 const MAX_BYTES = 32 * 1024 * 1024;
 const SCHEMA = 'smoke-file.schema.json';
 
-/** What files are made of, where they lead, and where what is wrong with them is told. */
+/** Dependencies of SmokeFiles. */
 interface FileParts {
   readonly editor: Editor;
   readonly stage: Stage;
   readonly notices: Notices;
-  /** Waits until the stage has taken up all edits. */
+  /** Resolves when the stage has applied all edits. */
   readonly caughtUp: () => Promise<void>;
 }
 
-/** Writes what the page shows into files, and shows what is in files. */
+/** Saves the current smoke to files and opens files. */
 export class SmokeFiles {
   private readonly editor: Editor;
   private readonly stage: Stage;
@@ -33,7 +33,7 @@ export class SmokeFiles {
   private readonly caughtUp: () => Promise<void>;
   private readonly container: HTMLElement;
 
-  /** @param container where progress is shown */
+  /** @param container parent of the progress bar */
   constructor({ editor, stage, notices, caughtUp }: FileParts, container: HTMLElement) {
     this.editor = editor;
     this.stage = stage;
@@ -42,7 +42,7 @@ export class SmokeFiles {
     this.container = container;
   }
 
-  /** Hands out a file of what is shown. @returns its name */
+  /** Downloads a file of the current smoke. @returns its name */
   async save(what: ShareKind): Promise<string> {
     const name = findPreset(this.editor.state.preset)?.label ?? strings.title;
     const moment = { take: this.stage.take().toBytes(), seconds: this.stage.stats.time };
@@ -50,7 +50,7 @@ export class SmokeFiles {
     return saveFile(file, what === 'moment' ? 'take' : 'preset');
   }
 
-  /** Shows what is in a file, or says what is wrong with it; what was shown before can be undone to. */
+  /** Opens a file, or reports what is wrong with it. The previous state can be restored by undo. */
   async open(file: File): Promise<void> {
     try {
       if (file.size > MAX_BYTES) throw new FileError(strings.files.tooLarge(MAX_BYTES / 1024 / 1024));
@@ -64,7 +64,7 @@ export class SmokeFiles {
     }
   }
 
-  /** A button that asks for a file. */
+  /** A button that opens the file picker. */
   createOpener(): HTMLElement {
     const chooser = create('input', { type: 'file', accept: '.json', hidden: true, 'aria-label': strings.files.open });
     chooser.addEventListener('change', () => {
@@ -77,31 +77,31 @@ export class SmokeFiles {
   }
 
   private async goTo({ take, seconds }: NonNullable<SmokeFile['moment']>, state: State): Promise<void> {
-    // What the stage takes up later would be something that was done to the take.
+    // Edits that the stage applies later would count as input to the take.
     await this.caughtUp();
     await goToMoment(this.stage, { take, seconds, state, isTrusted: true }, this.notices, this.container);
   }
 }
 
-/** Hands out a file. @returns its name */
+/** Downloads a file. @returns its name */
 export async function saveFile(file: SmokeFile, kind: 'preset' | 'take'): Promise<string> {
   const name = `${slug(file.name)}.${kind}.json`;
   download(name, await writeFile(file, new URL(SCHEMA, document.baseURI).href));
   return name;
 }
 
-/** Hands out the text of a file that was kept, under the name that it has now. */
+/** Downloads the text of a stored file under its current name. */
 export async function saveText(text: string, name: string): Promise<string> {
   return saveFile({ ...(await readFile(text)), name }, 'preset');
 }
 
-/** As systems take it for the name of a file. */
+/** Converts a name to a valid file name. */
 function slug(name: string): string {
   const plain = nameOf(name).toLowerCase().normalize('NFKD');
   return plain.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'smoke';
 }
 
-/** Takes files that are dropped anywhere on the page. */
+/** Accepts files that are dropped anywhere on the page. */
 export function acceptDrops(page: HTMLElement, open: (file: File) => void): void {
   page.addEventListener('dragover', (event) => {
     if (!event.dataTransfer?.types.includes('Files')) return;

@@ -1,4 +1,4 @@
-/** One very moment of the smoke: how it came to be, as a link, and the way back to it. */
+/** Links to an exact moment of the smoke, and the replay of such links. */
 import { LONGEST_LEAD } from '../../preset/environment.ts';
 import { encode, type State } from '../../preset/codec.ts';
 import type { Values } from '../../preset/parameter.ts';
@@ -11,25 +11,25 @@ import type { Notices } from '../ui/notices.ts';
 import { windForward } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
 
-/** Nobody waits for more; an hour of the lamp takes about a minute to do again. */
+/** Limit in simulated seconds. Replaying an hour of the lamp takes about a minute. */
 const LONGEST_TAKE_SECONDS = 3600;
 
-/** A moment that somebody shared. */
+/** A shared moment. */
 export interface LinkedMoment {
   readonly take: Uint8Array;
-  /** Simulated seconds; the end of the take where left out. */
+  /** Simulated seconds; defaults to the end of the take. */
   readonly seconds?: number;
-  /** What style, light and camera were then, which no take keeps by step. */
+  /** Style, light and camera at the moment, which takes do not record per step. */
   readonly state: State;
-  /** Whether it may ask for whatever the simulator can hold, as a file of one's own may. */
+  /** Whether it may request the simulator's full capacity, as a local file may. */
   readonly isTrusted: boolean;
 }
 
-/** The link to what the stage shows now, step for step. It may be longer than anybody wants to send. */
+/** The link to the exact current step of the stage. It may be too long to send. */
 export async function linkToMoment(state: State, stage: Stage): Promise<string> {
   const take = stage.take();
   const { steps, time } = stage.stats;
-  // What nobody touched comes to the same by itself, and its link stays short.
+  // Smoke without input is reproducible from its parameters, which keeps the link short.
   const isUntouched = take.inputs === 0 && take.isFresh && time <= LONGEST_LEAD;
   const address = new URL(location.href);
   setQuery(address, 't', isUntouched || steps !== take.steps ? String(Number(time.toFixed(3))) : undefined);
@@ -39,9 +39,9 @@ export async function linkToMoment(state: State, stage: Stage): Promise<string> 
 }
 
 /**
- * Does again what was done in a take, with progress and a way out, and tells where that cannot be.
- * @param container where progress is shown
- * @returns whether it arrived
+ * Replays a take, with progress and a cancel button, and reports failures.
+ * @param container parent of the progress bar
+ * @returns whether it reached the moment
  */
 export async function goToMoment(
   stage: Stage,
@@ -73,14 +73,14 @@ async function wind(stage: Stage, seconds: number, notices: Notices, container: 
   return hasArrived;
 }
 
-/** Why a take out of an untrusted link is not played; undefined where it is. */
+/** Why a take from an untrusted link is rejected; undefined when it is accepted. */
 function errorOf({ isFresh, mostParticles }: Take): string | undefined {
   const max = linkCapacity();
   if (!isFresh) return strings.moment.notFresh;
   return mostParticles > max ? strings.moment.tooMany(mostParticles, max) : undefined;
 }
 
-/** Gives a stage what the simulator does not read, and so no take keeps by step. */
+/** Applies the values that the simulator does not read, and that takes therefore do not record per step. */
 function lookAs(stage: Stage, values: Values): void {
   const needless = Object.keys(lookOf(stage.get())).filter((key) => values[key] === undefined);
   stage.unset(needless);

@@ -1,10 +1,10 @@
 import { create } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
 
-/** The look starts anew wherever it is opened; the moment is the very same frame. */
+/** 'look' starts from the beginning where it is opened; 'moment' shows the exact frame. */
 export type ShareKind = 'look' | 'moment';
 
-/** The choice of what to share. @param choose called with each choice */
+/** Selects what to share. @param choose called with each selection */
 export function createShareKind(choose: (what: ShareKind) => void): {
   element: HTMLElement;
   readonly chosen: ShareKind;

@@ -13,7 +13,7 @@ import type { Bitmap2D } from 'lean-qr';
 
 const words = strings.share;
 
-/** What people share: the look, or one very moment of it; as a link, a code, a file, or code for a page of theirs. */
+/** Shares the look or an exact moment of the smoke, as a link, QR code, file or embed code. */
 export class ShareSheet {
   readonly element: HTMLDialogElement;
   private readonly editor: Editor;
@@ -44,10 +44,10 @@ export class ShareSheet {
     this.send.hidden = !('share' in navigator);
   }
 
-  /** Opens it on what is shown at this very moment. @param mesh name of a mesh that is shown, which no link can hold */
+  /** Opens the dialog with the current smoke. @param mesh name of the current mesh, which links cannot contain */
   async open(mesh?: string): Promise<void> {
     if (this.element.open) return;
-    // A link of before, or none, must not be handed out while those of now are still written.
+    // Clear the previous links until the new ones are encoded.
     this.links = { look: '', moment: '' };
     this.show(this.kind.chosen);
     this.element.showModal();
@@ -96,7 +96,7 @@ export class ShareSheet {
     try {
       await navigator.share({ title: strings.title, url: this.link });
     } catch (error) {
-      // Whoever closes the sheet of the platform has changed their mind.
+      // The user cancelled the share dialog of the platform.
       if ((error as Error).name !== 'AbortError') this.notify(words.notSent);
     }
   }
@@ -111,7 +111,7 @@ export class ShareSheet {
   }
 }
 
-/** Copies text. @returns whether the browser let the page do it */
+/** Copies text. @returns whether the browser allowed it */
 async function copyText(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
@@ -121,7 +121,7 @@ async function copyText(text: string): Promise<boolean> {
   }
 }
 
-/** Code to put this smoke on another page, folded until somebody wants it. @param copy copies a text */
+/** Embed code, initially collapsed. @param copy copies a text */
 function createEmbed(copy: (text: string) => void): { element: HTMLElement; show(link?: string): void } {
   const frame = createSnippet(words.frame, copy);
   const component = createSnippet(words.element, copy);
@@ -138,7 +138,7 @@ function createEmbed(copy: (text: string) => void): { element: HTMLElement; show
   };
 }
 
-/** The copy that lies in the built site, at the address where the site is published; the development server has none. */
+/** The script of the built site at its published URL; undefined on the development server. */
 function publishedScript(): ElementScript | undefined {
   const path = import.meta.env.VITE_ELEMENT_SCRIPT as string | undefined;
   const integrity = import.meta.env.VITE_ELEMENT_INTEGRITY as string;
@@ -153,12 +153,12 @@ function createSnippet(name: string, copy: (text: string) => void) {
   return { element: create('div', { class: 'share-snippet' }, head, field), field };
 }
 
-/** Around a code; a reader needs this many empty modules. */
+/** Width of the quiet zone around a QR code, in modules. */
 const QUIET = 4;
-/** The most that a code holds, bytes; one that full is too fine for many a camera. */
+/** Maximum number of bytes in a QR code. Many cameras cannot read denser codes. */
 const MAX_QR_CHARACTERS = 1200;
 
-/** A QR code of a link. What computes it is fetched when the first one is wanted. */
+/** A QR code for a link. The generator is fetched on first use. */
 async function createQr(link: string, name: string): Promise<SVGSVGElement> {
   const { correction, generate } = await import('lean-qr');
   const code = generate(link, { minCorrectionLevel: correction.L });
@@ -171,7 +171,7 @@ async function createQr(link: string, name: string): Promise<SVGSVGElement> {
   return picture;
 }
 
-/** A square for each dark module. */
+/** SVG path with a square for each dark module. */
 function modulesOf(code: Bitmap2D): string {
   const squares: string[] = [];
   for (let y = 0; y < code.size; y++) {

@@ -1,10 +1,8 @@
-/** Building elements without markup: untrusted text can only ever become text. */
+/** Creates elements without parsing markup, so that untrusted text cannot become HTML. */
 type Children = readonly (Node | string)[];
 type Attributes = Readonly<Record<string, string | number | boolean | undefined>>;
 
-/**
- * An element with attributes and children. `true` sets an empty attribute, `false` and undefined set none.
- */
+/** Creates an element with attributes and children. `true` sets an empty attribute; `false` and undefined set none. */
 export function create<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
   attributes: Attributes = {},
@@ -18,7 +16,7 @@ export function create<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** An element of a drawing. */
+/** Creates an SVG element. */
 export function createSvg<Tag extends keyof SVGElementTagNameMap>(
   tag: Tag,
   attributes: Readonly<Record<string, string | number>> = {},
@@ -30,14 +28,14 @@ export function createSvg<Tag extends keyof SVGElementTagNameMap>(
   return element;
 }
 
-/** A button with an icon and a name; the name is read aloud and shown by a tool tip. */
+/** A button with an icon. The name is its accessible name and its tooltip. */
 export function iconButton(className: string, name: string, icon: Node, press: () => void): HTMLButtonElement {
   const button = create('button', { type: 'button', class: className, 'aria-label': name, title: name }, icon);
   button.addEventListener('click', press);
   return button;
 }
 
-/** A button with its name written on it. */
+/** A button with visible text. */
 export function textButton(className: string, name: string, press: () => void): HTMLButtonElement {
   const button = create('button', { type: 'button', class: className }, name);
   button.addEventListener('click', press);
@@ -46,7 +44,7 @@ export function textButton(className: string, name: string, press: () => void): 
 
 let count = 0;
 
-/** An id that is not used elsewhere in the page. */
+/** An id that is unique in the page. */
 export function uniqueId(): string {
   return `id-${++count}`;
 }

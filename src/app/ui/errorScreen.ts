@@ -2,7 +2,7 @@ import { ContextError, LoadError, UnsupportedError } from '../../preset/errors.t
 import { create, textButton } from './dom.ts';
 import { strings } from '../strings.ts';
 
-/** A page instead of the smoke: what happened, what to do, and a way to try again. */
+/** Error page: what happened, advice, and a reload button. */
 export function createErrorScreen(error: unknown): HTMLElement {
   const { title, advice } = adviceFor(error);
   const reason = error instanceof Error ? error.message : String(error);

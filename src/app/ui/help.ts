@@ -3,7 +3,7 @@ import { create, iconButton, textButton } from './dom.ts';
 import { icon } from './icons.ts';
 import { strings } from '../strings.ts';
 
-/** The sheet of everything that pointer and keys can do in the scene that is shown. */
+/** Dialog that lists all pointer gestures and keys of the current scene. */
 export class Help {
   readonly element: HTMLDialogElement;
   private readonly stage: Stage;
@@ -14,7 +14,7 @@ export class Help {
     const { title, keyboard, paper, licenses, close } = strings.help;
     this.stage = stage;
     const button = textButton('loud', close, () => this.element.close());
-    // On a phone the other one is far below.
+    // On a phone the other close button is far below.
     const cross = iconButton('icon-button sheet-close', close, icon('close'), () => this.element.close());
     const links = create(
       'p',
@@ -22,14 +22,14 @@ export class Help {
       create('a', { href: './paper.html' }, paper),
       create('a', { href: './third-party-licenses.txt' }, licenses),
     );
-    // Else the first link has the focus when the sheet opens, far below its beginning.
+    // Otherwise the first link, far below, would get the initial focus.
     const heading = create('h2', { id: 'help-title', tabindex: -1, autofocus: true }, title);
     const attributes = { class: 'sheet card help', 'aria-labelledby': 'help-title' };
     const middle = create('h3', {}, keyboard);
     this.element = create('dialog', attributes, heading, cross, this.byHand, middle, this.byKeys, links, button);
   }
 
-  /** Opens the sheet, or closes it when it is open. */
+  /** Opens or closes the dialog. */
   toggle(): void {
     if (this.element.open) return this.element.close();
     const { hand, keys } = rows(this.stage);

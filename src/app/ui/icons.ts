@@ -1,4 +1,4 @@
-/** The icons of the page: strokes of one weight on a grid of 24, in the colour of the text. */
+/** The icons of the page: strokes of one weight on a 24 x 24 grid, in the text colour. */
 const paths = {
   play: 'M7 4.5v15l13-7.5z',
   pause: 'M7 4.5v15M17 4.5v15',
@@ -27,7 +27,7 @@ const paths = {
 
 export type IconName = keyof typeof paths;
 
-/** A fresh copy of an icon; it says nothing to screen readers, its button does. */
+/** Creates an icon. It is hidden from screen readers; its button has a name. */
 export function icon(name: IconName): SVGSVGElement {
   const namespace = 'http://www.w3.org/2000/svg';
   const root = document.createElementNS(namespace, 'svg');

@@ -2,38 +2,38 @@ import { create, iconButton, textButton } from './dom.ts';
 import { icon } from './icons.ts';
 import { strings } from '../strings.ts';
 
-// Long enough to read a sentence twice.
+// Display time in milliseconds: long enough to read a sentence twice.
 const TRANSIENT_MS = 6000;
 
-/** Messages for people: read aloud politely, each dismissible. */
+/** Notices for the user. They are announced politely and can be dismissed. */
 export class Notices {
   readonly element = create('div', {
     class: 'notices',
     role: 'status',
-    // Only what is new is read, not what still stands.
+    // Announces only new notices.
     'aria-atomic': 'false',
     'aria-label': strings.notices.title,
   });
 
-  /** A message that stays until it is dismissed. The text may hold what somebody else wrote. */
+  /** A notice that stays until it is dismissed. The text may contain untrusted input. */
   notify(message: string): void {
     this.add(message, 'notice');
   }
 
-  /** A message that nobody has to deal with; it goes by itself. */
+  /** A notice without need for action, which disappears after a timeout. */
   mention(message: string): void {
     const notice = this.add(message, 'notice is-transient');
     setTimeout(() => notice.remove(), TRANSIENT_MS);
   }
 
-  /** A message in passing: it lies in nobody's way, not even a pointer's, and goes by itself. */
+  /** A passing notice. It does not block pointer input and disappears after a timeout. */
   whisper(message: string): void {
     const text = create('p', { class: 'whisper' }, message);
     this.element.append(text);
     setTimeout(() => text.remove(), TRANSIENT_MS);
   }
 
-  /** A message with something to do about it; it stays until that is done or it is dismissed. */
+  /** A notice with an action. It stays until the action is taken or the notice is dismissed. */
   offer(message: string, action: string, act: () => void): void {
     const button = textButton('quiet', action, () => {
       notice.remove();

@@ -4,12 +4,12 @@ import { create, textButton } from './dom.ts';
 import { strings } from '../strings.ts';
 import type { Scrubber, Seek } from '../playback/scrubber.ts';
 
-/** A bar over the page while something takes its time. */
+/** A progress bar over the page. */
 export class Progress {
   readonly element: HTMLElement;
   private readonly bar: HTMLProgressElement;
 
-  /** @param cancel where given, a button ends the work */
+  /** @param cancel adds a cancel button when given */
   constructor(message: string, cancel?: () => void) {
     this.bar = create('progress', { max: 1, 'aria-label': message });
     const button = cancel ? [textButton('loud', strings.progress.cancel, cancel)] : [];
@@ -22,21 +22,21 @@ export class Progress {
     );
   }
 
-  /** @param share 0 to 1; undefined while nobody knows */
+  /** @param share 0 to 1; undefined while the total is unknown */
   show(share: number | undefined): void {
     if (share === undefined) this.bar.removeAttribute('value');
     else this.bar.value = share;
   }
 
-  /** Shows how far a download is. */
+  /** Shows the progress of a download. */
   readonly follow = ({ loaded, total }: LoadProgress): void =>
     this.show(total === undefined ? undefined : loaded / total);
 }
 
 /**
- * Simulates up to a time, with progress and a way out.
- * @param message what is being done; by default that time goes on
- * @returns whether it arrived; false when somebody stopped it
+ * Simulates up to a time, with progress and a cancel button.
+ * @param message describes the operation; by default, that time advances
+ * @returns whether it reached the time; false when cancelled
  */
 export async function windForward(
   stage: Stage,
@@ -58,12 +58,12 @@ export async function windForward(
   }
 }
 
-/** Shorter seeks show no progress. */
+/** Seeks shorter than this, in milliseconds, show no progress. */
 const DELAY_MS = 700;
 
 /**
- * Shows the progress of a seek that takes its time, and lets people stop it.
- * @param container where that is shown
+ * Shows progress and a cancel button for slow seeks.
+ * @param container parent of the progress bar
  */
 export function showSlowProgress(scrubber: Scrubber, container: HTMLElement): void {
   let current: { seek: Seek; began: number } | undefined;
