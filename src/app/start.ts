@@ -10,6 +10,6 @@ async function fetchAhead(): Promise<void> {
   await openScene(state.values.scene as string);
 }
 
-// The main module repeats failed fetches and reports errors.
+// The same failure occurs again in main.ts, which reports it.
 fetchAhead().catch(() => undefined);
 void import('./main.ts');

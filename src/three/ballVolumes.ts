@@ -18,7 +18,7 @@ const BALL: readonly PuffShape[] = [{ name: 'ball', lobes: [{ center: [0, 0, 0],
 /** N . L above which the host's materials count as lit. A ball's volume begins behind its whole lit side. */
 const LIT_THRESHOLD = 0;
 
-/** Balls that stand in for an object. */
+/** Proxy balls of an object. */
 interface BallsOf {
   readonly object: Object3D;
   readonly balls: readonly BallAt[];

@@ -213,8 +213,8 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   }
 
   /**
-   * Resolves when the next frame renders with the requested values. Use it before recording frames. Failed fetches are
-   * retried.
+   * Resolves when everything that the current values require is loaded, so that the next frame renders as requested. Use
+   * it before recording frames. Failed fetches are retried.
    * @throws LoadError when the fetch fails again; smoke continues without the resource
    */
   async complete(): Promise<void> {

@@ -108,7 +108,7 @@ function undoOrRedo(event: KeyboardEvent, actions: KeyActions): void {
 /** Typing belongs to text fields, arrow keys to sliders and radio buttons, the space bar to buttons. */
 function belongsToFocus({ target, key }: KeyboardEvent): boolean {
   if (!(target instanceof Element)) return false;
-  // The focus does not tell: a button loses it when it is disabled.
+  // The focus is not reliable: a button loses it when it is disabled.
   if (document.querySelector('dialog:modal')) return key !== '?';
   // A field in a dialog that has just closed keeps the focus until the next frame.
   if (target.getClientRects().length === 0) return false;

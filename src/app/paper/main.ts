@@ -36,7 +36,7 @@ const SIZE = { width: isNarrow ? 400 : 640, height: isNarrow ? 300 : 480, pixelR
 const TILE = isNarrow ? 64 : 96;
 /** Half the width of a tile, in puff radii. */
 const PAD = 1.2;
-/** Roll of the lobes for the per-pixel figures, in radians. */
+/** Rotation of the lobes that are intersected per pixel (figure 3), in radians. */
 const ROLL = 0.7;
 const CHANNEL_NAMES: Readonly<Record<string, string>> = { N: 'Normals', d: 'Depth', C: 'Colour', coverage: 'Coverage' };
 const RAMPS = [
@@ -129,7 +129,7 @@ function show(figure: string, means: Means['id'], ...pictures: HTMLElement[]): v
   document.querySelector(`#${figure} .${means} .pictures`)!.append(...pictures);
 }
 
-/** Adds a link that opens a column's smoke in the demo at the same time. */
+/** Adds a link that opens a column's smoke in the demo at the same simulated time. */
 async function link(figure: string, { id, values, title }: Means, preset: keyof typeof MOMENTS, more: Values) {
   const state = { preset, values: { ...presetValues(findPreset(preset)!), ...values, ...more } };
   const href = `./?t=${MOMENTS[preset]}${await encode(state)}`;
