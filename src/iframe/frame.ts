@@ -21,8 +21,7 @@ type Asked = (...given: never[]) => Promise<unknown>;
 const MAX_BYTES = 16 * 1024 * 1024;
 
 function begin(smoke: CartoonSmokeElement): void {
-  // A worker needs an origin, which a sandboxed frame may lack. Most browsers already run cross-site frames in a
-  // separate process.
+  // A worker needs an origin, which a sandboxed frame may lack. Most browsers run cross-site frames on a separate thread.
   smoke.thread = 'main';
   smoke.interactive = new URLSearchParams(location.search).get('interactive') !== '0';
   const follow = () => (smoke.src = location.href);

@@ -20,7 +20,7 @@ export interface HostView {
 
 /**
  * Draws smoke in the middle of the host's frame, between its opaque and its blended objects:
- * arrange -> read the host's depth (if ink needs it) -> draw bodies into unlit, lit and depth targets -> resolve
+ * arrange -> read the host's depth (if ink needs it) -> draw bodies into unlit, lit and depth targets -> resolve (antialiasing)
  * -> write their depth to the host's depth buffer -> volumes into the stencil -> lit smoke where the stencil is 0
  * -> elsewhere, the scene without its key light -> deep shadow where the stencil count is high enough.
  * Unlit smoke follows, as the first blended object.
