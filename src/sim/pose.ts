@@ -17,7 +17,7 @@ export function poseNumbers(position: Triple, rotation: QuaternionLike = NO_ROTA
 }
 
 /**
- * Interpolates a pose between two steps: position linearly, rotation by normalized linear interpolation (nlerp) along
+ * Interpolates a pose between two steps: position linearly, rotation by normalised linear interpolation (nlerp) along
  * the shorter arc.
  * @param poses of all rigids, {@link RIGID_FLOATS} each
  * @param index of the rigid

@@ -247,7 +247,7 @@ export class Simulator {
     return this.#attempt(() => this.#handle.hash());
   }
 
-  /** Serializes the whole state for {@link restore}. */
+  /** Serialises the whole state for {@link restore}. */
   save(): Uint8Array {
     return this.#attempt(() => this.#handle.save());
   }
@@ -318,7 +318,7 @@ export class Simulator {
   }
 
   /**
-   * Serializes the take recorded so far.
+   * Serialises the take recorded so far.
    *
    * @param note Opaque text stored with the take, at most 64 KiB of UTF-8.
    */

@@ -1,4 +1,4 @@
-/** Validates an untrusted mesh and normalizes it to the unit ball: finite, closed, of limited size. */
+/** Validates an untrusted mesh and normalises it to the unit ball: finite, closed, of limited size. */
 import { ShapeError } from '../../preset/errors.ts';
 
 /** An arbitrary triangle mesh, of either winding. */

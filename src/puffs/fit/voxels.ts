@@ -1,4 +1,4 @@
-/** Voxelization of a closed mesh, with a distance field of its inside. */
+/** Voxelisation of a closed mesh, with a distance field of its inside. */
 import type { ClosedMesh } from './closedMesh.ts';
 
 /** Half the width of the grid, in radii of the unit ball. It leaves a margin of more than one voxel on all sides. */
@@ -21,7 +21,7 @@ export function centreOf(index: number, width: number): number {
   return (index + 0.5) * width - HALF_GRID;
 }
 
-/** Voxelizes a mesh by its winding number along the columns of the grid. Overlapping closed parts form a union. */
+/** Voxelises a mesh by its winding number along the columns of the grid. Overlapping closed parts form a union. */
 export function voxelsOf(mesh: ClosedMesh, size: number): Voxels {
   const width = (2 * HALF_GRID) / size;
   const crossings = new Int16Array(size ** 3);
