@@ -1,40 +1,40 @@
 import { BufferAttribute, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry } from 'three';
 import type { Rows } from '../sim/rows.ts';
 
-/** Packed words of a row; see shaders/lib/attributes.glsl. */
+/** Packed words per row; see shaders/lib/attributes.glsl. */
 const ATTRIBUTE_WORDS = 2;
 
-/** Corners of the quads that a pass draws for each row; `index` makes triangles of them. */
+/** Corners of the quads that a pass draws per instance, x and y each. `index` lists their triangles. */
 export interface QuadLayout {
   corners: readonly number[];
   index: readonly number[];
 }
 
-/** One quad, seen from its front. */
+/** One front-facing quad. */
 export const ONE_QUAD: QuadLayout = { corners: [-1, -1, 1, -1, 1, 1, -1, 1], index: [0, 1, 2, 0, 2, 3] };
 
-/** Two quads on the same place, the second one wound the other way: what gl_FrontFacing tells apart. */
+/** Two coincident quads with opposite winding. gl_FrontFacing distinguishes them. */
 export const FRONT_AND_BACK: QuadLayout = {
   corners: ONE_QUAD.corners,
   index: [...ONE_QUAD.index, 0, 2, 1, 0, 3, 2],
 };
 
-/** The same with corners of their own for each, which gl_VertexID tells apart in the vertex shader. */
+/** As FRONT_AND_BACK, with separate vertices, so that gl_VertexID distinguishes the quads in the vertex shader. */
 export const TWO_QUADS: QuadLayout = {
   corners: [...ONE_QUAD.corners, ...ONE_QUAD.corners],
   index: [...ONE_QUAD.index, 4, 6, 5, 4, 7, 6],
 };
 
 /**
- * Simulator rows as instance attributes: `place` (world x, y, z, radius) and `attributes` (two packed words), 24 bytes a row.
- * The arrays belong to JavaScript, so that growing WASM memory can never pull them from under the renderer.
+ * Simulator rows as instanced attributes: `place` (world x, y, z, radius) and `attributes` (two packed words), 24 bytes
+ * per row. The arrays are allocated in JavaScript, because growing WASM memory detaches views on it.
  */
 export class Instances {
   readonly geometry = new InstancedBufferGeometry();
   private readonly place: InstancedBufferAttribute;
   private readonly attributes: InstancedBufferAttribute;
 
-  /** @param capacity the most rows it will ever hold: buffers are made once */
+  /** @param capacity maximum number of rows; the buffers are never reallocated */
   constructor(capacity: number, layout: QuadLayout) {
     this.place = new InstancedBufferAttribute(new Float32Array(4 * capacity), 4);
     this.attributes = new InstancedBufferAttribute(new Uint32Array(ATTRIBUTE_WORDS * capacity), ATTRIBUTE_WORDS);
@@ -61,14 +61,14 @@ export class Instances {
     return this.attributes.array as Uint32Array;
   }
 
-  /** Metres; 0 where there are no rows. */
+  /** Mean radius in metres; 0 if there are no rows. */
   get meanRadius(): number {
     let sum = 0;
     for (let row = 0; row < this.count; row++) sum += this.place.array[4 * row + 3];
     return sum / Math.max(1, this.count);
   }
 
-  /** Copies the rows and marks only them for upload. */
+  /** Copies the rows and marks only the copied range for upload. */
   fill(rows: Rows): void {
     copyPrefix(this.place, rows.place, 4 * rows.count);
     copyPrefix(this.attributes, rows.attributes, ATTRIBUTE_WORDS * rows.count);
@@ -80,10 +80,10 @@ export class Instances {
   }
 }
 
-/** Parts of a radius in which the upper half of a caster's first word tells where its shadow may end. */
+/** Steps per radius of the shadow end, which is in the upper 16 bits of a caster's word 0. */
 const END_STEPS = 256;
 
-/** Rows of casters, whose attributes say where their shadows may end. */
+/** Rows of shadow casters, whose attributes contain the end of their shadows. */
 export class CasterInstances extends Instances {
   private readonly ends: Float32Array;
 
@@ -93,8 +93,8 @@ export class CasterInstances extends Instances {
   }
 
   /**
-   * Lets shadows of the rows that were just filled in end earlier; those that do already stay.
-   * @param write sets for each row how far behind its centre its shadow may end, metres
+   * Shortens the shadows of the rows from the last {@link fill}. Shadows that already end earlier do not change.
+   * @param write sets, for each row, the distance behind its centre at which its shadow may end, in metres
    */
   shorten(write: (ends: Float32Array) => void): void {
     const { places, attributeWords, count } = this;

@@ -1,8 +1,8 @@
 /**
- * The share link: state to the hash of an address and back, `#v=1&preset=lamp&emission.rate=240`.
+ * Encodes the state as the hash of a share link and decodes it: `#v=1&preset=lamp&emission.rate=240`.
  *
- * A link holds what differs from its preset, in the order of the table. Reading one never throws and never trusts:
- * what cannot be used is told in notices, and the result always has a value in range for every key that needs one.
+ * A link contains the values that differ from its preset, in the order of the table. Links are untrusted: decoding
+ * never throws and reports invalid parts as notices. The result has a valid value for every key that is not optional.
  */
 import { migrate, VERSION } from './migrations.ts';
 import { notice, quoteKey, summarise, type Notice } from './notice.ts';
@@ -12,33 +12,33 @@ import { defaultPreset, findPreset, presetValues } from './presets.ts';
 import { findParameter, table } from './table.ts';
 import { readText, writeText } from './values.ts';
 
-/** What a link carries: a preset and a value for every key of the table that is not optional. */
+/** Content of a link: a preset and a value for every parameter that is not optional. */
 export interface State {
   readonly preset: string;
   readonly values: Values;
 }
 
-/** A link read: what to show, and what to tell. */
+/** A decoded link. */
 export interface Decoded {
   readonly state: State;
-  /** Bytes of a take that leads to the moment that was shared; whether they are one, only a simulator can say. */
+  /** Bytes of a take that leads to the shared moment. Only the simulator can validate them. */
   readonly take?: Uint8Array;
   readonly notices: readonly Notice[];
 }
 
 const LONGEST_READABLE = 1500;
 
-/** What is longer is not sent as a link, because chats and mail programs cut it: it becomes a file. */
+/** Maximum length of a shared link in characters. Chat and mail programs truncate longer links; use a file instead. */
 export const LONGEST_LINK = 8000;
 
-/** The preset that is shown when nothing else is asked for. */
+/** The state without a link: the default preset. */
 export function defaultState(): State {
   return { preset: defaultPreset.name, values: presetValues(defaultPreset) };
 }
 
 /**
- * The hash of a state, with `#`; packed when the readable form is over 1,500 characters.
- * @param take bytes of a take, for a link to one very moment
+ * Encodes a state as a URL hash, with `#`. Compresses it if the readable form exceeds 1,500 characters.
+ * @param take bytes of a take, for a link to a moment
  */
 export async function encode(state: State, take?: Uint8Array<ArrayBuffer>): Promise<string> {
   const text = writeState(state);
@@ -46,7 +46,7 @@ export async function encode(state: State, take?: Uint8Array<ArrayBuffer>): Prom
   return take ? `${shown}&take=${await packBytes(take)}` : shown;
 }
 
-/** Reads the hash of an address, with or without `#`. Never rejects. */
+/** Decodes a URL hash, with or without `#`. Never rejects. */
 export async function decode(hash: string): Promise<Decoded> {
   const notices: Notice[] = [];
   const text = await expand(hash.replace(/^#/, ''), notices);
@@ -62,14 +62,14 @@ function writeState({ preset, values }: State): string {
   return [`v=${VERSION}`, `preset=${preset}`, ...pairs].join('&');
 }
 
-/** What a state has otherwise than its preset, in the order of the table. */
+/** Values that differ from the preset, in the order of the table. */
 export function ownValues({ preset, values }: State): [Parameter, Value][] {
   const base = presetValues(findPreset(preset) ?? defaultPreset);
   const differing = table.filter(({ key }) => values[key] !== undefined && values[key] !== base[key]);
   return differing.map((parameter) => [parameter, values[parameter.key]]);
 }
 
-/** The readable form of a packed link, followed by what somebody may have written behind it by hand. */
+/** Decompresses a packed link and appends pairs that were added to it by hand. */
 async function expand(text: string, notices: Notice[]): Promise<string> {
   const outer = new URLSearchParams(cut(text, text.length > DECODED_LIMIT, notices));
   const packed = outer.get('z');
@@ -86,7 +86,7 @@ async function expand(text: string, notices: Notice[]): Promise<string> {
   }
 }
 
-/** Drops what lies beyond the limit, and the pair that the limit would cut in two. */
+/** Truncates overlong text after the last complete pair within the limit. */
 function cut(text: string, isTooLong: boolean, notices: Notice[]): string {
   if (!isTooLong) return text;
   notices.push(notice('tooLong', '', '', () => 'The link is too long; its end was ignored.'));
@@ -112,12 +112,12 @@ async function readTake(packed: string | undefined, notices: Notice[]): Promise<
   return undefined;
 }
 
-/** Keys of a link that are no parameters. */
+/** Keys of a link that are not parameters. */
 const OWN_KEYS: ReadonlySet<string> = new Set(['v', 'preset', 'take']);
 
 /**
- * The state that pairs of text describe, those of a link or of a file, after `migrate`.
- * @param notices notified of everything that is not used as it stands
+ * Parses the pairs of a link or a file. Call {@link migrate} first.
+ * @param notices receives a notice for each pair that is ignored or changed
  */
 export function readState(pairs: ReadonlyMap<string, string>, notices: Notice[], source: 'link' | 'file'): State {
   const version = pairs.get('v') ?? VERSION;

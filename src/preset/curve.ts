@@ -1,18 +1,18 @@
-/** Curves as text: stops `0:1,.5:.8,1:0`, each a place and a value, both from 0 to 1, the places rising. */
+/** Text format of curves: stops `0:1,.5:.8,1:0`, each a position and a value from 0 to 1, with increasing positions. */
 
-/** A place on a curve and its value there, both 0..1. */
+/** A position on a curve and the value there, both 0..1. */
 export interface Stop {
   readonly at: number;
   readonly value: number;
 }
 
 export const MIN_STOPS = 2;
-/** As many as the simulator takes. */
+/** The limit of the simulator. */
 export const MAX_STOPS = 8;
 
 const NUMBER = /^(0|1|0?\.\d+|1\.0+|0\.0*)$/;
 
-/** The stops of a curve; undefined where the text is none. */
+/** Parses a curve. Returns undefined if the text is invalid. */
 export function readCurve(text: string): Stop[] | undefined {
   const stops = text.split(',').map(readStop);
   if (stops.length < MIN_STOPS || stops.length > MAX_STOPS) return undefined;
@@ -27,7 +27,7 @@ function readStop(text: string): Stop | undefined {
   return { at: Number(parts[0]), value: Number(parts[1]) };
 }
 
-/** The text of a curve, three digits behind the point, without the zero before it. */
+/** Formats a curve with three decimal places and without leading zeros. */
 export function writeCurve(stops: readonly Stop[]): string {
   const short = (number: number) => String(Number(number.toFixed(3))).replace(/^0\./, '.');
   return stops.map(({ at, value }) => `${short(at)}:${short(value)}`).join(',');

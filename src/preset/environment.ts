@@ -1,25 +1,25 @@
-/** What the query of an address asks of the page, not of the smoke: `?paused=1&t=2.5&ui=0&stats=1&quality=0.75`. */
+/** Page settings in the URL query, as opposed to smoke parameters: `?paused=1&t=2.5&ui=0&stats=1&quality=0.75`. */
 import { notice, type Notice } from './notice.ts';
 import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from './quality.ts';
 
 export interface Environment {
-  /** Start without playing. */
+  /** Whether to start paused. */
   readonly paused: boolean;
-  /** Simulated seconds before the first picture, 0 to 600; undefined when the address does not say. */
+  /** Simulated seconds before the first frame, 0 to 600; undefined if the query has no `t`. */
   readonly time: number | undefined;
-  /** Whether panel, transport and messages are shown. */
+  /** Whether the panel, the playback controls and messages are shown. */
   readonly hasInterface: boolean;
   readonly hasStatistics: boolean;
   readonly quality: Quality;
-  /** What is shown instead of the picture; undefined shows the picture. */
+  /** Debug view that replaces the image; undefined for the image. */
   readonly view: DebugView | undefined;
   readonly notices: readonly Notice[];
 }
 
-/** The most simulated seconds that an address may ask for before the first picture. */
+/** Maximum of `t`: simulated seconds before the first frame. */
 export const LONGEST_LEAD = 600;
 
-/** Reads the query of an address, with or without `?`. Never throws; flags it does not know are not its business. */
+/** Parses a URL query, with or without `?`. Never throws; ignores unknown flags. */
 export function readEnvironment(search: string): Environment {
   const query = new URLSearchParams(search);
   const notices: Notice[] = [];
@@ -34,7 +34,7 @@ export function readEnvironment(search: string): Environment {
   };
 }
 
-/** `?paused`, `?paused=1` and `?paused=true` are on, `0` and `false` are off. */
+/** `0` and `false` are off; any other value is on, including `?paused` without one. */
 function isOn(text: string | null, fallback: boolean): boolean {
   return text === null ? fallback : text !== '0' && text !== 'false';
 }
@@ -60,14 +60,14 @@ function readQuality(text: string | null, notices: Notice[]): Quality {
   return quality;
 }
 
-/** Plain decimal notation, else NaN. */
+/** Parses plain decimal notation; NaN for anything else. */
 function readNumber(text: string): number {
   return /^[+-]?\d*\.?\d+$/.test(text) ? Number(text) : Number.NaN;
 }
 
 /**
- * Reads simulated seconds before the first picture, brought within 0 to 600.
- * @param name of what has the text, for notices
+ * Parses simulated seconds before the first frame, clamped to 0 to 600.
+ * @param name of the flag or attribute, for notices
  */
 export function readTime(text: string | null, notices: Notice[], name: string): number | undefined {
   if (text === null) return undefined;

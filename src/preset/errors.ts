@@ -1,23 +1,23 @@
 /**
- * The errors of the library: each says what happened, with which value, what would have been accepted and what to do.
- * They live with the presets because that folder imports nothing else of ours, so everyone may use them.
+ * Errors of the library. Each message has the cause, the value, what is accepted and what to do. They are in the preset
+ * folder because it imports no other folder of the project, so all others can import it.
  */
 export class SmokeError extends Error {
   override name = 'SmokeError';
 }
 
-/** A parameter that a caller gave is not a number, or lies outside its range. Nothing was changed. */
+/** A parameter is unknown, or its value is invalid or out of range. Nothing was changed. */
 export class ParameterError extends SmokeError {
   override name = 'ParameterError';
   /** The flat dotted key, such as `emission.rate`. */
   readonly key: string;
-  /** The offending value as it was given. */
+  /** The invalid value, unchanged. */
   readonly value: unknown;
-  /** What would have been accepted, in words. */
+  /** Description of the accepted values. */
   readonly accepted: string;
 
   constructor(key: string, value: unknown, accepted: string) {
-    // A text that looks like a number would otherwise be refused without a word on why.
+    // Quotes show that a value such as '5' is a string and not a number.
     super(`${key} cannot be ${typeof value === 'string' ? `“${value}”` : String(value)}: it takes ${accepted}.`);
     this.key = key;
     this.value = value;
@@ -25,32 +25,32 @@ export class ParameterError extends SmokeError {
   }
 }
 
-/** A mesh cannot become a puff; the message says what is wrong with it and what would be accepted. */
+/** A mesh or shape cannot be used as a puff. The message has the fault and what is accepted. */
 export class ShapeError extends SmokeError {
   override name = 'ShapeError';
 }
 
-/** A file holds no preset and no take; the message says what is wrong with it, and where. */
+/** A file contains no valid preset or take. The message has the fault and its position. */
 export class FileError extends SmokeError {
   override name = 'FileError';
 }
 
-/** Something that smoke needs could not be fetched or compiled; `cause` holds the reason. */
+/** A required resource could not be fetched or compiled. `cause` is the original error. */
 export class LoadError extends SmokeError {
   override name = 'LoadError';
 }
 
-/** This browser lacks something that smoke cannot do without (WebGL2, WASM SIMD). */
+/** The browser lacks a required feature (WebGL2, WASM SIMD). */
 export class UnsupportedError extends SmokeError {
   override name = 'UnsupportedError';
 }
 
-/** The simulator refused a call or has stopped after a fault; make a new one. */
+/** The simulator rejected a call, or has stopped after a fault. After a fault, create a new one. */
 export class SimulatorError extends SmokeError {
   override name = 'SimulatorError';
 }
 
-/** The WebGL context is lost or was disposed. */
+/** The WebGL context is lost or has been disposed. */
 export class ContextError extends SmokeError {
   override name = 'ContextError';
 }

@@ -1,8 +1,8 @@
 /**
- * Presets and takes as files: JSON that people can read and edit, described by `public/smoke-file.schema.json`.
+ * Files of presets and takes: human-readable JSON with the schema `public/smoke-file.schema.json`.
  *
- * What a file says of values is read as in a link: what cannot be used is told, the rest counts. A file that is none of
- * ours is refused whole, with the place that is wrong.
+ * Values are parsed as in a link: invalid values produce notices and the rest applies. A file of another format is
+ * rejected with an error that names the fault and its position.
  */
 import { ownValues, readState, type State } from './codec.ts';
 import { FileError } from './errors.ts';
@@ -14,19 +14,19 @@ import { defaultPreset } from './presets.ts';
 
 export const FORMAT = 'cartoon-smoke';
 export const MAX_NAME = 60;
-/** What a take in a file may inflate to, bytes: a saved state of a million particles and all that can be done to it. */
+/** Maximum decompressed size of a take in bytes: a saved state of a million particles and a full input log. */
 const MAX_TAKE_BYTES = 128 * 1024 * 1024;
 
-/** What a file holds. */
+/** Content of a file. */
 export interface SmokeFile {
-  /** For people, 1 to 60 characters. */
+  /** Display name, 1 to 60 characters. */
   readonly name: string;
   readonly state: State;
-  /** Where it is more than a preset: how one moment came to be. */
+  /** A recorded moment, in simulated seconds, and the take that leads to it. A file without it is a preset. */
   readonly moment?: { readonly take: Uint8Array<ArrayBuffer>; readonly seconds: number };
 }
 
-/** @param schema address of the schema, for editors that check what is typed */
+/** @param schema URL of the JSON schema, for validation in editors */
 export async function writeFile({ name, state, moment }: SmokeFile, schema: string): Promise<string> {
   const content = {
     $schema: schema,
@@ -40,7 +40,7 @@ export async function writeFile({ name, state, moment }: SmokeFile, schema: stri
   return `${JSON.stringify(content, null, 2)}\n`;
 }
 
-/** @throws FileError that says what is wrong, and where */
+/** @throws FileError with the fault and its position */
 export async function readFile(text: string): Promise<SmokeFile & { notices: readonly Notice[] }> {
   const content = parse(text);
   if (content.format !== FORMAT) {
@@ -68,7 +68,7 @@ function recordOf(value: unknown, what: string): Record<string, unknown> {
   throw new FileError(`${what} must be an object, not ${describe(value)}.`);
 }
 
-/** The values as text, as a link has them. */
+/** Converts the values to text, as in a link. */
 function pairsOf({ version, preset, values }: Record<string, unknown>, notices: Notice[]): Map<string, string> {
   if (typeof version !== 'number') throw new FileError(`"version" must be a number, not ${describe(version)}.`);
   const name = preset ?? defaultPreset.name;
@@ -105,7 +105,7 @@ async function readMoment(value: unknown): Promise<NonNullable<SmokeFile['moment
   return { take: inflated.bytes, seconds };
 }
 
-/** A name that fits on a card, whatever stands there. */
+/** Sanitises an untrusted name: at most 60 characters, 'Smoke' if it is empty or not a string. */
 export function nameOf(value: unknown): string {
   const text = typeof value === 'string' ? value.replace(/\p{C}/gu, ' ').trim() : '';
   return text.slice(0, MAX_NAME) || 'Smoke';

@@ -1,6 +1,6 @@
-/** Where a text stops being JSON: what browsers say of that differs, and some say nothing. */
+/** Finds the position of a JSON syntax error. Browsers report it differently or not at all. */
 
-/** Counted from 1. */
+/** Line and column, starting at 1. */
 export interface TextPosition {
   readonly line: number;
   readonly column: number;
@@ -9,10 +9,10 @@ export interface TextPosition {
 const SPACE = /[ \t\n\r]*/y;
 const SCALAR =
   /"(?:[^"\\\p{Cc}]|[\u007f-\u009f]|\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4}))*"|-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?|true|false|null/uy;
-/** Deeper than any file of ours, and less than what the stack holds. */
+/** Maximum nesting: deeper than any valid file, and low enough not to overflow the stack. */
 const DEEPEST = 200;
 
-/** The first place at which no JSON can go on as the text does; undefined where it is JSON. */
+/** Position of the first syntax error; undefined if the text is valid JSON. */
 export function jsonFault(text: string): TextPosition | undefined {
   const scan = new Scan(text);
   if (scan.takeValue(0) && scan.isAtEnd) return undefined;
@@ -20,7 +20,7 @@ export function jsonFault(text: string): TextPosition | undefined {
   return { line: before.length, column: before.at(-1)!.length + 1 };
 }
 
-/** Goes over a text as far as it is JSON. */
+/** A recursive descent scanner that stops at the first syntax error. */
 class Scan {
   at = 0;
   private readonly text: string;
@@ -46,7 +46,7 @@ class Scan {
     return this.text[this.at] === '"' && this.take(SCALAR) && this.takeSign(':') && this.takeValue(depth + 1);
   }
 
-  /** What follows an opening bracket. */
+  /** Scans the items after an opening bracket, up to the closing one. */
   private takeRest(end: string, takePart: () => boolean): boolean {
     if (this.takeSign(end)) return true;
     while (takePart()) {

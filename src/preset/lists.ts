@@ -1,13 +1,14 @@
 /**
- * The rows of the table for the simulator's lists - emitters, vortices, winds and so on -, `vortices.0.circulation` for
- * one. What a list holds is said by the simulator, which writes lists.json (see sim-wasm/sim/tests/simulator/page_table.rs).
+ * Parameter table rows of the simulator's lists (emitters, vortices, winds and so on), such as
+ * `vortices.0.circulation`. The simulator defines the fields of a list and generates lists.json (see
+ * sim-wasm/sim/tests/simulator/page_table.rs).
  *
- * These rows are optional: without a value of its own, a parameter is as the scene has it.
+ * These rows are optional: a parameter without a value has the scene's value.
  */
 import source from './lists.json' with { type: 'json' };
 import type { ChoiceParameter, NumberParameter } from './parameter.ts';
 
-/** Most items of each list, as in the simulator. */
+/** Maximum number of items per list, as in the simulator. */
 export const LIST_LIMIT = 8;
 
 interface Field {
@@ -15,12 +16,12 @@ interface Field {
   readonly unit: string;
   readonly min: number;
   readonly max: number;
-  /** One number, or three for a vector. */
+  /** One number, or three for a vector field. */
   readonly default: readonly number[];
-  /** What a newly added item has instead of the default. */
+  /** Initial value of a newly added item, if it differs from the default. */
   readonly start?: number;
   readonly whole: boolean;
-  /** Names of the whole numbers from 0 on; empty where it is a quantity. */
+  /** Names of the values 0, 1, ...; empty for a quantity. */
   readonly names: readonly string[];
   readonly label: string;
   readonly text: string;
@@ -31,23 +32,23 @@ interface List {
   readonly fields: readonly Field[];
 }
 
-/** The density over life is a list for the simulator and a curve for people: `emission.density`. */
+/** Excludes density over life, a list in the simulator that users edit as a curve: `emission.density`. */
 const { density: _curve, ...lists }: Readonly<Record<string, List>> = source;
 
-/** Names of the lists in their order. */
+/** Names of the lists in order. */
 export const listNames: readonly string[] = Object.keys(lists);
 
-/** What people call an item: 'Vortex 2' for the second of the vortices. */
+/** Label of an item, such as 'Vortex 2' for the second vortex. */
 export function itemLabel(list: string, index: number): string {
   return `${lists[list].label} ${index + 1}`;
 }
 
-/** What people call one item of a list. */
+/** Singular label of a list, such as 'Vortex'. */
 export function listLabel(list: string): string {
   return lists[list].label;
 }
 
-/** Flat values that bring item `index` of a list into being so that it does something. */
+/** Values by flat key that create item `index` of a list with a visible effect. */
 export function startValues(list: string, index: number): Record<string, number> {
   const { fields } = lists[list];
   const starting = fields.filter(({ start }) => start !== undefined);
@@ -57,7 +58,7 @@ export function startValues(list: string, index: number): Record<string, number>
   );
 }
 
-/** Every row of every item of every list. */
+/** All rows of all items of all lists. */
 export function listParameters(): (NumberParameter | ChoiceParameter)[] {
   return listNames.flatMap((name) =>
     Array.from({ length: LIST_LIMIT }, (_, index) => itemParameters(name, index)).flat(),
@@ -118,12 +119,12 @@ function unitOf(unit: string): string {
   return unit === '1' ? '' : unit.replace(/(?<=[a-z])[23]/g, (power) => (power === '2' ? '\u00b2' : '\u00b3'));
 }
 
-/** A few hundred steps for small ranges; large ones are stepped through near zero, where most values lie. */
+/** A few hundred steps for small ranges. Large ranges need fine steps near zero, where most values are. */
 function stepOf(span: number): number {
   return span <= 5 ? 0.01 : 0.05;
 }
 
-/** 'cone nozzle' of `coneNozzle`, with a capital. */
+/** Converts `coneNozzle` to 'Cone nozzle'. */
 function sentence(name: string): string {
   const words = name.replace(/[A-Z]/g, (letter) => ` ${letter.toLowerCase()}`);
   return words[0].toUpperCase() + words.slice(1);

@@ -1,28 +1,25 @@
-/**
- * Links that people keep outlive the page that wrote them: what older versions wrote is turned into what this one reads,
- * one version after the other.
- */
+/** Migrates links of older versions to the current version, one version at a time. */
 import { MAX_STOPS, writeCurve } from './curve.ts';
 import { notice, type Notice } from './notice.ts';
 
-/** The version of links that this page writes. */
+/** Current version of the link format. */
 export const VERSION = '1';
 
-/** Pairs of a link by their keys, all as text. */
+/** Keys and values of a link, as text. */
 type Pairs = ReadonlyMap<string, string>;
 
 interface Migration {
-  /** The version that it reads, and the one that it makes of it. */
+  /** Source and target version. */
   readonly from: string;
   readonly to: string;
-  /** What became of what, as the sentence of a notice; undefined where this link had nothing of it. */
+  /** Converts the pairs. `notified` is the message of a notice about the change; undefined if nothing changed. */
   readonly bring: (pairs: Pairs) => { pairs: Pairs; notified: string | undefined };
 }
 
-/** In the order of their versions. */
+/** Sorted by version. */
 const migrations: readonly Migration[] = [{ from: '0', to: '1', bring: gatherDensity }];
 
-/** Brings the pairs of a link up to this page's version, and tells what was changed. Versions that nobody wrote stay. */
+/** Migrates the pairs of a link to the current version and adds notices. Unknown versions are left unchanged. */
 export function migrate(pairs: Pairs, notices: Notice[]): Pairs {
   let current = pairs;
   for (const { from, to, bring } of migrations) {
@@ -36,7 +33,9 @@ export function migrate(pairs: Pairs, notices: Notice[]): Pairs {
 
 const DENSITY = /^density\.([0-7])\.(age|value)$/;
 
-/** Version 0 had the density over life as a list of stops, `density.0.age=.5&density.0.value=1`; now it is one curve. */
+/**
+ * Version 0 stored density over life as a list of stops, `density.0.age=.5&density.0.value=1`. Version 1 has a curve.
+ */
 function gatherDensity(pairs: Pairs): { pairs: Pairs; notified: string | undefined } {
   const rest = new Map([...pairs].filter(([key]) => !DENSITY.test(key)));
   if (rest.size === pairs.size) return { pairs, notified: undefined };
@@ -53,7 +52,7 @@ function gatherDensity(pairs: Pairs): { pairs: Pairs; notified: string | undefin
   return { pairs: rest, notified: 'This is an old link: its density stops became the curve emission.density.' };
 }
 
-/** Each place once, and at least two of them. */
+/** Removes duplicate positions and ensures at least two stops. */
 function completed(stops: readonly { at: number; value: number }[]): { at: number; value: number }[] {
   const rising = stops.filter(({ at }, index) => index === 0 || at > stops[index - 1].at);
   if (rising.length > 1) return rising;

@@ -1,4 +1,6 @@
-/** Something in a link or an address that was not taken as it stood: people are told, nothing throws. */
+/**
+ * A message for the user about part of a link, URL or file that was ignored, changed or replaced. It is not an error.
+ */
 export interface Notice {
   readonly code:
     | 'unknownKey'
@@ -12,24 +14,24 @@ export interface Notice {
     | 'damaged'
     | 'tooLong'
     | 'more';
-  /** The key it is about; empty when it is about the link as a whole. */
+  /** Key that the notice concerns; empty if it concerns the whole link. */
   readonly key: string;
-  /** The text that was given, shortened; it is untrusted and never to be used as HTML. */
+  /** The given text, truncated. It is untrusted: never insert it as HTML. */
   readonly given: string;
-  /** One English sentence that names the key, what was given and what is used instead. */
+  /** One English sentence with the key, the given text and the replacement. */
   readonly message: string;
 }
 
 const LONGEST_GIVEN = 40;
 const MAX_NOTICES = 8;
 
-/** @param notify makes the sentence out of what was given, already quoted and shortened */
+/** @param sentence builds the message from the given text, which is already quoted and truncated */
 export function notice(code: Notice['code'], key: string, given: string, sentence: (given: string) => string): Notice {
   const short = shorten(given);
   return { code, key: shorten(key), given: short, message: sentence(`\u201c${short}\u201d`) };
 }
 
-/** Keeps the first few notices and says how many more there were, so that a hostile link cannot flood the page. */
+/** Keeps the first notices and adds a count of the rest, so that a malicious link cannot flood the page. */
 export function summarise(notices: readonly Notice[]): Notice[] {
   if (notices.length <= MAX_NOTICES) return [...notices];
   const rest = String(notices.length - MAX_NOTICES);
@@ -37,7 +39,7 @@ export function summarise(notices: readonly Notice[]): Notice[] {
   return [...notices.slice(0, MAX_NOTICES), more];
 }
 
-/** Quotes an untrusted key for a sentence. */
+/** Quotes and truncates an untrusted key for a message. */
 export function quoteKey(key: string): string {
   return `\u201c${shorten(key)}\u201d`;
 }

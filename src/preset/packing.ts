@@ -1,31 +1,31 @@
-/** Long links and takes: text and bytes to deflate-raw in base64url and back, with a limit that no deflate bomb passes. */
+/** Compression of long links and takes: deflate-raw in base64url, with a size limit against decompression bombs. */
 
-/** Decoding stops here, in bytes. */
+/** Maximum decompressed size of a link, in bytes. */
 export const DECODED_LIMIT = 64 * 1024;
 
-// One piece of input can grow a thousandfold before the stream can be stopped, so the pieces are small.
+// A chunk can expand a thousandfold before the stream can be cancelled, so input chunks are small.
 const PIECE = 256;
 
-/** Bytes that were inflated, and whether they were cut at the limit. */
+/** Decompressed bytes, and whether they were truncated at the limit. */
 export interface Inflated {
   readonly bytes: Uint8Array<ArrayBuffer>;
   readonly isCut: boolean;
 }
 
-/** Deflates UTF-8 text; the result holds only letters, digits, `-` and `_`. */
+/** Compresses text as UTF-8. The result contains only letters, digits, `-` and `_`. */
 export function pack(text: string): Promise<string> {
   return packBytes(new TextEncoder().encode(text));
 }
 
-/** Deflates bytes; the result holds only letters, digits, `-` and `_`. */
+/** Compresses bytes. The result contains only letters, digits, `-` and `_`. */
 export async function packBytes(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
   const deflated = new Blob([bytes]).stream().pipeThrough(new CompressionStream('deflate-raw'));
   return toBase64Url(new Uint8Array(await new Response(deflated).arrayBuffer()));
 }
 
 /**
- * Inflates text that `pack` made, at most DECODED_LIMIT bytes of it.
- * @throws when the text is no base64url or no deflated data
+ * Decompresses the result of {@link pack}, at most DECODED_LIMIT bytes.
+ * @throws if the text is not base64url or not deflate data
  */
 export async function unpack(packed: string): Promise<{ text: string; isCut: boolean }> {
   const { bytes, isCut } = await unpackBytes(packed, DECODED_LIMIT);
@@ -33,8 +33,8 @@ export async function unpack(packed: string): Promise<{ text: string; isCut: boo
 }
 
 /**
- * Inflates what `packBytes` made, at most `limit` bytes of it.
- * @throws when the text is no base64url or no deflated data
+ * Decompresses the result of {@link packBytes}, at most `limit` bytes.
+ * @throws if the text is not base64url or not deflate data
  */
 export async function unpackBytes(packed: string, limit: number): Promise<Inflated> {
   const reader = inPieces(fromBase64Url(packed)).pipeThrough(new DecompressionStream('deflate-raw')).getReader();

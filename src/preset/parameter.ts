@@ -1,48 +1,48 @@
 /**
- * What one row of the parameter table says. From the rows come the panel, the share link, the attributes of the
- * element, the table in docs/parameters.md and the values that reach the simulator.
+ * Types of parameter table rows. The rows define the panel, the share link, the attributes of the element, the table in
+ * docs/parameters.md and the values for the simulator.
  */
 
 import { MIN_STOPS, MAX_STOPS } from './curve.ts';
 import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
 
-/** A value as callers, links and the simulator see it: a number, the name of a choice, or `#rrggbb`. */
+/** A parameter value: a number, the name of a choice, a colour `#rrggbb`, or the text of a curve or ramp. */
 export type Value = number | string;
 
-/** Flat values by dotted key, such as `{ 'emission.rate': 240 }`. */
+/** Values by flat dotted key, such as `{ 'emission.rate': 240 }`. */
 export type Values = Readonly<Record<string, Value>>;
 
-/** Who acts on a parameter: the simulator takes numbers by the same key, the others read them in TypeScript. */
+/** The consumer of a parameter. The simulator takes numbers with the same key; TypeScript code reads the others. */
 export type Reader = 'simulator' | 'style' | 'light' | 'camera' | 'stage';
 
 interface Described {
-  /** Flat dotted key, the same in links, attributes (with dashes) and Rust. */
+  /** Flat dotted key, identical in links and Rust. Attributes use dashes. */
   readonly key: string;
-  /** Key of the group of the panel, see `groups`. */
+  /** Key of the panel group, see `groups`. */
   readonly group: string;
-  /** Short name for people, without the unit. */
+  /** Short display name, without the unit. */
   readonly label: string;
-  /** One sentence: what turning it does. */
+  /** One sentence about the effect. */
   readonly text: string;
   readonly reader: Reader;
-  /** Without a value of its own it is as the scene has it, so that values need not have the key. */
+  /** The key can be absent from values. The parameter then has the scene's value. */
   readonly isOptional?: true;
-  /** Changing it bakes puffs anew. */
+  /** A change requires rebaking the puffs. */
   readonly isBaked?: true;
 }
 
 /** A quantity in a closed range. */
 export interface NumberParameter extends Described {
   readonly kind: 'number' | 'integer';
-  /** Unit as printed behind the number; empty for a plain factor. */
+  /** Unit as displayed after the number; empty for a dimensionless number. */
   readonly unit: string;
   readonly min: number;
   readonly max: number;
-  /** The most that a link may ask for, where that is less than `max`. */
+  /** Maximum in a link, if lower than `max`. */
   readonly linkMax?: number;
-  /** What one press of an arrow key adds. */
+  /** Increment of one arrow key press. */
   readonly step: number;
-  /** How a slider spreads the range: `fine` gives small values most of the way (position cubed). */
+  /** Slider scale: `even` is linear, `fine` is cubic and gives small values most of the track. */
   readonly slider: 'even' | 'fine';
   readonly default: number;
 }
@@ -53,7 +53,7 @@ export interface ToggleParameter extends Described {
   readonly default: 0 | 1;
 }
 
-/** One of a few values, each with a name for people. */
+/** One of several values, each with a display name. */
 export interface ChoiceParameter extends Described {
   readonly kind: 'choice';
   readonly options: readonly { readonly value: Value; readonly label: string }[];
@@ -66,13 +66,13 @@ export interface ColorParameter extends Described {
   readonly default: string;
 }
 
-/** A curve over 0..1, as stops `0:1,.5:.8,1:0` in the order of their places; values from 0 to 1, straight lines between. */
+/** A piecewise linear curve over 0..1, as stops `0:1,.5:.8,1:0` sorted by position; values from 0 to 1. */
 export interface CurveParameter extends Described {
   readonly kind: 'curve';
   readonly default: string;
 }
 
-/** Colours over 0..1, as stops `0:333344,.5:aab0c0,1:ffffff` in the order of their places; empty for none. */
+/** Colours over 0..1, as stops `0:333344,.5:aab0c0,1:ffffff` sorted by position; empty for none. */
 export interface RampParameter extends Described {
   readonly kind: 'ramp';
   readonly default: string;
@@ -81,7 +81,7 @@ export interface RampParameter extends Described {
 export type Parameter =
   CurveParameter | RampParameter | NumberParameter | ToggleParameter | ChoiceParameter | ColorParameter;
 
-/** What a parameter accepts, in words that end the sentence 'it takes ...'. */
+/** Describes the valid values in a phrase that completes the sentence 'it takes ...'. */
 export function accepted(parameter: Parameter): string {
   switch (parameter.kind) {
     case 'toggle':

@@ -1,4 +1,4 @@
-/** The named presets: each says only what differs from the defaults of the table. */
+/** The named presets. Each contains only values that differ from the defaults of the table. */
 import { airPresets } from './byScene/air.ts';
 import { airplanePresets } from './byScene/airplane.ts';
 import { campfirePresets } from './byScene/campfire.ts';
@@ -14,7 +14,7 @@ import { wispPresets } from './byScene/wisp.ts';
 export { presetValues } from './values.ts';
 export type { Preset };
 
-/** Those of a scene follow each other; the first of them has the scene's name and is how it wants to be seen. */
+/** Presets grouped by scene. The first one of a scene has the scene's name and is its default look. */
 export const presets: readonly Preset[] = [
   ...lampPresets,
   ...airplanePresets,
@@ -30,10 +30,10 @@ export const presets: readonly Preset[] = [
 
 const byName: ReadonlyMap<string, Preset> = new Map(presets.map((preset) => [preset.name, preset]));
 
-/** The preset of a link that names none, or one that is not there. */
+/** Preset for a link without a preset or with an unknown one. */
 export const defaultPreset: Preset = presets[0];
 
-/** The preset of this name, or undefined. Safe for untrusted names. */
+/** The preset with this name, or undefined. Safe for untrusted names. */
 export function findPreset(name: string): Preset | undefined {
   return byName.get(name);
 }

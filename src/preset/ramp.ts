@@ -1,20 +1,23 @@
-/** Ramps as text: stops `0:333344,.5:aab0c0,1:ffffff`, each a place from 0 to 1 and an sRGB colour, the places rising. */
+/**
+ * Text format of ramps: stops `0:333344,.5:aab0c0,1:ffffff`, each a position from 0 to 1 and an sRGB colour, with
+ * increasing positions.
+ */
 
-/** A colour that holds from a place on. */
+/** A colour and the position on the ramp where it starts. */
 export interface RampStop {
-  /** 0..1, whole thousandths once written. */
+  /** 0..1, written with three decimal places. */
   readonly at: number;
   /** `#rrggbb` in lower case. */
   readonly color: string;
 }
 
 export const MIN_COLORS = 2;
-/** As many as a person can tell apart and the ramp texture has room for. */
+/** The limit of the ramp texture. */
 export const MAX_COLORS = 16;
 
 const STOP = /^(0|1|0?\.\d+|1\.0+|0\.0*):([0-9a-f]{6})$/i;
 
-/** The stops of a ramp, none for an empty text; undefined where the text is no ramp. */
+/** Parses a ramp. Returns no stops for an empty text, undefined if the text is invalid. */
 export function readRamp(text: string): RampStop[] | undefined {
   if (text === '') return [];
   const stops = text.split(',').map(readStop);
@@ -28,7 +31,7 @@ function readStop(text: string): RampStop | undefined {
   return match ? { at: Number(match[1]), color: `#${match[2].toLowerCase()}` } : undefined;
 }
 
-/** The text of a ramp: three digits behind the point, without the zero before it. */
+/** Formats a ramp with three decimal places and without leading zeros. */
 export function writeRamp(stops: readonly RampStop[]): string {
   const short = (at: number) => String(Number(at.toFixed(3))).replace(/^0\./, '.');
   return stops.map(({ at, color }) => `${short(at)}:${color.slice(1)}`).join(',');

@@ -1,4 +1,4 @@
-/** The schema of the files that `file.ts` reads and writes, made of the parameter table (JSON Schema 2020-12). */
+/** JSON Schema (2020-12) of the files that `file.ts` reads and writes, generated from the parameter table. */
 import { MIN_STOPS, MAX_STOPS } from './curve.ts';
 import { FORMAT, MAX_NAME } from './file.ts';
 import { LIST_LIMIT } from './lists.ts';
@@ -10,7 +10,7 @@ import { table } from './table.ts';
 
 type Schema = Readonly<Record<string, unknown>>;
 
-/** The whole schema as plain data. */
+/** The complete schema as plain data. */
 export function fileSchema(): Schema {
   return {
     $schema: 'https://json-schema.org/draft/2020-12/schema',
@@ -41,7 +41,7 @@ const MOMENT: Schema = {
   additionalProperties: false,
 };
 
-/** The items of a list are alike: one pattern stands for all. */
+/** One pattern covers all items of a list, because they have the same fields. */
 function valuesSchema(): Schema {
   const single = table.filter(({ key }) => !/^\w+\.\d\./.test(key));
   const first = table.filter(({ key }) => /^\w+\.0\./.test(key));
@@ -76,7 +76,7 @@ function valueSchema(parameter: Parameter): Schema {
   }
 }
 
-/** Stops such as `0:1,.5:.8`; that their places rise no schema can say. */
+/** Pattern for stops such as `0:1,.5:.8`. A schema cannot express that positions increase. */
 function stops(value: string, min: number, max: number): string {
   const stop = `[0-9.]+:${value}`;
   return `^${stop}(,${stop}){${min - 1},${max - 1}}$`;

@@ -1,8 +1,8 @@
 /**
- * The one table of parameters. The order of the rows is the order of keys in a link and of controls in the panel, so
- * new rows may go anywhere but a key is never renamed: links that people keep would lose it.
+ * The parameter table. The order of the rows is the order of keys in a link and of controls in the panel. New rows can
+ * go anywhere, but a key is never renamed, because existing links would lose it.
  *
- * The defaults are the lamp's (see presets.ts). Multipliers are relative to what the scene has: 1 changes nothing.
+ * The defaults are those of the lamp scene (see presets.ts). Multipliers apply to the scene's value: 1 has no effect.
  */
 import { itemLabel, LIST_LIMIT, listNames, listParameters } from './lists.ts';
 import type { Parameter } from './parameter.ts';
@@ -14,7 +14,7 @@ import { sceneRows, simulationRows } from './rows/simulation.ts';
 import { smokeRows } from './rows/smoke.ts';
 import { styleRows } from './rows/style.ts';
 
-/** The groups of the panel in their order; `advanced` ones start folded. */
+/** Groups of the panel in order. `advanced` groups start collapsed. */
 export const groups: readonly { readonly key: string; readonly label: string; readonly advanced: boolean }[] = [
   { key: 'emission', label: 'Smoke', advanced: false },
   { key: 'style', label: 'Ink and colour', advanced: false },
@@ -27,7 +27,7 @@ export const groups: readonly { readonly key: string; readonly label: string; re
   { key: 'simulation', label: 'Simulation', advanced: true },
 ];
 
-/** A group of the panel for each item that a list can have; it comes up when the item is added. */
+/** One group of the panel per possible list item. The panel shows it once the item is added. */
 export const itemGroups: readonly { readonly key: string; readonly list: string; readonly label: string }[] =
   listNames.flatMap((list) =>
     Array.from({ length: LIST_LIMIT }, (_, index) => ({
@@ -37,7 +37,7 @@ export const itemGroups: readonly { readonly key: string; readonly list: string;
     })),
   );
 
-/** Every parameter that a person, a link or an attribute can reach. */
+/** All parameters that the panel, links and attributes can set. */
 export const table: readonly Parameter[] = [
   ...sceneRows,
   ...smokeRows,

@@ -1,14 +1,14 @@
-/** How long what is on its way is waited for. */
+/** Timeouts of downloads. */
 import { LoadError } from './errors.ts';
 
 const TIMEOUT_MS = 60_000;
 const TICK_MS = 1_000;
 
 /**
- * Calls back once this thread has run for so long. A laptop that slept, a tab whose timers rest and a debugger's break make
- * one tick late and not many of them, so that nobody is given up for a time in which nothing could happen.
+ * Calls back after this thread has run for a duration. Time in system sleep, in a throttled tab or at a breakpoint
+ * counts as one tick at most, so that a request does not time out while nothing can make progress.
  * @param milliseconds rounded up to whole seconds
- * @returns the function that ends the waiting
+ * @returns function that cancels the timeout
  */
 export function afterRunning(milliseconds: number, act: () => void): () => void {
   let left = Math.ceil(milliseconds / TICK_MS);
@@ -23,14 +23,17 @@ export function afterRunning(milliseconds: number, act: () => void): () => void 
 }
 
 /**
- * Calls back when nothing has come for a minute in which this thread ran: then it does not come.
- * @returns the function that ends the waiting
+ * Calls back with a timeout error after 60 s of running time.
+ * @returns function that cancels the timeout
  */
 export function whenLate(giveUp: (error: Error) => void): () => void {
   return afterRunning(TIMEOUT_MS, () => giveUp(new Error('no data for 60 s.')));
 }
 
-/** @throws Error when it does not come within a minute in which this thread runs; what it rejects with */
+/**
+ * Awaits a promise with a timeout of 60 s of running time.
+ * @throws Error on timeout; otherwise the reason with which the promise rejects
+ */
 export function inTime<Value>(coming: Promise<Value>): Promise<Value> {
   return new Promise((resolve, reject) => {
     coming.then(resolve, reject).finally(whenLate(reject));
@@ -38,9 +41,10 @@ export function inTime<Value>(coming: Promise<Value>): Promise<Value> {
 }
 
 /**
- * What is on its way, such as a module. Should it come later than this waits, whoever asks again has it at once.
- * @param what begins the sentence of the error
- * @throws LoadError when it cannot be had, or does not come in time
+ * Awaits a download, such as a dynamic import, with a timeout. A module that arrives after the timeout is cached by the
+ * browser, so a retry succeeds immediately.
+ * @param what subject of the error message
+ * @throws LoadError if the download fails or times out
  */
 export async function fetched<Value>(what: string, coming: Promise<Value>): Promise<Value> {
   try {

@@ -1,4 +1,4 @@
-/** Values of the table: their defaults, the check for callers, and reading and writing them as text at the edge. */
+/** Values of the parameter table: defaults, validation, parsing and formatting. */
 import { readCurve } from './curve.ts';
 import { ParameterError } from './errors.ts';
 import type { Preset } from './byScene/preset.ts';
@@ -10,20 +10,20 @@ import { findParameter, table } from './table.ts';
 const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const COLOR = /^#[0-9a-f]{6}$/i;
 
-/** Every key of the table that must have a value, with its default. */
+/** Defaults of all parameters that are not optional. */
 export function defaults(): Record<string, Value> {
   const needed = table.filter(({ isOptional }) => !isOptional);
   return Object.fromEntries(needed.map((parameter) => [parameter.key, parameter.default]));
 }
 
-/** Every key of the table with the preset's value. */
+/** Defaults of all parameters that are not optional, overridden by the preset's values. */
 export function presetValues(preset: Preset): Record<string, Value> {
   return { ...defaults(), ...preset.values };
 }
 
 /**
- * Checks what a caller gives; nothing is changed or rounded.
- * @throws ParameterError for the first key that the table does not have or value that its row does not take
+ * Validates values without changing or rounding them.
+ * @throws ParameterError for the first unknown key or invalid value
  */
 export function validate(values: Values): void {
   for (const [key, value] of Object.entries(values)) {
@@ -32,16 +32,17 @@ export function validate(values: Values): void {
   }
 }
 
-/** @throws ParameterError when the table has no such key or its row needs a value */
+/** @throws ParameterError if the key is unknown or its parameter is not optional */
 export function requireOptional(key: string): void {
   const parameter = findParameter(key);
   if (!parameter?.isOptional) throw errorOf(key, undefined, parameter);
 }
 
 /**
- * Checks numbers that are not of the table, by their names in the call. What is none would stay in the smoke.
- * @param min 0 where they may not be negative
- * @throws ParameterError for the first that is not finite or below `min`
+ * Validates numbers that are not in the table, because NaN would persist in the simulation.
+ * @param numbers by their names in the error
+ * @param min 0 if they must not be negative
+ * @throws ParameterError for the first that is not finite or is below `min`
  */
 export function requireFinite(numbers: Readonly<Record<string, unknown>>, min?: 0): void {
   for (const [key, value] of Object.entries(numbers)) {
@@ -51,14 +52,14 @@ export function requireFinite(numbers: Readonly<Record<string, unknown>>, min?: 
   }
 }
 
-/** @throws ParameterError for what is not a whole number from 0 to the greatest that fits into 32 bits */
+/** @throws ParameterError if the value is not an unsigned 32-bit integer */
 export function requireWhole(key: string, value: unknown): void {
   if (!Number.isInteger(value) || (value as number) < 0 || (value as number) > 0xffffffff) {
     throw new ParameterError(key, value, 'a whole number from 0 to 4294967295');
   }
 }
 
-/** Whether a row takes this value as it stands. */
+/** Whether a value is valid for a parameter without conversion. */
 export function isAccepted(parameter: Parameter, value: unknown): boolean {
   switch (parameter.kind) {
     case 'toggle':
@@ -78,15 +79,15 @@ export function isAccepted(parameter: Parameter, value: unknown): boolean {
   }
 }
 
-/** A value as it stands in a link: numbers as short as they can be without loss, colours without `#`. */
+/** Formats a value for a link: numbers in the shortest lossless form, colours without `#`. */
 export function writeText(parameter: Parameter, value: Value): string {
   return parameter.kind === 'color' ? String(value).slice(1).toLowerCase() : String(value);
 }
 
 /**
- * Reads a value out of a link or a file. What is out of range is clamped, what cannot be read becomes the fallback;
- * both are told.
- * @param source links have limits of their own, because nobody chose what is in them
+ * Parses a value of a link or a file. Out-of-range values are clamped and invalid values replaced by the fallback; both
+ * produce a notice.
+ * @param source links are untrusted and have the stricter limit `linkMax`
  */
 export function readText(
   parameter: Parameter,
@@ -114,7 +115,7 @@ function readNumber(parameter: NumberParameter, text: string, fallback: Value): 
   if (!DECIMAL.test(text.trim())) return malformed(parameter, text, fallback);
   const given = Number(text);
   const rounded = parameter.kind === 'integer' ? Math.round(given) : given;
-  // The addition turns -0 into 0, which is how it would come back from a link.
+  // Adding 0 turns -0 into 0, because a link cannot represent -0.
   const value = Math.min(Math.max(rounded, parameter.min), parameter.linkMax ?? parameter.max) + 0;
   if (value === given) return { value };
   const sentence = (quoted: string) => `${parameter.key} cannot be ${quoted} here; ${value} is used.`;

@@ -1,36 +1,36 @@
 /**
- * The puffs of lobes: any number of variations from one seed and a few knobs. The seeds of the default ones were chosen
- * by eye from contact sheets (`npm run puffs:sheet`) for a silhouette that reads from every side and light that draws a
- * few crescents inside; every other seed takes what comes.
+ * Variations of lobe puffs from one seed and a few knobs. The seeds of the default variations were selected from
+ * contact sheets (`npm run puffs:sheet`) for a clear silhouette from every side and a few crescent-shaped highlights.
+ * Other seeds are not curated.
  */
 import { proceduralPuff, type PuffKnobs } from './procedural.ts';
 import type { PuffShape } from './shapes.ts';
 
-/** What all variations have in common. */
+/** Parameters shared by all variations. */
 export interface PuffDesign extends PuffKnobs {
-  /** Lobes of each puff, 5..12. */
+  /** Lobes per puff, 5..12. */
   readonly lobes: number;
-  /** A whole number; 0 has the variations that were chosen by eye. */
+  /** An integer; 0 selects the curated variations. */
   readonly seed: number;
 }
 
 export const DEFAULT_DESIGN: PuffDesign = { lumpiness: 0.8, flatness: 0.2, roughness: 0.6, lobes: 10, seed: 0 };
-/** How many variations smoke has unless told otherwise. */
+/** Default number of variations. */
 export const DEFAULT_VARIATIONS = 4;
 
-/** By how much the knobs of a variation differ from those of all: some are flatter, some more of a bunch. By turns. */
+/** Offsets added to the knobs of a variation, used in rotation. Some variations are flatter, some lumpier. */
 const LEANS: readonly (Partial<PuffKnobs> & { readonly name: string })[] = [
   { name: 'cauliflower', flatness: -0.1 },
   { name: 'drifter', flatness: 0.15, roughness: -0.05 },
   { name: 'crown', lumpiness: 0.05, flatness: -0.05 },
   { name: 'tumble', lumpiness: 0.05, flatness: -0.05 },
 ];
-/** The seeds that were chosen by eye, by variation. */
+/** Curated seeds by variation. */
 const CHOSEN_SEEDS = [7, 3, 13, 14, 4, 23, 11, 16, 21, 8, 25, 31];
-/** Seeds of one design's variations lie together, those of another elsewhere. */
+/** Distance between the seed ranges of two designs. */
 const SEED_STRIDE = 1000;
 
-/** The first `count` variations of a design. A variation does not depend on how many there are. */
+/** The first `count` variations of a design. A variation does not depend on `count`. */
 export function designedShapes(design: PuffDesign, count: number): PuffShape[] {
   return Array.from({ length: count }, (_, variation) => designedShape(design, variation));
 }

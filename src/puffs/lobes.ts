@@ -1,22 +1,24 @@
-/** A puff of lobes met by rays along -z: what shaders/bodies/lobes.frag computes for each pixel, for tools and tests. */
+/**
+ * Intersects lobe puffs with rays along -z. CPU version of shaders/bodies/lobes.frag, for baking, tools and tests.
+ */
 import { middleOf, softNormal } from './normals.ts';
 import type { PuffSample } from './billboards/layers.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
 import { minus, type Vector } from './vector.ts';
 import { ShapeError } from '../preset/errors.ts';
 
-/** Most lobes of a puff: with three vectors more they are all that is sure to cross to the fragments of WebGL 2. */
+/** Maximum number of lobes. Twelve lobes and three other varyings reach the guaranteed minimum of WebGL 2. */
 export const MAX_LOBES = 12;
 
-/** What a ray meets of a puff, in particle radii. */
+/** Intersection of a ray with a puff, in particle radii. */
 export interface LobeHit {
-  /** Height above the centre plane: of the surface, or outside the silhouette of the nearest lobe's own silhouette. */
+  /** Height above the centre plane: of the surface, or, outside the silhouette, of the nearest lobe's centre. */
   readonly height: number;
-  /** To the silhouette; negative inside, where it is at least as far from 0 as given. */
+  /** Signed distance to the silhouette, negative inside. Inside, the true distance can be larger in magnitude. */
   readonly distance: number;
 }
 
-/** Meets the lobes at the place (x, y) of the image plane, in particle radii. */
+/** Intersects the lobes with the ray at (x, y) of the image plane, in particle radii. */
 export function meetLobes(lobes: readonly Lobe[], x: number, y: number): LobeHit {
   let [distance, top, rim] = [Infinity, -Infinity, 0];
   for (const { center, radius } of lobes) {
@@ -30,23 +32,23 @@ export function meetLobes(lobes: readonly Lobe[], x: number, y: number): LobeHit
   return { height: distance < 0 ? top : rim, distance };
 }
 
-/** As {@link meetLobes}, with the normal there. */
+/** As {@link meetLobes}, with the unit shading normal. */
 export function sampleLobes(lobes: readonly Lobe[], x: number, y: number): PuffSample {
   const hit = meetLobes(lobes, x, y);
   return { ...hit, normal: softNormal(lobes, middleOf(lobes), [x, y, hit.height]) };
 }
 
-/** Radius of the sphere about the particle's centre that holds all lobes. */
+/** Radius of the bounding sphere of all lobes about the particle's centre. */
 export function reachOf(lobes: readonly Lobe[]): number {
   return Math.max(...lobes.map(({ center, radius }) => Math.hypot(...center) + radius));
 }
 
-/** Moves the lobes' middle to the centre and makes the farthest of them touch the unit sphere. */
+/** Moves the lobes' centroid to the origin and scales the bounding sphere to radius 1. */
 export function inUnitBall(lobes: readonly Lobe[]): Lobe[] {
   const middle = middleOf(lobes);
   const centred = lobes.map(({ center, radius }): Lobe => ({ center: minus(center, middle), radius }));
   const scale = 1 / reachOf(centred);
-  // Thousandths, rounded inwards: what engines differ by in a sine must not show in a shape.
+  // Rounded towards zero to thousandths, because the last bits of sines differ between engines.
   const short = (value: number): number => Math.trunc(value * scale * 999) / 1000;
   return centred.map(({ center, radius }) => ({
     center: center.map(short) as unknown as Vector,
@@ -54,7 +56,7 @@ export function inUnitBall(lobes: readonly Lobe[]): Lobe[] {
   }));
 }
 
-/** Radius of the disc that has the area of the silhouette seen from +z. */
+/** Radius of the disc with the area of the silhouette seen from +z. @param cells sampling grid along each side */
 export function silhouetteRadius(lobes: readonly Lobe[], cells = 64): number {
   const reach = reachOf(lobes);
   let covered = 0;
@@ -73,7 +75,7 @@ function isCovered(lobes: readonly Lobe[], x: number, y: number): boolean {
   return false;
 }
 
-/** How far behind the centre plane the surface comes that is seen from +z; 0 where none does. */
+/** Depth of the deepest surface point behind the centre plane that is visible from +z; 0 if there is none. */
 export function deepestSeen(lobes: readonly Lobe[], cells = 24): number {
   const reach = reachOf(lobes);
   let deepest = 0;
@@ -86,12 +88,16 @@ export function deepestSeen(lobes: readonly Lobe[], cells = 24): number {
   return deepest;
 }
 
-/** The most variations that smoke can have. */
+/** Maximum number of variations. */
 export const MAX_VARIATIONS = 32;
-/** Lobes that were fitted into the unit ball may stand out of it by what rounding adds. */
+/** Rounding can move lobes slightly out of the unit ball. */
 const LARGEST_REACH = 1.001;
 
-/** @throws ShapeError for shapes that somebody made otherwise than puffs have to be, naming what would be accepted */
+/**
+ * Validates puff shapes from the host.
+ * @throws ShapeError for an invalid number of shapes or lobes, for lobes outside the unit ball, or for radii not above
+ * 0
+ */
 export function demandShapes(shapes: readonly PuffShape[]): void {
   if (shapes.length < 1 || shapes.length > MAX_VARIATIONS) {
     throw new ShapeError(`Smoke cannot have ${shapes.length} puff shapes: it takes 1 to ${MAX_VARIATIONS}.`);

@@ -1,9 +1,9 @@
-/** Things that were dear to make, by what they were made from; the one that was longest not asked for goes first. */
+/** An LRU cache for expensive results: evicts the least recently used item. */
 export class LruCache<Item> {
   private readonly capacity: number;
   private readonly items = new Map<string, Item>();
 
-  /** @param capacity the most that are kept */
+  /** @param capacity maximum number of items */
   constructor(capacity: number) {
     this.capacity = capacity;
   }

@@ -1,20 +1,20 @@
-/** The direction in which a puff's surface is lit: that of its lobes, softened along creases and towards the whole. */
+/** Shading normals of a puff: the lobe normals, smoothed along creases and blended with the puff's overall normal. */
 import type { Lobe } from './shapes.ts';
 import { minus, mixed, normalized, type Vector } from './vector.ts';
 
 /**
- * Share of the puff's overall normal in every normal (0..1). At 0 each lobe is lit as a ball of its own and
- * a cluster looks like a bag of marbles; at 1 the lobes vanish in the big form.
+ * Weight of the puff's overall normal in every normal, 0..1. At 0 each lobe is shaded as a separate ball; at 1 the
+ * lobes are no longer visible in the shading.
  */
 export const NORMAL_BLEND = 0.38;
 
 /**
- * Reach of the fillet along the creases in particle radii: normals (not positions) turn gradually from one lobe to the
- * next there, so that the border of the light runs round a lobe instead of stopping at a crease with a sharp corner.
+ * Width of the fillet along creases, in particle radii. Normals (not positions) change gradually from one lobe to the
+ * next there, so that the terminator curves around a lobe instead of ending in a sharp corner at a crease.
  */
 export const CREASE_FILLET = 0.13;
 
-/** Centre of the lobes' volumes, overlaps counted twice: where the overall normal points away from. */
+/** Centroid of the lobes by volume, with overlaps counted twice. The overall normal points away from it. */
 export function middleOf(lobes: readonly Lobe[]): Vector {
   let [x, y, z, total] = [0, 0, 0, 0];
   for (const { center, radius } of lobes) {
@@ -28,15 +28,15 @@ export function middleOf(lobes: readonly Lobe[]): Vector {
 }
 
 /**
- * Unit normal of a puff at `p` on the surface of one of its lobes.
+ * Unit shading normal of a puff at `p` on the surface of one of its lobes.
  * @param middle of all lobes, see {@link middleOf}
- * @param blend share of the overall normal, 0..1
+ * @param blend weight of the overall normal, 0..1
  */
 export function softNormal(lobes: readonly Lobe[], middle: Vector, p: Vector, blend = NORMAL_BLEND): Vector {
   return normalized(mixed(filletedNormal(lobes, p), normalized(minus(p, middle)), blend));
 }
 
-/** Direction of the surface at `p`, with those of the other lobes near it mixed in. */
+/** Lobe normal at `p`, blended with the normals of other lobes within the fillet. */
 function filletedNormal(lobes: readonly Lobe[], p: Vector): Vector {
   let x = 0;
   let y = 0;

@@ -1,17 +1,17 @@
 /**
- * How a puff of lobes stands in the world: turned by its roll about an axis that its seed chooses. The same as
- * shaders/lib/orientation.glsl, for the puffs' tables and for tests.
+ * Orientation of a lobe puff in world space: a rotation by its roll about an axis that its seed selects. CPU version of
+ * shaders/lib/orientation.glsl, for baking and tests.
  */
 import { spherePoint, type Vector } from './vector.ts';
 import type { Lobe } from './shapes.ts';
 
-/** A rotation of the world from the puff's space: its three columns. */
+/** Rotation matrix from the puff's local space to world space, as three columns. */
 export type Rotation = readonly [Vector, Vector, Vector];
 
 const SEEDS = 256;
 
 /**
- * @param seed the particle's own number, 0..255
+ * @param seed random number of the particle, 0..255
  * @param roll in radians
  */
 export function orientationOf(seed: number, roll: number): Rotation {

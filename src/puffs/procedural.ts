@@ -1,28 +1,28 @@
-/** Puff shapes made from a seed and three knobs. The same seed and knobs make the same shape everywhere. */
+/** Procedural puff shapes from a seed and three knobs, deterministic in every engine. */
 import { inUnitBall, MAX_LOBES } from './lobes.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
 import { normalized, spherePoint } from './vector.ts';
 
-/** All from 0 to 1. */
+/** Shape knobs, each from 0 to 1. */
 export interface PuffKnobs {
-  /** How far lobes stand out of the main mass: 0 is nearly a ball, 1 a bunch. */
+  /** How far lobes protrude from the main mass: 0 is nearly a ball, 1 a cluster of balls. */
   readonly lumpiness: number;
-  /** How much the puff is pressed along its own y axis: 0 is as tall as wide, 1 a cushion. */
+  /** How much the puff is flattened along its local y axis: 0 is as tall as wide, 1 is the flattest. */
   readonly flatness: number;
-  /** How unequal and how unevenly spread the lobes are. */
+  /** Variation of the sizes and positions of the lobes. */
   readonly roughness: number;
 }
 
-/** What three quarters of a cartoon's clouds look like: clearly lobed, of large and small. */
+/** Default knobs: a typical cartoon cloud with distinct lobes of different sizes. */
 export const CARTOON_KNOBS: PuffKnobs = { lumpiness: 0.55, flatness: 0.1, roughness: 0.5 };
 
-/** Fewer lobes than this look like a bunch of balls. */
+/** Fewer lobes look like separate balls. */
 const MIN_LOBES = 5;
 
 /**
- * A main mass with `lobes - 1` lobes on all its sides, large and small in turn.
- * @param lobes 5..{@link MAX_LOBES}
- * @throws RangeError naming the knob or the number that is out of its range
+ * Creates a main mass with `lobes - 1` lobes around it, alternately large and small.
+ * @param lobes total number, 5..{@link MAX_LOBES}
+ * @throws RangeError if a knob or `lobes` is out of range
  */
 export function proceduralPuff(name: string, seed: number, knobs = CARTOON_KNOBS, lobes = 10): PuffShape {
   demandRanges(knobs, lobes);
@@ -46,14 +46,17 @@ function outerLobe(index: number, count: number, knobs: PuffKnobs, next: () => n
   const jitter = (): number => 0.7 * roughness * (2 * next() - 1);
   const even = spherePoint(index, count);
   const [x, y, z] = normalized([even[0] + jitter(), even[1] + jitter(), even[2] + jitter()]);
-  // Large and small in turn along the spiral: like sizes side by side would read as a rosette.
+  // Sizes alternate along the spiral: neighbours of equal size would look like a rosette.
   const size = index % 2 === 0 ? 1 : -1;
   const radius = 0.37 + roughness * (0.07 * size + 0.05 * (2 * next() - 1));
   const out = 0.86 - radius + 0.16 * lumpiness;
   return { center: [x * out, y * out * (1 - 0.55 * flatness), z * out], radius };
 }
 
-/** Numbers from 0 to 1, after Steele, Lea and Flood, 'Fast Splittable Pseudorandom Number Generators' (2014), 32 bits. */
+/**
+ * Random numbers in [0, 1), 32 bits, after Steele, Lea and Flood, 'Fast Splittable Pseudorandom Number Generators'
+ * (2014).
+ */
 function randomNumbers(seed: number): () => number {
   let state = seed >>> 0;
   return () => {

@@ -1,7 +1,7 @@
 /**
- * What a puff is: a handful of overlapping spheres (lobes), one dominant mass and lobes of varied sizes around it.
+ * A puff is a union of a few overlapping spheres (lobes): one dominant mass and lobes of different sizes around it.
  *
- * The unit space of a puff: x right, y up, z towards the viewer, the particle's centre at 0, one unit = the
+ * The unit space of a puff: x right, y up, z towards the viewer, the particle's centre at the origin, one unit = the
  * particle's radius.
  */
 
@@ -18,8 +18,8 @@ export interface PuffShape {
 }
 
 /**
- * The shapes as a billboard shows them from +z: lobes behind the centre plane come up to it. The outline stays, and the
- * relief has no deep steps along it, at which the line that closes on a floor would break.
+ * The shapes for billboards, seen from +z. Lobes behind the centre plane move up to it. The outline does not change,
+ * and the relief has no deep steps along it that would interrupt the outline where a puff touches the floor.
  */
 export function billboardShapes(shapes: readonly PuffShape[]): readonly PuffShape[] {
   return shapes.map(({ name, lobes }) => ({

@@ -1,4 +1,4 @@
-/** Three-dimensional vectors, as plain triples. */
+/** A three-dimensional vector. */
 export type Vector = readonly [x: number, y: number, z: number];
 
 export function dot(a: Vector, b: Vector): number {
@@ -18,7 +18,7 @@ export function mixed(a: Vector, b: Vector, share: number): Vector {
   return [a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share];
 }
 
-/** The unit vector along `a`; zero stays zero. */
+/** The unit vector in the direction of `a`; the zero vector stays zero. */
 export function normalized(a: Vector): Vector {
   const length = Math.sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) || 1;
   return [a[0] / length, a[1] / length, a[2] / length];
@@ -27,8 +27,8 @@ export function normalized(a: Vector): Vector {
 const GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
 /**
- * Point `index` of `count` that lie evenly on the unit sphere, along a spiral about z that turns by the golden angle:
- * Gonzalez, 'Measurement of Areas on a Sphere Using Fibonacci and Latitude-Longitude Lattices' (2010).
+ * Point `index` of a Fibonacci lattice of `count` points on the unit sphere, along a spiral about z, after Gonzalez,
+ * 'Measurement of Areas on a Sphere Using Fibonacci and Latitude-Longitude Lattices' (2010).
  */
 export function spherePoint(index: number, count: number): Vector {
   const z = 1 - (2 * index + 1) / count;

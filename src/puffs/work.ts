@@ -1,7 +1,7 @@
-/** Work in pieces of a millisecond or so, so that pictures can be drawn in between; its result comes at the end. */
+/** Cooperative work: a generator that yields about every millisecond, so that frames can be drawn in between. */
 export type Work<Result> = Generator<void, Result, void>;
 
-/** Does all of it at once. */
+/** Runs the work to completion synchronously. */
 export function finished<Result>(work: Work<Result>): Result {
   for (;;) {
     const { done, value } = work.next();
@@ -9,10 +9,13 @@ export function finished<Result>(work: Work<Result>): Result {
   }
 }
 
-/** Spent at a time: a page goes on answering in between. */
+/** Default slice length, short enough that the page stays responsive. */
 const PIECE_MS = 16;
 
-/** Does it while the page goes on: other tasks have their turn when so many milliseconds are over, or with each piece at 0. */
+/**
+ * Runs the work asynchronously. Yields to the event loop after each slice.
+ * @param milliseconds slice length; 0 yields after every step of the generator
+ */
 export async function inPieces<Result>(work: Work<Result>, milliseconds = PIECE_MS): Promise<Result> {
   for (;;) {
     const until = performance.now() + milliseconds;
@@ -24,7 +27,10 @@ export async function inPieces<Result>(work: Work<Result>, milliseconds = PIECE_
   }
 }
 
-/** Goes on for some milliseconds, at least one piece. Undefined while there is more to do. */
+/**
+ * Runs the work for one slice, at least one step of the generator.
+ * @returns the result, or undefined if the work is not finished
+ */
 export function workedFor<Result>(work: Work<Result>, milliseconds: number): Result | undefined {
   const until = performance.now() + milliseconds;
   do {

@@ -1,34 +1,34 @@
-/** Length of a simulation step in seconds; the same everywhere, so that takes replay. */
+/** Length of a simulation step in seconds. It is fixed so that takes replay on every machine. */
 export const STEP_SECONDS = 1 / 60;
 
-/** Simulated seconds of a picture after so many steps, between the previous one (0) and the latest (1). */
+/** Simulated seconds of a frame after `steps` steps, interpolated between the previous step (0) and the latest (1). */
 export function secondsAt(steps: number, blend: number): number {
   return Math.max(0, steps - 1 + blend) * STEP_SECONDS;
 }
 
-// A machine that cannot keep up shows slow motion instead of falling ever further behind.
+// A machine that cannot keep up shows slow motion instead of falling further and further behind.
 const MAX_STEPS_A_TICK = 4;
 
-/** Turns real time into whole steps and the fraction of a step that the picture stands beyond the last but one. */
+/** Converts real time to whole steps, and to the interpolation factor between the last two steps. */
 export class Clock {
   /** Simulated seconds for each real second; 1 is real time. */
   speed = 1;
   private owed = 0;
   private last: number | undefined;
 
-  /** Between the previous step (0) and the latest (1). */
+  /** Interpolation between the previous step (0) and the latest (1). */
   get blend(): number {
     return this.owed;
   }
 
-  /** Whether the next tick is the first: no time passes until it. */
+  /** Whether the clock is paused. No time elapses until the next tick. */
   get isResting(): boolean {
     return this.last === undefined;
   }
 
   /**
    * @param now milliseconds, as from requestAnimationFrame
-   * @returns how many steps to take before drawing
+   * @returns number of steps to run before drawing
    */
   tick(now: number): number {
     const elapsed = this.last === undefined ? 0 : Math.max(0, now - this.last) / 1000;
@@ -39,12 +39,12 @@ export class Clock {
     return steps;
   }
 
-  /** Forgets the time that passes until the next tick: after a pause nothing is caught up. */
+  /** Pauses the clock. The time until the next tick is not counted. */
   rest(): void {
     this.last = undefined;
   }
 
-  /** Puts the picture exactly on the latest step, or between the previous one (0) and it (1). */
+  /** Pauses the clock and sets `blend`. The default is the latest step. */
   settle(blend = 1): void {
     this.rest();
     this.owed = blend;

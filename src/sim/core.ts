@@ -1,2 +1,2 @@
-/** What is used of the bindings of the small variant; how they would fetch the module themselves stays out of what pages fetch. */
+/** The bindings of the variant without physics. Named exports keep the generated fetch code out of the bundle. */
 export { initSync, lastFault, provokeFault, readTake, Simulator } from './wasm/core/bindings.js';

@@ -1,6 +1,9 @@
 import { ParameterError } from '../preset/errors.ts';
 
-/** A typed array would wrap an index such as -1 into one that may exist; such an index is refused here. */
+/**
+ * Rejects invalid indices before conversion: a Uint32Array would wrap -1 to a valid number.
+ * @throws ParameterError for an index that is not an unsigned 32-bit integer
+ */
 export function requireIndices(indices: ArrayLike<number>, name: string): void {
   for (let index = 0; index < indices.length; index++) {
     const vertex = indices[index];

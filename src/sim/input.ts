@@ -1,49 +1,50 @@
-/**
- * What people do to a simulation, as it crosses into WASM, and what a take says of itself.
- */
+/** User input packed for WASM, and the metadata of a take. */
 import { ParameterError } from '../preset/errors.ts';
 
-/** A gust of air along a ray, such as that from the eye through the pointer. */
+/** A gust of air along a ray, for example from the eye through the pointer. */
 export interface Blow {
-  /** Where the ray begins, metres, each within 1000. */
+  /** Origin of the ray, metres, each coordinate within 1000. */
   origin: ArrayLike<number>;
-  /** Where it goes; the length does not matter. */
+  /** Direction of the ray; any length. */
   ray: ArrayLike<number>;
-  /** Velocity of the air on the ray at the height of the gust, metres a second, each within 50. */
+  /** Peak velocity of the air on the ray, m/s, each component within 50. */
   velocity: ArrayLike<number>;
-  /** How far from the ray the air moves, 0.01 to 10 metres. */
+  /** Radius of the gust around the ray, 0.01 to 10 metres. */
   radius: number;
-  /** How long it lasts, 1/60 to 10 seconds. */
+  /** Duration, 1/60 to 10 seconds. */
   seconds: number;
 }
 
-/** What stands in a take besides its inputs. */
+/** Metadata of a take. */
 export interface TakeInfo {
   readonly seed: number;
-  /** The most particles that it ever makes room for; a saved state that it begins with has its own room. */
+  /** Largest capacity that the take sets. A saved state at its start has its own capacity. */
   readonly mostParticles: number;
-  /** Whether it begins with the scene as it is set up, and not with a saved state. */
+  /** Whether the take starts from the initial scene, not from a saved state. */
   readonly isFresh: boolean;
-  /** Whether it ends as it did when it was recorded; takes of version 2 may end differently. */
+  /** Whether a replay ends in the recorded state; takes of version 2 may end differently. */
   readonly isExact: boolean;
-  /** Steps that had been made at its start and at its end. */
+  /** Step counts at the start and the end of the take. */
   readonly start: number;
   readonly end: number;
-  /** How many inputs it has. */
+  /** Number of inputs. */
   readonly inputs: number;
-  /** Whether more was done than it has room for. */
+  /** Whether inputs were dropped because the take was full. */
   readonly isTruncated: boolean;
-  /** What whoever recorded it wrote beside it. */
+  /** Text that the recording application stored with the take. */
   readonly note: string;
 }
 
-/** The eleven numbers of a blow. */
+/** Packs a blow into eleven numbers. */
 export function blowNumbers({ origin, ray, velocity, radius, seconds }: Blow): Float64Array {
   const triples = [origin, ray, velocity].flatMap((triple) => [triple[0], triple[1], triple[2]]);
   return Float64Array.from([...triples, radius, seconds]);
 }
 
-/** Keys in lines, and their values, as the module takes them. */
+/**
+ * Packs values for the WASM module: keys joined by newlines, and their numbers.
+ * @throws ParameterError for a value that is not a number
+ */
 export function linesAndNumbers(values: Readonly<Record<string, number>>): [string, Float64Array] {
   const keys = Object.keys(values);
   for (const key of keys) {

@@ -1,21 +1,22 @@
-/**
- * Joints between rigids as a caller describes them, and as they cross into WASM.
- */
+/** Descriptions of joints between rigids, and their packing for WASM. */
 import { ParameterError } from '../preset/errors.ts';
 import type { Triple } from './pose.ts';
 
-/** Two rigids by their index, at least one of them dynamic, joined as they stand. They do not collide with each other. */
+/**
+ * A joint between two rigids, referenced by index, in their current relative pose. At least one of them must be
+ * dynamic. Joined rigids do not collide with each other.
+ */
 export type JointDescription = {
   rigids: readonly [number, number];
-  /** Where it is fastened, in each rigid's own space; metres. */
+  /** Anchor points in the local space of each rigid, metres. */
   anchors: readonly [Triple, Triple];
 } & (
   | { type: 'fixed' }
-  /** All turning is free. */
+  /** All rotations are free. */
   | { type: 'ball' }
   /**
-   * Turns about an axis of the first rigid's space; limits in rad from how the two stand now, -pi to pi. The motor
-   * turns the second rigid at a speed (rad/s, -200 to 200) with at most a torque (N m).
+   * Rotates about an axis in the first rigid's local space. Limits are in rad relative to the current pose, -pi to pi.
+   * The motor rotates the second rigid at `speed` (rad/s, -200 to 200) with at most `torque` (N m).
    */
   | {
       type: 'hinge';
@@ -23,15 +24,18 @@ export type JointDescription = {
       limits?: readonly [number, number];
       motor?: { speed: number; torque: number };
     }
-  /** Free within a length (m). */
+  /** Limits the distance between the anchors to `length` (m). */
   | { type: 'rope'; length: number }
-  /** A spring draws the anchors to a length (m): stiffness in N/m, damping in N s/m. */
+  /** A spring with the rest length `length` (m), stiffness in N/m and damping in N s/m. */
   | { type: 'spring'; length: number; stiffness: number; damping: number }
 );
 
 const TYPES: readonly string[] = ['fixed', 'ball', 'hinge', 'rope', 'spring'];
 
-/** The numbers of `sim/src/rigids/joints.rs`. */
+/**
+ * Packs a joint for `sim-wasm/sim/src/rigids/joints.rs`.
+ * @throws ParameterError for an unknown type
+ */
 export function jointNumbers(joint: JointDescription): Float32Array {
   const type = TYPES.indexOf(joint.type);
   if (type < 0) throw new ParameterError('joint.type', joint.type, `one of ${TYPES.join(', ')}`);

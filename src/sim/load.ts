@@ -1,42 +1,40 @@
-/**
- * Fetches and instantiates the WASM of the simulator, once a variant, and makes simulators from it.
- */
+/** Fetches and instantiates the simulator's WASM module, once per variant, and creates simulators from it. */
 import { LoadError, UnsupportedError } from '../preset/errors.ts';
 import { inTime, whenLate } from '../preset/timeout.ts';
 import type { TakeInfo } from './input.ts';
 import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
 import { Simulator, type SimulatorModule, type SimulatorOptions } from './simulator.ts';
 
-/** How far a download is; `total` is undefined when the server does not tell. Bytes after decompression. */
+/** Download progress in bytes after decompression. `total` is undefined if the server does not report it. */
 export interface LoadProgress {
   loaded: number;
   total: number | undefined;
 }
 
 export interface LoadOptions {
-  /** With rigids, which takes the larger variant; without, `addRigid` is refused. */
+  /** Whether to load the larger variant with rigid bodies. Without it, `addRigid` throws. */
   physics: boolean;
-  /** Called for each piece that arrives, also for a download that another call began. */
+  /** Called for each received chunk, also when another call started the download. */
   onProgress?: (progress: LoadProgress) => void;
-  /** The WASM module itself, where it cannot be fetched; only heeded by the call that begins the loading. */
+  /** The WASM module, for environments that cannot fetch it. Ignored if another call already started the loading. */
   bytes?: BufferSource;
 }
 
-/** Makes simulators; those of one factory share one WASM memory. */
+/** Creates simulators. All simulators of a factory share one WASM memory. */
 export class SimulatorFactory {
-  /** The instantiated module; for tests and measurements. */
+  /** The instantiated module. For tests and benchmarks. */
   readonly module: SimulatorModule;
 
   constructor(module: SimulatorModule) {
     this.module = module;
   }
 
-  /** @throws ParameterError when capacity or seed are out of range. */
+  /** @throws ParameterError if the capacity or the seed is out of range. */
   create(options: SimulatorOptions): Simulator {
     return new Simulator(this.module, options);
   }
 
-  /** @throws SimulatorError when these bytes are no take, or a damaged one. */
+  /** @throws SimulatorError if the bytes are not a take or are damaged. */
   readTake(bytes: Uint8Array): TakeInfo {
     try {
       return this.module.bindings.readTake(bytes) as TakeInfo;
@@ -61,20 +59,20 @@ class Loading {
 
 const loadings = new Map<boolean, Loading>();
 
-/** Gives the bytes of a variant. */
+/** Returns the WASM bytes of a variant. */
 export type WasmSource = (physics: boolean) => Promise<BufferSource>;
 
 let wasmSource: WasmSource | undefined;
 
-/** Takes the WASM of this page from somewhere else than its own address, from the next loading on. */
+/** Overrides where this page gets its WASM from. Applies to loads that start after the call. */
 export function takeWasmFrom(source: WasmSource): void {
   wasmSource = source;
 }
 
 /**
- * Loads a variant of the simulator, or gives the one that is loaded already. After a failure the next call tries anew.
+ * Loads a variant of the simulator, or returns the one already loaded. After a failure the next call retries.
  *
- * @throws UnsupportedError without WASM SIMD. LoadError when the module cannot be fetched or compiled.
+ * @throws UnsupportedError without WASM SIMD. LoadError if the module cannot be fetched or compiled.
  */
 export async function loadSimulators(options: LoadOptions): Promise<SimulatorFactory> {
   requireSimd();
@@ -95,7 +93,7 @@ export async function loadSimulators(options: LoadOptions): Promise<SimulatorFac
   }
 }
 
-/** The smallest module with a SIMD instruction: a function that splats a constant. */
+/** The smallest WASM module with a SIMD instruction: a function that splats a constant. */
 const SIMD_PROBE = Uint8Array.of(
   0,
   97,
@@ -157,7 +155,7 @@ async function compile(
   return bytes ? WebAssembly.compile(bytes) : compileFrom(wasmAddress(physics), report);
 }
 
-/** Spelt out for each variant, because bundlers only find addresses that are written so. */
+/** Each URL is a literal, because bundlers only detect `new URL()` with a string literal. */
 function wasmAddress(physics: boolean): URL {
   return physics
     ? new URL('./wasm/physics/bindings_bg.wasm', import.meta.url)
@@ -174,7 +172,7 @@ async function compileFrom(address: URL, report: Listener): Promise<WebAssembly.
   };
   const hear = (progress: LoadProgress) => {
     report(progress);
-    // What is left to count once all has been compiled is not waited for.
+    // Progress may still arrive after the compilation: it must not restart the timeout.
     if (!stopWaiting) return;
     stop();
     stopWaiting = whenLate(giveUp);
@@ -186,10 +184,10 @@ async function compileFrom(address: URL, report: Listener): Promise<WebAssembly.
   }
 }
 
-/** Compiles while the module comes, where the server names its type; browsers insist on that. */
+/** Uses streaming compilation if the server sends the type `application/wasm`, which browsers require for it. */
 async function compileAnswer(response: Response, report: Listener): Promise<WebAssembly.Module> {
   if (!response.ok) throw new Error(`the server answered ${response.status} ${response.statusText}`.trim());
-  // Of a download that breaks off the compiler tells.
+  // The compiler reports an interrupted download.
   follow(response.clone(), report).catch(() => undefined);
   if (response.headers.get('content-type')?.startsWith('application/wasm')) {
     return WebAssembly.compileStreaming(response);
@@ -204,7 +202,7 @@ async function follow({ body, headers }: Response, report: Listener): Promise<vo
   const reader = body.getReader();
   for (let piece = await reader.read(); !piece.done; piece = await reader.read()) {
     loaded += piece.value.length;
-    // The stated length of a compressed answer is that of the compressed bytes: once exceeded it tells nothing.
+    // Content-Length counts compressed bytes, so it is no total once it is exceeded.
     report({ loaded, total: stated !== undefined && loaded <= stated ? stated : undefined });
   }
 }

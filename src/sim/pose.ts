@@ -1,4 +1,4 @@
-/** Places and rotations as they cross into WASM and out of it. */
+/** Poses packed for WASM. */
 import { POSE_FLOATS, RIGID_FLOATS } from './rows.ts';
 
 /** x, y, z. */
@@ -17,11 +17,12 @@ export function poseNumbers(position: Triple, rotation: QuaternionLike = NO_ROTA
 }
 
 /**
- * A pose between two steps: linear in position; the quaternion by the shorter way and brought back to unit length.
+ * Interpolates a pose between two steps: position linearly, rotation by normalised linear interpolation (nlerp) along
+ * the shorter arc.
  * @param poses of all rigids, {@link RIGID_FLOATS} each
  * @param index of the rigid
  * @param blend 0 is the previous step, 1 the latest
- * @param result gets the pose, {@link POSE_FLOATS} a rigid
+ * @param result receives the pose, {@link POSE_FLOATS} per rigid
  */
 export function blendPose(poses: Float32Array, index: number, blend: number, result: Float32Array): void {
   const before = index * RIGID_FLOATS;

@@ -1,65 +1,65 @@
-/**
- * Rigids as a caller describes them, and as they cross into WASM.
- */
+/** Descriptions of rigids, and their packing for WASM. */
 import { ParameterError } from '../preset/errors.ts';
 import { requireIndices } from './indices.ts';
 import { poseNumbers, type QuaternionLike, type Triple } from './pose.ts';
 import { pathNumbers, spinNumbers, type RigidPath, type RigidSpin } from './rigidPath.ts';
 
-/** A single shape stands around its own origin; capsule and cylinder along y. Lengths in metres. */
+/** A single shape, centred at its local origin. Capsules and cylinders extend along y. Lengths are in metres. */
 export type SingleShape =
   | { type: 'ball'; radius: number }
   | { type: 'cuboid'; halfExtents: Triple }
-  /** `halfHeight` is half of the straight part; the caps add `radius` at both ends. */
+  /** `halfHeight` is half the height of the straight part; the caps add `radius` at both ends. */
   | { type: 'capsule'; halfHeight: number; radius: number }
   | { type: 'cylinder'; halfHeight: number; radius: number }
-  /** The hull of at least four points that do not lie in one plane; x, y, z each. */
+  /** Convex hull of at least four points that are not coplanar; x, y, z per point. */
   | { type: 'convexHull'; vertices: ArrayLike<number> }
-  /** Triangles, three indices each, counter-clockwise from outside; closed when it should hold smoke out of its inside. */
+  /**
+   * Triangles of three indices, counter-clockwise seen from outside. Only a closed mesh keeps smoke out of its inside.
+   */
   | { type: 'trimesh'; vertices: ArrayLike<number>; indices: ArrayLike<number> };
 
-/** A shape of a compound, where it stands in the rigid. */
+/** A shape of a compound, with its pose in the rigid's local space. */
 export interface RigidPart {
   shape: SingleShape;
   /** Metres. */
   position: Triple;
-  /** Unit quaternion x, y, z, w; no rotation when left out. */
+  /** Unit quaternion x, y, z, w; identity if omitted. */
   rotation?: QuaternionLike;
 }
 
-/** One shape, or 1 to 64 of them that move as one. */
+/** One shape, or a compound of 1 to 64 shapes. */
 export type RigidShape = SingleShape | { type: 'compound'; parts: readonly RigidPart[] };
 
-/** A thing that smoke bumps into. */
+/** A rigid body that smoke collides with. */
 export interface RigidDescription {
-  /** `fixed` never moves, `kinematic` goes where it is told, `dynamic` falls and is pushed by other rigids. */
+  /** `fixed` never moves, `kinematic` follows prescribed motion, `dynamic` responds to gravity and contacts. */
   kind: 'fixed' | 'kinematic' | 'dynamic';
   shape: RigidShape;
   /** Metres. */
   position: Triple;
-  /** Unit quaternion x, y, z, w; no rotation when left out. */
+  /** Unit quaternion x, y, z, w; identity if omitted. */
   rotation?: QuaternionLike;
-  /** 0 (default): nothing bounces. 1: particles and rigids keep their speed. */
+  /** 0 (default): no bounce. 1: particles and rigids keep their speed. */
   restitution?: number;
-  /** 0: smooth. 1: what touches it keeps no speed along it. Default 0.5. */
+  /** 0: frictionless. 1: contacts stop all tangential motion. Default 0.5. */
   friction?: number;
-  /** kg/m3, default 1000; for dynamic rigids. */
+  /** kg/m3, default 1000. Applies to dynamic rigids. */
   density?: number;
-  /** What becomes of smoke that touches it: it bounces (default), dies, or goes on with a tint. */
+  /** Effect on smoke that touches the rigid: it bounces (default), dies, or passes through with a tint. */
   action?: 'bounce' | 'kill' | 'tint';
-  /** The tint that it gives, 1 (default) to 15. */
+  /** Tint for the action `tint`, 1 (default) to 15. */
   tint?: number;
-  /** Within this distance of the moving surface air is dragged along with it; metres, 0 (default) to 10. */
+  /** The moving surface drags air along within this distance; metres, 0 (default) to 10. */
   boundaryLayer?: number;
-  /** How strongly smoke pushes a dynamic rigid: 0 (default) not at all, 1 as air would, up to 10. */
+  /** How strongly smoke pushes a dynamic rigid: 0 (default) is off, 1 is as strong as air, at most 10. */
   feelsSmoke?: number;
-  /** How a kinematic rigid spins, on top of all else that moves it. */
+  /** Spin of a kinematic rigid, added to its other motion. */
   spin?: RigidSpin;
-  /** Where a kinematic rigid goes by itself; it begins at `position` all the same. */
+  /** Path of a kinematic rigid. The rigid still starts at `position`. */
   path?: RigidPath;
 }
 
-/** The arguments of the module's addRigid, in its order; `sim/src/rigids/numbers.rs` tells what they mean. */
+/** Arguments of the WASM function `addRigid`; `sim-wasm/sim/src/rigids/numbers.rs` documents them. */
 export type RigidArguments = [numbers: Float32Array, vertices: Float32Array, indices: Uint32Array, path: Float32Array];
 
 const KINDS: readonly string[] = ['fixed', 'kinematic', 'dynamic'];
@@ -67,7 +67,7 @@ const SHAPES: readonly string[] = ['ball', 'cuboid', 'capsule', 'cylinder', 'con
 const ACTIONS: readonly string[] = ['bounce', 'kill', 'tint'];
 const ORIGIN = [0, 0, 0];
 
-/** @throws ParameterError when the kind or the shape has no such name; numbers are judged by the simulator. */
+/** @throws ParameterError for an unknown kind, shape or action. The simulator validates the numbers. */
 export function rigidArguments(description: RigidDescription): RigidArguments {
   const { shape } = description;
   const numbers = [
@@ -117,7 +117,7 @@ function pushPart(flat: Flat, { shape, position, rotation }: RigidPart, name: st
   for (let index = 0; index < indices.length; index++) flat.indices.push(indices[index]);
 }
 
-/** Zero parts would be read as a single shape. */
+/** Rejects zero parts, because a count of 0 denotes a single shape. */
 function requireParts(parts: readonly RigidPart[]): void {
   if (parts.length < 1 || parts.length > 64) throw new ParameterError('rigid.parts', parts.length, '1 to 64 parts');
 }

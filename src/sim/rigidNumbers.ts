@@ -1,4 +1,4 @@
-/** How rigids, their joints, paths and spins cross into WASM: comes with the variant that has physics. */
+/** Packing of rigids, joints, paths and spins for WASM. Only the variant with physics imports it. */
 export { jointNumbers } from './joint.ts';
 export { rigidArguments } from './rigid.ts';
 export { pathNumbers, spinNumbers } from './rigidPath.ts';

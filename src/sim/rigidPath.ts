@@ -1,40 +1,42 @@
-/**
- * Paths and spin of kinematic rigids as a caller describes them, and as they cross into WASM.
- */
+/** Descriptions of paths and spins of kinematic rigids, and their packing for WASM. */
 import { ParameterError } from '../preset/errors.ts';
 import { poseNumbers, type QuaternionLike, type Triple } from './pose.ts';
 
-/** A pose at a time of the simulator (s). */
+/** A pose at a simulation time (s). */
 export interface Keyframe {
   time: number;
   /** Metres, world space. */
   position: Triple;
-  /** Unit quaternion x, y, z, w; no rotation when left out. */
+  /** Unit quaternion x, y, z, w; identity if omitted. */
   rotation?: QuaternionLike;
 }
 
-/**
- * Where a kinematic rigid is at each time of the simulator. A rigid that is elsewhere goes to its path at up to 120 m/s.
- */
+/** Pose of a kinematic rigid over simulation time. A rigid off its path moves towards it at up to 120 m/s. */
 export type RigidPath =
-  /** 1 to 1024 frames in the order of their times, joined at an even pace; after the last it stays, or begins anew. */
+  /**
+   * 1 to 1024 keyframes with increasing times, at constant speed in between. After the last the rigid rests or loops.
+   */
   | { type: 'keyframes'; frames: readonly Keyframe[]; loop?: boolean }
   /**
-   * A centripetal Catmull-Rom spline through 2 to 256 points at an even pace, from time 0 on, for `duration` seconds or
-   * at `speed` m/s; closed when it loops. `along`: the rigid's z axis looks ahead, its y axis up.
+   * A centripetal Catmull-Rom spline through 2 to 256 points, traversed at constant speed from time 0, for `duration`
+   * seconds or at `speed` m/s. It is closed if it loops. With `along`, the rigid's z axis points along the path and its
+   * y axis up.
    */
   | ({ type: 'spline'; points: readonly Triple[]; loop?: boolean; along?: boolean } & (
       { duration: number; speed?: undefined } | { speed: number; duration?: undefined }
     ));
 
-/** A steady spin about an axis in the rigid's own space. */
+/** A constant spin about an axis in the rigid's local space. */
 export interface RigidSpin {
   axis: Triple;
-  /** rad/s; no point of the rigid may be faster than 120 m/s. */
+  /** rad/s. No point of the rigid may exceed 120 m/s. */
   rate: number;
 }
 
-/** The numbers of `sim/src/rigids/path.rs`; none for no path. */
+/**
+ * Packs a path for `sim-wasm/sim/src/rigids/path.rs`; empty if there is no path.
+ * @throws ParameterError for an unknown type
+ */
 export function pathNumbers(path: RigidPath | undefined): Float32Array {
   if (path === undefined) return new Float32Array();
   const loop = path.loop ? 1 : 0;
@@ -54,7 +56,7 @@ export function pathNumbers(path: RigidPath | undefined): Float32Array {
   }
 }
 
-/** Axis and rate; none when left out. */
+/** Axis and rate in rad/s; the rate is 0 if `spin` is omitted. */
 export function spinNumbers(spin: RigidSpin | undefined): [x: number, y: number, z: number, rate: number] {
   return spin === undefined ? [0, 1, 0, 0] : [spin.axis[0], spin.axis[1], spin.axis[2], spin.rate];
 }

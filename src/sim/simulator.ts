@@ -1,6 +1,4 @@
-/**
- * One simulator: the owner of a handle into WASM, of the views on its memory, and of its life.
- */
+/** Wraps one WASM simulator: owns its handle, the typed-array views on its memory, and its lifetime. */
 import { SimulatorError } from '../preset/errors.ts';
 import { requireWhole } from '../preset/values.ts';
 import type * as Core from './core.ts';
@@ -21,30 +19,31 @@ export interface SimulatorModule {
   readonly memory: WebAssembly.Memory;
 }
 
-/** Of the variant with physics, or of the other. */
+/** Bindings of either WASM variant. `rigidNumbers` exists only in the variant with physics. */
 export type SimulatorBindings = typeof Core & { readonly rigidNumbers?: typeof RigidNumbers };
 
-/** What a new simulator is made of. */
+/** Options of a new simulator. */
 export interface SimulatorOptions {
-  /** Most particles that live at once. Its memory is taken at once, at most 96 bytes a particle. */
+  /** Maximum number of live particles. Their memory is allocated up front, at most 96 bytes per particle. */
   capacity: number;
-  /** Same seed, same calls: the same smoke. A whole number from 0 to 4294967295. */
+  /** Random seed, an integer from 0 to 4294967295. The same seed and the same calls give the same smoke. */
   seed: number;
 }
 
-/** The world-space box of the living particles, metres; all zero while nothing lives. */
+/** World-space bounding box of the live particles, in metres. All zeros when there are no live particles. */
 export interface Bounds {
   min: [number, number, number];
   max: [number, number, number];
-  /** Of the living particles, metres. */
+  /** Largest radius of a live particle, in metres. */
   greatestRadius: number;
 }
 
 /**
- * Particles under forces, rigids among them. Time goes in steps of 1/60 s, and only when told.
+ * A particle simulation with forces and rigid bodies. Time advances in fixed steps of 1/60 s, only through
+ * {@link step}.
  *
- * Every call throws SimulatorError once the simulator was disposed or a fault stopped it, and ParameterError for a
- * number that it does not take; then nothing was changed.
+ * Every method throws SimulatorError after the simulator was disposed or stopped by a fault, and ParameterError for an
+ * invalid number. A rejected call changes nothing.
  */
 export class Simulator {
   readonly #module: SimulatorModule;
@@ -52,7 +51,7 @@ export class Simulator {
   #view = new Float32Array(VIEW_FLOATS);
   #stopped: string | undefined;
 
-  /** Made by {@link SimulatorFactory.create}. */
+  /** Use {@link SimulatorFactory.create} instead. */
   constructor(module: SimulatorModule, options: SimulatorOptions) {
     this.#module = module;
     requireWhole('simulation.maxParticles', options.capacity);
@@ -60,19 +59,20 @@ export class Simulator {
     this.#handle = this.#attempt(() => new module.bindings.Simulator(options.capacity, options.seed));
   }
 
-  /** Changes parameters by their flat keys, such as `emission.rate`; all of them, or none when one is refused. */
+  /** Sets parameters by their flat keys, such as `emission.rate`. Sets none of them if one is rejected. */
   set(values: Readonly<Record<string, number>>): void {
     const [keys, numbers] = linesAndNumbers(values);
     this.#attempt(() => this.#handle.set(keys, numbers));
   }
 
   /**
-   * Takes up the surface of a mesh, which emitters of the shape `surface` smoke from by its number: `emitters.0.surface`.
-   * It is neither drawn nor bumped into. There is room for 16. A save holds it; the hash tells nothing of it.
+   * Adds a triangle mesh for emitters with the shape `surface`; `emitters.0.surface` refers to it by its index. The
+   * mesh is neither drawn nor a collider. At most 16 surfaces are allowed. A saved state contains them; the hash does
+   * not cover them.
    *
-   * @param vertices x, y, z each, metres about the emitter's place, at most 1000 from it along each axis.
-   * @param indices Three a triangle, counter-clockwise from outside, where the smoke leaves.
-   * @returns Its number, from 0 on.
+   * @param vertices x, y, z per vertex, in metres relative to the emitter, each coordinate within 1000.
+   * @param indices Three per triangle, counter-clockwise seen from outside, the side where smoke is emitted.
+   * @returns Index of the surface, starting at 0.
    */
   addSurface(vertices: ArrayLike<number>, indices: ArrayLike<number>): number {
     requireIndices(indices, 'surface');
@@ -80,64 +80,70 @@ export class Simulator {
     return this.#attempt(() => this.#handle.addSurface(...mesh));
   }
 
-  /** Puts a rigid among the particles and returns its index; needs the variant with physics. */
+  /** Adds a rigid body and returns its index. Requires the variant with physics. */
   addRigid(description: RigidDescription): number {
     const rigid = this.#rigids.rigidArguments(description);
     return this.#attempt(() => this.#handle.addRigid(...rigid));
   }
 
-  /** Joins two rigids and returns the joint's index. */
+  /** Adds a joint between two rigids and returns its index. */
   addJoint(description: JointDescription): number {
     const numbers = this.#rigids.jointNumbers(description);
     return this.#attempt(() => this.#handle.addJoint(numbers));
   }
 
   /**
-   * Sends a kinematic rigid to a place, which it reaches in the coming step, or later when it would have to move
-   * faster than 120 m/s. It leaves its path for that; its spin goes on. A dynamic rigid is put there at rest.
+   * Moves a kinematic rigid to a pose. It arrives in the next step, or later if that would need more than 120 m/s. It
+   * leaves its path; its spin continues. A dynamic rigid is placed there at rest.
    *
-   * @param rotation Unit quaternion x, y, z, w; no rotation when left out.
+   * @param position x, y, z in metres, world space.
+   * @param rotation Unit quaternion x, y, z, w; identity if omitted.
    */
   moveRigid(index: number, position: ArrayLike<number>, rotation?: ArrayLike<number>): void {
     this.#attempt(() => this.#handle.moveRigid(index, ...poseNumbers(position, rotation)));
   }
 
-  /** Gives a kinematic rigid a path by the simulator's time, or takes it away. */
+  /** Sets the path of a kinematic rigid, as a function of simulation time. Removes it if `path` is omitted. */
   setPath(index: number, path?: RigidPath): void {
     const numbers = this.#rigids.pathNumbers(path);
     this.#attempt(() => this.#handle.setRigidPath(index, numbers));
   }
 
-  /** Lets a kinematic rigid spin on top of all else that moves it, or ends that; it goes on from how it is turned. */
+  /**
+   * Sets the spin of a kinematic rigid, added to its other motion, or stops it if `spin` is omitted. The rigid
+   * continues from its current rotation.
+   */
   setSpin(index: number, spin?: RigidSpin): void {
     const numbers = this.#rigids.spinNumbers(spin);
     this.#attempt(() => this.#handle.setRigidSpin(index, ...numbers));
   }
 
   /**
-   * Draws a point of a kinematic or dynamic rigid to a place by a critically damped spring that is as fast for every
-   * mass, until {@link releaseRigid}. Call it again to move the place.
+   * Pulls a point of a kinematic or dynamic rigid towards a target with a critically damped spring, until
+   * {@link releaseRigid}. The response time does not depend on the mass. Call it again to move the target.
    *
-   * @param anchor The point in the rigid's own space, metres.
+   * @param anchor The point in the rigid's local space, metres.
    * @param target Metres, world space.
-   * @param stiffness The spring's angular frequency, 0.1 to 200 1/s: a twentieth of the way is left after 4.7 / stiffness s.
+   * @param stiffness Angular frequency of the spring, 0.1 to 200 1/s: 5 % of the distance remains after
+   * 4.7 / stiffness s.
    */
   dragRigid(index: number, anchor: ArrayLike<number>, target: ArrayLike<number>, stiffness = 30): void {
     const [a, b, c] = [anchor[0], anchor[1], anchor[2]];
     this.#attempt(() => this.#handle.dragRigid(index, a, b, c, target[0], target[1], target[2], stiffness));
   }
 
-  /** Lets go: a kinematic rigid stays or goes back to its path, a dynamic one flies on. */
+  /** Ends a drag. A kinematic rigid stays or returns to its path; a dynamic rigid keeps its velocity. */
   releaseRigid(index: number): void {
     this.#attempt(() => this.#handle.releaseRigid(index));
   }
 
   /**
-   * Says where the scene's parts are in the coming step, and in that step only. Items ride on part n by the number
-   * 4096 + n, where others have the number of a rigid.
+   * Sets the poses of the scene's parts for the next step only. List items attach to part n with the index 4096 + n in
+   * place of a rigid's index.
    *
-   * @param numbers All parts at the start of the step, 64 at most, then all at its end. For each the rigid that carries it, -1
-   * for none, and its pose in the space of that rigid: x, y, z in metres and the unit quaternion x, y, z, w.
+   * @param numbers All parts at the start of the step, at most 64, then all parts at its end. Each part has eight
+   * numbers: the index of its parent rigid or -1, then its pose in that rigid's space: x, y, z in metres and the unit
+   * quaternion x, y, z, w.
    */
   placeParts(numbers: readonly number[]): void {
     this.#attempt(() => this.#handle.placeParts(Float32Array.from(numbers)));
@@ -150,15 +156,15 @@ export class Simulator {
   }
 
   /**
-   * Changes how many particles can live at once. Those that live are carried over; where they do not all fit, those
-   * go that are nearest to their death.
+   * Changes the maximum number of live particles. Live particles are kept; if they do not all fit, those closest to the
+   * end of their lifetime are removed.
    */
   resize(capacity: number): void {
     requireWhole('simulation.maxParticles', capacity);
     this.#attempt(() => this.#handle.resize(capacity));
   }
 
-  /** Orders and, if asked, culls the rows for a view. */
+  /** Sorts the rows for a view, and culls them if `view.cull` is set. */
   arrange(view: View): Rows {
     const length = viewLength(view);
     if (this.#view.length < length) this.#view = new Float32Array(length);
@@ -166,7 +172,7 @@ export class Simulator {
     writeView(view, numbers);
     return this.#attempt(() => {
       const count = this.#handle.arrange(numbers);
-      // Memory that grew has a new buffer and leaves old views empty, so the views are made anew for each call.
+      // Growing WASM memory replaces its buffer and detaches old views, so each call creates new ones.
       const { buffer } = this.#module.memory;
       return {
         count,
@@ -177,10 +183,10 @@ export class Simulator {
   }
 
   /**
-   * Where the rigids are between the previous step (0) and now (1), in the order of adding.
+   * Poses of all rigids, interpolated between the previous step (0) and the latest (1), in the order they were added.
    *
-   * @param target Taken when it has room; else a new array is made.
-   * @returns Per rigid x, y, z and the unit quaternion x, y, z, w.
+   * @param target Receives the poses if it is large enough; otherwise a new array is allocated.
+   * @returns Seven floats per rigid: x, y, z in metres and the unit quaternion x, y, z, w.
    */
   rigidPoses(blend: number, target?: Float32Array): Float32Array {
     return this.#attempt(() => {
@@ -193,12 +199,12 @@ export class Simulator {
     });
   }
 
-  /** Rigids added so far. */
+  /** Number of rigids added so far. */
   get rigidCount(): number {
     return this.#attempt(() => this.#handle.rigidCount);
   }
 
-  /** What the last {@link arrange} found to hold all living particles with their radius. */
+  /** Bounds of all live particles including their radii, as computed by the last {@link arrange}. */
   get bounds(): Bounds {
     return this.#attempt(() => {
       const bounds = new Float32Array(this.#module.memory.buffer, this.#handle.boundsPointer, 7);
@@ -207,7 +213,7 @@ export class Simulator {
     });
   }
 
-  /** By which grid the last {@link arrange} left out what others cover; without cells where it did not. */
+  /** Occlusion grid of the last {@link arrange}; it has no cells if that call did no occlusion culling. */
   get coverageGrid(): CoverageGrid {
     return this.#attempt(() => {
       const [columns, rows, stride, left, low, density] = this.#handle.coverageShape;
@@ -216,168 +222,174 @@ export class Simulator {
     });
   }
 
-  /** Particles that live. */
+  /** Number of live particles. */
   get alive(): number {
     return this.#attempt(() => this.#handle.alive);
   }
 
-  /** Vortex particles that live, 1,024 at most: what shedders shed. */
+  /** Number of live vortex particles, at most 1,024. Shedders spawn them. */
   get vortexParticles(): number {
     return this.#attempt(() => this.#handle.vortexParticles);
   }
 
-  /** Particles that wait to be born until there is room. */
+  /** Number of particles whose spawn is deferred because the capacity is reached. */
   get waiting(): number {
     return this.#attempt(() => this.#handle.waiting);
   }
 
-  /** Steps made since creation. */
+  /** Number of steps since creation. */
   get steps(): number {
     return this.#attempt(() => this.#handle.steps);
   }
 
-  /** The whole state in 16 hexadecimal digits; equal states, equal hashes, on every machine. */
+  /** Hash of the whole state, 16 hexadecimal digits. Equal states have equal hashes on every machine. */
   hash(): string {
     return this.#attempt(() => this.#handle.hash());
   }
 
-  /** The whole state as bytes, for {@link restore}. */
+  /** Serialises the whole state for {@link restore}. */
   save(): Uint8Array {
     return this.#attempt(() => this.#handle.save());
   }
 
-  /** Takes up a saved state; bytes that are none are refused and nothing is changed. */
+  /** Restores a saved state. Invalid bytes are rejected and change nothing. */
   restore(bytes: Uint8Array): void {
     this.#attempt(() => this.#handle.restore(bytes));
   }
 
   /**
-   * Begins a take: what comes through {@link inputValues}, {@link inputCapacity}, {@link inputPose}, {@link inputDrag},
-   * {@link inputRelease}, {@link inputSteer} and {@link inputBlow} from here on is kept with its step. Inputs act in the coming step, quantised as they are kept.
+   * Starts recording a take. It logs every {@link inputValues}, {@link inputCapacity}, {@link inputPose},
+   * {@link inputDrag}, {@link inputRelease}, {@link inputSteer} and {@link inputBlow} with its step. Inputs take effect
+   * in the next step, quantised as in the log.
    */
   record(): void {
     this.#attempt(() => this.#handle.record());
   }
 
-  /** {@link set} as something that a person did. */
+  /** {@link set} as a recorded input. */
   inputValues(values: Readonly<Record<string, number>>): void {
     const [keys, numbers] = linesAndNumbers(values);
     this.#attempt(() => this.#handle.inputValues(keys, numbers));
   }
 
-  /** {@link resize} as something that a person did. */
+  /** {@link resize} as a recorded input. */
   inputCapacity(capacity: number): void {
     requireWhole('simulation.maxParticles', capacity);
     this.#attempt(() => this.#handle.inputCapacity(capacity));
   }
 
-  /** {@link moveRigid} as something that a person did, to the millimetre. */
+  /** {@link moveRigid} as a recorded input. Positions are rounded to the millimetre. */
   inputPose(rigid: number, position: ArrayLike<number>, rotation?: ArrayLike<number>): void {
     requireWhole('rigid.index', rigid);
     const pose = Float64Array.of(...poseNumbers(position, rotation));
     this.#attempt(() => this.#handle.inputPose(rigid, pose));
   }
 
-  /** {@link dragRigid} as something that a person did: places to the millimetre, stiffness to a tenth. */
+  /** {@link dragRigid} as a recorded input. Positions are rounded to the millimetre, stiffness to 0.1 1/s. */
   inputDrag(rigid: number, anchor: ArrayLike<number>, target: ArrayLike<number>, stiffness = 30): void {
     requireWhole('rigid.index', rigid);
     const numbers = Float64Array.of(anchor[0], anchor[1], anchor[2], target[0], target[1], target[2], stiffness);
     this.#attempt(() => this.#handle.inputDrag(rigid, numbers));
   }
 
-  /** {@link releaseRigid} as something that a person did. */
+  /** {@link releaseRigid} as a recorded input. */
   inputRelease(rigid: number): void {
     requireWhole('rigid.index', rigid);
     this.#attempt(() => this.#handle.inputRelease(rigid));
   }
 
-  /** Gives channel 0 to 7, which scenes read by {@link control}, a value from -1 to 1. */
+  /** Sets steering channel 0 to 7 to a value from -1 to 1, as a recorded input. Scenes read it with {@link control}. */
   inputSteer(channel: number, value: number): void {
     requireWhole('steer.channel', channel);
     this.#attempt(() => this.#handle.inputSteer(channel, value));
   }
 
-  /** Lets somebody blow; of several blows between two steps only the last counts, and at most 16 go on at once. */
+  /**
+   * Starts a gust of air, as a recorded input. Of several blows between two steps only the last takes effect. At most
+   * 16 are active at once.
+   */
   inputBlow(blow: Blow): void {
     this.#attempt(() => this.#handle.inputBlow(blowNumbers(blow)));
   }
 
-  /** What a channel was steered to, -1 to 1; 0 before, and for one that does not exist. */
+  /** Value of a steering channel, -1 to 1. Returns 0 for an unset or unknown channel. */
   control(channel: number): number {
     return this.#attempt(() => this.#handle.control(channel));
   }
 
   /**
-   * The take so far as bytes.
+   * Serialises the take recorded so far.
    *
-   * @param note Comes along unread, at most 64 KiB of UTF-8.
+   * @param note Opaque text stored with the take, at most 64 KiB of UTF-8.
    */
   take(note = ''): Uint8Array {
     return this.#attempt(() => this.#handle.take(note));
   }
 
   /**
-   * Goes to the start of a take; the steps that follow do its inputs, until another input takes over. The simulator
-   * must record and have the scene of the take. What is damaged or of another scene is refused and nothing is changed.
+   * Goes to the start of a take. The following steps apply its inputs until a new input replaces them. The simulator
+   * must be recording and must have the scene of the take. A damaged take or one of another scene is rejected and
+   * changes nothing.
    */
   replay(take: Uint8Array): void {
     this.#attempt(() => this.#handle.replay(take));
   }
 
   /**
-   * Goes to a moment of the take that is being recorded or replayed; the steps that follow do the inputs after it.
+   * Seeks within the take that is being recorded or replayed. The following steps apply the inputs after that moment.
    *
-   * @param state What {@link save} gave at that moment, before the inputs of its step; the start when left out.
+   * @param state Result of {@link save} at that moment, before the inputs of its step; the start of the take if
+   * omitted.
    */
   rewind(state?: Uint8Array): void {
     this.#attempt(() => this.#handle.rewind(state));
   }
 
-  /** Inputs of the take that have been done. */
+  /** Number of inputs of the take applied so far. */
   get inputsDone(): number {
     return this.#attempt(() => this.#handle.inputsDone);
   }
 
-  /** Inputs of the take, at most 20,000. */
+  /** Number of inputs in the take, at most 20,000. */
   get inputCount(): number {
     return this.#attempt(() => this.#handle.inputCount);
   }
 
-  /** Whether inputs came for which the take had no room: they acted, and a replay will lack them. */
+  /** Whether the take was full when inputs arrived. Those inputs took effect, but a replay lacks them. */
   get isTruncated(): boolean {
     return this.#attempt(() => this.#handle.isTruncated);
   }
 
-  /** Steps made at the farthest point of the take. */
+  /** Step count at the end of the take. */
   get takeEnd(): number {
     return this.#attempt(() => this.#handle.takeEnd);
   }
 
-  /** Most particles that live at once. */
+  /** Maximum number of live particles. */
   get capacity(): number {
     return this.#attempt(() => this.#handle.capacity);
   }
 
-  /** What starts the random numbers. */
+  /** Random seed. */
   get seed(): number {
     return this.#attempt(() => this.#handle.seed);
   }
 
-  /** Every parameter that exists now, by key. */
+  /** All current parameters by key. */
   parameters(): Map<string, number> {
     const numbers = this.#attempt(() => this.#handle.parameterValues());
     const keys = this.#attempt(() => this.#handle.parameterKeys()).split('\n');
     return new Map(keys.map((key, index) => [key, numbers[index]]));
   }
 
-  /** Stops the simulator as a fault inside it would, so that an application can try how it copes. */
+  /** Stops the simulator as an internal fault would, so that applications can test their error handling. */
   provokeFault(reason: string): void {
     this.#attempt(() => this.#module.bindings.provokeFault(reason));
   }
 
-  /** Gives the memory back. May be called again, and after a fault. */
+  /** Frees the WASM memory. Safe to call repeatedly and after a fault. */
   dispose(): void {
-    // After a fault the handle may still count as borrowed, and freeing it would throw: its memory stays lost.
+    // After a fault the handle may still be borrowed, and freeing it would throw. Its memory leaks instead.
     if (this.#stopped === undefined) this.#handle.free();
     this.#stopped ??= 'The simulator was disposed.';
   }

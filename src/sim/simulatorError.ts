@@ -1,23 +1,23 @@
-/** What the simulator does not take, and why. */
+/** Maps rejections from the simulator to errors of the library. */
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 
-/** As the Rust side makes it. */
+/** A rejected call, as thrown by the Rust side. */
 export interface SimulatorRejection {
-  /** Of the parameter; empty where it is about none. */
+  /** Key of the parameter; empty if the rejection concerns no parameter. */
   readonly key: string;
   readonly value: number;
-  /** What is taken, where `min` is no greater than `max`; else `message` says it. */
+  /** Valid range if `min` <= `max`; otherwise `message` describes what is valid. */
   readonly min: number;
   readonly max: number;
   readonly message: string;
 }
 
-/** Whether it was thrown because a call was refused, and not by a fault. */
+/** Whether the error is a rejected call and not a fault. */
 export function isSimulatorRejection(error: unknown): error is SimulatorRejection {
   return typeof error === 'object' && error !== null && 'key' in error && 'message' in error;
 }
 
-/** The error that callers get of it. */
+/** The public error for a rejection: ParameterError if it has a key, otherwise SimulatorError. */
 export function errorOfSimulator(rejection: SimulatorRejection): Error {
   if (rejection.key === '') return new SimulatorError(rejection.message);
   const ranged = rejection.min <= rejection.max;

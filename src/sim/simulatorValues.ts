@@ -3,7 +3,7 @@ import type { Parameter, Value, Values } from '../preset/parameter.ts';
 import { findParameter, table } from '../preset/table.ts';
 import type { Simulator } from './simulator.ts';
 
-/** Of `values`, those that the simulator reads, as its numbers. */
+/** Selects the values that the simulator reads and converts them to numbers. */
 export function simulatorValues(values: Values): Record<string, number> {
   const numbers: Record<string, number> = {};
   for (const [key, value] of Object.entries(values)) {
@@ -15,7 +15,7 @@ export function simulatorValues(values: Values): Record<string, number> {
   return numbers;
 }
 
-/** All places of the simulator's list, which never becomes shorter: what is left over repeats the last stop. */
+/** Fills all items of the simulator's list, which never shrinks: unused items repeat the last stop. */
 function stopsOf(curve: string): Record<string, number> {
   const stops = readCurve(curve)!;
   const numbers: Record<string, number> = {};
@@ -28,9 +28,9 @@ function stopsOf(curve: string): Record<string, number> {
 }
 
 /**
- * `values` with everything as the simulator has it: the log of a take and saved states set it too. Optional ones are
- * left out where they are what the scene has.
- * @param rig what the scene sets, as numbers
+ * Returns `values` updated with the simulator's current parameters, which takes and saved states also change. Omits
+ * optional parameters that have the scene's value.
+ * @param rig values that the scene sets, as numbers
  */
 export function valuesIn(simulator: Simulator, values: Values, rig: Readonly<Record<string, number>>): Values {
   const after: Record<string, Value> = { ...values };
@@ -51,7 +51,7 @@ export function valuesIn(simulator: Simulator, values: Values, rig: Readonly<Rec
   return after;
 }
 
-/** The simulator's curve; as `known` writes it where that means the same. */
+/** The simulator's curve as text. Returns `known` unchanged if it describes the same curve. */
 function curveIn(numbers: ReadonlyMap<string, number>, known: string): string {
   const isKnown = Object.entries(stopsOf(known)).every(([key, number]) => numbers.get(key) === number);
   if (isKnown) return known;
@@ -62,12 +62,12 @@ function curveIn(numbers: ReadonlyMap<string, number>, known: string): string {
   return writeCurve(stops.filter(({ at }, index) => index === 0 || at > stops[index - 1].at));
 }
 
-/** The value of a parameter as people see it, from the number that the simulator has. */
+/** Converts the simulator's number to the value of a parameter. */
 export function valueOf(parameter: Parameter, number: number): Value {
   return parameter.kind === 'choice' ? parameter.options[number].value : number;
 }
 
-/** Choices are numbered from 0 on. */
+/** A choice maps to the index of its option. */
 function numberOf(parameter: Parameter, value: Value): number {
   if (parameter.kind !== 'choice') return Number(value);
   return parameter.options.findIndex((option) => option.value === value);

@@ -1,10 +1,10 @@
 /**
- * What the simulator is asked to arrange its rows for, and the floats in which that crosses into WASM: these, then the
- * solids, then the start caps.
+ * Floats of a packed view, which selects and orders the simulator's rows. The solids and then the start caps follow
+ * them.
  */
 export const VIEW_FLOATS = 92;
 
-/** Offsets into the floats of a view; `tests/unit/simLayout.test.ts` compares them with what Rust reads. */
+/** Offsets into the packed view. `tests/unit/simLayout.test.ts` compares them with the Rust layout. */
 export const VIEW_OFFSETS = {
   purpose: 0,
   blend: 1,
@@ -30,34 +30,34 @@ export const VIEW_OFFSETS = {
   capsFollow: 91,
 } as const;
 
-/** Most boxes of {@link CoverageView.lifters}. */
+/** Maximum number of boxes in {@link CoverageView.lifters}. */
 export const LIFTERS_LIMIT = 8;
 
 type Triple = ArrayLike<number>;
 
-/** Rows come near to far along {@link View.direction}, in the same order whenever the particles are the same. */
+/** A view to arrange rows for. Rows are sorted front to back along {@link View.direction}, deterministically. */
 export interface View {
-  /** `eye`: the bodies that can be seen. `light`: the casters whose shadow can be seen. */
+  /** `eye` keeps the visible bodies, `light` the casters with visible shadows. */
   purpose: 'eye' | 'light';
-  /** Where between the previous step (0) and now (1) the particles are shown. */
+  /** Interpolation between the previous step (0) and the latest (1). */
   blend: number;
-  /** Leave out what cannot show; the picture is the same either way. */
+  /** Whether to cull invisible rows. The image is the same either way. */
   cull: boolean;
-  /** Added to each radius for each unit of clip w, world units; room for the ink. */
+  /** Margin for the ink: added to each radius, in world units per unit of clip w. */
   pad: number;
-  /** The eye's projection times view matrix, 16 numbers, column-major; for both purposes. */
+  /** The eye's projection matrix times its view matrix, 16 numbers, column-major. Used for both purposes. */
   clipFromWorld: ArrayLike<number>;
-  /** Unit vector in world space: the eye's forward direction, or the direction in which light travels. */
+  /** Unit vector in world space: the eye's forward direction, or the direction of light propagation. */
   direction: Triple;
-  /** Factor on the radius that makes the sphere which holds all of a puff. */
+  /** Radius of a puff's bounding sphere, in particle radii. */
   reach: number;
-  /** The box that holds everything that can receive a shadow, metres; casters are swept to its exit. */
+  /** Bounding box of all shadow receivers, metres. Casters are swept to where their shadow leaves it. */
   receivers: { min: Triple; max: Triple };
-  /** What rows may hide of each other; where absent, only what lies beside the view is left out. */
+  /** Enables occlusion culling. If absent, only rows outside the view are culled. */
   coverage?: CoverageView;
 }
 
-/** A view of everything that lives, from nowhere: what it hides or where it lies plays no part. */
+/** A view that returns all live particles, without culling. */
 export const ALL_THAT_LIVES: Omit<View, 'blend'> = {
   purpose: 'eye',
   cull: false,
@@ -68,32 +68,34 @@ export const ALL_THAT_LIVES: Omit<View, 'blend'> = {
   receivers: { min: [0, 0, 0], max: [0, 0, 0] },
 };
 
-/** By what it is certain that a body is hidden, or that a caster's shadow is there already. */
+/** Settings of occlusion culling: when a body is certainly hidden, or a caster's shadow certainly redundant. */
 export interface CoverageView {
-  /** How many covers make certain: 1, or up to 16 where counts matter; 0 leaves nothing out. */
+  /** Number of occluders required: 1, or up to 16 if the shadow count matters. 0 disables the culling. */
   covers: number;
-  /** World units that a pixel spans for each unit of clip w. */
+  /** Size of a pixel in world units per unit of clip w. */
   pixel: number;
-  /** Depths along the eye's forward direction at its near and far plane, from the world's origin. */
+  /** Depths of the near and far plane along the eye's forward direction, relative to the world origin. */
   nearest: number;
   farthest: number;
-  /** How much nearer than its lobe a ring of ink may come, for each unit of clip w, where a surface lifts it. */
+  /** How much closer to the eye than its lobe a surface may lift a ring of ink, per unit of clip w. */
   lift: number;
-  /** World boxes that hold those surfaces, least corner and greatest; at most {@link LIFTERS_LIMIT}. */
+  /** World-space boxes of those surfaces, minimum corner then maximum corner; at most {@link LIFTERS_LIMIT}. */
   lifters: readonly (readonly number[])[];
-  /** Radii behind the centre at which volumes start, at least and at most, before the shear of nailboards moves it. */
+  /** Minimum and maximum distance behind the centre at which volumes start, in radii, before the nailboard shear. */
   capRange: readonly [number, number];
-  /** The same by the direction of the light, as src/puffs/bake/startCaps.ts tabulates it; where absent, the range holds for all. */
+  /**
+   * Start caps by light direction, see src/puffs/bake/startCaps.ts. If absent, `capRange` applies to all directions.
+   */
   startCaps?: { readonly values: Float32Array };
-  /** Radii behind the centre plane that a puff can be seen at; the shear depends on it. */
+  /** Depth of the deepest visible point of a puff behind the centre plane, in radii. The shear depends on it. */
   depth: number;
   solids: Solids;
 }
 
-/** The balls that puffs consist of, in their radii; see src/puffs/bake/solids.ts. */
+/** The balls of the puffs, in particle radii; see src/puffs/bake/solids.ts. */
 export interface Solids {
   readonly table: Float32Array;
-  /** 4, 8 or 12. */
+  /** Balls per variation: 4, 8 or 12. */
   readonly balls: number;
   readonly facesEye: boolean;
   readonly tolerance: number;
@@ -101,30 +103,30 @@ export interface Solids {
 }
 
 /**
- * The grid that rows are laid out on to find what they cover. Its plane is the eye's image plane at unit depth, to the
- * right and up from the view's axis, or a plane across the light.
+ * The grid for occlusion culling. Its plane is the eye's image plane at unit depth, with x to the right and y up from
+ * the view axis, or a plane perpendicular to the light.
  */
 export interface CoverageGrid {
   readonly columns: number;
   readonly rows: number;
-  /** Cells from one row to the next. */
+  /** Offset from one row to the next, in cells. */
   readonly stride: number;
-  /** Left and low end on that plane, and cells for each of its units. */
+  /** Left and bottom edge on that plane; `density` is the number of cells per unit. */
   readonly corner: readonly [number, number];
   readonly density: number;
-  /** Depths along the view, metres, behind which nothing shows in a cell; infinite where nothing covers. */
+  /** Per cell, the depth along the view beyond which everything is hidden, in metres; Infinity if uncovered. */
   readonly depths: Float32Array;
 }
 
-/** Floats that `view` takes, solids and start caps included. */
+/** Number of floats of a packed `view`, including solids and start caps. */
 export function viewLength({ coverage }: View): number {
   return VIEW_FLOATS + (coverage ? coverage.solids.table.length + (coverage.startCaps?.values.length ?? 0) : 0);
 }
 
 /**
- * Writes `view` into `target`.
+ * Packs `view` into `target`.
  *
- * @param target {@link viewLength} floats, overwritten whole.
+ * @param target {@link viewLength} floats, fully overwritten.
  */
 export function writeView(view: View, target: Float32Array): void {
   target.fill(0);

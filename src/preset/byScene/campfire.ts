@@ -16,7 +16,7 @@ export const campfirePresets: readonly Preset[] = [
       'simulation.maxParticles': 800,
       'style.ramp': '0:a88fb8,.3:d9c2cc,.6:ffffff',
       'style.heatRamp': '0:7a7494,.13:9a7078,.24:cf6a4c,.36:ea7a38,.54:f99f3e,.8:ffe38c,1:fff0bb',
-      // Band by band a whole puff would turn at once.
+      // Without blending, a whole puff changes its colour band at once.
       'style.softColors': 1,
       'style.rim': 0.22,
       'style.rimColor': '#d9c8f2',

@@ -1,4 +1,4 @@
-/** The presets of one scene by themselves, for who needs no others. */
+/** Loads the presets of one scene on demand. */
 import { fetched } from '../timeout.ts';
 import type { Preset } from './preset.ts';
 
@@ -15,12 +15,12 @@ const byScene: Readonly<Record<string, () => Promise<readonly Preset[]>>> = {
   air: async () => (await import('./air.ts')).airPresets,
 };
 
-/** The preset that is shown where none of another name is. */
+/** Name of the default preset. */
 export const FIRST_PRESET = 'lamp';
 
 /**
- * The preset of this name, or undefined. Safe for untrusted names.
- * @throws LoadError when it cannot be fetched
+ * Loads the preset with this name. Returns undefined if there is none. Safe for untrusted names.
+ * @throws LoadError if the download fails or times out
  */
 export async function fetchPreset(name: string): Promise<Preset | undefined> {
   const [scene] = name.split('-', 1);

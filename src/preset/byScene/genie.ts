@@ -1,7 +1,7 @@
 import type { Values } from '../parameter.ts';
 import type { Preset } from './preset.ts';
 
-/** What the smoke of this scene is in each of its presets. */
+/** Values shared by all presets of this scene. */
 const smoke: Values = {
   scene: 'genie',
   'emission.rate': 190,

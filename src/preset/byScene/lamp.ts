@@ -1,7 +1,9 @@
 import type { Values } from '../parameter.ts';
 import type { Preset } from './preset.ts';
 
-/** The vortex that curls the column above the lamp's spout; the presets of the scene keep it and change its strength. */
+/**
+ * The vortex that curls the smoke above the lamp's spout. All presets of the scene use it and may change its strength.
+ */
 const curl: Values = {
   'vortices.0.circulation': 3.2,
   'vortices.0.coreRadius': 0.45,

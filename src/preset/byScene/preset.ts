@@ -1,9 +1,9 @@
 import type { Values } from '../parameter.ts';
 
 export interface Preset {
-  /** The name in links: its scene's, and behind a dash its own. */
+  /** Name in links: the scene's name, followed by a dash and the look if it is not the scene's first preset. */
   readonly name: string;
-  /** The name for people. */
+  /** Display name. */
   readonly label: string;
   /** One sentence about the look. */
   readonly text: string;

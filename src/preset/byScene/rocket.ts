@@ -13,7 +13,7 @@ export const rocketPresets: readonly Preset[] = [
       'emission.density': '0:.55,.3:1,.6:.85,1:0',
       'forces.turbulence': 1,
       'simulation.maxParticles': 1500,
-      // Flat tones that run into each other for a moment, so that no puff turns at once.
+      // Flat tones with short transitions, so that no puff changes its colour at once.
       'style.heatRamp': '0:fff8ec,.03:fff8ec,.13:f6d9b4,.32:f6a050,.42:f6a050,.52:f9c24c,.58:f9c24c,.95:fff0b4',
       'style.softColors': 1,
       'style.inkColor': '#2a1a26',

@@ -1,7 +1,7 @@
 import type { NumberParameter, Parameter } from '../parameter.ts';
 import { ofScene, quantity } from './row.ts';
 
-/** What moves smoke: how much of each force there is, swirls, weight and wind. */
+/** Forces on smoke: multipliers, wind, turbulence, gravity, buoyancy and drag. */
 export const airRows: readonly Parameter[] = [
   multiplier('gravity', 'Gravity', 'Pull down on all smoke.'),
   multiplier('buoyancy', 'Buoyancy', 'Lift of warm smoke; it fades as the smoke cools.'),

@@ -1,7 +1,7 @@
 import type { NumberParameter, Parameter } from '../parameter.ts';
 import { quantity, type Quantity } from './row.ts';
 
-/** From where the scene is seen. */
+/** Position and target of the camera. */
 export const cameraRows: readonly Parameter[] = [
   eye('azimuth', {
     min: -180,
@@ -36,7 +36,7 @@ export const cameraRows: readonly Parameter[] = [
   eyeTarget('z', 0),
 ];
 
-/** Where the eye is; whatever has no value follows the scene's own eye and its move. */
+/** A camera parameter. Without a value it follows the scene's camera and its animation. */
 function eye(name: string, rest: Quantity): NumberParameter {
   return { ...quantity(`camera.${name}`, 'camera', 'camera', rest), isOptional: true };
 }

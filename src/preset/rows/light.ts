@@ -1,7 +1,7 @@
 import type { Parameter } from '../parameter.ts';
 import { choice, quantity } from './row.ts';
 
-/** Where the light comes from. */
+/** Kind and position of the light. */
 export const lightRows: readonly Parameter[] = [
   choice(
     'light.kind',

@@ -1,7 +1,7 @@
 import type { NumberParameter, Parameter } from '../parameter.ts';
 import { choice, quantity } from './row.ts';
 
-/** What puffs look like without their colours. */
+/** Shape of the puffs. */
 export const puffRows: readonly Parameter[] = [
   quantity('puff.variations', 'puff', 'simulator', {
     kind: 'integer',
@@ -53,7 +53,7 @@ export const puffRows: readonly Parameter[] = [
   }),
 ];
 
-/** What shapes the lobes of puffs. */
+/** A parameter of the lobe shape, 0 to 1. */
 function knob(name: string, initial: number, label: string, text: string): NumberParameter {
   const range = { min: 0, max: 1, step: 0.01, default: initial, isBaked: true } as const;
   return quantity(`puff.${name}`, 'puff', 'style', { label, text, ...range });

@@ -1,15 +1,15 @@
-/** What rows of the table are made with. */
+/** Factories for rows of the parameter table. */
 import type { ChoiceParameter, NumberParameter, Parameter, Reader } from '../parameter.ts';
 
 type Named = Pick<Parameter, 'label' | 'text'>;
 export type Quantity = Named & Partial<NumberParameter> & Pick<NumberParameter, 'min' | 'max' | 'step' | 'default'>;
 
-/** A number with its key, the group of the panel that it stands in, and who reads it. */
+/** A number parameter with its key, group of the panel, and reader. */
 export function quantity(key: string, group: string, reader: Reader, rest: Quantity): NumberParameter {
   return { kind: 'number', unit: '', slider: 'even', ...rest, key, group, reader };
 }
 
-/** What a scene sets and anybody may change. */
+/** An optional simulator parameter that overrides the scene's value. */
 export function ofScene(
   key: string,
   group: string,

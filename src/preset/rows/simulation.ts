@@ -1,7 +1,7 @@
 import type { Parameter } from '../parameter.ts';
 import { choice, quantity } from './row.ts';
 
-/** What is simulated, and from which number on. */
+/** Scene and seed. */
 export const sceneRows: readonly Parameter[] = [
   choice('scene', 'simulation', 'stage', { label: 'Scene', text: 'The scene to show.', default: 'lamp' }, [
     ['lamp', 'Magic lamp'],
@@ -26,7 +26,7 @@ export const sceneRows: readonly Parameter[] = [
   }),
 ];
 
-/** How it is simulated. */
+/** Integrator and capacity. */
 export const simulationRows: readonly Parameter[] = [
   {
     ...choice(

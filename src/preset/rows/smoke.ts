@@ -1,7 +1,7 @@
 import type { Parameter } from '../parameter.ts';
 import { ofScene, quantity } from './row.ts';
 
-/** How much smoke there is, and how its puffs grow and die. */
+/** Emission rate, lifetime and size of puffs. */
 export const smokeRows: readonly Parameter[] = [
   quantity('emission.rate', 'emission', 'simulator', {
     min: 0,

@@ -1,4 +1,4 @@
-/** Puffs of lobes as plain data: what bodies and volumes need of them. */
+/** Bakes lobe puffs to the tables that bodies and volumes use. */
 import { bakingVariation, type LobeVariation } from './lobeVariation.ts';
 import { CREASE_FILLET, middleOf, NORMAL_BLEND } from '../normals.ts';
 import type { Lobe, PuffShape } from '../shapes.ts';
@@ -8,41 +8,41 @@ import { finished, type Work } from '../work.ts';
 
 /** All lengths in particle radii. */
 export interface LobePuffs {
-  /** The most lobes that a variation has. */
+  /** Maximum number of lobes per variation. */
   readonly lobeCount: number;
   /** Number of variations. */
   readonly count: number;
-  /** For each variation `lobeCount` lobes of four numbers, centre and radius, and at the end their middle and a zero. */
+  /** Per variation: `lobeCount` lobes of four floats, centre and radius, then their centroid and a zero. */
   readonly table: Float32Array;
   readonly startCaps: StartCaps;
   readonly solids: PuffSolids;
   /** See {@link latestCap}. */
   readonly latestCap: number;
-  /** Radius of the sphere about the particle's centre that holds any of the puffs. */
+  /** Radius of the bounding sphere of all puffs about the particle's centre. */
   readonly reach: number;
-  /** How deep behind the centre plane something of a puff can be seen, from whatever side. */
+  /** Upper bound on the depth of visible points behind the centre plane, over all view directions. */
   readonly depth: number;
-  /** Share of the overall normal, see {@link NORMAL_BLEND}. */
+  /** Weight of the overall normal, see {@link NORMAL_BLEND}. */
   readonly blend: number;
   /** See {@link CREASE_FILLET}. */
   readonly fillet: number;
 }
 
-/** The sines of a graphics processor are right to some 2^-11, and so is where it turns a lobe to. */
+/** Position tolerance of rotated lobes: GPU sines have an error of about 2^-11. */
 const ROTATION_TOLERANCE = 0.002;
-/** What may be seen between the places where depths are measured, in radii; and to what the bound is rounded up. */
+/** Margin for visible points between the depth samples, and the step the bound is rounded up to, in radii. */
 const DEPTH_SLACK = 0.05;
 const DEPTH_STEP = 0.1;
 
 /**
- * @param shapes at least one, each of at most 12 lobes
+ * @param shapes at least one, each with at most 12 lobes
  * @param litThreshold N . L from which a pixel's lit colour differs from its unlit one, -1..1
  */
 export function bakeLobes(shapes: readonly PuffShape[], litThreshold: number): LobePuffs {
   return finished(bakingLobes(shapes, litThreshold));
 }
 
-/** As {@link bakeLobes}, in pieces of about a millisecond. */
+/** As {@link bakeLobes}, in slices of about a millisecond. */
 export function* bakingLobes(shapes: readonly PuffShape[], litThreshold: number): Work<LobePuffs> {
   const max = Math.max(...shapes.map(({ lobes }) => lobes.length));
   const variations: LobeVariation[] = [];
@@ -68,7 +68,7 @@ function together(variations: readonly LobeVariation[], lobeCount: number): Lobe
   };
 }
 
-/** A shape's row of the table. Absent lobes are points within the first one, where they change nothing. */
+/** A shape's row of the table. Missing lobes are points inside the first one, so that they have no effect. */
 function rowOf(lobes: readonly Lobe[], lobeCount: number): number[] {
   const absent = Array.from({ length: lobeCount - lobes.length }, () => ({ center: lobes[0].center, radius: 0 }));
   return [...[...lobes, ...absent].flatMap(({ center, radius }) => [...center, radius]), ...middleOf(lobes), 0];

@@ -1,4 +1,4 @@
-/** One variation of the puffs of lobes, baked: kept for as long as others have not taken its room. */
+/** Bakes single variations of lobe puffs, memoized in an LRU cache. */
 import { LruCache } from '../lru.ts';
 import { deepestSeen, reachOf } from '../lobes.ts';
 import { orientationOf, rotatedLobes } from '../orientation.ts';
@@ -10,24 +10,24 @@ import type { Work } from '../work.ts';
 /** All lengths in particle radii. */
 export interface LobeVariation {
   readonly lobes: readonly Lobe[];
-  /** A table as src/puffs/bake/startCaps.ts describes it. */
+  /** Start cap table, see src/puffs/bake/startCaps.ts. */
   readonly startCaps: Float32Array;
   /** See {@link latestCap}. */
   readonly latestCap: number;
-  /** Radius of the sphere about the particle's centre that holds all lobes. */
+  /** Radius of the bounding sphere of all lobes about the particle's centre. */
   readonly reach: number;
-  /** How deep behind the centre plane something of it can be seen, from whatever side. */
+  /** Depth of the deepest visible point behind the centre plane, over the sampled orientations. */
   readonly depth: number;
 }
 
-/** Sides from which a puff is measured. */
+/** Number of orientations in which the depth is measured. */
 const SIDES = 16;
-/** One takes about 8 kB. */
+/** Each entry takes about 8 kB. */
 const cache = new LruCache<LobeVariation>(96);
 
 /**
- * Bakes a variation in pieces, or takes it from those that are kept: turning a knob back, or adding a variation, bakes
- * nothing twice.
+ * Bakes a variation in slices, or returns it from the cache. Resetting a knob or adding a variation does not bake the
+ * same variation twice.
  */
 export function* bakingVariation(lobes: readonly Lobe[], litThreshold: number): Work<LobeVariation> {
   const key = JSON.stringify([litThreshold, lobes]);

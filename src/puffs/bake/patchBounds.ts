@@ -1,31 +1,34 @@
-/** Which point of a surface is lit and lies farthest behind: asked of few patches, by what bounds them. */
+/** Finds the lit surface point farthest behind the centre. Bounds on patches skip most of the points. */
 import { POINT_STRIDE, type Patch } from './patches.ts';
 import { lengthOf } from '../vector.ts';
 
-/** The answer for directions from which no visible point is lit. */
+/** Result for light directions with no lit visible point. */
 export const NOTHING_LIT = -1;
 
-/** Directions within an angle, the spread, of the middle: those that share an entry, or a block of them. */
+/** A cone of directions around a central one, which bounds a table entry or a block of entries. */
 export interface Cell {
   readonly x: number;
   readonly y: number;
   readonly z: number;
   readonly spread: number;
-  /** Cosine and sine of the spread. */
+  /** Cosine and sine of `spread`, the half-angle of the cone in radians. */
   readonly cosine: number;
   readonly sine: number;
 }
 
-/** Numbers a patch: normal, cosine and sine of the angle to L at which all of it is dark, centre, its length, radius. */
+/**
+ * Numbers per patch: normal, cosine and sine of the angle to L beyond which the whole patch is unlit, centre, length of
+ * the centre, radius.
+ */
 const BOUND_STRIDE = 10;
 
-/** Patches with what rules them out quickly, in flat arrays: this is where baking spends its time. */
+/** Patches with their bounds in flat arrays, because baking spends most of its time here. */
 export class PatchBounds {
   private readonly patches: readonly Patch[];
-  /** The largest angle between normal and light at which a point is lit. */
+  /** Largest angle between normal and light at which a point is lit, in radians. */
   private readonly limit: number;
   private readonly bounds: Float64Array;
-  /** The chosen patches, those first that can reach farthest behind, and how far that is for each patch. */
+  /** Selected patches, sorted by descending `reaches`: the bound on the distance behind the centre of each patch. */
   private chosen: number[] = [];
   private readonly reaches: Float64Array;
 
@@ -41,7 +44,7 @@ export class PatchBounds {
     });
   }
 
-  /** Chooses the patches that can be lit from a cell. */
+  /** Selects the patches that can be lit from a cell. */
   choose(cell: Cell): void {
     this.chosen = [];
     for (let patch = 0; patch < this.patches.length; patch++) {
@@ -52,7 +55,7 @@ export class PatchBounds {
     this.chosen.sort((a, b) => this.reaches[b] - this.reaches[a]);
   }
 
-  /** How far behind the farthest point lies that can be lit from a cell; only chosen patches count. */
+  /** Distance behind the centre of the farthest point in the selected patches that can be lit from a cell. */
   farthestFrom(cell: Cell): number {
     const faintest = Math.cos(Math.min(Math.PI, this.limit + cell.spread));
     let farthest = NOTHING_LIT;
@@ -68,11 +71,11 @@ export class PatchBounds {
     const { bounds } = this;
     const at = BOUND_STRIDE * patch;
     const faintest = bounds[at + 3] * cosine - bounds[at + 4] * sine;
-    // Beyond half a turn the sum of the angles takes in every direction.
+    // If the angles add up to more than pi, every direction qualifies.
     return bounds[at + 3] <= -cosine || bounds[at] * x + bounds[at + 1] * y + bounds[at + 2] * z > faintest;
   }
 
-  /** Bound on -(p . L) over a patch and a cell. */
+  /** Upper bound on -(p . L) over a patch and a cell. */
   private reachOf(patch: number, { x, y, z, cosine, sine }: Cell): number {
     const { bounds } = this;
     const at = BOUND_STRIDE * patch;
@@ -81,7 +84,7 @@ export class PatchBounds {
   }
 }
 
-/** Largest -(p . L) over the points that are lit from somewhere in the cell, but not less than `atLeast`. */
+/** Largest -(p . L) over the points that are lit from any direction in the cell, or `atLeast` if that is larger. */
 function farthestPoint(points: Float32Array, faintest: number, cell: Cell, atLeast: number): number {
   const { x, y, z, cosine, sine } = cell;
   let farthest = atLeast;
@@ -94,7 +97,10 @@ function farthestPoint(points: Float32Array, faintest: number, cell: Cell, atLea
   return farthest;
 }
 
-/** The most that a point at `length` from the centre, `behind` it for the cell's middle, is behind it in the cell. */
+/**
+ * Largest distance behind the centre over all directions of a cell, for a point at distance `length` from the centre
+ * that is `behind` it for the central direction.
+ */
 function maxBehind(behind: number, length: number, cosine: number, sine: number): number {
   if (behind >= length * cosine) return length;
   return behind * cosine + Math.sqrt(Math.max(0, length * length - behind * behind)) * sine;

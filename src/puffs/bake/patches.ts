@@ -1,31 +1,31 @@
 /**
- * The surface of a puff as points, gathered in patches with bounds, so that a question about all points ("which lit one
- * lies farthest behind?") needs to look into few patches.
+ * The surface of a puff as points, grouped into patches with bounds, so that a query over all points (such as the
+ * farthest lit one) visits few patches.
  */
 import { CREASE_FILLET, middleOf, softNormal } from '../normals.ts';
 import type { Lobe } from '../shapes.ts';
 import { lengthOf, minus, normalized, spherePoint, type Vector } from '../vector.ts';
 
-/** Numbers a point in a patch: normal (unit), position (particle radii), length of the position. */
+/** Floats per point of a patch: unit normal, position in particle radii, length of the position. */
 export const POINT_STRIDE = 7;
 
-/** A few points close to each other, and what bounds them. */
+/** A group of nearby points and their bounds. */
 export interface Patch {
   readonly points: Float32Array;
-  /** Unit vector within `normalSpread` (radians) of each normal. */
+  /** Unit vector within `normalSpread` (radians) of every normal. */
   readonly normal: Vector;
   readonly normalSpread: number;
-  /** Within `radius` of each position. */
+  /** Point within `radius` of every position. */
   readonly center: Vector;
   readonly radius: number;
 }
 
-/** Between the points on lobes, particle radii. */
+/** Spacing of the points on lobes, in particle radii. */
 const LOBE_SPACING = 0.026;
-/** Boxes along each axis that a lobe's points are gathered in. */
+/** Boxes along each axis that group the points of a lobe. */
 const LOBE_BOXES = 5;
 
-/** All of the surface that some eye can see of a puff of lobes. */
+/** The exposed surface of a lobe puff: all points that are not inside another lobe. */
 export function surfaceOf(lobes: readonly Lobe[]): Patch[] {
   const middle = middleOf(lobes);
   return lobes.flatMap((lobe) => {
@@ -44,7 +44,7 @@ export function surfaceOf(lobes: readonly Lobe[]): Patch[] {
   });
 }
 
-/** Between two spheres; negative where they overlap. */
+/** Gap between two spheres; negative if they overlap. */
 function gapBetween(a: Lobe, b: Lobe): number {
   return lengthOf(minus(a.center, b.center)) - a.radius - b.radius;
 }
@@ -72,7 +72,7 @@ function boxAlong(at: number): number {
   return Math.min(LOBE_BOXES - 1, Math.floor((at + 1) * 0.5 * LOBE_BOXES));
 }
 
-/** Puts bounds around points. */
+/** Computes the bounds of points. */
 export function bounded(points: Float32Array): Patch {
   const axis = normalized(mean(points, 0));
   const center = mean(points, 3);

@@ -1,27 +1,30 @@
 /**
- * What of a puff is certainly opaque, and all that it could show: balls that the drawn puff differs from by no more than
- * a tolerance. The simulator leaves out what others hide by them. Of lobes these are the lobes themselves.
+ * Balls that bound a puff from inside and outside: the drawn puff differs from them by at most a tolerance. The
+ * simulator uses them for occlusion culling. The balls of a lobe puff are its lobes.
  */
 import { MAX_LOBES } from '../lobes.ts';
 import type { Lobe } from '../shapes.ts';
 
 /** All lengths in particle radii. */
 export interface PuffSolids {
-  /** For each variation the x of its balls, their y, z and radii; a ball of radius 0 is absent. */
+  /** Per variation: the x of all its balls, then their y, z and radii. Unused balls have radius 0. */
   readonly table: Float32Array;
-  /** Balls of each variation: 4, 8 or 12. */
+  /** Balls per variation: 4, 8 or 12. */
   readonly balls: number;
-  /** Whether the puff turns to the eye and rolls about the view axis; else it stands in the world. */
+  /** Whether the puff faces the eye and rolls about the view axis. Otherwise it is oriented in world space. */
   readonly facesEye: boolean;
-  /** How far outline and height of what is drawn may be from the balls': in radii, and in pixels of the target. */
+  /** Maximum deviation of the drawn outline and height from the balls: `tolerance` in radii, `blur` in pixels. */
   readonly tolerance: number;
   readonly blur: number;
 }
 
-/** The simulator handles so many balls at a time. */
+/** Balls per SIMD block of the simulator. */
 const BLOCK = 4;
 
-/** @param variations at least one, each of at most {@link MAX_LOBES} lobes */
+/**
+ * @param variations at least one, each with at most {@link MAX_LOBES} lobes
+ * @throws RangeError if a variation has more lobes
+ */
 export function solidsOf(
   variations: readonly (readonly Lobe[])[],
   drawn: Omit<PuffSolids, 'table' | 'balls'>,

@@ -1,10 +1,10 @@
 /**
- * Where a puff's shadow volume may begin: behind every point of the puff that is still lit, so that a lone puff never
- * masks its own lit pixels, whatever its lobes do. Tabulated over the directions towards the light, because lobes make
- * it jump; it depends on where the ramp turns from shade to light and is baked anew when that moves.
+ * Start caps of shadow volumes: a puff's volume starts behind all of its lit points, so that a puff never shadows its
+ * own lit pixels. The caps are tabulated by light direction, because lobes make them discontinuous. They depend on the
+ * threshold between shade and light in the ramp, and are rebaked when it changes.
  *
- * The table is read at the nearest entry. An entry bounds all directions of its cell, not only the one in its middle:
- * a point counts if it can be lit from anywhere in the cell, with the largest distance it can have from there.
+ * Lookups use the nearest entry. An entry bounds all directions of its cell, not only the central one: a point counts
+ * if it is lit from any direction in the cell, with its largest distance over the cell.
  */
 import { PatchBounds, type Cell } from './patchBounds.ts';
 import { POINT_STRIDE, type Patch } from './patches.ts';
@@ -15,13 +15,13 @@ import { finished, type Work } from '../work.ts';
 export const CAP_COLUMNS = 64;
 /** Rows of a table: angle between light and view axis. */
 export const CAP_ROWS = 32;
-/** Neighbouring entries along each side of the table for which patches are chosen together; divides both. */
+/** Entries along each side of a block that shares one patch selection. Divides CAP_COLUMNS and CAP_ROWS. */
 const BLOCK = 8;
 
 /**
  * Start caps of all variations. `values[(layer * height + row) * width + column]` is the largest -(p . L) over the
- * points p of a puff's surface with N . L above the threshold: how far behind the centre plane across L the farthest lit
- * point lies, in particle radii. For the direction L towards the light in the puff's own space,
+ * surface points p of a puff with N . L above the threshold: the distance of the farthest lit point behind the centre
+ * plane perpendicular to L, in particle radii. L is the direction towards the light in the puff's local space, with
  * column = floor((atan2(L.y, L.x) / 2 pi + 1/2) * width), row = floor(acos(L.z) / pi * height).
  */
 export interface StartCaps {
@@ -33,14 +33,14 @@ export interface StartCaps {
 
 /**
  * Bakes the tables of all variations.
- * @param surfaces the points of each variation that may be seen
+ * @param surfaces the visible points of each variation
  * @param litThreshold N . L from which a pixel's lit colour differs from its unlit one, -1..1
  */
 export function bakeStartCaps(surfaces: readonly (readonly Patch[])[], litThreshold: number): StartCaps {
   return joined(surfaces.map((patches) => bakeTable(patches, litThreshold)));
 }
 
-/** The tables of single variations as those of one set of puffs. */
+/** Concatenates the tables of single variations. */
 export function joined(tables: readonly Float32Array[]): StartCaps {
   const entries = CAP_COLUMNS * CAP_ROWS;
   const values = new Float32Array(entries * tables.length);
@@ -53,7 +53,7 @@ export function bakeTable(patches: readonly Patch[], litThreshold: number): Floa
   return finished(bakingTable(patches, litThreshold));
 }
 
-/** As {@link bakeTable}, in pieces of about a millisecond. */
+/** As {@link bakeTable}, in slices of about a millisecond. */
 export function* bakingTable(patches: readonly Patch[], litThreshold: number): Work<Float32Array> {
   const table = new Float32Array(CAP_COLUMNS * CAP_ROWS);
   const bounds = new PatchBounds(patches, Math.acos(litThreshold));
@@ -66,7 +66,7 @@ export function* bakingTable(patches: readonly Patch[], litThreshold: number): W
   return table;
 }
 
-/** The start cap of a layer for a unit direction towards the light, as the shader reads it. */
+/** The start cap of a layer for a unit direction towards the light, with the same lookup as the shader. */
 export function startCapAt({ width, height, values }: StartCaps, layer: number, [x, y, z]: Vector): number {
   const column = Math.floor((Math.atan2(y, x) / (2 * Math.PI) + 0.5) * width);
   const row = Math.floor((Math.acos(Math.min(1, Math.max(-1, z))) / Math.PI) * height);
@@ -74,8 +74,8 @@ export function startCapAt({ width, height, values }: StartCaps, layer: number, 
 }
 
 /**
- * A cap that serves every ramp from all sides: no point with N . L > 0 lies farther behind. A point is farthest behind the
- * centre when the light grazes it, or when the light comes from the centre's far side.
+ * A cap that is valid for every ramp and light direction: no point with N . L > 0 is farther behind, in particle radii.
+ * A point is farthest behind the centre at grazing light, or when the light comes from the opposite side of the centre.
  */
 export function latestCap(patches: readonly Patch[]): number {
   let latest = 0;
@@ -89,7 +89,7 @@ export function latestCap(patches: readonly Patch[]): number {
   return latest;
 }
 
-/** The directions of `count` entries along both sides of the table, from this one on. */
+/** A cone that bounds the directions of `count` by `count` entries, starting at this one. */
 function cellAt(row: number, column: number, count: number): Cell {
   const halfRow = (Math.PI / CAP_ROWS / 2) * count;
   const halfColumn = (Math.PI / CAP_COLUMNS) * count;
@@ -103,7 +103,7 @@ function cellAt(row: number, column: number, count: number): Cell {
   return { x, y, z, spread, cosine: Math.cos(spread), sine: Math.sin(spread) };
 }
 
-/** Fills a block of entries: patches are chosen for all of it, then for each entry. */
+/** Fills a block of entries: selects patches for the whole block, then evaluates each entry. */
 function bakeBlock(bounds: PatchBounds, row: number, column: number, table: Float32Array): void {
   bounds.choose(cellAt(row, column, BLOCK));
   for (let j = row; j < row + BLOCK; j++) {

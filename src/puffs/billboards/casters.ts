@@ -1,13 +1,16 @@
-/** Billboards as the light sees them: it meets the lobes that they were baked from. */
+/** Shadow casters of billboards: the lobes that they were baked from. */
 import type { PuffShape } from '../shapes.ts';
 
 /** All lengths in particle radii. */
 export interface CasterTable {
   /** Number of variations. */
   readonly count: number;
-  /** The most lobes that a variation has. */
+  /** Maximum number of lobes per variation. */
   readonly lobeCount: number;
-  /** For each variation `lobeCount` lobes of four numbers, centre and radius; absent ones are points within the first. */
+  /**
+   * `lobeCount` lobes per variation, four floats each: centre and radius. Missing lobes are points inside the first
+   * one.
+   */
   readonly table: Float32Array;
 }
 

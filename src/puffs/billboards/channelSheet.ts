@@ -1,6 +1,6 @@
 /**
- * Puffs as pictures, after Fig. 3 of McGuire and Fein (2006): the colour and alpha channels of the two textures, each with four
- * variations in two rows, as the shaders know them.
+ * Images of puffs after Fig. 3 of McGuire and Fein (2006): the colour and alpha channels of the two textures, each with
+ * four variations in two rows.
  */
 import { samplePuff, type PuffLayers, type PuffSample } from './layers.ts';
 import { sampleLobes } from '../lobes.ts';
@@ -9,18 +9,18 @@ import type { PuffShape } from '../shapes.ts';
 
 type Color = [red: number, green: number, blue: number];
 
-/** RGBA bytes, the top row first. */
+/** An image in RGBA bytes, top row first. */
 export interface ChannelPicture {
-  /** What it shows: N, d, C or coverage. */
+  /** Name of the channel: N, d, C or coverage. */
   readonly name: string;
   readonly size: number;
   readonly pixels: Uint8ClampedArray<ArrayBuffer>;
 }
 
-/** Width of the ring of ink in the coverage, in particle radii. */
+/** Width of the ink ring in the coverage image, in particle radii. */
 const RING = 0.12;
 
-/** What a channel shows of a sample; 0..1. */
+/** Maps a sample to the colour of a channel, 0..1. */
 interface Channel {
   readonly name: string;
   colorOf(sample: PuffSample, pad: number): Color;
@@ -29,7 +29,7 @@ interface Channel {
 const grey = (value: number): Color => [value, value, value];
 const isInside = ({ distance }: PuffSample): boolean => distance <= 0;
 
-// Beyond the silhouette the first texture repeats its border, which the paper's figure leaves black.
+// The first texture repeats its border outside the silhouette; the paper's figure shows black there.
 const CHANNELS: readonly Channel[] = [
   {
     name: 'N',
@@ -43,19 +43,19 @@ const CHANNELS: readonly Channel[] = [
   { name: 'coverage', colorOf: ({ distance }) => grey(distance <= RING ? 1 : 0) },
 ];
 
-/** Puffs to draw. */
+/** A set of puffs to draw. */
 interface Sampled {
   /** Number of variations. */
   readonly count: number;
   /** Half the width of a tile, in particle radii. */
   readonly pad: number;
-  /** What is seen of a variation at a place in particle radii. */
+  /** Samples a variation at a position in particle radii. */
   readonly sample: (variation: number, x: number, y: number) => PuffSample;
 }
 
 /**
- * The channels of baked puffs, as billboards have them.
- * @param tile pixels along each side of one puff; a picture is two tiles wide and high
+ * Draws the channels of baked puffs.
+ * @param tile pixels along each side of one puff; an image is two tiles wide and high
  */
 export function channelSheet(layers: PuffLayers, tile: number): ChannelPicture[] {
   const { count, pad } = layers;
@@ -63,8 +63,10 @@ export function channelSheet(layers: PuffLayers, tile: number): ChannelPicture[]
 }
 
 /**
- * The same channels of puffs of lobes, as each pixel meets them, turned by a roll in radians about axes of their own.
+ * Draws the same channels of lobe puffs, ray-traced per pixel.
+ * @param roll rotation in radians about an axis that differs between variations
  * @param pad half the width of a tile, in particle radii
+ * @param tile pixels along each side of one puff
  */
 export function lobeSheet(shapes: readonly PuffShape[], roll: number, pad: number, tile: number): ChannelPicture[] {
   const views = shapes.map(({ lobes }, variation) => rotatedLobes(orientationOf(53 * variation + 20, roll), lobes));
@@ -94,7 +96,7 @@ function drawChannel(channel: Channel, { count, pad, sample }: Sampled, tile: nu
   return { name: channel.name, size, pixels };
 }
 
-/** Of four samples in a pixel. */
+/** Mean colour of four samples per pixel. */
 function meanColor(colorAt: (dx: number, dy: number) => Color): Color {
   const sum: Color = [0, 0, 0];
   for (const dy of [0.25, 0.75]) {

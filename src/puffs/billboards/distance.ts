@@ -1,18 +1,18 @@
 /**
- * Exact Euclidean distances on a square grid in linear time, after Felzenszwalb and Huttenlocher, 'Distance Transforms
- * of Sampled Functions' (Theory of Computing 8, 2012): along each row, the lower envelope of the parabolas that stand
- * on the distances along the columns. Those are of a binary set, so two scans find them without an envelope.
+ * Exact Euclidean distance transform on a square grid in linear time, after Felzenszwalb and Huttenlocher, 'Distance
+ * Transforms of Sampled Functions' (Theory of Computing 8, 2012). Each row takes the lower envelope of parabolas rooted
+ * at the column distances. The set is binary, so two scans find the column distances without an envelope.
  */
 
-/** For each cell of a grid, the nearest cell of a set. */
+/** The nearest cell of a set, for each cell of a grid. */
 export interface NearestCells {
-  /** Index of the nearest cell of the set; -1 where the set is empty. */
+  /** Index of the nearest cell of the set; -1 if the set is empty. */
   readonly nearest: Int32Array;
-  /** Squared distance between cell centres, in cells; Infinity where the set is empty. */
+  /** Squared distance between cell centres, in cells; Infinity if the set is empty. */
   readonly squaredDistance: Float32Array;
 }
 
-/** Finds the nearest cell with `inSet[cell] === value` for all cells of a `size` by `size` grid (size <= 4096). */
+/** Finds the nearest cell with `inSet[cell] === value` for each cell of a `size` by `size` grid (size <= 4096). */
 export function nearestCells(inSet: Uint8Array, value: 0 | 1, size: number): NearestCells {
   const nearest = nearestInColumns(inSet, value, size);
   const squaredDistance = new Float32Array(size * size);
@@ -21,7 +21,7 @@ export function nearestCells(inSet: Uint8Array, value: 0 | 1, size: number): Nea
   return { nearest, squaredDistance };
 }
 
-/** For each cell the nearest cell of the set in its column, or -1. */
+/** The nearest cell of the set in the same column, or -1. */
 function nearestInColumns(inSet: Uint8Array, value: 0 | 1, size: number): Int32Array {
   const nearest = new Int32Array(size * size);
   for (let cell = 0; cell < nearest.length; cell++) {
@@ -35,7 +35,7 @@ function nearestInColumns(inSet: Uint8Array, value: 0 | 1, size: number): Int32A
   return nearest;
 }
 
-/** The lower envelope of the parabolas of one row, and the scratch it needs. */
+/** Computes the lower envelope of the parabolas of one row, with reusable buffers. */
 class Envelope {
   private readonly size: number;
   private readonly height: Float64Array;
@@ -51,7 +51,7 @@ class Envelope {
     this.start = new Float64Array(size);
   }
 
-  /** Turns nearest cells in columns into nearest cells at all, and writes how far they are. */
+  /** Replaces the nearest cells per column by the nearest cells overall, and writes their squared distances. */
   sweepRow(y: number, nearest: Int32Array, squaredDistance: Float32Array): void {
     const first = y * this.size;
     for (let x = 0; x < this.size; x++) {
@@ -69,7 +69,7 @@ class Envelope {
     }
   }
 
-  /** Fills apex and start, from left to right; returns how many parabolas the envelope has. */
+  /** Fills `apex` and `start` from left to right. Returns the number of parabolas of the envelope. */
   private build(): number {
     let count = 0;
     for (let x = 0; x < this.size; x++) {
@@ -87,7 +87,7 @@ class Envelope {
     return count;
   }
 
-  /** Where the parabola of apex `right` comes below that of apex `left`. */
+  /** The x from which the parabola with apex `right` is below the one with apex `left`. */
   private crossing(left: number, right: number): number {
     const rise = this.height[right] - this.height[left];
     return (rise + right * right - left * left) / (2 * (right - left));
@@ -95,9 +95,9 @@ class Envelope {
 }
 
 /**
- * Signed distance from cell centres to the border of the covered region, in cells: negative inside, positive
- * outside. The border is taken half a cell from the last covered centre, so the error is below half a cell.
- * All covered gives -Infinity, nothing covered Infinity.
+ * Signed distance from cell centres to the border of the covered region, in cells: negative inside, positive outside.
+ * The border is assumed half a cell from the last covered centre, so the error is below half a cell. A fully covered
+ * grid gives -Infinity, an empty one Infinity.
  */
 export function signedDistance(coverage: Uint8Array, size: number): Float32Array {
   const toInside = nearestCells(coverage, 1, size).squaredDistance;

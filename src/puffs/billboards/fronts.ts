@@ -1,4 +1,4 @@
-/** The visible fronts of baked layers, as patches of points. */
+/** The visible front surfaces of baked layers, as patches of points. */
 import { samplePuff, type PuffLayers, type PuffSample } from './layers.ts';
 import { bounded, type Patch } from '../bake/patches.ts';
 import { dot } from '../vector.ts';
@@ -6,17 +6,17 @@ import { finished, type Work } from '../work.ts';
 
 /** Texels along each side of a patch. */
 const PATCH_TEXELS = 8;
-/** Neighbouring texels whose normals differ by more than this (cosine) are a crease or a rim. */
+/** Minimum cosine between normals of neighbouring texels; below it they span a crease or a rim. */
 const SMOOTH_COSINE = 0.985;
-/** Points between four texels, along x and along y, where the filter turns across a crease. */
+/** Number of points between four texels, along x and along y, at a crease. */
 const CREASE_POINTS = 3;
 
-/** The fronts of all layers. */
+/** Front surfaces of all layers. */
 export function frontsOf(layers: PuffLayers): Patch[][] {
   return Array.from({ length: layers.count }, (_, layer) => finished(findingFront(layers, layer)));
 }
 
-/** The front of a layer's puff, dense enough where filtering bends normals between texels; in pieces. */
+/** The front surface of a layer, in slices. Points are denser where filtering interpolates normals across a crease. */
 export function* findingFront(layers: PuffLayers, layer: number): Work<Patch[]> {
   const patches: Patch[] = [];
   for (let j = 0; j < layers.size - 1; j += PATCH_TEXELS) {
@@ -41,7 +41,7 @@ function pointsIn(layers: PuffLayers, layer: number, firstI: number, firstJ: num
   return points;
 }
 
-/** Adds the points between the four texel centres from (x, y) up, as far as they lie on the puff. */
+/** Adds points on the puff between the texel centre (x, y) and its right, upper and diagonal neighbours. */
 function addPoints(layers: PuffLayers, layer: number, x: number, y: number, points: number[]): void {
   const texel = (2 * layers.pad) / layers.size;
   const corners = [0, 1, 2, 3].map((k) => samplePuff(layers, layer, x + (k & 1) * texel, y + (k >> 1) * texel));

@@ -1,17 +1,17 @@
 /**
- * Puff shapes -> the texture layers that the shaders read, one layer a shape, after section 4.1 of the paper:
- * normal and depth in one RGBA layer, colour and coverage in the other.
+ * Bakes puff shapes to the texture layers that the shaders read, one layer per shape, after section 4.1 of McGuire and
+ * Fein (2006): one RGBA texture for normal and depth, one for colour and coverage.
  *
  * - `normalDepth` (half floats): rgb = (N + 1) / 2, a = d + 0.5 (Eq. 1). N is the unit view-space normal of the
- *   unrolled puff, d the relief in quad widths, positive towards the viewer. The paper's 8 bits would leave terraces
- *   of 0.8 % of the quad width where puffs meet at grazing angles; half floats make them eight times finer and can
- *   still be filtered everywhere. Outside the silhouette stands the nearest inside value, so that linear filtering
- *   never mixes background in.
- * - `colorCoverage` (bytes): rgb = C, white (the ink is chosen by distance, not painted into C, so that no grey creeps
- *   in by filtering); a = 0.5 + distance / (2 DISTANCE_RANGE), the signed distance to the silhouette in particle
- *   radii, negative inside. A distance and not a mask, so that edge and ink stay crisp at any size.
+ *   unrolled puff, d the relief in quad widths, positive towards the viewer. The paper's 8 bits cause visible steps of
+ *   0.8 % of the quad width where puffs intersect at grazing angles. Half floats make them eight times finer and are
+ *   filterable on all devices. Texels outside the silhouette repeat the nearest inside value, so that linear filtering
+ *   never mixes in background.
+ * - `colorCoverage` (bytes): rgb = C, white. Shaders select the ink by distance; ink painted into C would turn grey
+ *   when filtered. a = 0.5 + distance / DISTANCE_RANGE, with the signed distance to the silhouette in particle radii,
+ *   negative inside. A distance field keeps edge and ink crisp at any size; a mask would not.
  *
- * Row 0 of a layer is its bottom (texture v = 0); layers follow each other.
+ * Row 0 of a layer is its bottom (texture v = 0). Layers are contiguous.
  */
 import { nearestCells, signedDistance } from './distance.ts';
 import { puffMesh } from './mesh.ts';
@@ -20,26 +20,26 @@ import type { PuffShape } from '../shapes.ts';
 import { finished, type Work } from '../work.ts';
 
 /**
- * Span of the coverage channel in particle radii: half of it inside the silhouette, half outside, which is what the pad
- * leaves for ink at the widest place of a puff. Distances beyond are clamped.
+ * Range of the coverage channel in particle radii, half inside and half outside the silhouette. The outer half is the
+ * room that the pad leaves for ink at the widest point of a puff. Larger distances are clamped.
  */
 export const DISTANCE_RANGE = 2 * (PUFF_PAD - 1);
 
-/** What a program may want to know of a puff without its texels; all in particle radii. */
+/** Measurements of a baked puff, in particle radii. */
 export interface PuffFigures {
-  /** Radius of the disc that has the silhouette's area. */
+  /** Radius of the disc with the area of the silhouette. */
   readonly silhouetteRadius: number;
-  /** Largest disc about the particle's centre that the silhouette contains. */
+  /** Radius of the largest disc about the particle's centre inside the silhouette. */
   readonly inscribedRadius: number;
-  /** Smallest disc about the particle's centre that contains the silhouette. */
+  /** Radius of the smallest disc about the particle's centre that contains the silhouette. */
   readonly outerRadius: number;
-  /** Height of the highest point above the centre plane. */
+  /** Height of the highest point above the centre plane, towards the viewer. */
   readonly relief: number;
-  /** Depth of the deepest point that is seen below the centre plane; 0 where none is. */
+  /** Depth of the deepest visible point below the centre plane; 0 if there is none. */
   readonly depth: number;
 }
 
-/** The baked layers of all variations. The arrays belong to whoever holds this object. */
+/** The baked layers of all variations. */
 export interface PuffLayers {
   /** Texels along each side of a layer. */
   readonly size: number;
@@ -47,22 +47,22 @@ export interface PuffLayers {
   readonly count: number;
   /** Half the quad's width in particle radii. */
   readonly pad: number;
-  /** distance = (coverage - 0.5) * distanceRange, in particle radii, negative inside the silhouette. */
+  /** Signed distance = (coverage - 0.5) * distanceRange, in particle radii, negative inside the silhouette. */
   readonly distanceRange: number;
-  /** RGBA half floats, 4 * size * size for each layer. */
+  /** RGBA half floats, 4 * size * size per layer. */
   readonly normalDepth: Uint16Array;
-  /** RGBA bytes, 4 * size * size for each layer. */
+  /** RGBA bytes, 4 * size * size per layer. */
   readonly colorCoverage: Uint8Array;
-  /** One entry for each layer. */
+  /** One entry per layer. */
   readonly figures: readonly PuffFigures[];
 }
 
-/** Rasterises the shapes into layers of `size` texels (default 128). Pure and deterministic. */
+/** Rasterises the shapes into layers of `size` by `size` texels (default 128). Pure and deterministic. */
 export function bakePuffs(shapes: readonly PuffShape[], options?: { size?: number }): PuffLayers {
   return finished(bakingLayers(shapes, options));
 }
 
-/** As {@link bakePuffs}, in pieces of some milliseconds. */
+/** As {@link bakePuffs}, in slices of a few milliseconds. */
 export function* bakingLayers(shapes: readonly PuffShape[], { size = 128 } = {}): Work<PuffLayers> {
   const texels = size * size;
   const normalDepth = new Uint16Array(4 * texels * shapes.length);
@@ -149,9 +149,9 @@ function measure(raster: PuffRaster, distance: Float32Array): PuffFigures {
   };
 }
 
-/** A puff's surface at one place, as a linearly filtering sampler and a normalising shader see it. */
+/** A texture sample of a puff, linearly filtered, with a normalised normal as in the shaders. */
 export interface PuffSample {
-  /** Unit length, in the view space of the unrolled puff. */
+  /** Unit normal in the view space of the unrolled puff. */
   readonly normal: readonly [x: number, y: number, z: number];
   /** Height above the centre plane in particle radii. */
   readonly height: number;
@@ -193,12 +193,12 @@ function filteredByte({ size, colorCoverage }: PuffLayers, at: number, right: nu
   return low * (1 - up) + high * up;
 }
 
-/** Half floats (IEEE 754 binary16), as WebGL's HALF_FLOAT textures take them in a Uint16Array. */
+/** Half floats (IEEE 754 binary16), in the format of WebGL's HALF_FLOAT textures. */
 
 const float = new Float32Array(1);
 const bits = new Uint32Array(float.buffer);
 
-/** The bits of the half float nearest to `value` (ties to even); beyond 65504 an infinity, below 2^-25 a zero. */
+/** Bits of the half float nearest to `value`, ties to even. Overflow gives an infinity, below 2^-25 a zero. */
 export function toHalf(value: number): number {
   float[0] = value;
   const sign = (bits[0] >>> 16) & 0x8000;

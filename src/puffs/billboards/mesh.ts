@@ -1,15 +1,15 @@
 /**
- * Puffs as triangle meshes: one closed icosphere for each lobe. The lobes overlap; the depth test of whoever draws
- * the mesh makes the exact creases between them.
+ * Triangle meshes of puffs: one closed icosphere per lobe. The lobes overlap; the depth test produces the exact creases
+ * between them.
  */
 import { middleOf, NORMAL_BLEND, softNormal } from '../normals.ts';
 import type { Lobe } from '../shapes.ts';
 import { normalized, type Vector } from '../vector.ts';
 
-/** Subdivisions of the icosahedron: 1,280 triangles a lobe, facets 0.3 % of the radius deep at most. */
+/** Subdivisions of the icosahedron: 1,280 triangles per lobe, at most 0.3 % of the radius below the sphere. */
 export const LOBE_SUBDIVISIONS = 3;
 
-/** Triangles wound counter-clockwise seen from outside; x, y, z a vertex. */
+/** Triangles, counter-clockwise seen from outside; x, y, z per vertex. */
 export interface TriangleMesh {
   readonly positions: Float32Array;
   /** Unit length. */
@@ -66,8 +66,8 @@ function icosphere(subdivisions: number): Icosphere {
 }
 
 /**
- * The mesh of a puff's lobes in its unit space.
- * @param blend share of the overall normal, 0..1
+ * Builds the mesh of a puff's lobes in its unit space.
+ * @param blend weight of the overall normal, 0..1
  */
 export function puffMesh(lobes: readonly Lobe[], blend = NORMAL_BLEND, subdivisions = LOBE_SUBDIVISIONS): TriangleMesh {
   const sphere = icosphere(subdivisions);

@@ -1,41 +1,41 @@
 /**
- * A small software rasteriser: a puff's mesh, orthographically from +z, into normal, depth and coverage.
- * It runs on the CPU so that the layers are the same bits on every GPU and can be tested without one.
+ * A software rasteriser: projects a puff's mesh orthographically from +z to normal, depth and coverage. It runs on the
+ * CPU so that the layers are identical on every GPU and testable without one.
  *
- * Grids are square and span [-PUFF_PAD, PUFF_PAD]^2, row 0 at the bottom (y = -PUFF_PAD), as WebGL counts texture
- * rows. Visibility is decided at the centres of SUPERSAMPLE^2 cells a texel; normal and depth of a texel are the mean
- * over its covered cells, because a crease that is sampled once a texel would cut two-tone light in stairs.
+ * Grids are square and span [-PUFF_PAD, PUFF_PAD]^2. Row 0 is at the bottom (y = -PUFF_PAD), as in WebGL textures.
+ * Visibility is tested at the centres of SUPERSAMPLE^2 cells per texel. The normal and depth of a texel are the mean
+ * over its covered cells, because one sample per texel would alias two-tone shading at creases.
  */
 import type { TriangleMesh } from './mesh.ts';
 
-/** Half the width of a nailboard in units of the particle's radius: room for the ink ring round the silhouette. */
+/** Half the width of a nailboard in particle radii. It includes room for the ink ring around the silhouette. */
 export const PUFF_PAD = 1.35;
 
-/** Cells for each texel of a layer, along x and along y. */
+/** Cells per texel of a layer, along x and along y. */
 export const SUPERSAMPLE = 4;
 
-/** What is seen of a puff from +z. */
+/** The view of a puff from +z. */
 export interface PuffRaster {
   /** Texels along each side. */
   readonly size: number;
-  /** x, y, z a texel; unit length where something is, 0 elsewhere. */
+  /** x, y, z per texel; unit length where covered, 0 elsewhere. */
   readonly normals: Float32Array;
-  /** Relief in quad widths, positive towards the viewer, 0 in the centre plane; -Infinity where nothing is. */
+  /** Relief in quad widths, positive towards the viewer, 0 in the centre plane; -Infinity where uncovered. */
   readonly depths: Float32Array;
-  /** 1 where something is, on the grid of size * SUPERSAMPLE cells. */
+  /** 1 where covered, on a grid with size * SUPERSAMPLE cells along each side. */
   readonly coverage: Uint8Array;
 }
 
 /** The nearest triangle at each cell's centre. */
 interface Visibility {
   readonly cells: number;
-  /** Index of the triangle's first entry in the mesh's indices; -1 where nothing is. */
+  /** Position of the triangle in the mesh's `indices`; -1 where uncovered. */
   readonly triangles: Int32Array;
   /** z in particle radii. */
   readonly heights: Float32Array;
 }
 
-/** Draws the mesh into a layer of `size` texels. */
+/** Rasterises the mesh into a grid of `size` by `size` texels. */
 export function rasterise(mesh: TriangleMesh, size: number): PuffRaster {
   const visible = findVisible(mesh, size * SUPERSAMPLE);
   const normals = new Float32Array(3 * size * size);
@@ -48,7 +48,7 @@ export function rasterise(mesh: TriangleMesh, size: number): PuffRaster {
   return { size, normals, depths, coverage };
 }
 
-/** Where a coordinate of unit space lies on a grid of `cells` cells, whose centres have whole numbers. */
+/** Converts a coordinate of the unit space to grid coordinates. Cell centres have integer coordinates. */
 function toCells(unit: number, cells: number): number {
   return (unit / PUFF_PAD + 1) * 0.5 * cells - 0.5;
 }
@@ -63,7 +63,7 @@ function findVisible(mesh: TriangleMesh, cells: number): Visibility {
   return visible;
 }
 
-/** Depth-tests one triangle if it faces the viewer. Borders belong to both neighbours, so that nothing is missed. */
+/** Depth-tests one front-facing triangle. Shared edges belong to both triangles, so that there are no gaps. */
 function scanTriangle({ positions, indices }: TriangleMesh, triangle: number, visible: Visibility): void {
   const { cells, triangles, heights } = visible;
   const [a, b, c] = [3 * indices[triangle], 3 * indices[triangle + 1], 3 * indices[triangle + 2]];
@@ -91,7 +91,7 @@ function scanTriangle({ positions, indices }: TriangleMesh, triangle: number, vi
   }
 }
 
-/** Writes the means over the covered cells of texel (x, y); leaves the texel as it is if none is covered. */
+/** Writes the mean normal and depth of the covered cells of texel (x, y). An uncovered texel is left unchanged. */
 function gatherTexel(
   mesh: TriangleMesh,
   { cells, triangles, heights }: Visibility,
@@ -118,7 +118,7 @@ function gatherTexel(
   normalise(sum);
 }
 
-/** Adds the unit normal of a triangle at the centre of cell (x, y). */
+/** Adds the interpolated unit normal of a triangle at the centre of cell (x, y) to `sum`. */
 function addNormal(
   { positions, normals, indices }: TriangleMesh,
   triangle: number,

@@ -1,11 +1,11 @@
-/** How well balls stand for voxels: kept up to date while one ball after the other moves. */
+/** Incrementally updated overlap between a set of balls and voxels. */
 import type { Lobe } from '../shapes.ts';
 import { HALF_GRID, type Voxels } from './voxels.ts';
 
-/** Balls over voxels. A ball covers the voxels whose centres it holds. */
+/** A set of balls over voxels. A ball covers the voxels whose centres are inside it. */
 export class BallCover {
   private readonly voxels: Voxels;
-  /** How many balls cover a voxel. */
+  /** Number of balls that cover each voxel. */
   private readonly counts: Uint8Array;
   private readonly insideCount: number;
   private coveredInside = 0;
@@ -18,7 +18,7 @@ export class BallCover {
     for (const ball of balls) this.add(ball);
   }
 
-  /** Volume of what balls and voxels have in common, as a share of what either has: 1 where they are the same. */
+  /** Intersection over union (Jaccard index) of the volumes of balls and voxels, 0 to 1. */
   get overlap(): number {
     return this.coveredInside / (this.insideCount + this.coveredOutside);
   }
@@ -31,7 +31,7 @@ export class BallCover {
     this.change(ball, -1);
   }
 
-  /** What the overlap would be with one ball more. */
+  /** The overlap after adding `ball`, without adding it. */
   overlapWith(ball: Lobe): number {
     const { inside } = this.voxels;
     let [more, outside] = [0, 0];

@@ -1,29 +1,29 @@
-/** An untrusted mesh made safe: finite, closed, of a size that can be worked with, in the unit ball. */
+/** Validates an untrusted mesh and normalises it to the unit ball: finite, closed, of limited size. */
 import { ShapeError } from '../../preset/errors.ts';
 
-/** Triangles of any mesh, wound either way. */
+/** An arbitrary triangle mesh, of either winding. */
 export interface PlainMesh {
-  /** x, y, z a vertex, in any unit. */
+  /** x, y, z per vertex, in any unit. */
   readonly positions: ArrayLike<number>;
-  /** Three vertices a triangle; without them each three vertices in turn are one. */
+  /** Three vertex indices per triangle. If absent, each three consecutive vertices form a triangle. */
   readonly indices?: ArrayLike<number>;
 }
 
 /** A closed surface in the unit ball. */
 export interface ClosedMesh {
-  /** x, y, z a vertex; no two at one place. */
+  /** x, y, z per vertex, without duplicates. */
   readonly positions: Float64Array;
   readonly indices: Uint32Array;
 }
 
-/** The most triangles that a mesh may have. */
+/** Maximum number of triangles of a mesh. */
 export const MAX_TRIANGLES = 250_000;
-/** Vertices nearer to each other than this share of the mesh's size are one: files hold one for each of its normals. */
+/** Weld distance relative to the mesh's radius. Files duplicate vertices that have several normals. */
 const WELD = 1e-5;
-/** A mesh of fewer triangles holds no volume. */
+/** A mesh with fewer triangles encloses no volume. */
 const MIN_TRIANGLES = 4;
 
-/** @throws ShapeError saying what is wrong with the mesh and what would be accepted */
+/** @throws ShapeError with the fault of the mesh and what is accepted */
 export function closedMesh({ positions, indices }: PlainMesh): ClosedMesh {
   const corners = indices ?? Uint32Array.from({ length: positions.length / 3 }, (_, vertex) => vertex);
   demandNumbers(positions, corners);
@@ -58,7 +58,7 @@ function demandNumbers(positions: ArrayLike<number>, corners: ArrayLike<number>)
   }
 }
 
-/** Moves the middle of the bounding box to the centre, and scales so that the farthest corner has distance 1. */
+/** Centres the bounding box at the origin and scales the farthest vertex to distance 1. */
 function inUnitBall(positions: ArrayLike<number>, corners: ArrayLike<number>): Float64Array {
   const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]]; // prettier-ignore
   for (let at = 0; at < corners.length; at++) {
@@ -78,7 +78,7 @@ function inUnitBall(positions: ArrayLike<number>, corners: ArrayLike<number>): F
   return Float64Array.from(positions, (value, at) => (value - middle[at % 3]) / reach);
 }
 
-/** The mesh with one vertex for each place, and without triangles that have come to nothing. */
+/** Merges vertices at the same position and removes the triangles that become degenerate. */
 function welded(positions: Float64Array, corners: ArrayLike<number>): ClosedMesh {
   const places = new Map<string, number>();
   const kept: number[] = [];
@@ -98,7 +98,7 @@ function welded(positions: Float64Array, corners: ArrayLike<number>): ClosedMesh
   return { positions: Float64Array.from(kept), indices: Uint32Array.from(indices) };
 }
 
-/** Each edge must be passed as often one way as the other: then every closed path round it comes out as it went in. */
+/** Each edge must be used equally often in both directions. Then the winding number is well defined. */
 function demandClosed({ positions, indices }: ClosedMesh): void {
   if (indices.length / 3 < MIN_TRIANGLES)
     throw new ShapeError('The mesh encloses no volume: it has fewer than 4 triangles.');

@@ -1,8 +1,8 @@
 /**
- * A few balls that together come near to a solid. First the inscribed balls that each add most, as in greedy sphere
- * packing (after Bradshaw and O'Sullivan, 'Adaptive Medial-Axis Approximation for Sphere-Tree Construction', 2004, whose
- * candidates are medial too), then a pattern search that moves and grows one after the other for as long as the overlap of
- * the volumes gains (Hooke and Jeeves, 'Direct Search', 1961).
+ * Approximates a solid by a few balls. Greedy selection adds the inscribed ball with the largest gain (after Bradshaw
+ * and O'Sullivan, 'Adaptive Medial-Axis Approximation for Sphere-Tree Construction', 2004, whose candidates are also
+ * medial). A pattern search then moves and resizes one ball at a time while the overlap of the volumes increases (Hooke
+ * and Jeeves, 'Direct Search', 1961).
  */
 import { ShapeError } from '../../preset/errors.ts';
 import { BallCover } from './ballCover.ts';
@@ -10,20 +10,20 @@ import type { Lobe } from '../shapes.ts';
 import { centreOf, depthsOf, type Voxels } from './voxels.ts';
 import type { Work } from '../work.ts';
 
-/** The most places that are tried for a ball, and how much larger than the inscribed one it may begin. */
+/** Maximum number of candidate centres, and the candidate radii relative to the inscribed ball. */
 const MAX_PLACES = 800;
 const GROWTHS = [1, 1.12];
-/** A ball that would add less than this to the overlap is left out. */
+/** Minimum gain in overlap of an added ball. */
 const MIN_GAIN = 0.0015;
-/** Steps of the search, in radii of the unit ball: after each ball that is added, and in the end. */
+/** Step sizes of the pattern search in radii of the unit ball: after each added ball, and at the end. */
 const COARSE_STEPS = [0.05, 0.02];
 const FINE_STEPS = [0.08, 0.04, 0.02, 0.01];
-/** How often all balls are tried at each step. */
+/** Maximum number of passes over all balls per step size. */
 const ROUNDS = 12;
 
 /**
- * @param max the most balls
- * @throws ShapeError when the solid is too thin for any
+ * @param max maximum number of balls
+ * @throws ShapeError if the solid is too thin for any ball
  */
 export function* fittingBalls(voxels: Voxels, max: number): Work<Lobe[]> {
   const places = placesIn(voxels);
@@ -42,7 +42,7 @@ export function* fittingBalls(voxels: Voxels, max: number): Work<Lobe[]> {
   return balls;
 }
 
-/** Balls about many places inside, of about the size of the largest that stays inside. */
+/** Candidate balls at sampled inside voxels, of about the radius of the largest inscribed ball there. */
 function placesIn(voxels: Voxels): Lobe[] {
   const { size, width } = voxels;
   const depths = depthsOf(voxels);
@@ -78,7 +78,7 @@ function* improving(balls: Lobe[], cover: BallCover, steps: readonly number[]): 
   }
 }
 
-/** Takes the first step of one ball, aside or in size, with which the overlap gains. Returns whether there is one. */
+/** Applies the first move or resize of a ball that increases the overlap. Returns whether there is one. */
 function improve(balls: Lobe[], index: number, step: number, cover: BallCover): boolean {
   for (const candidate of neighbours(balls[index], step)) {
     const [before, ball] = [cover.overlap, balls[index]];

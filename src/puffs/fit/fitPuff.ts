@@ -1,4 +1,4 @@
-/** A puff from any closed mesh: the few lobes that together come nearest to it. */
+/** Fits a puff to any closed mesh: a few lobes whose union approximates it. */
 import { ShapeError } from '../../preset/errors.ts';
 import { BallCover } from './ballCover.ts';
 import { closedMesh, type PlainMesh } from './closedMesh.ts';
@@ -8,31 +8,31 @@ import type { PuffShape } from '../shapes.ts';
 import { voxelsOf } from './voxels.ts';
 import { workedFor, type Work } from '../work.ts';
 
-/** Voxels along each side of the grid in which lobes are fitted, and of the finer one in which the result is measured. */
+/** Voxels along each side of the grid for fitting, and of the finer grid that measures the result. */
 const FIT_VOXELS = 40;
 const MEASURE_VOXELS = 64;
-/** Work between two breaths of the page. */
+/** Length of a work slice, after which the event loop runs. */
 const BREATH_MS = 8;
 
-/** A puff, and how near it comes to the mesh that it was made from. */
+/** A fitted puff and the quality of the fit. */
 export interface FittedPuff {
   readonly shape: PuffShape;
-  /** Volume that puff and mesh have in common, as a share of what either has: 1 where they are the same. */
+  /** Intersection over union of the volumes of puff and mesh, 0 to 1. */
   readonly overlap: number;
 }
 
 export interface FitOptions {
-  /** What the puff is called. */
+  /** Name of the puff. */
   readonly name?: string;
-  /** The most lobes, 1 to 12; 12 where absent. */
+  /** Maximum number of lobes, 1 to 12. Default 12. */
   readonly lobes?: number;
-  /** Aborting ends the work; the promise then rejects with the signal's reason. */
+  /** Aborts the work. The promise then rejects with the signal's reason. */
   readonly signal?: AbortSignal;
 }
 
 /**
- * Fits lobes to a closed mesh, a little at a time, so that a page goes on. The same mesh gives the same puff everywhere.
- * @throws ShapeError when the mesh is empty, open, too thin, not finite or has too many triangles
+ * Fits lobes to a closed mesh, in slices of 8 ms so that the page stays responsive. Deterministic in every browser.
+ * @throws ShapeError if the mesh is empty, open, too thin, not finite or has too many triangles, or `lobes` is invalid
  */
 export async function fitPuff(
   mesh: PlainMesh,

@@ -1,30 +1,27 @@
-/** A closed mesh as voxels: which of them lie inside, and how deep. */
+/** Voxelisation of a closed mesh, with a distance field of its inside. */
 import type { ClosedMesh } from './closedMesh.ts';
 
-/** Half the width of the grid, in radii of the unit ball: one voxel and more is left outside all round. */
+/** Half the width of the grid, in radii of the unit ball. It leaves a margin of more than one voxel on all sides. */
 export const HALF_GRID = 1.1;
-/** Columns pass beside the edges of meshes that were drawn on whole numbers, by this share of a voxel. */
+/** Offset of the columns in voxels, so that they do not hit edges of meshes with integer coordinates. */
 const ASIDE = [0.0137, 0.0071] as const;
 
-/** A cube of voxels about the centre; voxel (i, j, k) has the index (k * size + j) * size + i. */
+/** A cube of voxels about the origin. Voxel (i, j, k) has the index (k * size + j) * size + i. */
 export interface Voxels {
   /** Voxels along each side. */
   readonly size: number;
   /** Width of a voxel, in radii of the unit ball. */
   readonly width: number;
-  /** 1 where the centre of a voxel is inside. */
+  /** 1 if the centre of the voxel is inside. */
   readonly inside: Uint8Array;
 }
 
-/** Where the centres of the voxels in place `index` along a side are. */
+/** Coordinate of the voxel centre at `index` along a side. */
 export function centreOf(index: number, width: number): number {
   return (index + 0.5) * width - HALF_GRID;
 }
 
-/**
- * Counts along the columns of the grid how often the surface is crossed, outwards against inwards: what several closed
- * parts hold together is inside, however they overlap.
- */
+/** Voxelises a mesh by its winding number along the columns of the grid. Overlapping closed parts form a union. */
 export function voxelsOf(mesh: ClosedMesh, size: number): Voxels {
   const width = (2 * HALF_GRID) / size;
   const crossings = new Int16Array(size ** 3);
@@ -60,7 +57,10 @@ function countCrossings(
   }
 }
 
-/** On which side of the edge from a to b the point lies; exactly opposite for the edge from b to a, so that none slips through. */
+/**
+ * Edge function: the sign is the side of the edge from a to b that the point is on. The edge from b to a gives exactly
+ * the negative value, so that no point falls between two triangles.
+ */
 function sideOf(positions: Float64Array, a: number, b: number, x: number, y: number): number {
   if (a > b) return -sideOf(positions, b, a, x, y);
   const [ax, ay] = [positions[3 * a], positions[3 * a + 1]];
@@ -80,14 +80,14 @@ function filled(crossings: Int16Array, size: number): Uint8Array {
   return inside;
 }
 
-/** For each voxel inside the distance to the surface, in radii of the unit ball and right within half a voxel; 0 outside. */
+/** Distance to the surface per inside voxel, in radii of the unit ball, accurate to half a voxel; 0 outside. */
 export function depthsOf({ size, width, inside }: Voxels): Float32Array {
   const squares = Float64Array.from(inside, (value) => (value === 1 ? Infinity : 0));
   for (const stride of [1, size, size * size]) alongLines(squares, size, stride);
   return Float32Array.from(squares, (square) => Math.max(0, Math.sqrt(square) - 0.5) * width);
 }
 
-/** Replaces each value by the least of value + squared distance along its line: after three axes, distances in space. */
+/** Replaces each value by the minimum of value + squared distance along its line. Three axes give squared distances. */
 function alongLines(squares: Float64Array, size: number, stride: number): void {
   const line = new Float64Array(size);
   for (let first = 0; first < squares.length; first++) {

@@ -1,4 +1,4 @@
-/** The tangent and inverse functions of angles with the same bits in every engine: see `sine.ts`. */
+/** Tangent and inverse trigonometric functions with bit-identical results in every engine, see `sine.ts`. */
 import { cos, sin } from './sine.ts';
 
 /** @param angle radians */
@@ -6,7 +6,7 @@ export function tan(angle: number): number {
   return sin(angle) / cos(angle);
 }
 
-/** Angle from +x to (x, y) towards +y, -pi to pi rad; the error is below 5e-16. 0 for no direction. */
+/** Angle from +x to (x, y) towards +y, -pi to pi rad; the error is below 5e-16. Returns 0 for the zero vector. */
 export function atan2(y: number, x: number): number {
   const [rise, run] = [Math.abs(y), Math.abs(x)];
   const isSteep = rise > run;
@@ -16,19 +16,19 @@ export function atan2(y: number, x: number): number {
   return y < 0 ? -angle : angle;
 }
 
-/** Radians; the error is below 4e-16. @param sine -1 to 1 */
+/** Result in radians; the error is below 4e-16. @param sine -1 to 1 */
 export function asin(sine: number): number {
   return atan2(sine, Math.sqrt((1 - sine) * (1 + sine)));
 }
 
-/** Radians; the error is below 5e-16. @param cosine -1 to 1 */
+/** Result in radians; the error is below 5e-16. @param cosine -1 to 1 */
 export function acos(cosine: number): number {
   return atan2(Math.sqrt((1 - cosine) * (1 + cosine)), cosine);
 }
 
 /** @param slope 0 to 1 */
 function atan(slope: number): number {
-  // From pi / 8 on measured from pi / 4, so that the series is short.
+  // Angles above pi / 8 are reduced by pi / 4, so that the series converges quickly.
   const isFlat = slope < 0.41;
   const rest = isFlat ? slope : (slope - 1) / (slope + 1);
   let sum = 0;

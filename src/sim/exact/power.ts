@@ -1,21 +1,21 @@
-/** Powers with the same bits in every engine: see `sine.ts`. */
+/** Exponentiation with bit-identical results in every engine, see `sine.ts`. */
 
-/** ln 2 as a sum. The first has 32 bits: its products with whole numbers up to 2 ** 21 are exact. */
+/** ln 2 as a sum of two terms. The first has 32 bits: its products with integers up to 2 ** 21 are exact. */
 const [FIRST, SECOND] = [0.6931471803691238, 1.9082149292705877e-10];
 
-/** e to a power, -700 to 700; the relative error is below 4e-16. */
+/** e ** power; the relative error is below 4e-16. @param power -700 to 700 */
 export function exp(power: number): number {
   const doublings = Math.round(power / FIRST);
   const rest = power - doublings * FIRST - doublings * SECOND;
-  // The Taylor series from its smallest term on.
+  // Taylor series, smallest term first.
   let sum = 1;
   for (let term = 15; term > 0; --term) sum = 1 + (rest / term) * sum;
   return doubled(sum, doublings);
 }
 
 /**
- * A power; the relative error is below (1 + |power|) * 4e-16.
- * @param base finite, from 0 on; for 0 the power is above 0
+ * base ** power; the relative error is below (1 + |power|) * 4e-16. Returns NaN for an invalid base.
+ * @param base finite and not negative; `power` must be positive if it is 0
  */
 export function pow(base: number, power: number): number {
   if (!(base > 0 && base < Infinity)) return base === 0 ? 0 : NaN;
@@ -35,7 +35,7 @@ function log(mantissa: number): number {
   return 2 * rest * sum;
 }
 
-/** A number times a power of two; each factor is exact. */
+/** number * 2 ** times; each multiplication is exact. */
 function doubled(number: number, times: number): number {
   let result = number;
   for (let left = Math.min(Math.abs(times), 1100); left > 0; --left) result *= times > 0 ? 2 : 0.5;

@@ -1,14 +1,16 @@
-/** What few scenes do with unit quaternions x, y, z, w, with the same bits in every engine: see `sine.ts`. */
+/**
+ * Less common operations on unit quaternions x, y, z, w, with bit-identical results in every engine, see `sine.ts`.
+ */
 import { acos, asin, atan2 } from './arc.ts';
 import { hypot, sin } from './sine.ts';
 import type { Quaternion } from './rotation.ts';
 
-/** From this cosine between them on, quaternions are blended along the straight line. */
+/** Quaternions with a larger cosine between them are interpolated linearly. */
 const CLOSE = 0.9995;
-/** From this sine of the angle z on, the angles x and z turn about one axis. */
+/** Above this sine of the angle z, the rotations about x and y share an axis (gimbal lock). */
 const UPRIGHT = 0.9999999;
 
-/** The turn `b` followed by the turn `a`. */
+/** The product a * b: the rotation `b` followed by the rotation `a`. */
 export function multiply([x, y, z, w]: Quaternion, [i, j, k, l]: Quaternion): Quaternion {
   return [
     w * i + x * l + y * k - z * j,
@@ -18,7 +20,7 @@ export function multiply([x, y, z, w]: Quaternion, [i, j, k, l]: Quaternion): Qu
   ];
 }
 
-/** From one turn to another by the shorter way, at an even speed. @param share 0 is `from`, 1 is `to` */
+/** Spherical linear interpolation along the shorter arc. @param share 0 is `from`, 1 is `to` */
 export function slerp(from: Quaternion, to: Quaternion, share: number): Quaternion {
   const product = from.reduce((sum, part, index) => sum + part * to[index], 0);
   const cosine = Math.abs(product);
@@ -30,7 +32,10 @@ export function slerp(from: Quaternion, to: Quaternion, share: number): Quaterni
   return [x / length, y / length, z / length, w / length];
 }
 
-/** The angles of a turn about x, then z, then y; radians. z is between -pi / 2 and pi / 2, at both ends x is 0. */
+/**
+ * Euler angles in radians of a rotation about x, then z, then y. z is between -pi / 2 and pi / 2; at both limits x is
+ * 0.
+ */
 export function anglesYZX([x, y, z, w]: Quaternion): [x: number, y: number, z: number] {
   const rise = Math.min(Math.max(2 * (x * y + z * w), -1), 1);
   if (Math.abs(rise) > UPRIGHT) return [0, atan2(2 * (x * z + y * w), 1 - 2 * (x * x + y * y)), asin(rise)];
