@@ -105,7 +105,7 @@ export class InsertPass {
   }
 }
 
-/** Premultiplied blending with depth test: smoke passes where its own depth was written before and is nearest. */
+/** Premultiplied alpha blending. The depth test passes where the depth of the smoke was drawn and is nearest. */
 function shownWhere(stencilFunc: ShaderMaterialParameters['stencilFunc']): ShaderMaterialParameters {
   return {
     depthTest: true,

@@ -180,7 +180,7 @@ export class ShadowMapPass {
     const distance = lamp.position.set(x, y, z).distanceTo(center);
     const seen = 2 * MathUtils.radToDeg(Math.asin(Math.min(1, radius / distance)));
     const isAmong = seen > WIDEST;
-    // Billboards shrink in front of the near plane, so it has to be well in front of the nearest one.
+    // Puffs shrink close to the near plane, so it must be well in front of the nearest receiver.
     const near = Math.max(NEAREST, (distance - radius) / 4);
     Object.assign(lamp, { fov: isAmong ? WIDEST : seen, near: isAmong ? NEAREST : near, far: distance + radius });
     lamp.updateProjectionMatrix();

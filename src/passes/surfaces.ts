@@ -145,8 +145,7 @@ export class SurfacesPass {
   }
 
   /**
-   * The stencil value 1..255 of a surface or of its group. Values repeat after 255 groups, so that two groups may share
-   * one.
+   * The stencil value 1..255 of a surface or of its group. Values repeat after 255 groups, so two groups may share one.
    */
   private stencilNumber({ group, name }: SurfaceDescription): number {
     const key = group ?? `${name} ${this.placed.length}`;
