@@ -6,14 +6,12 @@ import { keepsWrittenDepth } from './selfTest.ts';
 
 export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
 
-/** The context was lost, was restored, or was not restored within the timeout. */
+/** The context was lost, was restored, or the device gave up on its restoration. */
 export type ContextEvent = 'lost' | 'restored' | 'missing';
 
 /** Timeout of the restoration, milliseconds. Browsers restore a context within about two seconds or not at all. */
 const TIMEOUT_MS = 10_000;
-/**
- * Number of losses within two minutes after which the context is not restored: the content itself probably causes them.
- */
+/** Losses within two minutes after which the device gives up: the drawn content probably causes them. */
 const MAX_LOSSES = 3;
 const LOSSES_WITHIN_MS = 120_000;
 
@@ -75,7 +73,10 @@ export class Device {
     if (!this.isUsable) throw new ContextError('The graphics context is lost. Drawing resumes when it is restored.');
   }
 
-  /** False after a lost context was not restored within the timeout. A later restoration makes it true again. */
+  /**
+   * False after the device gave up on a lost context: a timeout or repeated losses. A later restoration makes it true
+   * again.
+   */
   get hasHope(): boolean {
     return !this.isMissing;
   }
