@@ -1,7 +1,7 @@
 precision highp float;
 
-// Paints what lies behind everything: a vertical blend of two display-encoded colours, opaque.
-// Nothing darkens it, so lit and unlit are the same.
+// The background: an opaque vertical gradient of two display-encoded colours, in screen space. Shadows do not darken
+// it, so lit and unlit are equal.
 uniform vec3 topColor;
 uniform vec3 bottomColor;
 uniform vec2 viewport;

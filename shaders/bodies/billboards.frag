@@ -2,9 +2,10 @@ precision highp float;
 precision highp int;
 precision highp sampler2DArray;
 
-// Shades a body and writes its depth (McGuire and Fein 2006, section 4.1): the depth layer raises each fragment from
-// the centre plane, the ring around the silhouette is ink and lies deeper, so that the depth test alone decides which
-// lines show. Outputs display-encoded colour without shadow (lit, alpha 0: no mask yet) and with it (unlit, page alpha).
+// Shades a billboard puff and writes its depth (McGuire and Fein 2006, section 4.1). The depth layer raises each
+// fragment from the centre plane. The ring around the silhouette is ink and is deeper, so the depth test alone decides
+// which lines are visible. Normals and light are in view space. Outputs the display-encoded lit colour (alpha 0: no
+// mask yet) and the unlit colour (with the alpha of the page).
 uniform sampler2DArray normalDepth;
 uniform sampler2DArray colorCoverage;
 uniform sampler2D ramps;
@@ -42,10 +43,11 @@ layout(location = 1) out vec4 lit;
 #include ../lib/ink.glsl
 #include ../lib/contact.glsl
 
-// A body must stay off both ends of the depth range: a volume that encloses the eye is clamped to exactly 0 and has to win.
+// Bodies avoid both ends of the depth range: a volume that contains the camera is clamped to exactly 0 and must be
+// nearer.
 const float DEPTH_MARGIN = 4e-7;
 
-// From the frame of the texture to that of the view.
+// Rotates from texture space to view space.
 vec2 rotated(vec2 vector) {
   return vec2(rollRotation.x * vector.x - rollRotation.y * vector.y, rollRotation.x * vector.y + rollRotation.y * vector.x);
 }
@@ -74,7 +76,7 @@ void main() {
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
 #ifdef NORMALS
-  // Marked by an alpha of a half: see debugViews/colors.frag.
+  // An alpha of 1/2 marks normals: see debugViews/colors.frag.
   unlit = vec4(0.5 + 0.5 * normal, 1.0);
   lit = vec4(unlit.rgb, 0.5);
 #endif

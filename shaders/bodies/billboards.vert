@@ -2,8 +2,8 @@ precision highp float;
 precision highp int;
 precision highp sampler2DArray;
 
-// The body of a particle: a nailboard parallel to the image plane, large enough for the puff and its ring of ink.
-// Rows hold world positions; everything that leaves this stage is in view space or in puff radii.
+// The body of a billboard particle: a nailboard parallel to the image plane that covers the puff and its ring of ink.
+// Rows are in world space; outputs are in view space or in puff radii.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
@@ -41,7 +41,7 @@ flat out vec3 towardsLight;
 
 void main() {
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
-  // A puff that the eye runs into shrinks away instead of being cut by the near plane.
+  // Puffs shrink as the camera moves into them, instead of being clipped by the near plane.
   radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   phase = boilPhase(seedOf(attributes), drawing);
@@ -56,6 +56,6 @@ void main() {
   material = materialOf(attributes, ramps);
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
   gradientPosition = dot(gradientWeights, vec3(0.5 + 0.5 * point.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(attributes)));
-  // Depth is written by the fragments; a constant here keeps the near plane from cutting the quad.
+  // Fragments write the depth. A constant here keeps the near plane from clipping the quad.
   gl_Position = radius > 0.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -1,10 +1,11 @@
 precision highp float;
 precision highp int;
 
-// Meets the lobes of a puff along the view axis, shades what is nearest and writes its depth. The ring around the
-// silhouette is ink and lies deeper (McGuire and Fein 2006, section 4.1), so that the depth test alone decides which
-// lines show. three.js unrolls the marked loops: an index that is no constant would cost far more.
-// FLAT: see lobes.vert; the quad that looks away is the ink's.
+// Intersects the lobes of a puff along the view axis, shades the nearest point and writes its depth. The ring around
+// the silhouette is ink and is deeper (McGuire and Fein 2006, section 4.1), so the depth test alone decides which lines
+// are visible. three.js unrolls the marked loops, because dynamic indexing would be much slower. Lobes and normals are
+// in view space. Outputs the display-encoded unlit and lit colour.
+// FLAT: see lobes.vert; the quad that faces away draws the ink.
 uniform sampler2D ramps;
 uniform float fillet;
 uniform float blend;
@@ -19,7 +20,7 @@ uniform float boil;
 uniform vec3 gradientFactor;
 uniform vec4 rim;
 
-// w: what sets the line of this puff apart.
+// w: phase of the boil of this puff's line.
 in vec4 pointAndGradient;
 flat in vec4 middleAndInkReach;
 flat in vec4 depthsAndRamp;
@@ -36,26 +37,27 @@ layout(location = 1) out vec4 lit;
 #include ../lib/ink.glsl
 #include ../lib/contact.glsl
 
-// A body must stay off both ends of the depth range: a volume that encloses the eye is clamped to exactly 0 and has to win.
+// Bodies avoid both ends of the depth range: a volume that contains the camera is clamped to exactly 0 and must be
+// nearer.
 const float DEPTH_MARGIN = 4e-7;
 const float NOWHERE = -1e8;
 
-// Height of a lobe's front over a point of the image plane.
+// Height of a lobe's front surface at a point of the image plane.
 float frontOf(vec4 lobe, vec2 point) {
   vec2 beside = point - lobe.xy;
   float squared = lobe.w * lobe.w - dot(beside, beside);
   return squared > 0.0 ? lobe.z + sqrt(squared) : NOWHERE;
 }
 
-// The nearer of two silhouettes that the point lies outside of. xy: the middle of its lobe, z: its height, w: how far.
-// Lobes that a surface hides have no line; `surface` is its height.
+// The nearer of two silhouettes that the point is outside of. xy: centre of its lobe, z: its height, w: distance to it.
+// Lobes that are hidden by a surface of height `surface` have no line.
 vec4 nearerRim(vec4 nearest, vec4 lobe, vec2 point, float surface) {
   float outside = length(point - lobe.xy) - lobe.w;
   bool isHidden = lobe.z + STEEPEST * outside < surface;
   return outside > 0.0 && outside < nearest.w && !isHidden ? vec4(lobe.xyz, outside) : nearest;
 }
 
-// The lobe's own direction at a place, as much of it as the fillet along creases mixes in.
+// The outward direction of a lobe at a point, weighted by the fillet that blends normals along creases.
 vec3 shareOf(vec4 lobe, vec3 place) {
   vec3 outward = place - lobe.xyz;
   float inverse = inversesqrt(max(dot(outward, outward), 1e-12));
@@ -63,7 +65,8 @@ vec3 shareOf(vec4 lobe, vec3 place) {
   return outward * (nearness * nearness * inverse);
 }
 
-// The centre in view space, from which the whole puff is lit: a row of the table says where its shadow may begin then.
+// The centre in view space. The whole puff is lit as at its centre, because the start cap of its shadow volume depends
+// on one direction.
 vec3 centreOf(vec2 point) {
   vec2 beside = viewPointOf(gl_FragCoord.xy, clipFromView, viewport, depthsAndRamp.x);
   return vec3(beside - depthsAndRamp.y * point, depthsAndRamp.x);
@@ -85,7 +88,7 @@ void main() {
   float reach = middleAndInkReach.w * exp2(-inkSwell) * swelling(outward, towardsLight, inkSwell);
   reach *= boiling(outward, pointAndGradient.w, boil);
   float linePixels = reach * radius / pixel;
-  // Where a surface hides the nearest lobe, the line of its neighbour may still run over that surface.
+  // Where a surface hides the nearest lobe, the line of a neighbouring lobe may still be in front of that surface.
 #ifdef FLAT
   float surface = NOWHERE;
 #else
@@ -129,7 +132,7 @@ void main() {
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
 #ifdef NORMALS
-  // Marked by an alpha of a half: see debugViews/colors.frag.
+  // An alpha of 1/2 marks normals: see debugViews/colors.frag.
   unlit = vec4(0.5 + 0.5 * normalize(normal), 1.0);
   lit = vec4(unlit.rgb, 0.5);
 #endif

@@ -1,10 +1,10 @@
 precision highp float;
 precision highp int;
 
-// The body of a particle whose puff is met per pixel: turns the lobes into the view, and lays a nailboard parallel to the
-// image plane round their silhouette and its ring of ink. Lobes are in view space, in puff radii about the centre.
-// FLAT: for GPUs that do not keep a depth that fragments write. Two quads then, each as deep as it is drawn: the puff
-// through its centre, and after it the ink, which lies deeper.
+// The body of a lobe particle: transforms the lobes to view space, and places a nailboard parallel to the image plane
+// around their silhouette and its ring of ink. Output lobes are in puff radii about the centre.
+// FLAT: for GPUs that do not keep the depth that fragments write. Two quads are drawn, each with its own depth: the
+// puff through its centre, and after it the ink, which is deeper.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
@@ -15,17 +15,17 @@ uniform int drawing;
 uniform float innerLine;
 uniform vec3 gradientWeights;
 uniform sampler2D ramps;
-// A row for each variation: its LOBES lobes (xyz, radius), then their middle.
+// One row for each variation: LOBES lobes (xyz, radius), then the mean of their centres, weighted by volume.
 uniform sampler2D lobeTable;
 
 in vec2 corner;
 in vec4 place;
 in uvec2 attributes;
 
-// Three vectors besides the lobes cross to the fragments; every device takes fifteen.
+// Three vectors besides the lobes are passed to the fragment shader; every WebGL2 device has at least fifteen.
 out vec4 pointAndGradient;
 flat out vec4 middleAndInkReach;
-// View depth of the centre, radius, how far the ring lies deeper; then which ramp.
+// View z of the centre, radius, depth offset of the ring, and ramp index.
 flat out vec4 depthsAndRamp;
 flat out vec4 lobes[LOBES];
 
@@ -38,7 +38,7 @@ flat out vec4 lobes[LOBES];
 
 void main() {
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
-  // A puff that the eye runs into shrinks away instead of being cut by the near plane.
+  // Puffs shrink as the camera moves into them, instead of being clipped by the near plane.
   float radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   float inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
@@ -67,7 +67,7 @@ void main() {
   float drop = gl_VertexID > 3 ? depthsAndRamp.z : 0.0;
   clip.z = (2.0 * windowDepth(clipFromView, centre.z - drop) - 1.0) * clip.w;
 #else
-  // Depth is written by the fragments; a constant here keeps the near plane from cutting the quad.
+  // Fragments write the depth. A constant here keeps the near plane from clipping the quad.
   clip.z = 0.0;
 #endif
   gl_Position = radius > 0.0 ? clip : vec4(0.0, 0.0, 2.0, 1.0);

@@ -1,6 +1,6 @@
 precision highp float;
 
-// Adds a number, as 255ths, to the red of the unlit colour.
+// Adds a number, in units of 1/255, to the red channel of the unlit colour.
 uniform float number;
 
 layout(location = 0) out vec4 unlit;

@@ -1,12 +1,13 @@
 precision highp float;
 
-// One of the two colours as it stands, or what else the passes have left in them. VIEW says which.
+// Shows one of the two colours of the targets, or other data that passes store in them. The macro VIEW selects the
+// view. Screen space; output is premultiplied.
 uniform sampler2D unlit;
 uniform sampler2D lit;
 
 out vec4 pixel;
 
-// Around 1/2: what normals are marked with.
+// Range around 1/2, the alpha that marks normals.
 const vec2 MARKED = vec2(0.25, 0.75);
 
 vec4 litView(vec4 shadowed, vec4 direct) {
@@ -17,7 +18,7 @@ vec4 unlitView(vec4 shadowed, vec4 direct) {
   return vec4(shadowed.rgb * shadowed.a, shadowed.a);
 }
 
-// Ink holds 1 in the alpha of the lit colour until the mask is drawn.
+// Ink has 1 in the alpha of the lit colour until the mask is drawn.
 vec4 inkView(vec4 shadowed, vec4 direct) {
   return vec4(vec3(1.0 - direct.a) * shadowed.a, shadowed.a);
 }

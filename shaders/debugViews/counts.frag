@@ -1,7 +1,7 @@
 precision highp float;
 
-// A number, held in the red of a colour as 255ths, by its heat: black for none, red for one, then yellow and white.
-// RATE says how fast: 1 / RATE is where half of the way to white is done.
+// Shows a count, stored in the red channel in units of 1/255, as a heat map: black for 0, red for 1, then yellow and
+// white. The macro RATE is the steepness: half of the way to white is reached at about 1 / RATE.
 uniform sampler2D unlit;
 
 out vec4 pixel;

@@ -1,15 +1,15 @@
 precision highp float;
 
-// The colours in the light, dimmed, and over them the grid by which hidden bodies are found: its lines, and a tint where
-// a cell is covered, bright where that is near and dark where it is far.
+// The lit colours, dimmed, with the grid of the occlusion culling on top: grid lines, and a tint on covered cells,
+// bright for near depths and dark for far ones. Screen space.
 uniform sampler2D lit;
 uniform mat4 clipFromView;
-// View depths between which the tint runs.
+// View depths between which the tint fades.
 uniform vec2 depthRange;
-// View depths behind which nothing shows; beyond FARTHEST where nothing covers.
+// View depths behind which nothing is visible; larger than FARTHEST for uncovered cells.
 uniform sampler2D grid;
 uniform ivec2 gridCells;
-// Left and low end on the image plane at unit depth, and cells for each of its units.
+// Lower left corner on the image plane at unit depth, and cells for each unit of that plane.
 uniform vec3 gridPlace;
 
 out vec4 pixel;
@@ -25,7 +25,7 @@ void main() {
   if (all(greaterThanEqual(cell, ivec2(0))) && all(lessThan(cell, gridCells))) {
     float away = (texelFetch(grid, cell, 0).r - depthRange.x) / (depthRange.y - depthRange.x);
     if (away < FARTHEST) color += 0.6 * TINT * clamp(1.0 - away, 0.25, 1.0);
-    // The first pixel of a cell.
+    // The first pixel of a cell shows the grid line.
     vec2 width = gridPlace.z * 2.0 / vec2(textureSize(lit, 0)) / vec2(clipFromView[0][0], clipFromView[1][1]);
     if (any(lessThan(fract(place), width))) color *= 0.75;
   }

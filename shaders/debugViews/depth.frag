@@ -1,9 +1,9 @@
 precision highp float;
 
-// How far away what is seen lies: white at the nearest of everything in the scene, black at the farthest.
+// The depth buffer as grey levels: white for the nearest depth of the scene, black for the farthest. Screen space.
 uniform sampler2D depth;
 uniform mat4 clipFromView;
-// View depths between which it runs.
+// View depths that map to white and black.
 uniform vec2 depthRange;
 
 out vec4 pixel;

@@ -1,6 +1,6 @@
 precision highp float;
 
-// Brings a picture to the size of the canvas. Its colours are premultiplied, so that they may be blended as they are.
+// Scales a picture to the size of the canvas. Its colours are premultiplied, so filtering blends them correctly.
 uniform sampler2D picture;
 uniform vec2 canvas;
 

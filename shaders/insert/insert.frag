@@ -1,8 +1,9 @@
 precision highp float;
 precision highp sampler2D;
 
-// Inserts smoke, drawn by itself, into a picture that others draw: the depth of each pixel, and a premultiplied colour.
-// Each depth test against the picture is then one of the picture's own samples, which keeps its edges smooth.
+// Composites smoke from its own targets into the host's framebuffer, in screen space. Outputs the depth and the
+// premultiplied colour of a pixel. The depth test against the host runs per sample of a multisampled framebuffer, so
+// the host's edges stay smooth.
 uniform sampler2D picture;
 uniform sampler2D smokeDepth;
 uniform vec2 viewportOrigin;
@@ -18,7 +19,7 @@ float depthAt(ivec2 at) {
   return texelFetch(smokeDepth, clamp(at, ivec2(0), textureSize(smokeDepth, 0) - 1), 0).r;
 }
 
-// A smoothed edge reaches one pixel beyond the smoke, where it takes the nearest depth beside it.
+// A smoothed edge extends one pixel beyond the smoke, where it uses the nearest depth of the neighbours.
 float nearestDepth(ivec2 at) {
   float order = depthOrder(clipFromView);
   float nothing = order > 0.0 ? 1.0 : 0.0;

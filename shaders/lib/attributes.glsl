@@ -1,4 +1,4 @@
-// The two words of a row's attributes, packed by arrange in the simulator.
+// Unpacks the two words of a row's attributes, which the simulator packs in arrange.
 float rollOf(uvec2 attributes) {
   return float(attributes.x & 0xffffu) * (6.28318530718 / 65536.0);
 }
@@ -8,7 +8,8 @@ float ageOf(uvec2 attributes) {
   return float(attributes.x >> 16u) / 65535.0;
 }
 
-// Of a caster instead: how many radii behind its centre its shadow may end, because others go on or nothing is left there.
+// Replaces the age in rows of casters: distance behind the centre, in radii, at which the shadow may end because other
+// shadows continue it or no receiver is left.
 float endOf(uvec2 attributes) {
   uint end = attributes.x >> 16u;
   return end == 0xffffu ? 1e9 : float(end) / 256.0;
@@ -22,12 +23,12 @@ int seedOf(uvec2 attributes) {
   return int((attributes.y >> 8u) & 0xffu);
 }
 
-// 0 for none, else 1 to 15.
+// 0 for no tint, else 1 to 15.
 int tintOf(uvec2 attributes) {
   return int(attributes.y >> 24u);
 }
 
-// Which of the smoke's ramps: 0 without a tint, else one of the three tints by turns.
+// Ramp index of a tint: 0 without a tint, else one of the three tint ramps in rotation.
 int toneOf(uvec2 attributes) {
   int tint = tintOf(attributes);
   return tint == 0 ? 0 : 1 + (tint - 1) % 3;

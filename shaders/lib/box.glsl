@@ -1,5 +1,5 @@
-// How far a point travels along a unit direction before it, and a disc about it, has left a box; 0 if it never is inside.
-// The disc's radius is `margin` at the point and grows by `growth` with each unit of the way.
+// Distance along a unit direction at which a point, and a disc about it, has left a box; 0 if it never is inside. The
+// radius of the disc is `margin` at the point and increases by `growth` per unit of distance.
 float exitFromBox(vec3 point, vec3 direction, vec3 boxMin, vec3 boxMax, float margin, float growth) {
   const float PARALLEL = 1e-6;
   vec3 way = mix(point - boxMin, boxMax - point, greaterThan(direction, vec3(0.0))) + margin;
@@ -7,7 +7,7 @@ float exitFromBox(vec3 point, vec3 direction, vec3 boxMin, vec3 boxMax, float ma
   return max(0.0, min(exits.x, min(exits.y, exits.z)));
 }
 
-// From a place to the farthest corner of a box.
+// Distance from a point to the farthest corner of a box.
 float farthestCorner(vec3 place, vec3 boxMin, vec3 boxMax) {
   return length(max(abs(place - boxMin), abs(place - boxMax)));
 }

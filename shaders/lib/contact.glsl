@@ -1,22 +1,26 @@
-// Ink where smoke touches a surface. A ring that lies deeper than its puff sinks into the floor on which the puff rests,
-// so here it is lifted out again, and where a puff dips into a surface its line runs along the seam. Needs depth.glsl.
+// Ink where smoke touches a surface. The ring of ink is deeper than its puff and would sink into the floor under the
+// puff, so it is lifted to the surface here. Where a puff intersects a surface, its line follows the seam. Needs
+// depth.glsl.
 uniform highp sampler2D surfaceDepth;
 uniform bool hasSurfaces;
-// Pixels about its middle of which a pixel's surface is tested, where the picture is smoothed; else 0.
+// Distance from the pixel centre, in pixels, at which the surface depth is evaluated in a multisampled framebuffer;
+// else 0.
 uniform float surfaceSlack;
 
-// Steps of a 24-bit depth buffer by which a lifted ring stays before its surface.
+// Distance of a lifted ring in front of the surface, in steps of a 24-bit depth buffer.
 const float LIFT = 3.0 / 16777216.0;
-// A surface may come nearer by so much for each unit beside the silhouette and is still what lies behind the puff.
+// Steepest slope towards the camera, per unit beside the silhouette, at which a surface still counts as behind the
+// puff.
 const float STEEPEST = 8.0;
 
-// View z of the surface in this pixel, beyond everything where there is none.
+// View z of the surface in this pixel; beyond everything if there is none.
 float surfaceZ(mat4 clipFromView) {
   const float NOTHING = -1e9;
   return hasSurfaces ? viewZOf(clipFromView, texelFetch(surfaceDepth, ivec2(gl_FragCoord.xy), 0).r) : NOTHING;
 }
 
-// The step of the surface's window depth from pixel to pixel along an axis; across an edge, that of its flatter side.
+// Difference of the surface's window depth between neighbouring pixels along an axis. Across an edge, the flatter side
+// counts.
 float depthStep(float here, ivec2 axis) {
   ivec2 at = ivec2(gl_FragCoord.xy);
   float ahead = abs(texelFetch(surfaceDepth, at + axis, 0).r - here);
@@ -24,14 +28,14 @@ float depthStep(float here, ivec2 axis) {
   return min(ahead, behind);
 }
 
-// How much nearer than in the middle the surface may be within this pixel.
+// How much nearer than at its centre the surface may be within this pixel.
 float lift(float here) {
   if (surfaceSlack == 0.0) return LIFT;
   return LIFT + surfaceSlack * (depthStep(here, ivec2(1, 0)) + depthStep(here, ivec2(0, 1)));
 }
 
-// Window depth of a ring of ink that would lie at `sunkenZ`. Where the surface lies behind the puff at the silhouette,
-// `inward` pixels away, the ring lies before the surface.
+// Window depth of a ring of ink with view z `sunkenZ`. If the surface is behind the puff at the silhouette, `inward`
+// pixels away, the ring is in front of the surface.
 float ringDepth(mat4 clipFromView, float rimZ, float sunkenZ, float outside, vec2 inward) {
   float depth = windowDepth(clipFromView, sunkenZ);
   if (!hasSurfaces) return depth;
@@ -44,7 +48,8 @@ float ringDepth(mat4 clipFromView, float rimZ, float sunkenZ, float outside, vec
   return isBefore && isSlope ? order * min(order * depth, order * here - lift(here)) : depth;
 }
 
-// The step of the surface's view z from pixel to pixel along an axis; across an edge, that of its own side.
+// Difference of the surface's view z between neighbouring pixels along an axis. Across an edge, the side of this pixel
+// counts.
 float slopeOfSurface(mat4 clipFromView, float here, ivec2 axis) {
   ivec2 at = ivec2(gl_FragCoord.xy);
   float ahead = viewZOf(clipFromView, texelFetch(surfaceDepth, at + axis, 0).r) - here;
@@ -52,10 +57,10 @@ float slopeOfSurface(mat4 clipFromView, float here, ivec2 axis) {
   return abs(ahead) < abs(behind) ? ahead : behind;
 }
 
-// Whether a point of a puff lies within `reach` pixels of the seam along which the puff dips into a surface. `pixel` are
-// the view units that one spans.
+// Whether a point of a puff is within `reach` pixels of the seam where the puff intersects a surface. `pixel` is the
+// size of a pixel in view units.
 bool isSeam(mat4 clipFromView, float viewZ, vec3 normal, float pixel, float reach) {
-  // Beside the silhouette puffs turn away so steeply that a slope says nothing.
+  // Close to the silhouette puffs are so steep that the slope is meaningless.
   const float FLATTEST = 0.1;
   if (!hasSurfaces || reach <= 0.0) return false;
   float here = surfaceZ(clipFromView);

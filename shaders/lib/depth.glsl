@@ -1,10 +1,11 @@
-// 1 where window depth grows away from the eye, -1 where it is reversed: 1 at the near plane and 0 at the far one.
+// 1 if window depth increases away from the camera; -1 with reversed depth, which is 1 at the near plane and 0 at the
+// far plane.
 float depthOrder(mat4 clipFromView) {
   return clipFromView[3][2] > 0.0 ? -1.0 : 1.0;
 }
 
-// Window depth in [0, 1] of a view-space z under any three.js projection (perspective, off-axis, orthographic, each with
-// depth reversed or not). Only the third and fourth rows of the matrix matter.
+// Window depth in [0, 1] of a view-space z for any three.js projection (perspective, off-axis, orthographic, each with
+// reversed depth or not). Only the third and fourth rows of the matrix matter.
 float windowDepth(mat4 clipFromView, float viewZ) {
   float clipZ = clipFromView[2][2] * viewZ + clipFromView[3][2];
   float clipW = clipFromView[2][3] * viewZ + clipFromView[3][3];
@@ -12,7 +13,7 @@ float windowDepth(mat4 clipFromView, float viewZ) {
   return depthOrder(clipFromView) < 0.0 ? ndc : 0.5 * ndc + 0.5;
 }
 
-// The view-space z that has a window depth: the inverse of windowDepth.
+// The view-space z of a window depth: the inverse of windowDepth.
 float viewZOf(mat4 clipFromView, float depth) {
   float ndc = depthOrder(clipFromView) < 0.0 ? depth : 2.0 * depth - 1.0;
   return (ndc * clipFromView[3][3] - clipFromView[3][2]) / (clipFromView[2][2] - ndc * clipFromView[2][3]);

@@ -1,7 +1,7 @@
-// Where on the screen the hull of two balls lies: the quad that the polygons of a shadow volume fill.
+// The quad that covers the screen projection of the convex hull of two spheres, for the polygons of a shadow volume.
 
-// Radius, on the plane at unit depth, of a circle around the projected centre that covers the projected ball; negative
-// when the ball reaches behind or beside the eye.
+// Radius, on the plane at unit depth, of a circle around the projected centre that covers the projected sphere;
+// negative if the sphere extends behind the camera or too far to its side.
 float projectedRadius(vec3 centre, float ball, float near) {
   float squared = dot(centre, centre) - ball * ball;
   if (squared <= 0.0 || -centre.z <= near + ball) return -1.0;
@@ -11,8 +11,9 @@ float projectedRadius(vec3 centre, float ball, float near) {
   return remaining > 0.1 ? (slope + widening) / remaining - slope : -1.0;
 }
 
-// The directions, as slopes against the view axis in one plane through it, in which two balls and all between them lie.
-// Points are (sideways, forward). Balls beside or behind the eye leave a side open; empty where nothing lies in front.
+// The range of directions that two spheres and their hull span, as slopes against the view axis in one plane through
+// it. Points are (sideways, forward). Spheres beside or behind the camera leave a side open; the range is empty if
+// nothing is in front.
 vec2 slopesOf(vec2 from, vec2 to, vec2 balls) {
   const float OPEN = 1e4;
   const float PI = 3.14159265359;
@@ -25,14 +26,14 @@ vec2 slopesOf(vec2 from, vec2 to, vec2 balls) {
   vec2 widening = asin(balls / reach);
   vec2 span = vec2(min(start - widening.x, end - widening.y), max(start + widening.x, end + widening.y));
   if (span.y - span.x >= PI) return vec2(-OPEN, OPEN);
-  // Seen from the other side of the half turn behind the eye, the same stretch may lie in front.
+  // The same range, expressed half a turn the other way, can be in front of the camera.
   if (span.x > ASIDE) span -= 2.0 * PI;
   if (span.y < -ASIDE) span += 2.0 * PI;
   if (span.x > ASIDE || span.y < -ASIDE) return vec2(0.0);
   return vec2(span.x <= -ASIDE ? -OPEN : tan(span.x), span.y >= ASIDE ? OPEN : tan(span.y));
 }
 
-// Corner of the oriented box around the projections of two balls, on the plane at unit depth.
+// Corner of the oriented box around the projections of two spheres, on the plane at unit depth.
 vec2 boxCorner(vec2 corner, vec2 from, vec2 to, float span) {
   vec2 along = to - from;
   float reach = length(along);
@@ -40,7 +41,8 @@ vec2 boxCorner(vec2 corner, vec2 from, vec2 to, float span) {
   return 0.5 * (from + to) + along * corner.x * (0.5 * reach + span) + vec2(-along.y, along.x) * corner.y * span;
 }
 
-// Normalised device coordinates of one corner, each of its components -1 or 1. Ball: centre in view space and radius.
+// Normalised device coordinates of a corner, whose components are -1 or 1. Each sphere is its centre in view space and
+// its radius.
 vec2 footprint(vec2 corner, vec4 start, vec4 end, mat4 clipFromView, float near) {
   bool perspective = clipFromView[2][3] != 0.0;
   if (!perspective) return (clipFromView * vec4(boxCorner(corner, start.xy, end.xy, max(start.w, end.w)), 0.0, 1.0)).xy;
@@ -53,6 +55,6 @@ vec2 footprint(vec2 corner, vec4 start, vec4 end, mat4 clipFromView, float near)
   vec2 x = slopesOf(vec2(start.x, -start.z), vec2(end.x, -end.z), balls);
   vec2 y = slopesOf(vec2(start.y, -start.z), vec2(end.y, -end.z), balls);
   vec2 point = mix(vec2(x.x, y.x), vec2(x.y, y.y), 0.5 + 0.5 * corner);
-  // Nothing beyond the screen is drawn, and near it the corners of open sides are precise; an upright box may be cut so.
+  // Clamped to the screen, because corners of open sides are imprecise farther out. An axis-aligned box stays a box.
   return clamp((clipFromView * vec4(point, -1.0, 0.0)).xy, -1.0, 1.0);
 }

@@ -1,4 +1,4 @@
-// Which ramp a body has, see src/device/ramps.ts: by its tint, else by its age and its temperature. Needs attributes.glsl.
+// Ramp index of a puff, see src/device/ramps.ts: by its tint, else by its age and temperature. Needs attributes.glsl.
 float materialOf(uvec2 attributes, sampler2D ramps) {
   int tone = toneOf(attributes);
   if (tone > 0) return float(tone);

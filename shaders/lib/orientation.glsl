@@ -1,5 +1,5 @@
-// How a puff of lobes stands in the world: turned by its roll about an axis that its seed chooses, one of 256 that lie
-// evenly on the sphere. src/puffs/orientation.ts holds the same. Needs attributes.glsl.
+// Orientation of a lobe puff in the world: a rotation by its roll about an axis that its seed selects from 256, spread
+// evenly over the sphere. Must match src/puffs/orientation.ts. Needs attributes.glsl.
 mat3 worldFromPuff(uvec2 attributes) {
   const float GOLDEN_ANGLE = 2.39996322973;
   float seed = float(seedOf(attributes));

@@ -4,26 +4,26 @@ struct Shades {
   vec3 lit;
 };
 
-// N . towardsFill from which the fill light shows.
+// N . towardsFill above which the fill light applies.
 const float FILL_BORDER = 0.65;
 
-// Where the light comes from that fills shadows: on the other side of the eye than the key light and a little from
-// below, as in a studio. There shadows are seen. View space.
+// Direction of the fill light in view space: on the opposite side of the camera from the key light and slightly from
+// below, where shadows are visible, as in studio lighting.
 vec3 towardsFill(vec3 towardsLight) {
   return normalize(vec3(-towardsLight.x, -0.4 * towardsLight.y, max(0.3, abs(towardsLight.z))));
 }
 
-// A band along the silhouette, broadest where the surface looks away from the light; it ends where the light begins.
-// A width of 1 is a band of half the radius of a ball.
+// Whether a point is in the rim band along the silhouette. The band is widest where the surface faces away from the
+// light and ends where the light begins. With a width of 1 it is half the radius of a sphere.
 bool isRim(float facingEye, float facingLight, float width) {
   float band = 0.5 * width * clamp(0.5 - facingLight, 0.0, 1.0);
   return band > 0.0 && facingEye < sqrt(band * (2.0 - band));
 }
 
-// Eq. 2 of McGuire and Fein (2006), its quantisation q folded into rows of final colours, see src/device/ramps.ts. Takes
-// unit vectors in view space; a material without fill and rim may have them in any. Where a surface looks away from the
-// light both colours are the same, so that no edge shows there: rows begin with the same tone, fill and rim belong to
-// both. `rim` is its colour and its width.
+// Eq. 2 of McGuire and Fein (2006), with its quantisation q folded into rows of final colours, see src/device/ramps.ts.
+// Takes unit vectors in view space; a material without fill and rim may use any space. Both colours are equal on the
+// side away from the light, so that no edge is visible there: rows start with the same tone, and fill and rim apply to
+// both. `rim` is colour and width.
 Shades shade(vec3 normal, vec3 towardsLight, sampler2D ramps, float material, vec3 gradient, vec4 rim) {
   float facing = dot(normal, towardsLight);
   if (isRim(normal.z, facing, rim.a)) return Shades(rim.rgb, rim.rgb);

@@ -1,6 +1,7 @@
 precision highp float;
 
-// Adds to the alpha of the lit colour where the stencil lets it: the mask that resolve reads.
+// Adds to the alpha of the lit colour where the stencil test passes: the mask that the resolve pass reads. Screen
+// space.
 uniform float share;
 
 layout(location = 0) out vec4 unlit;

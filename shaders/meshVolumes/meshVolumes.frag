@@ -1,4 +1,4 @@
 precision highp float;
 
-// Writes nothing: the stencil operations count.
+// No output: the stencil operations count.
 void main() {}

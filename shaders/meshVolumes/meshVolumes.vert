@@ -1,7 +1,8 @@
 precision highp float;
 
-// The shadow volume of a closed mesh: every face has its own copy of its corners, faces that look away from the light
-// are carried along it, and the strips that join neighbouring faces open into the sides.
+// The shadow volume of a closed mesh. Each face has its own vertices. Faces that look away from the light are moved
+// along it, and the quads between neighbouring faces open into the sides. Positions and normals are in model space,
+// extrusion is in world space.
 uniform mat4 modelMatrix;
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
@@ -17,10 +18,11 @@ in vec3 faceNormal;
 #include ../lib/box.glsl
 #include ../lib/light.glsl
 
-// Between two corners the way out of a box can be longer than at both; no triangle is so long that this falls short, metres.
+// Margin of the box, metres: the distance out of a box can be larger between two vertices than at both. Triangles are
+// small enough for this margin.
 const float MARGIN = 0.1;
 
-// The rays of a lamp part by the length of an edge for each of its distances from the lamp, but hardly by more than this.
+// Rays of a lamp diverge by the length of an edge per distance from the lamp. Limit of that growth.
 const float WIDEST = 0.5;
 
 float extentOf(vec3 world, vec3 travel) {
@@ -32,7 +34,7 @@ void main() {
   vec3 world = (modelMatrix * vec4(position, 1.0)).xyz;
   vec3 travel = -towardsLightFrom(lightInWorld, world);
   bool facesLight = dot(mat3(modelMatrix) * faceNormal, travel) < 0.0;
-  // The inset sinks the start under the lit faces, which would otherwise fight their own volume for depth.
+  // The inset starts the volume below the lit faces, which otherwise z-fight with it.
   world += travel * (facesLight ? inset : max(extentOf(world, travel), inset));
   gl_Position = clipFromView * viewFromWorld * vec4(world, 1.0);
 }

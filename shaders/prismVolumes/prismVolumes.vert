@@ -1,7 +1,8 @@
 precision highp float;
 
-// The shadow volume of a particle where the depth that fragments write is not kept: a round prism with closed ends, from
-// behind the flat body along the light. src/passes/prisms.ts has the order of its faces.
+// The shadow volume of a particle on GPUs that do not keep the depth that fragments write: a prism with closed ends
+// that starts behind the flat body and extends along the light. src/passes/prisms.ts defines the order of its faces.
+// Inputs: corner of the prism, position and radius in world space. Output: clip position.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec4 lightInWorld;
@@ -10,7 +11,7 @@ uniform vec3 receiversMax;
 // In radii of the particle.
 uniform float shadowRadius;
 
-// (number round the prism, end + 2 x what it belongs to)
+// (index around the prism, end + 2 x part), see src/passes/prisms.ts.
 in vec2 corner;
 in vec4 place;
 
@@ -19,15 +20,15 @@ in vec4 place;
 
 const float PI = 3.14159265359;
 const float SIDES = 12.0;
-// As wide as a circle of radius 1, by area.
+// Scale of the corners that makes the area equal to that of a circle of radius 1.
 const float ROUND = 1.0233;
-// Radii from the centre of a flat body to its farthest point, and a little.
+// Distance from the centre of a flat body to its farthest point, in radii, with a margin.
 const float WIDEST_DISC = 1.15;
-// A lamp nearer to the centre than this many radii of the shadow is taken for one at that distance.
+// A lamp closer to the centre than this many radii of the shadow is treated as if it were at that distance.
 const float NEAREST = 1.2;
 const vec4 NOWHERE = vec4(0.0, 0.0, 2.0, 1.0);
 
-// How far beyond the centre the volume has left everything that could receive it, metres; 0 where it holds the light.
+// Distance beyond the centre at which the volume has left all receivers, metres; 0 if the puff contains the light.
 float exitOf(float ball, float growth) {
   vec3 travel = -towardsLightFrom(lightInWorld, place.xyz);
   float exit = exitFromBox(place.xyz, travel, receiversMin, receiversMax, ball, growth);
@@ -36,7 +37,8 @@ float exitOf(float ball, float growth) {
   return way > ball ? min(exit, farthestCorner(lightInWorld.xyz, receiversMin, receiversMax) - way) : 0.0;
 }
 
-// Across the axis and away from the eye: side 0 looks there. The same for all corners, to the last bit.
+// The direction perpendicular to the axis and away from the camera, in which side 0 faces. Bit-identical for all
+// corners.
 vec3 awayFromEye(vec3 centre, vec3 axis) {
   vec3 sight = clipFromView[2][3] != 0.0 ? centre : vec3(0.0, 0.0, -1.0);
   vec3 across = sight - dot(sight, axis) * axis;
@@ -44,7 +46,7 @@ vec3 awayFromEye(vec3 centre, vec3 axis) {
   return normalize(dot(across, across) > 1e-10 * dot(sight, sight) ? across : any);
 }
 
-// Whether a cap is drawn at this pass: one that looks away from the eye at first, one that looks at it at last.
+// Whether a cap is drawn in this part: caps that face away from the camera first, caps that face it last.
 bool isPass(int pass, float end, vec3 middle, vec3 axis) {
   vec3 sight = clipFromView[2][3] != 0.0 ? middle : vec3(0.0, 0.0, -1.0);
   bool facesEye = dot(sight, axis) * (1.0 - 2.0 * end) > 0.0;
@@ -56,7 +58,7 @@ void main() {
   vec3 axis = -towardsLightFrom(viewFromWorld * lightInWorld, centre);
   float ball = place.w * shadowRadius;
   float growth = lightInWorld.w * ball / max(length(place.xyz - lightInWorld.xyz), NEAREST * ball);
-  // The body is a disc through the centre that faces the eye: no point of it lies farther along the light.
+  // The body is a disc through the centre that faces the camera: no point of it is farther along the light.
   float cap = WIDEST_DISC * place.w * length(axis.xy);
   float extent = exitOf(ball, growth);
 

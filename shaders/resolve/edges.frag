@@ -1,17 +1,18 @@
 precision highp float;
 
-// Smooths the edges: where two flat tones meet along a nearly straight line, each pixel beside the line takes as much of
-// the other tone as the line, seen between its two ends, would cover. Flat pixels pass through untouched, bit for bit,
-// and corners stay sharp. After the idea of Reshetnikov, 'Morphological Antialiasing' (2009).
-// Where pixels are drawn in groups, and all of a group goes wherever one of it goes, a branch saves nothing but a loop
-// that ends does: what is the same for several directions stands here once, in a loop over them.
+// Smooths edges between flat tones in screen space, after Reshetnikov, 'Morphological Antialiasing' (2009). Where two
+// tones meet along a nearly straight line, each pixel next to the line is blended with the other tone by the area that
+// the line covers between its two ends. Flat pixels stay bit-exact, and corners stay sharp.
+// GPUs run pixels in groups, and a group takes each branch that one of its pixels takes: a branch saves little, but a
+// loop that ends early does. Code for several directions is therefore written once, in a loop over them.
+// Input: chosen tones of tones.frag. Output: premultiplied display-encoded colour.
 uniform sampler2D tones;
 
 out vec4 pixel;
 
 #include ../lib/srgb.glsl
 
-// Half a step of an 8-bit channel would be noise; anything an eye sees as an edge is far above this.
+// Half a step of an 8-bit channel would be noise; every visible edge is far above this threshold.
 const float EDGE = 0.04;
 const int LONGEST = 12;
 
@@ -28,8 +29,8 @@ bool alike(vec4 a, vec4 b) {
   return difference(a, b) <= EDGE;
 }
 
-// Walks along an edge until either side of it changes. x: steps taken, y: 1 if the edge turned into our own row there
-// to go on, as a slanted line does; not where it ended in a corner or met another tone.
+// Follows an edge until the tone on either side of it changes. x: number of steps. y: 1 if the edge bends into our own
+// row there and continues, as a slanted line does; 0 at a corner or at a third tone.
 vec2 walk(ivec2 at, ivec2 along, ivec2 across, vec4 own, vec4 other) {
   for (int i = 1; i <= LONGEST; ++i) {
     vec4 ownHere = toneAt(at + i * along);
@@ -43,14 +44,14 @@ vec2 walk(ivec2 at, ivec2 along, ivec2 across, vec4 own, vec4 other) {
   return vec2(LONGEST + 1, 0.0);
 }
 
-// Area of a pixel under the line that falls from a half, at a bend `steps` pixels ahead, to nothing in the middle.
+// Area of a pixel under the line that falls from 1/2, at a bend `steps` pixels ahead, to 0 in the middle of the span.
 float areaAt(vec2 bend, float span) {
   float from = bend.x - 1.0;
   float reach = clamp(0.5 * span - from, 0.0, 1.0);
   return bend.y * reach * (0.5 - (from + 0.5 * reach) / span);
 }
 
-// How much of this pixel lies on the other side of its edge towards `across`.
+// Share of the pixel on the other side of its edge towards `across`.
 float shareOf(ivec2 at, ivec2 across, vec4 own, vec4 other) {
   vec4 bends = vec4(0.0);
   for (int way = -1; way <= 1; way += 2) {
@@ -66,10 +67,11 @@ vec4 blend(vec4 own, vec4 other, float share) {
   return vec4(displayFromLinear(alpha > 0.0 ? light / alpha : light), alpha);
 }
 
-// The next tone of a stair whose steps are one pixel each, from which the line can lie either way: see `besideStair`.
+// Share of the other tone beside a staircase of one-pixel steps, whose line can be on either side: see `besideStair`.
 const float BESIDE_STAIR = 1.0 / 32.0;
 
-// Whether the tone goes on as a stair on both sides of a corner, and behind it: a line of two pixels would grow darker.
+// Whether the tone continues as a staircase on both sides of a corner and behind it. A line two pixels wide would get
+// darker.
 bool isWideStair(ivec2 at, ivec2 corner, vec4 tone) {
   for (int tap = 0; tap < 4; ++tap) {
     ivec2 steps = tap < 2 ? ivec2(2 * tap, 2 - 2 * tap) : ivec2(tap);
@@ -78,7 +80,8 @@ bool isWideStair(ivec2 at, ivec2 corner, vec4 tone) {
   return true;
 }
 
-// A pixel that touches such a stair with a corner alone. Without it an edge of 45 degrees had one tone on each side.
+// Blends a pixel that touches such a staircase only at a corner. Without this, a 45-degree edge has one intermediate
+// tone on each side.
 vec4 besideStair(ivec2 at, vec4 own) {
   vec4 gap = max(
     max(abs(toneAt(at + ivec2(-1, -1)) - own), abs(toneAt(at + ivec2(1, -1)) - own)),
@@ -93,7 +96,7 @@ vec4 besideStair(ivec2 at, vec4 own) {
   return own;
 }
 
-// Neighbours over sides and corners with the tone `own`, and one of them.
+// Counts the eight neighbours with the tone `own`, and returns one of them in `one`.
 int likeAround(ivec2 at, vec4 own, out ivec2 one) {
   int count = 0;
   one = at;
@@ -106,10 +109,10 @@ int likeAround(ivec2 at, vec4 own, out ivec2 one) {
   return count;
 }
 
-// Whether a pixel stands alone or with a single other one, as nothing does that a hand has drawn: where a line or a
-// patch of light thins out, pixels catch it here and there.
+// Whether a pixel is isolated or has one similar neighbour only. Thinning lines and patches of light leave such specks,
+// which a drawing by hand does not have.
 bool isSpeck(ivec2 at, vec4 own) {
-  // With one like it, that one is asked in its turn.
+  // For a pair, test the other pixel as well.
   for (int asked = 0; asked < 2; ++asked) {
     ivec2 other;
     int count = likeAround(at, own, other);
@@ -120,18 +123,19 @@ bool isSpeck(ivec2 at, vec4 own) {
   return true;
 }
 
-// What of the other tones lies over a pixel beside an edge. @param gaps to the tones in the north, south, east and west
+// Blends a pixel on an edge with the tone on the other side. `gaps` are the differences from the tones to the north,
+// south, east and west.
 vec4 smoothed(ivec2 at, vec4 own, mat4 around, vec4 gaps) {
   vec2 widest = vec2(max(gaps.x, gaps.y), max(gaps.z, gaps.w));
   ivec2 towards = ivec2(gaps.z >= gaps.w ? 1 : -1, gaps.x >= gaps.y ? 1 : -1);
   vec4 above = towards.y > 0 ? around[0] : around[1];
-  // A step of a stair is seen from both of its edges: the longer one tells the slope.
+  // The step of a staircase belongs to two edges; the longer one gives the slope.
   bool level = widest.y <= EDGE;
   if (min(widest.x, widest.y) > EDGE) {
     level = min(gaps.z, gaps.w) <= EDGE && alike(toneAt(at + ivec2(-towards.x, towards.y)), above);
   }
   ivec2 across = level ? ivec2(0, towards.y) : ivec2(towards.x, 0);
-  // A line as thin as a pixel has an edge on either side, and leaves the pixel through one of them.
+  // A line one pixel wide has an edge on both sides and leaves the pixel through one of them.
   bool isThin = min(level ? gaps.x : gaps.z, level ? gaps.y : gaps.w) > EDGE;
   vec4 taken = own;
   ivec2 from = at;
@@ -149,14 +153,13 @@ vec4 smoothed(ivec2 at, vec4 own, mat4 around, vec4 gaps) {
   return share > 0.0 && !isSpeck(from, taken) ? blend(own, taken, share) : own;
 }
 
-// The tone beside a speck that is most like it.
+// The neighbouring tone that is most similar to a speck.
 vec4 nearest(mat4 around, vec4 gaps) {
   vec4 others = mix(gaps, vec4(2.0), lessThanEqual(gaps, vec4(EDGE)));
   float smallest = min(min(others.x, others.y), min(others.z, others.w));
   return smallest == others.x ? around[0] : smallest == others.y ? around[1] : smallest == others.z ? around[2] : around[3];
 }
 
-// A pixel as it is where nothing meets; else what lies over it.
 vec4 resolved(ivec2 at, vec4 own) {
   mat4 around = mat4(
     toneAt(at + ivec2(0, 1)), toneAt(at - ivec2(0, 1)), toneAt(at + ivec2(1, 0)), toneAt(at - ivec2(1, 0))
@@ -166,7 +169,7 @@ vec4 resolved(ivec2 at, vec4 own) {
   );
   bvec4 isLike = lessThanEqual(gaps, vec4(EDGE));
   if (all(isLike)) return besideStair(at, own);
-  // Most of what has edges has two sides alike, which no speck has.
+  // Cheap test first: most edge pixels have at least two similar sides, which no speck has.
   if (dot(vec4(isLike), vec4(1.0)) < 2.0 && isSpeck(at, own)) return nearest(around, gaps);
   return smoothed(at, own, around, gaps);
 }

@@ -1,6 +1,6 @@
 precision highp float;
 
-// Writes a depth that contradicts the polygon's, and may discard, as the bodies do.
+// Writes a depth different from that of the polygon, and may discard, as the bodies do.
 uniform float minTone;
 
 flat in float writtenDepth;

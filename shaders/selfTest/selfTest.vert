@@ -1,6 +1,6 @@
 precision highp float;
 
-// A rectangle at a depth of its own, in clip space, with another depth that its fragments write.
+// A rectangle in clip space with two depths: its own and the one that its fragments write.
 in vec2 place;
 in vec2 depths;
 in float tone;

@@ -1,7 +1,8 @@
 precision highp float;
 
-// Lines one pixel wide where smoke stands before something deeper, from differences in the depth that is read back as a
-// texture (Deussen and Strothotte's tree ink, as Selle, Mohr and Chenney used it for smoke).
+// Lines one pixel wide where smoke is in front of something deeper, from differences of the depth texture in screen
+// space (the method of Deussen and Strothotte for trees, as Selle, Mohr and Chenney applied it to smoke). Output:
+// premultiplied display-encoded colour.
 uniform sampler2D unlit;
 uniform sampler2D lit;
 uniform sampler2D depth;

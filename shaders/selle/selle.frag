@@ -2,7 +2,7 @@ precision highp float;
 precision highp int;
 precision highp sampler2DArray;
 
-// One flat colour inside the silhouette. The alpha of the second colour marks smoke for the lines.
+// One flat colour inside the silhouette of a puff. The alpha of the lit colour marks smoke for lines.frag.
 uniform sampler2DArray colorCoverage;
 uniform sampler2D ramps;
 uniform float pad;

@@ -2,7 +2,8 @@ precision highp float;
 precision highp int;
 precision highp sampler2DArray;
 
-// A puff as Selle, Mohr and Chenney drew it (2004): a flat picture parallel to the image plane, at one depth.
+// A puff as Selle, Mohr and Chenney drew it (2004): a flat quad parallel to the image plane, at one depth. Rows are in
+// world space, `puffPoint` is in puff radii.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform sampler2D ramps;

@@ -1,6 +1,6 @@
 precision highp float;
 
-// Adds the shadow to the alpha of the lit colour: the mask that resolve reads.
+// Adds the shadow to the alpha of the lit colour, the mask that the resolve pass reads. Screen space.
 uniform sampler2D shadowed;
 
 layout(location = 0) out vec4 unlit;

@@ -1,6 +1,6 @@
 precision highp float;
 
-// Writes the depth at which a ray of the light meets the first of a puff's lobes.
+// Writes the depth at which a light ray hits the first lobe of a puff, in the light's view space.
 uniform mat4 clipFromView;
 uniform vec2 viewport;
 
@@ -14,7 +14,7 @@ layout(location = 1) out vec4 lit;
 
 const float NOWHERE = 1e8;
 
-// How far along a ray a lobe begins.
+// Distance along a ray at which it enters a lobe.
 float meet(vec3 origin, vec3 way, vec4 lobe) {
   vec3 offset = lobe.xyz - origin;
   float along = dot(offset, way);

@@ -1,8 +1,8 @@
 precision highp float;
 precision highp int;
 
-// A puff as the light sees it: a board through its centre that faces the light and holds all of its lobes, which are in
-// the light's view space, metres.
+// A puff in the depth map of the light: a quad through its centre that faces the light and contains all of its lobes.
+// Outputs the lobes in the light's view space, metres.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform float reach;
@@ -31,12 +31,12 @@ void main() {
 
   bool isLamp = clipFromView[2][3] != 0.0;
   float radius = reach * place.w;
-  // Squared, as a share of the way: what a lamp stands within throws no shadow.
+  // Squared ratio of the puff's radius to its distance. A puff that contains the lamp casts no shadow.
   float nearness = isLamp ? radius * radius / dot(centre, centre) : 0.0;
   vec3 away = isLamp ? normalize(centre) : vec3(0.0, 0.0, -1.0);
   vec3 side = normalize(cross(away, abs(away.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0)));
   vec2 point = corner * radius * inversesqrt(max(1.0 - nearness, 1e-4));
   vec4 clip = clipFromView * vec4(centre + point.x * side + point.y * cross(side, away), 1.0);
-  // Depth is written by the fragments; a constant here keeps the near plane from cutting the board.
+  // Fragments write the depth. A constant here keeps the near plane from clipping the quad.
   gl_Position = nearness < 1.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
 }

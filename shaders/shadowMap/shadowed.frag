@@ -1,14 +1,14 @@
 precision highp float;
 
-// 1 where something stands between the light and what a pixel shows, by a depth map drawn from the light. Pixels that the
-// map does not show stay as they are.
+// Tests pixels against the depth map of the light (Williams 1978). Outputs 1 for pixels in shadow and 0 for lit ones;
+// pixels outside the map are discarded.
 uniform sampler2D depth;
 uniform sampler2D lightDepth;
 uniform mat4 clipFromView;
 uniform mat4 lightClipFromView;
 uniform mat4 lightViewFromView;
 uniform vec2 viewport;
-// By how much farther than what the light sees, as a share of the width that the map shows there.
+// Depth bias as a share of the width that the map covers at that depth.
 uniform float bias;
 
 out vec4 shadowed;

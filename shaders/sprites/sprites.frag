@@ -1,8 +1,8 @@
 precision highp float;
 precision highp int;
 
-// Blended over the finished picture, premultiplied. Fades where it comes close to a surface behind it, by the depth that
-// is read as a texture (Lorach, 'Soft Particles', 2007).
+// A soft sprite, blended over the finished picture with premultiplied alpha. It fades out close to surfaces behind it,
+// by comparison with the depth texture (Lorach, 'Soft Particles', 2007).
 uniform sampler2D ramps;
 uniform sampler2D depth;
 uniform mat4 clipFromView;
@@ -17,7 +17,7 @@ out vec4 pixel;
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 
-// Alpha in the middle of a sprite at birth.
+// Alpha at the centre of a sprite at birth.
 const float DENSEST = 0.5;
 
 void main() {

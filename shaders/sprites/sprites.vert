@@ -1,7 +1,8 @@
 precision highp float;
 precision highp int;
 
-// A soft quad that faces the eye, as particle libraries draw smoke.
+// A soft quad that faces the camera, as particle libraries draw smoke. Rows are in world space, `puffPoint` is in
+// radii.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform sampler2D ramps;

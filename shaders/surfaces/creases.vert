@@ -1,7 +1,8 @@
 precision highp float;
 
-// A sharp edge of a surface, or a seam of two, as a ribbon of even width on the screen. Where one of its faces looks away
-// an edge is part of the silhouette, which the hull draws. The normals of a seam are zero.
+// A sharp edge of a surface, or a seam of two surfaces, as a ribbon of constant width in pixels. An edge with a face
+// that looks away belongs to the silhouette, which the hull draws, and is skipped. The normals of a seam are zero.
+// Inputs are in model space; the ribbon is widened in clip space.
 uniform mat4 modelMatrix;
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
@@ -18,8 +19,8 @@ in vec3 otherNormal;
 
 #include ../lib/pixel.glsl
 
-// Line widths by which a ribbon lies before its surface, and the most that may be, metres. A seam runs in a hollow, out
-// of which it must come farther.
+// Distance of a ribbon in front of its surface: line widths, and the upper limit in metres. A seam is in a hollow and
+// needs a larger distance.
 const vec2 CREASE_RAISED = vec2(0.75, 0.03);
 const vec2 SEAM_RAISED = vec2(3.0, 0.05);
 
@@ -27,13 +28,13 @@ bool looksAway(mat3 rotation, vec3 normal, vec3 towardsEye) {
   return dot(rotation * normal, towardsEye) < 0.0;
 }
 
-// Pixels of the target from its middle.
+// Pixels of the target, relative to its centre.
 vec2 onScreen(vec3 place) {
   vec4 clip = clipFromView * vec4(place, 1.0);
   return 0.5 * viewport * clip.xy / clip.w;
 }
 
-// The part of the edge before the near plane ends there.
+// Clips the edge at the near plane.
 vec3 clipped(vec3 place, vec3 other) {
   float depth = -place.z;
   return depth >= near ? place : mix(place, other, clamp((near - depth) / (-other.z - depth), 0.0, 1.0));
@@ -53,7 +54,7 @@ void main() {
   vec3 place = corner.x < 0.5 ? clipped(from, to) : clipped(to, from);
   vec2 along = onScreen(clipped(to, from)) - onScreen(clipped(from, to));
   along = length(along) > 1e-4 ? normalize(along) : vec2(1.0, 0.0);
-  // Half a width beyond each end, so that no gap shows where edges meet at an angle.
+  // Half a width beyond each end closes the gaps between edges that meet at an angle.
   vec2 beside = 0.5 * inkPixels * (corner.y * vec2(-along.y, along.x) + (2.0 * corner.x - 1.0) * along);
   vec4 clip = clipFromView * vec4(place, 1.0);
   clip.xy += beside * 2.0 / viewport * clip.w;

@@ -1,7 +1,7 @@
 precision highp float;
 
-// The ink of a surface: its back faces, pushed outwards on the screen by the width of the line.
-// Stays constant in pixels at any distance, for perspective and orthographic cameras alike.
+// The outline of a surface: its back faces, moved outwards in clip space by the width of the line (inverted hull). The
+// width in pixels is the same at any distance, for perspective and orthographic cameras.
 uniform mat4 modelMatrix;
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
@@ -18,10 +18,11 @@ in vec3 hullNormal;
 #include ../lib/ink.glsl
 #include ../lib/light.glsl
 
-// A line that is wide in the world must not jump before parts of its surface that stand out, metres.
+// Limit of the raised distance, metres, so that a line that is wide in the world does not cover protruding parts of its
+// own surface.
 const float HIGHEST = 0.05;
 
-// Clip z that puts a vertex nearer by a distance in view units without moving it on the screen.
+// Clip z of a vertex moved towards the camera by a distance in view units, without moving it on the screen.
 float raisedClipZ(float viewZ, float clipW, float nearer) {
   float clipZ = clipFromView[2][2] * (viewZ + nearer) + clipFromView[3][2];
   return clipZ / (clipFromView[2][3] * (viewZ + nearer) + clipFromView[3][3]) * clipW;

@@ -1,6 +1,7 @@
 precision highp float;
 
-// An ordinary mesh, shaded by its own rows of the ramps.
+// A mesh of the scene, shaded by its own rows of the ramp texture. Inputs are in world space. Outputs the
+// display-encoded unlit and lit colour.
 uniform sampler2D ramps;
 uniform float material;
 uniform vec4 lightInWorld;

@@ -1,5 +1,6 @@
 precision highp float;
 
+// A mesh of the scene. Inputs are in model space; outputs are the normal and the position in world space.
 uniform mat4 modelMatrix;
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;

@@ -1,8 +1,11 @@
 precision highp float;
 
-// Writes the depth where the view ray through this pixel enters (front face) or leaves (back face) the volume: of all
-// discs that the ray passes on its way across the light it takes the first entry and the last exit.
-// Counted by depth pass: entries in front of the receiver minus exits in front of it = volumes that hold the receiver.
+// Fragment shader of particle shadow volumes. Writes the depth at which the view ray of the pixel enters (front face)
+// or leaves (back face) the volume. Seen from the light, the ray crosses the discs of the lobes; the shader takes the
+// first entry and the last exit of all discs.
+// Counted by depth pass: entries in front of the receiver minus exits in front of it is the number of volumes that
+// contain the receiver.
+// Inputs: volume frame and discs of volumes.vert. Output: depth only.
 uniform mat4 clipFromView;
 uniform float near;
 
@@ -19,8 +22,8 @@ flat in vec3 discs[LOBES];
 
 const float FAR = 1e20;
 
-// Widens the stretch (from, to) along a line by what of the line lies in a disc. The line runs in a unit direction and
-// has an offset to its left.
+// Extends the interval (from, to) along a line by its intersection with a disc. The line has a unit direction and a
+// signed distance from the origin, positive to the left.
 void pass(inout vec2 stretch, vec3 disc, vec2 direction, float offset) {
   float beside = direction.x * disc.y - direction.y * disc.x - offset;
   float squared = disc.z - beside * beside;
@@ -29,7 +32,7 @@ void pass(inout vec2 stretch, vec3 disc, vec2 direction, float offset) {
   if (squared > 0.0) stretch = vec2(min(stretch.x, middle - halfChord), max(stretch.y, middle + halfChord));
 }
 
-// The view ray of this pixel in the frame of the volume; its parameter is the view depth.
+// The view ray of the pixel in the frame of the volume, parameterised by view depth.
 void aim(out vec3 origin, out vec3 ray) {
   vec2 point = viewPointOf(gl_FragCoord.xy - viewportOrigin, clipFromView, viewport, -1.0);
   vec3 aside = point.x * rightAndLength.xyz + point.y * upAndScale.xyz;
@@ -37,14 +40,14 @@ void aim(out vec3 origin, out vec3 ray) {
   bool perspective = clipFromView[2][3] != 0.0;
   origin = perspective ? eyeAndGrowth.xyz : eyeAndGrowth.xyz + aside;
   ray = perspective ? aside - back : -back;
-  // A view straight along the light has no direction across it; any will do.
+  // A view ray parallel to the light has no direction across it; any direction will do.
   if (dot(ray.xy, ray.xy) < 1e-12 * dot(ray, ray)) ray.x += 1e-6 * length(ray);
 }
 
 void main() {
   vec3 origin, ray;
   aim(origin, ray);
-  // The line that the ray draws on the plane of the discs, seen from the light.
+  // The projection of the ray from the light onto the plane of the discs.
   float scale = upAndScale.w + eyeAndGrowth.w * origin.z;
   float growth = eyeAndGrowth.w * ray.z;
   vec2 line = ray.xy * scale - origin.xy * growth;
@@ -59,7 +62,8 @@ void main() {
   }
   #pragma unroll_loop_end
 
-  // Back to depths along the ray. Under a lamp the line has an end, where the ray goes straight away from it.
+  // Convert to depths along the ray. Under a lamp, the projected line ends where the ray points straight away from the
+  // lamp.
   vec2 sinking = dot(ray.xy, direction) - stretch * growth;
   vec2 depths = (stretch * scale - dot(origin.xy, direction)) / sinking;
   if (sinking.x <= 0.0) depths.x = growth > 0.0 ? FAR : -FAR;

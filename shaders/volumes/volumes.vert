@@ -2,9 +2,11 @@ precision highp float;
 precision highp int;
 precision highp sampler2DArray;
 
-// The shadow volume of a particle: the discs that its lobes show the light, swept along its rays, as two nailboards with
-// one screen footprint. The front one carries the depth where each view ray enters the volume, the back one the depth
-// where it leaves. All that is constant for a particle is computed here.
+// The shadow volume of a particle: the discs that its lobes show to the light, extruded along the light rays. It is
+// drawn as two nailboards with the same screen footprint. The front one gets the depth at which each view ray enters
+// the volume, the back one the depth at which it leaves. Everything that is constant for a particle is computed here.
+// Inputs: corner of the quad, position and radius in world space, packed attributes. Outputs: the volume frame and the
+// discs.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform float near;
@@ -15,19 +17,20 @@ uniform float minCap;
 uniform float depth;
 uniform bool facesEye;
 uniform sampler2DArray startCaps;
-// A row for each variation: its LOBES lobes (xyz, radius), in puff radii.
+// One row for each variation: LOBES lobes (xyz, radius), in puff radii.
 uniform sampler2D casterTable;
-// Radius of the sphere about the centre that holds all of a puff, in its radii.
+// Radius of the bounding sphere of a puff, in puff radii.
 uniform float reach;
 
 in vec2 corner;
 in vec4 place;
 in uvec2 attributes;
 
-// View space in the frame of the volume, which begins at the middle of its start: two axes across the way of the light,
-// then the way; all in puff radii. Its first two axes and its origin, and as fourth components the volume's length, its
-// scale at the start and how that grows with each radius of the way. Nothing depends on the corners, so that volumes of
-// other lengths round alike.
+// The transform from view space to the frame of the volume, whose origin is the middle of the volume's start: two axes
+// perpendicular to the light, then the direction of the light's travel, in puff radii. The xyz components are the first
+// two axes and the origin. The w components are the length of the volume, its scale at the start, and the growth of the
+// scale for each radius along the light. No value depends on the corner, so rounding is the same for volumes of every
+// length.
 flat out vec4 rightAndLength;
 flat out vec4 upAndScale;
 flat out vec4 eyeAndGrowth;
@@ -41,29 +44,29 @@ flat out vec3 discs[LOBES];
 #include ../lib/footprint.glsl
 
 const float PI = 3.14159265359;
-// Radii between the farthest lit point and the cap, against rounding in depth.
+// Distance between the farthest lit point and the start of the volume, in radii, against rounding of depth.
 const float CAP_SLACK = 0.02;
-// A lamp nearer to the centre than this many reaches of the puff is taken for one at that distance.
+// A lamp closer to the centre than this many bounding radii is treated as if it were at that distance.
 const float NEAREST = 1.2;
 
-// What of the view the puff turns with: a billboard rolls about the view axis, lobes stand in the world.
+// The rotation from puff space to view space. A billboard rolls about the view axis; lobes are oriented in the world.
 mat3 viewFromPuffOf(uvec2 attributes) {
   if (!facesEye) return mat3(viewFromWorld) * worldFromPuff(attributes);
   vec2 rotation = vec2(cos(rollOf(attributes)), sin(rollOf(attributes)));
   return mat3(vec3(rotation.x, rotation.y, 0.0), vec3(-rotation.y, rotation.x, 0.0), vec3(0.0, 0.0, 1.0));
 }
 
-// A nailboard is sheared along its view rays: its relief moves a fragment sideways, in radii. How much farther behind
-// that can take a lit point that is in the picture.
+// Extra distance, in radii, for the shear of a nailboard: its relief moves fragments along the view rays and so
+// sideways, which can move a visible lit point farther behind the centre.
 float shearOf(vec3 travel, vec3 centre) {
-  // Before the near plane puffs shrink, as in shaders/bodies; behind it none is left.
+  // Puffs shrink as they approach the near plane, as in shaders/bodies, and vanish behind it.
   float grown = smoothstep(near, near + 2.0 * place.w, -centre.z);
   if (grown <= 0.0) return 0.0;
-  // The slopes of view rays; of a puff beside the picture only what reaches into it counts.
+  // The slopes of view rays, limited to the part of the puff that is inside the picture.
   vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
   vec2 ray = clamp(centre.xy / -centre.z, (clipFromView[2].xy - 1.0) / scale, (clipFromView[2].xy + 1.0) / scale);
-  // What of a puff is seen lies no deeper than a bound behind its centre plane, and of the unit ball height times
-  // distance from the view axis is at most a half.
+  // The visible part of a puff is at most `depth` behind its centre plane. In the unit ball, height times distance from
+  // the view axis is at most 1/2.
   float slope = -dot(travel.xy, ray);
   float straight = max(slope, -depth * slope);
   if (facesEye) return grown * straight;
@@ -71,7 +74,7 @@ float shearOf(vec3 travel, vec3 centre) {
   return grown * (straight + aside);
 }
 
-// How far behind the centre (in radii, along the light's travel) the puff's farthest lit point lies, from the baked table.
+// Distance from the centre to the puff's farthest lit point, in radii along the light's travel, from the baked table.
 float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
   vec3 towards = -travel * viewFromPuff;
   vec2 angles = vec2(atan(towards.y, towards.x) / (2.0 * PI) + 0.5, acos(clamp(towards.z, -1.0, 1.0)) / PI);
@@ -81,7 +84,7 @@ float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
   return max(cap, minCap) + shear + CAP_SLACK;
 }
 
-// How far beyond the centre the volume has left everything that could receive it, metres; 0 where it holds the light.
+// Distance beyond the centre at which the volume has left all receivers, metres; 0 if the puff contains the light.
 float exitOf(float ball, float growth) {
   vec3 travel = -towardsLightFrom(lightInWorld, place.xyz);
   float exit = exitFromBox(place.xyz, travel, receiversMin, receiversMax, ball, ball * growth);
@@ -90,7 +93,7 @@ float exitOf(float ball, float growth) {
   return way > ball ? min(exit, farthestCorner(lightInWorld.xyz, receiversMin, receiversMax) - way) : 0.0;
 }
 
-// The disc that a lobe shows a light at a distance of 1 / growth: the cone of its rays that touch the lobe all round.
+// The disc that a lobe shows to a light at a distance of 1 / growth: the section of the light's tangent cone.
 vec3 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
   vec3 seen = frameFromPuff * lobe.xyz;
   float nearness = 1.0 / (1.0 + growth * seen.z);
@@ -99,7 +102,7 @@ vec3 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
   return vec3(seen.xy * nearness, radius * radius / (1.0 - slope * slope));
 }
 
-// Writes the discs; returns the radius of the circle about the centre that holds them.
+// Computes the discs. Returns the radius of the circle about the centre that contains them.
 float spreadDiscs(mat3 frameFromPuff, float growth) {
   int variation = variationOf(attributes) % textureSize(casterTable, 0).y;
   float widest = 0.0;
@@ -136,6 +139,6 @@ void main() {
   vec4 startBall = vec4(start, place.w * widest * scale);
   vec4 endBall = vec4(start + extent * place.w * axis, startBall.w + place.w * widest * growth * extent);
   vec2 ndc = footprint(corner, startBall, endBall, clipFromView, near);
-  // Depth is written by the fragments; a constant here keeps the near and far planes from cutting the quad.
+  // Fragments write the depth. A constant here keeps the near and the far plane from clipping the quad.
   gl_Position = vec4(ndc, 0.0, 1.0);
 }

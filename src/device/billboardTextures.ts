@@ -14,7 +14,7 @@ import type { StartCaps } from '../puffs/bake/startCaps.ts';
 import { capRange, capTexture } from './capTexture.ts';
 import type { BillboardData, FormTextures } from './formTextures.ts';
 
-/** Baked billboards: a layer for each variation. */
+/** Baked billboards as array textures, with a layer for each variation. */
 export class BillboardTextures implements FormTextures {
   readonly layers: PuffLayers;
   readonly normalDepth: DataArrayTexture;
@@ -37,7 +37,7 @@ export class BillboardTextures implements FormTextures {
     this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);
     this.normalDepth.format = RGBAFormat;
     this.normalDepth.type = HalfFloatType;
-    // Half floats are filtered everywhere, but only contexts that can draw to them can make their smaller levels.
+    // Half-float textures can be filtered in every context, but mipmap generation needs a color-renderable format.
     smooth(this.normalDepth, context.getExtension('EXT_color_buffer_float') !== null);
     this.colorCoverage = new DataArrayTexture(layers.colorCoverage, layers.size, layers.size, layers.count);
     this.colorCoverage.format = RGBAFormat;

@@ -9,11 +9,11 @@ import {
   type WebGLRenderer,
 } from 'three';
 
-/** A target whose depth, of 24 bits beside a stencil, is a texture, for a copy of a depth that is being drawn into. */
+/** A render target with a 24-bit depth and stencil texture, the destination for copies of a depth buffer in use. */
 export function depthCopy(): WebGLRenderTarget {
   const depthTexture = new DepthTexture(1, 1, UnsignedInt248Type);
   depthTexture.format = DepthStencilFormat;
-  // The colour is there because a target must have one; it is never drawn.
+  // A render target needs a colour attachment; this one is never written.
   return new WebGLRenderTarget(1, 1, {
     format: RedFormat,
     minFilter: NearestFilter,
@@ -24,9 +24,11 @@ export function depthCopy(): WebGLRenderTarget {
 }
 
 /**
- * Copies a rectangle of the depth that is being drawn into, for which three.js has no call when it is the canvas, and
- * leaves the copy bound. Of a depth with samples only what stays in its place can be copied.
- * @param from, to, size in pixels
+ * Copies a rectangle of the bound framebuffer's depth, and leaves the copy bound. three.js cannot copy the depth of the
+ * canvas. The depth of a multisampled framebuffer can only be copied to the same coordinates.
+ * @param from lower left corner in the source, pixels
+ * @param to lower left corner in the copy, pixels
+ * @param size size of the rectangle, pixels
  */
 export function copyDepth(renderer: WebGLRenderer, copy: WebGLRenderTarget, from: Vector2, to: Vector2, size: Vector2) {
   const gl = renderer.getContext() as WebGL2RenderingContext;
@@ -50,11 +52,14 @@ export function copyDepth(renderer: WebGLRenderer, copy: WebGLRenderTarget, from
   gl.bindFramebuffer(gl.READ_FRAMEBUFFER, gl.getParameter(gl.DRAW_FRAMEBUFFER_BINDING) as WebGLFramebuffer);
 }
 
-/** Which depths a context can copy: those of the same kind. Asking the GPU takes time, so each is looked at once. */
+/**
+ * Tests whether a depth buffer has the format of the copy, which a blit requires. Results are memoized by framebuffer,
+ * because the query is slow.
+ */
 export class CopyableDepths {
   private readonly known = new WeakMap<object, boolean>();
 
-  /** Whether the depth that is being drawn into is one of them. */
+  /** Whether the depth of the bound framebuffer can be copied. */
   includesBound(gl: WebGL2RenderingContext): boolean {
     const framebuffer = gl.getParameter(gl.DRAW_FRAMEBUFFER_BINDING) as WebGLFramebuffer | null;
     const key = framebuffer ?? gl;

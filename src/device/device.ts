@@ -6,29 +6,29 @@ import { keepsWrittenDepth } from './selfTest.ts';
 
 export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
 
-/** The context went, came back, or nobody should wait for it any longer. */
+/** The context was lost, was restored, or the device gave up on its restoration. */
 export type ContextEvent = 'lost' | 'restored' | 'missing';
 
-/** Browsers restore a context within a second or two, if they do. */
+/** Timeout of the restoration, milliseconds. Browsers restore a context within about two seconds or not at all. */
 const TIMEOUT_MS = 10_000;
-/** A context that goes more often than this within two minutes goes by what is drawn, and would go for ever. */
+/** Losses within two minutes after which the device gives up: the drawn content probably causes them. */
 const MAX_LOSSES = 3;
 const LOSSES_WITHIN_MS = 120_000;
 
 export interface DeviceOptions {
-  /** Draws as where the self test fails, for tests and to see what that looks like. */
+  /** Behaves as if the self test had failed, for tests and to preview the fallback. */
   failsSelfTest?: boolean;
 }
 
 /**
- * One WebGL2 context and what every smoke on it shares: the renderer with its programs, and the puffs.
- * A lost context is recovered here, once: three uploads everything anew after the browser gives the context back.
+ * A WebGL2 context and what all smokes on it share: the renderer with its programs, and the puff textures. It handles
+ * context loss and restoration for all of them; three.js uploads all resources again after the restoration.
  */
 export class Device {
   readonly renderer: WebGLRenderer;
   readonly puffs: PuffLibrary;
   readonly programs = new ProgramsAhead();
-  /** Whether a depth that fragments write is kept; where it is not, puffs are flat. Found by a small drawing at start. */
+  /** Whether the GPU keeps the depth that fragments write, found by a self test at creation. If not, puffs are flat. */
   readonly writesDepth: boolean;
   private readonly ownsRenderer: boolean;
   private readonly listeners = new Set<(event: ContextEvent) => void>();
@@ -36,10 +36,12 @@ export class Device {
   private isDisposed = false;
   private isLost = false;
   private isMissing = false;
-  /** When the context went, the latest losses. */
+  /** Times of the most recent losses, milliseconds of `performance.now()`. */
   private losses: number[] = [];
 
-  /** @param ownsRenderer whether renderer and context end with this device; those of a host stay as they are */
+  /**
+   * @param ownsRenderer whether `dispose` also disposes of the renderer and its context; false for a host's renderer
+   */
   constructor(renderer: WebGLRenderer, ownsRenderer: boolean, { failsSelfTest = false }: DeviceOptions = {}) {
     this.renderer = renderer;
     this.ownsRenderer = ownsRenderer;
@@ -55,28 +57,31 @@ export class Device {
 
   /** False while the context is lost and after disposal: nothing can be drawn then. */
   get isUsable(): boolean {
-    // The context may be gone already when its event is still to come.
+    // The context can be lost before its event is dispatched.
     return !this.isDisposed && !this.isLost && !this.renderer.getContext().isContextLost();
   }
 
-  /** Tells when the context goes, is back, or is given up. Returns the function that stops telling. */
+  /** Adds a listener for context events. Returns the function that removes it. */
   onContext(listener: (event: ContextEvent) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
   }
 
-  /** @throws ContextError when nothing can be drawn at present. */
+  /** @throws ContextError if the device is disposed or the context is lost */
   requireUsable(): void {
     if (this.isDisposed) throw new ContextError('This device was disposed; create a new one.');
     if (!this.isUsable) throw new ContextError('The graphics context is lost. Drawing resumes when it is restored.');
   }
 
-  /** False once the context was lost and nobody should wait for it; it may still come back. */
+  /**
+   * False after the device gave up on a lost context: a timeout or repeated losses. A later restoration makes it true
+   * again.
+   */
   get hasHope(): boolean {
     return !this.isMissing;
   }
 
-  /** Gives back what it holds, the context too if that is its own. May be called again. */
+  /** Releases all resources, and the context if the device owns it. Can be called more than once. */
   dispose(): void {
     if (this.isDisposed) return;
     this.isDisposed = true;
@@ -89,7 +94,7 @@ export class Device {
     if (!this.ownsRenderer) return;
     this.renderer.dispose();
     if (!this.isLost) return this.renderer.forceContextLoss();
-    // A lost context cannot be given back before the browser restores it.
+    // A lost context cannot be released until the browser restores it.
     const context = this.renderer.getContext();
     const giveBack = () => context.getExtension('WEBGL_lose_context')?.loseContext();
     this.canvas.addEventListener('webglcontextrestored', giveBack, { once: true });
@@ -104,7 +109,7 @@ export class Device {
     const now = performance.now();
     this.losses = [...this.losses.filter((at) => now - at < LOSSES_WITHIN_MS), now];
     if (this.losses.length > MAX_LOSSES) return this.giveUp();
-    // Without this the browser never offers the context again.
+    // The browser restores the context only if the default action is prevented.
     event.preventDefault();
     this.waiting = setTimeout(() => this.giveUp(), TIMEOUT_MS);
   };
@@ -125,15 +130,15 @@ export class Device {
   }
 }
 
-/** What is told of a context that nobody should wait for. */
+/** The error of a context that was not restored. */
 export function missingContext(): ContextError {
   return new ContextError('The graphics context is lost. Reload the page, or use another canvas.');
 }
 
 /**
- * Takes the WebGL2 context of a canvas that has none yet.
- * @throws UnsupportedError when the browser refuses WebGL2. ContextError for a canvas that has served a device before: its
- * context was given back for good
+ * Creates the WebGL2 context of a canvas that has no context yet, and a device on it.
+ * @throws UnsupportedError if WebGL2 is not available
+ * @throws ContextError if the canvas has had a device before: its context was released and cannot be created again
  */
 export function createDevice(canvas: DeviceCanvas, options: DeviceOptions = {}): Device {
   const context = canvas.getContext('webgl2', {

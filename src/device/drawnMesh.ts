@@ -1,7 +1,10 @@
 import { Mesh, Scene, type BufferGeometry, type RawShaderMaterial, type WebGLRenderer } from 'three';
 import { PassCamera } from './passCamera.ts';
 
-/** A mesh that a pass draws by itself, wherever its shaders put it. It owns neither geometry nor material. */
+/**
+ * A mesh that a pass draws on its own. Its shaders place it, so it is not culled. It does not dispose of its geometry
+ * or material.
+ */
 export class DrawnMesh<Geometry extends BufferGeometry = BufferGeometry> {
   readonly mesh: Mesh<Geometry, RawShaderMaterial>;
   private readonly scene = new Scene();
@@ -13,7 +16,6 @@ export class DrawnMesh<Geometry extends BufferGeometry = BufferGeometry> {
     this.scene.add(this.mesh);
   }
 
-  /** What it is drawn with at present. */
   get material(): RawShaderMaterial {
     return this.mesh.material;
   }
@@ -22,7 +24,7 @@ export class DrawnMesh<Geometry extends BufferGeometry = BufferGeometry> {
     this.mesh.material = material;
   }
 
-  /** Has its program compiled, and does not wait for it. */
+  /** Compiles the program without waiting for the result. */
   compile(renderer: WebGLRenderer): void {
     renderer.compile(this.scene, this.camera);
   }
@@ -31,7 +33,7 @@ export class DrawnMesh<Geometry extends BufferGeometry = BufferGeometry> {
     renderer.render(this.scene, this.camera);
   }
 
-  /** Draws once in another material. */
+  /** Draws once with another material. */
   drawAs(renderer: WebGLRenderer, other: RawShaderMaterial): void {
     const { material } = this;
     this.material = other;

@@ -2,7 +2,10 @@ import { LinearFilter, NoColorSpace, UnsignedByteType, Vector2, WebGLRenderTarge
 import fragmentShader from '../../shaders/enlarger/enlarger.frag';
 import { FullScreen } from './fullScreen.ts';
 
-/** A picture smaller than the canvas, and the way onto it: the canvas keeps its size, so that no page moves. */
+/**
+ * Renders at a lower resolution and scales the picture up to the canvas. The canvas keeps its size, so the page layout
+ * does not change.
+ */
 export class Enlarger {
   private readonly picture = new WebGLRenderTarget(1, 1, {
     type: UnsignedByteType,
@@ -18,13 +21,17 @@ export class Enlarger {
     canvas: this.canvas,
   });
 
-  /** Where to draw the picture. @param width, height in pixels, at least 1 */
+  /**
+   * Returns the render target for the picture.
+   * @param width pixels, at least 1
+   * @param height pixels, at least 1
+   */
   prepare(width: number, height: number): WebGLRenderTarget {
     this.picture.setSize(width, height);
     return this.picture;
   }
 
-  /** Draws the picture over the whole canvas. */
+  /** Draws the picture scaled to the whole canvas. */
   draw(renderer: WebGLRenderer): void {
     renderer.setRenderTarget(null);
     renderer.getDrawingBufferSize(this.canvas.value);

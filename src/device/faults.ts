@@ -1,19 +1,21 @@
 import type { Device } from './device.ts';
 
 /**
- * What no page can bring about on purpose, so that an application can try how it copes with it. Sources know these faults;
- * nothing that is built has them.
+ * Faults that a page cannot cause on purpose, so that an application can test how it handles them. They are available
+ * in the sources only; builds do not contain them.
  *
- * - `outOfMemory`: the simulator's memory is full before its first particle.
- * - `contextLostInStart`: the graphics context goes before the first picture, and does not come back by itself.
- * - `workerSilent`: the worker ends without a word once it has its order.
+ * - `outOfMemory`: the simulator's memory is full before the first particle.
+ * - `contextLostInStart`: the WebGL context is lost before the first frame and is not restored.
+ * - `workerSilent`: the worker exits without a message after it has received its request.
  */
 export type Fault = 'outOfMemory' | 'contextLostInStart' | 'workerSilent';
 
-/** WASM on 32 bits has no more pages than this. */
+/** Most pages of a 32-bit WebAssembly memory. */
 const MAX_PAGES = 65_536;
 
-/** Takes all the memory that a module may have, so that its next allocation fails. Browsers only note down what is empty. */
+/**
+ * Grows a memory to its limit, so that the next allocation fails. Browsers reserve these pages but do not commit them.
+ */
 export function fill(memory: WebAssembly.Memory): void {
   const pages = memory.buffer.byteLength / 65_536;
   for (let step = MAX_PAGES - pages; step >= 1; step = Math.floor(step / 2)) growBy(memory, step);
@@ -23,11 +25,11 @@ export function loseContext({ renderer }: Device): void {
   renderer.getContext().getExtension('WEBGL_lose_context')?.loseContext();
 }
 
-/** As often as it goes: a browser refuses what is too much at once. */
+/** Grows by a step until it fails: browsers refuse steps that are too large. */
 function growBy(memory: WebAssembly.Memory, step: number): void {
   try {
     for (;;) memory.grow(step);
   } catch {
-    // Less may still go.
+    // A smaller step may still succeed.
   }
 }

@@ -4,30 +4,30 @@ import type { PuffSolids } from '../puffs/bake/solids.ts';
 import type { CasterTable } from '../puffs/billboards/casters.ts';
 import type { PuffLayers } from '../puffs/billboards/layers.ts';
 
-/** How far puffs of one form and their shadows reach, in radii of the particle. */
+/** Bounds of the puffs of one form and their shadows, in radii of the particle. */
 export interface PuffExtents {
-  /** Factor on a particle's radius that makes the sphere which holds all of its puff. */
+  /** Radius of the bounding sphere of all puffs. */
   readonly reach: number;
-  /** How deep behind the centre plane something of a puff can be seen, in radii of the particle. */
+  /** Largest distance behind the centre plane at which a part of a puff is visible. */
   readonly depth: number;
-  /** How far behind the centre shadow volumes begin, at least and at most, as the table says. */
+  /** Least and greatest distance behind the centre at which shadow volumes start, from the baked table. */
   readonly capRange: readonly [number, number];
   readonly capTable: StartCaps;
   readonly solids: PuffSolids;
 }
 
-/** What all that draws asks of the puffs in one form. */
+/** Textures and bounds of the puffs of one form, as all passes use them. */
 export interface FormTextures extends PuffExtents {
   /** See `latestCap` in src/puffs/bake/startCaps.ts. */
   readonly latestCap: number;
-  /** A layer for each variation. */
+  /** Array texture with a layer for each variation. */
   readonly startCaps: DataArrayTexture;
-  /** A row for each variation: the lobes that the light meets, centre and radius, and how many of them count. */
+  /** One row for each variation: centre and radius of the lobes that cast shadow. The first `casterLobes` count. */
   readonly casterTable: DataTexture;
   readonly casterLobes: number;
 }
 
-/** Billboards as plain data: what the bodies show, and where volumes may begin. */
+/** Billboards as plain data: the layers to draw and the tables of their shadow volumes. */
 export interface BillboardData extends Pick<PuffExtents, 'reach' | 'depth' | 'solids'> {
   readonly layers: PuffLayers;
   readonly startCaps: StartCaps;

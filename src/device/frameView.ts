@@ -1,24 +1,24 @@
 import { Matrix4, Vector2, Vector3, Vector4, type Box3, type Camera, type IUniform } from 'three';
 
-/** What the shaders know of the camera, the light and the target; one object that all passes of a smoke share. */
+/** Uniforms of the camera, the light and the target. All passes of a smoke share one object. */
 export interface ViewUniforms extends Record<string, IUniform> {
   viewFromWorld: IUniform<Matrix4>;
   clipFromView: IUniform<Matrix4>;
-  /** Size of the target in its own pixels. */
+  /** Size of the target in pixels. */
   viewport: IUniform<Vector2>;
-  /** Where the picture begins in the target that volumes are counted in, in its pixels. */
+  /** Lower left corner of the viewport in the target where volumes are counted, pixels. */
   viewportOrigin: IUniform<Vector2>;
   /** View depth of the near plane. */
   near: IUniform<number>;
-  /** (unit vector towards the light, 0) or (its place, 1), see shaders/lib/light.glsl. */
+  /** (unit vector towards the light, 0) or (position of the light, 1), see shaders/lib/light.glsl. */
   lightInWorld: IUniform<Vector4>;
   lightInView: IUniform<Vector4>;
-  /** The box beyond which nothing receives shadow: volumes end where they have left it. */
+  /** World-space box of everything that receives shadow. Shadow volumes end where they leave it. */
   receiversMin: IUniform<Vector3>;
   receiversMax: IUniform<Vector3>;
 }
 
-/** A camera and a light as the passes see them during one frame. */
+/** The camera and the light of one frame, as the passes use them. */
 export class FrameView {
   readonly uniforms: ViewUniforms = {
     viewFromWorld: { value: new Matrix4() },
@@ -34,13 +34,14 @@ export class FrameView {
   readonly clipFromWorld = new Matrix4();
   /** Unit vector in world space along which the camera looks. */
   readonly forward = new Vector3();
-  /** Depth of the eye itself. */
+  /** Depth of the camera along `forward`, measured from the world origin. */
   private depth = 0;
 
   /**
-   * @param light (unit vector towards it, 0) or (its place, 1), world space
+   * Sets the camera, the light and the size of the target.
+   * @param light (unit vector towards the light, 0) or (position of the light, 1), world space
    * @param width, height of the target in pixels
-   * @param reversedDepth whether the renderer puts the near plane at window depth 1 and the far one at 0
+   * @param reversedDepth whether the renderer maps the near plane to window depth 1 and the far plane to 0
    */
   look(camera: Camera, light: Vector4, width: number, height: number, reversedDepth = false): void {
     const { uniforms } = this;
@@ -57,56 +58,56 @@ export class FrameView {
     this.depth = new Vector3().setFromMatrixPosition(camera.matrixWorld).dot(this.forward);
   }
 
-  /** Unit vector along which the light travels at a place, world space. */
+  /** Unit vector along which the light travels at a point, world space. */
   travelAt(place: Vector3): Vector3 {
     const { x, y, z, w } = this.uniforms.lightInWorld.value;
     return new Vector3(x, y, z).addScaledVector(place, -w).normalize().negate();
   }
 
-  /** Whether the light's rays are parallel. */
+  /** Whether the light is directional, with parallel rays. */
   get isLitBySun(): boolean {
     return this.uniforms.lightInWorld.value.w === 0;
   }
 
-  /** @param box of everything that can receive a shadow, world space */
+  /** @param box box of everything that can receive a shadow, world space */
   receive(box: Box3): void {
     this.uniforms.receiversMin.value.copy(box.min);
     this.uniforms.receiversMax.value.copy(box.max);
   }
 
-  /** Depths along {@link forward}, from the world's origin, at which the near and the far plane stand. */
+  /** Depths of the near and the far plane along {@link forward}, measured from the world origin. */
   get range(): [number, number] {
     return [this.depth + this.uniforms.near.value, this.depth + farOf(this.uniforms.clipFromView.value)];
   }
 
-  /** Tangent of the largest angle between a view ray and the view axis; 0 where all rays are parallel. */
+  /** Tangent of the largest angle between a view ray and the view axis; 0 for an orthographic camera. */
   get steepestSlope(): number {
     const e = this.uniforms.clipFromView.value.elements;
     if (e[11] === 0) return 0;
     return Math.hypot((1 + Math.abs(e[8])) / e[0], (1 + Math.abs(e[9])) / e[5]);
   }
 
-  /** World units that one pixel spans, for each unit of clip w. */
+  /** World units that one pixel spans, per unit of clip w. */
   get unitsPerPixel(): number {
     return 2 / (this.uniforms.clipFromView.value.elements[5] * this.uniforms.viewport.value.y);
   }
 }
 
-/** Gives a projection the depth that three.js gives it when it first draws with a reversed depth buffer. */
+/** Converts a projection matrix to reversed depth. three.js does this only when it first draws with the camera. */
 function reverseDepth({ elements }: Matrix4): void {
   for (const column of [0, 4, 8, 12]) elements[column + 2] = 0.5 * (elements[column + 3] - elements[column + 2]);
 }
 
-/** View depth of the plane that a projection has as its near one. */
+/** View depth of the near plane of a projection. */
 function nearOf(clipFromView: Matrix4): number {
   const e = clipFromView.elements;
   // Reversed, see shaders/lib/depth.glsl: clip z = clip w at the near plane.
   if (e[14] > 0) return (e[14] - e[15]) / (e[10] - e[11]);
-  // clip z = -clip w there: e10 z + e14 = -(e11 z + e15), solved for z = -near.
+  // At the near plane clip z = -clip w: e10 z + e14 = -(e11 z + e15), solved for z = -near.
   return (e[14] + e[15]) / (e[10] + e[11]);
 }
 
-/** View depth of its far plane; that of a projection without an end is far beyond all. */
+/** View depth of the far plane of a projection; a large number if the far plane is at infinity. */
 function farOf(clipFromView: Matrix4): number {
   const BOUNDLESS = 1e9;
   const e = clipFromView.elements;

@@ -1,11 +1,12 @@
 import type { Device } from './device.ts';
 
-/** The GPU draws one frame while it is told the next; more would only make what is seen older. */
+/** The GPU draws one frame while the next is submitted. More frames in flight only add latency. */
 const MAX_FRAMES = 2;
 
 /**
- * Frames that were handed to the GPU and are not drawn yet. Browsers hold animation frames back for a GPU that falls behind
- * as long as they show the canvas; beside the viewport they do not, and the whole page would wait behind what piles up.
+ * Limits the frames that are submitted to the GPU and not finished. Browsers throttle animation frames for a slow GPU
+ * only while the canvas is visible. Outside of the viewport they do not, and the whole page would wait for the queued
+ * frames.
  */
 export class FramesInFlight {
   private readonly context: WebGL2RenderingContext;
@@ -15,23 +16,23 @@ export class FramesInFlight {
     this.context = renderer.getContext() as WebGL2RenderingContext;
   }
 
-  /** Whether the next frame had better wait. */
+  /** Whether the next frame should wait. */
   get isFull(): boolean {
     while (this.fences.length > 0 && this.isDrawn(this.fences[0])) this.context.deleteSync(this.fences.shift()!);
     return this.fences.length >= MAX_FRAMES;
   }
 
-  /** A frame has just been handed over. */
+  /** Call after the commands of a frame are submitted. */
   add(): void {
     const { context } = this;
     const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
     if (!fence) return;
     this.fences.push(fence);
-    // Until then it is not even on its way.
+    // The fence is not sent to the GPU before a flush.
     context.flush();
   }
 
-  /** The context has gone, and they with it. */
+  /** Forgets all frames after a context loss, which invalidates their fences. */
   clear(): void {
     this.fences = [];
   }

@@ -13,7 +13,7 @@ import {
 import vertexShader from '../../shaders/lib/fullScreen.vert';
 import { DrawnMesh } from './drawnMesh.ts';
 
-/** Blending that adds to what stands. */
+/** Additive blending. */
 export const ADDS = {
   blending: CustomBlending,
   blendEquation: AddEquation,
@@ -22,8 +22,8 @@ export const ADDS = {
 } as const satisfies ShaderMaterialParameters;
 
 /**
- * Draws one fragment shader over the whole viewport, by one triangle, and owns its material.
- * Without further parameters it replaces what stands, and neither reads nor writes depth and stencil.
+ * Draws a fragment shader over the whole viewport with one triangle, and owns its geometry and material. By default it
+ * replaces the destination colour, and neither tests nor writes depth and stencil.
  */
 export class FullScreen extends DrawnMesh {
   constructor(
@@ -52,7 +52,7 @@ export class FullScreen extends DrawnMesh {
   }
 }
 
-/** One that covers the whole viewport. */
+/** A triangle that covers the whole viewport. */
 export function triangle(): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute('corner', new BufferAttribute(new Float32Array([-1, -1, 3, -1, -1, 3]), 2));

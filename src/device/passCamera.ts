@@ -1,7 +1,7 @@
 import { Camera } from 'three';
 
-/** What three.js is given as the camera of a pass, whose shaders take theirs from the eye. */
+/** The camera argument of `WebGLRenderer.render` for a pass. The shaders take their matrices from the view uniforms. */
 export class PassCamera extends Camera {
-  /** three.js asks for it when depth is reversed; there is nothing to update. */
+  /** three.js calls this with a reversed depth buffer; there is nothing to update. */
   updateProjectionMatrix(): void {}
 }

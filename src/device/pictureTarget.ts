@@ -1,6 +1,6 @@
 import { NearestFilter, NoColorSpace, WebGLRenderTarget } from 'three';
 
-/** A target for one display-encoded colour that is read pixel by pixel; 1 x 1 until it is given a size. */
+/** A render target for one display-encoded colour that is read by texelFetch; 1 x 1 until it is resized. */
 export function pictureTarget(): WebGLRenderTarget {
   return new WebGLRenderTarget(1, 1, {
     colorSpace: NoColorSpace,

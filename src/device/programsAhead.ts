@@ -2,7 +2,7 @@ import { GLSL3, RawShaderMaterial, type WebGLRenderer } from 'three';
 import { DrawnMesh } from './drawnMesh.ts';
 import { triangle } from './fullScreen.ts';
 
-/** What makes a program, as three.js takes it. */
+/** The shaders of a program, as three.js takes them. */
 export interface Shaders {
   readonly vertexShader: string;
   readonly fragmentShader: string;
@@ -10,14 +10,14 @@ export interface Shaders {
 }
 
 /**
- * Programs that the browser compiles while the page goes on; three.js would wait for each where it is first drawn with, one
- * after the other. Nothing is drawn with these, but they keep the programs, which three.js knows by their text, for whoever
- * comes with the same.
+ * Compiles programs in the background. three.js compiles a program when it first draws with it and waits for the
+ * result. The materials here draw nothing: they keep programs in the cache of three.js, which finds them by their
+ * source text when another material has the same shaders.
  */
 export class ProgramsAhead {
   private readonly programs = new Map<string, RawShaderMaterial>();
 
-  /** Has a program compiled, unless it has been, and does not wait for it. */
+  /** Compiles a program unless it was compiled before. Does not wait for the result. */
   compile(renderer: WebGLRenderer, shaders: Shaders): void {
     const key = JSON.stringify(shaders);
     if (this.programs.has(key)) return;

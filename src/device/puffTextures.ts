@@ -7,40 +7,40 @@ import { capRange, capTexture } from './capTexture.ts';
 import { Shared } from './shared.ts';
 import type { BillboardData, FormTextures } from './formTextures.ts';
 
-/** What a puff is on the screen: lobes met per pixel, or the paper's billboards, baked from one side. */
+/** How a puff is drawn: as lobes that are intersected per pixel, or as the paper's billboards, baked from one side. */
 export type PuffForm = 'lobes' | 'billboards';
 
-/** Billboards as plain data, and how they come to the graphics card. */
+/** Billboards as plain data, and a factory of their textures. */
 export interface BillboardPuffs extends BillboardData {
-  /** The context decides which filters there are. */
+  /** @param context its extensions decide which texture filters are available */
   texturesFor(context: WebGL2RenderingContext): BillboardTextures;
 }
 
-/** Puffs as plain data in each form. Each may be made when it is first asked for. */
+/** Puffs as plain data in each form. A form may be baked on first access. */
 export interface BakedPuffs {
   readonly lobes: LobePuffs;
-  /** @throws LoadError before anybody has fetched the code of billboards, as a style does that asks for them */
+  /** @throws LoadError if the code of billboards was not loaded, which a style with billboards does */
   readonly billboards: BillboardPuffs;
 }
 
-/** The textures of all puffs on one device: smokes that show the same puffs share them. */
+/** The puff textures of a device. Smokes with the same puffs share them. */
 export class PuffLibrary {
   readonly lobes = new Shared((puffs: LobePuffs) => new LobeTextures(puffs));
   readonly billboards: Shared<BillboardPuffs, BillboardTextures>;
 
-  /** @param context decides which filters there are */
+  /** @param context its extensions decide which texture filters are available */
   constructor(context: WebGL2RenderingContext) {
     this.billboards = new Shared((puffs) => puffs.texturesFor(context));
   }
 
-  /** Lets go of what is on the graphics card; what is drawn again is uploaded anew. */
+  /** Frees all GPU resources. They are uploaded again when they are next drawn. */
   dispose(): void {
     this.lobes.dispose();
     this.billboards.dispose();
   }
 }
 
-/** The puffs of one smoke as the body and volume shaders read them. A form that is not drawn takes no memory. */
+/** The puff textures of one smoke. A form that is not drawn allocates nothing. */
 export class PuffTextures {
   private readonly library: PuffLibrary;
   private puffs: BakedPuffs;
@@ -66,13 +66,13 @@ export class PuffTextures {
     return form === 'lobes' ? this.lobes : this.billboards;
   }
 
-  /** Goes over to other puffs; who draws them asks again with `of`. */
+  /** Replaces the puffs. Passes have to call `of` again. */
   show(puffs: BakedPuffs): void {
     this.dispose();
     this.puffs = puffs;
   }
 
-  /** Gives back what it holds; what is asked for again is held anew. */
+  /** Releases the textures. The next access holds them again. */
   dispose(): void {
     if (this.lobeTextures) this.library.lobes.release(this.puffs.lobes);
     if (this.billboardTextures) this.library.billboards.release(this.puffs.billboards);
@@ -80,7 +80,7 @@ export class PuffTextures {
   }
 }
 
-/** A row of numbers for each variation. */
+/** The lobes of all puffs as a texture, with a row for each variation. */
 class LobeTextures implements FormTextures {
   readonly puffs: LobePuffs;
   readonly lobeTable: DataTexture;

@@ -11,50 +11,52 @@ import {
 /** A display-encoded colour, each channel 0 to 255. */
 export type Color = readonly [red: number, green: number, blue: number];
 
-/** Gives a colour to a uniform, display-encoded as it is. */
+/** Writes a colour to a uniform without a colour space conversion. */
 export function writeColor(color: Color, uniform: IUniform<ThreeColor>): void {
   uniform.value.fromArray(color.map((channel) => channel / 255));
 }
 
-/** One flat tone of a ramp: it begins where N.L reaches `from` (0 to 1; the first tone also holds before it). */
+/** A flat tone of a ramp. It applies where N.L is at least `from` (0 to 1); the first tone also applies below that. */
 export interface Tone {
   from: number;
   color: Color;
 }
 
-/** How one material answers light: its tones in the light, and its tones in shadow. Both start with the same tone. */
+/** The tones of a material in the light and in shadow. Both start with the same tone. */
 export interface Ramp {
   lit: readonly Tone[];
   unlit: readonly Tone[];
-  /** What stands for the first tone where the fill light reaches; the first tone itself where absent. */
+  /** Replaces the first tone where the fill light reaches; defaults to the first tone. */
   filled?: Color;
-  /** Whether tones run into each other instead of being flat. */
+  /** Whether tones are interpolated instead of flat. */
   isBlended?: boolean;
 }
 
-/** Which ramp a body has: `ages` and `temperatures` are numbers by byte whose sum is the number of the material. */
+/** Selects the ramp of a puff: the ramp index is `ages[ageByte] + temperatures[temperatureByte]`. */
 export interface Bands {
   readonly ages: readonly number[];
   readonly temperatures: readonly number[];
 }
 
-/** N.L below which ramps of tones turn no lighter: from there on shadow volumes start close behind what can be lit. */
+/**
+ * Least N.L of the second tone in built-in ramps, so that shadow volumes can start close behind the lit part of a puff.
+ */
 export const FIRST_BORDER = 0.3;
 
-// An even count puts a border at 1/2 exactly between two texels.
+// An even number, so that a border at 1/2 is exactly between two texels.
 const TEXELS = 256;
 const ROWS = 4;
 
 /**
- * The quantisation q of Eq. 2 (McGuire and Fein 2006) as a texture: for each material rows of final colours in shadow
- * and in the light, then the same two where the fill light reaches, over max(0, N.L); the clamped address is the max.
- * Colours arrive on the screen exactly. The last row tells which material a body has: see {@link Bands}.
+ * The quantisation q of Eq. 2 (McGuire and Fein 2006) as a texture of final colours over max(0, N.L); clamping the
+ * texture coordinate gives the max. Each material has four rows: in shadow, in the light, then both again where the
+ * fill light reaches. Nearest filtering keeps the colours exact. The last row holds the {@link Bands}.
  */
 export class RampTexture {
   readonly texture: DataTexture;
   private materials: number;
 
-  /** @param materials how many ramps it holds */
+  /** @param materials number of ramps */
   constructor(materials: number) {
     this.materials = materials;
     this.texture = new DataTexture(bytesFor(materials), TEXELS, rowsFor(materials), RGBAFormat, UnsignedByteType);
@@ -64,7 +66,7 @@ export class RampTexture {
     this.texture.magFilter = NearestFilter;
   }
 
-  /** Makes room for another number of ramps; all of them are to be written then. */
+  /** Changes the number of ramps. All ramps must be written again afterwards. */
   resize(materials: number): void {
     if (materials === this.materials) return;
     this.materials = materials;
@@ -119,7 +121,7 @@ export function colorAt(tones: readonly Tone[], facing: number): Color {
   return tones[toneAt(tones, facing)].color;
 }
 
-/** Which tone of a ramp holds at a value. */
+/** Index of the tone that applies at a value of max(0, N.L). */
 export function toneAt(tones: readonly Tone[], facing: number): number {
   return Math.max(
     0,
@@ -127,7 +129,7 @@ export function toneAt(tones: readonly Tone[], facing: number): number {
   );
 }
 
-/** The colour of a ramp whose tones run into each other, at a value of max(0, N.L). */
+/** The interpolated colour of a ramp at a value of max(0, N.L). */
 export function blendedAt(tones: readonly Tone[], facing: number): Color {
   const tone = toneAt(tones, facing);
   const [low, high] = [tones[tone], tones[Math.min(tone + 1, tones.length - 1)]];
@@ -135,7 +137,7 @@ export function blendedAt(tones: readonly Tone[], facing: number): Color {
   return mixed(low.color, high.color, Math.max(0, share));
 }
 
-/** From one colour (share 0) to another (share 1), as displayed. */
+/** Interpolates display-encoded colours linearly, from one (share 0) to the other (share 1). */
 export function mixed(from: Color, to: Color, share: number): Color {
   return from.map((channel, index) => Math.round(channel + share * (to[index] - channel))) as [number, number, number];
 }

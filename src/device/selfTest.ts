@@ -17,7 +17,9 @@ import vertexShader from '../../shaders/selfTest/selfTest.vert';
 
 const [WIDTH, HEIGHT] = [16, 8];
 
-/** A rectangle over one half of the picture: where it lies, what it writes, and what it shows. */
+/**
+ * A rectangle over one half of the target: its geometric depth, the depth that its fragments write, and its grey level.
+ */
 interface Rectangle {
   half: 'left' | 'right';
   polygonDepth: number;
@@ -26,8 +28,8 @@ interface Rectangle {
 }
 
 /**
- * On the left the second rectangle lies behind the first but writes that it is in front; on the right it is the other
- * way about. Where polygons are tested before the shader has run, both halves come out wrong.
+ * On the left, the second rectangle is behind the first, but its fragments write a smaller depth. On the right, it is
+ * in front and its fragments write a larger depth. An early depth test gives the wrong result in both halves.
  */
 const RECTANGLES: readonly Rectangle[] = [
   { half: 'left', polygonDepth: 0.25, writtenDepth: 0.75, tone: 0.5 },
@@ -37,8 +39,9 @@ const RECTANGLES: readonly Rectangle[] = [
 ];
 
 /**
- * Whether the depth that a fragment writes is the one that counts. Some GPUs go on testing polygons early (Intel HD 620
- * and 630 among them); they are found by what they draw, not by their names. Leaves the renderer as it was.
+ * Whether the depth test uses the depth that fragments write. Some GPUs keep the early depth test on (Intel HD 620 and
+ * 630 among them). The test draws and reads pixels instead of matching GPU names. It restores the state of the
+ * renderer.
  */
 export function keepsWrittenDepth(renderer: WebGLRenderer): boolean {
   const target = new WebGLRenderTarget(WIDTH, HEIGHT, { minFilter: NearestFilter, magFilter: NearestFilter });
@@ -58,7 +61,7 @@ export function keepsWrittenDepth(renderer: WebGLRenderer): boolean {
   return pixels.every((value) => value === 255);
 }
 
-/** @param isReversed whether near is 1 and clip space ends at 0 */
+/** @param isReversed whether the near plane has window depth 1 and clip space depth is 0 to 1 */
 function rectangles(isReversed: boolean): BufferGeometry {
   const geometry = new BufferGeometry();
   const corners = RECTANGLES.flatMap((rectangle) => {

@@ -3,7 +3,7 @@ interface Held<Item> {
   holders: number;
 }
 
-/** What stands on a device once for all that use it: made for the first, disposed of after the last. */
+/** Reference-counted resources of a device: created on first use, disposed of after the last release. */
 export class Shared<Key extends object, Item extends { dispose(): void }> {
   private readonly make: (key: Key) => Item;
   private readonly held = new Map<Key, Held<Item>>();
@@ -12,12 +12,12 @@ export class Shared<Key extends object, Item extends { dispose(): void }> {
     this.make = make;
   }
 
-  /** How many different things are held. */
+  /** Number of distinct resources. */
   get size(): number {
     return this.held.size;
   }
 
-  /** The item of a key, which has to be released as often as it was held. */
+  /** Returns the item of a key. Each call needs a matching `release`. */
   hold(key: Key): Item {
     const held = this.held.get(key) ?? { item: this.make(key), holders: 0 };
     held.holders += 1;
@@ -33,7 +33,7 @@ export class Shared<Key extends object, Item extends { dispose(): void }> {
     this.held.delete(key);
   }
 
-  /** Disposes of all items where they are; they stay held. */
+  /** Disposes of all items but keeps the references: items recreate their GPU resources when they are next drawn. */
   dispose(): void {
     for (const { item } of this.held.values()) item.dispose();
   }

@@ -8,13 +8,13 @@ import {
   type WebGLRenderer,
 } from 'three';
 
-/** What a face does to the stencil when its fragment fails the depth test, and when it passes. WebGL enums. */
+/** Stencil operations of a face for fragments that fail and that pass the depth test, as WebGL enums. */
 export interface FaceCount {
   depthFail: number;
   depthPass: number;
 }
 
-/** A material that shows nothing and only counts: both faces, tested against the depth that stands. */
+/** A material that only counts in the stencil: double-sided, depth-tested, without colour and depth writes. */
 export function countingMaterial(
   shaders: Pick<ShaderMaterialParameters, 'vertexShader' | 'fragmentShader' | 'uniforms'>,
 ): RawShaderMaterial {
@@ -30,9 +30,9 @@ export function countingMaterial(
 }
 
 /**
- * Lets the front and the back faces of a mesh count differently. three.js knows one set of stencil operations for both,
- * so its cache is filled with the values that the material holds (all Keep), which makes its own call, right before the
- * draw, do nothing; after the draw the context is put back to what the cache says.
+ * Gives the front and the back faces of a mesh different stencil operations. three.js sets one operation for both. Here
+ * its state cache is set to the operations of the material (all Keep), so that its own call before the draw call is
+ * skipped. After the draw call the context state is reset to match the cache.
  */
 export function countFaces(mesh: Mesh, front: FaceCount, back: FaceCount): void {
   mesh.onBeforeRender = (renderer: WebGLRenderer) => {

@@ -1,4 +1,7 @@
-/** Puts the number in as digits, which three.js needs to unroll the loops, and then the shader has no dynamic index. */
+/**
+ * Replaces LOBES by the number of lobes. three.js unrolls loops only with literal bounds; unrolled loops need no
+ * dynamic indexing.
+ */
 export function withLobes(shader: string, lobes: number): string {
   return shader.replaceAll(/\bLOBES\b/g, String(lobes));
 }

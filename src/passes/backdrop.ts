@@ -4,7 +4,7 @@ import type { FrameView } from '../device/frameView.ts';
 import { FullScreen } from '../device/fullScreen.ts';
 import { writeColor, type Color } from '../device/ramps.ts';
 
-/** Paints what lies behind everything, if anything does. Reads nothing; writes both colours. */
+/** Draws the background gradient. Reads no textures; writes the lit and the unlit colour. */
 export class BackdropPass {
   private readonly uniforms = { topColor: { value: new ThreeColor() }, bottomColor: { value: new ThreeColor() } };
   private readonly triangle: FullScreen;

@@ -21,15 +21,15 @@ import { withLobes } from '../device/unroll.ts';
 import type { SurfaceDepthPass } from './surfaceDepth.ts';
 import { InkUniforms, type InkLine } from './ink.ts';
 
-/** What runs along a gradient fill. */
+/** The coordinate that a gradient fill follows. */
 export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
 
 const NO_SURFACES = { surfaceDepth: { value: null }, hasSurfaces: { value: false }, surfaceSlack: { value: 0 } };
 
-/** Draws the bodies: colour in light and in shadow, ink, and depth. Opaque and free of any order. */
+/** Draws the puffs: lit and unlit colour, ink, and depth. Puffs are opaque, so rows can be in any order. */
 export class BodiesPass {
   private readonly rows: DrawnMesh;
-  /** By the number of lobes that are unrolled in them; the billboards' by 0. */
+  /** Materials by lobe count, because the shaders unroll the loop over the lobes; 0 is the key of the billboards. */
   private readonly materials = new Map<number, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
   private readonly isFlat: boolean;
@@ -57,10 +57,10 @@ export class BodiesPass {
   };
 
   /**
-   * @param ramps holds those of the tints from 1 on, and says by its bands which one a body without a tint has
-   * @param rows with one quad for each body; with two, front and back, where bodies are flat
-   * @param surfaceDepth of the surfaces that bodies may touch; none where absent
-   * @param isFlat whether bodies are as deep as their quads, for GPUs that do not keep a depth that fragments write
+   * @param ramps ramps 1 and up are those of the tints; its bands select the ramp of a puff without a tint
+   * @param rows instance buffer with one quad, or with two (front and back) if `isFlat`
+   * @param surfaceDepth depth of the surfaces that puffs may touch; without it puffs have no contact lines
+   * @param isFlat whether puffs have the depth of their quads, for GPUs that do not keep the depth that fragments write
    */
   constructor(
     eye: FrameView,
@@ -84,17 +84,17 @@ export class BodiesPass {
   }
 
   /**
-   * Chooses how puffs become pixels, and follows other puffs; a form that is not drawn costs nothing.
-   * @param billboards by what they are drawn; lobes are where absent, and where bodies are flat
+   * Selects the shaders of a puff form and binds the current puffs. A form that is not drawn is not uploaded.
+   * @param billboards shaders of the billboards; without them, or if the puffs are flat, lobes are drawn
    */
   setForm(billboards?: Shaders): void {
     this.rows.material = billboards && !this.isFlat ? this.billboardsMaterial(billboards) : this.lobesMaterial();
   }
 
   /**
-   * Lets lines tremble, as when each drawing is traced anew.
-   * @param boil 0..1: at 1 lines thin down to a half here and there
-   * @param drawing number of the drawing; the same one looks the same again
+   * Makes lines vary from drawing to drawing, like the boiling lines of hand-drawn animation.
+   * @param boil 0..1: at 1 lines thin to half of their width in places
+   * @param drawing index of the drawing; equal indices give equal lines
    */
   setBoil(boil: number, drawing: number): void {
     this.uniforms.boil.value = boil;
@@ -102,8 +102,8 @@ export class BodiesPass {
   }
 
   /**
-   * @param innerLine depth gap, in puff radii, beyond which a puff is outlined against what lies behind it
-   * @param innerTaper how much more gap, as a multiple, the line takes to reach its full width
+   * @param innerLine depth gap, in puff radii, beyond which a puff is outlined against what is behind it
+   * @param innerTaper additional gap, as a multiple of `innerLine`, over which the line reaches its full width
    */
   setInk(line: InkLine, innerLine: number, innerTaper: number): void {
     this.ink.set(line);
@@ -111,14 +111,14 @@ export class BodiesPass {
     this.uniforms.innerTaper.value = innerTaper;
   }
 
-  /** @param width of the band along silhouettes that look away from the light, 0 (none) to 1 */
+  /** @param width width of the band along silhouettes that face away from the light, 0 (none) to 1 */
   setRim(color: Color, width: number): void {
     this.uniforms.rim.value.set(color[0] / 255, color[1] / 255, color[2] / 255, width);
   }
 
   /**
    * Fills from `color` at the low end of the gradient to the smoke's own colour at the high end.
-   * @param bottom, top heights in the world, metres, between which the gradient 'height' runs
+   * @param bottom, top world heights, metres, between which the gradient 'height' runs
    */
   setGradient(gradient: Gradient, color: Color, smokeColor: Color, [bottom, top]: readonly [number, number]): void {
     const { gradientFactor, heights, gradientWeights } = this.uniforms;
@@ -133,12 +133,12 @@ export class BodiesPass {
     this.rows.draw(renderer);
   }
 
-  /** What it draws with at present. */
+  /** The material of the draw call. */
   get material(): RawShaderMaterial {
     return this.rows.material;
   }
 
-  /** Draws once in another material, made of the present one. */
+  /** Draws once with a variant of the material. */
   drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
     this.rows.drawAs(renderer, material);
   }
@@ -180,7 +180,7 @@ export class BodiesPass {
   }
 }
 
-/** By which puffs of so many lobes are drawn. */
+/** The shaders of puffs with a number of lobes, with their loops unrolled. */
 export function lobeBodyShaders(lobes: number, isFlat: boolean): Shaders {
   return {
     vertexShader: withLobes(lobesVertexShader, lobes),

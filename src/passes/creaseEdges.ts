@@ -1,11 +1,11 @@
 import { weld, type TriangleMesh } from './extrusion.ts';
 
-/** Edges that are drawn as lines, numbers one after the other for each. */
+/** Edges that are drawn as lines, as flat arrays. */
 export interface CreaseEdges {
   count: number;
-  /** Six: its two ends. */
+  /** Six numbers for each edge: its two end points. */
   ends: Float32Array;
-  /** Six: the unit normals of the two faces beside it; where there is one face only, zeros follow. */
+  /** Six numbers for each edge: the unit normals of its two faces. A border edge has zeros for the second. */
   faceNormals: Float32Array;
 }
 
@@ -18,9 +18,9 @@ interface Edge {
 }
 
 /**
- * The creases of a mesh: edges where two faces meet at a sharp angle without sharing their shaded corners, as smooth
- * faces do, and edges of one face only.
- * @param angle least turn between the normals of two faces, degrees
+ * Finds the creases of a mesh: edges where two faces meet at a sharp angle and do not share vertices, as smooth faces
+ * do, and border edges with one face.
+ * @param angle least angle between the normals of the two faces, degrees
  */
 export function creaseEdges(mesh: TriangleMesh, angle: number): CreaseEdges {
   const least = Math.cos((angle * Math.PI) / 180);
@@ -59,7 +59,7 @@ function join(edge: Edge, ends: readonly [number, number], normal: Vector): void
   edge.isSplit = !ends.every((vertex) => edge.ends.includes(vertex));
 }
 
-/** The unit normal of a face; none where it has no area. */
+/** The unit normal of a face, or undefined for a degenerate face. */
 function normalOf(positions: Float32Array, [a, b, c]: readonly number[]): Vector | undefined {
   const side = (vertex: number): Vector => [
     positions[3 * vertex] - positions[3 * a],

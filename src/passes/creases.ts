@@ -21,12 +21,12 @@ import { memoize } from './memoize.ts';
 import { seamEdges } from './seamEdges.ts';
 import type { SurfaceDescription } from './surfaces.ts';
 
-/** Degrees between two faces from which their edge is drawn. */
+/** Least angle between the normals of two faces whose edge is drawn, degrees. */
 const SHARP = 40;
 
 /**
- * Draws the sharp edges of inked surfaces, and the seams along which those of one rigid meet, as ribbons that are as wide
- * as other lines, where the depth test lets them show.
+ * Draws the sharp edges of inked surfaces, and the seams between surfaces of the same rigid, as ribbons with the width
+ * of the outlines. The depth test hides the covered ones.
  */
 export class CreasesPass {
   private readonly scene = new Scene();
@@ -46,12 +46,12 @@ export class CreasesPass {
     edgesOf(surfaces).forEach((edges, index) => this.add(index, edges));
   }
 
-  /** A line of no width draws none. */
+  /** A line width of 0 draws nothing. */
   setInk(line: InkLine): void {
     this.ink.set(line);
   }
 
-  /** Puts a surface where its rigid is, in sight or not. */
+  /** Sets the world transform and the visibility of a surface. */
   place(surface: number, worldFromModel: Matrix4, isVisible = true): void {
     const ribbons = this.meshes.get(surface);
     if (!ribbons) return;
@@ -93,7 +93,9 @@ const edgesOf = memoize((surfaces: readonly SurfaceDescription[]) =>
   ),
 );
 
-/** What has seams with a surface: inked ones that follow it, ride on the same rigid and do not grow into it. */
+/**
+ * The surfaces that have seams with a surface: later inked ones on the same rigid or part, except those of its group.
+ */
 export function meetingBehind(surfaces: readonly SurfaceDescription[], index: number): SurfaceDescription[] {
   const { rigid, part, group } = surfaces[index];
   return surfaces
@@ -112,7 +114,7 @@ function joined(edges: readonly CreaseEdges[]): CreaseEdges {
   };
 }
 
-/** A quad for each edge. */
+/** An instanced geometry with one quad for each edge. */
 function ribbonsOf({ count, ends, faceNormals }: CreaseEdges): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
   const everyOther = (numbers: Float32Array, first: number): InstancedBufferAttribute =>

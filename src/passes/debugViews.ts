@@ -23,10 +23,10 @@ import { GridTexture, type GridOfDepths } from './gridTexture.ts';
 import type { Targets } from './targets.ts';
 import type { VolumesPass } from './volumes.ts';
 
-/** What is drawn again, in another material, to be looked at. */
+/** A pass whose draw call can be repeated with another material. */
 type Redrawn = Pick<BodiesPass | VolumesPass, 'material' | 'drawAs'>;
 
-/** Shows what the passes work with instead of the picture. Nothing of it is compiled before it is asked for. */
+/** Shows intermediate results of the passes instead of the picture. Shaders are compiled when a view is first drawn. */
 export class DebugViewsPass {
   private readonly eye: FrameView;
   private readonly grid = new GridTexture();
@@ -46,24 +46,24 @@ export class DebugViewsPass {
     this.eye = eye;
   }
 
-  /** Draws bodies with their normals as colours, into the targets. */
+  /** Draws puffs with their normals as colours into the targets. */
   drawNormals(renderer: WebGLRenderer, body: Redrawn): void {
     body.drawAs(renderer, this.variantOf(body.material, 'NORMALS'));
   }
 
-  /** Counts in the targets what is drawn at each pixel, hidden or not, instead of what is there. */
+  /** Replaces the contents of the targets by the number of fragments drawn at each pixel, hidden ones included. */
   countOverdraw(renderer: WebGLRenderer, drawn: readonly Redrawn[]): void {
     renderer.clear(true, false, false);
     this.number.value = 1;
     for (const each of drawn) each.drawAs(renderer, this.variantOf(each.material, 'OVERDRAW'));
   }
 
-  /** Takes up the grid by which hidden bodies were found, for the view of it. */
+  /** Uploads the grid of the occlusion culling for the coverage view. */
   setGrid(grid: GridOfDepths | undefined): void {
     this.grid.write(this.eye, grid);
   }
 
-  /** Writes the counts of the stencil into the targets, bit by bit, instead of what is there. */
+  /** Replaces the contents of the targets by the stencil counts, one draw call for each bit. */
   copyCounts(renderer: WebGLRenderer): void {
     this.adding ??= this.makeAdding();
     renderer.clear(true, false, false);
@@ -74,7 +74,10 @@ export class DebugViewsPass {
     }
   }
 
-  /** Shows a view of what stands in the targets. @param output the target to write, or null for the canvas */
+  /**
+   * Draws a view of the contents of the targets.
+   * @param output render target, or null for the canvas
+   */
   draw(renderer: WebGLRenderer, targets: Targets, view: DebugView, output: WebGLRenderTarget | null): void {
     this.uniforms.unlit.value = targets.unlit;
     this.uniforms.lit.value = targets.lit;
@@ -104,7 +107,7 @@ export class DebugViewsPass {
     );
   }
 
-  /** The view depths of the box of everything that receives shadow. */
+  /** Sets the depth range to that of the box of all receivers. */
   private measureDepths(): void {
     const { receiversMin, receiversMax, viewFromWorld, near } = this.eye.uniforms;
     const box = new Box3(new Vector3().copy(receiversMin.value), new Vector3().copy(receiversMax.value));
@@ -118,7 +121,7 @@ export class DebugViewsPass {
     return new FullScreen(addFragmentShader, { number: this.number }, { ...ADDS, ...stencil });
   }
 
-  /** A material that stands where `source` does: with normals for its colours, or one more for each fragment. */
+  /** Returns a variant of a material that outputs normals as colours, or adds 1 for each fragment. */
   private variantOf(source: RawShaderMaterial, kind: 'NORMALS' | 'OVERDRAW'): RawShaderMaterial {
     const key = `${kind} ${source.uuid}`;
     const variant = this.variants.get(key) ?? this.makeVariant(source, kind);
@@ -146,7 +149,7 @@ export class DebugViewsPass {
   }
 }
 
-/** What shows a view; colours show the others. */
+/** Fragment shaders of the views; the default is the shader of the colour views. */
 const SHOWING: Partial<Record<DebugView, string>> = {
   depth: depthFragmentShader,
   counts: countsFragmentShader,

@@ -1,13 +1,17 @@
 import { memoize } from './memoize.ts';
 
-/** A triangle mesh as plain arrays: xyz triples, unit normals, three indices a triangle wound anticlockwise from outside. */
+/**
+ * A triangle mesh as flat arrays: xyz positions, unit normals, three indices a triangle, counterclockwise front faces.
+ */
 export interface TriangleMesh {
   positions: Float32Array;
   normals: Float32Array;
   indices: Uint32Array;
 }
 
-/** What a mesh needs to throw a shadow volume: every face has its own corners, with the face's normal at each. */
+/**
+ * A mesh from which a shadow volume can be extruded. No face shares vertices; each vertex has the normal of its face.
+ */
 export interface Extrusion {
   positions: Float32Array;
   faceNormals: Float32Array;
@@ -15,7 +19,7 @@ export interface Extrusion {
   longestEdge: number;
 }
 
-/** Arrays one after the other. */
+/** Concatenates arrays. */
 export function inOne(arrays: readonly Float32Array[]): Float32Array {
   const result = new Float32Array(arrays.reduce((sum, { length }) => sum + length, 0));
   let at = 0;
@@ -26,10 +30,13 @@ export function inOne(arrays: readonly Float32Array[]): Float32Array {
   return result;
 }
 
-/** Vertices are at the same place that are nearer to each other than this share of a metre. */
+/** Weld grid, cells per metre: vertices that round to the same cell are the same point. */
 const PLACES_A_METRE = 1e5;
 
-/** For each vertex the number of the first vertex at the same place: creases split vertices, shapes do not end there. */
+/**
+ * Maps each vertex to the first vertex at the same position. Creases duplicate vertices, but the shape is connected
+ * there.
+ */
 export const weld = memoize((positions: Float32Array): Uint32Array => {
   const places = Float64Array.from(positions, (value) => Math.round(value * PLACES_A_METRE));
   const welded = new Uint32Array(positions.length / 3);
@@ -43,7 +50,9 @@ export const weld = memoize((positions: Float32Array): Uint32Array => {
   return welded;
 });
 
-/** After Teschner et al., 'Optimized Spatial Hashing for Collision Detection of Deformable Objects' (2003). */
+/**
+ * Spatial hash of Teschner et al., 'Optimized Spatial Hashing for Collision Detection of Deformable Objects' (2003).
+ */
 function hashOf(places: Float64Array, vertex: number): number {
   const [x, y, z] = [places[3 * vertex], places[3 * vertex + 1], places[3 * vertex + 2]];
   const mixed = Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791);
@@ -55,7 +64,10 @@ function isSamePlace(places: Float64Array, a: number, b: number): boolean {
   return true;
 }
 
-/** Unit normals averaged over all vertices at the same place, along which a hull can grow without tearing at creases. */
+/**
+ * Averages the unit normals of all vertices at the same position, so that a hull can grow along them without cracks at
+ * creases.
+ */
 export function hullNormals(mesh: TriangleMesh): Float32Array {
   const welded = weld(mesh.positions);
   const sums = new Float32Array(mesh.normals.length);
@@ -72,21 +84,22 @@ export function hullNormals(mesh: TriangleMesh): Float32Array {
 }
 
 /**
- * Faces as two layers that the light can pull apart: triangles stay together where both neighbours look at the light or
- * both look away, and where they differ the strip between their two copies of the shared edge opens into the side of
- * the shadow volume (the degenerate-quad form of Crow's volumes, 1977). Nothing is recomputed when the light moves.
- * @throws RangeError when an edge does not join exactly two triangles: an open mesh has no inside to be dark
+ * Builds the faces and edge quads of a shadow volume that the vertex shader extrudes (the degenerate-quad form of
+ * Crow's volumes, 1977). Where two neighbouring triangles both face the light or both face away, the quad between their
+ * copies of the shared edge stays degenerate. At the silhouette it opens into a side of the volume. The mesh does not
+ * change when the light moves.
+ * @throws RangeError if an edge does not join exactly two triangles: an open mesh encloses no volume
  */
 export function extrude(mesh: TriangleMesh): Extrusion {
   const welded = weld(mesh.positions);
   const faces = mesh.indices.length / 3;
   const positions = new Float32Array(9 * faces);
   const faceNormals = new Float32Array(9 * faces);
-  /** Numbers of the corners at both ends of each half-edge. */
+  /** Vertex indices of the two ends of each half-edge. */
   const edges = new Map<number, readonly [number, number]>();
   for (let face = 0; face < faces; ++face) {
     for (let corner = 0; corner < 3; ++corner) {
-      // Neighbours must share their corners to the last bit, or pixels fall through the cracks and stay dark.
+      // Neighbours must share bit-identical positions, or pixels in the cracks between them stay dark.
       const start = welded[mesh.indices[3 * face + corner]];
       for (let axis = 0; axis < 3; ++axis) positions[9 * face + 3 * corner + axis] = mesh.positions[3 * start + axis];
       const end = welded[mesh.indices[3 * face + ((corner + 1) % 3)]];
@@ -102,7 +115,7 @@ export function extrude(mesh: TriangleMesh): Extrusion {
   return { positions, faceNormals, indices, longestEdge: longestEdge(positions) };
 }
 
-/** Two triangles for each pair of opposite half-edges, which are known by their start times `vertices` plus their end. */
+/** Two triangles for each pair of opposite half-edges. The key of a half-edge is start times `vertices` plus end. */
 function strips(edges: ReadonlyMap<number, readonly [number, number]>, vertices: number): number[] {
   const indices: number[] = [];
   for (const [key, [from, to]] of edges) {
@@ -111,14 +124,14 @@ function strips(edges: ReadonlyMap<number, readonly [number, number]>, vertices:
     if (!opposite) {
       throw new RangeError(`The edge ${start}>${end} has one face: the mesh is not closed.`);
     }
-    // The neighbour runs along the same edge the other way: its start lies on our end.
+    // The neighbour traverses the edge in the opposite direction: its start is our end.
     const [atEnd, atStart] = opposite;
     if (start < end) indices.push(to, from, atStart, to, atStart, atEnd);
   }
   return indices;
 }
 
-/** @param corners of triangles, nine numbers each */
+/** @param corners nine numbers for each triangle */
 function longestEdge(corners: Float32Array): number {
   let longest = 0;
   for (let corner = 0; corner < corners.length; corner += 3) {
@@ -131,7 +144,7 @@ function longestEdge(corners: Float32Array): number {
   return longest;
 }
 
-/** The unit normal of the triangle at `first`, for each of its corners. */
+/** Writes the unit normal of the triangle at `first` to each of its corners. */
 function writeNormals(corners: Float32Array, normals: Float32Array, first: number): void {
   const side = (to: number, axis: number): number => corners[first + to + axis] - corners[first + axis];
   const [ux, uy, uz] = [side(3, 0), side(3, 1), side(3, 2)];

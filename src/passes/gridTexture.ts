@@ -1,23 +1,23 @@
 import { DataTexture, FloatType, NearestFilter, RedFormat, Vector2, Vector3, type Texture } from 'three';
 import type { FrameView } from '../device/frameView.ts';
 
-/** The grid of src/sim/view.ts, as far as it is looked at. */
+/** The fields of the grid of src/sim/view.ts that the debug view reads. */
 export interface GridOfDepths {
   readonly columns: number;
   readonly rows: number;
-  /** Cells from one row to the next. */
+  /** Distance between rows, in cells. */
   readonly stride: number;
-  /** Left and low end on the image plane at unit depth, and cells for each of its units. */
+  /** Lower left corner on the image plane at unit depth, and cells for each unit of that plane. */
   readonly corner: readonly [number, number];
   readonly density: number;
-  /** Depths along the eye's forward direction, from the world's origin; infinite where nothing covers. */
+  /** Depths along the camera's forward direction, measured from the world origin; Infinity for uncovered cells. */
   readonly depths: Float32Array;
 }
 
-/** Shaders take no infinite numbers for granted. */
+/** Stands in for Infinity, because GLSL implementations need not support infinite values. */
 const UNCOVERED = 1e30;
 
-/** A grid as a texture of view depths, and where it lies. */
+/** A grid as a texture of view depths, with its placement on the image plane. */
 export class GridTexture {
   readonly uniforms = {
     grid: { value: null as Texture | null },
@@ -26,7 +26,7 @@ export class GridTexture {
   };
   private texture: DataTexture | undefined;
 
-  /** Takes a grid up as it is; without one, nothing is covered. */
+  /** Uploads a grid. Without one, no cell is covered. */
   write(eye: FrameView, grid: GridOfDepths | undefined): void {
     this.dispose();
     const { columns, rows, stride, corner, density, depths } = grid ?? EMPTY;

@@ -1,16 +1,16 @@
 import { Color as ThreeColor } from 'three';
 import { writeColor, type Color } from '../device/ramps.ts';
 
-/** The line around what is outlined. */
+/** Style of the outlines. */
 export interface InkLine {
   color: Color;
-  /** Width in pixels of the target; 0 draws none. */
+  /** Width in pixels of the target; 0 draws no lines. */
   pixels: number;
-  /** 0..1: at 1 a line is twice as wide away from the light and half as wide towards it. */
+  /** 0..1: at 1 a line is twice as wide on the side away from the light and half as wide on the lit side. */
   swell: number;
 }
 
-/** What the shaders know of the line; see shaders/lib/ink.glsl. */
+/** Uniforms of the outlines; see shaders/lib/ink.glsl. */
 export class InkUniforms {
   readonly uniforms = { inkColor: { value: new ThreeColor() }, inkPixels: { value: 2 }, inkSwell: { value: 0 } };
 
@@ -22,7 +22,7 @@ export class InkUniforms {
   }
 }
 
-/** Width in pixels of the target where a line is widest. */
+/** Largest width of a line, pixels of the target. */
 export function widestLine(pixels: number, swell: number): number {
   return pixels * 2 ** swell;
 }

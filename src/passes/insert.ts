@@ -22,9 +22,10 @@ import { writeColor, type Color } from '../device/ramps.ts';
 import type { SmokePictures } from './pictures.ts';
 
 /**
- * Puts smoke that was drawn by itself into a picture that others draw, which has depth and stencil of its own: first the
- * depth, so that volumes count on smoke and on all else; then lit where the stencil is zero, and unlit elsewhere. With
- * two steps of shadow, deep comes before unlit, which then leaves those places alone.
+ * Composites smoke from its own targets into the host's framebuffer, which has depth and stencil. The depth comes
+ * first, so that shadow volumes count on smoke and scene alike. Then the lit picture is drawn where the stencil is
+ * zero, and the unlit picture elsewhere. With two steps of shadow, the deep picture precedes the unlit one and clears
+ * the stencil where it drew.
  */
 export class InsertPass {
   private readonly depthTriangle: FullScreen;
@@ -56,18 +57,18 @@ export class InsertPass {
       stencilZPass: ZeroStencilOp,
     });
     this.darkenTriangle = new FullScreen(darkenFragmentShader, { factor: this.factor }, DARKENS);
-    // A scene that is drawn with one material for everything shall not replace this one.
+    // A scene.overrideMaterial must not replace this material.
     this.unlitTriangle.material.allowOverride = false;
   }
 
-  /** Draws unlit smoke where the stencil counts: the part that can wait for its turn in the host's list. */
+  /** The mesh that draws unlit smoke where the stencil is not zero. It can be part of the host's render list. */
   get unlitMesh(): Mesh {
     return this.unlitTriangle.mesh;
   }
 
   /**
-   * @param depth of the smoke
-   * @param isLinear whether what it is put into holds linear colour instead of display-encoded
+   * @param depth depth texture of the smoke
+   * @param isLinear whether the framebuffer holds linear colours instead of display-encoded ones
    */
   setSmoke({ lit, unlit, deep }: SmokePictures, depth: Texture, isLinear: boolean): void {
     this.lit.value = lit;
@@ -86,9 +87,9 @@ export class InsertPass {
   }
 
   /**
-   * Darkens what is not smoke where at least so many volumes hold it, then draws the smoke there.
-   * @param depth how many volumes make deep shadow, 2..255
-   * @param color what the colour of shadow is multiplied by where shadow is deep
+   * Darkens the scene where at least `depth` volumes contain it, then draws the smoke in deep shadow there.
+   * @param depth number of volumes that make deep shadow, 2..255
+   * @param color factor on the colour of shadow where shadow is deep
    */
   drawDeep(renderer: WebGLRenderer, depth: number, color: Color): void {
     writeColor(color, this.factor);
@@ -104,7 +105,7 @@ export class InsertPass {
   }
 }
 
-/** Colour over what is there, and nearest: the depth that was inserted before stands there. */
+/** Premultiplied alpha blending. The depth test passes where the depth of the smoke was drawn and is nearest. */
 function shownWhere(stencilFunc: ShaderMaterialParameters['stencilFunc']): ShaderMaterialParameters {
   return {
     depthTest: true,
@@ -118,7 +119,7 @@ function shownWhere(stencilFunc: ShaderMaterialParameters['stencilFunc']): Shade
   };
 }
 
-/** Multiplies what stands, and leaves its alpha. */
+/** Multiplies the destination colour and keeps its alpha. */
 const DARKENS: ShaderMaterialParameters = {
   blending: CustomBlending,
   blendSrc: ZeroFactor,

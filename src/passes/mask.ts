@@ -10,13 +10,14 @@ import fragmentShader from '../../shaders/mask/mask.frag';
 import { ADDS, FullScreen } from '../device/fullScreen.ts';
 
 /**
- * Turns the stencil into the alpha of the lit colour: 1 where at least one volume holds the pixel. With two steps of
- * shadow it is 1/2 there, and 3/4 where as many volumes hold the pixel as make deep shadow. Ink is 1 whatever comes.
+ * Copies the stencil to the alpha of the lit colour, the shadow mask: 1 where at least one volume contains the pixel.
+ * With two steps of shadow it is 1/2 there, and 3/4 where enough volumes for deep shadow contain the pixel. Ink always
+ * has 1.
  */
 export class MaskPass {
   private readonly any = maskWhere(NotEqualStencilFunc, 0);
   private readonly deep = maskWhere(LessEqualStencilFunc, 1);
-  // Only counts of two and more differ from 1 in these bits.
+  // With these bits, a count of 0 or 1 reads as 0, and larger counts do not.
   private readonly once = maskWhere(NotEqualStencilFunc, 1, {
     colorWrite: false,
     stencilFuncMask: 0xfe,
@@ -24,7 +25,7 @@ export class MaskPass {
   });
   private isDeepDrawn = false;
 
-  /** @param depth how many volumes make deep shadow, 2..255; Infinity for shadow of one step */
+  /** @param depth number of volumes that make deep shadow, 2..255; Infinity for shadow of one step */
   setDepth(depth: number): void {
     this.isDeepDrawn = depth < Infinity;
     this.any.material.uniforms.share.value = this.isDeepDrawn ? 0.5 : 1;
@@ -32,7 +33,7 @@ export class MaskPass {
     this.deep.material.stencilRef = Math.min(depth, 255);
   }
 
-  /** Where shadow has two steps, lets all volumes that the stencil has counted so far count as one. */
+  /** With two steps of shadow, replaces all counts above 1 by 1, so that the volumes counted so far count once. */
   countOnce(renderer: WebGLRenderer): void {
     if (this.isDeepDrawn) this.once.draw(renderer);
   }
@@ -47,7 +48,7 @@ export class MaskPass {
   }
 }
 
-/** @param stencilRef what the function compares with the count: reference function count */
+/** @param stencilRef reference value; the test is reference function count */
 function maskWhere(stencilFunc: StencilFunc, stencilRef: number, more?: ShaderMaterialParameters): FullScreen {
   return new FullScreen(
     fragmentShader,

@@ -1,6 +1,7 @@
 /**
- * A computation whose result is kept for as long as what it was made of: smokes that show the same surfaces share it.
- * @param compute reads its argument and changes nothing
+ * Memoizes a function by the identity of its argument, in a WeakMap, so that smokes with the same surfaces share
+ * results.
+ * @param compute a pure function
  */
 export function memoize<Source extends object, Result>(
   compute: (source: Source) => Result,

@@ -16,15 +16,15 @@ import { extrude } from './extrusion.ts';
 import { memoize } from './memoize.ts';
 import type { SurfaceDescription } from './surfaces.ts';
 
-/** Depth in metres at which a mesh's volume starts under its lit faces. */
+/** Distance by which a volume starts below the lit faces of its mesh, metres. */
 const INSET = 0.012;
 
 export const memoizedExtrusion = memoize(extrude);
 
 /**
- * Counts the shadow volumes of closed meshes by depth fail, which holds with the eye inside one. Their many triangles
- * come in any order, so these operations wrap and this pass must run before the particles' volumes, which clamp: the
- * true count of meshes over a pixel has to stay below 256.
+ * Counts the shadow volumes of closed meshes by depth fail, which is correct even if the camera is inside a volume.
+ * Triangles of a mesh come in any order, so the stencil operations wrap. This pass must run before the volumes of
+ * particles, which clamp: the count of meshes over a pixel must stay below 256.
  */
 export class MeshVolumesPass {
   private readonly scene = new Scene();
@@ -37,7 +37,7 @@ export class MeshVolumesPass {
     });
   }
 
-  /** Puts a surface where its rigid is, in sight or not. */
+  /** Sets the world transform and the visibility of a surface. */
   place(surface: number, worldFromModel: Matrix4, isVisible = true): void {
     const mesh = this.meshes.get(surface);
     if (!mesh) return;

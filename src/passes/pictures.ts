@@ -3,7 +3,10 @@ import { pictureTarget } from '../device/pictureTarget.ts';
 import type { ResolvePass } from './resolve.ts';
 import type { Targets } from './targets.ts';
 
-/** Smoke in full light, in full shadow and in deep shadow as pictures, each with smooth edges: premultiplied, display-encoded. */
+/**
+ * Smoke in full light, in full shadow and in deep shadow as separate pictures with smoothed edges: premultiplied,
+ * display-encoded.
+ */
 export class SmokePictures {
   private readonly litTarget = pictureTarget();
   private readonly unlitTarget = pictureTarget();
@@ -22,13 +25,13 @@ export class SmokePictures {
   }
 
   /**
-   * Resolves what the bodies have drawn and nothing has masked yet: once as it is, once as if all of it were in shadow.
-   * @param hasDeep whether there is to be one in deep shadow, too
+   * Resolves the puffs before the mask is drawn: once lit, and once as if all of it were in shadow.
+   * @param hasDeep whether to resolve the picture in deep shadow, too
    */
   take(renderer: WebGLRenderer, { unlit, lit, width, height }: Targets, resolve: ResolvePass, hasDeep: boolean): void {
     for (const target of [this.litTarget, this.unlitTarget]) target.setSize(width, height);
     resolve.draw(renderer, { unlit, lit, width, height }, this.litTarget);
-    // The alpha of unlit is the page's, and 1 wherever there is smoke: read as a mask it leaves nothing lit.
+    // The alpha of unlit is the alpha of the page, which is 1 for smoke. Read as the mask, it puts all smoke in shadow.
     resolve.draw(renderer, { unlit, lit: unlit, width, height }, this.unlitTarget);
     if (!hasDeep) return;
     this.deepTarget.setSize(width, height);

@@ -7,14 +7,15 @@ import type { PuffTextures } from '../device/puffTextures.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { prismsOf } from './prisms.ts';
 
-/** Directions from a puff's centre in which its silhouette is measured. */
+/** Number of directions around the centre in which the silhouette of a puff is sampled. */
 const DIRECTIONS = 48;
-/** Beyond the circle of the same area, because puffs fill each other's dents. */
+/** Scale of the prism radius relative to the circle of equal area: overlapping puffs fill each other's dents. */
 const FULLNESS = 1.06;
 
 /**
- * Counts the particles' shadow volumes where the depth that fragments write is not kept: as prisms, by depth fail. The
- * back faces of each come before its front faces, so that the operations may clamp as those of the nailboards do.
+ * Counts the shadow volumes of particles on GPUs that do not keep the depth that fragments write. The volumes are
+ * closed prisms, counted by depth fail. The back faces of each prism precede its front faces, so that clamping stencil
+ * operations are exact, as for the nailboard volumes.
  */
 export class PrismVolumesPass {
   private readonly rows: InstancedBufferGeometry;
@@ -32,7 +33,10 @@ export class PrismVolumesPass {
     this.follow();
   }
 
-  /** Follows which puffs are drawn. They are lobes in any form, and never darken what they show of the light. */
+  /**
+   * Updates the radius after the puffs changed. Volumes use lobes for every puff form, and never darken the lit part of
+   * their own puff.
+   */
   follow(): void {
     const { table, lobeCount, count } = this.puffs.lobes.puffs;
     this.shadowRadius.value = FULLNESS * meanRadius(table, lobeCount, count);
@@ -43,12 +47,12 @@ export class PrismVolumesPass {
     this.prisms.draw(renderer);
   }
 
-  /** What it draws with at present. */
+  /** The material of the draw call. */
   get material(): RawShaderMaterial {
     return this.prisms.material;
   }
 
-  /** Draws once in another material, made of the present one. */
+  /** Draws once with a variant of the material. */
   drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
     this.takeRows();
     this.prisms.drawAs(renderer, material);
@@ -65,8 +69,9 @@ export class PrismVolumesPass {
 }
 
 /**
- * Radius of the circle with the area of a puff's silhouette along z, over all variations; in puff radii.
- * @param table rows of `lobeCount` lobes, centre and radius, and one more entry
+ * Returns the radius of the circle with the area of a puff's silhouette along z, averaged over all variations, in puff
+ * radii.
+ * @param table rows of `lobeCount` lobes (centre and radius) and one more entry
  */
 function meanRadius(table: Float32Array, lobeCount: number, count: number): number {
   let squares = 0;
@@ -80,7 +85,7 @@ function meanRadius(table: Float32Array, lobeCount: number, count: number): numb
   return Math.sqrt(squares / (DIRECTIONS * count));
 }
 
-/** How far the silhouette of lobes along z reaches from the centre in a direction. */
+/** Distance from the centre to the silhouette along z in a direction of the xy plane. */
 function reachOf(lobes: Float32Array, towardsX: number, towardsY: number): number {
   let reach = 0;
   for (let at = 0; at < lobes.length; at += 4) {

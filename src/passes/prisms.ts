@@ -1,16 +1,17 @@
 import { BufferAttribute, InstancedBufferGeometry, type BufferGeometry } from 'three';
 
-/** Sides of the prism that stands for a round volume. Its corners lie so that it is as wide as the round one. */
+/** Number of sides of the prism that replaces a round volume. The corners are placed so that the areas are equal. */
 const SIDES = 12;
 
-/** What a corner belongs to: shaders/prismVolumes/prismVolumes.vert takes out the caps of which it is not the turn. */
+/** What a corner belongs to. shaders/prismVolumes/prismVolumes.vert drops the copy of a cap that is out of order. */
 const [SIDE, CAP_AT_FIRST, CAP_AT_LAST] = [0, 1, 2];
 
 /**
- * Prisms instead of nailboards, closed at both ends, for the rows of another geometry. Their faces come in the order of
- * back to front: side 0 looks away from the eye, the last one at it, and each cap stands at the beginning and at the
- * end, of which one is drawn. So each instance counts up before it counts down, and its operations may clamp.
- * Corners are (number round the prism, end + 2 x what it belongs to).
+ * Builds an instanced geometry of prisms that are closed at both ends, one for each row of another geometry. Faces are
+ * ordered back to front: side 0 faces away from the camera and the last side faces it. Each cap is present at the
+ * beginning and at the end, and the shader draws one of the two. Each instance therefore increments the stencil before
+ * it decrements it, so that clamping operations are exact. The attribute `corner` is (index around the prism, end + 2 x
+ * part), where part is what the corner belongs to.
  */
 export function prismsOf(rows: BufferGeometry): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
@@ -31,7 +32,10 @@ export function prismsOf(rows: BufferGeometry): InstancedBufferGeometry {
   return geometry;
 }
 
-/** 0, 1, 11, 2, 10 and so on: side 0 lies between corners 0 and 1, about which the prism is turned. */
+/**
+ * Returns 0, 1, 11, 2, 10 and so on. Side 0 is between corners 0 and 1; the vertex shader turns it away from the
+ * camera.
+ */
 function backToFront(): number[] {
   const pairs = Array.from({ length: SIDES / 2 }, (_, pair) => [pair, SIDES - pair]);
   return [...new Set([...pairs.flat(), SIDES / 2].map((side) => side % SIDES))];
@@ -42,7 +46,7 @@ function sideOf(first: number, side: number): number[] {
   return [side, next, SIDES + next, side, SIDES + next, SIDES + side].map((corner) => first + corner);
 }
 
-/** Both caps, the first one wound the other way, so that all faces look outwards. */
+/** Triangles of both caps, the first with reversed winding so that all faces point outwards. */
 function caps(first: number): number[] {
   const fans = Array.from({ length: SIDES - 2 }, (_, fan) => [
     [0, fan + 2, fan + 1],

@@ -6,15 +6,14 @@ import { pictureTarget } from '../device/pictureTarget.ts';
 import { writeColor, type Color } from '../device/ramps.ts';
 import type { Targets } from './targets.ts';
 
-/** What a picture is resolved from, and its size in pixels. */
+/** The colours to resolve, and their size in pixels. */
 export type ResolveSources = Pick<Targets, 'unlit' | 'lit' | 'width' | 'height'>;
 
 /**
- * Chooses lit or unlit by the mask, smooths edges and writes premultiplied colour to the canvas or to a target. In two
- * draws: the second looks at many tones around a pixel, and finds each chosen already.
+ * Chooses lit or unlit by the mask, smooths edges, and writes premultiplied colour to the canvas or to a render target.
+ * Edge smoothing is a second draw call, because it reads many neighbours of a pixel and each must be chosen only once.
  */
 export class ResolvePass {
-  /** Whether edges are smoothed. */
   smoothEdges = true;
   private readonly uniforms = {
     unlit: { value: null as Texture | null },
@@ -27,19 +26,22 @@ export class ResolvePass {
   private readonly tones = new FullScreen(tonesShader, this.uniforms);
   private readonly edges = new FullScreen(edgesShader, { tones: { value: this.chosen.texture } });
 
-  /** @param color what the colour of shadow is multiplied by where shadow is deep */
+  /** @param color factor on the colour of shadow where shadow is deep */
   setDeepShadow(color: Color): void {
     writeColor(color, this.uniforms.deepShadow);
   }
 
-  /** Draws as if all of it were in deep shadow. @param output as below */
+  /**
+   * Resolves as if everything were in deep shadow.
+   * @param output render target, or null for the canvas
+   */
   drawDeep(renderer: WebGLRenderer, sources: ResolveSources, output: WebGLRenderTarget | null): void {
     this.uniforms.isAllDeep.value = true;
     this.draw(renderer, sources, output);
     this.uniforms.isAllDeep.value = false;
   }
 
-  /** @param output the target to write, or null for the canvas */
+  /** @param output render target, or null for the canvas */
   draw(renderer: WebGLRenderer, { unlit, lit, width, height }: ResolveSources, output: WebGLRenderTarget | null): void {
     this.uniforms.unlit.value = unlit;
     this.uniforms.lit.value = lit;

@@ -2,7 +2,7 @@ import type { CreaseEdges } from './creaseEdges.ts';
 import type { TriangleMesh } from './extrusion.ts';
 import { memoize } from './memoize.ts';
 
-/** Metres from the plane of a face within which a corner lies on it: what stands on something touches it so. */
+/** Distance in metres within which a corner counts as on the plane of a face, so that resting contact has a seam. */
 const TOUCHING = 1e-5;
 
 type Vector = readonly [number, number, number];
@@ -18,9 +18,9 @@ interface Face extends Box {
 }
 
 /**
- * The seams of two meshes in one frame: where a face of one goes through a face of the other or ends on it. Faces that
- * lie in one plane have none. Normals are zero: unlike the line of a crease, that of a seam goes on where one of its faces
- * looks away, close to the silhouette that hides it.
+ * Finds the seams of two meshes in the same space: the segments where faces of one intersect faces of the other or end
+ * on them. Coplanar faces have none. Face normals are zero: unlike a crease, a seam is drawn even where one of its
+ * faces looks away, close to the silhouette that hides it.
  */
 export function seamEdges(one: TriangleMesh, other: TriangleMesh): CreaseEdges {
   const faces = facesNear(one, memoizedBox(other));
@@ -47,7 +47,7 @@ const memoizedBox = memoize(({ positions }: TriangleMesh): Box => {
   return { low, high };
 });
 
-/** Most meshes of a scene share a small part of their room with another, or none. */
+/** Culls faces outside the box of the other mesh: most meshes of a scene overlap little or not at all. */
 function facesNear({ positions, indices }: TriangleMesh, box: Box): Face[] {
   const faces: Face[] = [];
   for (let at = 0; at < indices.length; at += 3) {
@@ -76,7 +76,7 @@ function cornerAt(positions: Float32Array, vertex: number): Vector {
   return [positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]];
 }
 
-/** None where it has no area. */
+/** The face of three corners, or undefined if it is degenerate. */
 function faceOf(a: Vector, b: Vector, c: Vector): Face | undefined {
   const [x, y, z] = cross(between(a, b), between(a, c));
   const length = Math.hypot(x, y, z);
@@ -100,7 +100,7 @@ function comesNear(a: Box, b: Box): boolean {
   return true;
 }
 
-/** The stretch that two faces share on the line where their planes meet. */
+/** The segment that two faces share on the intersection line of their planes. */
 function meet(a: Face, b: Face): [Vector, Vector] | undefined {
   const along = cross(a.normal, b.normal);
   if (Math.hypot(...along) < 1e-6) return undefined;
@@ -112,7 +112,7 @@ function meet(a: Face, b: Face): [Vector, Vector] | undefined {
   return byPlace(end, start) > 0 && Math.hypot(...between(start, end)) > TOUCHING ? [start, end] : undefined;
 }
 
-/** Where the border of a face meets the plane of another. */
+/** The points where the border of a face meets the plane of another face. */
 function onPlane({ corners }: Face, plane: Face): Vector[] {
   const above = corners.map((corner) => dot(plane.normal, between(plane.corners[0], corner)));
   const points = corners.filter((_, corner) => Math.abs(above[corner]) <= TOUCHING);

@@ -18,8 +18,8 @@ import { writeColor, type Color, type RampTexture } from '../device/ramps.ts';
 import type { Targets } from './targets.ts';
 
 /**
- * Smoke as Selle, Mohr and Chenney drew it ('Cartoon Rendering of Smoke Animations', NPAR 2004), for comparison: unshaded
- * puffs of one depth each, and lines one pixel wide where the depth, read back as a texture, jumps. No shadows.
+ * Smoke as Selle, Mohr and Chenney drew it ('Cartoon Rendering of Smoke Animations', NPAR 2004), for comparison:
+ * unshaded puffs of constant depth, and lines one pixel wide at discontinuities of the depth buffer. No shadows.
  */
 export class SellePass {
   private readonly puffs: PuffTextures;
@@ -54,7 +54,7 @@ export class SellePass {
     this.lines = new FullScreen(linesFragmentShader, this.lineUniforms);
   }
 
-  /** @param threshold depth gap in metres beyond which there is a line */
+  /** @param threshold depth gap beyond which a line is drawn, metres */
   setLines(color: Color, threshold: number): void {
     writeColor(color, this.lineUniforms.inkColor);
     this.lineUniforms.threshold.value = threshold;
@@ -62,14 +62,14 @@ export class SellePass {
 
   /** Draws the puffs into the targets. */
   draw(renderer: WebGLRenderer): void {
-    // Late, because the flat puffs are baked when they are first asked for; each time, because they may be others.
+    // Read on each draw: billboards are baked on first access, and the puffs may have changed.
     const { layers, colorCoverage } = this.puffs.billboards;
     this.common.colorCoverage.value = colorCoverage;
     this.common.pad.value = layers.pad;
     this.rows.draw(renderer);
   }
 
-  /** Draws the picture with its lines: what the resolve pass does elsewhere. */
+  /** Draws the final picture with lines, in place of the resolve pass. */
   drawLines(renderer: WebGLRenderer, targets: Targets, output: WebGLRenderTarget | null): void {
     this.lineUniforms.unlit.value = targets.unlit;
     this.lineUniforms.lit.value = targets.lit;

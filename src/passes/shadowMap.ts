@@ -31,15 +31,18 @@ import type { InkLine } from './ink.ts';
 import { SurfacesPass, type SurfaceDescription } from './surfaces.ts';
 import { Targets } from './targets.ts';
 
-/** Texels along a side of the map. */
+/** Width and height of the depth map, texels. */
 const SIZE = 1024;
-/** Texels of the map by which a surface must lie behind what the light sees: less shows as stripes. */
+/** Depth bias against shadow acne, in texels of the map. Smaller values show as stripes on lit surfaces. */
 const BIAS_TEXELS = 3;
-/** Nearest view depth that a lamp's camera draws, metres. */
+/** Near plane of the lamp's camera, metres. */
 const NEAREST = 0.02;
-/** The widest view by which a lamp sees all receivers at once, degrees; from a nearer place it looks to six sides. */
+/**
+ * Largest field of view that covers all receivers with one map, degrees. A lamp that is closer uses a cube of six
+ * views.
+ */
 const WIDEST = 90;
-/** How a lamp's camera turns from each of the six sides to the next, in its own space: about an axis, by radians. */
+/** Rotations from one cube face to the next: axis in the camera's own space and angle in radians. */
 const ROTATIONS = [
   [new Vector3(0, 1, 0), 0],
   [new Vector3(0, 1, 0), Math.PI / 2],
@@ -51,23 +54,24 @@ const ROTATIONS = [
 
 const NO_INK: InkLine = { color: [0, 0, 0], pixels: 0, swell: 0 };
 
-/** What the map is drawn from. */
+/** The resources from which the map is drawn. */
 export interface ShadowMapSources {
   readonly eye: FrameView;
   readonly puffs: PuffTextures;
   readonly ramps: RampTexture;
-  /** Which ramp is that of the first surface; the others follow. */
+  /** Ramp index of the first surface; the other surfaces follow in order. */
   readonly firstSurface: number;
   readonly surfaces: readonly SurfaceDescription[];
   readonly casters: BufferGeometry;
 }
 
 /**
- * Shadow by a depth map drawn from the light, for comparison with volumes (Williams, 'Casting Curved Shadows on Curved
- * Surfaces', 1978): cheap for any number of puffs, with edges as coarse as its texels. Writes the mask that resolve reads.
- * A sun has a parallel projection. A lamp has a perspective one, or six of 90 degrees, one after the other, where it
- * stands among the receivers. Puffs are the balls that they are made of there: nailboards far from the axis of a view would
- * be narrower, and nearer than what the eye sees. Billboards stay what they are.
+ * Shadows from a depth map drawn from the light, for comparison with shadow volumes (Williams, 'Casting Curved Shadows
+ * on Curved Surfaces', 1978). The cost hardly depends on the number of puffs, and edges are as coarse as the texels.
+ * The pass writes the mask that the resolve pass reads.
+ * A sun uses an orthographic projection. A lamp uses a perspective projection, or six of 90 degrees if it is among the
+ * receivers. Lobe puffs are rendered as exact spheres: nailboards far from the view axis would be narrower than the
+ * puffs that the camera shows, and nearer. Billboards are rendered as billboards.
  */
 export class ShadowMapPass {
   private readonly eye: FrameView;
@@ -79,7 +83,7 @@ export class ShadowMapPass {
   private readonly billboards: BodiesPass;
   private hasBillboards = false;
   private readonly surfaces: SurfacesPass;
-  /** Which of the surfaces cast. */
+  /** Indices of the surfaces that cast shadows. */
   private readonly casting: readonly number[];
   private readonly shadowed: WebGLRenderTarget;
   private readonly uniforms;
@@ -122,7 +126,7 @@ export class ShadowMapPass {
     if (index >= 0) this.surfaces.place(index, worldFromModel, isVisible);
   }
 
-  /** Draws the map, then the mask into the targets, which stay what is drawn into. */
+  /** Draws the map and then adds the mask to the targets, which stay bound. */
   draw(renderer: WebGLRenderer, targets: Targets): void {
     this.map.resize(SIZE, SIZE);
     this.uniforms.depth.value = targets.depth;
@@ -140,7 +144,7 @@ export class ShadowMapPass {
     for (const part of [this.shadowed, this.measure, this.apply]) part.dispose();
   }
 
-  /** Draws the map by a camera of the light, then the shadow of what that camera sees. */
+  /** Draws the map with one camera of the light, then evaluates the shadow of the pixels that this camera covers. */
   private drawBy(camera: Camera, renderer: WebGLRenderer): void {
     const { viewFromWorld, lightInWorld } = this.eye.uniforms;
     this.lightEye.look(camera, lightInWorld.value, SIZE, SIZE);
@@ -152,7 +156,7 @@ export class ShadowMapPass {
     this.measure.draw(renderer);
   }
 
-  /** The ball round everything that receives shadow. */
+  /** The bounding sphere of everything that receives shadow. */
   private receivers(): Sphere {
     const { receiversMin, receiversMax } = this.eye.uniforms;
     return new Box3(receiversMin.value, receiversMax.value).getBoundingSphere(new Sphere());
@@ -168,7 +172,7 @@ export class ShadowMapPass {
     return sun;
   }
 
-  /** One camera after the other, each the same object. */
+  /** Yields the cameras of the lamp. All are the same object, moved between iterations. */
   private *lampCameras(): Generator<Camera> {
     const { center, radius } = this.receivers();
     const { lamp } = this;
@@ -176,7 +180,7 @@ export class ShadowMapPass {
     const distance = lamp.position.set(x, y, z).distanceTo(center);
     const seen = 2 * MathUtils.radToDeg(Math.asin(Math.min(1, radius / distance)));
     const isAmong = seen > WIDEST;
-    // Billboards shrink before a near plane; those that come nearest stand well beyond it.
+    // Puffs shrink close to the near plane, so it must be well in front of the nearest receiver.
     const near = Math.max(NEAREST, (distance - radius) / 4);
     Object.assign(lamp, { fov: isAmong ? WIDEST : seen, near: isAmong ? NEAREST : near, far: distance + radius });
     lamp.updateProjectionMatrix();
@@ -188,12 +192,12 @@ export class ShadowMapPass {
   }
 }
 
-/** Draws the lobes of puffs into the depth of a light's view. */
+/** Renders lobe puffs into the depth map. */
 class LobeDepths {
   private readonly puffs: PuffTextures;
   private readonly uniforms;
   private readonly rows: DrawnMesh;
-  /** By the number of lobes that are unrolled in them. */
+  /** Materials by lobe count, because the shaders unroll the loop over the lobes. */
   private readonly materials = new Map<number, RawShaderMaterial>();
 
   constructor(lightEye: FrameView, puffs: PuffTextures, rows: BufferGeometry) {
@@ -215,7 +219,7 @@ class LobeDepths {
     for (const material of this.materials.values()) material.dispose();
   }
 
-  /** Puts the puffs into the uniforms. */
+  /** Binds the current puff textures and returns the material for their lobe count. */
   private material(): RawShaderMaterial {
     const { lobeTable, reach, puffs } = this.puffs.lobes;
     this.uniforms.lobeTable.value = lobeTable;

@@ -17,8 +17,8 @@ import type { RampTexture } from '../device/ramps.ts';
 import type { Targets } from './targets.ts';
 
 /**
- * Smoke as particle libraries draw it, for comparison: soft quads blended over the finished picture, far to near.
- * The rows must come in that order.
+ * Smoke as particle libraries usually draw it, for comparison: soft quads blended over the finished picture. Rows must
+ * be sorted back to front.
  */
 export class SpritesPass {
   private readonly rows: DrawnMesh;
@@ -43,7 +43,7 @@ export class SpritesPass {
     this.rows = new DrawnMesh(rows, material);
   }
 
-  /** Blends over what the resolve pass has written to `output`; the depth of the surfaces is read from the targets. */
+  /** Blends over the resolved picture in `output`, with the surface depth of the targets. */
   draw(renderer: WebGLRenderer, targets: Targets, output: WebGLRenderTarget | null): void {
     this.depth.value = targets.depth;
     renderer.setRenderTarget(output);

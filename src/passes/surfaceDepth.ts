@@ -2,12 +2,15 @@ import { Vector2, type DepthTexture, type IUniform, type WebGLRenderer } from 't
 import { CopyableDepths, copyDepth, depthCopy } from '../device/depthCopy.ts';
 import type { Targets } from './targets.ts';
 
-/** A smoothed picture is tested by samples all over each pixel. */
+/**
+ * Extent of the depth test about a pixel's centre in a multisampled framebuffer, pixels: samples are spread over the
+ * pixel.
+ */
 const SLACK_OF_SAMPLES = 0.75;
 
 /**
- * Keeps a copy of the depth that the surfaces leave, for bodies that touch them: what is drawn into cannot be read.
- * See shaders/lib/contact.glsl.
+ * Copies the depth of the surfaces for puffs that touch them, because a depth buffer that is bound for drawing cannot
+ * be sampled. See shaders/lib/contact.glsl.
  */
 export class SurfaceDepthPass {
   readonly uniforms: {
@@ -16,12 +19,12 @@ export class SurfaceDepthPass {
     surfaceSlack: IUniform<number>;
   };
   private readonly copy = depthCopy();
-  /** Holds all of the host's picture where smoke is drawn into a part of it. */
+  /** The host's whole depth buffer, if smoke is drawn into a part of it. */
   private readonly whole = depthCopy();
   private readonly copyable = new CopyableDepths();
   private readonly hasSurfaces: boolean;
 
-  /** @param hasSurfaces whether there is anything to touch; without it nothing is copied and no memory is taken */
+  /** @param hasSurfaces whether there are surfaces to touch; if not, nothing is copied or allocated */
   constructor(hasSurfaces: boolean) {
     this.hasSurfaces = hasSurfaces;
     this.uniforms = {
@@ -31,7 +34,7 @@ export class SurfaceDepthPass {
     };
   }
 
-  /** Copies the depth, if lines are drawn at all, and goes on drawing into the targets. */
+  /** Copies the depth if lines are drawn, and leaves the targets bound. */
   draw(renderer: WebGLRenderer, targets: Targets, isInked: boolean): void {
     this.uniforms.hasSurfaces.value = isInked && this.hasSurfaces;
     if (!this.uniforms.hasSurfaces.value) return;
@@ -42,10 +45,10 @@ export class SurfaceDepthPass {
   }
 
   /**
-   * Copies the depth of the host's picture that is being drawn into, which is then no longer bound. Where that depth
-   * is of a kind that cannot be copied, surfaces get no lines.
-   * @param origin where the part that smoke is drawn into begins, pixels
-   * @param size of that part
+   * Copies the depth of the host's bound framebuffer and unbinds that framebuffer. If the depth format cannot be
+   * copied, smoke has no contact lines.
+   * @param origin lower left corner of the viewport of the smoke, pixels
+   * @param size size of that viewport, pixels
    */
   takeFromHost(renderer: WebGLRenderer, origin: Vector2, size: Vector2, isInked: boolean): void {
     const gl = renderer.getContext() as WebGL2RenderingContext;

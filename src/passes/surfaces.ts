@@ -23,31 +23,34 @@ import { hullNormals, type TriangleMesh } from './extrusion.ts';
 import { InkUniforms, type InkLine } from './ink.ts';
 import { memoize } from './memoize.ts';
 
-/** An ordinary mesh of the scene. */
+/** A triangle mesh of the scene. */
 export interface SurfaceDescription {
   name: string;
   mesh: TriangleMesh;
-  /** Its colour in full light. */
+  /** Colour in full light. */
   color: Color;
-  /** Whether it throws shadow; the mesh must be closed then. */
+  /** Whether it casts shadows. The mesh must be closed then. */
   casts: boolean;
-  /** Whether it is outlined. */
+  /** Whether it has outlines. */
   inked: boolean;
-  /** Surfaces of one group grow into each other without a line between them; a surface without one stands alone. */
+  /**
+   * Surfaces of the same group have no line between them. A surface without a group has outlines against all others.
+   */
   group?: string;
-  /** Number of the rigid that carries it; still where absent. */
+  /** Index of the rigid that it is attached to; static if absent. */
   rigid?: number;
-  /** Number of the part of the scene that it is drawn at, instead of a rigid. */
+  /** Index of the scene part whose transform it has, instead of a rigid. */
   part?: number;
 }
 
-/** Line widths by which a line comes nearer so that it does not sink into what its surface stands on. */
+/** Distance, in line widths, by which the raised hull is nearer, so that its line does not sink into the ground. */
 const RAISED_WIDTHS = 6;
 
 /**
- * Draws the scene's meshes with flat tones, and their ink as hulls of back faces. Each surface has two hulls: one where
- * it is, which draws its lines before itself, and a raised one, which the stencil keeps off the surface's own pixels and
- * which closes the outline where the surface stands on another that may move on. Leaves the stencil as it found it: zero.
+ * Draws the scene's meshes with flat tones, and their outlines as inverted hulls (back faces). Each inked surface has
+ * two hulls. One is at the surface's own depth and draws the lines in front of other parts of the surface. The raised
+ * one closes the outline where the surface touches another that may move away; the stencil test keeps it off the
+ * surface's own pixels. The stencil is zero before and after.
  */
 export class SurfacesPass {
   private readonly fills = new Scene();
@@ -56,27 +59,27 @@ export class SurfacesPass {
   private readonly materials: RawShaderMaterial[] = [];
   private readonly geometries: BufferGeometry[] = [];
   private readonly placed: Mesh[][] = [];
-  /** The raised hulls of still surfaces. */
+  /** The raised hulls of static surfaces. */
   private readonly closing: Mesh[] = [];
   private readonly groups = new Map<string, number>();
   private readonly boxes: Box3[];
   private readonly ink = new InkUniforms();
   private readonly hullUniforms;
 
-  /** @param firstMaterial the ramp of the first surface; the others follow */
+  /** @param firstMaterial ramp index of the first surface; the other surfaces follow in order */
   constructor(eye: FrameView, ramps: RampTexture, firstMaterial: number, surfaces: readonly SurfaceDescription[]) {
     this.hullUniforms = { ...eye.uniforms, ...this.ink.uniforms };
     surfaces.forEach((surface, index) => this.add(surface, eye, ramps, firstMaterial + index));
     this.boxes = surfaces.map((surface) => boxOf(surface.mesh));
   }
 
-  /** @param hasSeams whether creases.ts draws the lines along which still surfaces meet, which need no raised line then */
+  /** @param hasSeams whether creases.ts draws the seams of static surfaces, which then need no raised hull */
   setInk(line: InkLine, hasSeams: boolean): void {
     this.ink.set(line);
     for (const hull of this.closing) hull.visible = !hasSeams;
   }
 
-  /** Puts a surface where its rigid is, in sight or not. */
+  /** Sets the world transform and the visibility of a surface. */
   place(surface: number, worldFromModel: Matrix4, isVisible = true): void {
     for (const mesh of this.placed[surface]) {
       mesh.matrixWorld.copy(worldFromModel);
@@ -84,14 +87,14 @@ export class SurfacesPass {
     }
   }
 
-  /** The box of all surfaces that are in sight, in world space; empty if there are none. */
+  /** Computes the world-space bounding box of all visible surfaces; empty if there are none. */
   bounds(into: Box3): Box3 {
     into.makeEmpty();
     for (const box of this.worldBoxes()) into.union(box);
     return into;
   }
 
-  /** The box of each surface that is in sight, in world space. */
+  /** The world-space bounding box of each visible surface. */
   worldBoxes(): Box3[] {
     return this.boxes.flatMap((local, surface) => {
       const [{ visible, matrixWorld }] = this.placed[surface];
@@ -141,14 +144,16 @@ export class SurfacesPass {
     this.placed.push(meshes);
   }
 
-  /** One to 255, the same for a group; beyond 255 groups numbers come again, and two far ones may share one. */
+  /**
+   * The stencil value 1..255 of a surface or of its group. Values repeat after 255 groups, so two groups may share one.
+   */
   private stencilNumber({ group, name }: SurfaceDescription): number {
     const key = group ?? `${name} ${this.placed.length}`;
     if (!this.groups.has(key)) this.groups.set(key, 1 + (this.groups.size % 255));
     return this.groups.get(key)!;
   }
 
-  /** @param ownPixels the stencil value that the line keeps off; 0 for the hull that is not raised */
+  /** @param ownPixels the stencil value that the line must not cover; 0 for the hull that is not raised */
   private hull(ownPixels: number): RawShaderMaterial {
     return new RawShaderMaterial({
       glslVersion: GLSL3,

@@ -11,8 +11,8 @@ import {
 } from 'three';
 
 /**
- * What the passes draw into: two display-encoded colours with one depth and stencil.
- * Colour 0 is unlit (as in shadow) with the alpha of the page; colour 1 is lit with the shadow mask in alpha.
+ * The render target of the passes: two display-encoded colours with one depth and stencil buffer. Colour 0 is unlit (in
+ * shadow) with the alpha of the page; colour 1 is lit with the shadow mask in alpha.
  */
 export class Targets {
   private readonly target = new WebGLRenderTarget(1, 1, {
@@ -24,11 +24,11 @@ export class Targets {
     generateMipmaps: false,
     depthBuffer: true,
     stencilBuffer: true,
-    // As a texture, so that what draws elsewhere can read it or share it.
+    // A texture, so that other passes can read it or attach it.
     depthTexture: depthStencil(),
   });
 
-  /** What is drawn into, for whoever wants to read more of it than the colours. */
+  /** The underlying render target, with colours, depth and stencil. */
   get renderTarget(): WebGLRenderTarget {
     return this.target;
   }
@@ -41,7 +41,7 @@ export class Targets {
     return this.target.textures[1];
   }
 
-  /** Depth and stencil; a pass that draws into the target must not read it. */
+  /** Depth and stencil texture. A pass that renders to the target must not sample it. */
   get depth(): DepthTexture {
     return this.target.depthTexture!;
   }
@@ -54,12 +54,15 @@ export class Targets {
     return this.target.height;
   }
 
-  /** @param width, height in pixels, at least 1 */
+  /**
+   * @param width pixels, at least 1
+   * @param height pixels, at least 1
+   */
   resize(width: number, height: number): void {
     this.target.setSize(width, height);
   }
 
-  /** Makes both colours transparent black, depth far and the stencil zero, and draws into them from here on. */
+  /** Binds the target and clears it: colours to transparent black, depth to far, stencil to zero. */
   begin(renderer: WebGLRenderer): void {
     renderer.setRenderTarget(this.target);
     renderer.setClearColor(0x000000, 0);

@@ -9,16 +9,17 @@ import { FIRST_BORDER } from '../device/ramps.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { withLobes } from '../device/unroll.ts';
 
-/** Radii from a puff's centre to where nothing of it is left, relief included. */
+/** Distance behind a puff's centre, in radii, beyond which the puff has no points, relief included. */
 const BEHIND_THE_PUFF = 1.2;
 
 /**
- * Counts the particles' shadow volumes in the stencil by depth pass. The operations clamp: each volume draws its front
- * and then its back in one draw, so the running count is the true one and saturation can only stay dark.
+ * Counts the shadow volumes of particles in the stencil buffer by depth pass. The operations clamp. Each volume draws
+ * its front face and then its back face in one draw call, so the running count is exact, and a saturated count can only
+ * stay dark.
  */
 export class VolumesPass {
   private readonly rows: DrawnMesh;
-  /** By the number of lobes that are unrolled in them. */
+  /** Materials by lobe count, because the shaders unroll the loop over the lobes. */
   private readonly materials = new Map<number, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
   private readonly common: Record<string, IUniform>;
@@ -43,14 +44,14 @@ export class VolumesPass {
   }
 
   /**
-   * Follows how puffs become pixels, and which they are, so that no volume takes away what its own puff shows of the light.
-   * @param litThreshold N . L from which a lit pixel differs from one in shadow; below 0 where it does even on the dark side
+   * Selects the puff form and binds the current puffs, so that no volume darkens the lit part of its own puff.
+   * @param litThreshold N . L from which a lit pixel differs from a shadowed one; below 0 if it differs for every N . L
    */
   follow(form: PuffForm, litThreshold: number): void {
     this.rows.material = this.materialFor(form, litThreshold);
   }
 
-  /** Radii behind a puff's centre before which no volume begins. */
+  /** Least distance behind a puff's centre at which volumes start, in radii. */
   get minCap(): number {
     return this.uniforms.minCap.value;
   }
@@ -59,12 +60,12 @@ export class VolumesPass {
     this.rows.draw(renderer);
   }
 
-  /** What it draws with at present. */
+  /** The material of the draw call. */
   get material(): RawShaderMaterial {
     return this.rows.material;
   }
 
-  /** Draws once in another material, made of the present one. */
+  /** Draws once with a variant of the material. */
   drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
     this.rows.drawAs(renderer, material);
   }
@@ -73,7 +74,7 @@ export class VolumesPass {
     for (const material of this.materials.values()) material.dispose();
   }
 
-  /** Puts the puffs of a form into the uniforms. */
+  /** Binds the textures of a puff form and returns the material for its lobe count. */
   private materialFor(form: PuffForm, litThreshold: number): RawShaderMaterial {
     const { startCaps, latestCap, casterTable, casterLobes, reach, depth } = this.puffs.of(form);
     this.uniforms.minCap.value = minCapOf(litThreshold, latestCap);
@@ -92,15 +93,15 @@ export class VolumesPass {
   }
 }
 
-/** By which the volumes of puffs with so many lobes are drawn. */
+/** The shaders of volumes of puffs with a number of lobes, with their loops unrolled. */
 export function lobeVolumeShaders(lobes: number): Shaders {
   return { vertexShader: withLobes(vertexShader, lobes), fragmentShader: withLobes(fragmentShader, lobes) };
 }
 
 /**
- * How many radii behind its centre a puff's volume begins at the nearest.
- * @param litThreshold as `follow` takes it
- * @param latestCap of the puffs, see src/puffs/bake/startCaps.ts
+ * Returns the least distance behind its centre at which a puff's volume starts, in radii.
+ * @param litThreshold as in `follow`
+ * @param latestCap largest start cap of the puffs, see src/puffs/bake/startCaps.ts
  */
 export function minCapOf(litThreshold: number, latestCap: number): number {
   if (litThreshold < 0) return BEHIND_THE_PUFF;

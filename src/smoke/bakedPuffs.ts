@@ -7,20 +7,20 @@ import type { PuffShape } from '../puffs/shapes.ts';
 import { finished, type Work } from '../puffs/work.ts';
 import { codeOf, here } from './extraPasses.ts';
 
-/** Smokes whose puffs are the same object share their textures on a device. */
+/** Baked puffs by shape. Smokes with the same object share their textures on a device. */
 const cache = new LruCache<BakedPuffs>(8);
-/** Puffs that somebody bakes; who wants the same goes on with them. */
+/** Work in progress by shape. Concurrent requests for the same puffs share it. */
 const begun = new Map<string, Work<BakedPuffs>>();
 
-/** Puffs as {@link bakingPuffs} makes them, at once; the default ones where no shapes are given. */
+/** Bakes puffs like {@link bakingPuffs}, but synchronously. Defaults to the built-in shapes. */
 export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuffs {
   return finished(bakingPuffs(shapes));
 }
 
 /**
- * Bakes puffs of lobes in pieces of about a millisecond, and then billboards in pieces of some milliseconds.
- * @param shapes a variation each
- * @param withBillboards false bakes billboards when they are first asked for, at once; so does code that is not here yet
+ * Bakes lobe puffs in steps of about a millisecond, and then billboards in steps of a few milliseconds.
+ * @param shapes one for each variation
+ * @param withBillboards if false, or if their code is not loaded, billboards are baked synchronously on first access
  */
 export function* bakingPuffs(shapes: readonly PuffShape[], withBillboards = false): Work<BakedPuffs> {
   const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
@@ -32,7 +32,7 @@ export function* bakingPuffs(shapes: readonly PuffShape[], withBillboards = fals
   }
 }
 
-/** A piece of the work on some puffs, which are kept and given when they are ready. */
+/** Advances the work for a key by one step. Returns the puffs and caches them once they are complete. */
 function workOn(key: string, begin: () => Work<BakedPuffs>): BakedPuffs | undefined {
   const work = begun.get(key) ?? begin();
   begun.delete(key);
@@ -42,7 +42,7 @@ function workOn(key: string, begin: () => Work<BakedPuffs>): BakedPuffs | undefi
   return done ? value : undefined;
 }
 
-/** Billboards need code that `fetchExtras` has brought. */
+/** The code of billboards must be loaded, see `fetchExtras`. */
 function* bakingNew(shapes: readonly PuffShape[]): Work<BakedPuffs> {
   const lobes = yield* bakingLobes(shapes, FIRST_BORDER);
   let billboards: BakedPuffs['billboards'] | undefined;

@@ -2,14 +2,17 @@ import { blendedAt, toneAt, type Bands, type Color, type Tone } from '../device/
 import { TEMPERATURE_MAX } from '../sim/rows.ts';
 import { multiply } from './palette.ts';
 
-/** What colours smoke over its life; see Style. */
+/** The fields of a style that colour smoke over its life; see Style. */
 export interface Coloring {
   ageColors: readonly Tone[];
   heatColors: readonly Tone[];
   softColors: boolean;
 }
 
-/** Steps of colours that run into each other: with both ramps every pair of steps takes rows of the ramp texture. */
+/**
+ * Number of steps that approximate interpolated colours. With both ramps, every pair of steps takes rows of the ramp
+ * texture.
+ */
 const SOFT_STEPS = 64;
 const SOFT_STEPS_OF_BOTH = 16;
 
@@ -18,9 +21,9 @@ const BYTES = Array.from({ length: 256 }, (_, byte) => byte);
 const NONE = BYTES.map(() => 0);
 
 /**
- * The colours of smoke by age and temperature as flat bands, and which band a body of an age (0..1) and a temperature
- * (0..1; what is hotter counts as 1) is in. With both ramps the two colours are multiplied.
- * @param first the number of the first band's material; without colours all smoke has material 0
+ * Divides the colours of smoke by age and temperature into flat bands, and maps an age (0..1) and a temperature (0..1;
+ * higher values are clamped to 1) to its band. With both ramps the two colours are multiplied.
+ * @param first material index of the first band; without colour ramps all smoke has material 0
  */
 export function bandsOf(coloring: Coloring, first: number): { colors: Color[]; bands: Bands } {
   const { ageColors, heatColors } = coloring;
@@ -36,7 +39,7 @@ export function bandsOf(coloring: Coloring, first: number): { colors: Color[]; b
   return { colors, bands };
 }
 
-/** A ramp as so many equal steps, the first and the last of them in the colours of its ends. */
+/** Divides a ramp into equal steps; the first and the last step have the colours of its ends. */
 function softened(ramp: readonly Tone[], steps: number): Tone[] {
   if (ramp.length === 0) return [];
   return Array.from({ length: steps }, (_, step) => ({

@@ -1,4 +1,7 @@
-/** Puffs as the paper's billboards: pictures of their fronts, which turn to the viewer. Few smokes ask for them. */
+/**
+ * Puffs as the paper's billboards, which are pictures of their fronts that face the camera. Few smokes use them, so
+ * this module is loaded on demand.
+ */
 import fragmentShader from '../../shaders/bodies/billboards.frag';
 import vertexShader from '../../shaders/bodies/billboards.vert';
 import { BillboardTextures } from '../device/billboardTextures.ts';
@@ -15,16 +18,19 @@ import { solidsOf } from '../puffs/bake/solids.ts';
 import { bakingTable, joined, latestCap } from '../puffs/bake/startCaps.ts';
 import type { Work } from '../puffs/work.ts';
 
-/** What bodies draw them with. */
+/** The shaders of billboard bodies. */
 export const billboardShaders: Shaders = { vertexShader, fragmentShader };
 
-/** Radii by which facets, texels and their filter move outline and relief, and pixels by which smaller levels do. */
+/** Tolerance of the outline and the relief: in radii for facets, texels and filtering, in pixels for mipmap levels. */
 const LAYER_TOLERANCE = 0.06;
 const LAYER_BLUR = 3;
 
 const cache = new LruCache<BillboardPuffs>(4);
 
-/** Bakes billboards in pieces of some milliseconds, or takes them from those that are kept. @param shapes seen from +z */
+/**
+ * Bakes billboards in steps of a few milliseconds, or returns them from the LRU cache.
+ * @param shapes viewed from +z
+ */
 export function* bakingBillboards(shapes: readonly PuffShape[]): Work<BillboardPuffs> {
   const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
   const billboards = cache.get(key) ?? (yield* baking(billboardShapes(shapes)));

@@ -6,12 +6,12 @@ import type { FrameInput } from './frameInput.ts';
 import type { SmokePasses } from './smokePasses.ts';
 import type { ComparisonRenderer } from './style.ts';
 
-/** What the passes of the comparison renderers draw from. */
+/** The resources of the comparison passes. */
 export interface ComparisonSources extends ShadowMapSources {
   readonly bodies: BufferGeometry;
 }
 
-/** Passes that only other renderers use, each made when it is first asked for. */
+/** The passes of the comparison renderers, each created on first use. */
 export class ComparisonRenderers {
   private readonly sources: ComparisonSources;
   private sellePass: SellePass | undefined;
@@ -39,12 +39,12 @@ export class ComparisonRenderers {
     return this.shadowMapPass;
   }
 
-  /** Draws smoke as a comparison renderer does, from where the surfaces stand in the targets. */
+  /** Draws the smoke of a frame with a comparison renderer, after the surfaces. */
   draw(kind: ComparisonRenderer, passes: SmokePasses, input: FrameInput): void {
     ways[kind](this, passes, input);
   }
 
-  /** Lets go of everything; a pass that is asked for again is made anew. */
+  /** Disposes of all passes. They are created again on next use. */
   dispose(): void {
     for (const pass of [this.sellePass, this.spritesPass, this.shadowMapPass]) pass?.dispose();
     this.sellePass = this.spritesPass = this.shadowMapPass = undefined;
@@ -53,7 +53,7 @@ export class ComparisonRenderers {
 
 type DrawSmoke = (comparisons: ComparisonRenderers, passes: SmokePasses, input: FrameInput) => void;
 
-/** The other ways of drawing smoke, for comparison by eye and clock: each from there on. */
+/** How each comparison renderer draws a frame after the surfaces. */
 const ways: Readonly<Record<ComparisonRenderer, DrawSmoke>> = {
   selle(comparisons, { renderer, targets, bodies }, { style, output }) {
     const { outlines, innerLine, inkColor } = style;

@@ -3,19 +3,19 @@ import { fetchExtras, hasExtras, type PictureKind } from './extraPasses.ts';
 
 export interface Completion {
   /**
-   * Settled when the next picture is drawn as it is asked for. What could not be fetched is tried anew.
-   * @throws LoadError when it cannot be fetched
+   * Resolves when the next picture can be drawn as its settings require. A failed load is retried on the next call.
+   * @throws LoadError if the code cannot be loaded
    */
   wait(): Promise<void>;
-  /** The same where nobody waits for it; what nobody wants any longer is not missed. */
+  /** Starts loading without a promise for the caller. Errors are reported only while the code is still needed. */
   begin(): void;
 }
 
 /**
- * Brings what pictures need as they are asked for and is not here: all at once, however many wait for it.
- * @param wanted how pictures are asked for now
- * @param show called when something has come
- * @param miss called with why something cannot be had, once, where nobody waits for it
+ * Loads the code that pictures need and that is not loaded yet. Concurrent calls share one request.
+ * @param wanted returns the current settings of the picture
+ * @param show called after code was loaded
+ * @param miss called once with the error of a load that was started by `begin`
  */
 export function completionOf(
   wanted: () => PictureKind,

@@ -5,7 +5,7 @@ import type { CoverageGrid } from '../sim/view.ts';
 import type { FrameInput } from './frameInput.ts';
 import type { SmokePasses } from './smokePasses.ts';
 
-/** Shows what the passes work with instead of the picture. */
+/** Shows intermediate results of the passes instead of the picture. */
 export class DebugViews {
   private readonly pass: DebugViewsPass;
 
@@ -13,12 +13,12 @@ export class DebugViews {
     this.pass = new DebugViewsPass(eye);
   }
 
-  /** Takes up the grid by which hidden bodies were found, for the view of it. */
+  /** Uploads the grid of the occlusion culling for the coverage view. */
   setGrid(grid: CoverageGrid | undefined): void {
     this.pass.setGrid(grid);
   }
 
-  /** Goes on from where the surfaces stand in the targets: as a frame does as far as the view goes, and then the view. */
+  /** Draws a view after the surfaces: the passes of the frame up to the viewed result, and then the view. */
   draw(view: DebugView, passes: SmokePasses, { style, output }: FrameInput): void {
     const { renderer, targets, body } = passes;
     const volumes = passes.prismVolumes ?? passes.volumes;

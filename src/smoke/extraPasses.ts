@@ -1,4 +1,4 @@
-/** Code that few smokes need: it is fetched when one first does, and is there for the whole thread from then on. */
+/** Code that few smokes need. It is loaded on first use and shared by all smokes of the thread. */
 import type { PuffForm } from '../device/puffTextures.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { DebugView } from '../preset/quality.ts';
@@ -19,19 +19,19 @@ const imports = {
 type Name = keyof typeof imports;
 type Codes = { [Each in Name]: Awaited<ReturnType<(typeof imports)[Each]>> };
 
-/** What has been fetched. */
+/** The modules that are loaded. */
 export const here: Readonly<Partial<Codes>> = {};
 
-/** What decides which of them a picture needs. */
+/** The settings of a picture that decide which modules it needs. */
 export interface PictureKind {
   readonly renderer: Renderer;
   readonly form: PuffForm;
   readonly view?: DebugView;
-  /** Whether the device does not keep a depth that fragments write. */
+  /** Whether the device does not keep the depth that fragments write. */
   readonly isFlat?: boolean;
 }
 
-/** What is fetched for such pictures, and what people call it. */
+/** The modules that a picture needs, with their names in error messages. */
 function needsOf({ renderer, form, view, isFlat }: PictureKind): Partial<Record<Name, string>> {
   return {
     ...(form === 'billboards' && { billboards: 'Billboards' }),
@@ -44,20 +44,23 @@ function needsOf({ renderer, form, view, isFlat }: PictureKind): Partial<Record<
   };
 }
 
-/** Whether all is here that such pictures need. */
+/** Whether all modules that a picture needs are loaded. */
 export function hasExtras(kind: PictureKind): boolean {
   return missing(kind).length === 0;
 }
 
 /**
- * Fetches what such pictures need and is not here; after a failure the next call tries anew.
- * @throws LoadError when it cannot be fetched
+ * Loads the modules that a picture needs. A failed load is retried on the next call.
+ * @throws LoadError if a module cannot be loaded
  */
 export async function fetchExtras(kind: PictureKind): Promise<void> {
   await Promise.all(missing(kind).map(([name, called]) => bring(name, called)));
 }
 
-/** Code that must have come. */
+/**
+ * Returns a loaded module.
+ * @throws LoadError if the module is not loaded
+ */
 export function codeOf<Each extends Name>(name: Each): Codes[Each] {
   const code = here[name];
   if (!code) throw new LoadError(`The code of ${name} was not fetched.`);
@@ -77,7 +80,7 @@ async function bring(name: Name, called: string): Promise<void> {
   }
 }
 
-/** What few smokes draw with, for one of them: each is made when it is first asked for; undefined while its code is not here. */
+/** The optional passes of one smoke. Each is created on first use and is undefined while its module is not loaded. */
 export class ExtraPasses implements FrameExtras {
   private readonly sources: ComparisonSources;
   private madeComparisons: ComparisonRenderers | undefined;
@@ -97,12 +100,12 @@ export class ExtraPasses implements FrameExtras {
     return this.madeViews;
   }
 
-  /** By what puffs of a form are drawn, unless they are lobes. */
+  /** The shaders of a puff form; undefined for lobes. */
   billboardsOf(form: PuffForm): Shaders | undefined {
     return form === 'billboards' ? codeOf('billboards').billboardShaders : undefined;
   }
 
-  /** Lets go of everything; a pass that is drawn again makes its own anew. */
+  /** Disposes of all passes. They allocate their resources again when they next draw. */
   dispose(): void {
     this.madeComparisons?.dispose();
     this.madeViews?.dispose();

@@ -5,11 +5,11 @@ import { THROWS_SHADOW } from './style.ts';
 import { eyeView, lightView, shownWithin, smokeBox } from './views.ts';
 import type { FrameInput, FrameReport } from './frameInput.ts';
 
-/** Film is drawn on twos: lines boil at half of 24 frames a second. */
+/** Animation on twos: lines change at half of 24 frames a second. */
 const DRAWINGS_PER_SECOND = 12;
 
 /**
- * The whole frame, in order:
+ * Draws a frame, in this order:
  * arrange(eye) and arrange(light) -> instance buffers -> backdrop, surfaces, bodies into unlit, lit and depth
  * -> volumes into the stencil -> mask into the alpha of lit -> resolve to the picture.
  */
@@ -28,7 +28,6 @@ export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   return report;
 }
 
-/** Bodies, volumes, mask, resolve. */
 function drawNailboards(passes: SmokePasses, { style, output }: FrameInput): void {
   const { renderer, targets } = passes;
   passes.body.draw(renderer);
@@ -41,7 +40,7 @@ function drawNailboards(passes: SmokePasses, { style, output }: FrameInput): voi
   passes.resolve.draw(renderer, targets, output);
 }
 
-/** The first half of a frame, which draws nothing: arrange(eye) and arrange(light) -> instance buffers. */
+/** The first half of a frame, without draw calls: arrange(eye) and arrange(light) -> instance buffers. */
 export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameReport {
   const { eye, targets, bodies, casters } = passes;
   const { style } = input;
@@ -65,7 +64,9 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameRepor
   return { bodiesDrawn: bodies.count, castersDrawn: throwsShadow ? casters.count : 0, arrangeMs };
 }
 
-/** Where each shadow of the sun has all behind it that it could fall on. Those of a lamp end at the box of all receivers. */
+/**
+ * Computes where each shadow of the sun is behind all receivers. The shadows of a lamp end at the box of all receivers.
+ */
 function endShadows({ eye, casters, bodies, surfaces, ...passes }: SmokePasses, input: FrameInput, ends: Float32Array) {
   const { reach } = passes.extentsOf(input.style.form);
   const boxes = surfaces.worldBoxes();
@@ -74,7 +75,7 @@ function endShadows({ eye, casters, bodies, surfaces, ...passes }: SmokePasses, 
   passes.shadowEnds.find(casters.places, reach, receivers, eye.travelAt(new Vector3()), ends);
 }
 
-/** Everything that can receive a shadow: the surfaces, and the smoke as arrange(eye) has just measured it. */
+/** The box of everything that can receive a shadow: the surfaces, and the smoke as measured by arrange(eye). */
 function receiversOf(passes: SmokePasses, { simulator, receivers }: FrameInput): Box3 {
   const box = passes.surfaces.bounds(new Box3());
   if (receivers) box.union(receivers);

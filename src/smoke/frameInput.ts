@@ -6,48 +6,48 @@ import type { CoverageGrid, View } from '../sim/view.ts';
 import type { Light } from './light.ts';
 import type { Style } from './style.ts';
 
-/** The part of a simulator that a frame needs: rows for a view, and the box of what lives. */
+/** The part of a simulator that a frame needs: rows for a view, and the bounds of the live particles. */
 export interface Arranger {
   arrange(view: View): Rows;
   readonly bounds: Bounds;
-  /** Of the last arrange. */
+  /** The grid of the last call of `arrange`. */
   readonly coverageGrid?: CoverageGrid;
 }
 
-/** What one frame is drawn from. */
+/** Everything that one frame is drawn from. */
 export interface FrameInput {
   simulator: Arranger;
   camera: Camera;
   light: Light;
   style: Style;
-  /** Where between the previous step (0) and now (1) the picture stands. */
+  /** Interpolation between the previous step (0) and the current one (1). */
   blend: number;
-  /** Simulated seconds, by which lines boil; 0 where absent. */
+  /** Simulated time in seconds, for boiling lines; defaults to 0. */
   time?: number;
-  /** Size of the picture in pixels, and how many of them make a CSS pixel. */
+  /** Size of the picture in pixels. `pixelRatio` is the number of pixels per CSS pixel. */
   width: number;
   height: number;
   pixelRatio: number;
-  /** World transforms of the rigids, by their number. */
+  /** World transforms of the rigids, by their index. */
   rigids: readonly Matrix4[];
-  /** World transforms of the parts that ride on them or on nothing, by their number. */
+  /** World transforms of the scene parts, attached to a rigid or not, by their index. */
   parts?: readonly Matrix4[];
-  /** What else can receive a shadow besides surfaces and smoke, world space. */
+  /** World-space box of additional receivers of shadow besides the surfaces and the smoke. */
   receivers?: Box3;
-  /** Leaves out bodies and casters that cannot show; the picture is the same either way. */
+  /** Whether to cull puffs and casters that cannot be visible. The picture is the same with and without. */
   cull: boolean;
-  /** What is shown instead of the picture, if anything; other renderers than nailboards have no views. */
+  /** A debug view instead of the picture. Only the renderer 'nailboards' has views. */
   view?: DebugView;
-  /** Leaves out what lies behind everything. */
+  /** Whether to omit the backdrop. */
   isTransparent?: boolean;
-  /** Where the picture goes; null is the canvas. */
+  /** Render target of the picture, or null for the canvas. */
   output: WebGLRenderTarget | null;
 }
 
-/** What a frame did. */
+/** Statistics of a frame. */
 export interface FrameReport {
   bodiesDrawn: number;
   castersDrawn: number;
-  /** Milliseconds spent in the simulator's arrange. */
+  /** Time spent in the simulator's arrange, milliseconds. */
   arrangeMs: number;
 }

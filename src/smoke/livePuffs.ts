@@ -5,15 +5,15 @@ import type { PuffShape } from '../puffs/shapes.ts';
 import { finished, workedFor, type Work } from '../puffs/work.ts';
 import { bakingPuffs } from './bakedPuffs.ts';
 
-/** What to bake, and a text that is the same for the same puffs. */
+/** Puffs to bake; equal puffs have equal keys. */
 interface PuffRequest {
   readonly key: string;
   begin(): Work<BakedPuffs>;
 }
 
 /**
- * The puffs that values describe. When their knobs turn, others are baked a little with each picture, while the old ones stand;
- * who keeps turning sees those that were asked for when the bakery was last free.
+ * Bakes the puffs that values describe. When the values change, new puffs are baked over several frames while the old
+ * ones are drawn. Requests that arrive during a bake replace each other, and the last one starts when the bake ends.
  */
 export class LivePuffs {
   private own: readonly PuffShape[] | undefined;
@@ -26,39 +26,40 @@ export class LivePuffs {
     this.wanted = this.requestOf(values);
   }
 
-  /** The shapes that somebody brought, if anybody has. */
+  /** The shapes set by `use`, if any. */
   get ownShapes(): readonly PuffShape[] | undefined {
     return this.own;
   }
 
   /**
-   * Asks for the puffs that values describe. Variations never become fewer: a particle keeps the one it was born with.
-   * @param alive variations that living particles may have
+   * Requests the puffs that values describe. The number of variations never decreases, because a particle keeps its
+   * variation.
+   * @param alive number of variations that live particles may have
    */
   follow(values: Values, alive = 0): void {
     this.variations = Math.max(this.variations, alive);
     this.wanted = this.requestOf(values);
   }
 
-  /** Asks for shapes that somebody brought, or again for those that values describe. */
+  /** Requests custom shapes, or again the puffs that values describe if `own` is undefined. */
   use(own: readonly PuffShape[] | undefined, values: Values): void {
     this.own = own;
     this.follow(values);
   }
 
-  /** Goes on baking for some milliseconds. Returns new puffs when they are ready. */
+  /** Bakes for a number of milliseconds. Returns the new puffs when they are ready. */
   workFor(milliseconds: number): BakedPuffs | undefined {
     if (!this.begin()) return undefined;
     return this.taken(workedFor(this.baking!.work, milliseconds));
   }
 
-  /** Bakes what was last asked for. Returns new puffs unless they stand already. */
+  /** Completes the last request synchronously. Returns the new puffs, or undefined if they are already in use. */
   finish(): BakedPuffs | undefined {
     if (this.baking?.key !== this.wanted.key) this.baking = undefined;
     return this.begin() ? this.taken(finished(this.baking!.work)) : undefined;
   }
 
-  /** Whether there is something to bake. */
+  /** Starts a bake if one is requested. Returns whether there is work to do. */
   private begin(): boolean {
     const { key } = this.wanted;
     if (!this.baking && key !== this.standing) this.baking = { key, work: this.wanted.begin() };

@@ -1,52 +1,53 @@
 import { FIRST_BORDER, mixed, type Color, type Ramp, type Tone } from '../device/ramps.ts';
 import { readRamp } from '../preset/ramp.ts';
 
-/** How a material turns its tones with the light, if it does at all. */
+/** How the tones of a material depend on the light. */
 export interface Toning {
-  /** How many flat tones it shows, unless `stops` say so. */
+  /** Number of flat tones, if there are no `stops`. */
   tones: 1 | 2 | 3;
   shading: boolean;
-  /** Tones over N.L as they are chosen, the first of them that of shadow; none where absent or empty. */
+  /** Custom tones over N.L; the first one is the tone of shadow. None if absent or empty. */
   stops?: readonly Tone[];
-  /** Whether the stops run into each other. */
+  /** Whether the stops are interpolated. */
   isBlended?: boolean;
-  /** How far the tone of shadow comes back towards the colour where the fill light reaches, 0..1. */
+  /** Share of the full-light tone that is mixed into the tone of shadow where the fill light reaches, 0..1. */
   fill?: number;
-  /** What a colour is multiplied by in shadow, unless `stops` say so; a violet where absent. */
+  /** Factor on a colour in shadow, if there are no `stops`; defaults to a violet. */
   shadow?: Color;
-  /** How far shadow lets go of its hue, 0..1. */
+  /** How far the tone of shadow is desaturated, 0..1. */
   neutral?: number;
 }
 
-/** What surfaces take from a style. */
+/** The toning of surfaces in a style. */
 export interface SurfaceToning extends Toning {
-  /** Shades of one colour that they take; their own colours where absent. */
+  /** Replaces the colours of surfaces by shades of one colour; absent, they keep their own. */
   wash?: Wash;
-  /** What their colours are multiplied by in shadow; absent, it follows `stops` and `wash`. */
+  /** Factor on the colours of surfaces in shadow; absent, it is derived from `stops` and `wash`. */
   surfaceShadowColor?: Color;
 }
 
-/** How far colours become shades of one, 0..1, and the lightest of these shades. */
+/** How far colours are mixed with shades of one colour, 0..1, and the lightest of these shades. */
 export interface Wash {
   readonly share: number;
   readonly color: Color;
 }
 
-// What is multiplied into a colour to shade it: shadows lean to violet, so that they read as cool beside any light.
+// Factor on a colour in shadow: a violet, which looks cool beside any light.
 const SHADOW: Color = [150, 140, 196];
 const SHADOW_LIGHTNESS = 149;
-/** Between its greatest and its least channel. */
+/** Difference between its greatest and its least channel. */
 const SHADOW_SPREAD = 56;
-// How far the middle tone is from white to shadow.
+// Share of the way from white to shadow at which the middle tone is, for each channel.
 const MIDDLE = [0.39, 0.461, 0.39];
-// Shadow and middle tone without a hue, for things that are washed into shades of one colour.
+// Neutral tones of shadow and of the middle, for surfaces with a wash.
 const GREY: Color = [142, 142, 142];
 const LIGHT_GREY: Color = [206, 206, 206];
 const WHITE: Color = [255, 255, 255];
 
 /**
- * Eq. 2 of McGuire and Fein (2006) with Ka + KL q() folded into final colours, so that flat tones are exact.
- * @param color of the material in full light; stops are multiplied by it
+ * Builds the ramp of a material: Eq. 2 of McGuire and Fein (2006) with Ka + KL q() folded into final colours, so that
+ * flat tones are exact.
+ * @param color colour of the material in full light; stops are multiplied by it
  */
 export function rampOf(color: Color, toning: Toning): Ramp {
   const ramp = toning.stops?.length ? rampOfStops(color, toning.stops, toning) : rampOfTones(color, toning);
@@ -76,29 +77,32 @@ function rampOfStops(color: Color, stops: readonly Tone[], { shading, isBlended 
   return { lit: shading ? lit : lit.slice(-1), unlit: lit.slice(0, 1), isBlended };
 }
 
-/** N.L from which a lit pixel differs from one in shadow; -1 where it does whatever N.L is. */
+/** N.L from which a lit pixel differs from a shadowed one; -1 if it differs for every N.L. */
 export function litThresholdOf(toning: Toning): number {
   if (isFlat(toning)) return -1;
   const { lit, isBlended } = rampOf(WHITE, toning);
   return lit[isBlended ? 0 : 1].from;
 }
 
-/** Surfaces stay shaded where smoke is flat: the edge of a mesh's own shadow follows its triangles and has to lie in shade. */
+/**
+ * The toning of surfaces. Surfaces stay shaded where smoke is flat: the edge of a mesh's own shadow follows its
+ * triangles and must be on its dark side.
+ */
 export function surfaceToning({ tones, wash, stops, surfaceShadowColor }: SurfaceToning): Toning {
   const shadow = surfaceShadowColor ?? shadowIn(stops?.[0]?.color ?? SHADOW);
   return { tones: tones === 1 ? 2 : tones, shading: true, shadow, neutral: surfaceShadowColor ? 0 : wash?.share };
 }
 
-/** What the colours of surfaces are multiplied by in shadow. */
+/** Factor on the colours of surfaces in shadow. */
 export function surfaceShadowOf(style: SurfaceToning): Color {
   return rampOf(WHITE, surfaceToning(style)).unlit[0].color;
 }
 
-/** SHADOW in the hue of another colour: as light as it is, and no stronger. */
+/** The violet of SHADOW with the hue of another colour, equally light and at most as saturated. */
 function shadowIn(color: Color): Color {
   const own = lightnessOf(color);
   const scale = Math.min(SHADOW_LIGHTNESS / own, SHADOW_SPREAD / (Math.max(...color) - Math.min(...color)));
-  // A grey has no hue: 0 times infinity.
+  // Greys have no hue: 0 times infinity is NaN.
   const channels = color.map((channel) => Math.round(SHADOW_LIGHTNESS + (scale * (channel - own) || 0)));
   return channels as [number, number, number];
 }
@@ -107,22 +111,26 @@ function lightnessOf([red, green, blue]: Color): number {
   return 0.3 * red + 0.59 * green + 0.11 * blue;
 }
 
-// Of the wash's colour, what black becomes: dark things stay darker than light ones and yet show their shadow.
+// Black becomes this share of the wash's colour, so that dark surfaces stay darker than light ones but still show
+// shadow.
 const DARKEST = 0.22;
 
-/** The colour of a surface: its own, or the shade of the wash's colour that is as light as its own. */
+/** The colour of a surface, mixed with the shade of the wash's colour that has the same lightness. */
 export function washed(color: Color, wash?: Wash): Color {
   if (!wash) return color;
   const shade = mixed([0, 0, 0], wash.color, DARKEST + ((1 - DARKEST) * lightnessOf(color)) / 255);
   return mixed(color, shade, wash.share);
 }
 
-/** Whether light and shadow differ even where a puff looks away from the light: its own shadow must not begin on it then. */
+/**
+ * Whether light and shadow differ even on the side of a puff that faces away from the light. A puff's own shadow must
+ * not start on it then.
+ */
 export function isFlat({ tones, shading, stops }: Toning): boolean {
   return !shading || (tones === 1 && !stops?.length);
 }
 
-/** The colour that the smoke's ramp is made from: chosen stops stand as they are. */
+/** The base colour of the smoke's ramp; white with custom stops, which are used unchanged. */
 export function plainColorOf({ stops, smokeColor }: Toning & { smokeColor: Color }): Color {
   return stops?.length ? WHITE : smokeColor;
 }
@@ -133,13 +141,16 @@ export function smokeColorOf(style: Toning & { smokeColor: Color }): Color {
   return lit[lit.length - 1].color;
 }
 
-/** Reads `#rrggbb`. */
+/** Parses `#rrggbb`. */
 export function parseColor(text: string): Color {
   const value = Number.parseInt(text.slice(1), 16);
   return [value >> 16, (value >> 8) & 255, value & 255];
 }
 
-/** Colours over a range, as a ramp of the table has them. @param text that `readRamp` takes */
+/**
+ * Parses a colour ramp of the preset.
+ * @param text text in the format of `readRamp`
+ */
 export function parseStops(text: string): Tone[] {
   return (readRamp(text) ?? []).map(({ at, color }) => ({ from: at, color: parseColor(color) }));
 }

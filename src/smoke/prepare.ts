@@ -8,7 +8,10 @@ import { lobeVolumeShaders } from '../passes/volumes.ts';
 import type { Values } from '../preset/parameter.ts';
 import { LivePuffs } from './livePuffs.ts';
 
-/** All that passes make of surfaces, in pieces: of one mesh, or where two meet. Whoever draws them next has it at once. */
+/**
+ * Computes everything that passes derive from surfaces, in steps of one mesh or one pair of meshes. Results are
+ * memoized for the passes that draw them later.
+ */
 export function* preparingSurfaces(surfaces: readonly SurfaceDescription[]): Work<void> {
   for (const [index, { mesh, casts, inked }] of surfaces.entries()) {
     memoizedHullNormals(mesh);
@@ -25,14 +28,14 @@ export function* preparingSurfaces(surfaces: readonly SurfaceDescription[]): Wor
   }
 }
 
-/** The same while the page goes on answering. */
+/** Like {@link preparingSurfaces}, but keeps the page responsive. */
 export function prepareSurfaces(surfaces: readonly SurfaceDescription[]): Promise<void> {
   return inPieces(preparingSurfaces(surfaces));
 }
 
 /**
- * Has the two programs compiled that take longest, those of puffs as these values describe them, while other things are on
- * their way. Other programs are small, or belong to what few people ask for.
+ * Compiles the two slowest programs, the bodies and the volumes of lobe puffs, while other resources load. Other
+ * programs are small or rarely used.
  */
 export function compileAhead(device: Device, values: Values): void {
   if (!device.isUsable || values['puff.form'] !== 'lobes') return;
@@ -41,12 +44,11 @@ export function compileAhead(device: Device, values: Values): void {
   if (device.writesDepth) device.programs.compile(device.renderer, lobeVolumeShaders(lobes));
 }
 
-/** Spent at a time: a page goes on answering in between. */
+/** Time slice in milliseconds, short enough to keep the page responsive. */
 const PIECE_MS = 16;
 
 /**
- * Bakes the puffs that values describe while a scene and its simulator are still on their way; whoever asks for them next
- * has them at once.
+ * Bakes the puffs that values describe while the scene and its simulator load. The puffs are cached for later requests.
  */
 export async function bakeAhead(values: Values): Promise<void> {
   const puffs = new LivePuffs(values);

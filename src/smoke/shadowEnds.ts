@@ -1,25 +1,25 @@
 /**
- * Where shadows may end: behind the last of what the picture shows that they could fall on. Of the smoke that is what
- * arrange(eye) has left, laid on a grid across the light; surfaces are known by their boxes.
+ * Finds where shadows may end: behind the last visible receiver. Visible puffs, as left by arrange(eye), are rasterised
+ * to a grid perpendicular to the light; surfaces are represented by their bounding boxes.
  */
 import { Vector3, type Box3 } from 'three';
 
-/** Cells along each side of the grid: about as wide as puffs. */
+/** Cells along each side of the grid, chosen so that a cell is about as wide as a puff. */
 const CELLS = 40;
 
 type Triple = readonly [number, number, number];
 
-/** What shadows can fall on. */
+/** Everything that shadows can fall on. */
 export interface Receivers {
-  /** x, y, z and radius of each puff that is drawn. */
+  /** x, y, z and radius of each visible puff. */
   readonly bodies: Float32Array;
-  /** Factor on such a radius that makes the ball in which everything is that a puff shows. */
+  /** Radius of the bounding sphere of the visible parts of a puff, in puff radii. */
   readonly reach: number;
-  /** World boxes of all else. */
+  /** World-space boxes of all other receivers. */
   readonly boxes: readonly Box3[];
 }
 
-/** The ends of parallel shadows; keeps its grid for the next frame. */
+/** Finds the ends of parallel shadows. The grid buffer is reused between frames. */
 export class ShadowEnds {
   private readonly farthest = new Float32Array(CELLS * CELLS);
   private readonly corner: [number, number] = [0, 0];
@@ -29,11 +29,12 @@ export class ShadowEnds {
   private travel: Triple = [0, 0, -1];
 
   /**
-   * @param casters x, y, z and radius of each
-   * @param widest factor on such a radius that makes the ball which holds all of the puff
+   * @param casters x, y, z and radius of each caster
+   * @param widest radius of the bounding sphere of a puff, in puff radii
+   * @param receivers visible puffs and boxes
    * @param travel unit vector along which the light travels
-   * @param ends for each caster how far behind its centre its shadow has left every receiver, metres; below 0 where
-   *   there is none behind it
+   * @param ends output: for each caster the distance behind its centre at which its shadow has left every receiver,
+   * metres; negative if no receiver is behind it
    */
   find(casters: Float32Array, widest: number, receivers: Receivers, travel: Vector3, ends: Float32Array): void {
     this.face(travel);
@@ -55,7 +56,7 @@ export class ShadowEnds {
     this.travel = travel.toArray();
   }
 
-  /** Keeps in each cell how far along the light the last puff over it reaches. */
+  /** Stores in each cell the largest distance along the light that a puff over it reaches. */
   private fill(bodies: Float32Array, reach: number): void {
     this.measure(bodies, reach);
     this.farthest.fill(-Infinity);
@@ -72,7 +73,7 @@ export class ShadowEnds {
     }
   }
 
-  /** Spreads the grid over all puffs. */
+  /** Fits the grid to the bounds of all puffs. */
   private measure(bodies: Float32Array, reach: number): void {
     let side = 0;
     [this.right, this.up].forEach((axis, index) => {
@@ -100,7 +101,7 @@ export class ShadowEnds {
     return farthest;
   }
 
-  /** First and last cell along an axis; none where the first comes after the last. */
+  /** First and last cell along an axis; the range is empty if the first is after the last. */
   private cellsOf(middle: number, radius: number, axis: 0 | 1): [number, number] {
     const from = Math.floor((middle - radius - this.corner[axis]) * this.perMetre);
     const to = Math.floor((middle + radius - this.corner[axis]) * this.perMetre);
@@ -112,7 +113,7 @@ function at(places: Float32Array, row: number, [x, y, z]: Triple): number {
   return places[4 * row] * x + places[4 * row + 1] * y + places[4 * row + 2] * z;
 }
 
-/** How far on the way a ball has left a box; -Infinity where it misses it. */
+/** Distance along the light at which a sphere leaves a box; -Infinity if it misses the box. */
 function exitFrom({ min, max }: Box3, places: Float32Array, row: number, radius: number, travel: Triple): number {
   let [enter, exit] = [-Infinity, Infinity];
   const [low, high] = [min.toArray(), max.toArray()];

@@ -24,26 +24,26 @@ import { inkLineOf, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
 
 export interface SmokeOptions {
-  /** The most particles it will ever be asked to draw. */
+  /** Largest number of particles that can be drawn. */
   capacity: number;
   surfaces: readonly SurfaceDescription[];
-  /** Whether it is drawn among surfaces that somebody else draws. */
+  /** Whether the smoke is drawn into the scene of a host. */
   isGuest?: boolean;
-  /** Colours at the top and the bottom of what lies behind everything; transparent where absent. */
+  /** Display-encoded colours at the top and the bottom of the background; transparent if absent. */
   backdrop?: { top: Color; bottom: Color };
-  /** What particles look like, such as `bakedPuffs(shapes)`; the default puffs where absent. */
+  /** The shapes of the puffs, such as `bakedPuffs(shapes)`; defaults to the built-in puffs. */
   puffs?: BakedPuffs;
 }
 
-/** What has fallen lower is in no picture, metres. */
+/** World height below which surfaces are hidden, metres. */
 const OUT_OF_SIGHT = -60;
 const TINTS = 3;
-// The shaders count the tints from 1 on.
+// Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
 
 /**
- * Cartoon smoke on a device: turns a simulator's particles into a picture, for any camera and light.
- * After McGuire and Fein, 'Real-Time Rendering of Cartoon Smoke and Clouds' (NPAR 2006). frame.ts holds the order.
+ * Cartoon smoke on a device: draws a simulator's particles for any camera and light. After McGuire and Fein, 'Real-Time
+ * Rendering of Cartoon Smoke and Clouds' (NPAR 2006). frame.ts has the order of the passes.
  */
 export class SmokeRenderer {
   readonly passes: SmokePasses;
@@ -55,7 +55,7 @@ export class SmokeRenderer {
   private readonly backdrop: SmokeOptions['backdrop'];
   private style: Style | undefined;
   private pixelRatio = 0;
-  /** A style whose renderer is still on its way, and what is drawn until then. */
+  /** The last style whose modules are not loaded yet; `meanwhile` is drawn until they are. */
   private asked: Style | undefined;
   private meanwhile: Style | undefined;
 
@@ -111,13 +111,14 @@ export class SmokeRenderer {
           for (const pass of drawing) pass.place(surface, transform, isVisible);
         }),
     };
-    // Notified later, three.js would try to delete in the restored context what belonged to the lost one.
+    // Released on the loss, not on the restoration: three.js would delete resources of the lost context in the restored
+    // one.
     this.stopListening = device.onContext((event) => (event === 'lost' ? this.release() : undefined));
   }
 
   /**
-   * Draws one frame; without what `fetchExtras` has not brought yet, as nailboards of lobes.
-   * @throws ContextError when the device has lost its context
+   * Draws one frame. While `fetchExtras` has not loaded the modules that it needs, it is drawn with lobe nailboards.
+   * @throws ContextError if the device has lost its context
    */
   draw(input: FrameInput): FrameReport {
     const drawn = this.withWhatIsHere(input);
@@ -127,8 +128,8 @@ export class SmokeRenderer {
   }
 
   /**
-   * Makes all passes ready for a frame that somebody else draws with them.
-   * @throws ContextError when the device has lost its context
+   * Prepares all passes for a frame that the caller draws with them.
+   * @throws ContextError if the device has lost its context
    */
   arrange(input: FrameInput): FrameReport {
     const arranged = this.withWhatIsHere(input);
@@ -136,20 +137,20 @@ export class SmokeRenderer {
     return arrangeFrame(this.passes, arranged);
   }
 
-  /** Shows other puffs from the next frame on; particles keep their variation. */
+  /** Replaces the puffs from the next frame on. Particles keep their variation. */
   setPuffs(puffs: BakedPuffs): void {
     this.puffs.show(puffs);
     this.style = undefined;
   }
 
-  /** Gives back what it holds on the device; the device stays. */
+  /** Releases all resources on the device, but not the device. */
   dispose(): void {
     this.stopListening();
     this.release();
     this.puffs.dispose();
   }
 
-  /** Lets go of all buffers, textures and programs; what is drawn again gets them anew. */
+  /** Frees all buffers, textures and programs. They are created again when they are next drawn. */
   private release(): void {
     const { passes } = this;
     for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop, passes.surfaces])
@@ -200,7 +201,7 @@ export class SmokeRenderer {
     this.passes.backdrop.setColors(top ?? this.backdrop.top, bottom ?? this.backdrop.bottom);
   }
 
-  /** Smoke, its tints, the surfaces, then the smoke again for each band of age and temperature. */
+  /** Writes the ramps in the order: smoke, tints, surfaces, then smoke for each band of age and temperature. */
   private writeRamps(style: Style): void {
     const surfaces = surfaceToning(style);
     const first = FIRST_SURFACE_RAMP + this.surfaces.length;

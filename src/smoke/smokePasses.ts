@@ -21,7 +21,7 @@ import type { FrameInput } from './frameInput.ts';
 import type { ShadowEnds } from './shadowEnds.ts';
 import type { ComparisonRenderer } from './style.ts';
 
-/** Everything that a frame draws with; made once for a smoke. */
+/** Everything that a frame draws with, created once for a smoke. */
 export interface SmokePasses {
   readonly renderer: WebGLRenderer;
   readonly eye: FrameView;
@@ -36,31 +36,31 @@ export interface SmokePasses {
   readonly body: BodiesPass;
   readonly meshVolumes: MeshVolumesPass;
   readonly volumes: VolumesPass;
-  /** Instead of the volumes, where the depth that fragments write is not kept. */
+  /** Replaces `volumes` on devices that do not keep the depth that fragments write. */
   readonly prismVolumes: PrismVolumesPass | undefined;
   readonly mask: MaskPass;
   readonly resolve: ResolvePass;
-  /** There is what the input of a frame asks for. */
+  /** The modules that the input of a frame needs must be loaded. */
   readonly extras: FrameExtras;
   readonly hasBackdrop: boolean;
-  /** How far puffs of a form and their shadows reach. */
+  /** Bounds of the puffs of a form and of their shadows. */
   extentsOf(form: PuffForm): PuffExtents;
-  /** @param drawing the passes that draw surfaces; those of every frame where absent */
+  /** @param drawing the passes to place surfaces in; defaults to those of every frame */
   placeSurfaces(rigids: readonly Matrix4[], parts: readonly Matrix4[], drawing?: readonly DrawsSurfaces[]): void;
 }
 
 type DrawsSurfaces = Pick<SurfacesPass, 'place'>;
 
-/** What few frames draw with. Its code is fetched, so each is undefined until it has come. */
+/** Optional passes, whose modules are loaded on demand; undefined until then. */
 export interface FrameExtras {
   readonly comparisons: DrawsInstead<ComparisonRenderer> | undefined;
   readonly debugViews: (DrawsInstead<DebugView> & { setGrid(grid: CoverageGrid | undefined): void }) | undefined;
-  /** By what puffs of a form are drawn, unless they are lobes. */
+  /** The shaders of a puff form; undefined for lobes. */
   billboardsOf(form: PuffForm): Shaders | undefined;
   dispose(): void;
 }
 
-/** Goes on from where the surfaces stand in the targets. */
+/** Draws after the surfaces, in place of the default passes. */
 interface DrawsInstead<Kind> {
   draw(kind: Kind, passes: SmokePasses, input: FrameInput): void;
 }

@@ -5,11 +5,11 @@ import type { InkLine } from '../passes/ink.ts';
 import type { Values } from '../preset/parameter.ts';
 import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
-/** How puffs become pixels: the product's own way, and three others to compare it with. */
+/** How puffs are drawn: with nailboards and shadow volumes, or with one of three renderers for comparison. */
 export type Renderer = 'nailboards' | ComparisonRenderer;
 export type ComparisonRenderer = 'selle' | 'sprites' | 'shadowMap';
 
-/** Which renderers ask for casters. */
+/** The renderers that draw shadows and need casters. */
 export const THROWS_SHADOW: Readonly<Record<Renderer, boolean>> = {
   nailboards: true,
   selle: false,
@@ -17,7 +17,7 @@ export const THROWS_SHADOW: Readonly<Record<Renderer, boolean>> = {
   shadowMap: true,
 };
 
-/** How smoke is drawn: the paper's four effects, each on or off by itself, and their colours. */
+/** The style of smoke: the paper's four effects, each on or off, and their colours. */
 export interface Style extends SurfaceToning {
   renderer: Renderer;
   form: PuffForm;
@@ -25,7 +25,7 @@ export interface Style extends SurfaceToning {
   /** Whether sharp edges of surfaces are inked too. */
   creases: boolean;
   shadows: boolean;
-  /** Steps of shadow: where `shadowDepth` volumes and more hold a place, the second is `deepShadow` times the first. */
+  /** Steps of shadow. Where at least `shadowDepth` volumes overlap, the second step is `deepShadow` times the first. */
   shadowSteps: 1 | 2;
   shadowDepth: number;
   deepShadow: Color;
@@ -33,39 +33,42 @@ export interface Style extends SurfaceToning {
   gradientColor: Color;
   /** World heights between which the gradient 'height' runs, metres. */
   gradientHeights: readonly [bottom: number, top: number];
-  /** Width of the band along silhouettes that look away from the light, 0..1. */
+  /** Width of the band along silhouettes that face away from the light, 0..1. */
   rim: number;
   rimColor: Color;
-  /** Colours of smoke without a tint over its age and over its temperature, 0..1 each; its own colour where empty. */
+  /** Colours of untinted smoke over its age and over its temperature, 0..1 each; `smokeColor` if empty. */
   ageColors: readonly Tone[];
   heatColors: readonly Tone[];
-  /** Whether those colours run into each other instead of changing at their stops. */
+  /** Whether those colours are interpolated instead of changing at their stops. */
   softColors: boolean;
-  /** Width of the ink in CSS pixels. */
+  /** Width of outlines in CSS pixels. */
   outlineWidth: number;
-  /** How much wider lines are away from the light, 0..1. */
+  /** How much wider lines are on the side away from the light, 0..1. */
   inkSwell: number;
-  /** How much lines tremble from drawing to drawing, 0..1. */
+  /** How much lines vary from drawing to drawing, 0..1. */
   boil: number;
-  /** Depth gap, in puff radii, beyond which a puff is outlined against what lies behind it. */
+  /** Depth gap, in puff radii, beyond which a puff is outlined against what is behind it. */
   innerLine: number;
-  /** How much more gap, as a multiple of that, a line between puffs takes to reach its full width. */
+  /** Additional gap, as a multiple of `innerLine`, over which a line between puffs reaches its full width. */
   innerTaper: number;
   smokeColor: Color;
   /** Colours of smoke that an emitter or a collider has tinted. */
   tints: readonly [Color, Color, Color];
   inkColor: Color;
-  /** What lies behind, from below to above, in the place of the scene's; its own where absent or empty. */
+  /** Background colours from bottom to top, instead of those of the scene; the scene's if absent or empty. */
   backdropColors?: readonly Tone[];
 }
 
-/** What colours that nobody has set are. @param values every other key of the table */
+/**
+ * Colours that are computed if a preset does not set them.
+ * @param values every other key of the table
+ */
 export function automaticColors(values: Values): Values {
   const [red, green, blue] = surfaceShadowOf({ ...styleOf(values), surfaceShadowColor: undefined });
   return { 'style.surfaceShadowColor': `#${((red << 16) | (green << 8) | blue).toString(16).padStart(6, '0')}` };
 }
 
-/** Fields that are named as their parameters are, by how their values are read. */
+/** Fields with the same name as their parameter, grouped by the conversion of their values. */
 const PLAIN = [
   'renderer',
   'shadowSteps',
@@ -83,7 +86,7 @@ const PLAIN = [
 const TOGGLES = ['shading', 'outlines', 'creases', 'shadows', 'softColors'] as const;
 const COLORS = ['deepShadow', 'gradientColor', 'rimColor', 'smokeColor', 'inkColor', 'surfaceShadowColor'] as const;
 
-/** Reads the style out of flat values that hold every key of the table that is not optional. */
+/** Builds a style from flat values, which must have every key of the table that is not optional. */
 export function styleOf(values: Values): Style {
   const colorOf = (name: string) => parseColor(values[`style.${name}`] as string);
   const stopsOf = (name: string) => parseStops(values[`style.${name}`] as string);

@@ -1,4 +1,4 @@
-/** What a frame asks the simulator to arrange: the bodies for the eye, the casters for the light. */
+/** The views of a frame that the simulator arranges: puffs for the camera and casters for the light. */
 import { Box3, Vector3 } from 'three';
 import type { Bounds } from '../sim/simulator.ts';
 import { LIFTERS_LIMIT, type CoverageView, type View } from '../sim/view.ts';
@@ -8,16 +8,16 @@ import type { FrameInput } from './frameInput.ts';
 import type { SmokePasses } from './smokePasses.ts';
 import { inkLineOf } from './style.ts';
 
-/** Ink stands at most this far beside a puff, in its radii; see shaders/lib/ink.glsl. */
+/** Largest distance of ink from a silhouette, in puff radii; see shaders/lib/ink.glsl. */
 const WIDEST_RING = 0.3;
-/** So much nearer, for each unit beside its puff, a surface may lift it; see shaders/lib/contact.glsl. */
+/** Largest distance by which a surface may lift ink, for each unit beside its puff; see shaders/lib/contact.glsl. */
 const STEEPEST = 8;
-/** The simulator counts no farther. */
+/** The simulator's limit of covers. */
 const MAX_COVERS = 16;
 
 export function eyeView(passes: SmokePasses, input: FrameInput): View {
   const { eye } = passes;
-  // What is blended has to come far to near.
+  // Blended sprites must be sorted back to front.
   const blends = input.style.renderer === 'sprites';
   const { pixels, swell } = inkLineOf(input.style, input.pixelRatio);
   return {
@@ -37,7 +37,7 @@ export function lightView(passes: SmokePasses, input: FrameInput, receivers: Box
   return {
     ...common(passes, input),
     purpose: 'light',
-    // Casters are culled by where one common direction carries their shadow; a lamp has none.
+    // Culling of casters projects them along one common direction, which a lamp does not have.
     cull: input.cull && eye.isLitBySun,
     pad: 0,
     direction: eye.travelAt(receivers.getCenter(new Vector3())).toArray(),
@@ -61,8 +61,8 @@ function coverageOf(
   { style, pixelRatio, receivers }: FrameInput,
   covers: number,
 ): CoverageView | undefined {
-  // The comparison renderers draw what is hidden, too: they are compared as they are, and blended sprites shine through.
-  // Where bodies are as deep as their quads and shadows are prisms, the solids are not what is drawn.
+  // The comparison renderers draw hidden puffs, too: they are compared without occlusion culling, and blended sprites
+  // are transparent. With flat puffs and prism volumes, the solids do not match the drawn shapes.
   if (style.renderer !== 'nailboards' || passes.prismVolumes) return undefined;
   const { eye, volumes } = passes;
   const { capRange, depth, solids } = passes.extentsOf(style.form);
@@ -81,7 +81,7 @@ function coverageOf(
   };
 }
 
-/** The boxes of the surfaces, the host's as one; of too many, one that holds all. */
+/** The boxes of the surfaces and of the host's scene. If there are too many, one box that contains all. */
 function liftersOf({ surfaces }: SmokePasses, hostBounds: Box3 | undefined): number[][] {
   const boxes = [...surfaces.worldBoxes(), ...(hostBounds && !hostBounds.isEmpty() ? [hostBounds] : [])];
   const few = boxes.length > LIFTERS_LIMIT ? [boxes.reduce((all, box) => all.union(box), new Box3())] : boxes;
@@ -89,15 +89,16 @@ function liftersOf({ surfaces }: SmokePasses, hostBounds: Box3 | undefined): num
 }
 
 /**
- * The box of all smoke that can receive a shadow. A nailboard's relief moves its fragments along the view ray and so
- * sideways too; were they outside of the box, a volume could end before them that hides another one which does not.
+ * The box of all smoke that can receive a shadow. The relief of a nailboard moves fragments along the view ray, and so
+ * sideways. Outside the box, a volume could end in front of a fragment although it has occluded, and so culled, a
+ * volume that does not.
  */
 export function smokeBox({ eye }: SmokePasses, { min, max, greatestRadius }: Bounds): Box3 {
   const shear = eye.steepestSlope * (1 + WIDEST_RING) + WIDEST_RING;
   return new Box3(new Vector3(...min), new Vector3(...max)).expandByScalar(shear * greatestRadius);
 }
 
-/** Radii from its centre within which everything is that is seen of a puff with a reach, moved by its relief and ink included. */
+/** Radius of the bounding sphere of the visible parts of a puff, in puff radii, with relief and ink included. */
 export function shownWithin(reach: number, { steepestSlope }: FrameView): number {
   return (reach + WIDEST_RING) * (1 + steepestSlope);
 }
