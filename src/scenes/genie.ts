@@ -138,7 +138,7 @@ function tail(mouth: Vector, direction: Vector, radius: number): Record<string, 
     'attractors.0.coreRadius': 0.3,
     'attractors.0.reach': 6,
     ...vector('attractors.0.position', WAIST),
-    // The chest needs no attraction.
+    // Limits the attraction to the space below the chest.
     'attractors.0.region.shape': 2,
     ...vector('attractors.0.region.position', [0, -2.4, 0]),
     ...vector('attractors.0.region.size', [4, 2, 4]),
