@@ -35,7 +35,7 @@ const HANDLE: Handle = {
   steers: [0, 1, 2],
 };
 
-/** A genie rises from the lamp. His chest and tail are smoke, and he follows the pointer. */
+/** A genie rises from the lamp. His chest and tail are smoke, and the user steers him. */
 export function genie(): Scene {
   const { spout } = lampModel();
   const mouth = spout.position.map((at, axis) => at + LAMP[axis]) as unknown as Vector;

@@ -73,10 +73,7 @@ function axle(index: number, name: string): MovingPart {
   };
 }
 
-/**
- * A rod stays horizontal while the cranks turn. The left side leads by a quarter turn, as on real locomotives, to avoid
- * a dead point.
- */
+/** A rod stays horizontal while the cranks turn. The left side leads by a quarter turn, to avoid a dead point. */
 function rod(lead: number, name: string): MovingPart {
   const place = (angle: number) => placement([CRANK * cos(angle), CRANK * sin(angle), 0]);
   return { name, rigid: LOCOMOTIVE, pose: (seconds) => place(wheelAngle(seconds) + lead) };

@@ -6,8 +6,8 @@ import { POSE_FLOATS } from '../sim/rows.ts';
 export const TUMBLED = [0.18, -0.16, 0.24, 0.94] as const;
 
 /**
- * Objects start at least this high above the ground, metres. A fixed rigid below CELLAR is not ground: it holds the
- * objects that are not in use.
+ * Objects start at least this high, metres; the ground is at a height of about 0. A fixed rigid below CELLAR is not
+ * ground: it holds the objects that are not in use.
  */
 const MIN_HEIGHT = 0.7;
 const CELLAR = -100;
