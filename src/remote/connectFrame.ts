@@ -11,9 +11,9 @@ export interface ConnectOptions {
 }
 
 /**
- * Connects to the stage in an iframe that shows `embed.html`, on any site and in any sandbox. Starts its smoke, and
- * waits until the first picture is drawn. The iframe tracks its own size and visibility: `resize` and `setVisible` do
- * nothing. If the iframe reloads, navigates or is removed, pending and later calls reject with a SimulatorError, the
+ * Connects to the stage in an iframe that shows `embed.html`, on any site and in any sandbox. Makes it load its smoke,
+ * and waits until the first picture is drawn. The iframe tracks its own size and visibility: `resize` and `setVisible`
+ * do nothing. If the iframe reloads, navigates or is removed, pending and later calls reject with a SimulatorError, the
  * stage emits an error event, and the page can connect again.
  * @throws the errors of createStage in the iframe; ParameterError for an invalid origin; the signal's reason when it
  * aborts; SimulatorError when the iframe is removed before it answers

@@ -131,7 +131,7 @@ export interface Scene {
   handle?: Handle;
   /** Rigids that the user can drop into the scene. Default: the objects of `drops.ts`. */
   drops?: readonly number[];
-  /** Additional colliders for dropped objects. */
+  /** Colliders for dropped objects, in addition to the scene's rigids. */
   ground?: readonly RigidPart[];
   camera: CameraPose;
   /** Overrides for portrait pictures. */
