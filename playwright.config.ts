@@ -10,21 +10,19 @@ const EMBED = isLong ? '**/e2e/embed.*.long.spec.ts' : '**/e2e/embed.*.spec.ts';
 const SITE = isLong ? '**/tests/site/*.long.spec.ts' : '**/tests/site/*.spec.ts';
 
 const ignored = isLong ? [] : [LONG];
-// What these tests check is the page. Where the picture counts, they ask for all pixels.
+// These tests check the page. Where the picture matters, they request the full resolution.
 const fewPixels = { deviceScaleFactor: 0.25 };
 const halfThePixels = { deviceScaleFactor: 0.5 };
-// Letters and boxes, and pixels on their way to be read, are drawn sooner by the page itself than by SwiftShader. What is
-// drawn with WebGL stays as it is.
+// For text, boxes and pixel readback, the CPU rasterizer is faster than SwiftShader. WebGL content is not affected.
 const plainCanvases = ['--disable-gpu-rasterization', '--disable-accelerated-2d-canvas'];
-// Workers that find something missing would all build it.
+// Otherwise each worker would build a missing site or package.
 const builtFirst = { dependencies: ['built'] };
 
 const { port, browser, flags } = await demandTestServer();
 
 /**
- * Tests that need a browser: source modules on a development server of their own and pages as they are published, all
- * drawn by SwiftShader.
- * Those named *.long.spec.ts run by `npm run test:long` only.
+ * Tests in a browser: source modules on a separate development server, and pages as published, all rendered by
+ * SwiftShader. Files named *.long.spec.ts run only in `npm run test:long`.
  */
 export default defineConfig<object, WorkerOptions>({
   testDir: 'tests',
@@ -32,10 +30,9 @@ export default defineConfig<object, WorkerOptions>({
   testIgnore: ignored,
   forbidOnly: true,
   retries: 0,
-  // Much of what a test takes is waiting for the page to follow, which three at a time fill on two cores. The long ones
-  // have the machine to themselves.
+  // Tests mostly wait for the page, so three workers fit on two cores. The long tests run alone.
   workers: isLong ? 1 : 3,
-  // Long enough for the slowest of machines: who waits in vain has found a fault, and may as well wait longer.
+  // Sufficient for slow machines. A longer timeout costs time only when a test fails.
   timeout: isLong ? 900_000 : 600_000,
   expect: { timeout: 120_000 },
   outputDir: 'test-results',
@@ -48,10 +45,10 @@ export default defineConfig<object, WorkerOptions>({
       ...builtFirst,
       testMatch: isLong ? '**/e2e/**/*.long.spec.ts' : '**/e2e/**/*.spec.ts',
       testIgnore: [...ignored, EMBED],
-      // Each test meets the page for the first time; the service worker has tests of its own, beside the site's.
+      // Each test is a first visit to the page; the service worker has separate tests, with those of the site.
       use: { ...fewPixels, showsBuiltSite: true, serviceWorkers: 'block' },
     },
-    // Pages of other people, with what npm and CDNs would give them.
+    // Third-party pages, with the files that npm and CDNs would deliver.
     { name: 'embed', testMatch: EMBED, testIgnore: ignored, ...builtFirst, use: halfThePixels },
   ],
   reporter: 'list',

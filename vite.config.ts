@@ -5,7 +5,7 @@ import { addresses } from './scripts/site/addresses.ts';
 import { preloads } from './scripts/site/preloads.ts';
 import { serviceWorker } from './scripts/site/serviceWorker.ts';
 
-/** The demo site: relative addresses, so that it works from any folder of any host. */
+/** The demo site. URLs are relative, so that it works in any folder of any host. */
 export default defineConfig({
   base: './',
   plugins: [
@@ -15,7 +15,7 @@ export default defineConfig({
     preloads('/src/app/main.ts'),
     serviceWorker(),
   ],
-  // Found too late otherwise, by a module that only a test imports or that comes on demand, and the page would reload.
+  // Vite would discover these late, in modules that only tests import or that load on demand, and reload the page.
   optimizeDeps: {
     include: [
       'three',
@@ -26,7 +26,7 @@ export default defineConfig({
       'mediabunny',
     ],
   },
-  // The simulator's module loads its bindings on demand, which the older worker format cannot.
+  // The simulator's module imports its bindings dynamically, which the IIFE worker format does not support.
   worker: { format: 'es', plugins: () => [glsl(), withoutShaders()] },
   build: {
     target: 'es2023',

@@ -4,12 +4,12 @@ import glsl from 'vite-plugin-glsl';
 
 const isLong = Boolean(process.env.TEST_LONG);
 const LONG = 'tests/unit/**/*.long.test.ts';
-// These measure the memory of the simulator's module, which other files would have used before.
+// These tests measure the memory of the simulator's module, so no other file may use the module before.
 const ISOLATED = ['tests/unit/simLife.test.ts'];
 const include = isLong ? [LONG] : ['tests/unit/**/*.test.ts'];
 const exclude = isLong ? [] : [LONG];
 
-/** Tests that need no browser. Those named *.long.test.ts run by `npm run test:long` only. */
+/** Tests without a browser. Files named *.long.test.ts run only in `npm run test:long`. */
 export default defineConfig({
   plugins: [glsl()],
   test: {
@@ -17,12 +17,12 @@ export default defineConfig({
     pool: 'threads',
     maxWorkers: availableParallelism(),
     allowOnly: false,
-    // Long enough for the slowest of machines, as in playwright.config.ts.
+    // Sufficient for slow machines, as in playwright.config.ts.
     testTimeout: 600_000,
     hookTimeout: 600_000,
     passWithNoTests: false,
     projects: [
-      // Loading the modules anew for each file takes longer than most tests.
+      // Reloading the modules for each file would take longer than most tests.
       { extends: true, test: { name: 'shared', include, exclude: [...exclude, ...ISOLATED], isolate: false } },
       ...(isLong ? [] : [{ extends: true as const, test: { name: 'isolated', include: ISOLATED } }]),
     ],

@@ -2,8 +2,8 @@
  * `npm run bench -- SUITE [--quick] [--json FILE]`: runs tests/bench/SUITE.mjs, prints its figures as a table and
  * writes them as `{ suite, commit, figures }`.
  *
- * A suite exports `run({ quick })`, which resolves to its figures, and may export `summary(figures)`, which makes text
- * of them to print below. Figures are reported, never judged here.
+ * A suite exports `run({ quick })`, which resolves to its figures, and optionally `summary(figures)`, which returns
+ * text to print below the table. This script reports figures and does not judge them.
  */
 
 import { existsSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
@@ -28,7 +28,8 @@ await conclude(async () => {
     USAGE,
   );
   const suite = chooseSuite(positionals);
-  // Resolved now, because npm runs this where package.json is, and an error should not come after minutes.
+  // Resolved before the run, so that an error appears at once and not after minutes. npm runs this in the package
+  // folder.
   const file = values.json === undefined ? undefined : resolve(values.json);
   await setUp(TESTS);
   const { figures, summary } = await measure(suite, values.quick);
@@ -63,7 +64,7 @@ async function measure(suite, quick) {
   return { figures, summary: module.summary?.(figures) };
 }
 
-/** The commit that was measured, marked when files differ from it. */
+/** The measured commit, marked if the working tree differs from it. */
 async function commit() {
   const head = await run('git', ['rev-parse', 'HEAD']);
   const changes = await run('git', ['status', '--porcelain']);

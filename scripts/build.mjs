@@ -1,6 +1,6 @@
 /**
- * `npm run build [-- --out FOLDER]`: writes the demo page to dist/ as a static site that works from any folder of any host.
- * CARTOON_SMOKE_BASE is the address that it will be published at, where whole addresses are wanted.
+ * `npm run build [-- --out FOLDER]`: writes the demo page to dist/ as a static site that works in any folder of any
+ * host. CARTOON_SMOKE_BASE is the URL at which it will be published, for files that need absolute URLs.
  */
 
 import { resolve } from 'node:path';

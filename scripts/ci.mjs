@@ -1,4 +1,4 @@
-/** `.ci/run`: the whole check. Each command runs even when the one before failed; the last line sums up theirs. */
+/** `.ci/run`: the full check. A failed command does not stop the others; the last line is the sum of their results. */
 
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
@@ -16,7 +16,7 @@ await conclude(async () => {
   return failed > 0 ? 1 : 0;
 });
 
-/** Passes on what a command of npm's writes, and keeps what it writes to standard output. */
+/** Runs an npm command. Forwards its output and returns its standard output. */
 async function npm(/** @type {string[]} */ command) {
   const child = spawn('npm', command, { cwd: root, stdio: ['ignore', 'pipe', 'inherit'] });
   let output = '';

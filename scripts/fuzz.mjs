@@ -1,6 +1,6 @@
 /**
- * `npm run fuzz -- [--minutes N] [--rigids]`: throws mutated configurations, saved simulations and takes at the
- * simulator, guided by coverage (libFuzzer), for a minute unless told otherwise. What is found stays in .cache/fuzz.
+ * `npm run fuzz -- [--minutes N] [--rigids]`: coverage-guided fuzzing (libFuzzer) of the simulator with mutated
+ * configurations, saved states and takes. Default: one minute. Findings are kept in .cache/fuzz.
  */
 
 import { mkdirSync } from 'node:fs';
@@ -11,7 +11,7 @@ import { inRoot } from './lib/paths.mjs';
 import { conclude, UserError } from './lib/userError.mjs';
 
 const TARGET = 'x86_64-unknown-linux-gnu';
-/** What makes a stable compiler count edges and comparisons for libFuzzer. */
+/** Flags that make a stable compiler instrument edges and comparisons for libFuzzer. */
 const COVERAGE = [
   '-Cpasses=sancov-module',
   '-Cllvm-args=-sanitizer-coverage-level=4',
@@ -44,7 +44,7 @@ await conclude(async () => {
 
 function compile(/** @type {boolean} */ hasRigids) {
   const parameters = ['build', '--release', '--locked', '--manifest-path', inRoot('sim-wasm/fuzz/Cargo.toml')];
-  // Only with the target named do the flags leave build scripts alone, which have no fuzzer to report to.
+  // With an explicit target, the flags do not apply to build scripts, which do not link libFuzzer.
   parameters.push('--target', TARGET, '--target-dir', inRoot('sim-wasm/target/fuzz'));
   if (hasRigids) parameters.push('--features', 'rigids');
   parameters.push('--config', `build.rustflags=${JSON.stringify(COVERAGE)}`);

@@ -1,6 +1,6 @@
 /**
- * `npm run generate`: writes the files that repeat what stands elsewhere. The tests that do it fail where one is stale.
- * Each file depends on those before it.
+ * `npm run generate`: writes the files that are derived from other sources. The tests that write them fail when a file
+ * is stale. Each file depends on the previous ones.
  */
 
 import { readArguments } from './lib/arguments.mjs';
@@ -35,7 +35,11 @@ await conclude(async () => {
   }
 });
 
-/** @param {string} name of a file in tests/unit @param {string} test part of the title @param {Say} say */
+/**
+ * @param {string} name of a file in tests/unit
+ * @param {string} test part of the title
+ * @param {Say} say
+ */
 function vitest(name, test, say) {
   const script = inRoot('node_modules/vitest/vitest.mjs');
   const parameters = [script, 'run', `tests/unit/${name}.test.ts`, '-t', test];

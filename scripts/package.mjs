@@ -1,6 +1,6 @@
 /**
- * `npm run package`: writes the npm package to package/ and as a tarball beside it, and says what is in it and by which hashes
- * CDNs name it.
+ * `npm run package`: writes the npm package to package/ and as a tarball beside it, and prints the size and integrity
+ * hash of each file that CDNs serve.
  */
 
 import { readArguments } from './lib/arguments.mjs';

@@ -1,6 +1,6 @@
 /**
- * `npm run poster -- LINK FILE`: writes the still that an element with this share link shows first, as a PNG: the picture
- * to put into its slot `poster`. The link's `t` says when; `--size WIDTHxHEIGHT` how large, 640x360 otherwise.
+ * `npm run poster -- LINK FILE`: renders the first picture of an element with this share link as a PNG, for its
+ * `poster` slot. The link's `t` sets the time; `--size WIDTHxHEIGHT` sets the size. Default: 640x360.
  */
 
 import { writeFileSync } from 'node:fs';

@@ -1,4 +1,4 @@
-/** `npm run preview [-- --port N]`: serves the built site, after building what is missing or stale. */
+/** `npm run preview [-- --port N]`: serves the built site; builds it first if it is missing or stale. */
 
 import { readArguments, readPort } from './lib/arguments.mjs';
 import { root } from './lib/paths.mjs';

@@ -1,6 +1,7 @@
 /**
- * `npm run puffs:sheet`: draws the puffs as contact sheets, to look at after changing a shape: of lobes from many sides
- * in .cache/lobe-sheet.png, the baked layers in .cache/puff-sheet.png. All on the CPU, the same on every machine.
+ * `npm run puffs:sheet`: renders the puffs as contact sheets, for review after a shape changes. .cache/lobe-sheet.png
+ * shows the lobes from many sides, .cache/puff-sheet.png the baked layers. Rendered on the CPU, so the result is the
+ * same on every machine.
  */
 
 import { mkdirSync } from 'node:fs';

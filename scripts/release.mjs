@@ -1,4 +1,4 @@
-/** `npm run release:check -- TAG`: whether a tag, the version of the package and the changelog say the same. */
+/** `npm run release:check -- TAG`: checks that the tag, the package version and the changelog match. */
 
 import { readFileSync } from 'node:fs';
 import { readArguments } from './lib/arguments.mjs';
@@ -23,7 +23,7 @@ function demandTag(/** @type {string} */ tag, /** @type {string} */ version) {
   );
 }
 
-/** Somebody who updates wants to know what for. */
+/** A release must have changelog entries. */
 function demandNotes(/** @type {string} */ version) {
   const sections = readFileSync(inRoot('CHANGELOG.md'), 'utf8').split(/^## /m).slice(1);
   const notes = sections.find((section) => section.split(/\s/, 1)[0] === version);

@@ -1,4 +1,6 @@
-/** `npm start [-- --port N]`: gets what is missing and serves the demo page, anew at each change of a source. */
+/**
+ * `npm start [-- --port N]`: sets up missing components and serves the demo page, reloading it when a source changes.
+ */
 
 import { conclude } from './lib/userError.mjs';
 import { readArguments, readPort } from './lib/arguments.mjs';

@@ -1,6 +1,6 @@
 /**
- * `npm run style:sheet`: draws the sixteen combinations of shading, shadows, outlines and gradient as one contact sheet in
- * .cache/style-sheet.png, to look at after changing how smoke is drawn. The same picture on every run.
+ * `npm run style:sheet`: renders the sixteen combinations of shading, shadows, outlines and gradient as a contact sheet
+ * in .cache/style-sheet.png, for review after rendering changes. The result is reproducible.
  */
 
 import { mkdirSync, writeFileSync } from 'node:fs';

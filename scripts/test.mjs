@@ -1,11 +1,11 @@
 /**
- * `npm test [-- [--update] NAME...]`: gets what is missing and runs every check and test suite, or those named.
- * With --long, what takes too long for that instead; with --engines, what holds in three browser engines; with --update,
- * the screenshot goldens are written anew.
+ * `npm test [-- [--update] NAME...]`: sets up missing components and runs all checks and test suites, or the named
+ * ones. `--long` runs only the long checks and tests, `--engines` only the tests for three browser engines, and
+ * `--update` rewrites the screenshot goldens.
  *
- * All of them run even when one failed. The last line is `N passed, N failed`. What cargo compiles and tests runs beside
- * everything else, the WASM build included, which it does without: one crate after the other keeps one core busy, and the
- * browser rarely two.
+ * A failure does not stop the others. The last line is `N passed, N failed`. Cargo's checks and tests do not need the
+ * WASM build, so they run in parallel with it and with everything else: cargo often compiles one crate at a time on one
+ * core, and the browser rarely uses two.
  */
 
 import { readArguments } from './lib/arguments.mjs';
@@ -17,9 +17,9 @@ import { setUp, TOOLS, WASM } from './setup/setup.mjs';
 import { CHECKS, LONG_CHECKS } from './test/checks.mjs';
 import { suites } from './test/suites.mjs';
 
-/** What tells nothing about a failure: what was compiled on the way, and what went well. */
+/** Lines that do not help to diagnose a failure: compilation progress and passed tests. */
 const NOISE = /^\s*(Compiling|Checking|Downloaded|Running|Finished) |^test .+ \.\.\. ok$|^running \d+ tests?$|^\s*✓/;
-/** Enough to see what is wrong without scrolling past a compiler's whole account. */
+/** Enough to diagnose a failure without the full compiler output. */
 const SHOWN_LINES = 150;
 
 await conclude(async () => {
@@ -42,7 +42,7 @@ await conclude(async () => {
   return failed > 0 ? 1 : 0;
 });
 
-/** @returns why engines are missing, a sentence each */
+/** @returns a sentence for each missing engine, with the reason */
 async function setUpEngines() {
   /** @type {string[]} */
   const missing = [];
@@ -71,7 +71,7 @@ async function runInLanes(runners) {
   try {
     return (await Promise.all(lanes)).flat();
   } catch (error) {
-    // Without WASM there is nothing to wait for, and why there is none is to be the last that is said.
+    // The other suites cannot run without WASM. Stopping all lanes first makes the error the last output.
     stop.abort();
     stopPrograms();
     await Promise.allSettled(lanes);

@@ -1,6 +1,6 @@
 /**
- * `npm run thumbnails [-- NAME...]`: draws the presets of these names, or of all, as the gallery shows them, into
- * public/thumbnails. To be run after a preset was added or looks otherwise.
+ * `npm run thumbnails [-- NAME...]`: renders the named presets, or all, as gallery thumbnails into public/thumbnails.
+ * Run it after adding a preset or changing its appearance.
  */
 
 import { mkdirSync, writeFileSync } from 'node:fs';

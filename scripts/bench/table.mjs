@@ -3,13 +3,13 @@
  * @property {string} name
  * @property {number} value
  * @property {string} unit
- * @property {[number, number]} [range] least and greatest of the rounds
+ * @property {[number, number]} [range] minimum and maximum of the rounds
  * @property {number} [rounds]
  * @property {string} [note]
  */
 
 /**
- * Figures as text in columns: name, value with unit, range, rounds, note.
+ * Formats figures as text columns: name, value with unit, range, rounds, note.
  *
  * @param {Figure[]} figures
  */
@@ -31,7 +31,7 @@ function cells(/** @type {Figure} */ { name, value, unit, range, rounds, note })
   return [name, `${short(value)} ${unit}`.trim(), span, rounds === undefined ? '' : String(rounds), note ?? ''];
 }
 
-/** Four significant digits: more is noise on a shared machine. */
+/** Four significant digits: more would be noise on a shared machine. */
 function short(/** @type {number} */ value) {
   return Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(4)));
 }

@@ -1,14 +1,14 @@
-/** Reads the arguments of the commands in this folder. */
+/** Parses the command-line arguments of the scripts. */
 
 import { parseArgs } from 'node:util';
 import { UserError } from './userError.mjs';
 
 /**
- * Parses the process's arguments.
+ * Parses the arguments of this process.
  *
  * @template {import('node:util').ParseArgsConfig['options']} Options
- * @param {Options} options as `util.parseArgs` takes them
- * @param {string} usage the command's form, repeated when something else was given
+ * @param {Options} options as for `util.parseArgs`
+ * @param {string} usage printed when the arguments are invalid
  */
 export function readArguments(options, usage) {
   try {
@@ -19,10 +19,10 @@ export function readArguments(options, usage) {
 }
 
 /**
- * Reads a TCP port.
+ * Parses a TCP port.
  *
  * @param {string | boolean | undefined} text
- * @param {number} otherwise the port when none was given
+ * @param {number} otherwise the default port
  */
 export function readPort(text, otherwise) {
   if (text === undefined) return otherwise;

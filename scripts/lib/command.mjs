@@ -1,4 +1,4 @@
-/** Runs other programs: their lines are passed on while they run, and none outlives the process that started it. */
+/** Runs child processes. Their output is forwarded line by line, and they are killed when this process exits. */
 
 import { spawn } from 'node:child_process';
 import { stripVTControlCharacters } from 'node:util';
@@ -15,7 +15,7 @@ for (const signal of /** @type {const} */ (['SIGINT', 'SIGTERM', 'SIGHUP'])) {
   });
 }
 
-/** Ends all programs that are running. */
+/** Ends all running child processes. */
 export function stopPrograms() {
   for (const child of living) child.kill();
 }
@@ -23,19 +23,19 @@ export function stopPrograms() {
 /**
  * @typedef {object} Outcome
  * @property {number} status the exit status; 127 when the program was not found, 128 when a signal ended it
- * @property {string} output what it wrote to both streams, in order of arrival, without colours
+ * @property {string} output of both streams, in order of arrival, without colours
  */
 
 /**
- * Runs a program to its end. Never throws: a program that cannot be started is an outcome with status 127.
+ * Runs a program to its end. Never throws: a program that cannot be started has the status 127.
  *
  * @param {string} program
  * @param {readonly string[]} parameters
  * @param {object} [options]
- * @param {string} [options.folder] working directory; the repository's top by default
- * @param {NodeJS.ProcessEnv} [options.environment] added to the process's own
+ * @param {string} [options.folder] working directory. Default: the repository root
+ * @param {NodeJS.ProcessEnv} [options.environment] added to the environment of this process
  * @param {(line: string) => void} [options.onLine] called with each line that is not empty
- * @param {number} [options.limit] milliseconds after which it is ended
+ * @param {number} [options.limit] timeout in milliseconds
  * @returns {Promise<Outcome>}
  */
 export function run(program, parameters, { folder = root, environment = {}, onLine, limit } = {}) {
@@ -46,7 +46,7 @@ export function run(program, parameters, { folder = root, environment = {}, onLi
       stdio: ['ignore', 'pipe', 'pipe'],
     });
     living.add(child);
-    // Not spawn's own timeout: that one goes on waiting when the program was never found.
+    // Not the timeout option of spawn: it keeps waiting when the program was not found.
     const timer = limit === undefined ? undefined : setTimeout(() => child.kill(), limit);
     let output = '';
     const collect = readLines((line) => {
@@ -71,8 +71,8 @@ export function run(program, parameters, { folder = root, environment = {}, onLi
 }
 
 /**
- * Splits each of two streams into lines without mixing the halves of one line with the other stream's. Some tools draw
- * their progress with colours, cursor movements and carriage returns: only the text is kept.
+ * Splits both streams into lines without interleaving partial lines. Removes colours, cursor movements and carriage
+ * returns, which some tools use to draw their progress.
  */
 function readLines(/** @type {(line: string) => void} */ onLine) {
   const rests = { out: '', error: '' };

@@ -1,12 +1,12 @@
-/** Where things lie in the repository, found from this file, so that no command depends on the working directory. */
+/** Paths in the repository, relative to this file, so that commands do not depend on the working directory. */
 
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
-/** The repository's top folder, absolute. */
+/** Absolute path of the repository root. */
 export const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))));
 
-/** An absolute path from one relative to the top folder, with `/` between its parts. */
+/** The absolute path for a path relative to the repository root, with `/` as separator. */
 export function inRoot(/** @type {string} */ path) {
   return join(root, ...path.split('/'));
 }

@@ -1,19 +1,18 @@
-/** Asks whether a TCP port of this machine can be listened on. */
+/** Checks whether a TCP port of this machine is available. */
 
 import { createServer } from 'node:net';
 import { UserError } from './userError.mjs';
 
-/** The address that the servers of this project listen on: this machine only, reached as `localhost`. */
+/** The address that the project's servers listen on: the loopback interface, reached as `localhost`. */
 export const HOST = '127.0.0.1';
 
 /**
- * Refuses with one sentence when a port is taken.
+ * Throws if a port is in use.
  *
- * Both loopback addresses are tried: a browser that is sent to `localhost` may ask the other one first, and would then
- * reach somebody else's server.
+ * Checks both loopback addresses: a browser may resolve `localhost` to the other one and reach another server.
  *
  * @param {number} port
- * @param {string} command how to call the same command with another port
+ * @param {string} command how to run the same command with another port
  */
 export async function demandFreePort(port, command) {
   for (const address of [HOST, '::1']) {
@@ -31,10 +30,10 @@ export async function demandFreePort(port, command) {
   }
 }
 
-/** Systems give ports above these to whoever asks for any, and to every connection. */
+/** Below the ephemeral ports, which the operating system assigns to connections and to servers without a fixed port. */
 const [LOWEST, COUNT] = [20_000, 10_000];
 
-/** A port that nobody listens on at the moment, and that nobody is given by chance before it is used. */
+/** A free port that the operating system does not assign to another process before it is used. */
 export async function findFreePort() {
   for (;;) {
     const port = LOWEST + Math.floor(Math.random() * COUNT);

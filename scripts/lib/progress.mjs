@@ -1,21 +1,24 @@
 /**
- * Shows what a command is doing while it does it: one line that is redrawn on a terminal, and elsewhere (a log) a line
- * at the beginning, one now and then, and one at the end. Several pieces of work at a time share the terminal's line.
+ * Shows the progress of a command. A terminal gets one line that is redrawn; a log gets a line at the start, at
+ * intervals, and at the end. Concurrent tasks share the terminal's line.
  */
 
 const LOG_INTERVAL = 10_000;
 const REDRAW_INTERVAL = 200;
 
-/** What is told of each piece of work that is being done. @type {Map<symbol, string>} */
+/**
+ * The status of each running task.
+ * @type {Map<symbol, string>}
+ */
 const notified = new Map();
 
 /**
- * Does a piece of work under a title and shows the time that has passed and the last thing said.
+ * Runs a task under a title and shows its elapsed time and last status line.
  *
  * @template T
  * @param {string} title
  * @param {(say: (line: string) => void) => Promise<T>} work
- * @param {(result: T) => string} [summary] what to print after the title at the end
+ * @param {(result: T) => string} [summary] printed after the title at the end
  * @returns {Promise<T>}
  */
 export async function withProgress(title, work, summary = () => 'done') {

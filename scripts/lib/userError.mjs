@@ -1,12 +1,10 @@
-/**
- * How a command ends when it cannot do what it was asked for: one sentence, a status other than zero, no stack trace.
- */
+/** Error output of a command: one sentence, a nonzero exit status, no stack trace. */
 
-/** A reason to stop that is meant for a person. The message is one sentence that says what happened and what to do. */
+/** An error for the user. The message is one sentence that says what happened and what to do. */
 export class UserError extends Error {
   /**
    * @param {string} sentence
-   * @param {string} [evidence] what a tool printed, shown above the sentence when the sentence cannot stand alone
+   * @param {string} [evidence] output of a tool, printed above the sentence for details
    */
   constructor(sentence, evidence = '') {
     super(sentence);
@@ -16,9 +14,9 @@ export class UserError extends Error {
 }
 
 /**
- * Runs the body of a command and turns whatever it throws into the ending described above.
+ * Runs the body of a command and reports errors as described above.
  *
- * @param {() => Promise<number | void>} body its number becomes the process's status
+ * @param {() => Promise<number | void>} body resolves to the exit status
  */
 export async function conclude(body) {
   try {

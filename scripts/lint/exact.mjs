@@ -1,20 +1,20 @@
 /**
- * Rules of the linter for code that feeds the simulator: its numbers have the same bits in every engine.
+ * Lint rules for code that feeds the simulator, whose numbers must be bit-identical in every JavaScript engine.
  *
- * The language fixes what + - * / % and the members of Math in EXACT give, and leaves the last bits of all others and of
- * the operator ** to each engine.
+ * ECMAScript defines the exact results of + - * / % and of the members of Math in EXACT. The last bits of all other
+ * members and of the operator ** are implementation-defined.
  */
 
 const CONSTANTS = ['E', 'LN10', 'LN2', 'LOG10E', 'LOG2E', 'PI', 'SQRT1_2', 'SQRT2'];
 const FUNCTIONS = ['abs', 'ceil', 'clz32', 'floor', 'fround', 'imul', 'max', 'min', 'round', 'sign', 'sqrt', 'trunc'];
 const EXACT = new Set([...CONSTANTS, ...FUNCTIONS]);
-/** Classes of three.js whose methods for vectors use arithmetic and square roots only, as exactScenes.test.ts shows. */
+/** three.js classes whose vector methods use only arithmetic and square roots, as exactScenes.test.ts shows. */
 const EXACT_CLASSES = new Set(['Vector2', 'Vector3']);
 
 const REASON =
   'its last bits differ between engines, and what follows from them ends in another state: use src/sim/exact.';
 
-/** Refuses engine-dependent functions of Math and the operator **. */
+/** Reports engine-dependent functions of Math and the operator **. */
 const math = {
   /** @param {Context} context */
   create: (context) => ({
@@ -36,7 +36,7 @@ const math = {
   }),
 };
 
-/** Refuses what three.js turns things with, which uses Math.sin and its like. */
+/** Reports imports of three.js classes that rotate with Math.sin and similar functions. */
 const three = {
   /** @param {Context} context */
   create: (context) => ({
@@ -52,12 +52,16 @@ const three = {
   }),
 };
 
-/** @param {Context} context @param {Node} node @param {string} what */
+/**
+ * @param {Context} context
+ * @param {Node} node
+ * @param {string} what
+ */
 function report(context, node, what) {
   context.report({ node, message: `${what} feeds the simulator here: ${REASON}` });
 }
 
 export default { meta: { name: 'exact' }, rules: { math, three } };
 
-/** @typedef {any} Node of the syntax tree, as ESLint has it */
+/** @typedef {any} Node an ESTree node */
 /** @typedef {{ report(problem: { node: Node, message: string }): void }} Context */

@@ -1,4 +1,4 @@
-/** Bundles the sources into the ES modules of the package and into the script for CDNs. */
+/** Bundles the sources into the ES modules of the package and the script for CDNs. */
 
 import { copyFileSync, mkdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -16,16 +16,20 @@ const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.w
 const LICENSES =
   '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors; third-party-licenses.txt beside it has all. */';
 const SCRIPT = 'cartoon-smoke.min';
-/** Faults on purpose are for sources only, and what a field's declaration says is for TypeScript. */
+/** Removes fault injection, and class fields that are only type declarations. */
 const TRANSFORM = {
   define: { 'import.meta.env.DEV': 'false' },
   typescript: { removeClassFieldsWithoutInitializer: true },
 };
-/** One file. @type {import('rolldown').OutputOptions} */
+/**
+ * A single file.
+ * @type {import('rolldown').OutputOptions}
+ */
 const ALONE = { codeSplitting: false, postBanner: LICENSES };
 /**
- * What is fetched together is one file, which is compressed as one: what waits for the viewport, what stands between an element
- * and its stage with what every smoke needs of the table, all that draws, and the models that most scenes share.
+ * Groups modules that are fetched together into one file, which also compresses better: the code that waits for the
+ * viewport; the code between an element and its stage, with the parts of the table that every scene needs; the
+ * renderer; and the models that most scenes share.
  */
 const TOGETHER = [
   { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
@@ -46,8 +50,8 @@ const ERRORS = inRoot('src/preset/errors.ts');
 const { table } = await sourceModule('src/preset/table.ts');
 
 /**
- * Writes the modules, split where something is fetched later, without three.js; and the script for CDNs. The simulator
- * lies beside both.
+ * Writes the modules of the package, with separate chunks for deferred code and without three.js, and the script for
+ * CDNs. Copies the simulator beside both.
  *
  * @param {string} folder
  */
@@ -56,21 +60,25 @@ export async function bundleAll(folder) {
   const modules = { index: 'src/index.ts', element: 'src/element/define.ts', errors: 'src/preset/errors.ts' };
   const external = /^three(\/|$)/;
   await bundle({ input: entries(modules), external, plugins: [...plugins, workerAt('./worker.js')] }, folder, SPLIT);
-  // With three.js in it: import maps do not reach into workers, and no bundler lets a page and its worker share a file.
+  // Includes three.js: import maps do not apply to workers, and bundlers do not share a file between a page and its
+  // worker.
   await bundle({ input: entries({ worker: 'src/remote/worker.ts' }), plugins }, folder, ALONE);
-  // By itself, because it has the words of the table; its errors are those of the rest.
+  // A separate build, because it includes the texts of the table. It shares the error classes with the other modules.
   await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [errorsBeside()] }, folder);
   await bundleScript(folder);
 }
 
-/** Writes the script for CDNs alone, with the simulator beside it. @param {string} folder */
+/**
+ * Writes only the script for CDNs, with the simulator beside it.
+ * @param {string} folder
+ */
 export async function bundleScript(folder) {
   const plugins = [...(await shortening()), workerAt(`./${SCRIPT}.js`)];
   await bundle({ input: entries({ [SCRIPT]: 'src/element/script.ts' }), plugins }, folder, ALONE);
   copyWasm(folder);
 }
 
-/** What makes the sources smaller than a minifier can. */
+/** Plugins that reduce the size further than a minifier can. */
 async function shortening() {
   return [
     ...(await shortShaders()),
@@ -82,7 +90,11 @@ async function shortening() {
   ];
 }
 
-/** @param {import('rolldown').InputOptions} input @param {string} folder @param {import('rolldown').OutputOptions} [output] */
+/**
+ * @param {import('rolldown').InputOptions} input
+ * @param {string} folder
+ * @param {import('rolldown').OutputOptions} [output]
+ */
 async function bundle(input, folder, output = {}) {
   const experimental = { nativeMagicString: true };
   const build = await rolldown({
@@ -105,13 +117,16 @@ async function bundle(input, folder, output = {}) {
   await build.close();
 }
 
-/** Scenes and their presets lie in files of the same name. @type {import('rolldown').OutputOptions['chunkFileNames']} */
+/**
+ * Scenes and their presets have the same file names, so presets get a suffix.
+ * @type {import('rolldown').OutputOptions['chunkFileNames']}
+ */
 const chunkName = ({ moduleIds }) =>
   moduleIds.every((id) => id.includes('/byScene/')) ? '[name]Presets.js' : '[name].js';
 
 /** @type {NonNullable<import('rolldown').InputOptions['onLog']>} */
 const onLog = (level, log, handle) => {
-  // Shaders have no source maps, and need none.
+  // Shaders have no source maps.
   if (log.code !== 'SOURCEMAP_BROKEN') handle(level, log);
 };
 
@@ -120,7 +135,11 @@ function entries(input) {
   return Object.fromEntries(Object.entries(input).map(([name, path]) => [name, inRoot(path)]));
 }
 
-/** Names the worker by its file in the package. @param {string} address @returns {import('rolldown').Plugin} */
+/**
+ * Replaces the worker's URL by its file in the package.
+ * @param {string} address
+ * @returns {import('rolldown').Plugin}
+ */
 function workerAt(address) {
   return {
     name: 'worker-at',
@@ -140,7 +159,10 @@ function errorsBeside() {
   };
 }
 
-/** The simulator is found beside the module that asks for it. @param {string} folder */
+/**
+ * The simulator loads from the folder of the module that imports it.
+ * @param {string} folder
+ */
 function copyWasm(folder) {
   for (const file of WASM) {
     mkdirSync(dirname(join(folder, file)), { recursive: true });

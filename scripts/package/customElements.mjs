@@ -1,6 +1,6 @@
 /**
- * The custom-elements manifest (schema 1.0.0), by which editors know tags and attributes. Parameters come from the table;
- * of lists the first item stands for all eight.
+ * The custom-elements manifest (schema 1.0.0), which editors use to complete tags and attributes. Parameters come from
+ * the parameter table; the first item of a list represents all eight.
  */
 
 import { sourceModule } from './sourceModule.mjs';
@@ -68,7 +68,10 @@ function describe(row) {
   };
 }
 
-/** As TypeScript writes it. @param {Parameter} row */
+/**
+ * The TypeScript type of a parameter.
+ * @param {Parameter} row
+ */
 export function typeOf(row) {
   if (row.kind === 'choice')
     return row.options.map(({ value }) => JSON.stringify(value).replaceAll('"', "'")).join(' | ');

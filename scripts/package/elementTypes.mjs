@@ -1,6 +1,6 @@
 /**
- * Declarations of the element that come from the parameter table: its properties, and its attributes for frameworks that
- * check their markup. Attributes are spelled as in HTML, since servers write them into the page as they stand.
+ * Generates the element's type declarations from the parameter table: its properties, and its attributes for frameworks
+ * that check markup. Attributes are spelled as in HTML, because server rendering writes them unchanged.
  */
 
 import { mkdirSync, appendFileSync, writeFileSync } from 'node:fs';
@@ -18,7 +18,7 @@ const { names } = await sourceModule('src/element/attributes/names.ts');
 const { attributes } = await sourceModule('src/element/documentation.ts');
 
 /**
- * The module in which each framework declares its elements, and the type by which it checks the markup of one.
+ * For each framework, the module that declares its elements and the base type of an element's markup.
  *
  * @type {Record<string, { module: string, own: string }>}
  */
@@ -29,7 +29,7 @@ const FRAMEWORKS = {
 };
 const EVENTS = ['ready', 'error', 'statechange'];
 
-/** @param {string} folder of declarations that the compiler has written */
+/** @param {string} folder of the declarations written by the compiler */
 export function writeElementTypes(folder) {
   const element = join(folder, 'element');
   writeFileSync(join(element, 'parameterProperties.d.ts'), properties());
@@ -92,7 +92,7 @@ export * from '../element/define.js';
 `;
 }
 
-/** The rows of the table by the names that the element has for them. */
+/** The rows of the table with their attribute and property names. */
 function rows() {
   return names.flatMap(({ key, ...name }) => {
     const row = table.find((each) => each.key === key);
@@ -100,13 +100,19 @@ function rows() {
   });
 }
 
-/** Numbers may stand as text, as all attributes do. @param {Parameter} row */
+/**
+ * Numbers can be strings, as in all attributes.
+ * @param {Parameter} row
+ */
 function settable(row) {
   const type = typeOf(row);
   return /\b(number|\d)\b/.test(type) ? 'number | string' : type;
 }
 
-/** For all but the first item of a list that of the first will do. @param {Parameter} row */
+/**
+ * Only the first item of a list has a comment; it applies to the others.
+ * @param {Parameter} row
+ */
 function comment({ key, label, text }) {
   return /^\w+\.[1-7]\./.test(key) ? '' : `  /** ${label}: ${text} */\n`;
 }

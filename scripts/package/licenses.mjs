@@ -1,4 +1,4 @@
-/** Whose work a built folder holds besides ours, with their licences: `third-party-licenses.txt`. */
+/** Writes the licences of the third-party code in a built folder: `third-party-licenses.txt`. */
 
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -8,7 +8,7 @@ import { cargo } from '../setup/toolchain.mjs';
 
 export const FILE = 'third-party-licenses.txt';
 
-/** The innermost one that a path goes through. */
+/** The innermost package in a path. */
 const PACKAGE = /node_modules\/(.*\/node_modules\/)?(@[^/]+\/)?[^/]+(?=\/)/;
 const LICENCE_FILE = /^(licen[cs]e|notice|copying)([-_.].*)?$/i;
 const WASM = ['-p', 'bindings', '--features', 'rigids', '--target', 'wasm32-unknown-unknown'];
@@ -18,11 +18,11 @@ const WASM = ['-p', 'bindings', '--features', 'rigids', '--target', 'wasm32-unkn
  * @property {string} name
  * @property {string} version
  * @property {string} license SPDX expression
- * @property {string} source where its source code can be had
+ * @property {string} source URL of its source code
  * @property {string} folder
  */
 
-/** @param {string} folder of built scripts with their source maps, which tell what was bundled */
+/** @param {string} folder of built scripts with source maps, which list the bundled files */
 export async function writeLicenses(folder) {
   const works = [...packagesIn(folder), ...(await crates())].sort((a, b) => a.name.localeCompare(b.name, 'en'));
   writeFileSync(join(folder, FILE), `${[INTRODUCTION, ...works.map(describe)].join('\n\n')}\n`);
@@ -31,7 +31,10 @@ export async function writeLicenses(folder) {
 const INTRODUCTION = `Cartoon Smoke contains third-party work under the licences below. The work was bundled and minified, and unused
 code was removed. It is otherwise unchanged. Each entry says where to find the source code.`;
 
-/** @param {string} folder @returns {Work[]} */
+/**
+ * @param {string} folder
+ * @returns {Work[]}
+ */
 function packagesIn(folder) {
   const maps = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.map'));
   const folders = new Set(maps.flatMap((name) => packageFolders(join(folder, name))));
@@ -43,14 +46,20 @@ function packagesIn(folder) {
   });
 }
 
-/** Folders of the packages that a source map names, wherever the site is written to. @param {string} map */
+/**
+ * Folders of the packages in a source map, independent of the output folder.
+ * @param {string} map
+ */
 function packageFolders(map) {
   /** @type {{ sources: string[] }} */
   const { sources } = JSON.parse(readFileSync(map, 'utf8'));
   return sources.flatMap((source) => PACKAGE.exec(source)?.[0] ?? []).map(inRoot);
 }
 
-/** What is linked into the WASM. @returns {Promise<Work[]>} */
+/**
+ * The crates linked into the WASM.
+ * @returns {Promise<Work[]>}
+ */
 async function crates() {
   const tree = await ask([
     'tree',
@@ -89,7 +98,11 @@ function describe({ name, version, license, source, folder }) {
   );
 }
 
-/** Where there is a choice with MIT in it, MIT is chosen. @param {string} folder @param {string} license */
+/**
+ * Selects MIT where the licence expression offers a choice with it.
+ * @param {string} folder
+ * @param {string} license
+ */
 function licenceFiles(folder, license) {
   const files = readdirSync(folder).filter((file) => LICENCE_FILE.test(file));
   const isChoice = /\bMIT\b/.test(license) && /\bOR\b|\//.test(license);

@@ -1,4 +1,4 @@
-/** What the package says of itself. */
+/** The package.json of the npm package. */
 
 import { readFileSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
@@ -6,10 +6,10 @@ import { inRoot } from '../lib/paths.mjs';
 /** @type {{ name: string, version: string, description: string, license: string, repository: string, dependencies: { three: string } }} */
 const project = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
 
-/** Web address of the repository that `repository` of package.json names. */
+/** Web URL of the GitHub repository in package.json. */
 const address = githubAddress(project.repository);
 
-/** package.json of the package: what the project's own has beside it is for those who build it. */
+/** Omits the fields of the project's package.json that only development needs. */
 export const manifest = {
   name: project.name,
   version: project.version,

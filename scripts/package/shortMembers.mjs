@@ -1,15 +1,15 @@
 /**
- * A plugin for the bundler: what TypeScript calls private gets a short name, which no minifier dares to give to a property.
- * It is known to one class alone; where that says it of anything but `this`, it stays as it is. `#names` would be as short,
- * but fail on objects that a page wraps in a proxy.
+ * A bundler plugin that shortens TypeScript's private members; minifiers do not rename properties. A private name is
+ * used by one class only. If that class accesses it on anything but `this`, it is not renamed. `#names` would be as
+ * short but fail on objects that a page wraps in a Proxy.
  */
 
 import { parseSync, Visitor } from 'rolldown/utils';
 
 /**
  * @typedef {import('rolldown/utils').ESTree.Class} Class
- * @typedef {{ start: number, end: number, isShorthand?: boolean }} Place where a name stands
- * @typedef {Map<string, Place[]>} Places where a class says its private names, of `this` and where it declares them
+ * @typedef {{ start: number, end: number, isShorthand?: boolean }} Place position of a name
+ * @typedef {Map<string, Place[]>} Places where a class declares its private names and accesses them on `this`
  */
 
 /** @returns {import('rolldown').Plugin} */
@@ -43,7 +43,10 @@ export function shortMembers() {
 export function privatePlaces(file, code) {
   /** @type {Places[]} */
   const found = [];
-  /** What `this` is where we are: a class, or something else. @type {(Places | undefined)[]} */
+  /**
+   * The meaning of `this` in each enclosing scope: a class, or something else.
+   * @type {(Places | undefined)[]}
+   */
   const owners = [];
   const methods = new Set();
   const spoil = (/** @type {string} */ name) => owners.forEach((privates) => privates?.delete(name));
@@ -79,7 +82,8 @@ export function privatePlaces(file, code) {
 }
 
 /**
- * Those of a class that extends another stay, because they would meet the other's.
+ * Members of a class with a superclass are not renamed, because the short names could collide with those of the
+ * superclass.
  *
  * @param {Class} node
  * @returns {Places}

@@ -1,7 +1,7 @@
 /**
- * Shaders for pages that somebody else pays for: without comments and white space, and what only they name by a letter or
- * two. A name is short in all of them alike, so that what crosses from one to another meets, and what they share is
- * compressed as one. Uniforms, attributes and macros are TypeScript's as well and keep their names.
+ * Minifies shaders for the package: removes comments and white space, and shortens local names to one or two letters. A
+ * name is shortened identically in all shaders, so that shared declarations match and compress together. Uniforms,
+ * attributes and macros keep their names, because TypeScript uses them.
  */
 
 import { readdirSync, readFileSync } from 'node:fs';
@@ -11,17 +11,20 @@ import { inRoot } from '../lib/paths.mjs';
 
 /** @typedef {{ file: string, text: string }} Shader */
 
-/** A name where it stands for itself: no component, no part of a number. */
+/** An identifier that is not a component or a part of a number. */
 const NAME = /(?<![\w.])[A-Za-z_]\w*/g;
 const LETTERS = [...'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ'];
 
-/** The plugins that bring shaders, for bundlers. */
+/** The bundler plugins that load the shaders. */
 export async function shortShaders() {
   const names = shortNames(shadersIn('shaders'));
   return [await glsl({ minify: true, onComplete: (shader) => shortened(shader, names) }), together];
 }
 
-/** Puts the shaders of a chunk side by side: compression finds again what was said in the last 32 kB. @type {import('rolldown').Plugin} */
+/**
+ * Groups the shaders of a chunk, because gzip finds repetitions only within the last 32 kB.
+ * @type {import('rolldown').Plugin}
+ */
 const together = {
   name: 'shaders-together',
   renderChunk(code, _chunk, _options, { magicString }) {
@@ -32,15 +35,21 @@ const together = {
   },
 };
 
-/** What the plugin's own minifier leaves: zeros that say nothing, and white space beside some operators. */
+/** Left over by the plugin's own minifier: redundant zeros, and white space beside some operators. */
 const IDLE = /(?<![\w.])0(?=\.\d*[1-9])|(?<=\d\.)0+(?!\w)| (?=[?:%^])|(?<=[?:%^]) /g;
 
-/** @param {string} shader without comments @param {ReadonlyMap<string, string>} names */
+/**
+ * @param {string} shader without comments
+ * @param {ReadonlyMap<string, string>} names
+ */
 function shortened(shader, names) {
   return shader.replace(NAME, (name) => names.get(name) ?? name).replace(IDLE, '');
 }
 
-/** @param {string} folder @returns {Shader[]} */
+/**
+ * @param {string} folder
+ * @returns {Shader[]}
+ */
 function shadersIn(folder) {
   const files = readdirSync(inRoot(folder), { recursive: true, encoding: 'utf8' }).filter((file) => file.includes('.'));
   return files.map((file) => ({
@@ -50,7 +59,7 @@ function shadersIn(folder) {
 }
 
 /**
- * Names that are declared in shaders and known nowhere else, the most frequent with the shortest.
+ * Short names for identifiers that only shaders declare and use; the most frequent ones get the shortest.
  *
  * @param {Shader[]} shaders
  * @returns {Map<string, string>}
@@ -72,14 +81,20 @@ function countNames(shaders) {
   return counts;
 }
 
-/** Functions, their parameters, variables and constants. @param {Shader[]} shaders */
+/**
+ * Functions, their parameters, variables and constants.
+ * @param {Shader[]} shaders
+ */
 function declaredNames(shaders) {
   const structs = [...found(shaders, /\bstruct (\w+)/g)].map(([, name]) => name);
   const type = ['void', 'float', 'u?int', 'bool', '[iub]?vec[234]', 'mat[234]', ...structs].join('|');
   return new Set([...structs, ...secondsOf(shaders, new RegExp(`\\b(?:${type}) (\\w+)`, 'g'))]);
 }
 
-/** What is known elsewhere: to TypeScript, to a struct, to GLSL, or to a macro that calls it. @param {Shader[]} shaders */
+/**
+ * Names used outside the shaders' own declarations: in TypeScript, structs, GLSL, or macros that call them.
+ * @param {Shader[]} shaders
+ */
 function reservedNames(shaders) {
   const uniforms = secondsOf(shaders, /\buniform (?:highp )?\w+ (\w+)/g);
   const attributes = secondsOf(
@@ -95,17 +110,26 @@ function reservedNames(shaders) {
   return new Set([...uniforms, ...attributes, ...members, ...ofOneSide]);
 }
 
-/** @param {Shader[]} shaders @param {RegExp} pattern */
+/**
+ * @param {Shader[]} shaders
+ * @param {RegExp} pattern
+ */
 function secondsOf(shaders, pattern) {
   return [...found(shaders, pattern)].map(([, name]) => name);
 }
 
-/** @param {Shader[]} shaders @param {RegExp} pattern */
+/**
+ * @param {Shader[]} shaders
+ * @param {RegExp} pattern
+ */
 function* found(shaders, pattern) {
   for (const { text } of shaders) yield* text.matchAll(pattern);
 }
 
-/** Letters, then pairs of them, that no shader has. @param {ReadonlyMap<string, number>} taken */
+/**
+ * One and two-letter names that no shader uses.
+ * @param {ReadonlyMap<string, number>} taken
+ */
 function* freeNames(taken) {
   const pairs = LETTERS.flatMap((first) => LETTERS.map((second) => first + second));
   yield* [...LETTERS, ...pairs].filter((name) => !taken.has(name) && !['if', 'in', 'do'].includes(name));

@@ -2,10 +2,13 @@ import { readFileSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
 
 const STYLES = inRoot('src/element/shell/appearance.ts');
-/** White space that says nothing: beside braces and semicolons, behind the colon of a property, and runs of it. */
+/** Insignificant white space: beside braces and semicolons, after a property's colon, and runs of it. */
 const IDLE = /\s*([{};])\s*|(?<=:) |(?<=,)\s+/g;
 
-/** A plugin for the bundler: the element's styles without white space. @returns {import('rolldown').Plugin} */
+/**
+ * A bundler plugin that removes white space from the element's styles.
+ * @returns {import('rolldown').Plugin}
+ */
 export function shortStyles() {
   return {
     name: 'short-styles',
@@ -13,7 +16,7 @@ export function shortStyles() {
   };
 }
 
-/** @param {string} module whose only template is a style sheet */
+/** @param {string} module whose only template literal is a style sheet */
 function shortened(module) {
   return module.replace(/`[^`]*`/, (styles) => styles.replace(IDLE, '$1').replace(/;}/g, '}'));
 }

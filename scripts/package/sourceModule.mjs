@@ -2,7 +2,7 @@ import { rolldown } from 'rolldown';
 import { inRoot } from '../lib/paths.mjs';
 
 /**
- * Imports a module of src/, which is TypeScript, into a script.
+ * Imports a TypeScript module of src/ into a script.
  *
  * @template Module
  * @param {string} path

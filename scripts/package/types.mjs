@@ -1,4 +1,4 @@
-/** Writes the declarations of what the package exports. */
+/** Writes the type declarations of the package's exports. */
 
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -8,10 +8,13 @@ import { UserError } from '../lib/userError.mjs';
 import { writeElementTypes } from './elementTypes.mjs';
 
 const ENTRIES = ['src/index.ts', 'src/element/define.ts', 'src/preset.ts'];
-/** Declarations that are there already; the compiler only follows them. */
+/** Existing declarations, which the compiler reads but does not write. */
 const GIVEN = ['sim/wasm/core/bindings.d.ts', 'sim/wasm/physics/bindings.d.ts'];
 
-/** @param {string} folder @param {(line: string) => void} say */
+/**
+ * @param {string} folder
+ * @param {(line: string) => void} say
+ */
 export async function writeTypes(folder, say) {
   const compiler = inRoot('node_modules/typescript/bin/tsc');
   const config = inRoot('scripts/package/tsconfig.json');
@@ -20,7 +23,7 @@ export async function writeTypes(folder, say) {
   if (status !== 0) throw new UserError(`The type declarations of ${ENTRIES.join(', ')} could not be built.`, output);
   for (const file of GIVEN) {
     mkdirSync(dirname(join(folder, file)), { recursive: true });
-    // Disposal by `using` is newer than what most projects compile for, and nobody outside calls these.
+    // Disposal by `using` is newer than most projects' compile target, and only this project calls the bindings.
     const text = readFileSync(inRoot(`src/${file}`), 'utf8').replace(/^\s*\[Symbol\.dispose\].*\n/gm, '');
     writeFileSync(join(folder, file), text);
   }
@@ -30,7 +33,7 @@ export async function writeTypes(folder, say) {
   writeElementTypes(folder);
 }
 
-/** Sources name each other by `.ts`; what is shipped is named by `.js`. */
+/** Sources import `.ts` files; the package contains `.js` files. */
 function nameBuiltFiles(/** @type {string} */ path) {
   const text = readFileSync(path, 'utf8');
   writeFileSync(path, text.replace(/((?:from|import) ?\(?(['"])\.{1,2}\/[^'"]+)\.ts\2/g, '$1.js$2'));

@@ -1,6 +1,6 @@
-/** A plugin for the bundler: the bindings of the simulator without what they hold for older browsers and for careless callers. */
+/** A bundler plugin that removes the fallbacks for older browsers and unused features from the simulator's bindings. */
 
-/** Every browser with SIMD encodes in place; the only calls are ours, and nobody disposes of what they made by `using`. */
+/** Every browser with SIMD has encodeInto, only this project calls the bindings, and it does not use `using`. */
 const FALLBACKS = [
   /^if \(!\('encodeInto' in \w+\)\) \{\n(?: .*\n)+\}\n/m,
   / else \{\n +console\.warn\('using deprecated.*\n +\}/g,

@@ -1,14 +1,17 @@
 /**
- * A plugin for the bundler: three.js without the shaders of its own materials, some 100 kB of text. Smoke, its surfaces and its
- * ink are drawn by raw shaders of this project alone. Not for pages that draw anything else with the same three.js.
+ * A bundler plugin that removes the shaders of three.js's built-in materials, about 100 kB. The renderer uses only its
+ * own raw shaders for smoke, surfaces and ink. Do not use it on pages that render anything else with the same three.js.
  */
 
-/** A shader as the build of three.js holds it: text with line breaks in it, on one line. */
+/** A shader in the build of three.js: a string literal with escaped line breaks, on one line. */
 const SHADER = /^((?:var|const) [\w$]+ = )"(?:[^"\\]|\\.)*\\n(?:[^"\\]|\\.)*";$/gm;
-/** Fewer mean that three.js is built another way now, and that this should look there. */
+/** A lower count means that the build format of three.js has changed and that SHADER must be updated. */
 const MIN_SHADERS = 100;
 
-/** Does nothing where nothing is bundled. @returns {import('rolldown').Plugin & { apply: 'build' }} */
+/**
+ * Applies to builds only.
+ * @returns {import('rolldown').Plugin & { apply: 'build' }}
+ */
 export function withoutShaders() {
   return {
     name: 'without-shaders',

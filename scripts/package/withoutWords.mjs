@@ -1,15 +1,17 @@
 /**
- * A plugin for the bundler: the parameter table without its labels and texts, and without what only a panel needs. A
- * widget knows ranges and defaults; nobody reads words there. Keys are among the names that elements know already, and of
- * lists the first item stands for all.
+ * A bundler plugin that removes labels, descriptions and panel-only fields from the parameter table. A widget needs
+ * only ranges and defaults. Keys come from the list of attribute names, and the first item of a list represents all.
  */
 
 import { inRoot } from '../lib/paths.mjs';
 import { sourceModule } from './sourceModule.mjs';
 
-/** What smoke needs of a row. */
+/** The fields of a row that smoke needs. */
 const USED = ['kind', 'reader', 'isOptional', 'unit', 'min', 'max', 'linkMax', 'default'];
-/** What most rows say, and none has to. @type {Record<string, unknown>} */
+/**
+ * Default fields, which rows may omit.
+ * @type {Record<string, unknown>}
+ */
 const USUAL = { kind: 'number', reader: 'simulator' };
 const OF_LATER_ITEMS = /^\w+\.[1-7]\./;
 
@@ -17,7 +19,7 @@ const OF_LATER_ITEMS = /^\w+\.[1-7]\./;
 const { names } = await sourceModule('src/element/attributes/names.ts');
 
 /**
- * @param {readonly import('../../src/preset/parameter.ts').Parameter[]} table as it is
+ * @param {readonly import('../../src/preset/parameter.ts').Parameter[]} table the full table
  * @returns {import('rolldown').Plugin}
  */
 export function withoutWords(table) {
@@ -27,7 +29,10 @@ export function withoutWords(table) {
   };
 }
 
-/** The module of the table as it would be if rows had no words. @param {readonly { key: string }[]} table */
+/**
+ * The source of the reduced table module.
+ * @param {readonly { key: string }[]} table
+ */
 function tableModule(table) {
   const stray = table.find(({ key }, index) => key !== names[index].key);
   if (stray) throw new Error(`${stray.key} is at another place in src/element/attributes/names.json.`);

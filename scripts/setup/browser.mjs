@@ -1,6 +1,6 @@
 /**
- * The Chromium that the tests and benchmarks run in: $CHROMIUM_PATH, else Playwright's own, else one of the system,
- * else what `playwright install` downloads, else the system's package, which takes root and apt-get.
+ * Chromium for the tests and benchmarks: $CHROMIUM_PATH, otherwise Playwright's, otherwise one of the system, otherwise
+ * a download by `playwright install`, otherwise the system's package, which requires root and apt-get.
  */
 
 import { spawnSync } from 'node:child_process';
@@ -13,7 +13,8 @@ import { UserError } from '../lib/userError.mjs';
 
 export const title = 'Browser for the tests';
 
-// What Playwright turns off stays off: of two such flags a browser reads the last alone.
+// Features that Playwright disables. They must be repeated, because a browser uses only the last --disable-features
+// flag.
 const OFF_FOR_PLAYWRIGHT = [
   'AvoidUnnecessaryBeforeUnloadCheckSync',
   'DestroyProfileOnBrowserClose',
@@ -32,22 +33,22 @@ const OFF_FOR_PLAYWRIGHT = [
   'msForceBrowserSignIn',
   'msEdgeUpdateLaunchServicesPreferredVersion',
 ];
-// Pages behind the address field, which nobody sees and each window loads: a third of what a test's page takes.
+// Pages behind the address bar, which are never visible and load in each window: a third of the cost of a test page.
 const ADDRESS_FIELD = ['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'];
 
-/** Pin the rasteriser to SwiftShader, so that pictures are the same on every machine, and keep the browser quiet. */
+/** Render with SwiftShader, so that pictures are the same on every machine, and disable background activity. */
 export const CHROMIUM_FLAGS = [
   '--use-gl=angle',
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
-  // A context finds the shaders that another one has compiled, which is most of what a small picture takes.
+  // Contexts share compiled shaders. Compilation is most of the time of a small picture.
   '--enable-angle-features=preferGlobalPipelineCache',
   '--disable-background-networking',
   '--disable-component-update',
   '--disable-sync',
   '--no-first-run',
   `--disable-features=${[...OFF_FOR_PLAYWRIGHT, ...ADDRESS_FIELD].join()}`,
-  // Chromium's sandbox refuses to run for root, which is what containers are.
+  // Chromium's sandbox does not run as root, the default user in containers.
   ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
 ];
 
@@ -62,9 +63,9 @@ const DOWNLOAD_LIMIT = 10 * 60_000;
 let found;
 
 /**
- * The path of a Chromium that starts, or undefined. Needs the Node packages.
+ * The path of a Chromium that starts, or undefined. Requires the Node packages.
  *
- * @throws {UserError} when $CHROMIUM_PATH is set and does not lead to one
+ * @throws {UserError} when $CHROMIUM_PATH is set and is not a working Chromium
  */
 export async function findBrowser() {
   if (found) return found;
@@ -79,8 +80,8 @@ export async function findBrowser() {
 }
 
 /**
- * The path of Debian's headless shell, which shows pages for less CPU time than the whole browser, or undefined. It
- * has no windows, so no tab hides another.
+ * The path of Debian's headless shell, or undefined. It uses less CPU time than the full browser, and it has no
+ * windows, so tabs do not hide each other.
  */
 export function findShell() {
   return programsOnPath(['chromium-headless-shell']).find((path) => starts(path));
@@ -95,7 +96,7 @@ export async function bring(say) {
   const download = await playwright(['install', 'chromium'], say);
   if (await isFresh()) return;
   if (isDebianRoot()) {
-    // A downloaded browser that does not start lacks libraries of the system.
+    // A downloaded browser that does not start lacks system libraries.
     const hasOwn = existsSync((await playwrightBrowser()) ?? '');
     const outcome = hasOwn
       ? await playwright(['install-deps', 'chromium'], say)
@@ -112,20 +113,28 @@ function browserError(/** @type {string} */ reason) {
   );
 }
 
-/** Runs a command of Playwright's. @param {string[]} parameters @param {(line: string) => void} say */
+/**
+ * Runs a Playwright command.
+ * @param {string[]} parameters
+ * @param {(line: string) => void} say
+ */
 export function playwright(parameters, say) {
   const script = inRoot('node_modules/playwright/cli.js');
-  // Playwright waits half a minute for each of several mirrors, thrice: a machine without a network should learn sooner.
+  // Playwright waits 30 s for each of several mirrors, three times. Without a network, it should fail sooner.
   const environment = { PLAYWRIGHT_DOWNLOAD_CONNECTION_TIMEOUT: '15000' };
   return run(process.execPath, [script, ...parameters], { environment, onLine: say, limit: DOWNLOAD_LIMIT });
 }
 
-/** Whether packages of the system can be installed. */
+/** Whether system packages can be installed. */
 export function isDebianRoot() {
   return process.getuid?.() === 0 && existsSync('/etc/debian_version');
 }
 
-/** Installs packages of Debian, as root. @param {string[]} packages @param {(line: string) => void} say */
+/**
+ * Installs Debian packages, as root.
+ * @param {string[]} packages
+ * @param {(line: string) => void} say
+ */
 export async function aptGet(packages, say) {
   const options = { environment: { DEBIAN_FRONTEND: 'noninteractive' }, onLine: say, limit: DOWNLOAD_LIMIT };
   await run('apt-get', ['update'], options);
@@ -143,20 +152,20 @@ function systemBrowsers() {
   return [...programsOnPath(NAMES), ...APPLICATIONS];
 }
 
-/** Where these programs may lie, the first name first. */
+/** Candidate paths on PATH, in the order of the names. */
 function programsOnPath(/** @type {string[]} */ names) {
   const folders = (process.env.PATH ?? '').split(delimiter).filter(Boolean);
   return names.flatMap((name) => folders.map((folder) => join(folder, name)));
 }
 
-/** Some systems have a `chromium` that only tells where to get one, so being there is not enough. */
+/** Some systems have a `chromium` stub that only prints installation instructions, so the file must also run. */
 function starts(/** @type {string} */ path) {
   if (!existsSync(path)) return false;
   const { status, stdout } = spawnSync(path, ['--version'], { encoding: 'utf8', timeout: 30_000 });
   return status === 0 && /chrom/i.test(stdout);
 }
 
-/** What a tool said last about its failure. */
+/** The last error line of a tool's output. */
 export function lastLine(/** @type {string} */ output) {
   const lines = output.split('\n').filter((line) => line.trim());
   return (

@@ -1,6 +1,6 @@
 /**
- * The Firefox and the WebKit of `npm run test:engines`: Playwright's own where they are installed and start, else
- * Debian's packages, which are installed where this process is root.
+ * Firefox and WebKit for `npm run test:engines`: Playwright's builds if they are installed and start, otherwise
+ * Debian's packages, which are installed if this process runs as root.
  */
 
 import { spawnSync } from 'node:child_process';
@@ -14,11 +14,12 @@ import { aptGet, isDebianRoot, lastLine, playwright } from './browser.mjs';
  * @typedef {import('./setup.mjs').Component} Component
  * @typedef {object} Engine
  * @property {'firefox' | 'webkit'} name
- * @property {boolean} isPlaywrights whether Playwright drives it; else it is Debian's, under Xvfb with Mesa's llvmpipe
- * @property {string} path of the browser; of Debian's WebKit, of MiniBrowser
+ * @property {boolean} isPlaywrights whether Playwright drives it; otherwise it is Debian's, under Xvfb with Mesa's
+ * llvmpipe
+ * @property {string} path of the browser; for Debian's WebKit, of MiniBrowser
  */
 
-// Mesa's software renderer, and a display to run without a screen.
+// Mesa's software renderer, and a virtual display.
 const DISPLAY = ['xvfb', 'libgl1-mesa-dri', 'libglx-mesa0', 'libgl1', 'libegl1', 'libegl-mesa0', 'libgles2', 'libpci3'];
 const PACKAGES = { firefox: ['firefox-esr', ...DISPLAY], webkit: ['webkit2gtk-driver', ...DISPLAY] };
 
@@ -47,7 +48,10 @@ function engine(name, title) {
 
 export const ENGINES = [engine('firefox', 'Firefox'), engine('webkit', 'WebKit')];
 
-/** @param {Engine['name']} name @returns {Promise<Engine | undefined>} */
+/**
+ * @param {Engine['name']} name
+ * @returns {Promise<Engine | undefined>}
+ */
 async function findPlaywrights(name) {
   const { [name]: type } = await import(pathToFileURL(inRoot('node_modules/playwright-core/index.mjs')).href);
   const path = type.executablePath();
@@ -60,7 +64,10 @@ async function findPlaywrights(name) {
   return { name, isPlaywrights: true, path };
 }
 
-/** @param {Engine['name']} name @returns {Engine | undefined} */
+/**
+ * @param {Engine['name']} name
+ * @returns {Engine | undefined}
+ */
 function findDebians(name) {
   const asked = spawnSync('dpkg-query', ['--show', '--showformat=${db:Status-Status}\n', ...PACKAGES[name]]);
   if (asked.status !== 0 || /not-installed|config-files/.test(String(asked.stdout))) return undefined;
@@ -68,7 +75,7 @@ function findDebians(name) {
   return path && existsSync(path) ? { name, isPlaywrights: false, path } : undefined;
 }
 
-/** Its folder is named after the machine's architecture and WebKitGTK's version. */
+/** The path depends on the architecture and the WebKitGTK version. */
 function findMiniBrowser() {
   const asked = spawnSync('dpkg-query', ['--search', '*/MiniBrowser'], { encoding: 'utf8' });
   return /: (\/.+)$/m.exec(asked.stdout)?.[1];

@@ -1,10 +1,10 @@
-/** The one thing that has to be there before anything of this project can run. */
+/** Checks the Node version before anything else runs. */
 
 import { readFileSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
 
-/** Refuses when this Node is older than package.json asks for. */
+/** Throws if Node is older than the version in package.json. */
 export function demandNode() {
   const wanted = JSON.parse(readFileSync(inRoot('package.json'), 'utf8')).engines.node.replace('>=', '');
   const found = process.versions.node;

@@ -1,4 +1,4 @@
-/** The npm package in package/, its tarball beside it, and whether both were built from the sources that lie here. */
+/** The npm package in package/, its tarball, and whether both were built from the current sources. */
 
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { inRoot, root } from '../lib/paths.mjs';
@@ -8,7 +8,10 @@ import { digestOf } from './sources.mjs';
 
 export const title = 'Package';
 export const FOLDER = 'package';
-/** What `npm install` takes. The folder would become a link, and bundlers refuse files that a link leads to outside a project. */
+/**
+ * The tarball for `npm install`. Installing the folder would create a symlink, and bundlers reject files outside a
+ * project.
+ */
 export const ARCHIVE = `cartoon-smoke-${JSON.parse(readFileSync(inRoot('package.json'), 'utf8')).version}.tgz`;
 
 const SOURCES = ['LICENSE', 'package-lock.json', 'package.json', 'scripts/package', 'shaders', 'src', 'tsconfig.json'];
@@ -25,7 +28,7 @@ export async function bring(say) {
   rmSync(inRoot(FOLDER), { recursive: true, force: true });
   for (const file of readdirSync(root)) if (/^cartoon-smoke-.*\.tgz$/.test(file)) rmSync(inRoot(file));
   const before = digestOf(SOURCES);
-  // They read the parameter table, and need packages that may not have been there before.
+  // Imported late: these modules read the parameter table and require packages that may not have been installed before.
   const [{ bundleAll }, { writeLicenses }, { writeTypes }, { customElements }, { manifest }] = await Promise.all([
     import('../package/bundle.mjs'),
     import('../package/licenses.mjs'),

@@ -1,4 +1,4 @@
-/** The Node packages, exactly as package-lock.json has them. */
+/** The Node packages of package-lock.json. */
 
 import { existsSync, readFileSync } from 'node:fs';
 import { run } from '../lib/command.mjs';
@@ -7,7 +7,7 @@ import { UserError } from '../lib/userError.mjs';
 
 export const title = 'Node packages';
 
-/** npm tries each download three times; where there is no network it should not take more than a minute to say so. */
+/** npm tries each download three times. Without a network, it should fail within a minute. */
 const RETRIES = ['--fetch-retry-mintimeout=2000', '--fetch-retry-maxtimeout=8000'];
 
 /**
@@ -15,15 +15,15 @@ const RETRIES = ['--fetch-retry-mintimeout=2000', '--fetch-retry-maxtimeout=8000
  * @typedef {Record<string, Package>} Packages by path, like `node_modules/three`
  */
 
-/** Whether node_modules is what `npm ci` would make of the lock file. */
+/** Whether node_modules is what `npm ci` would install from the lock file. */
 export function isFresh() {
   const wanted = readPackages('package-lock.json');
-  // npm keeps an account of what it installed and writes it last, so a broken-off installation has none.
+  // npm writes its hidden lock file last, so an interrupted installation has none.
   const found = readPackages('node_modules/.package-lock.json');
   if (!wanted || !found) return false;
   const isUnchanged = Object.entries(wanted).every(([path, entry]) => {
     const same = found[path]?.version === entry.version && found[path]?.integrity === entry.integrity;
-    // Optional packages are mostly binaries for other systems, which npm leaves out.
+    // Most optional packages are binaries for other platforms, which npm skips.
     return found[path] ? same && existsSync(inRoot(path)) : Boolean(entry.optional);
   });
   return isUnchanged && Object.keys(found).every((path) => path in wanted);
@@ -47,7 +47,7 @@ export async function bring(say) {
 }
 
 /**
- * Runs the npm that started this process where there is one, because a bare `npm` is a script on some systems.
+ * Runs the npm that started this process, if any: a bare `npm` is a script on some systems.
  *
  * @param {readonly string[]} parameters
  * @param {Parameters<typeof run>[2]} options
@@ -65,7 +65,7 @@ function readPackages(/** @type {string} */ path) {
   return packages;
 }
 
-/** Of npm's account of an error the line about the request, else the first. */
+/** The line about the network request in npm's error output, otherwise the first line. */
 function reason(/** @type {string} */ output) {
   const errors = [...output.matchAll(/^npm (?:error|ERR!) (.+)$/gm)].map((match) => match[1].trim());
   return errors.find((line) => /request to|network/.test(line)) ?? errors[0] ?? 'no reason given';

@@ -1,4 +1,4 @@
-/** Finds out what is missing and gets it. */
+/** Installs or builds missing components. */
 
 import { withProgress } from '../lib/progress.mjs';
 import { UserError } from '../lib/userError.mjs';
@@ -9,28 +9,38 @@ import * as toolchain from './toolchain.mjs';
 import * as wasm from './wasm.mjs';
 
 /**
- * @typedef {object} Component something that has to be there before a command can do its work
+ * @typedef {object} Component a prerequisite of a command
  * @property {string} title
- * @property {() => boolean | Promise<boolean>} isFresh whether it is there and up to date; quick, and changes nothing
- * @property {(say: (line: string) => void) => Promise<void>} bring gets it, or throws a UserError
+ * @property {() => boolean | Promise<boolean>} isFresh whether it is present and up to date; quick, without side
+ * effects
+ * @property {(say: (line: string) => void) => Promise<void>} bring installs or builds it, or throws a UserError
  */
 
-/** What the page needs, in the order of getting it. @type {Component[]} */
+/**
+ * Components of the page, in setup order.
+ * @type {Component[]}
+ */
 export const PAGE = [packages, toolchain, wasm];
-/** What the tests and the benchmarks need. @type {Component[]} */
+/**
+ * Components of the tests and the benchmarks.
+ * @type {Component[]}
+ */
 export const TESTS = [...PAGE, browser];
-/** The same in two parts, because what cargo tests needs no WASM. @type {Component[]} */
+/**
+ * TESTS in two parts, because cargo's tests do not need WASM.
+ * @type {Component[]}
+ */
 export const TOOLS = TESTS.filter((component) => component !== wasm);
 /** @type {Component[]} */
 export const WASM = [wasm];
-/** For pictures that need no simulator. */
+/** Components for pictures that do not use the simulator. */
 export const PICTURES = [packages, browser];
 
 /**
- * Brings each component that is not fresh and says so.
+ * Sets up each stale component and reports it.
  *
  * @param {Component[]} components
- * @throws {UserError} when one cannot be had
+ * @throws {UserError} when a component is unavailable
  */
 export async function setUp(components) {
   demandNode();

@@ -1,4 +1,4 @@
-/** The built site in dist/, and whether it was built from the sources that lie here. */
+/** The built site in dist/, and whether it was built from the current sources. */
 
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { run } from '../lib/command.mjs';
@@ -25,7 +25,7 @@ const SOURCES = [
 // Not in dist/, where it would be published.
 const STAMP = '.cache/site.txt';
 
-/** Whether dist/ holds what a build of the present sources, the WASM included, would write. */
+/** Whether dist/ was built from the current sources, including the WASM. */
 export function isFresh() {
   if (!existsSync(inRoot('dist/index.html')) || !existsSync(inRoot(STAMP))) return false;
   return readFileSync(inRoot(STAMP), 'utf8') === digest();
@@ -37,17 +37,18 @@ export async function bring(say) {
   const before = digest();
   await build(inRoot('dist'), say);
   mkdirSync(inRoot('.cache'), { recursive: true });
-  // Sources that were edited meanwhile may or may not be in: then no stamp matches, and the next call builds again.
+  // The digest from before the build: if sources change during the build, it does not match and the next call rebuilds.
   writeFileSync(inRoot(STAMP), before);
 }
 
 /**
- * Writes the site to another folder than dist/, which stays as it is.
+ * Builds the site into another folder and leaves dist/ unchanged.
  *
- * @param {string} folder @param {(line: string) => void} say
+ * @param {string} folder
+ * @param {(line: string) => void} say
  */
 export async function build(folder, say) {
-  // Only here are there packages for certain.
+  // Imported late, because the packages may not be installed when this module loads.
   const { buildElementScript } = await import('../site/elementScript.mjs');
   const script = await buildElementScript();
   await bundle('vite.config.ts', folder, say, script);
@@ -62,8 +63,10 @@ export async function build(folder, say) {
 }
 
 /**
- * @param {string} config @param {string} folder @param {(line: string) => void} say
- * @param {import('../site/elementScript.mjs').ElementScript} [script] that the page's code for the element names
+ * @param {string} config
+ * @param {string} folder
+ * @param {(line: string) => void} say
+ * @param {import('../site/elementScript.mjs').ElementScript} [script] that the embed code of the page references
  */
 async function bundle(config, folder, say, script) {
   const vite = inRoot('node_modules/vite/bin/vite.js');

@@ -1,10 +1,13 @@
-/** By what a build knows whether its sources are still the same. */
+/** Digests that detect changed sources. */
 
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
 
-/** A digest of files, and of all files in folders, by name and content. @param {readonly string[]} paths */
+/**
+ * A digest of files and folders by name and content.
+ * @param {readonly string[]} paths
+ */
 export function digestOf(paths) {
   const hash = createHash('sha256');
   for (const path of paths.flatMap(filesUnder)) {

@@ -1,4 +1,4 @@
-/** Rust in the version of sim-wasm/rust-toolchain.toml, with the target and the components named there. */
+/** The Rust toolchain of sim-wasm/rust-toolchain.toml, with its target and components. */
 
 import { existsSync, readFileSync } from 'node:fs';
 import { homedir } from 'node:os';
@@ -9,25 +9,28 @@ import { UserError } from '../lib/userError.mjs';
 
 export const title = 'Rust toolchain';
 
-/** The program by whose presence a component is known, where it is not its name. @type {Record<string, string>} */
+/**
+ * Executables of components whose name differs.
+ * @type {Record<string, string>}
+ */
 const PROGRAMS = { clippy: 'cargo-clippy' };
 
-/** Packages and features of everything that is compiled natively: another selection would compile Rapier once more. */
+/** Packages and features of all native builds. A different selection would compile Rapier again. */
 export const NATIVE = ['--locked', '--workspace', '--exclude', 'xtask', '--features', 'sim/rigids'];
 
 /**
- * Runs cargo in sim-wasm, in the pinned version even where another cargo comes first on PATH.
+ * Runs cargo in sim-wasm with the pinned version, even if another cargo comes first on PATH.
  *
  * @param {string[]} parameters
  * @param {(line: string) => void} [onLine]
- * @param {NodeJS.ProcessEnv} [environment] added to the process's own
+ * @param {NodeJS.ProcessEnv} [environment] added to the environment of this process
  */
 export function cargo(parameters, onLine, environment) {
   return rustup(['run', readToolchain().channel, 'cargo', ...parameters], onLine, environment);
 }
 
 /**
- * Runs the compiler of the same version in sim-wasm.
+ * Runs rustc in sim-wasm with the pinned version.
  *
  * @param {string[]} parameters
  * @param {(line: string) => void} [onLine]
@@ -36,7 +39,7 @@ export function rustc(parameters, onLine) {
   return rustup(['run', readToolchain().channel, 'rustc', ...parameters], onLine);
 }
 
-/** Whether the toolchain and everything in it that the project needs is installed. */
+/** Whether the toolchain is installed with all required targets and components. */
 export async function isFresh() {
   const { channel, targets, components } = readToolchain();
   const asked = await rustup(['run', channel, 'rustc', '--print', 'sysroot']);
@@ -69,7 +72,7 @@ export async function bring(say) {
   );
 }
 
-/** The few lines of the toolchain file, in the simple form that they are kept in. */
+/** Parses the toolchain file, which uses only simple `key = value` lines. */
 function readToolchain() {
   const text = readFileSync(inRoot('sim-wasm/rust-toolchain.toml'), 'utf8');
   const value = (/** @type {string} */ key) => new RegExp(`^${key} = (.+)$`, 'm').exec(text)?.[1] ?? '[]';
@@ -80,12 +83,16 @@ function readToolchain() {
   };
 }
 
-/** @param {string[]} parameters @param {(line: string) => void} [onLine] @param {NodeJS.ProcessEnv} [added] */
+/**
+ * @param {string[]} parameters
+ * @param {(line: string) => void} [onLine]
+ * @param {NodeJS.ProcessEnv} [added]
+ */
 function rustup(parameters, onLine, added) {
-  // A shell that was open when rustup was installed does not have its folder on PATH yet.
+  // A shell opened before rustup was installed does not have its folder on PATH.
   const home = process.env.CARGO_HOME || join(homedir(), '.cargo');
   const PATH = [process.env.PATH, join(home, 'bin')].filter(Boolean).join(delimiter);
-  // Nothing is installed in passing: what is missing is brought by its own step, with its own sentence.
+  // No implicit installation: `bring` installs what is missing and reports its own error.
   const environment = { PATH, RUSTUP_AUTO_INSTALL: '0', CARGO_TERM_COLOR: 'never', ...added };
   return run('rustup', parameters, { folder: inRoot('sim-wasm'), environment, onLine });
 }

@@ -1,4 +1,4 @@
-/** The simulator as WASM, built from sim-wasm into src/sim/wasm, and rebuilt only when its sources changed. */
+/** The simulator as WASM, built from sim-wasm into src/sim/wasm. Rebuilt only when its sources change. */
 
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
@@ -8,7 +8,7 @@ import { cargo } from './toolchain.mjs';
 
 export const title = 'WASM build';
 
-// What the build reads and writes; sim-wasm/xtask/src/stamp.rs and build.rs have the same lists.
+// Inputs and outputs of the build. Keep in sync with sim-wasm/xtask/src/stamp.rs and build.rs.
 const SINGLE_FILES = [
   '.cargo/config.toml',
   'Cargo.lock',
@@ -23,7 +23,7 @@ const FOLDERS = ['bindings/src', 'sim/src', 'world/src', 'xtask/src'];
 const VARIANTS = ['core', 'physics'];
 const FILES = ['bindings.js', 'bindings.d.ts', 'bindings_bg.wasm'];
 
-/** Whether both variants were built from the sources that lie here. Compiles nothing. */
+/** Whether both variants were built from the current sources. Compiles nothing. */
 export function isFresh() {
   const built = VARIANTS.flatMap((variant) => FILES.map((file) => `src/sim/wasm/${variant}/${file}`));
   const stamp = inRoot('src/sim/wasm/stamp.txt');
@@ -33,14 +33,14 @@ export function isFresh() {
 
 /** @param {(line: string) => void} say */
 export async function bring(say) {
-  // `cargo xtask wasm` in full: the alias compiles xtask itself without a word, which takes longest the first time.
+  // Not the alias `cargo xtask wasm`: it compiles xtask silently, which takes longest on the first run.
   const outcome = await cargo(['run', '--locked', '--package', 'xtask', '--profile', 'xtask', '--', 'wasm'], say);
   if (outcome.status !== 0) throw explain(outcome);
 }
 
 /**
- * The SHA-256 that xtask notes after a build: path, NUL, content, NUL of each source in the order of the paths' bytes.
- * A source that is missing makes a digest that no build has.
+ * The SHA-256 that xtask stores after a build: path, NUL, content, NUL of each source, sorted by the bytes of the path.
+ * A missing source gives a digest that matches no build.
  */
 export function digestOfSources() {
   const paths = [...SINGLE_FILES, ...FOLDERS.flatMap(filesUnder)];

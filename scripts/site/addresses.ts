@@ -3,8 +3,8 @@ import type { HtmlTagDescriptor, Plugin } from 'vite';
 const PICTURE = 'icons/512.png';
 
 /**
- * Tells search engines and chats where a page stands, when it is known where the site will be published.
- * @param base address of the site's folder, ending with a slash
+ * Adds a page's absolute URLs for search engines and link previews, if the site's URL is known.
+ * @param base URL of the site's folder, with a trailing slash
  */
 export function addresses(base: string | undefined): Plugin {
   return {

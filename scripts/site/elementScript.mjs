@@ -1,6 +1,6 @@
 /**
- * The site's own copy of the script for CDNs, with its simulator: what the share sheet's code for the element names. It
- * stands in a folder that is named after its content, so that a page that pins it by its hash never gets another one.
+ * The site's own copy of the script for CDNs, with its simulator, which the share sheet's embed code references. The
+ * name of its folder is a content hash, so that a page with an integrity hash never gets another version.
  */
 
 import { cpSync, rmSync } from 'node:fs';
@@ -11,7 +11,7 @@ import { writeLicenses } from '../package/licenses.mjs';
 import { integrity } from '../package/measure.mjs';
 
 const FILE = 'cartoon-smoke.min.js';
-// Here and not in the site, whose bundler empties it first.
+// Not in the site's folder, because the bundler empties it first.
 const MADE = '.cache/element';
 
 /**
@@ -35,7 +35,10 @@ export async function buildElementScript() {
   };
 }
 
-/** Short, and fit for an address. @param {string} hash */
+/**
+ * A short URL-safe name.
+ * @param {string} hash
+ */
 function nameOf(hash) {
   return hash
     .replace(/^sha384-/, '')

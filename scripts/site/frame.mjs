@@ -1,6 +1,7 @@
 /**
- * `embed.html` with its script: everything in one classic script, the simulator's core too, and the physics in a second one
- * that comes on demand. In a sandbox without an origin a page can fetch scripts of this kind and nothing else.
+ * Builds `embed.html` with its script: one classic script that contains everything, including the simulator's core, and
+ * a second one with the physics, loaded on demand. In a sandbox with an opaque origin, a page can load only classic
+ * scripts.
  */
 
 import { createHash } from 'node:crypto';
@@ -17,7 +18,10 @@ import { withoutWords } from '../package/withoutWords.mjs';
 
 const ENTRY = '<script type="module" src="./src/iframe/frame.ts"></script>';
 
-/** Writes the page and its scripts. @param {string} folder of a site that is built already */
+/**
+ * Writes the page and its scripts.
+ * @param {string} folder of a built site
+ */
 export async function buildFrame(folder) {
   const physics = writeScript(folder, 'embed-physics', `bringPhysics(${JSON.stringify(packed('physics'))});\n`);
   const script = writeScript(folder, 'embed', await scriptOf(physics));
@@ -26,7 +30,7 @@ export async function buildFrame(folder) {
   writeFileSync(join(folder, 'embed.html'), page.replace(ENTRY, `<script defer src="./${script}"></script>`));
 }
 
-/** @param {string} physics address of the script that brings it */
+/** @param {string} physics URL of the physics script */
 async function scriptOf(physics) {
   /** @type {{ table: import('../../src/preset/parameter.ts').Parameter[] }} */
   const { table } = await sourceModule('src/preset/table.ts');
@@ -50,17 +54,25 @@ async function scriptOf(physics) {
 
 /** @type {NonNullable<import('rolldown').InputOptions['onLog']>} */
 const onLog = (level, log, handle) => {
-  // Addresses beside a module are for pages that fetch: this one has all it needs inside.
+  // This script contains everything it needs, so it does not use URLs relative to import.meta.
   if (log.code !== 'EMPTY_IMPORT_META' && log.code !== 'SOURCEMAP_BROKEN') handle(level, log);
 };
 
-/** The WASM of a variant, deflated, in base64url. @param {'core' | 'physics'} variant */
+/**
+ * The WASM of a variant, compressed with raw deflate, in base64url.
+ * @param {'core' | 'physics'} variant
+ */
 function packed(variant) {
   const bytes = readFileSync(inRoot(`src/sim/wasm/${variant}/bindings_bg.wasm`));
   return deflateRawSync(bytes, { level: 9 }).toString('base64url');
 }
 
-/** Under a name that changes with the content. @param {string} folder @param {string} name @param {string} code */
+/**
+ * Writes a script with a content hash in its name.
+ * @param {string} folder
+ * @param {string} name
+ * @param {string} code
+ */
 function writeScript(folder, name, code) {
   const hash = createHash('sha256').update(code).digest('base64url').slice(0, 8);
   const path = `assets/${name}-${hash}.js`;

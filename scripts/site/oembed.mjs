@@ -1,6 +1,6 @@
 /**
- * An oEmbed answer for each preset of the gallery, as a static file, `oembed/lamp.json`, and a page by whose address it is
- * found, `gallery/lamp.html`: what stands behind the # of an address never reaches who asks for it.
+ * Writes an oEmbed response for each gallery preset as a static file, `oembed/lamp.json`, and a page that links to it,
+ * `gallery/lamp.html`. A page per preset is required, because URL fragments are not sent to servers.
  */
 
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -14,8 +14,8 @@ const PICTURE = { width: 192, height: 128 };
 
 /**
  * @param {string} folder of the built site
- * @param {string} base where the site is published, ending with a slash; without one, addresses count from the folder that
- * the files lie in
+ * @param {string} base URL at which the site is published, with a trailing slash. Default: relative to the folder of
+ * the files
  */
 export async function writeOembed(folder, base = '../') {
   /** @type {{ presets: Preset[] }} */
@@ -30,7 +30,11 @@ export async function writeOembed(folder, base = '../') {
   }
 }
 
-/** @param {Preset} preset @param {string} base @param {ReturnType<typeof oembedOf>} answer */
+/**
+ * @param {Preset} preset
+ * @param {string} base
+ * @param {ReturnType<typeof oembedOf>} answer
+ */
 function pageOf({ name, label }, base, { title, thumbnail_url: picture }) {
   const { width, height } = PICTURE;
   return `<!doctype html>
@@ -51,7 +55,12 @@ function pageOf({ name, label }, base, { title, thumbnail_url: picture }) {
 `;
 }
 
-/** Version 1.0, type rich. @param {Preset} preset @param {string} base @param {Embed} embed */
+/**
+ * Version 1.0, type rich.
+ * @param {Preset} preset
+ * @param {string} base
+ * @param {Embed} embed
+ */
 function oembedOf({ name, label }, base, { frameOf, FRAME }) {
   const title = `${label}: cartoon smoke`;
   return {

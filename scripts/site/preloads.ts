@@ -1,8 +1,8 @@
 import type { Plugin, Rollup } from 'vite';
 
 /**
- * Hints in the page for what its entry imports only later, so that all of it comes at once.
- * @param entry end of the path of a module that the page's entry imports on demand
+ * Adds preload hints to the page for modules that its entry imports dynamically, so that they load in parallel.
+ * @param entry suffix of the path of a module that the page's entry imports dynamically
  */
 export function preloads(entry: string): Plugin {
   return {
@@ -29,7 +29,7 @@ export function preloads(entry: string): Plugin {
   };
 }
 
-/** A chunk and all that it imports at once. */
+/** A chunk and all its static imports. */
 function closure(bundle: Rollup.OutputBundle, name: string): Set<string> {
   const names = new Set([name]);
   for (const each of names) {

@@ -1,10 +1,12 @@
-/** Where the site will stand, for what must be told in whole addresses. The site itself works from any folder. */
+/**
+ * The URL at which the site will be published, for files that need absolute URLs. The site itself works in any folder.
+ */
 
 import { UserError } from '../lib/userError.mjs';
 
 /**
- * @param {string} [text] what CARTOON_SMOKE_BASE says
- * @returns {string | undefined} address of the site's folder, ending with a slash; undefined when nobody told
+ * @param {string} [text] the value of CARTOON_SMOKE_BASE
+ * @returns {string | undefined} URL of the site's folder, with a trailing slash; undefined when not set
  */
 export function publishedAt(text = process.env.CARTOON_SMOKE_BASE) {
   if (!text) return undefined;

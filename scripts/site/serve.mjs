@@ -1,4 +1,7 @@
-/** A plain file server for a built site, as a web host is one: from any folder, packed by gzip, and it keeps count. */
+/**
+ * A static file server for a built site, as on a web host: it serves from any folder, with gzip, and records what it
+ * sends.
+ */
 
 import { readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -18,17 +21,17 @@ const TYPES = /** @type {Record<string, string>} */ ({
 
 /**
  * @typedef {object} SiteServer
- * @property {string} address of the site's folder, ending with a slash
- * @property {{ file: string, bytes: number }[]} sent what was answered so far: bytes over the wire, without headers
+ * @property {string} address of the site's folder, with a trailing slash
+ * @property {{ file: string, bytes: number }[]} sent the responses so far: bytes over the network, without headers
  * @property {() => Promise<void>} close
  */
 
 /**
- * Serves `folder` from `place` of a host of its own.
+ * Serves `folder` at the path `place` of a separate origin.
  *
  * @param {string} folder
- * @param {string} place begins and ends with a slash
- * @param {Record<string, string>} [headers] of every answer
+ * @param {string} place with a leading and a trailing slash
+ * @param {Record<string, string>} [headers] of every response
  * @returns {Promise<SiteServer>}
  */
 export async function serveSite(folder, place, headers = {}) {

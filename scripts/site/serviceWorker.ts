@@ -4,13 +4,13 @@ import type { Plugin } from 'vite';
 const SOURCE = fileURLToPath(new URL('../../src/app/offline/worker.ts', import.meta.url));
 const NAME = 'sw.js';
 
-/** Builds the service worker with the site, so that it knows the names of all files of its version. */
+/** Builds the service worker with the site, so that it contains the file names of its version. */
 export function serviceWorker(): Plugin {
   return {
     name: 'service-worker',
     apply: 'build',
     buildStart() {
-      // The name stays, because browsers ask for it again to learn of a new version.
+      // Without a hash in the name, because browsers check this URL for updates.
       this.emitFile({ type: 'chunk', id: SOURCE, fileName: NAME });
     },
     generateBundle: {

@@ -1,4 +1,4 @@
-/** The checks that need no test runner. Each counts as one test: it passes or it does not. */
+/** Checks without a test runner. Each counts as one test that passes or fails. */
 
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
@@ -6,16 +6,17 @@ import { cargo } from '../setup/toolchain.mjs';
 
 /**
  * @typedef {import('../lib/command.mjs').Outcome} Outcome
- * @typedef {import('./tally.mjs').Tally & { output: string, trouble?: string, notes?: string[] }} Result notes are shown
+ * @typedef {import('./tally.mjs').Tally & { output: string, trouble?: string, notes?: string[] }} Result notes are
+ * shown
  * @typedef {(line: string) => void} Say
  * @typedef {object} Runner
- * @property {string} name what `npm test -- NAME` chooses it by
+ * @property {string} name the NAME in `npm test -- NAME`
  * @property {string} title
- * @property {'cargo' | undefined} [lane] runners of one lane wait for each other, as cargo would anyway
+ * @property {'cargo' | undefined} [lane] runners of one lane run in sequence, as cargo locks its build folder anyway
  * @property {(say: Say) => Promise<Result>} run
  */
 
-/** Runs a tool of node_modules. */
+/** Runs a tool from node_modules. */
 export function tool(/** @type {string} */ path, /** @type {string[]} */ parameters, /** @type {Say} */ say) {
   return run(process.execPath, [inRoot(`node_modules/${path}`), ...parameters], { onLine: say });
 }
@@ -58,7 +59,7 @@ export const CHECKS = [
 ];
 
 /**
- * The build's own program is linted by the long run only, because a minute goes into checking its dependencies.
+ * Only the long run lints xtask, because checking its dependencies takes a minute.
  *
  * @type {Runner[]}
  */
@@ -68,17 +69,23 @@ export const LONG_CHECKS = [
   check('fuzz-rigids', 'A minute of fuzzing with rigids', (say) => fuzz(['--rigids'], say)),
 ];
 
-/** @param {string[]} choice @param {Say} say */
+/**
+ * @param {string[]} choice
+ * @param {Say} say
+ */
 function fuzz(choice, say) {
   return run(process.execPath, [inRoot('scripts/fuzz.mjs'), '--minutes', '1', ...choice], { onLine: say });
 }
 
-/** @param {string[]} choice @param {Say} say */
+/**
+ * @param {string[]} choice
+ * @param {Say} say
+ */
 function clippy(choice, say) {
   return cargo(['clippy', '--locked', '--all-targets', ...choice, '--', '-D', 'warnings'], say);
 }
 
-/** A linter that found nothing to look at has not passed. */
+/** Fails if the linter checked no files. */
 async function demandFiles(/** @type {Promise<Outcome>} */ pending) {
   const { status, output } = await pending;
   const looked = /Finished in .* on (\d+) files?/.exec(output);

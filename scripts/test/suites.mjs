@@ -1,4 +1,4 @@
-/** The test suites, each run by its own runner, whose report for machines is counted. */
+/** The test suites. Each runs its own test runner and counts the results in the runner's machine-readable report. */
 
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { run } from '../lib/command.mjs';
@@ -10,12 +10,15 @@ import { notesIn, readReport, settle, tallyCargo, tallyPlaywright, tallyVitest }
  * @typedef {import('./checks.mjs').Runner} Runner
  * @typedef {import('./checks.mjs').Say} Say
  * @typedef {object} Choice
- * @property {boolean} long only the tests that are left out otherwise because they take long
- * @property {boolean} engines only what holds in three browser engines
- * @property {boolean} update write the goldens anew instead of comparing with them
+ * @property {boolean} long only the long tests, which are skipped otherwise
+ * @property {boolean} engines only the tests for three browser engines
+ * @property {boolean} update rewrite the goldens instead of comparing with them
  */
 
-/** The suites in the order of running them. @type {(choice: Choice) => Runner[]} */
+/**
+ * The suites in execution order.
+ * @type {(choice: Choice) => Runner[]}
+ */
 export function suites(choice) {
   if (choice.engines) return [engines];
   const all = [rust(choice), unit(choice), browser(choice)];
@@ -25,13 +28,13 @@ export function suites(choice) {
 const REPORTS = '.cache/test';
 
 /**
- * The simulator is tested with rigids alone: without them it is the same code with less of it, which the unit tests run as
- * WASM and compare by hashes.
+ * The simulator is tested only with the `rigids` feature. The variant without it compiles a subset of the same code,
+ * and the unit tests run it as WASM and compare hashes.
  *
  * @type {(choice: Choice) => Runner}
  */
 function rust({ long }) {
-  // Not the examples, which clippy compiles, and there are none in the documentation.
+  // No examples, because clippy compiles them, and no doctests, because there are none.
   const targets = ['--no-fail-fast', '--lib', '--bins', '--tests'];
   return {
     name: 'rust',
@@ -63,7 +66,12 @@ const engines = {
   run: (say) => vitest('engines.json', ['--config', 'tests/engines/vitest.config.ts'], {}, say),
 };
 
-/** @param {string} name @param {string[]} choice @param {NodeJS.ProcessEnv} environment @param {Say} say */
+/**
+ * @param {string} name
+ * @param {string[]} choice
+ * @param {NodeJS.ProcessEnv} environment
+ * @param {Say} say
+ */
 async function vitest(name, choice, environment, say) {
   const report = freshReport(name);
   const parameters = ['run', ...choice, '--reporter=default', '--reporter=json', `--outputFile.json=${report}`];
@@ -95,7 +103,7 @@ function browser({ long, update }) {
   };
 }
 
-/** Where a runner is to write its report; last time's is removed, so that a crash cannot pass for it. */
+/** Path for a runner's report. Removes the previous report, so that it cannot hide a crash. */
 function freshReport(/** @type {string} */ name) {
   mkdirSync(inRoot(REPORTS), { recursive: true });
   const path = inRoot(`${REPORTS}/${name}`);

@@ -1,4 +1,4 @@
-/** Reads how many tests passed and failed from what the runners write for machines. */
+/** Counts passed and failed tests in the machine-readable reports of the runners. */
 
 import { existsSync, readFileSync } from 'node:fs';
 
@@ -10,7 +10,7 @@ import { existsSync, readFileSync } from 'node:fs';
  */
 
 /**
- * The counts of a vitest JSON report; a file that fails before its first test is one failure.
+ * The counts of a vitest JSON report. A file that fails before its first test counts as one failure.
  *
  * @param {any} report
  * @returns {Tally}
@@ -28,7 +28,7 @@ export function tallyVitest(report) {
 }
 
 /**
- * What tests of a vitest JSON report put down for people as `task.meta.note`, in the order of the text.
+ * The notes in `task.meta.note` of a vitest JSON report, sorted by text.
  *
  * @param {any} report
  * @returns {string[]}
@@ -39,8 +39,8 @@ export function notesIn(report) {
 }
 
 /**
- * The counts of a Playwright JSON report. A test that passed only when tried again has failed, and so has whatever went
- * wrong outside of a test, such as a file that cannot be loaded.
+ * The counts of a Playwright JSON report. A test that passed only on retry counts as failed, as does an error outside
+ * of a test, such as a file that cannot be loaded.
  *
  * @param {any} report
  * @returns {Tally}
@@ -51,7 +51,7 @@ export function tallyPlaywright(report) {
 }
 
 /**
- * The counts of all `test result:` lines that cargo printed, one for each test program.
+ * The sum of all `test result:` lines that cargo printed, one per test program.
  *
  * @param {string} output
  * @returns {Tally}
@@ -67,10 +67,9 @@ export function tallyCargo(output) {
 }
 
 /**
- * Makes sure that trouble is counted: a runner that ended badly without naming a failure, or that ran no test at all,
- * has failed once.
+ * Adds a failure for a runner that exited with an error without reporting one, or that ran no tests.
  *
- * @param {Tally | undefined} tally undefined when the runner left no report
+ * @param {Tally | undefined} tally undefined when the runner wrote no report
  * @param {number} status its exit status
  * @returns {Tally & { trouble?: string }}
  */
@@ -83,8 +82,8 @@ export function settle(tally, status) {
 }
 
 /**
- * Adds up commands whose last words on standard output are `N passed, N failed`. A command that says nothing of the kind, or
- * that ends badly without naming a failure, has failed once.
+ * Sums the results of commands whose standard output ends with `N passed, N failed`. A command without such a line, or
+ * one that exits with an error without reporting a failure, counts as one failure.
  *
  * @param {readonly { status: number, output: string }[]} outcomes
  * @returns {{ passed: number, failed: number }}
@@ -100,7 +99,7 @@ export function sumEndings(outcomes) {
   return sum;
 }
 
-/** The parsed JSON file, or undefined when it is missing or broken, as a runner that crashed leaves it. */
+/** The parsed JSON file, or undefined if it is missing or invalid, for example after a crash. */
 export function readReport(/** @type {string} */ path) {
   try {
     return existsSync(path) ? JSON.parse(readFileSync(path, 'utf8')) : undefined;

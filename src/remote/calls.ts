@@ -18,21 +18,21 @@ import {
   type Check,
 } from './shapes.ts';
 
-/** What may be asked of a stage at once, so that a message cannot keep it busy for ever: ten simulated minutes. */
+/** Limits per message, so that one message cannot block the stage indefinitely: ten simulated minutes. */
 const MAX_SECONDS = 600;
 const MAX_STEPS = 60 * MAX_SECONDS;
 const MAX_BYTES = 64 * 1024 * 1024;
-/** Of the box of an element, which may be as long as its page. */
+/** CSS pixels; the box of an element can be as long as its page. */
 const LARGEST_SIDE = 65_536;
-/** Farther away than anything on a page or in a scene. */
+/** Greater than any coordinate of a page or a scene. */
 const FAR = 1e6;
 const MAX_KEYS = 4000;
 
-/** The shapes of what a method takes, by place, and of what it gives. */
+/** The argument types of a method, by position, and its result type. */
 interface Call {
   readonly takes: readonly Check[];
   readonly gives: Check;
-  /** What the stage itself demands of the first argument: a message is refused with the same error. */
+  /** The stage's own check of the first argument, so that both report the same error. */
   readonly demand?: (first: unknown) => void;
 }
 
@@ -76,7 +76,7 @@ function call(takes: readonly Check[], gives: Check = nothing): Call {
 /** Seconds of simulated time. */
 const timed: Call = { ...call([number(MAX_SECONDS, 0)]), demand: (seconds) => requireFinite({ seconds }, 0) };
 
-/** All that can be asked of a stage by a message; nothing else is ever called. */
+/** The methods that messages can call. No other method is ever called. */
 export const calls: Readonly<Record<keyof RemoteMethods, Call>> = {
   play: call([]),
   pause: call([]),

@@ -4,19 +4,19 @@ import { isHandshake, handshake } from './handshake.ts';
 import { PortStage } from './portStage.ts';
 
 export interface ConnectOptions {
-  /** Where the iframe has to be from; anywhere when left out, and always in a sandbox without `allow-same-origin`. */
+  /** Required origin of the iframe. Default: any. Omit it for a sandbox without `allow-same-origin`. */
   origin?: string;
-  /** Aborting ends the waiting for an iframe that does not come. */
+  /** Aborts waiting for the iframe. */
   signal?: AbortSignal;
 }
 
 /**
- * The stage in an iframe that shows `embed.html`, whatever site and sandbox it is in. Waits until its smoke stands, which
- * asks it to start. The size and what is in view are the iframe's own affair: `resize` and `setVisible` do nothing. Should
- * the iframe load anew, show another page or be removed, pending and later calls reject with a SimulatorError, its stage
- * has an error event, and can be connected to again.
- * @throws what createStage throws in the iframe; ParameterError for an origin that is none; the signal's reason when that
- * aborts; SimulatorError when the iframe is removed meanwhile
+ * Connects to the stage in an iframe that shows `embed.html`, on any site and in any sandbox. Makes it load its smoke,
+ * and waits until the first picture is drawn. The iframe tracks its own size and visibility: `resize` and `setVisible`
+ * do nothing. If the iframe reloads, navigates or is removed, pending and later calls reject with a SimulatorError, the
+ * stage emits an error event, and the page can connect again.
+ * @throws the errors of createStage in the iframe; ParameterError for an invalid origin; the signal's reason when it
+ * aborts; SimulatorError when the iframe is removed before it answers
  */
 export async function connectFrame(
   iframe: HTMLIFrameElement,
@@ -49,7 +49,10 @@ export async function connectFrame(
   }
 }
 
-/** @throws ParameterError for what `postMessage` would not take, which would throw into the page's events later on */
+/**
+ * Checks the origin early: `postMessage` would throw later, in an event listener of the page.
+ * @throws ParameterError for an origin that `postMessage` rejects
+ */
 function demandOrigin(origin: string): void {
   try {
     if (origin !== '*' && origin !== '/') new URL(origin);
@@ -58,7 +61,7 @@ function demandOrigin(origin: string): void {
   }
 }
 
-/** Connects at once if there is anybody, and again when the iframe says that it is there. */
+/** Connects at once unless the iframe is empty, and again whenever it announces itself. */
 function firstOpened(
   iframe: HTMLIFrameElement,
   connect: () => PortStage,
@@ -84,12 +87,14 @@ function firstOpened(
   });
 }
 
-/** Whether its page is still on its way: nobody receives the handshake, and the console would tell of the origin that it has not. */
+/**
+ * Whether the iframe's page is not loaded yet: a message would be lost, and the browser would log an origin mismatch.
+ */
 function isEmpty({ contentDocument }: HTMLIFrameElement): boolean {
   return contentDocument?.URL === 'about:blank';
 }
 
-/** Calls back whenever the page in an iframe says that it is there. */
+/** Calls back whenever the page in the iframe announces itself. */
 function whenHeard(iframe: HTMLIFrameElement, signal: AbortSignal, act: () => void): void {
   const listen = ({ source, data }: MessageEvent) => {
     if (source === iframe.contentWindow && isHandshake(data, 'here')) act();
@@ -98,8 +103,8 @@ function whenHeard(iframe: HTMLIFrameElement, signal: AbortSignal, act: () => vo
 }
 
 /**
- * Calls back once an iframe that was in the document is taken from it or moved, which ends the page in it. Ports do not tell of that
- * in all browsers.
+ * Calls back when the iframe is removed from the document or moved, which unloads its page. Not all browsers report
+ * this on the message port.
  */
 function whenRemoved(iframe: HTMLIFrameElement, signal: AbortSignal, act: () => void): void {
   let inside = iframe.contentWindow;
@@ -111,7 +116,7 @@ function whenRemoved(iframe: HTMLIFrameElement, signal: AbortSignal, act: () => 
   signal.addEventListener('abort', () => observer.disconnect());
 }
 
-/** The document and each shadow root around an iframe: who observes one does not see into the others. */
+/** The document and each shadow root around the iframe: a MutationObserver does not see into shadow roots. */
 function rootsAround(iframe: HTMLIFrameElement): Node[] {
   const roots: Node[] = [iframe.ownerDocument];
   for (let root = iframe.getRootNode(); root instanceof ShadowRoot; root = root.host.getRootNode()) roots.push(root);

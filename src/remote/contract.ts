@@ -4,37 +4,37 @@ import type { PointerInput, StageEvents, StageOptions, StageStats } from '../sta
 import type { ScenePlane } from '../stage/sight.ts';
 import type { Take } from '../stage/take.ts';
 
-/** Where a stage runs: on the page's own thread, in a worker, or in a page inside a frame. */
+/** Where a stage runs: on the main thread, in a worker, or in a page inside an iframe. */
 export type Thread = 'main' | 'worker' | 'frame';
 
 /**
- * What can be asked of a stage from elsewhere: the names of `Stage`, all promises. Each rejects with the error that the
- * stage itself would throw, as the same class, and with a SimulatorError after disposal. What is out of the ranges that stand
- * here is refused with a ParameterError where a message asks for it: by a stage in a worker or in a frame.
+ * The asynchronous methods of a remote stage, named as in `Stage`. Each rejects with the error that `Stage` would
+ * throw, as the same class, and with a SimulatorError after disposal. A stage in a worker or an iframe rejects values
+ * outside the ranges given here with a ParameterError.
  */
 export interface RemoteMethods {
   play(): Promise<void>;
   pause(): Promise<void>;
-  /** @param n a whole number of steps from 0, 1 when left out; at most 36,000 in a worker or a frame */
+  /** @param n an integer of at least 0. Default: 1. At most 36,000 in a worker or an iframe */
   step(n?: number): Promise<void>;
-  /** @param seconds of simulated time from 0; at most 600 in a worker or a frame */
+  /** @param seconds simulated time, at least 0; at most 600 in a worker or an iframe */
   seek(seconds: number): Promise<void>;
-  /** @param seconds of simulated time from 0; at most 600 in a worker or a frame */
+  /** @param seconds simulated time, at least 0; at most 600 in a worker or an iframe */
   advance(seconds: number): Promise<void>;
   restart(): Promise<void>;
-  /** Goes to another scene, or begins anew in this one; what is left out gets the defaults of the table. */
+  /** Loads another scene, or restarts the current one. Omitted values get their defaults. */
   enter(values: Values): Promise<void>;
   set(values: Values): Promise<void>;
   unset(keys: readonly string[]): Promise<void>;
   get(): Promise<Values>;
-  /** A PNG of all pixels, also while nobody can see the stage. */
+  /** A PNG at full resolution, also while the canvas is not visible. */
   picture(): Promise<Blob>;
   save(): Promise<Uint8Array>;
   restore(bytes: Uint8Array): Promise<void>;
   take(): Promise<Take>;
-  /** What a take says of itself, without playing it. */
+  /** Reads the metadata of a take without playing it. */
   readTake(bytes: Uint8Array): Promise<Take>;
-  /** @param take as `take()` gave it, or its bytes */
+  /** @param take the result of `take()`, or its bytes */
   playTake(take: Take | Uint8Array): Promise<void>;
   /** 16 hexadecimal digits. */
   hash(): Promise<string>;
@@ -44,44 +44,50 @@ export interface RemoteMethods {
   pointer(input: PointerInput): Promise<'rigid' | null>;
   blow(input: BlowInput): Promise<void>;
   steer(channel: number, value: number): Promise<void>;
-  /** Drops a ball or a crate at a place of the picture, CSS pixels; whether there was one. */
+  /**
+   * Drops a ball or a crate at a position in the picture, in CSS pixels. Resolves to false if the scene has no objects
+   * to drop.
+   */
   drop(x: number, y: number): Promise<boolean>;
-  /** Moves the rigid that people can move, by metres. */
+  /** Moves the target of the movable rigid, in metres. */
   nudge(by: { dx?: number; dy?: number; dz?: number }): Promise<void>;
-  /** Turns the eye about what it looks at, by radians. */
+  /** Rotates the camera about its target, in radians. */
   orbit(azimuth: number, elevation: number): Promise<void>;
-  /** Comes nearer by a factor above 1. */
+  /** A factor above 1 moves the camera closer. */
   zoom(factor: number): Promise<void>;
   /** @param x, y in CSS pixels */
   pan(x: number, y: number): Promise<void>;
   resetView(): Promise<void>;
-  /** Where places of the picture are in the scene: for things of the page that smoke shall meet. */
+  /** The plane that maps picture positions to the scene, for page elements that the smoke collides with. */
   plane(): Promise<ScenePlane>;
-  /** Whether pictures show what lies behind everything; they are transparent there if not. */
+  /** Whether to draw the background; without it, pictures are transparent there. */
   setBackground(isShown: boolean): Promise<void>;
-  /** Whether anybody can see the canvas: while nobody can, nothing is drawn. What is paused stays paused. */
+  /** Whether the canvas is visible. While it is not, nothing is drawn. A paused stage stays paused. */
   setVisible(isVisible: boolean): Promise<void>;
 }
 
-/** A stage that may run elsewhere. */
+/** A stage that may run on another thread or in another page. */
 export interface RemoteStage extends RemoteMethods {
-  /** Settled when the first picture stands. */
+  /** Resolves when the first picture is drawn. */
   readonly ready: Promise<void>;
   readonly thread: Thread;
   /**
-   * Calls back on an event; returns the function that ends it. What nobody listens to is not sent: only who listens to
-   * 'frame' has a message a frame.
+   * Adds an event listener. Events without a listener are not sent: only a 'frame' listener causes a message per frame.
+   * @returns a function that removes the listener
    */
   on<Event extends keyof StageEvents>(event: Event, listener: (detail: StageEvents[Event]) => void): () => void;
-  /** Gives everything back. May be called again, and while something else is still on its way. */
+  /** Releases all resources. Can be called more than once, and while calls are pending. */
   dispose(): Promise<void>;
 }
 
 export interface RemoteStageOptions extends Omit<StageOptions, 'device' | 'failsSelfTest' | 'frameRate' | 'onStep'> {
-  /** Where it shall run: in a worker where the browser can and the page allows it, else on this thread, by default. */
+  /**
+   * Where to run. Default: 'auto', a worker if the browser supports it and the page allows it, otherwise the main
+   * thread.
+   */
   thread?: 'auto' | 'main' | 'worker';
-  /** Most frames a second while playing; 60 when left out. */
+  /** Maximum frames per second while playing. Default: 60. */
   frameRate?: number;
-  /** Aborting ends the start; the promise then rejects with the signal's reason, and everything is given back. */
+  /** Aborts the start. The promise then rejects with the signal's reason, and all resources are released. */
   signal?: AbortSignal;
 }

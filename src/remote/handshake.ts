@@ -1,7 +1,7 @@
-/** The handshake between a page and the smoke in one of its iframes, before they have a port of their own. */
+/** The handshake between a page and the stage in an iframe, before they share a MessagePort. */
 import { isPlain } from './shapes.ts';
 
-/** The iframe says that it is there; the page, with a port, that it wants the stage. */
+/** 'here': the iframe announces itself. 'connect': the page requests the stage and transfers a port. */
 export type HandshakeStep = 'here' | 'connect';
 
 export function handshake(step: HandshakeStep): { cartoonSmoke: HandshakeStep } {

@@ -1,22 +1,22 @@
-/** What the page asks of its worker now and then, and the worker says at once. */
+/** The ping that the page sends to its worker, and the worker's reply. */
 export const BEAT = 'beat';
 
 const BEAT_MS = 10_000;
-/** Two minutes: a busy machine answers late, and who is gone never does. */
+/** Two minutes: a busy machine may reply late. */
 const MAX_MISSED = 12;
 
-/** What a worker has to be there for. */
+/** The worker to monitor. */
 export interface Watched {
   readonly worker: Pick<Worker, 'postMessage' | 'addEventListener' | 'removeEventListener'>;
-  /** Called once that it does not answer any more. */
+  /** Called once when the worker stops responding. */
   readonly onGone: () => void;
 }
 
 /**
- * Finds out that a worker is gone: browsers may end one without a word, as for want of memory. What counts are beats while the
- * page runs in view, and not seconds: a laptop that sleeps, a hidden tab and a debugger's break have no beats. A
- * worker that is itself held by a debugger for so long is as silent as one that is gone, and is given up.
- * @returns the function that ends this
+ * Detects a terminated worker: browsers may end one without an event, for example when memory runs out. It counts
+ * missed beats while the page is visible, not seconds, because sleep, hidden tabs and debugger pauses suspend the
+ * beats. A worker that a debugger pauses for that long is also treated as gone.
+ * @returns a function that stops the heartbeat
  */
 export function watchHeart({ worker, onGone }: Watched): () => void {
   let missed = 0;
@@ -26,7 +26,7 @@ export function watchHeart({ worker, onGone }: Watched): () => void {
   };
   const live = () => void (missed = 0);
   const beat = () => {
-    // Browsers may let the workers of hidden pages rest.
+    // Browsers may suspend the workers of hidden pages.
     if (document.hidden) return live();
     if (missed >= MAX_MISSED) {
       end();
@@ -41,9 +41,9 @@ export function watchHeart({ worker, onGone }: Watched): () => void {
 }
 
 /**
- * Lets a worker say that it lives where it has no time to listen.
- * @param beat says so
- * @returns what to call often; it says so now and then
+ * Sends heartbeats during long tasks that block the worker's event loop.
+ * @param beat sends a heartbeat
+ * @returns a function to call often; it throttles the heartbeats
  */
 export function beatWhile(beat: () => void): () => void {
   let latest = performance.now();

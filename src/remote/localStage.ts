@@ -2,12 +2,12 @@ import { SimulatorError } from '../preset/errors.ts';
 import type { Stage } from '../stage/stage.ts';
 import type { RemoteMethods, RemoteStage, Thread } from './contract.ts';
 
-/** Who asked for what cannot be had was told; time goes on without it. */
+/** A loading error was already reported; the call works without the missing code. */
 function completed(stage: Stage): Promise<void> {
   return stage.complete().catch(() => undefined);
 }
 
-/** What each method does with a stage of this thread. */
+/** Implements each method on a stage of this thread. */
 const methods = {
   play: (stage) => stage.play(),
   pause: (stage) => stage.pause(),
@@ -54,8 +54,8 @@ const methods = {
 };
 
 /**
- * A stage of this thread as a RemoteStage.
- * @param release called once, after its disposal
+ * Wraps a stage of this thread as a RemoteStage.
+ * @param release called once, after disposal
  */
 export function localStage(stage: Stage, thread: Thread = 'main', release?: () => void): RemoteStage {
   let isDisposed = false;

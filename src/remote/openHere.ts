@@ -8,7 +8,7 @@ import { threadDevice } from './sharedDevice.ts';
 
 const FRAME_RATE = 60;
 
-/** @throws UnsupportedError when nothing can be drawn on this thread but on canvases of the page */
+/** @throws UnsupportedError when this thread cannot draw on an OffscreenCanvas */
 export function demandDrawing(): void {
   const device = threadDevice.hold();
   if (!device) throw new UnsupportedError('This browser has no WebGL2 in workers.');
@@ -16,8 +16,8 @@ export function demandDrawing(): void {
 }
 
 /**
- * Opens a stage on this thread; all of a thread share one device where that is possible.
- * @throws what createStage throws
+ * Opens a stage on this thread. All stages of a thread share one device where possible.
+ * @throws the errors of createStage
  */
 export async function openHere(
   canvas: DeviceCanvas,

@@ -3,22 +3,22 @@ import { pageWorker, type Holder } from './pageWorker.ts';
 import { PortStage } from './portStage.ts';
 import type { OpenRequest } from './worker.ts';
 
-/** Whether this browser can hand a canvas over to a worker. */
+/** Whether this browser can transfer a canvas to a worker. */
 export function canMoveCanvas(): boolean {
   return typeof Worker !== 'undefined' && 'transferControlToOffscreen' in HTMLCanvasElement.prototype;
 }
 
-/** A worker that is there and can draw. */
+/** A started worker that can draw. */
 export interface WorkerSlot {
   /**
-   * Opens a stage on a canvas, which then belongs to the worker for ever.
-   * @throws what createStage throws
+   * Opens a stage on a canvas, which is permanently transferred to the worker.
+   * @throws the errors of createStage
    */
   open(canvas: HTMLCanvasElement, options: RemoteStageOptions): Promise<RemoteStage>;
   leave(): void;
 }
 
-/** @throws why there is no worker for this page */
+/** @throws the reason why this page has no worker */
 export async function enterWorker(): Promise<WorkerSlot> {
   let stage: PortStage | undefined;
   let failure: Error | undefined;
@@ -44,7 +44,7 @@ export async function enterWorker(): Promise<WorkerSlot> {
   };
 }
 
-/** Waits until a stage is there; if it does not come or nobody wants it any more, it is disposed of. */
+/** Waits until the stage is open. Disposes it when opening fails or is aborted. */
 export async function unlessAborted(stage: PortStage, signal: AbortSignal | undefined): Promise<void> {
   const stop = () => void stage.face.dispose();
   signal?.addEventListener('abort', stop);

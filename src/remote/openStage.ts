@@ -4,12 +4,12 @@ import type { RemoteStage, RemoteStageOptions } from './contract.ts';
 import type { WorkerSlot } from './openInWorker.ts';
 
 /**
- * Opens a stage in a worker where the browser can and the page allows it, else on this thread, with the same pictures. It
- * draws only while its canvas is in view and its page is not hidden; it does not play yet.
- * @param makeCanvas makes a canvas and puts it on the page; asked again when a canvas that went to the worker is lost to it,
- * and then has to take the old one away
- * @throws ParameterError for a value it does not take, LoadError when something cannot be fetched, UnsupportedError when
- * the browser lacks WebGL2 or WASM SIMD
+ * Opens a stage in a worker if the browser supports it and the page allows it, otherwise on the main thread, with the
+ * same pictures. It draws only while its canvas is in the viewport and its page is visible. It does not start playback.
+ * @param makeCanvas creates a canvas and adds it to the page. Called again when the stage falls back to the main thread
+ * after the canvas was transferred; it must then remove the old canvas
+ * @throws ParameterError for an invalid value, LoadError when something cannot be fetched, UnsupportedError when the
+ * browser lacks WebGL2 or WASM SIMD
  */
 export async function openStage(
   makeCanvas: () => HTMLCanvasElement,
@@ -27,14 +27,14 @@ export async function openStage(
       if (thread === 'worker' || !(error instanceof UnsupportedError || error instanceof ContextError)) throw error;
     }
   }
-  // With three.js and all that draws: pages whose smoke runs in a worker never fetch it themselves.
+  // A separate chunk, with three.js and the renderer: pages that use a worker never fetch it.
   const { openHere } = await fetched('The smoke', import('./openHere.ts'));
   signal?.throwIfAborted();
   const canvas = makeCanvas();
   return following(canvas, await openHere(canvas, options));
 }
 
-/** @throws where there has to be a worker and is none */
+/** @throws when a worker is required and unavailable */
 async function slotInWorker(thread: 'auto' | 'worker'): Promise<WorkerSlot | undefined> {
   try {
     const { canMoveCanvas, enterWorker } = await fetched('The worker', import('./openInWorker.ts'));
@@ -46,7 +46,7 @@ async function slotInWorker(thread: 'auto' | 'worker'): Promise<WorkerSlot | und
   }
 }
 
-/** The stage, which rests while nobody can see it. */
+/** Wraps a stage so that it does not draw while its canvas is not visible. */
 function following(canvas: HTMLCanvasElement, stage: RemoteStage): RemoteStage {
   const stopFollowing = followSight(canvas, stage);
   return {
@@ -58,12 +58,12 @@ function following(canvas: HTMLCanvasElement, stage: RemoteStage): RemoteStage {
   };
 }
 
-/** Drawing begins so many pixels before the canvas comes into view. */
+/** Drawing starts this far before the canvas enters the viewport. */
 const MARGIN = '64px';
 
 /**
- * Lets a stage rest while its canvas is out of view or its page is hidden. What somebody paused stays paused.
- * @returns the function that ends this
+ * Tracks whether the canvas is in the viewport and its page is visible. A paused stage stays paused.
+ * @returns a function that stops the tracking
  */
 function followSight(canvas: HTMLCanvasElement, stage: Pick<RemoteStage, 'setVisible'>): () => void {
   const page = canvas.ownerDocument;
@@ -73,7 +73,7 @@ function followSight(canvas: HTMLCanvasElement, stage: Pick<RemoteStage, 'setVis
     const isVisible = isNear && !page.hidden;
     if (isVisible === notified) return;
     notified = isVisible;
-    // A stage that has ended meanwhile refuses, and needs to know no more.
+    // Rejects only if the stage was disposed or failed, and then visibility does not matter.
     stage.setVisible(isVisible).catch(() => undefined);
   };
   const observer = new IntersectionObserver(

@@ -1,4 +1,4 @@
-/** Errors on their way between threads and pages: by name and words, and the same class again on the other side. */
+/** Serializes errors between threads and pages by name and message, and restores their class. */
 import {
   ContextError,
   FileError,
@@ -32,7 +32,7 @@ export function packError(error: unknown): PackedError {
   return { name: error.name, message: cut(error.message) };
 }
 
-/** @returns undefined for what is no packed error */
+/** @returns undefined if this is not a packed error */
 export function unpackError(packed: unknown): Error | undefined {
   if (!isPlain(packed) || !isPacked(packed)) return undefined;
   const { name, message, key, value, accepted } = packed as unknown as PackedError;
@@ -41,7 +41,7 @@ export function unpackError(packed: unknown): Error | undefined {
   return Object.assign(new Error(message), { name });
 }
 
-/** What certainly can be sent. */
+/** A value that structured cloning always accepts. */
 function simple(value: unknown): unknown {
   return ['number', 'boolean', 'undefined'].includes(typeof value) ? value : cut(String(value));
 }

@@ -5,20 +5,20 @@ import type { Greeting } from './worker.ts';
 import { unpackError } from './packedErrors.ts';
 import { startWorker } from './startWorker.ts';
 
-/** Until then a worker has to have come and said that it can draw; time in which the page runs. */
+/** Timeout for the worker's greeting. Counts only time in which the page runs. */
 const GREETING_MS = 30_000;
-/** A worker that ends more often than this ends by what is drawn, and would do so for ever. */
+/** A worker that fails this often probably fails because of what it draws, so it is not restarted. */
 const MAX_DEATHS = 3;
-/** Who comes back soon, as on a page that moves its widgets about, finds the worker as it was. */
+/** Keeps the worker alive for stages that are soon reopened, for example when a page moves its widgets. */
 const GRACE_MS = 5_000;
 
 /** A stage in the worker. */
 export interface Holder {
-  /** Called when the worker has ended; it is held no more then. */
+  /** Called when the worker has ended; the holder is released then. */
   fail(error: Error): void;
 }
 
-/** The worker that all stages of a page share: started for the first, ended some time after the last. */
+/** The worker shared by all stages of a page. It starts with the first stage and ends some time after the last. */
 class PageWorker {
   private starting: Promise<Worker> | undefined;
   private worker: Worker | undefined;
@@ -29,9 +29,9 @@ class PageWorker {
   private stopWatching: (() => void) | undefined;
 
   /**
-   * The worker, which the same holder has to release. Where it could not be had, or has ended three times, it is not tried
-   * again.
-   * @throws why it cannot be had
+   * Returns the worker. The same holder must release it. After a failed start, or after three failures, it is not
+   * started again.
+   * @throws the reason why no worker is available
    */
   async hold(holder: Holder): Promise<Worker> {
     if (this.failure) throw this.failure;
@@ -53,7 +53,7 @@ class PageWorker {
     }
   }
 
-  /** Tells whoever holds a worker that it is no more. Of one that is not the page's any longer there is nothing to tell. */
+  /** Notifies all holders that the worker has ended. Ignored for a worker that was already replaced. */
   private lose(worker: Worker, message: string): void {
     if (worker !== this.worker) return;
     const error = new SimulatorError(message);
@@ -75,7 +75,7 @@ class PageWorker {
     }
     worker.onmessage = null;
     worker.onerror = (event) => {
-      // It is told to the stages, and not to the page as one of its own.
+      // The error is reported to the stages and must not become an uncaught error of the page.
       event.preventDefault();
       this.lose(worker, `The worker failed: ${event.message}`);
     };
@@ -94,7 +94,7 @@ class PageWorker {
   }
 }
 
-/** Settled when a worker says whether it can draw, does not come, or keeps silent for too long. */
+/** Settles when the worker reports whether it can draw, fails to start, or times out. */
 function greeted(worker: Worker): Promise<void> {
   return new Promise((resolve, reject) => {
     const fail = (reason: string) => reject(new LoadError(`The worker could not be started: ${reason}`));

@@ -14,9 +14,9 @@ interface Waiting {
 
 const ended = () => new SimulatorError('This stage was disposed; create a new one.');
 
-/** A stage at the other end of a port. */
+/** A stage at the other end of a MessagePort. */
 export class PortStage {
-  /** Resolved when the stage says that it is there, rejected when it says why it is not. */
+  /** Resolves when the stage is open; rejects with the error that prevented it. */
   readonly opened: Promise<void>;
   readonly face: RemoteStage;
   private readonly port: MessagePort;
@@ -28,7 +28,7 @@ export class PortStage {
   private failure: Error | undefined;
   private hasEnded = false;
 
-  /** @param release called once, after disposal or failure */
+  /** @param release called once, after disposal */
   constructor(
     port: MessagePort,
     thread: Thread,
@@ -41,13 +41,13 @@ export class PortStage {
     this.opened = new Promise((resolve, reject) => {
       this.waiting.set(OPENING, { method: 'listen', resolve: () => resolve(), reject });
     });
-    // Who never asks is not to be told of an unhandled rejection.
+    // Avoids an unhandled rejection when `opened` is not awaited.
     this.opened.catch(() => undefined);
     this.face = this.makeFace(thread);
     port.onmessage = ({ data }) => this.take(data);
   }
 
-  /** The other side is gone: all that is waited for and all that comes is refused, and whoever listens is told. */
+  /** The other side is gone: rejects pending and later calls and notifies the error listeners. */
   fail(error: Error): void {
     if (this.hasEnded || this.failure) return;
     this.failure = error;
@@ -55,7 +55,7 @@ export class PortStage {
     this.listeners.notify('error', error);
   }
 
-  /** Ends this connection, and leaves the stage as it is. */
+  /** Closes this connection without disposing the stage. */
   abandon(): void {
     this.hasEnded = true;
     this.rejectAll(ended());
@@ -64,7 +64,7 @@ export class PortStage {
 
   private makeFace(thread: Thread): RemoteStage {
     const names = Object.keys(calls) as (keyof RemoteMethods)[];
-    // What a method takes on this thread alone, such as a function, cannot be sent.
+    // Extra arguments that only local stages accept, such as functions, cannot be cloned.
     const sent = (name: keyof RemoteMethods, args: unknown[]) =>
       args.slice(0, calls[name].takes.length).map(packArgument);
     const methods = names.map((name) => [name, (...args: unknown[]) => this.call(name, sent(name, args))]);
@@ -81,7 +81,7 @@ export class PortStage {
     if (this.hasEnded || this.failure) return Promise.reject(this.failure ?? ended());
     const id = ++this.latest;
     return new Promise((resolve, reject) => {
-      // First, because what cannot be sent is refused at once and then nobody waits.
+      // First, because postMessage throws for values that cannot be cloned, and no reply would follow.
       this.port.postMessage({ id, method, args });
       this.waiting.set(id, { method, resolve, reject });
     });
@@ -111,7 +111,7 @@ export class PortStage {
     };
   }
 
-  /** Of a stage that has ended meanwhile there is nothing to hear. */
+  /** Rejects only when the stage has ended, and then no events follow. */
   private mention(method: 'listen' | 'unlisten', event: EventName): void {
     this.call(method, [event]).catch(() => undefined);
   }
@@ -120,7 +120,7 @@ export class PortStage {
     if (this.hasEnded) return;
     this.listeners.clear();
     this.port.postMessage({ id: ++this.latest, method: 'dispose' });
-    // What was sent before still arrives.
+    // Messages sent before closing are still delivered.
     this.abandon();
     this.release();
   }

@@ -1,13 +1,12 @@
 /**
- * The messages between a stage and whoever has it from elsewhere, the same for workers and frames. They go through a
- * MessagePort that belongs to one stage:
+ * The message protocol between a stage and its client, for workers and iframes. Each stage has its own MessagePort:
  *
  *     { id: 7, method: 'set', args: [{ 'emission.rate': 240 }] }       to the stage
  *     { id: 7, value: undefined }  or  { id: 7, error: { name, message } }   from it
- *     { event: 'statechange', detail: { playing: true } }               from it, while asked for by `listen`
+ *     { event: 'statechange', detail: { playing: true } }               from it, while subscribed by `listen`
  *
- * The stage's first message is a reply to the id 0: it is there, or why it is not. An error for the id 0 after that says that it is
- * gone. Whatever else comes is not heeded.
+ * The stage's first message is a reply with id 0: the stage is open, or an error. A later error with id 0 means that
+ * the stage is gone. All other messages are ignored.
  */
 import { ParameterError } from '../preset/errors.ts';
 import type { StageEvents } from '../stage/contract.ts';
@@ -17,12 +16,12 @@ import type { RemoteMethods } from './contract.ts';
 import { packError, unpackError, type PackedError } from './packedErrors.ts';
 import { figures, flag, integer, isPlain, oneOf, record, type Check } from './shapes.ts';
 
-/** The id of the reply that nobody asks for. */
+/** The id of the stage's first message, which answers no request. */
 export const OPENING = 0;
 
 export type EventName = keyof StageEvents;
 
-/** What is asked beside the methods of a stage. */
+/** Requests other than the methods of a stage. */
 const talk: Readonly<Record<string, readonly Check[]>> = {
   listen: [oneOf('statechange', 'error', 'frame')],
   unlisten: [oneOf('statechange', 'error', 'frame')],
@@ -44,13 +43,13 @@ export interface Notification {
   readonly detail: unknown;
 }
 
-/** A request that was understood, or one whose sender can be told why it was not. */
+/** A valid request, or the error to reply with. */
 export type ReadRequest = Request | { readonly id: number; readonly error: Error };
 
 const isId = integer(1, 2 ** 53 - 1);
 const MAX_ARGUMENTS = 8;
 
-/** @returns undefined for what is no request at all */
+/** @returns undefined if the message is not a request */
 export function readRequest(message: unknown): ReadRequest | undefined {
   if (!isPlain(message) || !isId(message.id)) return undefined;
   const { id, method, args = [] } = message as { id: number; method: unknown; args: unknown };
@@ -74,7 +73,7 @@ function takenBy(method: unknown): readonly Check[] | undefined {
   return Object.hasOwn(talk, method) ? talk[method] : undefined;
 }
 
-/** The error with which the stage itself refuses the first argument; undefined where it would take it. */
+/** The error that the stage itself throws for the first argument; undefined if the stage accepts it. */
 function demandedBy(method: keyof RemoteMethods, first: unknown): Error | undefined {
   try {
     calls[method]?.demand?.(typeof first === 'number' ? first : describe(first));
@@ -84,7 +83,7 @@ function demandedBy(method: keyof RemoteMethods, first: unknown): Error | undefi
   }
 }
 
-/** Short, and without asking an untrusted object to describe itself. */
+/** Short, and never calls toString on an untrusted object. */
 function describe(value: unknown): unknown {
   if (typeof value === 'string') return value.slice(0, 40);
   if (Array.isArray(value)) return 'an array';
@@ -92,8 +91,8 @@ function describe(value: unknown): unknown {
 }
 
 /**
- * @param methodOf what was asked with an id; undefined for ids that nobody waits for
- * @returns the id with what was given or thrown; undefined for what is no reply to anything
+ * @param methodOf the pending method of an id; undefined for unknown ids
+ * @returns the id with the result or the error; undefined if the message is not a valid reply
  */
 export function readReply(
   message: unknown,
@@ -118,7 +117,7 @@ const details: Readonly<Record<Notification['event'], (detail: unknown) => boole
   progress: (detail) => isPlain(detail) && typeof detail.loaded === 'number',
 };
 
-/** @returns undefined for what tells of nothing */
+/** @returns undefined if the message is not a notification */
 export function readNotification(message: unknown): Notification | undefined {
   if (!isPlain(message) || typeof message.event !== 'string' || !Object.hasOwn(details, message.event))
     return undefined;
@@ -131,16 +130,16 @@ export function notificationOf(event: Notification['event'], detail: unknown): N
   return { event, detail: event === 'error' ? packError(detail) : detail };
 }
 
-/** Methods that give a take, which has a function and crosses as its bytes. */
+/** Methods that return a take. A take contains a function, so it is sent as its bytes. */
 const TAKES: ReadonlySet<Method> = new Set(['take', 'readTake']);
 
-/** An argument as it can be sent: a take as its bytes. */
+/** Converts an argument to a cloneable value: a take becomes its bytes. */
 export function packArgument(argument: unknown): unknown {
   const { toBytes } = (argument ?? {}) as Partial<Take>;
   return typeof toBytes === 'function' ? toBytes() : argument;
 }
 
-/** A value as it can be sent, and what of it moves instead of being copied. */
+/** Converts a result to a cloneable value, with the objects to transfer instead of copying. */
 export function packValue(method: Method, value: unknown): { value: unknown; moved: Transferable[] } {
   if (TAKES.has(method)) {
     const take = value as Take;

@@ -2,7 +2,7 @@ import type { RemoteStage } from './contract.ts';
 import { packError } from './packedErrors.ts';
 import { packValue, readRequest, notificationOf, type EventName, type Method, type ReadRequest } from './protocol.ts';
 
-/** Lets whoever has the other end of a port have a stage: answers what is asked, and tells of what is listened to. */
+/** Serves a stage on a MessagePort: handles requests and sends the events that the client listens to. */
 export function serveStage(port: MessagePort, stage: RemoteStage): void {
   const service = new Service(port, stage);
   port.onmessage = ({ data }) => {

@@ -1,8 +1,8 @@
-/** Checks of what comes from elsewhere: whether a value has the shape that was agreed on. None of them throws. */
+/** Validators for untrusted messages: whether a value has the expected shape. They never throw. */
 
 export interface Check {
   (value: unknown): boolean;
-  /** What passes, in words that end the sentence 'it takes ...'. */
+  /** The accepted values, in words that complete the sentence 'it takes ...'. */
   readonly words: string;
 }
 
@@ -21,7 +21,7 @@ export const nothing = shape('nothing', (value) => value === undefined);
 
 export const flag = shape('true or false', (value) => typeof value === 'boolean');
 
-/** Finite, and not farther from zero than `max` where no least is given. */
+/** Between `min` and `max`; `min` defaults to -max, so NaN and infinities fail. */
 export function number(max: number, min = -max): Check {
   return shape(`a number from ${min} to ${max}`, (value) => typeof value === 'number' && value >= min && value <= max);
 }
@@ -52,7 +52,7 @@ export function bytes(max: number): Check {
 
 export const blob = shape('a Blob', (value) => value instanceof Blob);
 
-/** A flat dotted key as the table of parameters has them. */
+/** A flat dotted parameter key. */
 export const key = shape(
   'a key',
   (value) => typeof value === 'string' && value.length <= LONGEST_KEY && KEY.test(value),
@@ -74,7 +74,7 @@ export function record(fields: Readonly<Record<string, Check>>): Check {
   });
 }
 
-/** Flat values of parameters by their keys; whether the table has them is the stage's to say. */
+/** Flat parameter values by key. The stage checks whether the keys exist. */
 export const values = shape('an object of numbers and strings by parameter key', (value) => {
   if (!isPlain(value)) return false;
   const entries = Object.entries(value);
@@ -83,7 +83,7 @@ export const values = shape('an object of numbers and strings by parameter key',
   );
 });
 
-/** A plain object of finite numbers and flags. */
+/** A plain object of finite numbers and booleans. */
 export const figures = shape(
   'an object of numbers and booleans',
   (value) => isPlain(value) && Object.values(value).every((each) => Number.isFinite(each) || flag(each)),

@@ -1,11 +1,14 @@
 import { createDevice, type Device } from '../device/device.ts';
 
-/** Who comes back soon, as on a page that moves its widgets about, finds programs compiled and puffs uploaded. */
+/**
+ * Keeps the device for stages that are soon reopened, for example when a page moves its widgets: programs stay compiled
+ * and puffs stay uploaded.
+ */
 const GRACE_MS = 2_000;
 
 /**
- * One device for all stages of a thread, so that their number meets no limit of contexts. Once its context has been given up,
- * the next stage has another one; those that stand may still have theirs back.
+ * One device for all stages of a thread, because browsers limit the number of WebGL contexts. After its context is
+ * given up, the next stage gets a new device; existing stages keep the old one, which may still be restored.
  */
 export class SharedDevice {
   private device: Device | undefined;
@@ -13,8 +16,8 @@ export class SharedDevice {
   private farewell: ReturnType<typeof setTimeout> | undefined;
 
   /**
-   * The device, which has to be released as often as it was held.
-   * @returns undefined where the browser cannot draw on a canvas that is on no page: each stage then needs one of its own
+   * Returns the device. It must be released once for each call.
+   * @returns undefined if the browser cannot draw on an OffscreenCanvas: each stage then needs its own device
    */
   hold(): Device | undefined {
     clearTimeout(this.farewell);
@@ -32,7 +35,7 @@ export class SharedDevice {
     else device.dispose();
   }
 
-  /** Lets go of a device that is of no use to whoever comes next. */
+  /** Drops a device that new stages cannot use. */
   private leaveDead(): void {
     const { device } = this;
     if (!device) return;
@@ -60,5 +63,5 @@ function createOffPage(): Device | undefined {
   }
 }
 
-/** That of this thread. */
+/** The shared device of this thread. */
 export const threadDevice = new SharedDevice();

@@ -1,7 +1,7 @@
-/** The name that a page's `trusted-types` has to allow. */
+/** The policy name that the page's `trusted-types` directive must allow. */
 const POLICY = 'cartoon-smoke';
 
-/** What TypeScript's library of the page lacks. */
+/** Missing from TypeScript's DOM library. */
 interface TrustedTypes {
   createPolicy(
     name: string,
@@ -11,15 +11,15 @@ interface TrustedTypes {
   };
 }
 
-/** Written out, because bundlers only find workers that are written so. */
+/** Bundlers detect workers only in this literal form. */
 function start(): Worker {
   return new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'cartoon-smoke' });
 }
 
 /**
  * Starts the module of `worker.ts`.
- * @throws where the page's rules forbid it at once; where they forbid it later, or the module cannot be had, the worker has an
- * error event
+ * @throws when the page's security policy blocks it at once. If it is blocked later or cannot be fetched, the worker
+ * emits an error event
  */
 export function startWorker(): Worker {
   try {
@@ -30,7 +30,7 @@ export function startWorker(): Worker {
   }
 }
 
-/** Which address the bundler has written into a call of Worker. */
+/** The URL that the bundler has written into the Worker call. */
 function addressOf(call: () => Worker): string {
   const { Worker: original } = globalThis;
   let address = '';
@@ -45,13 +45,19 @@ function addressOf(call: () => Worker): string {
   return address;
 }
 
-/** Browsers start workers of the page's own origin only; one of its own may import from elsewhere, as from a CDN. */
+/**
+ * Browsers require a same-origin worker script. A same-origin blob can import a cross-origin module, for example from a
+ * CDN.
+ */
 function sameOrigin(address: string): string {
   if (new URL(address, location.href).origin === location.origin) return address;
   return URL.createObjectURL(new Blob([`import ${JSON.stringify(address)};`], { type: 'text/javascript' }));
 }
 
-/** As a page wants it that requires Trusted Types. @throws TypeError where the page allows no policy of our name */
+/**
+ * Converts a URL for pages that require Trusted Types.
+ * @throws TypeError when the page does not allow the policy name
+ */
 function trusted(address: string): string {
   const { trustedTypes } = globalThis as { trustedTypes?: TrustedTypes };
   const policy = trustedTypes?.createPolicy(POLICY, { createScriptURL: (given) => given });

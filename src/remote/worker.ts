@@ -1,4 +1,4 @@
-/** The worker of a page: all of its stages, on one device. It says first whether it can draw at all. */
+/** The worker of a page: it runs all stages of the page on one device. Its first message says whether it can draw. */
 import type { RemoteStageOptions } from './contract.ts';
 import { BEAT, beatWhile } from './heartbeat.ts';
 import { demandDrawing, openHere } from './openHere.ts';
@@ -6,17 +6,17 @@ import { packError } from './packedErrors.ts';
 import { OPENING, notificationOf } from './protocol.ts';
 import { serveStage } from './serveStage.ts';
 
-/** What the page sends for each stage. */
+/** The page's message for each stage. */
 export interface OpenRequest {
   readonly canvas: OffscreenCanvas;
   readonly options: RemoteStageOptions;
   readonly port: MessagePort;
 }
 
-/** What the worker says first. */
+/** The worker's first message. */
 export type Greeting = { readonly greeting: true; readonly error?: unknown };
 
-/** What TypeScript's library of the page lacks. */
+/** Missing from TypeScript's DOM library. */
 interface WorkerScope {
   postMessage(message: Greeting | typeof BEAT): void;
   addEventListener(type: 'message', listener: (event: MessageEvent<OpenRequest | typeof BEAT>) => void): void;
@@ -25,7 +25,7 @@ interface WorkerScope {
 
 const worker = self as unknown as WorkerScope;
 const beat = () => worker.postMessage(BEAT);
-/** Thousands of steps at once leave no time to answer. */
+/** Long batches of steps block the event loop, so they send the heartbeat themselves. */
 const onStep = beatWhile(beat);
 
 async function open({ canvas, options, port }: OpenRequest): Promise<void> {

@@ -1,9 +1,9 @@
 import type { Scene } from './scene.ts';
 
-/** As many as the simulator takes: whoever puts smoke on a page says which of them smoke, and where. */
+/** As many as the simulator supports. Pages with smoke choose which of them emit, and where. */
 const EMITTERS = 8;
 
-/** Nothing but smoke, seen straight from the front: for pages, where what stands in it are things of the page. */
+/** A scene with only smoke, seen from the front, for pages whose elements act as the obstacles. */
 export function air(): Scene {
   return {
     name: 'air',
@@ -24,7 +24,7 @@ export function air(): Scene {
   };
 }
 
-/** All emitters are alike; only the first one smokes until somebody gives others a share. */
+/** All emitters are identical. Only the first one emits until another gets a share. */
 const RIG: Readonly<Record<string, number>> = {
   ...Object.assign({}, ...Array.from({ length: EMITTERS }, (_, index) => emitter(index))),
   'buoyancy.acceleration': 0.9,

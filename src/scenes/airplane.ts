@@ -8,9 +8,9 @@ import { placement } from './models/place.ts';
 import type { Guide, Handle, SceneState, MovingPart, Scene, Vector } from './scene.ts';
 
 const PLANE = 0;
-/** Speed of the clouds past the airplane, m/s: it flies on the spot, and the air comes to meet it. */
+/** Speed of the clouds past the airplane, m/s. The airplane stays in place and the air moves. */
 export const AIRSPEED = 3.4;
-/** Turns of the propeller a second, and the sense about the nose's direction: clockwise for the pilot. */
+/** Propeller revolutions per second, and the sense of rotation about the nose direction: clockwise for the pilot. */
 const REVOLUTIONS_PER_SECOND = 3.2;
 export const PROPELLER_SENSE = 1;
 
@@ -23,7 +23,7 @@ const HANDLE: Handle = {
   steers: [0, 1, 2],
 };
 
-/** The paper's Fig. 2: an aircraft parts the clouds and leaves a swirl. People steer it by dragging it or by keys. */
+/** The paper's Fig. 2: an aircraft parts the clouds and leaves a swirl. The user steers it by pointer or keys. */
 export function airplane(): Scene {
   return {
     name: 'airplane',
@@ -55,15 +55,17 @@ const PARTS: readonly MovingPart[] = [
   },
 ];
 
-/** How fast the airplane wants to cover the way to where it should be, 1/s, and the most it dares, m/s. */
+/** Approach rate to the target position, 1/s, and the maximum speed, m/s. */
 const EAGERNESS = 1.5;
 const TOP_SPEED = 2.2;
-/** How fast it tilts, 1/s. Four times its eagerness, so that it arrives without swinging. */
+/** Tilt rate, 1/s. Four times the approach rate, so that the airplane arrives without overshoot. */
 const NIMBLENESS = 6;
-/** Roll for each m/s to the side, rad. */
+/** Roll per m/s of sideways speed, rad. */
 const ROLL = 0.4;
 
-/** Flies to where it is steered: it climbs as its nose points and goes sideways as it rolls, both of which take time. */
+/**
+ * Flies to the steered position. Climb follows the pitch and sideways movement follows the roll, and both have inertia.
+ */
 export const fly: Guide = (moment) => {
   const { position, rotation } = moment.pose(PLANE);
   const goal = goalOf(moment);
@@ -80,7 +82,7 @@ export const fly: Guide = (moment) => {
   return [{ rigid: PLANE, position: [x, y, z], rotation: nextRotation }];
 };
 
-/** The place where people want it, around which it bobs through the tops of the clouds. */
+/** The steered position, plus a bobbing motion through the cloud tops. */
 function goalOf({ seconds, control }: SceneState): Vector {
   const [x, y, z] = HANDLE.steers!.map((channel, axis) => {
     const [min, max] = [HANDLE.min[axis], HANDLE.max[axis]];
@@ -93,10 +95,10 @@ function wanted(way: number): number {
   return Math.min(Math.max(EAGERNESS * way, -TOP_SPEED), TOP_SPEED);
 }
 
-/** A sea of clouds and towers on it come along; the propeller and the tips of the wings leave their swirls in them. */
+/** A sea of clouds with towers moves past. The propeller and the wing tips leave vortices in it. */
 const RIG: Readonly<Record<string, number>> = {
   'winds.0.velocity.x': -AIRSPEED,
-  // The sea.
+  // The sea of clouds.
   'emitters.0.shape': 5,
   'emitters.0.position.x': 9,
   'emitters.0.position.y': -1.5,
@@ -109,7 +111,7 @@ const RIG: Readonly<Record<string, number>> = {
   'emitters.0.sizeVariation': 0.4,
   'emitters.0.temperature': 0,
   'emitters.0.share': 0.62,
-  // Towers that come one after the other, nearer and farther.
+  // Cloud towers, one after the other, at varying distances.
   'emitters.1.shape': 2,
   'emitters.1.position.x': 9,
   'emitters.1.position.y': -0.1,
@@ -137,7 +139,7 @@ const RIG: Readonly<Record<string, number>> = {
   'emitters.2.envelope.duration': 0.9,
   'emitters.2.envelope.period': 3.9,
   'emitters.2.envelope.fade': 0.3,
-  // What is there at the start.
+  // The clouds at the start.
   'emitters.3.shape': 5,
   'emitters.3.position.x': 2,
   'emitters.3.position.y': -1.3,
@@ -154,13 +156,13 @@ const RIG: Readonly<Record<string, number>> = {
   'buoyancy.acceleration': 0,
   'gravity.acceleration': 0,
   'drag.rate': 3,
-  // The air gives way before the nose.
+  // A repelling force parts the air in front of the nose.
   'attractors.0.rigid': PLANE,
   'attractors.0.acceleration': -20,
   'attractors.0.coreRadius': 0.45,
   'attractors.0.reach': 2,
   'attractors.0.position.x': 0.85,
-  // The slipstream turns as the propeller does, and dies away.
+  // The slipstream rotates with the propeller and decays.
   'shedders.0.rigid': PLANE,
   'shedders.0.rate': 30,
   'shedders.0.position.x': HUB[0] - 0.1,
@@ -173,7 +175,7 @@ const RIG: Readonly<Record<string, number>> = {
   'shedders.0.coreRadius': 0.42,
   'shedders.0.viscosity': 0.06,
   'shedders.0.lifetime': 2.4,
-  // Tips of the wings: air comes up around them, from below to above.
+  // Wing-tip vortices: air flows around the tips from below to above.
   'shedders.1.rigid': PLANE,
   'shedders.1.rate': 24,
   'shedders.1.position.x': -0.1,

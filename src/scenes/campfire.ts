@@ -3,7 +3,7 @@ import { camp } from './models/camp.ts';
 import { island, trees } from './models/island.ts';
 import type { Scene } from './scene.ts';
 
-/** A campfire at night: fire that cools to smoke on its way up, and a marshmallow that does not mind. */
+/** A campfire at night: fire that cools to smoke as it rises, and a marshmallow. */
 export function campfire(): Scene {
   return {
     name: 'campfire',
@@ -51,7 +51,7 @@ const RIG: Readonly<Record<string, number>> = {
   'emitters.1.lifetimeVariation': 0.5,
   'emitters.1.temperature': 3,
   'emitters.1.share': 0.14,
-  // Air comes in from all sides to where the fire draws it up.
+  // The fire draws in air from all sides.
   'attractors.0.acceleration': 2,
   'attractors.0.position.y': 0.8,
   'attractors.0.coreRadius': 0.5,

@@ -6,9 +6,9 @@ import type { LightMove, Scene, Vector } from './scene.ts';
 import type { TriangleMesh } from '../passes/extrusion.ts';
 import { ballMesh } from './models/ball.ts';
 
-/** Of the wind, m/s: negative blows to the left. */
+/** Wind speed, m/s; negative blows to the left. */
 export const WIND = -0.42;
-/** From each cloud to its like that comes after it, metres; the clouds of the start are as many as fit in. */
+/** Distance between each cloud and its copy, metres. The initial clouds fill one such interval. */
 const WIDTH = 12.6;
 const CLOUDS: readonly Cumulus[] = [
   [-4.4, 2.5, -1.6, 1.35],
@@ -16,19 +16,19 @@ const CLOUDS: readonly Cumulus[] = [
   [2.6, 3, -1.2, 1.05],
   [5.4, 1.3, -2.2, 1.6],
 ];
-/** Where the light stands at noon, degrees; the presets begin from there. */
+/** The light at noon, degrees; the presets start with it. */
 export const NOON = { azimuth: 0, elevation: 62 } as const;
-/** From one morning to the next, seconds, and how far the sun goes to both sides of noon, degrees. */
+/** Duration of a day, seconds, and the azimuth range of the sun on each side of noon, degrees. */
 const DAY = 90;
 const SWING = 64;
-/** How much lower it stands at both ends, degrees. */
+/** How much lower the sun is at both ends, degrees. */
 const SINK = 24;
 const CENTRE: Vector = [0, 1.2, 0];
-/** How far the sun of this paper theatre hangs to the sides, above the middle, and behind the clouds; metres. */
+/** Position range of the drawn sun: to the sides, above the centre, and behind the clouds; metres. */
 const SKY: Vector = [5.6, 2.75, -3];
 const [SAILS, RAYS, FACE] = [0, 1, 2];
 
-/** Clouds drift over a meadow while the sun goes from one side to the other and back. */
+/** Clouds drift over a meadow while the sun moves from one side to the other and back. */
 export function cloudscape(): Scene {
   return {
     name: 'cloudscape',
@@ -51,20 +51,20 @@ export function cloudscape(): Scene {
   };
 }
 
-/** From the left in the morning to the right and back, lowest at both ends. */
+/** The sun moves from the left in the morning to the right and back, lowest at both ends. */
 export const lightMove: LightMove = (seconds) => {
   const way = -cos((2 * Math.PI * (seconds + 6)) / DAY);
   return { azimuth: SWING * way, elevation: -SINK * way * way };
 };
 
-/** Where the sun hangs: on the side that the light comes from, as high as it stands. */
+/** Position of the drawn sun: on the side of the light, at its elevation. */
 export function sunPlace(seconds: number): Vector {
   const { azimuth, elevation } = lightMove(seconds);
   const [aside, height] = [NOON.azimuth + azimuth, NOON.elevation + elevation].map((angle) => (Math.PI * angle) / 180);
   return [CENTRE[0] + SKY[0] * sin(aside) * cos(height), CENTRE[1] + SKY[1] * sin(height), CENTRE[2] + SKY[2]];
 }
 
-/** Its rays turn on its way; its bright side stays towards the light. */
+/** Rotation of the rays: their bright side faces the light. */
 function sunAngle(seconds: number): number {
   const [x, y] = sunPlace(seconds);
   return atan2(y - CENTRE[1], x - CENTRE[0]);
@@ -76,7 +76,7 @@ const FLOCK = [
   [[1.5, -1.05, 1.5], -1],
 ] as const;
 
-/** Large puffs and small ones on the skins of the clouds, all at once; then those of the clouds that come after them. */
+/** Large and small puffs on the cloud surfaces: a burst at the start, then the clouds that follow. */
 const RIG: Readonly<Record<string, number>> = {
   'winds.0.velocity.x': WIND,
   'buoyancy.acceleration': 0,
@@ -108,10 +108,10 @@ function clouds(
   return Object.fromEntries(Object.entries(values).map(([key, value]) => [`emitters.${emitter}.${key}`, value]));
 }
 
-/** Where a cloud's flat base has its middle, and half of its width; metres. */
+/** Centre of a cloud's flat base, and half its width; metres. */
 type Cumulus = readonly [x: number, y: number, z: number, half: number];
 
-/** Heaps of a cloud of half width 1: where their middles are over its base, and their radii. */
+/** Spheres of a cloud with half width 1: centre offsets from the base, and radius. */
 const HEAPS = [
   [0, 0.3, 0, 0.52],
   [-0.42, 0.14, 0.06, 0.36],
@@ -120,10 +120,10 @@ const HEAPS = [
   [0.8, 0.05, 0.05, 0.22],
   [0.16, 0.56, 0.04, 0.32],
 ] as const;
-/** How much of its height a heap keeps below its middle. */
+/** Fraction of its height that a sphere keeps below its centre. */
 const FLATNESS = 0.22;
 
-/** Skins of clouds to smoke from: heaps above, flat below. Every second one is the mirror image of its neighbours. */
+/** Surfaces that emit the clouds: rounded above, flat below. Every second cloud is mirrored. */
 function cumuli(all: readonly Cumulus[]): TriangleMesh {
   return merged(
     ...all.flatMap(([x, y, z, half], index) =>

@@ -1,18 +1,18 @@
-/** Balls and crates that wait far below any scene until somebody drops them into it. */
+/** Balls and crates that are kept far below the scene until the user drops them. */
 import type { Color } from '../device/ramps.ts';
 import type { RigidDescription } from '../sim/rigid.ts';
 import { ballModel, crateModel, jollyBall, jollyCrate } from './models/toys.ts';
 import type { Scene } from './scene.ts';
 
-/** Metres: radius of the balls, half of a crate's side. */
+/** Metres: ball radius, and half of a crate's side. */
 const BALL = 0.22;
 const CRATE = 0.2;
-/** Where they stand and sleep, one below the other, so that they make the region where rigids are no wider. */
+/** Where unused objects sleep, stacked vertically, so that they do not widen the bounds of the rigids. */
 const CELLAR = -500;
 const STOREY = 3;
 
 const CREAM: Color = [252, 232, 196];
-/** Colours of a ball and its band; a crate where there are none. */
+/** Colours of a ball and its band; undefined for a crate. */
 const THINGS: readonly (readonly [Color, Color] | undefined)[] = [
   undefined,
   [[82, 156, 214], CREAM],
@@ -22,7 +22,7 @@ const THINGS: readonly (readonly [Color, Color] | undefined)[] = [
   [[236, 96, 84], CREAM],
 ]; // prettier-ignore
 
-/** The scene with things to drop, unless it has some of its own. */
+/** Adds droppable objects, unless the scene defines its own. */
 export function withDrops(scene: Scene): Scene {
   if (scene.drops) return scene;
   const first = scene.rigids.length;

@@ -12,7 +12,7 @@ import type { Guide, Handle, MovingSceneState, Scene, Vector } from './scene.ts'
 
 const CREAM: Color = [252, 226, 178];
 
-/** The toys by their numbers as rigids and as emitters: where each begins to fall, and its look. */
+/** The toys, in the order of their rigids and emitters: start position and appearance. */
 const TOYS: readonly (Toy & { start: Vector; name: string; colors?: readonly [Color, Color] })[] = [
   { rigid: 0, size: 0.42, isCrate: false, start: [0.7, 1.9, 0.5], name: 'Red ball', colors: [[232, 92, 80], CREAM] },
   { rigid: 1, size: 0.34, isCrate: true, start: [-0.75, 3.1, 0.35], name: 'Crate' },
@@ -30,7 +30,9 @@ const HANDLE: Handle = {
   max: [2.6, 3.4, 2.2],
 };
 
-/** Balls and a crate fall on a piece of desert and raise dust, more where they hit harder; a mole kicks them up again. */
+/**
+ * Balls and a crate fall on a piece of desert and raise dust in proportion to the impact; a mole kicks them up again.
+ */
 export function dust(): Scene {
   return {
     name: 'dust',
@@ -73,7 +75,7 @@ const dig = moleGuide(
   MOLE,
   TOYS.map(({ rigid }) => rigid),
 );
-/** What has fallen off so far comes from the sky again; metres. */
+/** Toys that fall below ABYSS reappear at height SKY; metres. */
 const ABYSS = -6;
 const SKY = 5.5;
 
@@ -89,7 +91,7 @@ function clouds(moment: MovingSceneState): Cloud[] {
   return [...TOYS.map((toy) => cloudOf(toy, moment, DESERT_RADIUS)), moleCloud(moment)];
 }
 
-/** What the mole throws up while it digs, and when it comes out or goes down. */
+/** Dust that the mole raises while it digs, emerges or retreats. */
 function moleCloud({ pose, before, dt }: MovingSceneState): Cloud {
   const [now, then] = [pose(MOLE).position, before(MOLE).position];
   const [across, up] = [hypot(now[0] - then[0], now[2] - then[2]) / dt, Math.abs(now[1] - then[1]) / dt];
@@ -103,7 +105,7 @@ function moleCloud({ pose, before, dt }: MovingSceneState): Cloud {
 
 const RIG: Readonly<Record<string, number>> = {
   ...Object.assign({}, ...TOYS.map((_, emitter) => dustEmitter(emitter)), dustEmitter(MOLE)),
-  // An emitter that never smokes takes what is left of all births.
+  // An emitter that never emits takes the remaining share of the emission rate.
   [`emitters.${MOLE + 1}.share`]: 1,
   [`emitters.${MOLE + 1}.envelope.start`]: 3600,
   'buoyancy.acceleration': 0.16,

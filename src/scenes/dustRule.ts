@@ -1,18 +1,18 @@
-/** How much dust rises where things meet the sand: more the harder they hit and the faster they roll. */
+/** How much dust rises where objects touch the sand: more for harder impacts and faster rolling. */
 import { pow } from '../sim/exact/power.ts';
 import type { Quaternion } from '../sim/exact/rotation.ts';
 import { hypot } from '../sim/exact/sine.ts';
 import type { MovingSceneState, Placement, Rule, Vector } from './scene.ts';
 
-/** Something that falls on the sand. */
+/** An object that falls on the sand. */
 export interface Toy {
   readonly rigid: number;
-  /** Radius of a ball, half of a crate's side; metres. */
+  /** Radius of a ball, or half of a crate's side; metres. */
   readonly size: number;
   readonly isCrate: boolean;
 }
 
-/** The births of one emitter in the coming step. */
+/** The emission of one emitter in the next step. */
 export interface Cloud {
   puffs: number;
   at: Vector;
@@ -21,26 +21,29 @@ export interface Cloud {
   radius: number;
 }
 
-/** Puffs that a hit raises at 1 m/s, and the power of the speed that their number goes with. */
+/** Puffs of an impact at 1 m/s, and the exponent of the speed. */
 export const BY_HIT = 1.3;
 export const POWER = 1.5;
-/** No hit raises more puffs. */
+/** Maximum puffs per impact. */
 export const MAX_PUFFS = 32;
-/** Puffs a step that rolling at 1 m/s raises, and where it begins, m/s. */
+/** Puffs per step when rolling at 1 m/s, and the minimum rolling speed, m/s. */
 const BY_ROLLING = 0.16;
 const SLOWEST = 0.35;
-/** What comes nearer to the sand than this touches it, metres. */
+/** Distance to the sand that counts as contact, metres. */
 const TOUCH = 0.02;
 const GRAVITY = 9.81;
-/** Births a second of all emitters; each has a share of them. The rate of the preset. */
+/** Total emission rate of all emitters, puffs per second. Each emitter has a share. Equal to the preset's rate. */
 export const DUST_RATE = 5000;
 
-/** What a toy raises in the coming step. @param radius of the sand about the origin */
+/**
+ * Dust that a toy raises in the next step.
+ * @param radius of the sand about the origin
+ */
 export function cloudOf(toy: Toy, { pose, before, dt }: MovingSceneState, radius: number): Cloud {
   const [now, then] = [pose(toy.rigid), before(toy.rigid)];
   const [x, , z] = now.position;
   const low = lowest(toy, now);
-  // As fast as it will be: what falls hits the sand in the coming step.
+  // Includes the acceleration of the next step, in which the impact happens.
   const falls = (lowest(toy, then) - low) / dt + GRAVITY * dt;
   const rolls = hypot(x - then.position[0], z - then.position[2]) / dt;
   const isOver = hypot(x, z) < radius;
@@ -50,14 +53,14 @@ export function cloudOf(toy: Toy, { pose, before, dt }: MovingSceneState, radius
   return { puffs, at: [x, 0.06, z], speed: hits ? falls : 0.4 * rolls, radius: (hits ? 0.7 : 0.3) * toy.size };
 }
 
-/** Puffs of a hit at so many m/s. */
+/** Puffs of an impact at this speed, m/s. */
 export function hitPuffs(speed: number): number {
   return Math.min(BY_HIT * pow(speed, POWER), MAX_PUFFS);
 }
 
 /**
- * Sets one emitter after the other to a cloud, and the one behind the last, which never smokes, to what is left of all
- * births.
+ * Assigns the clouds to the emitters in order. The emitter after the last one never emits and takes the remaining
+ * share.
  * @param count of clouds
  */
 export function dustRule(count: number, clouds: (moment: MovingSceneState) => readonly Cloud[]): Rule {
@@ -80,19 +83,19 @@ function emitterKeys(emitter: number): string[] {
   return KEYS.map((key) => `emitters.${emitter}.${key}`);
 }
 
-/** Where it smokes does not matter while it does not. */
+/** An emitter without a share keeps its position. */
 function emitterValues(emitter: number, { at, speed, radius }: Cloud, share: number): [string, number][] {
   const values = [share, ...at, Math.min(0.3 + 0.32 * speed, 3), Math.min(0.17 + 0.03 * speed, 0.38), radius];
   const keys = emitterKeys(emitter);
   return (share > 0 ? values : [0]).map((value, index) => [keys[index], value]);
 }
 
-/** Height of its lowest point. */
+/** Height of the lowest point. */
 function lowest({ size, isCrate }: Toy, { position: [, y], rotation }: Placement): number {
   return y - size * (isCrate ? upShares(rotation) : 1);
 }
 
-/** How far the corner of a cube that points down most lies below its middle, in halves of a side. */
+/** Distance of a rotated cube's lowest corner below its centre, in half sides. */
 function upShares([x, y, z, w]: Quaternion): number {
   return Math.abs(2 * (x * y + z * w)) + Math.abs(1 - 2 * (x * x + z * z)) + Math.abs(2 * (y * z - x * w));
 }

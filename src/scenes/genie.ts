@@ -14,7 +14,7 @@ import type { Guide, Handle, SceneState, MovingPart, Scene, Vector } from './sce
 
 const GENIE = 0;
 const HAND = 0;
-/** Where the lamp stands. */
+/** Position of the lamp. */
 const LAMP: Vector = [-0.55, 0, 0];
 const RUG = 1.9;
 
@@ -25,7 +25,7 @@ const LAMP_COLORS: Record<LampRole, Color> = {
 };
 const GROWS_FROM: Record<string, string> = { curl: 'handle', spout: 'belly' };
 
-/** The middle of the chest, which people steer. */
+/** The movable rigid: the centre of the chest. */
 const HANDLE: Handle = {
   rigid: GENIE,
   radius: 0.9,
@@ -35,7 +35,7 @@ const HANDLE: Handle = {
   steers: [0, 1, 2],
 };
 
-/** A genie comes out of the lamp: his chest is smoke, his tail is smoke, and he goes wherever he is called. */
+/** A genie rises from the lamp. His chest and tail are smoke, and the user steers him. */
 export function genie(): Scene {
   const { spout } = lampModel();
   const mouth = spout.position.map((at, axis) => at + LAMP[axis]) as unknown as Vector;
@@ -59,7 +59,7 @@ export function genie(): Scene {
   };
 }
 
-/** His head alone holds smoke off: the rest of him is smoke. */
+/** Only the head is a collider: the rest of him is smoke. */
 const GENIE_RIGID: RigidDescription = {
   kind: 'kinematic',
   shape: { type: 'compound', parts: [{ shape: { type: 'ball', radius: HEAD_RADIUS + 0.06 }, position: [...HEAD] }] },
@@ -71,13 +71,13 @@ const PARTS: readonly MovingPart[] = [
   { name: 'Hand', rigid: GENIE, pose: (seconds) => placement(WAVE, [0, -0.2, -0.35 + 0.4 * sin(5.2 * seconds)]) },
 ];
 
-/** How fast he wants to cover the way to where he should be, 1/s, and the most that he hurries, m/s. */
+/** Approach rate to the target position, 1/s, and the maximum speed, m/s. */
 const EAGERNESS = 2.2;
 const TOP_SPEED = 2.4;
-/** Lean for each m/s of what he wants, rad. */
+/** Lean per m/s of target velocity, rad. */
 const LEAN = 0.22;
 
-/** Floats to where he is called, and leans into it. */
+/** Floats to the steered position and leans into the movement. */
 export const float: Guide = (moment) => {
   const { position, rotation } = moment.pose(GENIE);
   const goal = goalOf(moment);
@@ -91,7 +91,7 @@ export const float: Guide = (moment) => {
   return [{ rigid: GENIE, position: [x, y, z], rotation: slerp(rotation, lean, 1 - exp(-5 * moment.dt)) }];
 };
 
-/** The place where people want him, around which he sways. */
+/** The steered position, plus a swaying motion. */
 function goalOf({ seconds, control }: SceneState): Vector {
   const [x, y, z] = HANDLE.steers!.map((channel, axis) => {
     const [start, end] = [HANDLE.start[axis], control(channel) < 0 ? HANDLE.min[axis] : HANDLE.max[axis]];
@@ -122,7 +122,7 @@ function rug(): SurfaceDescription[] {
   ];
 }
 
-/** Smoke leaves the spout and is drawn to the genie's waist, wherever that is: his tail. */
+/** Smoke leaves the spout and is attracted to the genie's waist, wherever that is: his tail. */
 function tail(mouth: Vector, direction: Vector, radius: number): Record<string, number> {
   return {
     ...emitter(0, { shape: 1, speed: 1.1, speedVariation: 0.15, spread: 0.12, radius: 0.5 * radius }),
@@ -138,7 +138,7 @@ function tail(mouth: Vector, direction: Vector, radius: number): Record<string, 
     'attractors.0.coreRadius': 0.3,
     'attractors.0.reach': 6,
     ...vector('attractors.0.position', WAIST),
-    // The chest keeps together by itself.
+    // Limits the attraction to the space below the chest.
     'attractors.0.region.shape': 2,
     ...vector('attractors.0.region.position', [0, -2.4, 0]),
     ...vector('attractors.0.region.size', [4, 2, 4]),
@@ -152,12 +152,12 @@ const RIG: Readonly<Record<string, number>> = {
   'buoyancy.acceleration': 0,
   'gravity.acceleration': 0,
   'drag.rate': 3.4,
-  // The tail swells on its way up.
+  // The tail widens as it rises.
   'emission.entrainment': 0.12,
   ...body(1, { shape: 2, radius: 0.3, size: 0.4, share: 1.6, at: [0, 0, 0] }),
   ...body(2, { shape: 2, radius: 0.16, size: 0.34, share: 0.8, at: [0, -0.38, 0] }),
   ...body(3, { shape: 7, size: 0.24, share: 0.7, ...line(mirrored(SHOULDER), SHOULDER) }),
-  // One arm akimbo, the other one up.
+  // One arm akimbo, the other one raised.
   ...body(4, { shape: 7, size: 0.18, share: 0.5, ...line(mirrored(SHOULDER), [-0.86, -0.16, 0.12]) }),
   ...body(5, { shape: 7, size: 0.17, share: 0.4, ...line([-0.86, -0.16, 0.12], HIP) }),
   ...body(6, { shape: 7, size: 0.18, share: 0.5, ...line(SHOULDER, [0.92, 0.12, 0.1]) }),
@@ -173,7 +173,7 @@ interface Limb {
   radius?: number;
 }
 
-/** A part of him that is born anew all the time, and goes where he goes. */
+/** A part of the body: puffs with a short lifetime that move with the rigid. */
 function body(index: number, { at, extent, ...values }: Limb): Record<string, number> {
   return {
     ...emitter(index, { ...values, rigid: GENIE, inherit: 1, speed: 0, sizeVariation: 0.2 }),

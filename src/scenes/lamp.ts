@@ -19,7 +19,7 @@ const LAMP_COLORS: Record<LampRole, Color> = {
   gem: [219, 64, 92],
 };
 
-/** Parts that come out of another without a line between them. */
+/** Parts that merge into another part without an ink line between them. */
 const GROWS_FROM: Record<string, string> = { curl: 'handle', spout: 'belly' };
 
 /** The paper's Fig. 1: a magic oil lamp whose smoke rises, curls and drifts away, and a ball to stir it with. */
@@ -44,7 +44,7 @@ export function lamp(): Scene {
   };
 }
 
-/** The column stands by then: before it does, all eyes are on how it grows. */
+/** Seconds until the column has formed. The camera does not move before that. */
 const STANDS = 7;
 
 function swing(seconds: number): CameraShift {
@@ -81,7 +81,7 @@ function surfaces({ parts }: LampModel): SurfaceDescription[] {
   ];
 }
 
-/** The forces of the scene; the parameters of the table turn them up and down. */
+/** The forces of the scene, which the parameters scale. */
 function rig({ spout }: LampModel): Record<string, number> {
   return {
     'emitters.0.shape': 1,

@@ -1,4 +1,4 @@
-/** What the mole of the desert does: digs to what lies nearest, kicks it up, looks around, and digs on. */
+/** The behaviour of the mole: it digs to the nearest toy, kicks it up, looks around, and digs on. */
 import { Vector2 } from 'three';
 import { sin } from '../sim/exact/sine.ts';
 import { DESERT_RADIUS } from './models/desert.ts';
@@ -6,32 +6,32 @@ import { MOLE_HALF, MOLE_RADIUS } from './models/mole.ts';
 import { placement } from './models/place.ts';
 import type { Guide, SceneState, Placement } from './scene.ts';
 
-/** Seconds from one look out to the next, and of them digging, coming out, looking around and going down again. */
+/** Seconds per cycle, and the phases: digging, emerging, looking around, retreating. */
 const PERIOD = 3.8;
 const [DIGGING, UP, LOOKING, DOWN] = [1.8, 0.15, 1.1, 0.35];
-/** Heights of the mole's middle, metres. */
+/** Heights of the mole's centre, metres. */
 const [HIDDEN, OUT] = [-MOLE_HALF - MOLE_RADIUS - 0.05, 0.24];
 /** m/s. */
 const TOP_SPEED = 2.2;
-/** It comes up a little beyond what it kicks, so that this flies inwards. */
+/** The mole emerges slightly beyond the toy, so that the toy flies inwards. */
 const BEYOND = 0.14;
-/** What is higher than this lies on nothing that it could dig under. */
+/** A toy above this height does not lie on the sand, so the mole ignores it. */
 const LYING = 0.9;
 const FARTHEST = DESERT_RADIUS - 0.75;
 
-/** Height of the mole's middle; 0 is the sand. */
+/** Height of the mole's centre; the sand is at 0. */
 export function moleHeight(seconds: number): number {
   const since = (seconds % PERIOD) - DIGGING;
   const share = Math.min(Math.max(since / UP, 0), Math.max((UP + LOOKING + DOWN - since) / DOWN, 0), 1);
   return HIDDEN + (OUT - HIDDEN) * share * share * (3 - 2 * share);
 }
 
-/** Where it is below the sand before anything fell. */
+/** The initial pose, below the sand. */
 export const MOLE_START: Placement = placement([-1.3, HIDDEN, 0.7]);
 
 /**
- * @param mole its rigid
- * @param toys rigids that it likes to kick
+ * @param mole index of its rigid
+ * @param toys indices of the rigids that it kicks
  */
 export function moleGuide(mole: number, toys: readonly number[]): Guide {
   return (moment) => {
@@ -47,7 +47,7 @@ export function moleGuide(mole: number, toys: readonly number[]): Guide {
   };
 }
 
-/** Where the nearest toy lies; the middle where none does. */
+/** Position of the nearest toy on the sand; the centre if there is none. */
 function goal({ pose }: SceneState, from: Vector2, toys: readonly number[]): Vector2 {
   const lying = toys
     .map((toy) => pose(toy).position)

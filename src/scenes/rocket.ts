@@ -7,19 +7,22 @@ import type { Placement, Scene } from './scene.ts';
 const ROCKET = 0;
 /** Height of the pad, metres. */
 const PAD = 0.06;
-/** Seconds from one launch to the next, when the engine starts and when the rocket leaves the ground. */
+/** Seconds from one launch to the next, to engine start, and to liftoff. */
 const PERIOD = 18;
 export const IGNITION = 1;
 const LIFTOFF = 2;
-/** How long it climbs, gaining speed for the first half and losing it for the second: m/s2. It comes down the same way. */
+/**
+ * Duration of the climb, seconds, and its acceleration in the first half, m/s2. The second half decelerates equally,
+ * and the descent mirrors the climb.
+ */
 const CLIMB = 6;
 const THRUST = 1.1;
 const LANDING = PERIOD - 3;
-/** The eye goes this share of its way with it, and stands twice as far away when it is so high, metres. */
+/** The camera follows this fraction of the flight, and its distance doubles at this height, metres. */
 const FOLLOWING = 0.47;
 const FAR_UP = 8.8;
 
-/** A rocket goes up and comes down again; what its engine blows on the ground spreads in a ring. */
+/** A rocket takes off and lands again. Its exhaust spreads over the ground in a ring. */
 export function rocket(): Scene {
   return {
     name: 'rocket',
@@ -81,7 +84,7 @@ const RIG: Readonly<Record<string, number>> = {
   'colliders.0.position.y': 0.16,
   'colliders.0.restitution': 0,
   'colliders.0.friction': 0.05,
-  // The ground turns the blast aside while the rocket is near it: once when it leaves, once when it comes back.
+  // The ground deflects the exhaust while the rocket is near it: at liftoff and at landing.
   ...blast(0, IGNITION, LIFTOFF + 2.6 - IGNITION),
   ...blast(1, LANDING - 2.6, 2.6),
   'buoyancy.acceleration': 0.25,

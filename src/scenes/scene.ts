@@ -6,29 +6,29 @@ import type { RigidDescription, RigidPart } from '../sim/rigid.ts';
 
 export type Vector = readonly [x: number, y: number, z: number];
 
-/** Where a thing is and how it is turned; metres. */
+/** Position, in metres, and rotation. */
 export interface Placement {
   readonly position: Vector;
   readonly rotation: Quaternion;
 }
 
-/** Where a scene wants its camera: angles in radians, lengths in metres. */
+/** A scene's camera: angles in radians, lengths in metres. */
 export interface CameraPose {
   target: Vector;
-  /** About the vertical; 0 looks from +z, positive goes to the right (+x). */
+  /** About the vertical axis; 0 looks from +z, positive moves to the right (+x). */
   azimuth: number;
   /** Above the horizon. */
   elevation: number;
   distance: number;
   /** Vertical field of view. */
   fieldOfView: number;
-  /** However narrow the window, so much is seen from side to side. */
+  /** Minimum horizontal field of view, for narrow windows. */
   minWidth?: number;
-  /** In the place of the distance: a metre is so many CSS pixels, so that smoke is as large in small pictures as in large. */
+  /** Replaces the distance: CSS pixels per metre, so that the smoke has the same size in pictures of any size. */
   pixelsPerMetre?: number;
 }
 
-/** What a moving camera adds to its pose: radians, and metres for the target. */
+/** Offset of a moving camera from its pose: radians, and metres for the target. */
 export interface CameraShift {
   target?: Vector;
   azimuth?: number;
@@ -37,106 +37,108 @@ export interface CameraShift {
   distance?: number;
 }
 
-/** A camera that moves by itself until somebody takes it, by simulated seconds alone: a moment has one picture. */
+/**
+ * A camera movement, until the user moves the camera. A pure function of simulated time, so that seeking reproduces
+ * each picture.
+ */
 export type CameraMove = (seconds: number) => CameraShift;
 
-/** What a moving light adds to its angles, degrees. */
+/** Offset of a moving light's angles, degrees. */
 export interface LightShift {
   azimuth: number;
   elevation: number;
 }
 
-/** A light that moves by itself, by simulated seconds alone; what people choose is where it would stand without. */
+/** A light movement, a pure function of simulated time. It is added to the light that the user sets. */
 export type LightMove = (seconds: number) => LightShift;
 
-/** A rigid that people can move, and the box that its centre stays in, metres. */
+/** A rigid that the user can move, and the box that limits its centre, metres. */
 export interface Handle {
   rigid: number;
-  /** Of the ball around its centre in which a pointer grabs it. */
+  /** Radius of the sphere around the centre in which a pointer grabs the rigid. */
   radius: number;
   start: Vector;
   min: Vector;
   max: Vector;
   /**
-   * Without it a spring draws the rigid. With it people only say where it should go, and the scene's guide takes it
-   * there: these channels hold the place in the box along x, y and z, -1 to 1 from `min` to `max`.
+   * Without this, a spring pulls the rigid to its target. With it, the user only sets the target, and the scene's guide
+   * moves the rigid. These channels hold the target's position in the box along x, y and z: -1 at `min`, 1 at `max`.
    */
   steers?: readonly [x: number, y: number, z: number];
 }
 
-/** What a guide knows of the step that comes. All of it is in saved states, so that seeking and takes stay exact. */
+/** A guide's input for the next step. All of it is part of saved states, so that seeking and takes are exact. */
 export interface SceneState {
-  /** Simulated time at the end of the coming step, seconds. */
+  /** Simulated time at the end of the next step, seconds. */
   readonly seconds: number;
-  /** Length of a step, seconds. */
+  /** Duration of a step, seconds. */
   readonly dt: number;
-  /** What a channel was steered to, -1 to 1; 0 until somebody steers. */
+  /** Value of a steering channel, -1 to 1; 0 until the user steers. */
   readonly control: (channel: number) => number;
-  /** Where a rigid is before the step. */
+  /** Pose of a rigid before the step. */
   readonly pose: (rigid: number) => Placement;
 }
 
-/** The same, and what rules need besides. */
+/** A rule's input for the next step. */
 export interface MovingSceneState extends SceneState {
-  /** Where a rigid was one step earlier. */
+  /** Pose of a rigid one step earlier. */
   readonly before: (rigid: number) => Placement;
 }
 
 /**
- * Leads rigids, step by step: returns where kinematic ones shall be at the end of the coming step, and where dynamic
- * ones shall begin it, at rest. It keeps nothing itself; what must last from step to step is in the poses that it reads
- * back.
+ * Moves rigids step by step. Returns the poses of kinematic rigids at the end of the next step, and the poses in which
+ * dynamic rigids start it, at rest. A guide must be stateless: anything that persists between steps is in the poses
+ * that it reads.
  */
 export type Guide = (moment: SceneState) => readonly (Placement & { readonly rigid: number })[];
 
-/** Simulator values that follow from what the rigids do. No take and no link holds them: they are set again. */
+/** Simulator values derived from the rigids. Takes and links do not contain them, because the rule sets them again. */
 export interface Rule {
-  /** Of all values that it ever sets. */
+  /** All keys that the rule ever sets. */
   readonly keys: readonly string[];
-  /** What to set before the coming step, by flat key. As a guide it keeps nothing itself. */
+  /** Values to set before the next step, by flat key. Stateless, like a guide. */
   readonly values: (moment: MovingSceneState) => Readonly<Record<string, number>>;
 }
 
-/**
- * Something that moves and that no smoke bumps into, such as a wheel: drawn where its pose says. Emitters and forces can
- * ride on it.
- */
+/** A moving part without collisions, such as a wheel. Emitters and forces can be attached to it. */
 export interface MovingPart {
-  /** What people call it. */
+  /** Display name. */
   readonly name: string;
-  /** Number of the rigid that carries it, in whose space the pose is meant; the world's where absent. */
+  /** Index of the rigid that carries the part; the pose is in that rigid's local space. Default: world space. */
   readonly rigid?: number;
-  /** By simulated seconds alone; asked at moments between two steps, too. Less than half a turn in a step. */
+  /**
+   * A pure function of simulated time, also evaluated between steps. Must turn less than half a revolution per step.
+   */
   readonly pose: (seconds: number) => Placement;
 }
 
-/** What a stage needs to set up: plain data, which stages share and none changes. */
+/** The definition of a scene: immutable plain data, shared between stages. */
 export interface Scene {
   name: string;
-  /** Simulator values by flat key: the emitters and forces that the parameters then turn up and down. */
+  /** Simulator values by flat key: the scene's emitters and forces, which the parameters scale. */
   rig: Readonly<Record<string, number>>;
-  /** In the order of their numbers. A scene without rigids never loads the physics. */
+  /** In index order. A scene without rigids does not load the physics engine. */
   rigids: readonly RigidDescription[];
-  /** What people call them, by their number: emitters and forces can ride on any of them. */
+  /** Display names by index. Emitters and forces can be attached to any rigid. */
   rigidNames: readonly string[];
   guide?: Guide;
   rule?: Rule;
   surfaces: readonly SurfaceDescription[];
-  /** In the order of the numbers by which surfaces name them, 64 at most. */
+  /** In index order, as referenced by surfaces; at most 64. */
   parts?: readonly MovingPart[];
-  /** Meshes that emitters smoke from, in the order of their numbers; none of them is drawn. */
+  /** Meshes that emitters use as their source, in index order. They are not drawn. */
   emissionSurfaces?: readonly Pick<TriangleMesh, 'positions' | 'indices'>[];
   handle?: Handle;
-  /** Rigids that people can drop into it; where absent, those that `drops.ts` brings along. */
+  /** Rigids that the user can drop into the scene. Default: the objects of `drops.ts`. */
   drops?: readonly number[];
-  /** What dropped things fall on besides the rigids of the scene. */
+  /** Colliders for dropped objects, in addition to the scene's rigids. */
   ground?: readonly RigidPart[];
   camera: CameraPose;
-  /** What differs in a picture that is higher than wide. */
+  /** Overrides for portrait pictures. */
   portrait?: Partial<CameraPose>;
   cameraMove?: CameraMove;
   lightMove?: LightMove;
-  /** What the light's angles and distance are measured from; what the camera looks at where absent. */
+  /** Origin of the light's angles and distance. Default: the camera target. */
   lightCentre?: Vector;
   backdrop?: { top: Color; bottom: Color };
 }

@@ -1,14 +1,14 @@
 import { ParameterError } from '../preset/errors.ts';
 import type { Scene } from './scene.ts';
 
-/** A scene before its code has come: each is a download of its own. */
+/** A scene whose code is loaded on demand: each is a separate chunk. */
 export interface SceneEntry {
-  /** Whether it needs the simulator with physics, so that both can come at once. */
+  /** Whether the scene needs the simulator with physics, so that both can load in parallel. */
   readonly hasRigids: boolean;
   readonly load: () => Promise<Scene>;
 }
 
-/** Every scene by its name, in the order in which people see them. */
+/** All scenes by name, in display order. */
 export const sceneEntries: Readonly<Record<string, SceneEntry>> = {
   lamp: { hasRigids: true, load: async () => (await import('./lamp.ts')).lamp() },
   airplane: { hasRigids: true, load: async () => (await import('./airplane.ts')).airplane() },
@@ -22,7 +22,7 @@ export const sceneEntries: Readonly<Record<string, SceneEntry>> = {
   air: { hasRigids: false, load: async () => (await import('./air.ts')).air() },
 };
 
-/** @throws ParameterError when there is no scene of that name */
+/** @throws ParameterError for an unknown scene */
 export function sceneNamed(name: string): SceneEntry {
   if (!Object.hasOwn(sceneEntries, name)) {
     throw new ParameterError('scene', name, Object.keys(sceneEntries).join(', '));

@@ -8,20 +8,20 @@ import type { MovingPart, Placement, Scene } from './scene.ts';
 import type { TriangleMesh } from '../passes/extrusion.ts';
 
 const LOCOMOTIVE = 0;
-/** Of the circle that the track runs in, and the height of the rails; metres. */
+/** Radius of the circular track, and height of the rails; metres. */
 const TRACK = 2.35;
 const RAIL = 0.13;
 /** m/s. */
 export const SPEED = 1.3;
-/** Both ends of the piston's way let steam out. */
+/** The cylinder exhausts steam at both ends of the piston stroke. */
 const CHUFFS_A_REVOLUTION = 2;
-/** Seconds from one puff to the next. */
+/** Seconds between puffs. */
 export const CHUFF = (2 * Math.PI * WHEEL_RADIUS) / SPEED / CHUFFS_A_REVOLUTION;
 
-/** Numbers of the parts. */
+/** Indices of the parts. */
 const [FIRST_AXLE, RIGHT_ROD, LEFT_ROD, TENDER, YELLOW, BLUE] = [0, 3, 4, 5, 6, 7];
 
-/** A toy train goes round and round; its puffs keep time with its wheels. */
+/** A toy train on a circular track. Its puffs are synchronized with its wheels. */
 export function train(): Scene {
   return {
     name: 'train',
@@ -53,13 +53,13 @@ export function train(): Scene {
   };
 }
 
-/** The place on the track after so many seconds, so many metres behind the locomotive. */
+/** Pose on the track at a time, this many metres behind the locomotive. */
 function onTrack(seconds: number, behind: number): Placement {
   const angle = Math.PI * 0.98 - (SPEED * seconds - behind) / TRACK;
   return placement([TRACK * cos(angle), RAIL, TRACK * sin(angle)], [0, Math.PI / 2 - angle, 0]);
 }
 
-/** How far the driving wheels have turned, radians; forwards is negative about their axle, which looks to the right. */
+/** Rotation of the driving wheels, radians. Forwards is negative, because the axle axis points to the right. */
 function wheelAngle(seconds: number): number {
   return (-SPEED * seconds) / WHEEL_RADIUS;
 }
@@ -73,7 +73,7 @@ function axle(index: number, name: string): MovingPart {
   };
 }
 
-/** A rod stays level while the cranks carry it round; the left ones are a quarter ahead, so that it never sticks. */
+/** A rod stays horizontal while the cranks turn. The left side leads by a quarter turn, to avoid a dead point. */
 function rod(lead: number, name: string): MovingPart {
   const place = (angle: number) => placement([CRANK * cos(angle), CRANK * sin(angle), 0]);
   return { name, rigid: LOCOMOTIVE, pose: (seconds) => place(wheelAngle(seconds) + lead) };
@@ -141,7 +141,7 @@ const RIG: Readonly<Record<string, number>> = {
   'emitters.0.share': 4,
   'emitters.0.envelope.duration': 0.34 * CHUFF,
   'emitters.0.envelope.period': CHUFF,
-  // A little steam low down, to both sides.
+  // Some steam near the ground, to both sides.
   'emitters.1.shape': 7,
   'emitters.1.rigid': LOCOMOTIVE,
   'emitters.1.position.x': CYLINDER[0],
@@ -165,8 +165,8 @@ const RIG: Readonly<Record<string, number>> = {
 };
 
 /**
- * A flat ring about the vertical with a square section, closed, with sharp edges.
- * @param inner, outer radii; metres, as are the heights of its lower and its upper face
+ * A closed ring with a square section about the vertical axis, with sharp edges.
+ * @param inner, outer radii in metres; `bottom` and `top` are heights in metres
  */
 function ringMesh(inner: number, outer: number, bottom: number, top: number, segments = 96): TriangleMesh {
   const positions: number[] = [];

@@ -2,7 +2,7 @@ import { sin } from '../sim/exact/sine.ts';
 import { TEA_LEVEL, TEA_RADIUS, teacup } from './models/teacup.ts';
 import type { Scene } from './scene.ts';
 
-/** Steam from a smiling cup of tea: the smallest scene, without rigids, for widgets. */
+/** Steam from a smiling cup of tea. The smallest scene: without rigids, for widgets. */
 export function wisp(): Scene {
   return {
     name: 'wisp',
@@ -17,7 +17,7 @@ export function wisp(): Scene {
   };
 }
 
-/** Warm steam leaves all over the tea, slowly, and turns about itself on its way up. */
+/** Warm steam leaves the whole surface of the tea slowly and swirls as it rises. */
 const RIG: Readonly<Record<string, number>> = {
   'emitters.0.shape': 1,
   'emitters.0.position.y': TEA_LEVEL + 0.05,

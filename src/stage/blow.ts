@@ -1,28 +1,28 @@
 import { MathUtils, Vector3, type PerspectiveCamera } from 'three';
 import type { Blow } from '../sim/input.ts';
 
-/** Somebody blows at a place of the picture, or sweeps across it; lengths in CSS pixels, y down. */
+/** A blow at a position in the picture, or a sweep across it. Lengths are in CSS pixels, y points down. */
 export interface BlowInput {
   x: number;
   y: number;
-  /** How far the pointer moved since the last blow, a sixtieth of a second before; 0 blows away from the eye. */
+  /** Pointer movement since the last blow, 1/60 s earlier; 0 blows away from the camera. */
   dx?: number;
   dy?: number;
-  /** How far from the pointer the air moves; 56 when left out. */
+  /** Radius of the gust around the pointer. Default: 56. */
   radius?: number;
-  /** How long the gust lasts, 1/60 to 10 s; 0.4 when left out. */
+  /** Duration of the gust, 1/60 to 10 s. Default: 0.4. */
   seconds?: number;
 }
 
 const RADIUS = 56;
 const SECONDS = 0.4;
 const STEPS_A_SECOND = 60;
-/** Metres a second: of a blow that goes straight on, and the most that a sweep can give. */
+/** Metres per second: the speed of a blow without a sweep, and the maximum speed of a sweep. */
 const STRAIGHT_SPEED = 2.5;
 const TOP_SPEED = 8;
 
 /**
- * @param distance from the eye to what the camera looks at, metres: there a pixel is worth what the gust takes it for
+ * @param distance from the camera to its target, metres; pixels are converted to metres at this distance
  * @param width, height of the picture in CSS pixels
  */
 export function blowOf(

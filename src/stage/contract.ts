@@ -5,49 +5,54 @@ import type { Values } from '../preset/parameter.ts';
 import type { LoadProgress } from '../sim/load.ts';
 
 export interface StageOptions extends DeviceOptions {
-  /** Flat values that differ from the defaults of the table. */
+  /** Flat values that differ from the parameter defaults. */
   values?: Values;
-  /** A device to share; without it the stage takes a WebGL2 context of its own on the canvas. */
+  /** A shared device. Default: the stage creates its own WebGL2 context on the canvas. */
   device?: Device;
-  /** Size of the canvas in CSS pixels and how many pixels make one; the canvas's own size where absent. */
+  /**
+   * Size of the canvas in CSS pixels, and device pixels per CSS pixel. Default: the canvas's own size, and a ratio of
+   * 1.
+   */
   width?: number;
   height?: number;
   pixelRatio?: number;
   /**
-   * Share of the pixel ratio that is drawn, 0.25 to 1, or 'auto': fewer pixels while playing where frames come late.
-   * Always 1 when left out. A picture() is drawn with all pixels.
+   * Fraction of the pixel ratio to draw with, 0.25 to 1, or 'auto' to draw fewer pixels while playing when frames
+   * arrive late. Default: 1. `picture()` always uses 1.
    */
   quality?: Quality;
-  /** Most frames a second while playing; as many as the screen shows when left out. */
+  /** Maximum frames per second while playing. Default: the display's refresh rate. */
   frameRate?: number;
-  /** Whether anybody can see the canvas, see `Stage.visible`; true when left out. */
+  /** Whether the canvas is visible to the user, see `Stage.visible`. Default: true. */
   visible?: boolean;
-  /** What is shown instead of the picture, to see what the passes work with. */
+  /** A debug view to show instead of the picture: the data of a render pass. */
   view?: DebugView;
-  /** Whether pictures show what lies behind everything; true when left out. Without it they are transparent there. */
+  /** Whether to draw the background. Default: true. Without it, pictures are transparent there. */
   background?: boolean;
-  /** Most bytes of states that are kept so that seeking backwards is quick, one a second; 64 MiB when left out. */
+  /**
+   * Memory budget in bytes for saved states, which make seeking backwards fast; one state per second. Default: 64 MiB.
+   */
   historyBytes?: number;
-  /** Called with how much of what must be fetched has come. */
+  /** Called with the download progress. */
   onProgress?: (progress: LoadProgress) => void;
-  /** Called after each step of the simulator, also amid many that were asked for at once. */
+  /** Called after each simulator step, including each step of a batch. */
   onStep?: () => void;
-  /** What goes wrong in the start, to try how an application copes. What is built does not heed it. */
+  /** A fault to inject at startup, for testing error handling. Ignored in production builds. */
   fault?: Fault;
 }
 
-/** What a stage is doing; figures of the latest frame. */
+/** Statistics of the latest frame. */
 export interface StageStats {
   /** Simulated seconds. */
   time: number;
   steps: number;
   alive: number;
-  /** Particles that wait for room to be born. */
+  /** Particles that cannot be emitted until others die. */
   waiting: number;
-  /** What people did since the take began, and whether it was more than a take has room for. */
+  /** Number of inputs since the take started, and whether they exceed what a take can record. */
   inputs: number;
   isTruncated: boolean;
-  /** Bytes of the states that are kept for going back. */
+  /** Bytes of the states saved for seeking backwards. */
   historyBytes: number;
   bodiesDrawn: number;
   castersDrawn: number;
@@ -57,25 +62,28 @@ export interface StageStats {
   arrangeMs: number;
   renderMs: number;
   drawCalls: number;
-  /** False where the GPU does not keep the depth that fragments write: puffs are flat there and meet in straight lines. */
+  /**
+   * False where the GPU does not store the depth that fragments write. Puffs are then flat and intersect in straight
+   * lines.
+   */
   writesDepth: boolean;
-  /** Share of the pixel ratio that the latest frame was drawn with. */
+  /** Fraction of the pixel ratio that the latest frame was drawn with. */
   scale: number;
 }
 
 export interface EnterOptions {
-  /** Called with how much of what must be fetched has come. */
+  /** Called with the download progress. */
   onProgress?: (progress: LoadProgress) => void;
 }
 
 export interface SeekOptions {
-  /** Called with how far the seek has come, 0 to 1. */
+  /** Called with the fraction of the seek that is done, 0 to 1. */
   onProgress?: (share: number) => void;
-  /** Aborting stops the seek where it is; the promise then rejects with the signal's reason. */
+  /** Aborts the seek at the step it has reached. The promise then rejects with the signal's reason. */
   signal?: AbortSignal;
 }
 
-/** A pointer as plain data, in CSS pixels from the top left of the canvas. */
+/** A pointer event as plain data, in CSS pixels from the top left of the canvas. */
 export interface PointerInput {
   type: 'down' | 'move' | 'up' | 'cancel';
   id: number;
@@ -84,9 +92,9 @@ export interface PointerInput {
 }
 
 export interface StageEvents {
-  /** Playing began or ended, or values or the view changed. */
+  /** Playback started or stopped, or values or the view changed. */
   statechange: { playing: boolean };
-  /** Something stopped the stage; it says what. A LoadError stops nothing: what could not be had is left out. */
+  /** An error stopped the stage. A LoadError does not stop it: the stage continues without the missing code. */
   error: Error;
   /** A frame was drawn. */
   frame: StageStats;

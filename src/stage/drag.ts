@@ -1,21 +1,26 @@
 import { Box3, Plane, Ray, Sphere, Vector3, type Camera, type Matrix4, type Vector2 } from 'three';
 import type { Handle } from '../scenes/scene.ts';
 
-/** Fingers are wider than mice: a grab this many radii from the centre still counts. */
+/** A pointer within this many radii of the centre grabs the rigid: fingers are less precise than mice. */
 const GRAB_RADII = 1.3;
-/** Takes keep places in whole millimetres. A point taken so from the start cannot draw the centre out of its box. */
+/**
+ * Takes store positions in whole millimetres. Rounding the anchor when it is grabbed keeps the centre inside its box.
+ */
 const PARTS_A_METRE = 1000;
 
-/** Where people want one rigid, by pointers or by steps; everything comes in as numbers, nothing reads the page. */
+/**
+ * The target of a draggable rigid, moved by pointers or by steps. Inputs are plain numbers, so it does not access the
+ * DOM.
+ */
 export class Drag {
-  /** Where the centre shall be, within the handle's box. */
+  /** Target position of the centre, within the handle's box. */
   readonly target: Vector3;
-  /** The point by which the rigid is held, in its own space. */
+  /** The grabbed point, in the rigid's local space. */
   readonly anchor = new Vector3();
   private readonly handle: Handle;
   private readonly box: Box3;
   private readonly plane = new Plane();
-  /** From the centre to the anchor, world space. */
+  /** From the centre to the anchor, in world space. */
   private readonly arm = new Vector3();
   private readonly ray = new Ray();
   private pointer: number | undefined;
@@ -26,20 +31,19 @@ export class Drag {
     this.box = new Box3(new Vector3(...handle.min), new Vector3(...handle.max));
   }
 
-  /** Whether a pointer holds it. */
   get isHeld(): boolean {
     return this.pointer !== undefined;
   }
 
-  /** Where the anchor shall be, world space. */
+  /** Target position of the anchor, in world space. */
   get grip(): Vector3 {
     return this.arm.clone().add(this.target);
   }
 
   /**
    * Grabs the rigid where the pointer hits it, if it is under the pointer.
-   * @param at normalised device coordinates, -1 to 1, y up
-   * @param transform of the rigid as it is drawn
+   * @param at normalized device coordinates, -1 to 1, y up
+   * @param transform of the rigid as drawn
    */
   grab(pointer: number, at: Vector2, camera: Camera, transform: Matrix4): boolean {
     this.aim(at, camera);
@@ -54,7 +58,9 @@ export class Drag {
     return true;
   }
 
-  /** Follows the pointer that grabbed, in the plane of the picture through the point where it did. */
+  /**
+   * Follows the pointer that grabbed the rigid, in the plane through the grabbed point that is parallel to the picture.
+   */
   follow(pointer: number, at: Vector2, camera: Camera): boolean {
     if (pointer !== this.pointer) return false;
     this.aim(at, camera);
@@ -63,14 +69,17 @@ export class Drag {
     return true;
   }
 
-  /** The pointer lets go; whether it was the one that had grabbed. */
+  /**
+   * Releases the rigid.
+   * @returns false if another pointer holds it
+   */
   release(pointer: number): boolean {
     if (pointer !== this.pointer) return false;
     this.pointer = undefined;
     return true;
   }
 
-  /** Steps by metres, as arrow keys do. */
+  /** Moves the target by metres, as the arrow keys do. */
   nudge(by: Vector3): void {
     this.moveTo(by.add(this.target));
   }
@@ -79,7 +88,7 @@ export class Drag {
     this.box.clampPoint(place, this.target);
   }
 
-  /** Where the ray meets the rigid, or passes nearest to its centre when it misses it. */
+  /** The intersection of the ray with the rigid, or the point of the ray nearest to its centre if it misses. */
   private hitOf(centre: Vector3): Vector3 {
     const hit = new Vector3();
     return (

@@ -2,18 +2,24 @@ import { Quaternion, Vector3, type Matrix4 } from 'three';
 import type { Scene } from '../scenes/scene.ts';
 import { POSE_FLOATS } from '../sim/rows.ts';
 
-/** How things are turned when they begin to fall: a quaternion that shows a crate's face from above its edge. */
+/** Initial rotation of dropped objects, a quaternion: it shows a crate's face from above its edge. */
 export const TUMBLED = [0.18, -0.16, 0.24, 0.94] as const;
 
-/** The ground of scenes that have one lies at about 0, metres; what is lower than the cellar carries what waits. */
+/**
+ * Objects start at least this high, metres; the ground is at a height of about 0. A fixed rigid below CELLAR is not
+ * ground: it holds the objects that are not in use.
+ */
 const MIN_HEIGHT = 0.7;
 const CELLAR = -100;
 const UNSCALED = new Vector3(1, 1, 1);
 
-/** What people drop into a scene: which thing is next, and where it is shown until the coming step lets it fall. */
+/**
+ * Objects that the user drops into a scene. Selects the next one and draws it at its start position until the next
+ * step.
+ */
 export class Dropped {
   private readonly rigids: readonly number[];
-  /** Nothing begins to fall lower, metres. */
+  /** Lowest start height, metres. */
   private readonly least: number;
   private readonly places = new Map<number, Vector3>();
   private readonly rotation = new Quaternion(...TUMBLED).normalize();
@@ -28,15 +34,15 @@ export class Dropped {
     return this.rigids.length;
   }
 
-  /** The place, or one above the ground where it is meant to fall on one. */
+  /** The position, raised above the ground if the scene has one. */
   above(place: Vector3): Vector3 {
     return place.clone().setY(Math.max(place.y, this.least));
   }
 
   /**
-   * The thing that is farthest from a place; undefined where there is none.
+   * The object farthest from a position; undefined if there is none.
    * @param poses of all rigids
-   * @param held one that is not free
+   * @param held a rigid that must not be used
    */
   next(place: Vector3, poses: Float32Array, held?: number): number | undefined {
     const placeOf = (rigid: number) => this.places.get(rigid) ?? new Vector3().fromArray(poses, POSE_FLOATS * rigid);
@@ -48,12 +54,12 @@ export class Dropped {
     this.places.set(rigid, place);
   }
 
-  /** Writes the world transforms of what has been put somewhere and does not fall yet. */
+  /** Writes the world transforms of the objects that have a start position and do not fall yet. */
   show(matrices: readonly Matrix4[]): void {
     for (const [rigid, place] of this.places) matrices[rigid].compose(place, this.rotation, UNSCALED);
   }
 
-  /** All of it falls now, or never was. */
+  /** Forgets the start positions: the objects fall now, or the simulation was reset. */
   clear(): void {
     this.places.clear();
   }

@@ -1,23 +1,23 @@
 import { Clock } from '../sim/clock.ts';
 import { Governor } from './governor.ts';
 
-/** A frame of a capped loop may come so much earlier than it is due: screens do not keep time to the millisecond. */
+/** With a frame rate limit, a frame may be this much early: display timing is not exact to the millisecond. */
 const EARLY_MS = 4;
 
-/** What a loop calls on. */
+/** Callbacks of a frame loop. */
 export interface FrameTasks {
-  /** Whether frames before are still being drawn, so that the next one had better come later. */
+  /** Whether earlier frames are still being drawn, so that the next frame is skipped. */
   readonly isBehind: boolean;
-  /** Takes so many steps, often 0, and shows what is then. */
+  /** Takes this many steps (often 0) and draws the result. */
   frame(steps: number): void;
-  /** A frame has failed, and the loop has stopped. */
+  /** Called when a frame throws; the loop is stopped. */
   fail(error: Error): void;
 }
 
-/** Plays: with each picture that the screen shows come the steps for the time that has passed. */
+/** Plays the simulation: each display frame takes the steps for the elapsed time. */
 export class FrameLoop {
   readonly clock = new Clock();
-  /** Whether frames are left out, as while a seek goes its way. */
+  /** Whether frames are skipped, for example during a seek. */
   isHeld = false;
   private readonly tasks: FrameTasks;
   private readonly governor: Governor;
@@ -27,7 +27,7 @@ export class FrameLoop {
   private isRunning = false;
   private hasViewers = true;
 
-  /** @param frameRate most frames a second; as many as the screen shows when left out */
+  /** @param frameRate maximum frames per second. Default: the display's refresh rate */
   constructor(tasks: FrameTasks, frameRate = Infinity) {
     this.tasks = tasks;
     this.intervalMs = 1000 / frameRate;
@@ -38,7 +38,10 @@ export class FrameLoop {
     return this.isRunning;
   }
 
-  /** Whether anybody can see the frames. While nobody can, none come and no time passes, though it goes on playing. */
+  /**
+   * Whether the canvas is visible. While it is not, no frames are requested and no time passes, but `isPlaying` stays
+   * true.
+   */
   get isSeen(): boolean {
     return this.hasViewers;
   }
@@ -51,12 +54,15 @@ export class FrameLoop {
     else this.end();
   }
 
-  /** Share of the pixel ratio that frames come in time with. Where pictures must come again the same, it is 1. */
+  /**
+   * Fraction of the pixel ratio at which frames keep their budget; 1 when not playing or while held, so that pictures
+   * are reproducible.
+   */
   get scale(): number {
     return this.isRunning && !this.isHeld ? this.governor.scale : 1;
   }
 
-  /** Whether that changed something; likewise below. */
+  /** @returns whether the state changed, as `stop` does */
   play(): boolean {
     if (this.isRunning) return false;
     this.isRunning = true;
@@ -71,7 +77,7 @@ export class FrameLoop {
     return true;
   }
 
-  /** What passes until the next frames means nothing: pictures have another size now. */
+  /** Resets the governor's measurement after the picture size changes. */
   restGovernor(): void {
     this.governor.rest();
   }
@@ -101,7 +107,8 @@ export class FrameLoop {
     this.governor.tick(now);
     const isFirst = this.clock.isResting;
     const steps = this.clock.tick(now);
-    // No time has passed since playing began: what is shown is right, and drawing it again would hold the next picture up.
+    // No time has passed since playback started. The picture is up to date, and drawing it again would delay the next
+    // one.
     if (isFirst && steps === 0) return;
     try {
       this.tasks.frame(steps);
@@ -112,11 +119,11 @@ export class FrameLoop {
   };
 }
 
-/** The screen's next frame, on pages and in workers. */
+/** Display frames, on pages and in workers. */
 
 const INTERVAL_MS = 1000 / 60;
 
-/** Some browsers give workers a canvas but no frames; a timer stands in for them. */
+/** Some browsers support OffscreenCanvas in workers without requestAnimationFrame; use a timer there. */
 function requestFrame(callback: (now: number) => void): number {
   if ('requestAnimationFrame' in globalThis) return requestAnimationFrame(callback);
   const now = performance.now();

@@ -4,7 +4,7 @@ import type { PointerInput } from './contract.ts';
 import type { Picture } from './picture.ts';
 import type { Simulation } from './simulation.ts';
 
-/** What people do to smoke by pointing at its picture: they move its rigid and blow. */
+/** Applies pointer gestures to the simulation: dragging a rigid, blowing and dropping objects. */
 export class Gestures {
   private readonly simulation: Simulation;
   private readonly picture: Picture;
@@ -16,8 +16,8 @@ export class Gestures {
   }
 
   /**
-   * Takes a pointer. Returns 'rigid' while it moves a rigid.
-   * @param onMove called when the rigid has been asked to go elsewhere
+   * Handles a pointer event. Returns 'rigid' while it drags a rigid.
+   * @param onMove called when the target of the rigid changes
    */
   pointer({ type, id, x, y }: PointerInput, onMove: () => void): 'rigid' | null {
     const { drag } = this.simulation;
@@ -36,7 +36,10 @@ export class Gestures {
     return 'rigid';
   }
 
-  /** Moves the place to which a spring draws the movable rigid, by metres; whether there is one. */
+  /**
+   * Moves the target of the movable rigid, in metres. A spring pulls the rigid there.
+   * @returns whether the scene has a movable rigid
+   */
   nudge(dx: number, dy: number, dz: number): boolean {
     const { drag } = this.simulation;
     if (!drag) return false;
@@ -46,7 +49,7 @@ export class Gestures {
     return true;
   }
 
-  /** @throws ParameterError naming what is out of range */
+  /** @throws ParameterError naming the value that is out of range */
   blow(input: BlowInput): void {
     if (!this.picture.isVisible) return;
     const { camera, distance } = this.picture.eye;
@@ -54,7 +57,10 @@ export class Gestures {
     this.simulation.input((simulator) => simulator.inputBlow(blow));
   }
 
-  /** Lets a thing fall from a place of the picture, CSS pixels; whether there was one. */
+  /**
+   * Drops an object at a position in the picture, in CSS pixels.
+   * @returns false if the scene has no objects to drop
+   */
   drop(x: number, y: number): boolean {
     if (this.simulation.dropCount === 0 || !this.picture.isVisible) return false;
     const { camera, centre } = this.picture.eye;
@@ -62,17 +68,19 @@ export class Gestures {
     return true;
   }
 
-  /** From now on the rigid is shown where it was put, though the spring will bring it there only in the next steps. */
+  /** Draws the rigid at its target from now on, although the spring moves it there only in the next steps. */
   showMoved(): void {
     this.movedWhilePaused = true;
   }
 
-  /** Steps have been taken or gone back on: the rigid is shown where it is. */
+  /** Draws the rigid at its simulated position again, after steps or a seek. */
   settle(): void {
     this.movedWhilePaused = false;
   }
 
-  /** World transforms of the rigids as they are shown, by their number, between the previous step (0) and now (1). */
+  /**
+   * World transforms of the rigids as drawn, by index, interpolated between the previous step (0) and the latest (1).
+   */
   rigids(blend: number): readonly Matrix4[] {
     const { simulation } = this;
     const rigids = simulation.rigids(blend);
@@ -81,7 +89,9 @@ export class Gestures {
   }
 }
 
-/** Where the ray through a place of the picture meets the plane through a point that faces the eye. */
+/**
+ * The intersection of the ray through a position in the picture with the plane through a point that faces the camera.
+ */
 function placeBefore(at: Vector2, camera: Camera, point: Vector3): Vector3 {
   const eye = new Vector3().setFromMatrixPosition(camera.matrixWorld);
   const ray = new Ray(eye, new Vector3(at.x, at.y, 0.5).unproject(camera).sub(eye).normalize());

@@ -1,29 +1,29 @@
-/** Shares of the pixel ratio that the governor chooses among; each step leaves out about a third of the pixels. */
+/** Fractions of the pixel ratio that the governor selects from. Each step draws about a third fewer pixels. */
 export const SCALES: readonly number[] = [1, 0.84, 0.71, 0.59, 0.5];
 
-/** Milliseconds between frames that are still smooth: those of a 50 Hz screen, and some slack. */
+/** Milliseconds between frames that still look smooth: the interval of a 50 Hz display, plus some slack. */
 const BUDGET_MS = 22;
-/** Slack of frames that are meant to come more rarely. */
+/** Slack for a limited frame rate. */
 const SLACK = 1.3;
-// Programs are compiled and buffers are made in the first frames.
+// The first frames compile shader programs and create buffers.
 const WARM_UP_FRAMES = 12;
-// A window ends when it is long enough and holds enough frames for its median to ignore a pause or two.
+// A window has a minimum duration, and enough frames for its median to ignore one or two pauses.
 const WINDOW_MS = 500;
 const WINDOW_FRAMES = 8;
-/** So many slow windows one after the other are no passing load. */
+/** Consecutive slow windows before the scale drops, so that a short load spike has no effect. */
 const SLOW_WINDOWS = 2;
-/** Calm milliseconds after which more pixels are tried. Each attempt that fails doubles the wait for the next. */
+/** Milliseconds without a slow window before the scale is raised. Each failed attempt doubles the delay. */
 const RETRY_DELAY_MS = 4_000;
 const MAX_RETRY_DELAY_MS = 120_000;
-/** Where a quarter of the pixels takes more than this share of the time, pixels are not what takes it. */
+/** If a quarter of the pixels takes more than this fraction of the time, the pixel count is not the bottleneck. */
 const FUTILE = 0.9;
 const FUTILE_REST_MS = 300_000;
 
 /**
- * Holds a budget of time for each frame by drawing fewer pixels, never less smoke. It looks at the median time between
- * frames over half a second: one long frame, as of a garbage collection, means nothing. Down it goes after two slow
- * windows in a row, up one step at a time and ever more rarely where that has failed. Where fewer pixels do not help,
- * as with a slow processor or a screen of 30 Hz, it gives all pixels back.
+ * Adaptive resolution: keeps a time budget per frame by drawing fewer pixels, never fewer particles. It measures the
+ * median time between frames over half a second, so one long frame (such as a garbage collection) has no effect. The
+ * scale drops after two slow windows in a row and rises one step at a time; the delay doubles after each failed
+ * attempt. If fewer pixels do not help, as with a slow CPU or a 30 Hz display, it returns to full scale.
  */
 export class Governor {
   private readonly budgetMs: number;
@@ -36,21 +36,24 @@ export class Governor {
   private calmMs = 0;
   private retryDelayMs = RETRY_DELAY_MS;
   private hasClimbed = false;
-  /** Median of the frames that the way down from full scale began with. */
+  /** Median frame time when the scale was last lowered from 1. */
   private fullScaleMs = 0;
   private restMs = 0;
 
-  /** @param intervalMs shortest time between frames, where somebody wants fewer than the screen shows */
+  /** @param intervalMs minimum time between frames, when the frame rate is limited */
   constructor(intervalMs = 0) {
     this.budgetMs = Math.max(BUDGET_MS, SLACK * intervalMs);
   }
 
-  /** Share of the pixel ratio to draw with, one of `SCALES`. */
+  /** Fraction of the pixel ratio to draw with, one of `SCALES`. */
   get scale(): number {
     return SCALES[this.level];
   }
 
-  /** A frame begins. @param now milliseconds, as from requestAnimationFrame */
+  /**
+   * Records the start of a frame.
+   * @param now milliseconds, as from requestAnimationFrame
+   */
   tick(now: number): void {
     const elapsed = this.last === undefined ? 0 : now - this.last;
     this.last = now;
@@ -64,7 +67,7 @@ export class Governor {
     if (this.times.length >= WINDOW_FRAMES && this.windowMs >= WINDOW_MS) this.judge();
   }
 
-  /** Frames pause or change their size: what passes until the next ones means nothing. The scale stays. */
+  /** Discards the measurement when frames pause or change size. The scale is kept. */
   rest(): void {
     this.last = undefined;
     this.framesToIgnore = WARM_UP_FRAMES;
@@ -100,7 +103,7 @@ export class Governor {
     this.moveTo(this.level + 1, false);
   }
 
-  /** The first lower level that fits the budget if time follows pixels. */
+  /** The first lower level that fits the budget if frame time is proportional to the pixel count. */
   private levelFor(median: number): number {
     const wanted = this.scale * Math.sqrt(this.budgetMs / median);
     const fitting = SCALES.findIndex((scale, level) => level > this.level && scale <= wanted);
@@ -117,7 +120,7 @@ export class Governor {
     this.slowWindows = 0;
     this.calmMs += this.windowMs;
     if (this.calmMs < this.retryDelayMs) return;
-    // What was climbed to has held.
+    // The raised scale kept its budget.
     if (this.hasClimbed) this.retryDelayMs = RETRY_DELAY_MS;
     this.moveTo(Math.max(0, this.level - 1), this.level > 0);
   }

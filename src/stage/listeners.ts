@@ -1,8 +1,8 @@
-/** Who wants to hear of which event; `Events` maps names to what is told. */
+/** A typed set of event listeners; `Events` maps event names to their details. */
 export class Listeners<Events> {
   private readonly sets = new Map<keyof Events, Set<(detail: never) => void>>();
 
-  /** Returns the function that stops listening. */
+  /** @returns a function that removes the listener */
   add<Name extends keyof Events>(name: Name, listener: (detail: Events[Name]) => void): () => void {
     const set = this.sets.get(name) ?? new Set();
     this.sets.set(name, set.add(listener));

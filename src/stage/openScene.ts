@@ -5,19 +5,19 @@ import { sceneNamed } from '../scenes/scenes.ts';
 import { prepareSurfaces } from '../smoke/prepare.ts';
 import { loadSimulators, type LoadOptions, type SimulatorFactory } from '../sim/load.ts';
 
-/** Scenes that somebody shows: stages of the same scene share its models and all that is made of them. */
+/** Scenes in use: stages of the same scene share its models and everything derived from them. */
 const shown = new Map<string, WeakRef<Scene>>();
 const coming = new Map<string, Promise<Scene>>();
 
-/** A scene and the simulators that it needs. */
+/** A scene and the simulator factory that it needs. */
 export interface OpenedScene {
   readonly scene: Scene;
   readonly factory: SimulatorFactory;
 }
 
 /**
- * Fetches both at once.
- * @throws ParameterError when there is no scene of that name, LoadError when something cannot be fetched
+ * Fetches the scene and the simulator in parallel.
+ * @throws ParameterError when the scene does not exist, LoadError when something cannot be fetched
  */
 export async function openScene(name: string, onProgress?: LoadOptions['onProgress']): Promise<OpenedScene> {
   const { hasRigids, load } = sceneNamed(name);
@@ -29,7 +29,7 @@ export async function openScene(name: string, onProgress?: LoadOptions['onProgre
   return { scene, factory };
 }
 
-/** Where there is physics, things can be dropped. */
+/** Adds droppable objects to scenes with physics. */
 async function withThings(load: () => Promise<Scene>): Promise<Scene> {
   const [scene, { withDrops }] = await Promise.all([load(), import('../scenes/drops.ts')]);
   return withDrops(scene);

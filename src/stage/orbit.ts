@@ -4,9 +4,9 @@ import { table } from '../preset/table.ts';
 import { requireFinite } from '../preset/values.ts';
 import type { CameraPose, Scene } from '../scenes/scene.ts';
 
-/** In a narrow window a scene that says nothing of it still gets this many radians from side to side. */
+/** Minimum horizontal field of view in a narrow window, radians, for scenes that do not define one. */
 const MIN_WIDTH = 0.56;
-/** What is taken is rounded, so that whoever opens a link to it sees the very same picture. */
+/** User camera values are rounded, so that a link reproduces exactly the same picture. */
 const DECIMALS = { angle: 2, metres: 4 } as const;
 
 type Shot = Pick<Scene, 'camera' | 'portrait' | 'cameraMove'>;
@@ -14,8 +14,8 @@ type Shot = Pick<Scene, 'camera' | 'portrait' | 'cameraMove'>;
 const rows = table.filter((row): row is NumberParameter => row.reader === 'camera');
 
 /**
- * A camera that circles a point; fed with plain numbers, so that it works in a worker. Each part of where it is follows
- * the scene's own eye and move until somebody takes it, by turning, shifting, zooming, or by a value of the table.
+ * An orbit camera. It takes plain numbers, so it works in a worker. Each camera parameter follows the scene's own
+ * camera and movement until the user overrides it by orbiting, panning, zooming, or setting its value.
  */
 export class OrbitCamera {
   readonly camera = new PerspectiveCamera(40, 1, 0.05, 200);
@@ -26,33 +26,33 @@ export class OrbitCamera {
   private seconds = 0;
   private height = 1;
 
-  /** @param values whose `camera.*` say what somebody has taken */
+  /** @param values whose `camera.*` entries override the scene's camera */
   constructor(shot: Shot, values: Values = {}) {
     this.shot = shot;
     this.hold(values);
   }
 
-  /** What it looks at. */
+  /** The target of the camera. */
   get centre(): Vector3 {
     return this.target.clone();
   }
 
-  /** From the eye to the target, metres. */
+  /** From the camera to the target, metres. */
   get distance(): number {
     return this.place.radius;
   }
 
-  /** About the vertical, radians; 0 looks from +z. */
+  /** Angle about the vertical axis, radians; 0 looks from +z. */
   get azimuth(): number {
     return this.place.theta;
   }
 
-  /** What somebody has taken from the scene, by key of the table. */
+  /** Camera values that override the scene, by parameter key. */
   get held(): Values {
     return this.values;
   }
 
-  /** Where the scene wants it now, by every key of the table that is about it. */
+  /** The scene's own camera at the current time, by every camera parameter key. */
   get wanted(): Values {
     const { target, azimuth, elevation, distance } = this.scenes();
     return rounded({
@@ -63,14 +63,14 @@ export class OrbitCamera {
     });
   }
 
-  /** Takes what the `camera.*` of these values say and gives the scene back what they leave out. */
+  /** Applies the `camera.*` entries of these values. Omitted ones follow the scene again. */
   hold(values: Values): void {
     const given = rows.flatMap(({ key }) => (values[key] === undefined ? [] : [[key, values[key]] as const]));
     this.values = Object.fromEntries(given);
     this.settle();
   }
 
-  /** Turns about the target, radians. */
+  /** Rotates about the target, radians. */
   orbit(azimuth: number, elevation: number): void {
     const { theta, phi } = this.place;
     this.take({
@@ -79,12 +79,12 @@ export class OrbitCamera {
     });
   }
 
-  /** Comes nearer by a factor above 1. */
+  /** A factor above 1 moves the camera closer. */
   zoom(factor: number): void {
     this.take({ 'camera.distance': this.place.radius / factor });
   }
 
-  /** Shifts the target along the picture; the height of the view in pixels says how far a pixel goes. */
+  /** Moves the target parallel to the picture, in pixels; the height of the view in pixels sets the scale. */
   pan(x: number, y: number, heightInPixels: number): void {
     const metres =
       (2 * this.place.radius * Math.tan(MathUtils.degToRad(this.camera.fov) / 2)) / Math.max(heightInPixels, 1);
@@ -93,7 +93,7 @@ export class OrbitCamera {
     this.take(targetValues(this.centre.addScaledVector(right, -x * metres).addScaledVector(up, y * metres)));
   }
 
-  /** Goes where the scene wants its camera at a simulated time, but for what somebody has taken. */
+  /** Follows the scene's camera movement to a simulated time, except for overridden parameters. */
   follow(seconds: number): void {
     if (seconds === this.seconds) return;
     this.seconds = seconds;
@@ -120,7 +120,7 @@ export class OrbitCamera {
     this.settle();
   }
 
-  /** Where the scene wants it now; radians. */
+  /** The scene's own camera at the current time; angles in radians. */
   private scenes(): { target: Vector3; azimuth: number; elevation: number; distance: number } {
     const { target, azimuth, elevation, distance } = this.home;
     const shift = this.shot.cameraMove?.(this.seconds) ?? {};
@@ -168,18 +168,18 @@ function targetValues({ x, y, z }: Vector3): Record<string, number> {
   return { 'camera.target.x': x, 'camera.target.y': y, 'camera.target.z': z };
 }
 
-/** The same direction, within half a turn of 0. */
+/** The equivalent angle from -180 up to 180 degrees. */
 function wrapped(degrees: number): number {
   return MathUtils.euclideanModulo(degrees + 180, 360) - 180;
 }
 
-/** Within the ranges of the table, and short. */
+/** Values clamped to the parameter ranges and rounded. */
 function rounded(values: Record<string, number>): Values {
   const taken = rows.filter(({ key }) => values[key] !== undefined);
   return Object.fromEntries(
     taken.map(({ key, unit, min, max }) => {
       const decimals = unit === 'm' ? DECIMALS.metres : DECIMALS.angle;
-      // The addition turns -0 into 0, which is how it would come back from a link.
+      // The addition turns -0 into 0: a link does not preserve the sign of zero.
       return [key, Number(MathUtils.clamp(values[key], min, max).toFixed(decimals)) + 0];
     }),
   );

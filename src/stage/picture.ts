@@ -12,29 +12,29 @@ import type { Presenter } from './presenter.ts';
 import { ShownSmoke } from './shownSmoke.ts';
 
 const LARGEST_PIXEL_RATIO = 4;
-/** Spent with each picture on puffs that are being baked. */
+/** Milliseconds per picture spent on baking puffs. */
 const BAKING_MS = 5;
 
-/** What a picture is drawn from. */
+/** The state that a picture is drawn from. */
 export interface PictureState {
   simulator: Simulator;
-  /** World transforms of the rigids, by their number. */
+  /** World transforms of the rigids, by index. */
   rigids: readonly Matrix4[];
-  /** Those of the scene's parts. */
+  /** World transforms of the scene's parts, by index. */
   parts: readonly Matrix4[];
-  /** Where between the previous step (0) and now (1) it stands. */
+  /** Interpolation between the previous step (0) and the latest (1). */
   blend: number;
-  /** Share of the pixel ratio to draw with. */
+  /** Fraction of the pixel ratio to draw with. */
   scale: number;
-  /** Whether the next picture follows at once: puffs whose knobs turn are then baked a little with each. */
+  /** Whether playback is running: puffs whose parameters change are then baked over several pictures. */
   isPlaying: boolean;
 }
 
-/** A stage's picture: from where it is seen, how large it is, how it is drawn, and what of it is shown. */
+/** A stage's picture: its camera, size, quality and contents. */
 export class Picture {
-  /** Whether it shows what lies behind everything; it is transparent there if not. */
+  /** Whether to draw the background; without it, the picture is transparent there. */
   hasBackground = true;
-  /** Of the latest frame. */
+  /** Scale of the latest frame. */
   scale = 1;
   renderMs = 0;
   report: FrameReport = { bodiesDrawn: 0, castersDrawn: 0, arrangeMs: 0 };
@@ -66,7 +66,7 @@ export class Picture {
     return this.chosenQuality;
   }
 
-  /** @throws ParameterError for what is neither 'auto' nor 0.25 to 1 */
+  /** @throws ParameterError unless the value is 'auto' or 0.25 to 1 */
   set quality(quality: Quality) {
     if (quality !== 'auto' && !(quality >= LOWEST_QUALITY && quality <= 1)) {
       throw new ParameterError('quality', quality, `auto or ${LOWEST_QUALITY} to 1`);
@@ -79,7 +79,7 @@ export class Picture {
     return this.chosenView;
   }
 
-  /** @throws ParameterError for a view that there is not */
+  /** @throws ParameterError for an unknown view */
   set view(view: DebugView | undefined) {
     if (view !== undefined && !DEBUG_VIEWS.includes(view)) {
       throw new ParameterError('view', view, DEBUG_VIEWS.join(', '));
@@ -87,7 +87,7 @@ export class Picture {
     this.chosenView = view;
   }
 
-  /** What decides whether more code is needed. */
+  /** The settings that decide whether more code must be loaded. */
   get kind(): PictureKind {
     return { ...this.shown.kind, view: this.chosenView };
   }
@@ -111,7 +111,7 @@ export class Picture {
 
   /**
    * @param width, height in CSS pixels
-   * @returns whether that changed something
+   * @returns whether the size or the pixel ratio changed
    */
   resize(width: number, height: number, pixelRatio = this.pixelRatio): boolean {
     const before = [this.width, this.height, this.pixelRatio];
@@ -122,13 +122,13 @@ export class Picture {
     return [this.width, this.height, this.pixelRatio].some((value, index) => value !== before[index]);
   }
 
-  /** Goes on with these values. */
+  /** Applies new values. */
   follow(values: Values): void {
     this.shown.follow(values);
     this.camera.hold(values);
   }
 
-  /** Shows another scene from now on. */
+  /** Switches to another scene. */
   enter(scene: Scene, values: Values): void {
     this.shown.dispose();
     this.shown = new ShownSmoke(this.presenter.device, scene, values);
@@ -136,7 +136,7 @@ export class Picture {
     if (this.isVisible) this.camera.setSize(...this.size);
   }
 
-  /** A place in CSS pixels from the top left, in normalised device coordinates: -1 to 1, y up. */
+  /** Converts CSS pixels from the top left to normalized device coordinates: -1 to 1, y up. */
   deviceCoordinates(x: number, y: number): Vector2 {
     const [width, height] = this.size;
     return new Vector2((2 * x) / width - 1, 1 - (2 * y) / height);
@@ -147,7 +147,10 @@ export class Picture {
     this.presenter.device.requireUsable();
   }
 
-  /** Draws a moment and shows it; false where nothing can be seen, or where the context is lost, even on the way. */
+  /**
+   * Draws and presents a picture. Returns false when the picture has no area, or when the context is lost before or
+   * during the draw.
+   */
   draw(moment: PictureState): boolean {
     const { device } = this.presenter;
     if (!this.isVisible || !device.isUsable) return false;
@@ -160,12 +163,12 @@ export class Picture {
     }
   }
 
-  /** What was just drawn as a PNG; must be called in the task that drew it. */
+  /** Encodes the picture just drawn as a PNG. Must be called in the task that drew it. */
   encode(): Promise<Blob> {
     return this.presenter.encode();
   }
 
-  /** Gives the device back as well, if it is the stage's own. */
+  /** Also disposes the device if the stage owns it. */
   dispose(): void {
     this.smoke.dispose();
     this.presenter.dispose();

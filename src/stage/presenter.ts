@@ -3,17 +3,17 @@ import { createDevice, type Device, type DeviceCanvas, type DeviceOptions } from
 import { Enlarger } from '../device/enlarger.ts';
 import { ContextError } from '../preset/errors.ts';
 
-/** Brings pictures to a stage's canvas: it owns the device there, or copies from a device that stages share. */
+/** Presents pictures on a stage's canvas. It either owns the device of that canvas or copies from a shared device. */
 export interface Presenter {
   readonly device: Device;
   /**
-   * Gives the device's canvas its size, in pixels, and returns what to draw the coming picture into: null is the canvas.
-   * @param drawn size of the coming picture; what is smaller than the canvas is enlarged on its way there
+   * Resizes the device's canvas, in pixels, and returns the render target for the next picture; null is the canvas.
+   * @param drawn size of the next picture; a picture smaller than the canvas is upscaled
    */
   prepare(canvas: PictureSize, drawn: PictureSize): WebGLRenderTarget | null;
-  /** Brings the picture to the stage's canvas; must run in the task that drew it. */
+  /** Copies the picture to the stage's canvas. Must run in the task that drew it. */
   present(): void;
-  /** The picture that was just drawn as a PNG; must be called in the task that drew it. */
+  /** Encodes the picture just drawn as a PNG. Must be called in the task that drew it. */
   encode(): Promise<Blob>;
   dispose(): void;
 }
@@ -25,8 +25,8 @@ export interface PictureSize {
 }
 
 /**
- * @param shared a device whose own canvas is an OffscreenCanvas; without it the stage gets a device of its own
- * @param options of that
+ * @param shared a device whose canvas is an OffscreenCanvas; without it, the stage creates its own device
+ * @param options for the stage's own device
  */
 export function createPresenter(canvas: DeviceCanvas, shared?: Device, options: DeviceOptions = {}): Presenter {
   return shared ? copyFrom(shared, canvas) : drawOn(createDevice(canvas, options));
@@ -48,7 +48,7 @@ function drawOn(device: Device): Presenter {
 
 function copyFrom(device: Device, canvas: DeviceCanvas): Presenter {
   const source = device.canvas;
-  // Workers do not know the class of the other kind.
+  // Not instanceof: OffscreenCanvas or HTMLCanvasElement may be undefined here, as in workers.
   if (!('transferToImageBitmap' in source)) throw new ContextError('A shared device needs an OffscreenCanvas.');
   const context = canvas.getContext('bitmaprenderer');
   if (!context) throw new ContextError('This canvas already has another context. Use a new canvas.');
@@ -60,7 +60,7 @@ function copyFrom(device: Device, canvas: DeviceCanvas): Presenter {
       size.finish();
       context.transferFromImageBitmap(source.transferToImageBitmap());
     },
-    // The shared canvas is blank again after the transfer, this one holds the picture.
+    // The transfer clears the shared canvas; this canvas holds the picture.
     encode: () => encodePng(canvas),
     dispose() {
       size.dispose();
@@ -69,7 +69,7 @@ function copyFrom(device: Device, canvas: DeviceCanvas): Presenter {
   };
 }
 
-/** Lets pictures be smaller than the canvas that shows them. */
+/** Draws pictures that are smaller than the canvas and upscales them. */
 class Sizing {
   private readonly device: Device;
   private readonly enlarger = new Enlarger();
@@ -98,7 +98,7 @@ class Sizing {
   }
 }
 
-/** What a canvas shows as a PNG; one with WebGL shows it until the task ends that drew it. */
+/** Encodes the canvas as a PNG. A WebGL canvas must be encoded in the task that drew it. */
 export function encodePng(canvas: DeviceCanvas): Promise<Blob> {
   if ('convertToBlob' in canvas) return canvas.convertToBlob({ type: 'image/png' });
   return new Promise((resolve, reject) => {

@@ -24,12 +24,12 @@ const HISTORY_BYTES = 64 * 1024 * 1024;
 
 type RunOptions = Pick<StageOptions, 'frameRate' | 'historyBytes' | 'onStep'>;
 
-/** A scene that runs: its simulation, its picture and its values go on together, and whoever listens is told. */
+/** A running scene: keeps its simulation, picture and values in sync and notifies listeners. */
 export class RunningScene implements FrameTasks {
   readonly picture: Picture;
   readonly listeners = new Listeners<StageEvents>();
   readonly loop: FrameLoop;
-  /** Of what the picture needs and is not here. */
+  /** Loads the code that the picture needs. */
   readonly completion: Completion;
   private readonly device: Device;
   private readonly inFlight: FramesInFlight;
@@ -60,7 +60,7 @@ export class RunningScene implements FrameTasks {
     this.stopListening = this.device.onContext((event) => this.followContext(event));
   }
 
-  /** Another one in each scene. */
+  /** Replaced when another scene is entered. */
   get simulation(): Simulation {
     return this.simulated;
   }
@@ -69,7 +69,7 @@ export class RunningScene implements FrameTasks {
     return this.hands;
   }
 
-  /** Ways between places of the scene and of its picture, as it was drawn last. */
+  /** Converts between scene and picture coordinates, as of the last picture drawn. */
   get sight(): Sight {
     return new Sight(this.picture, (carrier) => {
       const { rigids, parts } = this.transforms();
@@ -85,7 +85,7 @@ export class RunningScene implements FrameTasks {
     return this.opened.factory;
   }
 
-  /** All values by flat key; optional ones only where somebody has set them. */
+  /** All values by flat key. Optional parameters appear only when they are set. */
   get values(): Values {
     return this.now;
   }
@@ -98,7 +98,7 @@ export class RunningScene implements FrameTasks {
     return statsOf(this.simulation, this.picture);
   }
 
-  /** Share of the pixel ratio that the next frame is drawn with. */
+  /** Fraction of the pixel ratio for the next frame. */
   get nextScale(): number {
     const { quality } = this.picture;
     return quality === 'auto' ? this.loop.scale : quality;
@@ -108,7 +108,7 @@ export class RunningScene implements FrameTasks {
     if (!this.hasEnded && this.loop.play()) this.notifyState();
   }
 
-  /** Whether it was playing. */
+  /** @returns whether it was playing */
   stop(): boolean {
     const hasStopped = this.loop.stop();
     if (hasStopped) this.notifyState();
@@ -121,17 +121,17 @@ export class RunningScene implements FrameTasks {
     this.followLog();
   }
 
-  /** Goes on by a time and shows that moment, which may lie between two steps. */
+  /** Advances by a duration and shows that time, interpolated when it is between two steps. */
   advanceBy(seconds: number): void {
     const { steps } = this.simulation.simulator;
     const goal = steps - 1 + this.loop.clock.blend + seconds / STEP_SECONDS;
-    // A rounding error is not worth a step.
+    // The tolerance keeps a rounding error from adding a step.
     const last = Math.max(steps, Math.ceil(goal - 1e-6));
     this.advance(last - steps);
     this.showLatest(Math.min(1, goal - last + 1));
   }
 
-  /** Goes to where so many steps lead, with all that was done on the way. */
+  /** Seeks to a step and replays the recorded inputs. */
   async seek(goal: number, options: SeekOptions): Promise<void> {
     this.loop.isHeld = true;
     try {
@@ -147,9 +147,9 @@ export class RunningScene implements FrameTasks {
     }
   }
 
-  /** Goes on with another scene, from its first step; see `Stage.enter`. */
+  /** Switches to another scene, from its first step; see `Stage.enter`. */
   enter(opened: OpenedScene, values: Values): void {
-    // First, because it may refuse.
+    // Created first because it can throw.
     const simulation = this.simulate(opened, values);
     this.simulated.dispose();
     this.simulated = simulation;
@@ -160,7 +160,7 @@ export class RunningScene implements FrameTasks {
     this.showLatest();
   }
 
-  /** Changes values, which are valid; see `Stage.set`. */
+  /** Applies validated values; see `Stage.set`. */
   change(values: Values): void {
     const before = this.now;
     const after = { ...before, ...values };
@@ -173,19 +173,19 @@ export class RunningScene implements FrameTasks {
     this.show(() => this.follow(after));
   }
 
-  /** Lets optional parameters go back to what the scene has. */
+  /** Resets optional parameters to what the scene sets. */
   unset(keys: readonly string[]): void {
     this.simulation.unset(keys);
     const kept = Object.entries(this.now).filter(([key]) => !keys.includes(key));
     this.show(() => this.follow(Object.fromEntries(kept)));
   }
 
-  /** Where the log of a take has done something since, its values are shown. */
+  /** Applies values that the log of a take changed since the last call. */
   private followLog(): void {
     if (this.simulation.hasFollowed()) this.follow(this.simulation.valuesIn(this.now));
   }
 
-  /** Goes on with these values, which the simulator has already. */
+  /** Applies values that the simulator already has. */
   follow(values: Values): void {
     this.now = values;
     this.picture.follow(values);
@@ -193,18 +193,18 @@ export class RunningScene implements FrameTasks {
     this.notifyState();
   }
 
-  /** Where a state comes from elsewhere, its particles may have variations that no value has told of. */
+  /** A restored state can contain particles whose variations exceed what the values ask for. */
   keepVariations(): void {
     this.picture.smoke.keepVariations(this.now, this.simulation.variationsAlive());
   }
 
-  /** Changes what is seen, and shows it unless the next frame does. */
+  /** Applies a change and redraws, unless the next frame does. */
   show(change: () => void): void {
     change();
     if (!this.loop.isPlaying) this.draw();
   }
 
-  /** Moves the eye; what is taken of it from the scene are values like all others. */
+  /** Moves the camera. Overridden camera parameters become values. */
   look(move: (eye: OrbitCamera) => void): void {
     this.show(() => {
       move(this.picture.eye);
@@ -214,7 +214,7 @@ export class RunningScene implements FrameTasks {
   }
 
   /**
-   * Shows where the simulation has come to by steps or by a leap.
+   * Shows the latest state after steps or a seek.
    * @param blend between the previous step (0) and the latest (1)
    */
   showLatest(blend = 1): void {
@@ -223,7 +223,7 @@ export class RunningScene implements FrameTasks {
     this.draw();
   }
 
-  /** While playing the spring brings the rigid to where it was put, and frames show it on its way. */
+  /** Shows the moved rigid while paused. While playing, the spring moves it over the next frames. */
   showMoved(): void {
     if (!this.loop.isPlaying && !this.simulation.isSteered) this.show(() => this.gestures.showMoved());
   }
@@ -232,7 +232,10 @@ export class RunningScene implements FrameTasks {
     this.listeners.notify('statechange', { playing: this.loop.isPlaying });
   }
 
-  /** Whether anybody can see the pictures. While nobody can, none are drawn; the latest comes when somebody can again. */
+  /**
+   * Whether the canvas is visible. While it is not, nothing is drawn; the latest picture is drawn when it becomes
+   * visible.
+   */
   set isSeen(isSeen: boolean) {
     this.loop.isSeen = isSeen;
     if (isSeen && this.isStale && !this.loop.isPlaying) this.draw();
@@ -243,7 +246,10 @@ export class RunningScene implements FrameTasks {
     if (!this.isStale) this.drawNow(this.nextScale);
   }
 
-  /** Draws though nobody may see it. @param scale share of the pixel ratio */
+  /**
+   * Draws even if the canvas is not visible.
+   * @param scale fraction of the pixel ratio
+   */
   drawNow(scale: number): void {
     if (this.hasEnded) return;
     const { simulator } = this.simulation;
@@ -251,21 +257,21 @@ export class RunningScene implements FrameTasks {
     if (isDrawn && this.listeners.has('frame')) this.listeners.notify('frame', this.stats);
   }
 
-  /** Of rigids and parts at the moment that is shown. */
+  /** Transforms of rigids and parts at the interpolated time. */
   private transforms(): Pick<PictureState, 'rigids' | 'parts' | 'blend'> {
     const { blend } = this.loop.clock;
     const rigids = this.gestures.rigids(blend);
     return { rigids, parts: this.simulation.parts(blend, rigids), blend };
   }
 
-  /** Who comes to listen to errors when nobody waits for the context any longer is told so, too. */
+  /** An error listener that is added after the context was given up also receives the error. */
   listen<Event extends keyof StageEvents>(event: Event, listener: (detail: StageEvents[Event]) => void): () => void {
     if (event === 'error' && !this.device.hasHope)
       queueMicrotask(() => (listener as (detail: Error) => void)(missingContext()));
     return this.listeners.add(event, listener);
   }
 
-  /** @throws SimulatorError when it was disposed */
+  /** @throws SimulatorError after disposal */
   requireAlive(): void {
     if (this.hasEnded) throw new SimulatorError('This stage was disposed; create a new one.');
   }
@@ -294,7 +300,7 @@ export class RunningScene implements FrameTasks {
     return this.inFlight.isFull;
   }
 
-  /** A frame while it plays. */
+  /** Called for each frame while playing. */
   frame(steps: number): void {
     this.advance(steps);
     this.draw();
@@ -305,19 +311,18 @@ export class RunningScene implements FrameTasks {
     return new Simulation(factory, scene, values, this.options.historyBytes ?? HISTORY_BYTES);
   }
 
-  /** Playing has come to an end by an error. */
+  /** An error stopped playback. */
   fail(error: Error): void {
     this.notifyState();
     this.listeners.notify('error', error);
   }
 }
 
-/** Of `values`, those that `before` has otherwise. */
+/** The entries of `values` that differ from `before`. */
 function differing(values: Values, before: Values): Values {
   return Object.fromEntries(Object.entries(values).filter(([key, value]) => before[key] !== value));
 }
 
-/** The figures of a stage as they are now. */
 function statsOf(
   simulation: Simulation,
   { smoke, report, renderMs, drawCalls, writesDepth, scale }: Picture,

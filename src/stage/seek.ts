@@ -1,12 +1,12 @@
 import type { SeekOptions } from './contract.ts';
 import type { Simulation } from './simulation.ts';
 
-// Long seeks give the page a turn this often, milliseconds.
+// Long seeks yield to the event loop this often, milliseconds.
 const SLICE_MS = 30;
 
 /**
- * Steps until `goal` steps have been made, in slices, so that the page stays alive.
- * @param isEnded asked after each slice: whether the stage has been disposed meanwhile
+ * Steps until `goal` is reached, in time slices, so that the page stays responsive.
+ * @param isEnded called after each slice: whether the stage has been disposed
  */
 export async function advanceTo(
   goal: number,
@@ -24,7 +24,7 @@ export async function advanceTo(
   }
 }
 
-/** Lets the page have a turn, without the delay that nested timers get. */
+/** Yields to the event loop without the minimum delay of nested timers. */
 export function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();

@@ -11,10 +11,12 @@ import { LivePuffs } from '../smoke/livePuffs.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import { styleOf, type Style } from '../smoke/style.ts';
 
-/** Changes what a frame is drawn from; it may add as many particles again as the simulator has room for. */
+/**
+ * Modifies the input of a frame. It can at most double the number of particles, relative to the simulator's capacity.
+ */
 export type Retouch = (input: FrameInput) => FrameInput;
 
-/** A scene's smoke as values describe it: its style, its light, its puffs, and how many particles it can draw. */
+/** The rendered smoke of a scene: its style, light, puffs and particle capacity, as the values define them. */
 export class ShownSmoke {
   private readonly device: Device;
   private readonly scene: Scene;
@@ -43,13 +45,13 @@ export class ShownSmoke {
     return this.style.shadows;
   }
 
-  /** How smoke is to be drawn. */
+  /** Renderer and puff form. */
   get kind(): PictureKind {
     const { renderer, form } = this.style;
     return { renderer, form };
   }
 
-  /** Goes on with these values. */
+  /** Applies new values. */
   follow(values: Values): void {
     this.style = styleOf(values);
     this.values = values;
@@ -61,22 +63,22 @@ export class ShownSmoke {
     this.renderer = this.makeRenderer();
   }
 
-  /** Makes sure of so many variations, for particles that come from elsewhere. */
+  /** Provides at least as many variations as the restored particles use. */
   keepVariations(values: Values, alive: number): void {
     this.puffs.follow(values, alive);
   }
 
-  /** What somebody brought, if anything. */
+  /** Custom shapes, if set. */
   get ownShapes(): readonly PuffShape[] | undefined {
     return this.puffs.ownShapes;
   }
 
-  /** Shows shapes that somebody brought; without any, those that values describe. */
+  /** Uses custom shapes; without them, the values define the shapes. */
   usePuffs(shapes: readonly PuffShape[] | undefined, values: Values): void {
     this.puffs.use(shapes, values);
   }
 
-  /** Goes on baking puffs for some milliseconds, or until they are ready. */
+  /** Continues baking puffs for some milliseconds, or until they are done. */
   bake(milliseconds = Infinity): void {
     const puffs = milliseconds === Infinity ? this.puffs.finish() : this.puffs.workFor(milliseconds);
     if (!puffs) return;

@@ -13,17 +13,17 @@ import { simulatorValues, valueOf, valuesIn } from '../sim/simulatorValues.ts';
 import { SavedStates } from './states.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);
-/** A state is kept each second: saving one costs about as much as two steps. */
+/** A state is saved once per second: saving one takes about as long as two steps. */
 const STEPS_BETWEEN_STATES = 60;
-/** After so many steps the spring has brought the rigid to where it was let go, but for a 10,000th of the way. */
+/** After this many steps, the spring has closed all but 1/10,000 of the distance to the release position. */
 const SETTLING_STEPS = 30;
 
-/** A scene's simulator, set up from its rig and the values, with its past and the rigid that people move. */
+/** A scene's simulator with its saved states and its movable rigid. */
 export class Simulation {
-  /** Milliseconds of the latest step. */
+  /** Milliseconds per step in the latest batch. */
   stepMs = 0;
   drag: Drag | undefined;
-  /** What the scene sets of the optional parameters. */
+  /** Optional parameters that the scene sets. */
   readonly rig: Values;
   private readonly factory: SimulatorFactory;
   private readonly scene: Scene;
@@ -33,11 +33,11 @@ export class Simulation {
   private start: Values;
   private inputsSeen = 0;
   private readonly dropped: Dropped;
-  /** Steps after which the spring lets go of the rigid that people move: undefined while it does not hold it. */
+  /** Step at which the spring releases the movable rigid; undefined while the spring is inactive. */
   private heldUntil: number | undefined;
   private heldFrom = 0;
 
-  /** @param historyBytes how much memory states may take that are kept for going back */
+  /** @param historyBytes memory budget for saved states */
   constructor(factory: SimulatorFactory, scene: Scene, values: Values, historyBytes: number) {
     this.factory = factory;
     this.scene = scene;
@@ -50,29 +50,29 @@ export class Simulation {
     this.resetDrag();
   }
 
-  /** Another one after each restart. */
+  /** Replaced on each restart. */
   get simulator(): Simulator {
     return this.current;
   }
 
-  /** The values with which the take began that is being recorded or replayed. */
+  /** The values at the start of the current take, recorded or replayed. */
   get startValues(): Values {
     return this.start;
   }
 
-  /** Bytes of the states that are kept for going back. */
+  /** Bytes of the saved states. */
   get historyBytes(): number {
     return this.states.bytes;
   }
 
-  /** Begins again from the first step, and a new take with it. */
+  /** Restarts from the first step and starts a new take. */
   restart(values: Values): void {
     this.replace(this.create(values), values);
   }
 
   /**
-   * Goes to the start of a take that was made in this scene.
-   * @throws SimulatorError when the take is damaged; nothing has changed then
+   * Goes to the start of a take of this scene.
+   * @throws SimulatorError when the take is damaged; the simulation is unchanged then
    */
   replay(take: Uint8Array, values: Values): void {
     const next = this.create(values);
@@ -85,7 +85,7 @@ export class Simulation {
     this.replace(next, values);
   }
 
-  /** Takes up a saved state, with which a new take begins. */
+  /** Restores a saved state and starts a new take. */
   restore(bytes: Uint8Array, values: Values): Values {
     this.current.restore(bytes);
     this.states.clear();
@@ -94,25 +94,25 @@ export class Simulation {
     return this.start;
   }
 
-  /** `values` with all that the simulator reads as it is now. */
+  /** `values`, with the simulator's current values for every parameter that it reads. */
   valuesIn(values: Values): Values {
     const { rig, rule } = this.scene;
     const after = valuesIn(this.current, values, rig);
     return Object.fromEntries(Object.entries(after).filter(([key]) => key in values || !rule?.keys.includes(key)));
   }
 
-  /** Hands on what the simulator reads of `changed`. */
+  /** Passes the simulator its share of `changed`. */
   set(changed: Values): void {
     const inputs = simulatorValues(changed);
     if (Object.keys(inputs).length > 0) this.input((simulator) => simulator.inputValues(inputs));
   }
 
-  /** Lets optional parameters go back to what the scene has, or to their defaults. */
+  /** Resets optional parameters to what the scene sets, or to their defaults. */
   unset(keys: readonly string[]): void {
     this.set(Object.fromEntries(keys.map((key) => [key, this.rig[key] ?? findParameter(key)!.default])));
   }
 
-  /** Draws the rigid that people move to where they want it, by a spring, or tells the scene's guide where that is. */
+  /** Moves the rigid towards the drag target by a spring, or steers the scene's guide towards it. */
   dragHandle(): void {
     const { drag } = this;
     if (!drag) return;
@@ -123,14 +123,14 @@ export class Simulation {
     this.heldUntil = Infinity;
   }
 
-  /** Whether a guide takes the rigid that people move to where they want it, which takes its time. */
+  /** Whether a guide moves the rigid to its target. The guide takes several steps. */
   get isSteered(): boolean {
     return this.scene.handle?.steers !== undefined;
   }
 
   /**
-   * Lets go of it as soon as it has come to where it was drawn: let go in a pause, it could not come there otherwise. What
-   * falls when it is let go is let go at once unless it has not moved yet, so that people can throw it.
+   * Releases the rigid after it reaches its target, because the target may have been set while paused. A dynamic rigid
+   * is released at once if it has been held for at least one step, so that it can be thrown.
    */
   releaseHandle(): void {
     const { steps } = this.current;
@@ -138,12 +138,14 @@ export class Simulation {
     if (this.heldUntil === Infinity) this.heldUntil = steps + (isThrown ? 0 : SETTLING_STEPS);
   }
 
-  /** How many things can be dropped; 0 where there is nothing. */
+  /** How many objects can be dropped; 0 in scenes without any. */
   get dropCount(): number {
     return this.dropped.count;
   }
 
-  /** Lets a thing fall from a place, metres: the free one that is farthest from there. Those that wait are very far. */
+  /**
+   * Drops an object at a position, in metres: the one farthest away that is not held. Unused objects are very far away.
+   */
   drop(place: Vector3): void {
     const from = this.dropped.above(place);
     const held = this.heldUntil === undefined ? undefined : this.scene.handle!.rigid;
@@ -153,14 +155,14 @@ export class Simulation {
     this.dropped.put(rigid, from);
   }
 
-  /** Does something that people did. If a take was being replayed, its rest is dropped. */
+  /** Applies a user input. If a take is being replayed, the rest of it is discarded. */
   input(act: (simulator: Simulator) => void): void {
     act(this.current);
     this.states.dropFrom(this.current.steps);
     this.inputsSeen = this.current.inputsDone;
   }
 
-  /** Whether the log of a take has done or undone something since this was last asked. */
+  /** Whether the log of a take has applied or undone inputs since the last call. */
   hasFollowed(): boolean {
     const { inputsDone } = this.current;
     const hasFollowed = inputsDone !== this.inputsSeen;
@@ -168,7 +170,7 @@ export class Simulation {
     return hasFollowed;
   }
 
-  /** @param onStep called after each of the steps */
+  /** @param onStep called after each step */
   advance(steps: number, onStep?: () => void): void {
     if (steps === 0) return;
     const started = performance.now();
@@ -184,13 +186,16 @@ export class Simulation {
     this.stepMs = (performance.now() - started) / steps;
   }
 
-  /** Steps for some milliseconds, but not beyond a goal. */
+  /** Steps for some milliseconds, up to a goal. */
   advanceFor(milliseconds: number, goal: number): void {
     const until = performance.now() + milliseconds;
     while (this.current.steps < goal && performance.now() < until) this.advance(1);
   }
 
-  /** Goes to the moment from which the fewest steps lead to `goal`: a kept state, the start of the take, or where it is. */
+  /**
+   * Rewinds to the state from which `goal` takes the fewest steps: a saved state, the start of the take, or the current
+   * state.
+   */
   approach(goal: number): void {
     const { steps } = this.current;
     const state = this.states.latest(goal);
@@ -199,7 +204,7 @@ export class Simulation {
     this.resetDrag();
   }
 
-  /** One more than the highest variation that a living particle has; 0 where none lives. */
+  /** One more than the highest variation of a living particle; 0 without particles. */
   variationsAlive(): number {
     const { count, attributes } = this.current.arrange({ ...ALL_THAT_LIVES, blend: 1 });
     let variations = 0;
@@ -207,7 +212,7 @@ export class Simulation {
     return variations;
   }
 
-  /** World transforms of the rigids, by their number, between the previous step (0) and now (1). */
+  /** World transforms of the rigids by index, interpolated between the previous step (0) and the latest (1). */
   rigids(blend: number): readonly Matrix4[] {
     const poses = this.current.rigidPoses(blend);
     this.matrices.forEach((matrix, rigid) => put(matrix, placementIn(poses, rigid)));
@@ -215,7 +220,7 @@ export class Simulation {
     return this.matrices;
   }
 
-  /** World transforms of the scene's parts, by their number, at the moment of `rigids`. */
+  /** World transforms of the scene's parts by index, at the time of `rigids`. */
   parts(blend: number, rigids: readonly Matrix4[]): readonly Matrix4[] {
     return this.placedParts(secondsAt(this.current.steps, blend)).map(({ rigid, ...own }) => {
       const matrix = put(new Matrix4(), own);
@@ -223,7 +228,7 @@ export class Simulation {
     });
   }
 
-  /** The transform with which the rigid that people move was drawn. */
+  /** World transform of the movable rigid, as last drawn. */
   handleTransform(): Matrix4 {
     return this.matrices[this.scene.handle!.rigid];
   }
@@ -250,7 +255,7 @@ export class Simulation {
     this.resetDrag();
   }
 
-  /** Tells rigids where the scene wants them, and sets what follows from their ways. What is asked for so is no input. */
+  /** Runs the scene's guide and rule for the next step. Neither is recorded as an input. */
   private guide(): void {
     const { guide, rule } = this.scene;
     if (!guide && !rule) return;
@@ -262,8 +267,8 @@ export class Simulation {
   }
 
   /**
-   * Tells where the parts are in the coming step. The numbers go as the scene has them, and the simulator composes them
-   * with its rigids: what three.js computes may differ in the last bit from engine to engine.
+   * Sends the parts' poses of the next step. The simulator composes them with its rigids, because three.js results can
+   * differ in the last bit between JavaScript engines.
    */
   private sendParts(): void {
     if (!this.scene.parts) return;
@@ -278,7 +283,7 @@ export class Simulation {
     this.current.placeParts(numbers);
   }
 
-  /** In the space of the rigids that carry them. */
+  /** In the local space of the rigids that carry the parts. */
   private placedParts(seconds: number): readonly (Placement & Pick<MovingPart, 'rigid'>)[] {
     return (this.scene.parts ?? []).map(({ rigid, pose }) => ({ rigid, ...pose(seconds) }));
   }
@@ -310,7 +315,7 @@ export class Simulation {
     this.heldUntil = undefined;
   }
 
-  /** A drag that begins where its rigid is. */
+  /** Starts a new drag at the rigid's current position. */
   private resetDrag(): void {
     const { handle } = this.scene;
     this.heldUntil = undefined;
@@ -336,7 +341,7 @@ function placementIn(poses: Float32Array, rigid: number): Placement {
   return { position: [x, y, z], rotation: [i, j, k, w] };
 }
 
-/** The scene's rig as the table has it: optional parameters only, choices by their names. */
+/** The scene's rig as parameter values: optional parameters only, choices by name. */
 function rigValues(scene: Scene): Values {
   const entries = Object.entries(scene.rig).map(([key, number]) => [key, findParameter(key), number] as const);
   return Object.fromEntries(

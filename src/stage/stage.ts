@@ -24,25 +24,28 @@ import type { Simulation } from './simulation.ts';
 import type { Sight } from './sight.ts';
 import { noteOf, takeOf, type Take } from './take.ts';
 
-/** A running scene on a canvas. Reads no page: sizes, pointers and keys come in as numbers, so that it runs in a worker. */
+/**
+ * A running scene on a canvas. It does not access the DOM: sizes, pointers and keys are passed as numbers, so it also
+ * runs in a worker.
+ */
 export class Stage {
-  /** Settled when the first picture stands. */
+  /** Resolves when the first picture is drawn. */
   readonly ready: Promise<void>;
   readonly canvas: DeviceCanvas;
   /**
-   * Moves the eye, which sets `camera.*` of what is moved; draws anew when paused. Angles in radians, lengths in CSS
-   * pixels. `reset` gives the eye back to the scene.
+   * Moves the camera and sets the matching `camera.*` values. Redraws while paused.
+   * Angles are in radians, lengths in CSS pixels. `reset` returns all camera parameters to the scene.
    */
   readonly camera = {
     orbit: (azimuth: number, elevation: number) => this.#running.look((eye) => eye.orbit(azimuth, elevation)),
     zoom: (factor: number) => this.#running.look((eye) => eye.zoom(factor)),
     pan: (x: number, y: number) => this.#running.look((eye) => eye.pan(x, y, this.#picture.size[1])),
     reset: () => this.#running.unset(Object.keys(this.#picture.eye.held)),
-    /** Where the eye stands about the vertical; 0 looks from +z. */
+    /** Angle about the vertical axis; 0 looks from +z. */
     azimuth: () => this.#picture.eye.azimuth,
   };
   readonly #running: RunningScene;
-  /** The latest call of enter. */
+  /** Identifies the latest call of enter; earlier calls are superseded. */
   #entering: object | undefined;
 
   /** @internal Use createStage. */
@@ -62,8 +65,8 @@ export class Stage {
   }
 
   /**
-   * Whether anybody can see the canvas; true unless somebody says otherwise. While nobody can, nothing is drawn and playing
-   * rests, and whether it plays stays what it was.
+   * Whether the canvas is visible to the user. Default: true. While it is false, nothing is drawn and playback is
+   * suspended; `playing` keeps its value.
    */
   get visible(): boolean {
     return this.#running.loop.isSeen;
@@ -73,40 +76,40 @@ export class Stage {
     this.#running.isSeen = isVisible;
   }
 
-  /** Simulated seconds for each real second, 0 to 2. */
+  /** Simulated seconds per real second, 0 to 2. */
   get speed(): number {
     return this.#running.loop.clock.speed;
   }
 
-  /** @throws ParameterError for what is no number */
+  /** @throws ParameterError when the value is not a finite number */
   set speed(speed: number) {
     requireFinite({ speed });
     this.#running.loop.clock.speed = MathUtils.clamp(speed, 0, 2);
   }
 
-  /** Share of the pixel ratio that is drawn, or 'auto': less than 1 while playing where frames come late. */
+  /** Fraction of the pixel ratio to draw with. 'auto' reduces it while playing when frames arrive late. */
   get quality(): Quality {
     return this.#picture.quality;
   }
 
-  /** @throws ParameterError for what is neither 'auto' nor 0.25 to 1 */
+  /** @throws ParameterError unless the value is 'auto' or 0.25 to 1 */
   set quality(quality: Quality) {
     this.#running.show(() => (this.#picture.quality = quality));
   }
 
-  /** What is shown instead of the picture; undefined shows the picture. */
+  /** The debug view shown instead of the picture; undefined shows the picture. */
   get view(): DebugView | undefined {
     return this.#picture.view;
   }
 
-  /** @throws ParameterError for a view that there is not */
+  /** @throws ParameterError for an unknown view */
   set view(view: DebugView | undefined) {
     this.#running.show(() => (this.#picture.view = view));
     this.#running.completion.begin();
     this.#running.notifyState();
   }
 
-  /** Whether pictures show what lies behind everything; without it they are transparent there. */
+  /** Whether to draw the background. Without it, the canvas is transparent where the background would be. */
   get background(): boolean {
     return this.#picture.hasBackground;
   }
@@ -119,7 +122,10 @@ export class Stage {
     return this.#running.stats;
   }
 
-  /** Calls back on an event; returns the function that ends it. */
+  /**
+   * Adds an event listener.
+   * @returns a function that removes the listener
+   */
   on<Event extends keyof StageEvents>(event: Event, listener: (detail: StageEvents[Event]) => void): () => void {
     return this.#running.listen(event, listener);
   }
@@ -130,14 +136,15 @@ export class Stage {
 
   pause(): void {
     if (!this.#running.stop()) return;
-    // What stands still shows all its pixels.
+    // A paused picture uses the full resolution.
     if (this.#picture.scale !== this.#running.nextScale) this.#running.draw();
   }
 
   /**
-   * Settled when what the values and the view ask for is drawn: other renderers and views come when they are first asked for, and
-   * nailboards are drawn until then. Pictures and seeking wait for it by themselves.
-   * @throws LoadError when it cannot be fetched; whoever does not ask is told so by an error event, and the stage goes on
+   * Resolves when the renderer and the view that the values select are drawn. They load on first use; until then, smoke
+   * is drawn with nailboards. `picture` and `seek` wait for this themselves.
+   * @throws LoadError when the code cannot be fetched. Without a call to `complete`, the stage emits an error event
+   * instead and keeps running
    */
   complete(): Promise<void> {
     this.#running.requireAlive();
@@ -146,7 +153,7 @@ export class Stage {
 
   /**
    * Takes n steps of 1/60 s and shows the last one.
-   * @param n a whole number from 0
+   * @param n an integer of at least 0
    * @throws ParameterError for any other n
    */
   step(n = 1): void {
@@ -157,10 +164,10 @@ export class Stage {
   }
 
   /**
-   * Goes on by simulated seconds and shows that very moment, also where it falls between two steps: for pictures at any
-   * rate. Where it stood between two steps already, it goes on from there.
-   * @param seconds from 0
-   * @throws ParameterError when seconds is negative or no number
+   * Advances by simulated seconds and shows exactly that time, interpolated when it is between two steps. This renders
+   * at any frame rate. The next call continues from the interpolated time.
+   * @param seconds at least 0
+   * @throws ParameterError when seconds is negative or not finite
    */
   advance(seconds: number): void {
     this.#running.requireAlive();
@@ -169,21 +176,21 @@ export class Stage {
   }
 
   /**
-   * Goes to a simulated time, with everything that was done on the way, as far back as the take began. Playing goes on
-   * from there if it was playing. What is done there takes over: what was done later is forgotten.
-   * @param seconds from 0; the nearest step is shown
-   * @throws ParameterError when seconds is negative or no number
+   * Seeks to a simulated time and replays the recorded inputs. It can go back to the start of the take. Playback
+   * continues from there if it was running. A new input at that time discards all later inputs.
+   * @param seconds at least 0; rounded to the nearest step
+   * @throws ParameterError when seconds is negative or not finite
    */
   async seek(seconds: number, options: SeekOptions = {}): Promise<void> {
     this.#running.requireAlive();
     requireFinite({ seconds }, 0);
     options.signal?.throwIfAborted();
-    // Who asked for what cannot be had was told; time goes on without it.
+    // The error was already reported; the seek works without the missing code.
     await this.#running.completion.wait().catch(() => undefined);
     await this.#running.seek(Math.round(seconds / STEP_SECONDS), options);
   }
 
-  /** Starts over from the first step with the values as they are, and begins a new take. */
+  /** Restarts from the first step with the current values and starts a new take. */
   restart(): void {
     this.#running.requireAlive();
     this.#simulation.restart(this.#running.values);
@@ -191,9 +198,10 @@ export class Stage {
   }
 
   /**
-   * Goes to the scene of these values, or begins anew in this one, from the first step; values that are left out get the
-   * defaults of the table. Of several calls at once the last counts. The old scene goes on until the new one has come.
-   * @throws ParameterError for a value it does not take, LoadError when the scene cannot be fetched; nothing has changed then
+   * Loads the scene that the values name, or restarts the current one, from the first step. Omitted values get their
+   * defaults. Among concurrent calls, the last one wins. The old scene keeps running until the new one is loaded.
+   * @throws ParameterError for an invalid value, LoadError when the scene cannot be fetched; the stage is unchanged
+   * then
    */
   async enter(values: Values, { onProgress }: EnterOptions = {}): Promise<void> {
     this.#running.requireAlive();
@@ -209,11 +217,11 @@ export class Stage {
   }
 
   /**
-   * Changes parameters by flat key; all of them, or none when one is refused. A new seed starts over; a new
-   * simulation.maxParticles keeps what lives. What the simulator reads becomes part of the take; style, light and camera
-   * do not.
-   * Another scene comes by `enter`.
-   * @throws ParameterError naming the parameter, the value and what would have been accepted
+   * Changes parameters by flat key: all of them, or none if one is invalid. A new seed restarts the simulation. A new
+   * simulation.maxParticles keeps the living particles. Values that the simulator reads are recorded in the take;
+   * style, light and camera are not.
+   * Use `enter` to change the scene.
+   * @throws ParameterError with the parameter, the value and the accepted range
    */
   set(values: Values): void {
     this.#running.requireAlive();
@@ -225,7 +233,7 @@ export class Stage {
   }
 
   /**
-   * Lets optional parameters, those of lists and of the camera, go back to what the scene has.
+   * Resets optional parameters (lists and camera) to what the scene sets.
    * @throws ParameterError for a key that is not optional
    */
   unset(keys: readonly string[]): void {
@@ -235,9 +243,10 @@ export class Stage {
   }
 
   /**
-   * Shows puffs of shapes of one's own, such as `fitPuff` makes them of a mesh, a variation each; without any, those that
-   * the parameters describe. Looks only: takes, links and saved states hold nothing of it.
-   * @throws ShapeError when a shape is none that a puff can have; nothing has changed then
+   * Draws puffs with custom shapes, such as those that `fitPuff` creates from a mesh, one per variation. Without an
+   * argument, the parameters define the shapes again. This affects rendering only: takes, links and saved states do not
+   * contain the shapes.
+   * @throws ShapeError when a shape is invalid; the stage is unchanged then
    */
   setPuffs(shapes?: readonly PuffShape[]): void {
     this.#running.requireAlive();
@@ -245,33 +254,33 @@ export class Stage {
     this.#running.show(() => this.#picture.smoke.usePuffs(shapes, this.#running.values));
   }
 
-  /** All values by flat key; optional ones only where somebody has set them. */
+  /** All values by flat key. Optional parameters appear only when they are set. */
   get(): Values {
     return { ...this.#running.values };
   }
 
-  /** Ways between places of the scene and of its picture, for who puts something over it. */
+  /** Converts between scene and picture coordinates, for overlays. */
   get sight(): Sight {
     return this.#running.sight;
   }
 
-  /** Names of the scene's rigids by their number, for people who attach something to one. */
+  /** Names of the scene's rigids by index, for attaching emitters and forces. */
   get rigidNames(): readonly string[] {
     return this.#running.scene.rigidNames;
   }
 
-  /** Names of the scene's moving parts by their number: emitters and forces ride on part n as on rigid 4096 + n. */
+  /** Names of the scene's moving parts by index. Emitters and forces attach to part n as rigid 4096 + n. */
   get partNames(): readonly string[] {
     return (this.#running.scene.parts ?? []).map(({ name }) => name);
   }
 
-  /** What the scene itself sets of the optional parameters; it holds wherever `get()` has no value. */
+  /** Optional parameters that the scene sets. They apply where `get()` has no value. */
   get rig(): Values {
     return { ...this.#simulation.rig, ...this.#picture.eye.wanted };
   }
 
   /**
-   * The present picture as a PNG, transparent where the scene is.
+   * The current picture as a PNG, transparent where the scene is.
    * @throws ContextError while the graphics context is lost
    */
   async picture(): Promise<Blob> {
@@ -284,10 +293,10 @@ export class Stage {
   }
 
   /**
-   * Another stage that shows the same smoke at the same step, from the same place: for pictures of another size, while this
-   * one stays as it is. The take of the copy begins with it.
-   * @param options as of createStage; the values are those of this stage
-   * @throws what createStage throws
+   * Creates another stage with the same smoke at the same step and the same camera, for example to render a picture of
+   * another size. This stage is unchanged. The copy starts a new take.
+   * @param options as for createStage; the values are those of this stage
+   * @throws the errors of createStage
    */
   async copy(canvas: DeviceCanvas, options: Omit<StageOptions, 'values'> = {}): Promise<Stage> {
     this.#running.requireAlive();
@@ -300,21 +309,21 @@ export class Stage {
   }
 
   /**
-   * @internal Changes what each frame is drawn from, from the next one on and until another scene comes: for pictures
-   * that show more than one moment.
+   * @internal Changes the input of each frame, from the next frame until another scene is entered. Used to draw more
+   * than one moment in a picture.
    */
   retouch(change: Retouch): void {
     this.#picture.smoke.retouch(change);
   }
 
-  /** The simulator's state as bytes. */
+  /** Serializes the simulator's state. */
   save(): Uint8Array {
     return this.#simulation.simulator.save();
   }
 
   /**
-   * Takes up a state that was saved in the same scene, with which a new take begins.
-   * @throws SimulatorError for bytes that are none; nothing has changed then
+   * Restores a state that was saved in the same scene and starts a new take.
+   * @throws SimulatorError for invalid bytes; the stage is unchanged then
    */
   restore(bytes: Uint8Array): void {
     this.#running.requireAlive();
@@ -324,8 +333,9 @@ export class Stage {
   }
 
   /**
-   * What was done since the stage was created, restarted or restored, by step: parameters of the simulator, the rigid
-   * that was moved, steering and blowing. It has room for 20,000 inputs; more still act, and `isTruncated` tells.
+   * The inputs since the stage was created, restarted or restored, by step: simulator parameters, drags, steering and
+   * blows. A take records up to 20,000 inputs. Later inputs still take effect but are not recorded; `isTruncated` is
+   * true then.
    */
   take(): Take {
     this.#running.requireAlive();
@@ -333,18 +343,19 @@ export class Stage {
   }
 
   /**
-   * What a take says of itself, without playing it.
-   * @throws SimulatorError when the bytes are damaged or no take
+   * Reads the metadata of a take without playing it.
+   * @throws SimulatorError when the bytes are damaged or not a take
    */
   readTake(bytes: Uint8Array): Take {
     return takeOf(bytes, this.#running.factory.readTake(bytes));
   }
 
   /**
-   * Goes to the start of a take, with all values as they were there; playing, stepping and seeking then do what was done
-   * in it, to the same hash at every step. What is done meanwhile takes over: the rest of the take is forgotten.
-   * @param take as `take()` gave it, or its bytes
-   * @throws SimulatorError when the bytes are damaged or the take was made in another scene; nothing has changed then
+   * Goes to the start of a take and sets the values it started with. Playing, stepping and seeking then replay its
+   * inputs, with the same hash at every step. A new input discards the rest of the take.
+   * @param take the result of `take()`, or its bytes
+   * @throws SimulatorError when the bytes are damaged or the take was made in another scene; the stage is unchanged
+   * then
    */
   playTake(take: Take | Uint8Array): void {
     this.#running.requireAlive();
@@ -360,23 +371,23 @@ export class Stage {
   }
 
   /**
-   * Blows into the smoke at a place of the picture.
-   * @throws ParameterError naming what is out of range
+   * Blows into the smoke at a position in the picture.
+   * @throws ParameterError naming the value that is out of range
    */
   blow(input: BlowInput): void {
     this.#running.requireAlive();
     this.#running.gestures.blow(input);
   }
 
-  /** How many things can be dropped into this scene; 0 where it has no physics. */
+  /** How many objects can be dropped into this scene; 0 in scenes without physics. */
   get dropCount(): number {
     return this.#simulation.dropCount;
   }
 
   /**
-   * Drops a ball or a crate into the scene at a place of the picture, CSS pixels from the top left; it falls from there
-   * with the coming step. When all have been dropped, the one comes again that is farthest from there.
-   * @returns whether there was anything to drop
+   * Drops a ball or a crate at a position in the picture, in CSS pixels from the top left. It starts to fall with the
+   * next step. When all objects are in use, the one farthest from that position is reused.
+   * @returns false if the scene has no objects to drop
    */
   drop(x: number, y: number): boolean {
     this.#running.requireAlive();
@@ -386,24 +397,24 @@ export class Stage {
   }
 
   /**
-   * Steers what a scene has put on a channel.
+   * Sets a steering channel of the scene.
    * @param channel 0 to 7
    * @param value -1 to 1
-   * @throws ParameterError naming what is out of range
+   * @throws ParameterError naming the value that is out of range
    */
   steer(channel: number, value: number): void {
     this.#running.requireAlive();
     this.#simulation.input((simulator) => simulator.inputSteer(channel, value));
   }
 
-  /** The simulator's state in 16 hexadecimal digits; equal states have equal hashes everywhere. */
+  /** Hash of the simulator's state as 16 hexadecimal digits. Equal states have equal hashes on all platforms. */
   hash(): string {
     return this.#simulation.simulator.hash();
   }
 
   /**
    * @param width, height in CSS pixels; nothing is drawn while one of them is 0
-   * @param pixelRatio 0.1 to 4, others are clamped; as it was when left out
+   * @param pixelRatio clamped to 0.1 to 4; unchanged when omitted
    */
   resize(width: number, height: number, pixelRatio?: number): void {
     requireFinite({ width, height, pixelRatio: pixelRatio ?? 1 });
@@ -412,19 +423,22 @@ export class Stage {
     this.#running.draw();
   }
 
-  /** Takes a pointer. Returns 'rigid' while the pointer moves a rigid, so that the page does not turn the camera too. */
+  /**
+   * Handles a pointer event. Returns 'rigid' while the pointer drags a rigid, so that the page does not orbit the
+   * camera as well.
+   */
   pointer(input: PointerInput): 'rigid' | null {
     requireFinite({ x: input.x, y: input.y });
     return this.#running.gestures.pointer(input, () => this.#running.showMoved());
   }
 
-  /** Moves the place to which a spring draws the scene's movable rigid, by metres. */
+  /** Moves the target of the scene's movable rigid, in metres. A spring pulls the rigid there. */
   nudge({ dx = 0, dy = 0, dz = 0 }: { dx?: number; dy?: number; dz?: number }): void {
     requireFinite({ dx, dy, dz });
     if (this.#running.gestures.nudge(dx, dy, dz)) this.#running.showMoved();
   }
 
-  /** Stops everything and gives the context and the memory back. May be called again. */
+  /** Stops playback and releases the context and the memory. Can be called more than once. */
   dispose(): void {
     this.#running.dispose();
   }
@@ -443,10 +457,10 @@ function kindOf(values: Values, view: DebugView | undefined): PictureKind {
 }
 
 /**
- * Sets a scene up on a canvas and draws its first picture unless nobody can see it; it does not play yet.
- * @throws ParameterError for a value it does not take, LoadError when the simulator or the scene cannot be fetched,
- * UnsupportedError when the browser lacks WebGL2 or WASM SIMD, SimulatorError when there is no memory left, ContextError
- * when the graphics context went meanwhile and has not come back for long, and for a canvas on which a stage was disposed
+ * Creates a stage on a canvas. Draws the first picture if the canvas is visible; does not start playback.
+ * @throws ParameterError for an invalid value, LoadError when the simulator or the scene cannot be fetched,
+ * UnsupportedError when the browser lacks WebGL2 or WASM SIMD, SimulatorError when memory runs out, ContextError when
+ * the graphics context is lost and not restored in time, and for a canvas whose stage was disposed
  */
 export async function createStage(canvas: DeviceCanvas, options: StageOptions = {}): Promise<Stage> {
   const values = withDefaults(options.values);
@@ -467,7 +481,7 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
   }
 }
 
-/** @throws ParameterError for a value that no parameter takes */
+/** @throws ParameterError for an invalid value */
 function withDefaults(values: Values = {}): Values {
   validate(values);
   return { ...defaults(), ...values };

@@ -1,12 +1,12 @@
-/** A simulation saved after so many steps. */
+/** A simulation state saved after `step` steps. */
 export interface SavedState {
   readonly step: number;
   readonly bytes: Uint8Array;
 }
 
 /**
- * Saved states by step, within a budget. When it is spent, states go so that those that stay lie ever farther apart
- * the longer ago they are: a seek to any moment then steps on from one that is near for how far back it is.
+ * Saved states by step, within a memory budget. When the budget is exceeded, states are dropped so that the spacing
+ * grows with age: a seek takes steps in proportion to how far back it goes.
  */
 export class SavedStates {
   private readonly budget: number;
@@ -18,7 +18,7 @@ export class SavedStates {
     this.budget = budget;
   }
 
-  /** How many bytes they have together. */
+  /** Total size in bytes. */
   get bytes(): number {
     return this.size;
   }
@@ -31,7 +31,7 @@ export class SavedStates {
     return this.states.some((state) => state.step === step);
   }
 
-  /** Keeps a state at a step that has none. */
+  /** Adds a state at a step that has none yet. */
   add(state: SavedState): void {
     const at = this.states.findIndex(({ step }) => step > state.step);
     this.states.splice(at < 0 ? this.states.length : at, 0, state);
@@ -39,12 +39,12 @@ export class SavedStates {
     while (this.size > this.budget) this.remove(this.indexToDrop());
   }
 
-  /** The latest state that is not later than `step`. */
+  /** The latest state at or before `step`. */
   latest(step: number): SavedState | undefined {
     return this.states.findLast((state) => state.step <= step);
   }
 
-  /** Drops what was saved at `step` or later: from there on things went otherwise. */
+  /** Drops the states at `step` or later: an input has changed what follows. */
   dropFrom(step: number): void {
     while ((this.states.at(-1)?.step ?? -1) >= step) this.remove(this.states.length - 1);
   }
@@ -58,7 +58,10 @@ export class SavedStates {
     this.states.splice(index, 1);
   }
 
-  /** The state without which the gap is smallest, compared with how long ago it is. The last goes only by itself. */
+  /**
+   * The state whose removal leaves the smallest gap relative to its age. The latest state is removed only if it is the
+   * only one.
+   */
   private indexToDrop(): number {
     const last = this.states.length - 1;
     const steps = this.states.map(({ step }) => step);

@@ -1,4 +1,4 @@
-/** A small round biplane with a pilot: its nose looks along +x, its right wing along +z. Metres, about its own middle. */
+/** A small round biplane with a pilot: the nose points along +x, the right wing along +z. Metres, about its centre. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
@@ -17,13 +17,13 @@ const DARK: Color = [84, 62, 78];
 const SKIN: Color = [248, 204, 168];
 const SCARF: Color = [66, 186, 178];
 
-/** Where the propeller turns. */
+/** Axis of the propeller. */
 export const HUB: Vector = [0.98, 0.02, 0];
-/** Where the scarf is knotted. */
+/** Position of the scarf's knot. */
 export const KNOT: Vector = [-0.34, 0.44, 0];
-/** From the middle to the tip of a wing. */
+/** From the centre to a wing tip. */
 export const HALF_SPAN = 1.3;
-/** Numbers of the parts that move. */
+/** Indices of the moving parts. */
 export const PROPELLER = 0;
 export const SCARF_END = 1;
 
@@ -54,7 +54,7 @@ export function airplane(rigid: number): SurfaceDescription[] {
   ];
 }
 
-/** What smoke bumps into: the fuselage and the wings with some room around them, as the air would part. */
+/** The collider: the fuselage and the wings with a margin, as the air would part. */
 export function airplaneHull(): RigidShape {
   const ahead = [0, 0, Math.SQRT1_2, Math.SQRT1_2] as const;
   const parts: RigidPart[] = [
@@ -66,7 +66,7 @@ export function airplaneHull(): RigidShape {
   return { type: 'compound', parts };
 }
 
-/** A turned thing that lies along x. */
+/** Rotates a lathed mesh from the y axis to the x axis. */
 function lying(mesh: TriangleMesh, at: Vector = [0, 0, 0]): TriangleMesh {
   return placed(mesh, { at, angles: [0, 0, -Math.PI / 2] });
 }
@@ -119,7 +119,7 @@ function wings(): TriangleMesh {
   return merged(wing(0.5, 0.24, HALF_SPAN, 0.3), wing(-0.24, 0.16, HALF_SPAN * 0.86, 0.27));
 }
 
-/** Stripes around the ends of the wings. */
+/** Stripes around the wing tips. */
 function bands(): TriangleMesh {
   const band = (y: number, x: number, z: number, chord: number) =>
     placed(roundedBox([chord + 0.008, 0.073, 0.09], [chord + 0.008, 0.073, 0.02]), { at: [x, y, z] });
@@ -168,7 +168,7 @@ function knot(): TriangleMesh {
   return placed(roundedBox([0.15, 0.055, 0.15], [0.15, 0.055, 0.15]), { at: [-0.33, 0.36, 0] });
 }
 
-/** A strip that flies backwards from its knot, wavy. */
+/** A wavy strip that trails from the knot. */
 function scarf(): TriangleMesh {
   const { positions, normals, indices } = placed(roundedBox([0.36, 0.035, 0.085], [0.1, 0.03, 0.05]), {
     at: [-0.34, 0, 0],

@@ -1,7 +1,7 @@
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import { cos, sin } from '../../sim/exact/sine.ts';
 
-/** A closed ball about the origin: `rings` bands from pole to pole, twice as many segments around. */
+/** A closed sphere about the origin: `rings` bands from pole to pole, and twice as many segments around. */
 export function ballMesh(radius: number, rings = 20): TriangleMesh {
   const segments = 2 * rings;
   const positions: number[] = [0, radius, 0];

@@ -20,7 +20,7 @@ const SWEET: Color = [255, 246, 236];
 const FACE: Color = [70, 42, 52];
 const CHEEK: Color = [246, 156, 140];
 
-/** The marshmallow. */
+/** Position of the marshmallow. */
 const TREAT: Vector = [0.66, 0.98, 0.46];
 
 export function camp(): SurfaceDescription[] {
@@ -58,10 +58,10 @@ function stones(): TriangleMesh {
   );
 }
 
-/** Logs that lean together, their tops over the fire. */
+/** Angles of the logs, which lean together with their tops over the fire. */
 const LEANING = [0.4, 1.7, 2.9, 4.1, 5.3] as const;
 
-/** From foot to top, as shares: less and more are beyond its ends. */
+/** `from` and `to` are fractions of the length from foot to top; values outside 0 to 1 extend beyond the ends. */
 function leaning(radius: number, from: number, to: number): TriangleMesh[] {
   return LEANING.map((round) => {
     const at = (share: number): Vector => {
@@ -76,7 +76,7 @@ function logs(): TriangleMesh {
   return merged(...leaning(0.085, 0, 1));
 }
 
-/** The light faces of sawn wood. */
+/** The light cut faces of the logs. */
 function cuts(): TriangleMesh {
   return merged(
     ...leaning(0.065, -0.012, 0.01),
@@ -85,7 +85,7 @@ function cuts(): TriangleMesh {
   );
 }
 
-/** A round bar from one place to another. */
+/** A round bar between two points. */
 function between(foot: Vector, tip: Vector, radius: number, tipRadius: number): TriangleMesh {
   const way = tip.map((place, axis) => place - foot[axis]);
   const length = hypot(...way);
@@ -99,7 +99,11 @@ function between(foot: Vector, tip: Vector, radius: number, tipRadius: number): 
   return placed(placed(bar, { angles: [0, 0, -lean] }), { at: foot, angles: [0, atan2(-way[2], way[0]), 0] });
 }
 
-/** A ridge tent: a prism with soft edges. @param out how far its ends stand out, metres; @param size a factor */
+/**
+ * A ridge tent: a prism with rounded edges.
+ * @param out how far its ends extend, metres
+ * @param size a factor
+ */
 function tent(out: number, size: number): TriangleMesh {
   const box = roundedBox([0.5, 0.5, 0.6 + out], [0.06, 0.06, 0.05]);
   const [positions, normals] = [box.positions.slice(), box.normals.slice()];
@@ -107,7 +111,7 @@ function tent(out: number, size: number): TriangleMesh {
     const share = (positions[from + 1] + 0.5) / 1;
     positions[from] *= size * (1.25 - 1.17 * share);
     positions[from + 1] = size * (positions[from + 1] + 0.5) - 0.02;
-    // The slope of the sides.
+    // Tilts the normals with the slope of the sides.
     const [x, y] = [normals[from], normals[from + 1]];
     const length = hypot(x, y + Math.abs(x) * 1.1, normals[from + 2]) || 1;
     normals[from] = x / length;

@@ -1,4 +1,4 @@
-/** A round piece of desert with rocks and cacti. Metres; the sand lies at height 0. */
+/** A round piece of desert with rocks and cacti. Metres; the sand is at height 0. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
@@ -11,7 +11,7 @@ import { island } from './island.ts';
 import { lathe, pipe } from './lathe.ts';
 import { merged, placed } from './place.ts';
 
-/** Of the sand. */
+/** Radius of the sand. */
 export const DESERT_RADIUS = 3.1;
 
 const SAND: Color = [250, 204, 132];
@@ -22,14 +22,14 @@ const BLOSSOM: Color = [242, 112, 146];
 const DARK: Color = [66, 46, 62];
 const CHEEK: Color = [240, 138, 122];
 
-/** Where a cactus stands, and how large it is. */
+/** Position and size of each cactus. */
 const CACTI = [
   [-1.9, -1.5, 1.25],
   [1.95, -1.6, 0.95],
   [-2.45, 0.35, 0.7],
 ] as const;
 
-/** Middles and radii of rocks that lie deep in the sand. */
+/** Centres and radii of the rocks, which are partly buried. */
 const ROCKS = [
   [2.5, 0.02, -0.45, 0.36],
   [2.42, -0.04, 0.25, 0.24],
@@ -46,7 +46,7 @@ export function desert(): SurfaceDescription[] {
   ];
 }
 
-/** What falls on it meets the sand, the trunks of the cacti, and the rocks. */
+/** Colliders for falling objects: the sand, the trunks of the cacti, and the rocks. */
 export function desertRigids(): RigidDescription[] {
   const ground = { kind: 'fixed', restitution: 0.4, friction: 0.7, position: [0, 0, 0] } as const;
   const trunks = CACTI.map(([x, z, scale]) => ({
@@ -78,7 +78,7 @@ function cacti(): SurfaceDescription[] {
   ];
 }
 
-/** A trunk with two arms, closed. */
+/** A closed mesh of a trunk with two arms. */
 function cactus(): TriangleMesh {
   const trunk = lathe(20, [[0, -0.1], [0.25, -0.1]], [[0.25, -0.1], [0.3, 0.5], [0.3, 1], [0.22, 1.35], [0, 1.46]]); // prettier-ignore
   const arm = (angle: number, y: number) =>

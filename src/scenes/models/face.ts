@@ -4,9 +4,9 @@ import { pipe } from './lathe.ts';
 import { merged, placed } from './place.ts';
 
 /**
- * A friendly face about the origin that looks along +z, on something round about an upright axis.
- * @param size from one cheek to the other, metres
- * @param radius of what it sits on
+ * A friendly face about the origin that faces +z, for a surface that is round about a vertical axis.
+ * @param size from cheek to cheek, metres
+ * @param radius of the surface
  */
 export function friendlyFace(size: number, radius: number): { features: TriangleMesh; cheeks: TriangleMesh } {
   const half = size / 2;

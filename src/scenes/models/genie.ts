@@ -1,4 +1,4 @@
-/** What of a genie is no smoke: head, turban, hands. About the middle of the chest, which looks along +z; metres. */
+/** The solid parts of the genie: head, turban and hands. Metres, about the centre of the chest, which faces +z. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
@@ -16,17 +16,17 @@ const SILK: Color = [250, 226, 196];
 const RUBY: Color = [226, 70, 96];
 const CHEEK: Color = [236, 132, 158];
 
-/** Where the head sits, and its radius. */
+/** Centre of the head, and its radius. */
 export const HEAD: Vector = [0, 0.72, 0.06];
 export const HEAD_RADIUS = 0.42;
-/** Where the shoulders are, and the wrists: one hand on the hip, the other one waves. */
+/** Positions of the shoulder at +x and of both wrists: one hand on the hip, the other one waving. */
 export const SHOULDER: Vector = [0.46, 0.2, 0];
 export const HIP: Vector = [-0.62, -0.42, 0.3];
 export const WAVE: Vector = [0.98, 0.46, 0.22];
 
 /**
- * @param rigid that carries the genie
- * @param hand number of the part that waves, about its wrist
+ * @param rigid index of the rigid that carries the genie
+ * @param hand index of the part that waves, about its wrist
  */
 export function genie(rigid: number, hand: number): SurfaceDescription[] {
   const look = { casts: true, inked: true, rigid };
@@ -118,7 +118,7 @@ function beard(): TriangleMesh {
   return onHead(tuft, [0, -0.36, 0.24], [1, 1, 1], [0, -Math.PI / 2, 0]);
 }
 
-/** Bands of cloth, the upper ones smaller. */
+/** Bands of cloth, smaller towards the top. */
 function turban(): TriangleMesh {
   const band = (y: number, radius: number, height: number, lean: number) =>
     onHead(ballMesh(1, 20), [0, y, -0.03], [radius, height, radius], [0.1, 0, lean]);
@@ -140,7 +140,7 @@ function feather(): TriangleMesh {
   return onHead(plume, [0, 0.42, 0.38], [1, 1, 0.5], [0.15, 0.2, 0]);
 }
 
-/** A hand about its wrist; the arm comes from below. */
+/** A hand about its wrist; the arm joins from below. */
 function mitten(side: 1 | -1): TriangleMesh {
   return merged(
     placed(ballMesh(1, 14), { at: [0, 0.15, 0], scale: [0.15, 0.15, 0.13] }),

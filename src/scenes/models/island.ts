@@ -1,4 +1,4 @@
-/** Round pieces of land that float in the sky, as toys stand on, and what grows on them. */
+/** Round floating islands for toys, and their trees. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
@@ -8,7 +8,7 @@ import { merged, placed } from './place.ts';
 
 const SEGMENTS = 72;
 
-/** Land with its top at height 0, and soil that tapers off below. */
+/** An island with its top at height 0, and soil that tapers off below. */
 export function island(radius: number, grass: Color, soil: Color): SurfaceDescription[] {
   const turf = lathe(
     SEGMENTS,
@@ -27,10 +27,10 @@ export function island(radius: number, grass: Color, soil: Color): SurfaceDescri
   ];
 }
 
-/** Where a tree stands, and how high it is; metres. */
+/** Position and height of a tree, metres. */
 export type Tree = readonly [x: number, z: number, height: number];
 
-/** Round trees: crowns of balls on short trunks. */
+/** Round trees: spherical crowns on short trunks. */
 export function trees(stands: readonly Tree[], crown: Color, trunk: Color): SurfaceDescription[] {
   const look = { casts: true, inked: true };
   return [

@@ -1,6 +1,6 @@
 /**
  * A magic oil lamp, about 1.85 m from handle to lip, that stands on y = 0 with its spout towards +x. Plain data: every
- * part is closed and wound anticlockwise from outside, so that it can throw a shadow volume.
+ * part is closed and wound anticlockwise seen from outside, so that it can cast a shadow volume.
  */
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { RigidShape } from '../../sim/rigid.ts';
@@ -9,23 +9,23 @@ import { circle, planarAxis, revolve, type SurfaceOfRevolution } from './revolve
 
 type Vector = readonly [x: number, y: number, z: number];
 
-/** Which of the lamp's colours a part takes: the polished metal, its darker fittings, the gem on the lid. */
+/** The colour role of a part: the polished metal, the darker fittings, the gem on the lid. */
 export type LampRole = 'metal' | 'fitting' | 'gem';
 
-/** A closed mesh of the lamp. Parts reach into each other. */
+/** A closed mesh of the lamp. Parts may intersect. */
 export interface LampPart {
   readonly name: string;
   readonly role: LampRole;
   readonly mesh: TriangleMesh;
 }
 
-/** Where smoke leaves the lamp; metres. */
+/** The opening that emits smoke; metres. */
 export interface LampSpout {
-  /** Middle of the mouth. */
+  /** Centre of the opening. */
   readonly position: Vector;
-  /** Unit vector out of the mouth. */
+  /** Unit vector out of the opening. */
   readonly direction: Vector;
-  /** Of the opening. */
+  /** Radius of the opening. */
   readonly radius: number;
 }
 
@@ -33,8 +33,8 @@ export interface LampModel {
   readonly parts: readonly LampPart[];
   readonly spout: LampSpout;
   /**
-   * A few coarse pieces in the lamp's own space, for fixed rigids at the lamp's place. They are closed, and leave the
-   * spout's mouth and the loop of the handle open.
+   * A few coarse colliders in the lamp's local space, for fixed rigids at the lamp's position. They are closed, and
+   * leave the opening of the spout and the loop of the handle free.
    */
   readonly collision: readonly RigidShape[];
 }
@@ -62,7 +62,9 @@ function spoutMouth(): LampSpout {
   return { position: origin, direction: [across[1], -across[0], 0], radius: OPENING };
 }
 
-/** Shares of the spout's outer wall between which it is one piece; the last stays below the bottom of the mouth. */
+/**
+ * Fractions of the spout's outer wall at which the collider is split; the last one is below the bottom of the opening.
+ */
 const SPOUT_CUTS = [0, 1 / 7, 2 / 7, 3 / 7, 4 / 7, 5 / 7, 6 / 7];
 
 function collisionPieces(): RigidShape[] {
@@ -77,7 +79,7 @@ function collisionPieces(): RigidShape[] {
   ];
 }
 
-/** Points round a stretch of a turning at a share of its length; one where it meets the axis. */
+/** Points around a profile stretch at a fraction of its length; a single point where it meets the axis. */
 function ring(surface: SurfaceOfRevolution, stretch: number, share: number, corners: number): (readonly number[])[] {
   const { curve } = surface.profile[stretch];
   const count = curve(share)[0] === 0 ? 1 : corners;
@@ -89,7 +91,7 @@ function hull(points: readonly (readonly number[])[]): RigidShape {
   return { type: 'convexHull', vertices: points.flat() };
 }
 
-/** A bent part as triangles: hulls of so thin a loop would have to be many. */
+/** A curved part as a triangle mesh: convex hulls of so thin a loop would require many pieces. */
 function coarse(surface: SurfaceOfRevolution): RigidShape {
   const profile = surface.profile.map(({ curve, bands }) => ({ curve, bands: Math.ceil(bands / 3) }));
   const { positions, indices } = revolve({ ...surface, profile, segments: 6 });

@@ -1,12 +1,12 @@
 /**
- * The profiles of the magic oil lamp: what is turned on a lathe (foot, belly, collar, lid, gem) and what is drawn along
- * a curve (spout, handle, curl). Metres, but places along the curves are shares of them.
+ * The profiles of the magic oil lamp: lathed parts (foot, belly, collar, lid, gem) and parts swept along a curve
+ * (spout, handle, curl). Metres; positions along a curve are fractions of its length.
  */
 import { cos } from '../../sim/exact/sine.ts';
 import { planarAxis, uprightAxis, type Stretch, type SurfaceOfRevolution } from './revolve.ts';
 import { spline } from './spline.ts';
 
-/** Along [x, y]: out of the belly, low, up in a long swing, and outwards at the mouth. */
+/** Points [x, y]: out of the belly, low, up in a long curve, and outwards at the opening. */
 export const SPOUT_PATH = spline([
   [0.22, 0.3],
   [0.37, 0.28],
@@ -17,7 +17,7 @@ export const SPOUT_PATH = spline([
   [0.95, 0.62],
 ]);
 
-/** Radius of the opening at the mouth, and how deep it goes, as a share of the path. */
+/** Radius of the opening, and the depth of its bottom as a fraction of the path. */
 export const OPENING = 0.05;
 const BOTTOM_OF_MOUTH = 0.88;
 
@@ -33,7 +33,7 @@ const HANDLE_PATH = spline([
   [-0.34, 0.25],
 ]);
 
-/** A leaf on the handle for the thumb, which curls back. */
+/** A thumb rest on the handle that curls back. */
 const CURL_PATH = spline([
   [-0.58, 0.535],
   [-0.67, 0.585],
@@ -47,7 +47,7 @@ function stretch(bands: number, ...points: readonly (readonly number[])[]): Stre
   return { bands, curve: spline(points) };
 }
 
-/** The belly swells towards the spout, as if drawn out of it. */
+/** The belly bulges towards the spout. */
 function swell(angle: number): number {
   const towards = Math.max(0, cos(angle));
   return 1 + 0.1 * towards * towards;

@@ -1,17 +1,17 @@
-/** Things turned on an upright lathe, told by a few points of their outline. */
+/** Surfaces of revolution about a vertical axis, defined by a few outline points. */
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import { planarAxis, revolve, uprightAxis, type Stretch } from './revolve.ts';
 import { spline } from './spline.ts';
 
-/** Points [radius, height] that a smooth line goes through. */
+/** Points [radius, height] of a smooth curve. */
 export type Outline = readonly (readonly [radius: number, height: number])[];
 
-/** Bands of triangles between two points of an outline that bends. */
+/** Triangle bands between two points of a curved outline. */
 const BANDS = 4;
 
 /**
- * The closed mesh of an outline from the lowest point of its axis to the highest, along its outside.
- * @param outlines each smooth in itself, with a crease where one ends and the next begins
+ * The closed mesh of an outline, from the lowest point on the axis to the highest, along the outside.
+ * @param outlines smooth curves, with a crease where one ends and the next begins
  */
 export function lathe(segments: number, ...outlines: readonly Outline[]): TriangleMesh {
   return revolve({ axis: uprightAxis, segments, profile: outlines.map(stretch) });
@@ -19,8 +19,8 @@ export function lathe(segments: number, ...outlines: readonly Outline[]): Triang
 
 /**
  * A bent pipe in the plane z = 0.
- * @param path points [x, y] that its middle goes through
- * @param outlines [radius, share of the path], as for `lathe`
+ * @param path points [x, y] of its centre line
+ * @param outlines [radius, fraction of the path], as for `lathe`
  */
 export function pipe(
   segments: number,

@@ -1,4 +1,4 @@
-/** A smiling steam locomotive: it looks along +x, and y = 0 is the top of the rails. Metres. */
+/** A smiling steam locomotive: it faces +x, and y = 0 is the top of the rails. Metres. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
@@ -16,22 +16,22 @@ const BRASS: Color = [246, 192, 84];
 const DARK: Color = [82, 66, 88];
 const CHEEK: Color = [244, 148, 130];
 
-/** The mouth of the chimney. */
+/** The opening of the chimney. */
 export const CHIMNEY: Vector = [0.44, 1.12, 0];
-/** The outlet of the cylinders, low before the wheels. */
+/** The outlet of the cylinders, low in front of the wheels. */
 export const CYLINDER: Vector = [0.56, 0.2, 0];
-/** Radius of the driving wheels, and how far from their middle the rods take hold. */
+/** Radius of the driving wheels, and the distance of the crank pins from their centres. */
 export const WHEEL_RADIUS = 0.22;
 export const CRANK = 0.11;
-/** Where along x the axles are; the first two are driven. */
+/** Positions of the axles along x; the first two are driven. */
 export const AXLES = [-0.36, 0.12, 0.55] as const;
-/** Half of the distance between the wheels of an axle. */
+/** Half the distance between the wheels of an axle. */
 const HALF_GAUGE = 0.2;
 const RODS = HALF_GAUGE + 0.075;
 
 /**
- * @param rigid that carries it
- * @param parts numbers of its axles, and of its right and its left rod
+ * @param rigid index of the rigid that carries it
+ * @param parts indices of its axles, and of its right and left rods
  */
 export function locomotive(
   rigid: number,
@@ -73,7 +73,7 @@ export function locomotive(
   ];
 }
 
-/** Two wheels with spokes, about the origin. */
+/** Two spoked wheels, about the origin. */
 export function axleMesh(radius: number): TriangleMesh {
   const wheel = (z: number) => {
     const disc = lathe(
@@ -99,7 +99,7 @@ export function axleMesh(radius: number): TriangleMesh {
   return merged(...wheel(HALF_GAUGE), ...wheel(-HALF_GAUGE));
 }
 
-/** What smoke bumps into. */
+/** The collider. */
 export function locomotiveHull(): RigidShape {
   const ahead = [0, 0, Math.SQRT1_2, Math.SQRT1_2] as const;
   return {
@@ -147,7 +147,7 @@ function smokebox(): TriangleMesh {
   return merged(along(mesh, 0.6), foot);
 }
 
-/** The round door, which is a face. */
+/** The round smokebox door, which has the face. */
 function front(): TriangleMesh {
   return along(lathe(32, [[0, 0.66], [0.225, 0.66]], [[0.225, 0.66], [0.23, 0.7], [0.17, 0.735], [0, 0.75]]), 0.6); // prettier-ignore
 }
@@ -221,7 +221,7 @@ function cylinders(): TriangleMesh {
   return merged(side(0.3), side(-0.3));
 }
 
-/** A bar that joins the two driven wheels of a side. */
+/** The rod that connects the two driven wheels of a side. */
 function rodMesh(z: number): TriangleMesh {
   const middle = (AXLES[0] + AXLES[1]) / 2;
   return placed(roundedBox([(AXLES[1] - AXLES[0]) / 2 + 0.05, 0.035, 0.018], 0.018, 5), {

@@ -1,4 +1,4 @@
-/** A meadow under the sky: hills, a windmill that turns, sheep, and a sun with a face. */
+/** A meadow under the sky: hills, a windmill, sheep, and a sun with a face. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
@@ -18,10 +18,10 @@ const DARK: Color = [74, 56, 72];
 const GOLD: Color = [255, 206, 84];
 const GLOW: Color = [255, 170, 74];
 
-/** Where the sails of the windmill turn. */
+/** Axis of the windmill's sails. */
 export const AXLE: Vector = [-2.05, 0.22, 0.42];
 const MILL: Vector = [-2.05, -0.98, 0];
-/** Out of the sun towards the light, and a little to the front. */
+/** Normal of the sun's bright side: towards the light, and slightly to the front. */
 const SHINING: Vector = [0.8, 0, 0.6];
 /** Radius of the sun's face. */
 const SUN = 0.52;
@@ -41,7 +41,7 @@ export function hills(): SurfaceDescription[] {
   ];
 }
 
-/** @param sails number of the part that they are */
+/** @param sails index of the part for the sails */
 export function windmill(sails: number): SurfaceDescription[] {
   const look = { casts: true, inked: true };
   const [x, y, z] = MILL;
@@ -86,7 +86,7 @@ function rotated(quarter: number): { angles: Vector } {
   return { angles: [0, 0, (quarter * Math.PI) / 2] };
 }
 
-/** Sheep that graze, each towards the left or the right. */
+/** Grazing sheep, each facing left or right. */
 export function sheep(stands: readonly (readonly [at: Vector, side: 1 | -1])[]): SurfaceDescription[] {
   const each = (make: (side: 1 | -1) => TriangleMesh) =>
     merged(...stands.map(([at, side]) => placed(make(side), { at, angles: [0, side > 0 ? 0.35 : -0.35, 0] })));
@@ -123,9 +123,9 @@ function headAndLegs(side: 1 | -1): TriangleMesh {
 }
 
 /**
- * A disc with rays, and its face.
- * @param rays number of the part that turns, and shines towards its own +x
- * @param face number of the part that stays upright
+ * A disc with rays and a face.
+ * @param rays index of the rotating part, whose bright side is its own +x
+ * @param face index of the part that stays upright
  */
 export function sun(rays: number, face: number): SurfaceDescription[] {
   const disc = placed(ballMesh(1, 24), { scale: [SUN, SUN, 0.2] });
@@ -150,7 +150,7 @@ function ray(index: number): TriangleMesh {
   return placed(cone, { at: [-sin(angle) * out, cos(angle) * out, -0.02], angles: [0, 0, angle] });
 }
 
-/** What shines itself has no dark side: a cover that is shaded as if all of it looked towards the light. */
+/** A light source has no dark side: a cover mesh whose normals all point towards the light. */
 function shining({ positions, indices }: TriangleMesh): TriangleMesh {
   const raised = positions.map((at, i) => (i % 3 === 2 ? at + 0.015 : at));
   return { positions: raised, indices, normals: positions.map((_, i) => SHINING[i % 3]) };

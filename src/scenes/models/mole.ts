@@ -6,7 +6,7 @@ import { lathe } from './lathe.ts';
 import { merged, placed } from './place.ts';
 import { roundedBox } from './roundedBox.ts';
 
-/** Radius of the mole, and half of its straight part, metres. */
+/** Radius of the mole, and half the length of its straight part, metres. */
 export const MOLE_RADIUS = 0.34;
 export const MOLE_HALF = 0.34;
 const TOP = MOLE_HALF + MOLE_RADIUS;
@@ -20,9 +20,9 @@ const TEETH: Color = [255, 250, 240];
 const SOIL: Color = [206, 132, 92];
 
 /**
- * A mole in a miner's helmet, about the middle of its straight part, that looks along +z; and its hill.
- * @param rigid that carries the mole
- * @param hill number of the part that is the hill
+ * A mole in a miner's helmet, about the centre of its straight part, facing +z; and its molehill.
+ * @param rigid index of the rigid that carries the mole
+ * @param hill index of the part for the molehill
  */
 export function mole(rigid: number, hill: number): SurfaceDescription[] {
   const look = { casts: true, inked: true, rigid };
@@ -58,7 +58,7 @@ function helmet() {
   ); // prettier-ignore
 }
 
-/** A low dome that the mole pushes along before it and stands in when it looks out. */
+/** A low dome that the mole pushes along while digging and stands in when it emerges. */
 function molehill() {
   return lathe(
     28,

@@ -3,16 +3,16 @@ import { rotate, quaternionFromAngles } from '../../sim/exact/rotation.ts';
 import type { Placement, Vector } from '../scene.ts';
 import { normalized } from './revolve.ts';
 
-/** How a mesh is put somewhere: scaled, then turned, then moved. */
+/** The transform of a mesh: scale, then rotation, then translation. */
 export interface Stand {
   readonly at?: Vector;
-  /** Radians about x, then y, then z, each about the world's axis. */
+  /** Radians about x, then y, then z, each about the world axis. */
   readonly angles?: Vector;
-  /** Along each of its own axes; above 0. */
+  /** Along each local axis; above 0. */
   readonly scale?: Vector | number;
 }
 
-/** The mesh where it stands, with unit normals. */
+/** The transformed mesh, with unit normals. */
 export function placed(
   { positions, normals, indices }: TriangleMesh,
   { at = [0, 0, 0], angles = [0, 0, 0], scale = 1 }: Stand,
@@ -28,7 +28,7 @@ export function placed(
   };
 }
 
-/** Several meshes as one. */
+/** Merges several meshes into one. */
 export function merged(...meshes: readonly TriangleMesh[]): TriangleMesh {
   let next = 0;
   const indices = meshes.flatMap((mesh) => {
@@ -43,7 +43,7 @@ export function merged(...meshes: readonly TriangleMesh[]): TriangleMesh {
   };
 }
 
-/** Where nothing is moved and nothing turned but what is given. */
+/** A placement with defaults: the origin, without rotation. */
 export function placement(position: Vector = [0, 0, 0], angles: Vector = [0, 0, 0]): Placement {
   return { position, rotation: quaternionFromAngles(angles) };
 }

@@ -1,9 +1,11 @@
 /**
- * Closed meshes by turning a profile about an axis that may itself be curved: lathe work, tubes, spouts, handles.
+ * Closed meshes made by revolving a profile about an axis that may itself be curved: lathed shapes, tubes, spouts,
+ * handles.
  *
- * A profile is a chain of smooth curves of [radius, along]. The first starts and the last ends on the axis, so that the
- * surface is closed; each begins where the one before ended, with a crease between them. A profile starts at the lower
- * end of its axis, runs along its outside and ends at the upper end, which winds all faces anticlockwise from outside.
+ * A profile is a chain of smooth curves of [radius, along]. The first one starts on the axis and the last one ends on
+ * it, so that the surface is closed. Each curve starts where the previous one ends, with a crease between them. A
+ * profile starts at the lower end of its axis, follows the outside and ends at the upper end, so that all faces are
+ * wound anticlockwise seen from outside.
  */
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import { cos, hypot, sin } from '../../sim/exact/sine.ts';
@@ -12,36 +14,36 @@ import type { Curve } from './spline.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
 
-/** A place on an axis and the plane across it: two unit vectors, such that tangent x side = across. */
+/** A point on an axis and the plane across it: two unit vectors with tangent x side = across. */
 export interface Frame {
   readonly origin: Vector;
   readonly across: Vector;
   readonly side: Vector;
 }
 
-/** The frame at a place along an axis; places are in whatever unit the profile uses. */
+/** The frame at a position along an axis, in the unit of the profile. */
 export type Axis = (along: number) => Frame;
 
-/** One smooth stretch of a profile. */
+/** A smooth curve of a profile. */
 export interface Stretch {
   readonly curve: Curve;
-  /** Bands of triangles along it. */
+  /** Number of triangle bands along it. */
   readonly bands: number;
 }
 
 export interface SurfaceOfRevolution {
   readonly axis: Axis;
   readonly profile: readonly Stretch[];
-  /** Triangles round the axis. */
+  /** Number of segments around the axis. */
   readonly segments: number;
-  /** Factor on the radius at a turn (radians) from `across` towards `side`; 1 when left out. */
+  /** Radius factor at an angle (radians) from `across` towards `side`. Default: 1. */
   readonly swell?: (angle: number) => number;
 }
 
-/** The vertical through the origin; places along it are heights. Turns run from +x towards +z. */
+/** The vertical axis through the origin; positions along it are heights. Angles run from +x towards +z. */
 export const uprightAxis: Axis = (along) => ({ origin: [0, along, 0], across: [1, 0, 0], side: [0, 0, 1] });
 
-/** An axis in the plane z = 0 along a curve of [x, y]; places along it are the curve's parameter. */
+/** An axis in the plane z = 0 along a curve of [x, y]; positions along it are curve parameters. */
 export function planarAxis(path: Curve): Axis {
   return (along) => {
     const [x, y] = path(along);
@@ -50,16 +52,16 @@ export function planarAxis(path: Curve): Axis {
   };
 }
 
-/** Step for derivatives, as a share of a curve. */
+/** Step for finite differences, as a fraction of a curve. */
 const STEP = 1e-4;
 
-/** The closed mesh of a turning. */
+/** The closed mesh of a surface of revolution. */
 export function revolve(surface: SurfaceOfRevolution): TriangleMesh {
   const { profile, segments } = surface;
   const positions: number[] = [];
   const normals: number[] = [];
   const indices: number[] = [];
-  /** Vertices round the axis, or the one on it. */
+  /** Adds the vertices around the axis, or the single vertex on it. */
   const ring = (curve: Curve, parameter: number, isPole: boolean): ((segment: number) => number) => {
     const first = positions.length / 3;
     const pointAt = circle(surface, curve, parameter);
@@ -91,10 +93,10 @@ export function revolve(surface: SurfaceOfRevolution): TriangleMesh {
   };
 }
 
-/** What is at a turn (radians) from `across` towards `side`. */
+/** A function of the angle (radians) from `across` towards `side`. */
 type ByAngle = (angle: number) => readonly number[];
 
-/** The points of a turning at a share of one of its curves. */
+/** The points around the surface at a parameter of one of its curves. */
 export function circle({ axis, swell }: SurfaceOfRevolution, curve: Curve, parameter: number): ByAngle {
   const [radius, along] = curve(parameter);
   const { origin, across, side } = axis(along);
@@ -105,7 +107,7 @@ export function circle({ axis, swell }: SurfaceOfRevolution, curve: Curve, param
   };
 }
 
-/** Unit normals from differences along the profile and round the axis, one-sided at a crease. */
+/** Unit normals from finite differences along the profile and around the axis, one-sided at a crease. */
 function normalsOn(surface: SurfaceOfRevolution, curve: Curve, parameter: number): ByAngle {
   const lower = circle(surface, curve, Math.max(0, parameter - STEP));
   const middle = circle(surface, curve, parameter);
@@ -117,7 +119,7 @@ function normalsOn(surface: SurfaceOfRevolution, curve: Curve, parameter: number
   };
 }
 
-/** At a pole the normals round it are averaged. */
+/** The average of the normals around a pole. */
 function poleNormal(surface: SurfaceOfRevolution, curve: Curve, parameter: number): readonly number[] {
   const normalAt = normalsOn(surface, curve, parameter === 0 ? STEP : 1 - STEP);
   const sum: [number, number, number] = [0, 0, 0];
@@ -132,7 +134,7 @@ function minus(a: readonly number[], b: readonly number[]): number[] {
   return a.map((part, axis) => part - b[axis]);
 }
 
-/** At length 1. */
+/** Scaled to length 1. */
 export function normalized(vector: readonly number[]): number[] {
   const length = hypot(...vector);
   return vector.map((part) => part / length);

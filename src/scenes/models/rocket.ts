@@ -17,7 +17,7 @@ const STEEL: Color = [176, 180, 200];
 const PAD: Color = [206, 198, 204];
 const SIGNAL: Color = [246, 186, 76];
 
-/** Height of the mouth of the nozzle. */
+/** Height of the nozzle's opening. */
 export const NOZZLE = 0.16;
 
 export function rocket(rigid: number): SurfaceDescription[] {
@@ -36,7 +36,7 @@ export function rocket(rigid: number): SurfaceDescription[] {
   ];
 }
 
-/** What smoke bumps into. */
+/** The collider. */
 export function rocketHull(): RigidShape {
   return {
     type: 'compound',

@@ -3,7 +3,7 @@ import { tan } from '../../sim/exact/arc.ts';
 import type { Vector } from '../scene.ts';
 import { normalized } from './revolve.ts';
 
-/** Two directions along the face of a cube that looks along an axis, such that u x v is that axis. */
+/** The tangent axes u and v of each cube face, with u x v along the face normal. */
 const FACES: readonly (readonly [axis: number, sign: 1 | -1, u: number, v: number])[] = [
   [0, 1, 1, 2],
   [0, -1, 2, 1],
@@ -14,9 +14,9 @@ const FACES: readonly (readonly [axis: number, sign: 1 | -1, u: number, v: numbe
 ];
 
 /**
- * A closed box about the origin with round edges and corners.
- * @param radius of these, or one along each axis: half of a side rounds all of it off
- * @param cells along each edge of the cube that is blown up; odd, so that the middle one becomes the flat part
+ * A closed box about the origin with rounded edges and corners.
+ * @param radius of the edges and corners, or one per axis; half a side rounds it completely
+ * @param cells per cube edge; odd, so that the middle cell becomes the flat part
  */
 export function roundedBox(halfExtents: Vector, radius: number | Vector, cells = 9): TriangleMesh {
   const radii = typeof radius === 'number' ? [radius, radius, radius] : radius;

@@ -1,9 +1,9 @@
-/** A smooth curve from parameter 0 to 1, as many numbers a point as its control points have. */
+/** A smooth curve for parameters 0 to 1, with the dimension of its control points. */
 export type Curve = (parameter: number) => number[];
 
 /**
- * The Catmull-Rom spline through control points, evenly spaced in its parameter. It ends exactly on the first and the
- * last one, so that curves that share an end meet to the last bit.
+ * A Catmull-Rom spline through control points that are evenly spaced in its parameter. It ends exactly at the first and
+ * the last point, so that curves with a common end meet bit-exactly.
  */
 export function spline(points: readonly (readonly number[])[]): Curve {
   const last = points.length - 1;
@@ -24,7 +24,7 @@ export function spline(points: readonly (readonly number[])[]): Curve {
   };
 }
 
-/** The point beyond an end that lets the curve leave the end straight towards its neighbour. */
+/** A virtual control point beyond an end, the neighbour mirrored about it. */
 function mirrored(end: readonly number[], neighbour: readonly number[]): number[] {
   return end.map((value, axis) => 2 * value - neighbour[axis]);
 }

@@ -3,7 +3,7 @@ import { cos, sin } from '../../sim/exact/sine.ts';
 
 const SEGMENTS = 96;
 
-/** A round table top, closed: its upper face lies at y = 0, the rim below it has sharp edges. */
+/** A closed round table top. Its upper face is at y = 0; the rim below it has sharp edges. */
 export function tableMesh(radius: number, thickness: number): TriangleMesh {
   const positions: number[] = [];
   const normals: number[] = [];

@@ -12,11 +12,11 @@ const SAUCER: Color = [231, 122, 104];
 const FACE: Color = [70, 42, 52];
 const CHEEK: Color = [240, 142, 126];
 
-/** Height of the tea, and the radius of its surface; metres. */
+/** Height and radius of the tea surface; metres. */
 export const TEA_LEVEL = 0.82;
 export const TEA_RADIUS = 0.6;
 
-/** A smiling cup of tea on its saucer, 1.3 m wide: as large as a toy house, so that the scene's figures stay handy. */
+/** A smiling cup of tea on its saucer, 1.3 m wide: oversized, so that the scene's values have convenient magnitudes. */
 export function teacup(): SurfaceDescription[] {
   const still = { casts: true, inked: true };
   return [
@@ -30,7 +30,7 @@ export function teacup(): SurfaceDescription[] {
   ];
 }
 
-/** Radius of the cup's outside at a height. */
+/** Outer radius of the cup by height. */
 const SIDE = [
   [0.36, 0.1],
   [0.56, 0.24],
@@ -82,7 +82,7 @@ function handle(): TriangleMesh {
   ); // prettier-ignore
 }
 
-/** Two eyes and a smile, sunk into the side that looks to the front. */
+/** Two eyes and a smile, embedded in the front of the cup. */
 function face(): TriangleMesh {
   const eye = (x: number) => placed(ballMesh(1, 10), { at: onFront(x, 0.56), scale: [0.05, 0.065, 0.04] });
   const smile = pipe(
@@ -100,7 +100,7 @@ function cheeks(): TriangleMesh {
   return merged(cheek(-0.33), cheek(0.33));
 }
 
-/** The point of the cup's front at a place of its picture. */
+/** The point on the front of the cup at these picture coordinates. */
 function onFront(x: number, y: number): [number, number, number] {
   const radius = 0.66;
   return [x, y, Math.sqrt(radius * radius - x * x) - 0.005];

@@ -1,4 +1,4 @@
-/** Things to drop: a ball with a face, and a wooden crate with one. Metres, about their middles. */
+/** Objects to drop: a ball and a wooden crate, both with a face. Metres, about their centres. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
@@ -13,7 +13,7 @@ const CHEEK: Color = [240, 138, 122];
 const WOOD: Color = [214, 152, 92];
 const PLANK: Color = [240, 190, 124];
 
-/** Meshes of a toy by what they show; those of one model can be shared by any number of toys. */
+/** Meshes of a toy by role. Any number of toys can share a model. */
 export type ToyModel = Readonly<Record<'body' | 'trim' | 'eyes' | 'cheeks', TriangleMesh>>;
 
 export function ballModel(radius: number): ToyModel {
@@ -40,7 +40,7 @@ export function crateModel(half: number): ToyModel {
   };
 }
 
-/** @param rigid that carries it */
+/** @param rigid index of the rigid that carries it */
 export function jollyBall(
   rigid: number,
   { body, trim, ...features }: ToyModel,
@@ -54,7 +54,7 @@ export function jollyBall(
   ];
 }
 
-/** @param rigid that carries it */
+/** @param rigid index of the rigid that carries it */
 export function jollyCrate(rigid: number, { body, trim, ...features }: ToyModel): SurfaceDescription[] {
   const [crate, frame] = [`crate ${rigid}`, `frame ${rigid}`];
   return [
@@ -72,14 +72,14 @@ function faceSurfaces(rigid: number, { eyes, cheeks }: Pick<ToyModel, 'eyes' | '
   ];
 }
 
-/** @param front how far before the middle it lies */
+/** @param front distance of the face from the centre */
 function face(size: number, radius: number, front: number): Pick<ToyModel, 'eyes' | 'cheeks'> {
   const { features, cheeks } = friendlyFace(size, radius);
   const stand = { at: [0, 0, front] } as const;
   return { eyes: placed(features, stand), cheeks: placed(cheeks, stand) };
 }
 
-/** A stripe round a ball, above its face. */
+/** A stripe around a ball, above its face. */
 function bandMesh(radius: number) {
   const at = (share: number, out: number) => [Math.sqrt(1 - share * share) * radius + out, share * radius] as const;
   const [low, middle, high] = [at(0.52, 0.006), at(0.66, 0.008), at(0.8, 0.006)];

@@ -1,4 +1,4 @@
-/** What the locomotive pulls: a tender with coal and two open wagons. They look along +x; y = 0 is the top of the rails. */
+/** The wagons: a tender with coal and two open wagons. They face +x; y = 0 is the top of the rails. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import type { SurfaceDescription } from '../../passes/surfaces.ts';
@@ -10,7 +10,7 @@ import { roundedBox } from './roundedBox.ts';
 const DARK: Color = [82, 66, 88];
 const HALF_LENGTH = 0.36;
 
-/** The body, its load, and its frame with wheels that are too plain to show that they turn. */
+/** The body, its load, and its frame with static wheels, whose plain shape hides that they do not turn. */
 export function wagon(
   part: number,
   color: Color,
