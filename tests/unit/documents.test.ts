@@ -1,4 +1,4 @@
-/** README.md and docs/: the generated tables, the length of the README, and relative links. */
+/** The documents: generated tables, the length of README.md, relative links, and files that they name. */
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -12,6 +12,9 @@ const MAX_README_LINES = 150;
 const FOLDER = 'docs';
 const DOCUMENTS = [
   'README.md',
+  'ARCHITECTURE.md',
+  'CONTRIBUTING.md',
+  'SECURITY.md',
   ...readdirSync(join(ROOT, FOLDER), { recursive: true, encoding: 'utf8' })
     .filter((file) => file.endsWith('.md'))
     .map((file) => join(FOLDER, file))
@@ -109,6 +112,31 @@ it.each([
   ['a missing heading of the same file', '#missing-heading'],
 ])('finds a link to %s', (_, link) => {
   expect(linksIn(`See [this](${link}).`).filter((each) => isBroken(each, 'README.md'))).toEqual([link]);
+});
+
+/** Files that a build writes. */
+const BUILT = ['custom-elements.json', 'gallery/wisp.html', 'oembed/wisp.json'];
+
+it('names no source file that does not exist', () => {
+  const files = ['src', 'shaders', 'scripts', 'tests', 'public', 'examples', 'docs', '.github'].flatMap((folder) =>
+    readdirSync(join(ROOT, folder), { recursive: true, encoding: 'utf8' }).map((path) => `${folder}/${path}`),
+  );
+  const crates = ['sim', 'world', 'bindings', 'xtask', 'reference', 'fuzz'].flatMap((crate) =>
+    readdirSync(join(ROOT, 'sim-wasm', crate), { recursive: true, encoding: 'utf8' }).map((path) => `${crate}/${path}`),
+  );
+  const paths = [...readdirSync(ROOT), ...readdirSync(join(ROOT, 'sim-wasm')), ...files, ...crates];
+  const known = paths.map((path) => `/${path.replaceAll('\\', '/')}`);
+  const cited = DOCUMENTS.flatMap((file) =>
+    [...read(file).matchAll(/`([\w./-]+\.(?:ts|mjs|rs|glsl|frag|vert|json|html|css))`/g)].map(([, path]) => ({
+      file,
+      path,
+    })),
+  );
+  expect(cited.length).toBeGreaterThan(100);
+  const missing = cited.filter(
+    ({ path }) => !BUILT.includes(path) && !known.some((each) => each.endsWith(`/${path.replace('sim-wasm/', '')}`)),
+  );
+  expect(missing).toEqual([]);
 });
 
 function read(file: string): string {
