@@ -1,9 +1,7 @@
 /**
  * `npm run bench -- embed`: the cost of 1, 10 and 40 widgets, in a worker and on the main thread, compared with an
- * empty
- * page, with tsParticles and with model-viewer: download size, main-thread time, CPU time in and out of view, time to
- * the first
- * picture, and memory.
+ * empty page, with tsParticles and with model-viewer: download size, main-thread time, CPU time in and out of view,
+ * time to the first picture, and memory.
  */
 
 import { writeFileSync } from 'node:fs';

@@ -1,7 +1,6 @@
 /**
  * `npm run bench -- load`: time from the navigation to the first smoke in the built site, served locally with an empty
- * cache,
- * and the size on the wire until then.
+ * cache, and the size on the wire until then.
  */
 
 import { chromium } from '@playwright/test';

@@ -1,7 +1,7 @@
 /**
  * A contact sheet of puffs of lobes: a row per shape, in several orientations, with light from the upper left and with
- * ink,
- * computed as in the body shader. First the hand-picked variations, then the minimum and maximum of each parameter.
+ * ink, computed as in the body shader. First the hand-picked variations, then the minimum and maximum of each
+ * parameter.
  */
 import { writeFileSync } from 'node:fs';
 import { PNG } from 'pngjs';

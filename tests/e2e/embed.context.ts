@@ -29,8 +29,7 @@ export async function changeContext(thread: Thread, way: 'loseContext' | 'restor
 
 /**
  * Sets a thread's timeouts of ten seconds or more, such as the one for a lost context, to infinity or zero. Tests
- * cannot
- * control the clock of a worker.
+ * cannot control the clock of a worker.
  */
 export async function setTimeouts(thread: Thread, timeout: 'endless' | 'none'): Promise<void> {
   await thread.evaluate((given) => {

@@ -56,7 +56,7 @@ for (const [fault, provoke] of Object.entries(FAULTS)) {
 test('a simulator of which nothing comes is waited for, then told as a LoadError', async ({ page, openPage }) => {
   await page.clock.install();
   const asked = page.waitForRequest(WASM);
-  // No response.
+  // The request stays pending.
   await page.route(WASM, () => undefined);
   await openPage(failing('main'));
   await asked;

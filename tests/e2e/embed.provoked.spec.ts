@@ -50,8 +50,7 @@ for (const thread of ['main', 'worker'] as const) {
     await shown.evaluate(({ element }) => element.setAttribute('src', '#preset=wisp'));
     await expect.poll(notified).toEqual([ready, 'ContextError', ready]);
     // The context is lost while the next smoke starts, which may be blank before it gives up. The long-idle worker has
-    // been
-    // replaced by another one.
+    // been replaced by another one.
     await setTimeouts(drawing(), 'none');
     const options = { fault: 'contextLostInStart' } as const;
     const late = await cases.evaluateHandle((module, given) => module.show(...given), [thread, options] as const);

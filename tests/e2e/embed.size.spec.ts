@@ -1,7 +1,6 @@
 /**
  * Downloads of `<cartoon-smoke preset="wisp">`, in kilobytes on the wire (gzip -9). The limits match the current state;
- * the
- * output also lists the targets.
+ * the output also lists the targets.
  */
 import { expect, stands, test, type Server } from '../support/embed.ts';
 

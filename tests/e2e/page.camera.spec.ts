@@ -35,8 +35,7 @@ async function expectLink(page: Page, before = LIGHT): Promise<string> {
 /**
  * Three wheel events or key presses without delay, as on a fast machine. Resolves when the page considers the gesture
  * complete: of two timers with the same delay, the later one fires later. The address bar does not show this, because
- * its
- * timer is the earlier one.
+ * its timer is the earlier one.
  */
 const burst = (page: Page, type: 'wheel' | 'keydown', detail: object) =>
   page.evaluate(

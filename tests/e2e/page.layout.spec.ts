@@ -12,8 +12,7 @@ const edges = async (locator: Locator) => {
 
 /**
  * @param left, right edges of the visible area, CSS pixels; half the space between a panel and the smoke may be on
- *   either
- * side
+ *   either side
  */
 async function expectMiddle(page: Page, left: number, right: number): Promise<void> {
   const away = async () => Math.abs((await edges(page.locator('#smoke'))).middle - (left + right) / 2);

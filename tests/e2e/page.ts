@@ -107,8 +107,7 @@ export interface Point {
 
 /**
  * The centre of the object that can be dragged, in CSS pixels. Found by hit-testing, as a user would, with a picture of
- * the
- * size of its canvas, which it gets with the next frame.
+ * the size of its canvas, which it gets with the next frame.
  */
 export function ballPlace(page: Page): Promise<Point | null> {
   return page.evaluate(async () => {

@@ -10,8 +10,7 @@ const [DOWN, HALF_WAY, THERE, AT_REST, UP] = [0, 0.1, 0.2, 0.8, 1];
 /**
  * A finger that moves between two positions; the page must be opened with touch. It rests before it lifts, and its
  * timestamps are one second in the past: browsers treat the first tap soon after a fling as a stop of that fling,
- * without a
- * click.
+ * without a click.
  */
 export async function fingerOf(page: Page): Promise<Drag> {
   const session = await page.context().newCDPSession(page);

@@ -12,8 +12,7 @@ type Page = typeof import('./page/stages.ts');
 const [SECONDS, WIDTH, HEIGHT] = [3, 720, 480] as const;
 /**
  * Share of the pixels that may differ, and tolerance of a channel: rasterizers place edges differently by fractions of
- * a
- * pixel, and edges are a larger share of a smaller picture.
+ * a pixel, and edges are a larger share of a smaller picture.
  */
 const [MAX_SHARE, TOLERANCE] = [0.005, 16];
 

@@ -2,8 +2,7 @@ import type { ConsoleMessage, Page } from '@playwright/test';
 
 /**
  * Collects console errors, uncaught exceptions and WebGL warnings of a page. An invalid WebGL call causes such a
- * warning.
- * Performance hints of the driver are ignored.
+ * warning. Performance hints of the driver are ignored.
  *
  * @returns A list that grows as long as the page is open.
  */

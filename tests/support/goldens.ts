@@ -2,8 +2,7 @@
  * Compares pictures with the goldens in tests/visual/goldens.
  *
  * A pixel is an outlier when any of its four channels differs by more than the case's tolerance. There are no
- * exceptions: edge
- * pixels count as well, because ink lines consist of them.
+ * exceptions: edge pixels count as well, because ink lines consist of them.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';

@@ -1,7 +1,6 @@
 /**
  * The scenario of `sim-wasm/sim/tests/collide_fixture.txt`, for Node and for pages. The crate's own test runs it
- * natively;
- * all platforms must produce the same hashes.
+ * natively; all platforms must produce the same hashes.
  */
 import type { SimulatorFactory } from '../../src/sim/load.ts';
 import type { RigidDescription, RigidShape } from '../../src/sim/rigid.ts';

@@ -1,7 +1,6 @@
 /**
  * A copy of this project's scripts in a temporary folder, on a PATH with only the programs that a test adds. The
- * scripts run
- * as separate processes; tests check their output and exit status.
+ * scripts run as separate processes; tests check their output and exit status.
  */
 import { spawnSync } from 'node:child_process';
 import { chmodSync, cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';

@@ -1,7 +1,6 @@
 /**
  * Records the calls of simulators, for `sim-wasm/sim/examples/native_hashes.rs` to repeat. Format of a call: its name,
- * a
- * byte with the number of arguments, and the arguments, each after a byte with its type. Little endian, lengths are
+ * a byte with the number of arguments, and the arguments, each after a byte with its type. Little endian, lengths are
  * 32-bit.
  */
 import { SimulatorFactory } from '../../src/sim/load.ts';

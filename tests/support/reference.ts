@@ -64,11 +64,9 @@ const MAX_COUNTS = 0.001;
 
 /**
  * Expects a picture to match the reference: far fewer than 0.5 % of its pixels may have another colour. Prints the
- * numbers,
- * and attaches both pictures on failure.
+ * numbers, and attaches both pictures on failure.
  * @param limits largest shares of wrong colours: of all pixels, within regions; and of edge pixels, which is larger for
- *   a few
- * large puffs, because the corners of their boards dominate
+ *   a few large puffs, because the corners of their boards dominate
  */
 export async function expectReference(
   name: string,

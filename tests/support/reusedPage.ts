@@ -5,8 +5,7 @@ const BLANK = '/tests/support/blank.html';
 
 /**
  * A page without product code that all tests of a file share, so that modules are loaded, puffs baked and shaders
- * compiled
- * once per file instead of once per test. The next file gets a fresh page.
+ * compiled once per file instead of once per test. The next file gets a fresh page.
  */
 export class ReusedPage {
   private readonly browser: Browser;

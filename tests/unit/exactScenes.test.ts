@@ -1,7 +1,6 @@
 /**
  * No value that reaches the simulator depends on a function whose last bits are implementation-defined: the same scenes
- * run
- * with the engine's functions and with perturbed ones, which differ far more than any two engines.
+ * run with the engine's functions and with perturbed ones, which differ far more than any two engines.
  */
 import { expect, test, vi } from 'vitest';
 import type { MovingSceneState, Placement, Scene } from '../../src/scenes/scene.ts';

@@ -1,8 +1,7 @@
 /**
  * A link contains only the differences from its preset, so presets and defaults are part of the meaning of links.
  * `UPDATE_LINK_MEANING=1 npx vitest run tests/unit/linkMeaning.test.ts` records new keys, new presets and a new
- * version; recorded
- * values can only change with a new version.
+ * version; recorded values can only change with a new version.
  */
 import { readFileSync, writeFileSync } from 'node:fs';
 import { beforeAll, expect, it } from 'vitest';

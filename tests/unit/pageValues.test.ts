@@ -1,7 +1,6 @@
 /**
  * Boxes of a page in the smoke, for cameras from all sides: the intersection of each collider with the picture plane is
- * the
- * box.
+ * the box.
  */
 import { Quaternion, Vector3 } from 'three';
 import { expect, test } from 'vitest';

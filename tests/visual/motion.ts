@@ -10,8 +10,7 @@ export interface Explained {
   reach: number;
   /**
    * A strip of this width, in pixels, may appear from behind a moving edge in a new colour. Ink lines are as thin and
-   * always
-   * count.
+   * always count.
    */
   strip?: { width: number; ink: number };
   /** Where lines blend into the colour of their smoke, by pixel: ink appears and vanishes gradually there. */
@@ -22,8 +21,7 @@ export interface Explained {
 
 /**
  * Areas of one picture whose colour does not occur in the other one within `reach` pixels. A border of `reach` pixels
- * is
- * ignored, because its content may come from outside the picture or move there.
+ * is ignored, because its content may come from outside the picture or move there.
  * @returns pixels of all areas, and of the largest connected one
  */
 export function unexplained(a: LabPicture, b: LabPicture, explained: Explained): { all: number; largest: number } {

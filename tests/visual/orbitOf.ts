@@ -5,10 +5,8 @@ type Cases = typeof import('./cases/orbit.ts');
 
 /**
  * Pixels that motion does not explain: their colour did not occur one degree earlier within the motion of a point of
- * the
- * smoke plus one pixel. Slivers of light, shadow and ink that appear from behind a lobe add a few such pixels at a
- * time. A
- * puff that switches its view would change hundreds.
+ * the smoke plus one pixel. Slivers of light, shadow and ink that appear from behind a lobe add a few such pixels at a
+ * time. A puff that switches its view would change hundreds.
  */
 const SPAWNED_AT_ONCE = { puff: 12, cluster: 30 };
 

@@ -40,8 +40,7 @@ const SECONDS = 4;
 const FEWEST = 60;
 /**
  * SwiftShader clips triangles at the border of the picture, where their shared edges then separate. Pixels of the
- * meadow
- * show through these cracks in shadow volumes that cross the lower border: 13 of 76,800.
+ * meadow show through these cracks in shadow volumes that cross the lower border: 13 of 76,800.
  */
 const MAX_WITHIN: Readonly<Record<string, number>> = { cloudscape: 0.0003, 'cloudscape-gouache': 0.0003 };
 

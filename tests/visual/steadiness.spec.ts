@@ -5,8 +5,7 @@ const CASES = '/tests/visual/cases/steadiness.ts';
 
 /**
  * Pixels of an area that may appear or vanish at once: slivers of light, shadow and ink from behind a lobe do. A puff
- * of
- * the lamp covers about 300.
+ * of the lamp covers about 300.
  */
 const SLIVER = 12;
 

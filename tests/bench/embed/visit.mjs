@@ -65,8 +65,7 @@ export class Visit {
 
   /**
    * With the widgets in view: at least this time, and until this number of frames was drawn, but not much longer on a
-   * slow
-   * machine.
+   * slow machine.
    *
    * @param {number} frames
    * @param {number} ms

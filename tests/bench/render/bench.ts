@@ -80,8 +80,7 @@ export class RenderBench {
 
   /**
    * Milliseconds of a frame and of three of its passes, all in the same frame. The wait after each pass costs some
-   * tenths of a
-   * millisecond. It does not remove parallelism, because SwiftShader executes draw calls one by one.
+   * tenths of a millisecond. It does not remove parallelism, because SwiftShader executes draw calls one by one.
    */
   timeFrame(cull: boolean): FrameTimes {
     const times: FrameTimes = { bodies: 0, volumes: 0, resolve: 0, frame: 0 };

@@ -12,8 +12,7 @@ const VARIATIONS = 4;
 
 /**
  * A column of smoke that rises from the origin to 3.7 m, widens and drifts 4.5 m to the right, out of the view of a
- * camera
- * at its lower part. Requires `emission.growthTime` 0 and the paper's integrator.
+ * camera at its lower part. Requires `emission.growthTime` 0 and the paper's integrator.
  */
 export function seededPlume(count: number, seed: number): Particles {
   const next = random(seed);
@@ -41,8 +40,7 @@ const COLUMN = { radius: 0.55, height: 3.4, x: -1.3, size: 0.2 };
 
 /**
  * A column so dense that additional puffs are almost invisible: upright in front of the benchmark's camera, with the
- * same
- * distribution of puffs at all heights.
+ * same distribution of puffs at all heights.
  */
 export function saturatedColumn(count: number, seed: number): Particles {
   const next = random(seed);

@@ -1,7 +1,6 @@
 /**
  * Cost relative to visible content: bodies and casters that remain from seeded plumes of 1,000 to 100,000 and the time
- * of
- * `arrange` for them, and frames of plumes and of a dense column.
+ * of `arrange` for them, and frames of plumes and of a dense column.
  */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { HEIGHT, RenderBench, WIDTH } from './bench.ts';

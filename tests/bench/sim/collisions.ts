@@ -1,7 +1,6 @@
 /**
  * collide.near, .far, .vsNaive and .rigids1 to .rigids1000: cost of collisions, compared with Rapier's queries in the
- * same
- * WASM.
+ * same WASM.
  */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { median, ratios } from '../support/statistics.ts';

@@ -12,8 +12,7 @@ const PROGRAM = `${FOLDER}/release/examples/contest${process.platform === 'win32
 
 /**
  * SIMD features of WASM that baseline x86-64 lacks, such as rounding four numbers down: without them the native side
- * would
- * be slower. Neither side uses fused multiply-add.
+ * would be slower. Neither side uses fused multiply-add.
  */
 const FEATURES = process.arch === 'x64' ? '-C target-feature=+sse4.1' : '';
 
@@ -50,8 +49,7 @@ export class Native {
 
   /**
    * The vite plugin that forwards commands: POST /native?LINE, with the bytes after the line as the body. The response
-   * is the
-   * program's line.
+   * is the program's line.
    *
    * @returns {import('vite').Plugin}
    */

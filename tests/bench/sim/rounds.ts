@@ -12,14 +12,13 @@ export interface Plan {
   warming: number;
   /**
    * Milliseconds between two readings of the clock: longer than its resolution, short enough that load on the machine
-   * affects
-   * all contestants alike.
+   * affects all contestants alike.
    */
   slice: number;
   /**
    * Cost of a round: the mean of its slices, or the cheapest one, because other processes only slow slices down. The
-   * latter
-   * is only fair for slices of the same duration, so not for contestants whose single step is longer than a slice.
+   * latter is only fair for slices of the same duration, so not for contestants whose single step is longer than a
+   * slice.
    */
   cost: 'mean' | 'cheapest';
 }

@@ -1,13 +1,11 @@
 /**
  * The simulator's step in optimized JavaScript: the reference of sim.vsJavaScript. Struct of arrays, one loop over all
  * particles, no objects, no calls, all constants in locals. It computes in double precision and rounds on store:
- * rounding each
- * operation with Math.fround is slower by measurement.
+ * rounding each operation with Math.fround is slower by measurement.
  *
  * Equations, hashes and order of the step are those of sim-wasm/sim/src: emission at rest, forces, motion by air and
- * slip,
- * ageing, cooling and expiry. It only has the features of the comparison: exactly one vortex, one octave, no colliders.
- * tests/unit/bench.twin.test.ts compares it with the WASM.
+ * slip, ageing, cooling and expiry. It only has the features of the comparison: exactly one vortex, one octave, no
+ * colliders. tests/unit/bench.twin.test.ts compares it with the WASM.
  */
 import { FLOAT_COLUMNS, type Memory, type Particles } from '../support/snapshot.ts';
 import type { ForceValues } from './cloud.ts';
@@ -48,8 +46,7 @@ export class TwinSimulator {
 
 /**
  * Moves and ages the first `alive` particles and returns the number of remaining ones. It is one long function, because
- * the
- * compiler does not always inline smaller ones, which then cost calls and memory access.
+ * the compiler does not always inline smaller ones, which then cost calls and memory access.
  */
 function advance(particles: Particles, alive: number, constants: ReturnType<typeof constantsOf>): number {
   const { x: X, y: Y, z: Z, px: PX, py: PY, pz: PZ, sx: SX, sy: SY, sz: SZ } = particles;

@@ -145,8 +145,8 @@ export async function measureAgainstCompat(quick: boolean): Promise<Figure[]> {
 
 /**
  * Checks one step: every particle that we push must be near a rigid in the bindings' world, and every particle that
- * overlaps
- * one there must be pushed. The motion within the step explains the rest. Returns the number of pushed particles.
+ * overlaps one there must be pushed. The motion within the step explains the rest. Returns the number of pushed
+ * particles.
  */
 function compare(contest: Contest): number {
   for (let step = 0; step < 5; step++) {

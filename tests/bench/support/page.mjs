@@ -7,8 +7,7 @@ import { CHROMIUM_FLAGS, findBrowser } from '../../../scripts/setup/browser.mjs'
 
 /**
  * Exact heap sizes and explicit garbage collection: without them growth cannot be distinguished from garbage. WASM uses
- * the
- * optimizing compiler immediately: its code is twice as fast, and on a busy machine tier-up may occur after the
+ * the optimizing compiler immediately: its code is twice as fast, and on a busy machine tier-up may occur after the
  * warm-up.
  */
 const MEASURING_FLAGS = ['--enable-precise-memory-info', '--js-flags=--expose-gc --no-liftoff'];

@@ -1,9 +1,7 @@
 /**
  * Reads and writes the particles of a simulator through its saved state, the only way to place given particles.
- * Relevant
- * parts of the format in sim-wasm/sim/src/simulator/snapshot.rs: an envelope with a checksum, sections with a name of
- * four letters
- * and a length, and the content of the particle section.
+ * Relevant parts of the format in sim-wasm/sim/src/simulator/snapshot.rs: an envelope with a checksum, sections with a
+ * name of four letters and a length, and the content of the particle section.
  */
 
 /** The columns of particle state in saved order. */

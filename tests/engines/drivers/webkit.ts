@@ -1,7 +1,6 @@
 /**
  * Debian's WebKitGTK, driven by W3C WebDriver. The five required commands are plain HTTP. Client libraries for Node are
- * far
- * larger, and their current versions require a newer Node than this project.
+ * far larger, and their current versions require a newer Node than this project.
  */
 import { setTimeout as sleep } from 'node:timers/promises';
 import { findFreePort } from '../../support/server.ts';

@@ -65,8 +65,7 @@ export function toneColors(form: PuffForm): { found: Record<string, number>; all
 
 /**
  * The colours of a heap of puffs with custom stops, fill light, rim and temperature colours, and the allowed colours:
- * the
- * rim, and the stops and fill tone of each temperature band.
+ * the rim, and the stops and fill tone of each temperature band.
  */
 export function chosenColors(form: PuffForm): { found: Record<string, number>; allowed: string[] } {
   const style: Style = {
@@ -151,8 +150,7 @@ function tiltedCamera(projection: string, tilt: number, { place }: LabPuff): Cam
 
 /**
  * World height of a ball's surface at a pixel, raised along the view ray as on a nailboard; undefined outside and at
- * the
- * rim.
+ * the rim.
  */
 function heightShown(at: number, camera: Camera, { place, radius }: LabPuff): number | undefined {
   const pixel = [((at % WIDTH) + 0.5) / WIDTH, (Math.floor(at / WIDTH) + 0.5) / HEIGHT].map((share) => 2 * share - 1);
@@ -297,8 +295,7 @@ export function reversalSensitivity(form: PuffForm): { differing: number; painte
 
 /**
  * Largest distance, in pixels, between the centre of a wrongly covered or wrongly uncovered pixel and the silhouette
- * plus
- * the width of the ink line. The CPU projects the silhouette.
+ * plus the width of the ink line. The CPU projects the silhouette.
  */
 export function outlineError(
   form: PuffForm,

@@ -173,8 +173,7 @@ async function lampAfter(steps: number, isInPlume = false): Promise<Shown> {
   const target = new Vector3(...min).lerp(new Vector3(...max), 0.5).toArray();
   const camera = isInPlume ? lab.camera({ target, distance: 0.3 }) : lab.camera();
   // A culled frame has no shadows of covered particles, but the reference counts all of them. culling.ts compares
-  // culled
-  // and unculled pictures.
+  // culled and unculled pictures.
   return { ...lab.scene, input: lab.frame({ camera, cull: false }) };
 }
 

@@ -132,8 +132,7 @@ export async function bringShape(): Promise<{ lobes: number; billboards: number;
 /**
  * Changes a parameter while a stage plays with a stopped clock: the number of frames until the picture changes, and its
  * difference from the picture of a paused stage. Each read of the time advances it by one millisecond, so the result
- * counts
- * frames and does not depend on the machine.
+ * counts frames and does not depend on the machine.
  */
 export async function changeWhilePlaying(): Promise<{ frames: number; leftOver: number }> {
   let frame: FrameRequestCallback = () => {};

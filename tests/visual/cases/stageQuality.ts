@@ -7,8 +7,7 @@ import { differing, HEIGHT, pixelsOf, shown, SMALL, visibleCanvas, WIDTH } from 
 /**
  * A stage with half the pixels in each direction, compared with a stage of half the size: differing pixels whose
  * neighbourhood is uniform in the second picture, and all such pixels, without ink. Also reports whether `picture()`
- * has all
- * pixels, and the size of the canvas.
+ * has all pixels, and the size of the canvas.
  */
 export async function halfQuality(device?: Device): Promise<{
   flat: number;

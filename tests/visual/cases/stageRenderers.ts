@@ -4,8 +4,7 @@ import { differing, HEIGHT, lampStage, shown, SMALL, visibleCanvas, WIDTH } from
 
 /**
  * Pixels that change immediately when the renderer changes, pixels that change after its code is loaded, and pixels
- * that
- * differ then from a stage created with that renderer.
+ * that differ then from a stage created with that renderer.
  */
 export async function lateRenderer(): Promise<{ atOnce: number; later: number; fromStart: number }> {
   const canvas = visibleCanvas();
