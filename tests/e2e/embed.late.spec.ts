@@ -53,7 +53,7 @@ test('what was taken away amid its start has no say when the element is put back
   const before = await notifiedOn(page);
   expect(before.filter((type) => type === 'ready')).toHaveLength(1);
   await route.continue();
-  // It waits for the same file, longer than the aborted start.
+  // Interaction needs the same file; the aborted start would have received it earlier.
   const isInteractive = () =>
     smokeOn(page).evaluate((smoke) => smoke.shadowRoot!.querySelector('.frame')!.matches('.interactive'));
   await smokeOn(page).evaluate((smoke) => smoke.toggleAttribute('interactive', true));

@@ -17,7 +17,7 @@ export function countContexts(): { webgl: number } {
   return count;
 }
 
-/** Stages of the same smoke, some out of view, each advanced by the steps for its number. */
+/** Stages of the same smoke, some out of view, each advanced by 60 steps. */
 export async function openMany(count: number, inView: number, thread: 'main' | 'worker'): Promise<Opened[]> {
   document.body.style.cssText = 'display: flow-root; height: 5000px; position: relative';
   const opened = await Promise.all(Array.from({ length: count }, () => open({ ...TINY, thread })));

@@ -62,7 +62,7 @@ test('a smoke that stays while the page scrolls sees its boxes go by: of many th
   await openPage(`<cartoon-smoke ${AIR.replace('absolute', 'fixed')} paused collide="button"></cartoon-smoke>
     ${boxes.join('')}<div style="height: 3000px"></div>${NOTICES}`);
   await stands(page);
-  /** The indices of the colliders among the boxes, and of the boxes with curl. */
+  /** The indices of the boxes used as colliders, and of those with curl. */
   const followed = async (scrolled: number) => {
     const values = (await page
       .locator('cartoon-smoke')

@@ -80,7 +80,7 @@ test.describe('on a phone that is turned', () => {
   test('a gallery that was put away does not come back for a window that is turned there and back at once', async ({
     page,
   }) => {
-    // The page receives the rotation event after the rotation.
+    // The media query event arrives after the rotation is complete.
     await page.addInitScript(() => {
       const low = Object.assign(new EventTarget(), { matches: false });
       const { matchMedia } = window;

@@ -70,7 +70,7 @@ test('mouse and keys go along the time line and through the presets', async ({ p
       const knob = document.querySelector<HTMLInputElement>('input.timeline')!;
       const seen: number[] = [];
       window.cartoonSmoke!.on('frame', () => seen.push(knob.valueAsNumber));
-      // The second seek cancels the first, which shows the step that it has reached.
+      // The second seek cancels the first, which still draws the step that it has reached.
       for (const seconds of [9, 4]) {
         knob.value = String(seconds);
         knob.dispatchEvent(new Event('input'));

@@ -8,7 +8,6 @@ import { Simulation } from '../../src/stage/simulation.ts';
 export const VALUES: Values = { ...presetValues(defaultPreset), 'simulation.maxParticles': 300, 'emission.rate': 150 };
 export const LAST_STEP = 400;
 
-/** A simulation of the lamp. */
 export function lampSimulation(factory: SimulatorFactory, historyBytes = 1e7): Simulation {
   return new Simulation(factory, lamp(), VALUES, historyBytes);
 }

@@ -27,8 +27,7 @@ test('smoke goes around a box above its emitter, and gets past it', async () => 
 });
 
 /**
- * Smoke below a wide box in still air until the end of its lifetime: the share of expiring puffs within 15 mm of one
- * line.
+ * Smoke below a wide box in still air at the end of its lifetime: the share of expiring puffs within 15 mm of one line.
  */
 async function alignedUnder(values: Values): Promise<number> {
   const simulator = (await loadVariant('core')).create({ capacity: 600, seed: 3 });

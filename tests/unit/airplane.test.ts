@@ -132,7 +132,7 @@ describe('in flight', () => {
     const ghost = { ...scene.rigids[0], shape: { type: 'ball', radius: 0.01 }, boundaryLayer: 0 } as const;
     const [hull, none] = [scene, { ...scene, rigids: [ghost] }].map(deepestIn);
     expect(hull).toBeLessThan(1e-3);
-    // The same flight through the same smoke without collisions.
+    // Control: the same flight through the same smoke without collisions.
     expect(none).toBeGreaterThan(0.15);
   });
 

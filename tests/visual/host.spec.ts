@@ -225,7 +225,7 @@ test.describe('of billboards that are not here yet', () => {
     expect(await cases.evaluate((module, one) => module.frames(one), asked)).toBe(0);
     const thrown = await asked.evaluate(({ smoke }) => smoke.complete().catch((error: Error) => error.name));
     expect(thrown).toBe('LoadError');
-    // Each frame had time for a retry and a notice; a second request would have waited as long.
+    // Each frame had time to retry and to notify: complete() waited as long.
     expect(await notified()).toEqual(once);
     await asked.evaluate(({ smoke }) => {
       smoke.set({ 'puff.form': 'lobes' });

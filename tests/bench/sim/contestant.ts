@@ -14,7 +14,6 @@ export interface Contestant {
    * Positions of its particles, metres, x y z interleaved; undefined for contestants with only a hash or no positions.
    */
   places?(): Float32Array;
-  /** Frees its memory. */
   dispose(): void;
 }
 

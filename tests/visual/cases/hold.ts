@@ -14,7 +14,7 @@ export interface HoldReport {
   ball: number[];
 }
 
-/** @param hold exposure of a drawing of the puffs, in 24ths of a second */
+/** @param hold how long puffs keep a drawing, in 24ths of a second */
 export async function changes(hold: number, puffs: number, steps: number): Promise<HoldReport> {
   const values = { 'style.hold': hold, 'style.shadows': 0, 'simulation.maxParticles': puffs };
   const lab = await SceneLab.create('lamp', { width: SIZE, height: SIZE, values });

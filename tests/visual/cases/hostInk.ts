@@ -60,7 +60,8 @@ function around(pixel: number, width: number): number[] {
 }
 
 /**
- * Pixels that change in the two steps between one drawing of five steps and the next: with boiling lines, and without.
+ * Pixels that change within two steps, between which a new drawing begins (a drawing lasts five steps): with boiling
+ * lines, and without.
  */
 export async function boiling(): Promise<{ boiling: number; steady: number }> {
   const changes: number[] = [];

@@ -133,7 +133,10 @@ const WAYS_TO_GO: Readonly<Record<string, (thing: Object3D, group: Group) => voi
   removed: (_, group) => void group.removeFromParent(),
 };
 
-/** Pixels in the shadow of an object: visible, hidden, inside a hidden parent, and removed from the scene. */
+/**
+ * Pixels in the shadow of an object: visible, hidden, inside a hidden parent, removed from the scene, and visible
+ * again.
+ */
 export async function shadowsOfGone(
   kind: 'rigid' | 'bones' | 'instances' | 'proxies',
 ): Promise<Record<string, number>> {

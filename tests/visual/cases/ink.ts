@@ -143,7 +143,10 @@ function isDark(pixels: Uint8Array, pixel: number): boolean {
   return shareAt(pixels, pixel) > 0.5;
 }
 
-/** Pixels of a boiling line that change between drawings, within one drawing, and compared with a line without boil. */
+/**
+ * Pixels of a boiling line that change between drawings, change within one drawing, and extend beyond a line without
+ * boil.
+ */
 export function boiling(form: PuffForm): { between: number; within: number; beyond: number; ink: number } {
   const puffs: LabPuff[] = [{ place: [0, 0, 0], radius: 0.8, seed: 9 }];
   const lab = new Lab({ width: SIZE, height: SIZE, puffs });

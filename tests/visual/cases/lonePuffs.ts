@@ -21,7 +21,7 @@ const APART = 1.4;
 /** Attempts to find a position for one more puff. */
 const TRIES = 40;
 
-/** A ramp with an early first stop, a fill light and a rim: all its tones start in front of the shadow volume. */
+/** A ramp with an early first stop, a fill light and a rim: none of its tones may start behind the shadow volume. */
 export const EARLY: Partial<Style> = {
   stops: parseStops('0:3a3f6b,.3:7a6fa8,.8:fff4d8'),
   isBlended: true,

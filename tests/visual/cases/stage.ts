@@ -13,7 +13,6 @@ export async function lampStage(canvas: OffscreenCanvas | HTMLCanvasElement, dev
   return createStage(canvas, { values: SMALL, width: WIDTH, height: HEIGHT, pixelRatio: 1, device });
 }
 
-/** The picture of the lamp at a simulated time. */
 export async function lampPicture(seconds: number): Promise<Blob> {
   const stage = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT));
   await stage.seek(seconds);

@@ -16,7 +16,6 @@ const SUN = [0.5, 0.8, 0.33] as const;
 /** The enabled effects, as bits in the order of `EFFECTS`. */
 export const COMBINATIONS = Array.from({ length: 16 }, (_, bits) => bits);
 
-/** Name of a combination. */
 export function labelOf(bits: number): string {
   const on = EFFECTS.filter((_, effect) => isOn(bits, effect));
   return on.length === 0 ? 'none' : on.join(', ');
