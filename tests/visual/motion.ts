@@ -9,7 +9,7 @@ export interface Explained {
   /** A colour may move this far between the pictures, pixels. */
   reach: number;
   /**
-   * A strip of this width, in pixels, may appear from behind a moving edge in a new colour. Ink lines are as thin and
+   * A strip of up to `width` pixels may appear from behind a moving edge in a new colour. Ink lines are as thin and
    * always count.
    */
   strip?: { width: number; ink: number };

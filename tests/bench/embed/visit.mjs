@@ -64,8 +64,7 @@ export class Visit {
   }
 
   /**
-   * With the widgets in view: at least this time, and until this number of frames was drawn, but not much longer on a
-   * slow machine.
+   * With the widgets in view: at least `ms`, then until `frames` frames are drawn, for at most 20 s in total.
    *
    * @param {number} frames
    * @param {number} ms

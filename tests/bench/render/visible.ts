@@ -92,7 +92,7 @@ function arrangeFigure({ arrange, frame }: Frames): Figure {
   return figure('render.arrange', 'x', shares, 'arrange for eye and light / frame, plume of 10,000; goal <= 0.15');
 }
 
-/** The highest time per drawn body and caster relative to the lowest, by round. */
+/** The ratio of the highest to the lowest time per drawn body and caster, minus 1, by round. */
 function perDrawnFigure(plumes: readonly Frames[]): Figure {
   const spread = plumes[0].frame.map((_, round) => {
     const each = plumes.map(({ frame, bodies, casters }) => frame[round] / (bodies + casters));

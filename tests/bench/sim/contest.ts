@@ -15,7 +15,7 @@ import { largestDifference } from './twin.ts';
 /** Positions in metres, and other values: single precision at 5 m over the compared steps. */
 const TOLERANCE = 1e-4;
 const COMPARED_STEPS = 20;
-/** Largest ratio of the mean distance moved in these steps between an engine and our simulator. */
+/** Largest factor between the mean distances moved of an engine and of our simulator, in this number of steps. */
 const COMPARABLE = 2;
 const DISTANCE_STEPS = 120;
 const COMPARED_COUNT = 1000;

@@ -90,7 +90,8 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
     const hash3 = (hash0 + STRIDE_X + STRIDE_Y + STRIDE_Z) | 0;
     const sense = 1 - 2 * ((cellX + cellY + cellZ + parity) & 1);
 
-    // From the corners of the tetrahedron to the position: the largest and the smallest fraction select two of them.
+    // Offsets from the corners of the tetrahedron to the position. The largest and the smallest fraction select two
+    // corners.
     const lean = (fx + fy + fz) * (SIDE / 6);
     const x0 = fx * SIDE - lean;
     const y0 = fy * SIDE - lean;

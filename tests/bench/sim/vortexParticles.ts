@@ -75,7 +75,7 @@ function shed({ simulator }: Wasm): Uint8Array {
   return withParticles(simulator, seededCloud(COUNT, 3));
 }
 
-/** Vortex particles without effect would also have no cost. */
+/** Requires an effect: vortex particles without one would also have no cost. */
 async function demandMotion(without: Wasm, withVortices: Wasm, withThem: Contestant): Promise<void> {
   await withThem.restart();
   without.restart();

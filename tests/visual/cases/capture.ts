@@ -73,7 +73,7 @@ export function gif() {
     const { frames, loops } = await gifOf(await captured({ format: 'gif', rate: 12, seconds: 1 }));
     const shown = await pixelsOf(await (await lamp()).picture());
     const kept = commonest(shown, 20).filter((color) => commonest(frames[0], 256).includes(color)).length;
-    // The same moments, without seeking back to the first one.
+    // The same moments without the transition of the loop back to the first one.
     const straight = Object.values(unzipSync(await bytesOf(await captured({ format: 'zip', rate: 12, seconds: 1 }))));
     const [first, last] = [await pixelsOfBytes(straight[0]), await pixelsOfBytes(straight.at(-1)!)];
     return {

@@ -23,7 +23,7 @@ export const RING: PuffShape = {
   }),
 };
 
-/** Shapes with minimum, mean and maximum parameters for some seeds, and two that no parameters produce. */
+/** Shapes with minimum, maximum and random parameters, and two that no parameters produce. */
 export function oddShapes(): PuffShape[] {
   const next = random(5);
   const shapes = Array.from({ length: 14 }, (_, seed) => {

@@ -4,7 +4,10 @@ import { createStage, type Stage } from '../../../src/stage/stage.ts';
 import { EVERYTHING } from '../../support/everything.ts';
 import { differing, HEIGHT, lampStage, pixelsOf, SMALL, WIDTH } from './stage.ts';
 
-/** Mean movement of the smoke's centre between frames of a 60 Hz clock at a speed, in movements of a step. */
+/**
+ * Moves smoke with a 60 Hz clock at a playback speed.
+ * @returns largest difference between a frame's movement, in movements of a step, and the speed
+ */
 export async function movementAtSpeed(speed: number): Promise<number> {
   const { Clock } = await import('../../../src/sim/clock.ts');
   const { loadSimulators } = await import('../../../src/sim/load.ts');
