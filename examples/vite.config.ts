@@ -3,13 +3,13 @@ import { defineConfig, mergeConfig } from 'vite';
 import site from '../vite.config.ts';
 
 const PAGES = ['three', 'react', 'landing', 'article'];
-/** Plugins for the demo page alone; examples draw with materials of three.js, too. */
+/** Plugins for the demo page only; examples also draw with three.js materials. */
 const OF_THE_PAGE = ['service-worker', 'without-shaders'];
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
 
 /**
- * The examples, into the folder of a site that is built already. By themselves, because React Three Fiber wants all of
- * three.js, and what is bundled together is shared: every visitor of the demo would fetch it.
+ * Builds the examples into the folder of an existing site. As a separate build, because React Three Fiber uses all of
+ * three.js and chunks are shared within a build: every visitor of the demo would download it.
  */
 export default defineConfig(() => {
   const config = mergeConfig(site, {

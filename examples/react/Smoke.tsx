@@ -6,11 +6,11 @@ import { CartoonSmoke, type KeyLight, type Values } from '../../src/index.ts';
 
 export interface SmokeProps {
   keyLight: RefObject<KeyLight | null>;
-  /** Where it comes from. */
+  /** The object that emits the smoke. */
   source: RefObject<Object3D | null>;
-  /** What it bumps into, and what throws its shadow onto it. */
+  /** Objects that collide with the smoke and cast shadow on it. */
   solids: readonly RefObject<Object3D | null>[];
-  /** Read at the beginning; what changes later is set. */
+  /** Applied at the start and on every change. */
   values: Values;
 }
 

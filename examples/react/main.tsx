@@ -1,4 +1,4 @@
-/** A small React Three Fiber page with smoke in it: drag to look around, click the ring for another colour of smoke. */
+/** A small React Three Fiber page with smoke: drag to orbit, click the ring to change the colour of the smoke. */
 import { Canvas, useFrame, useThree } from '@react-three/fiber';
 import { useEffect, useMemo, useRef, useState, type ReactNode } from 'react';
 import { createRoot } from 'react-dom/client';
@@ -19,7 +19,7 @@ function Scene(): ReactNode {
   );
   const time = useRef(0);
   useFrame((_, seconds) => {
-    // A machine that cannot keep up sees everything in slow motion, as smoke does by itself.
+    // A slow machine shows everything in slow motion, as smoke does itself.
     time.current += Math.min(seconds, 1 / 15);
     ring.current!.rotation.set(1.57 + 0.35 * Math.sin(time.current), 0.3 * Math.cos(time.current), 0);
   });
@@ -66,7 +66,7 @@ function Orbit(): null {
   return null;
 }
 
-// Smoke counts its shadows in the stencil buffer, which three.js leaves out unless it is asked for.
+// Smoke counts its shadows in the stencil buffer, which three.js does not allocate by default.
 createRoot(document.getElementById('root')!).render(
   <Canvas flat gl={{ stencil: true }} camera={{ position: [2.6, 2.7, 6.4], fov: 45 }}>
     <Orbit />

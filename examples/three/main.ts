@@ -1,10 +1,12 @@
-/** Smoke in an ordinary three.js scene. What smoke needs is in this file; the scene is in scene.ts and knows nothing of it. */
+/**
+ * Smoke in a regular three.js scene. This file contains all code for smoke; the scene in scene.ts is independent of it.
+ */
 import { ACESFilmicToneMapping, PCFShadowMap, PerspectiveCamera, Timer, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { CartoonSmoke } from '../../src/index.ts';
 import { makeScene } from './scene.ts';
 
-// Smoke counts its shadows in the stencil buffer, which three.js leaves out unless it is asked for.
+// Smoke counts its shadows in the stencil buffer, which three.js does not allocate by default.
 const renderer = new WebGLRenderer({ antialias: true, stencil: true });
 renderer.toneMapping = ACESFilmicToneMapping;
 renderer.shadowMap.enabled = true;
@@ -18,7 +20,7 @@ controls.target.set(0, 1.1, 0);
 
 const { scene, keyLight, chimney, obstacles, casters, setInShadow, animate } = await makeScene();
 
-// Everything stands where it is going to, before smoke sees it for the first time.
+// Move all objects to their initial positions before smoke reads them.
 animate(0);
 
 const smoke = await CartoonSmoke.create({
@@ -46,7 +48,7 @@ timer.connect(document);
 let time = 0;
 renderer.setAnimationLoop((now) => {
   timer.update(now);
-  // A machine that cannot keep up sees everything in slow motion, as smoke does by itself.
+  // A slow machine shows everything in slow motion, as smoke does itself.
   const seconds = Math.min(timer.getDelta(), 1 / 15);
   animate((time += seconds));
   controls.update();
@@ -58,7 +60,7 @@ function fit(): void {
   renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
   renderer.setSize(innerWidth, innerHeight);
   camera.aspect = innerWidth / innerHeight;
-  // A narrow window looks from farther away.
+  // The camera zooms out in a narrow window.
   camera.zoom = Math.min(1, camera.aspect / 1.1);
   camera.updateProjectionMatrix();
 }

@@ -1,4 +1,4 @@
-/** A scene as anybody might have one: a model made by others, and a mesh of every kind that three.js draws. */
+/** A typical scene: an imported model, and a mesh of every type that three.js draws. */
 import {
   AmbientLight,
   BoxGeometry,
@@ -30,10 +30,10 @@ export interface ExampleScene {
   scene: Scene;
   keyLight: DirectionalLight;
   chimney: Object3D;
-  /** What smoke bumps into, and what throws shadow. */
+  /** Objects that collide with the smoke, and objects that cast shadow. */
   obstacles: Object3D[];
   casters: Object3D[];
-  /** For the shader that lights itself. */
+  /** For the custom shader, which computes its own lighting. */
   setInShadow: (isInShadow: boolean) => void;
   animate: (seconds: number) => void;
 }
@@ -88,7 +88,7 @@ function makeKeyLight(): DirectionalLight {
   return light;
 }
 
-/** Suzanne, of Blender, out of the package @pmndrs/assets (CC0). */
+/** Blender's Suzanne from the package @pmndrs/assets (CC0). */
 async function loadMonkey(): Promise<Object3D> {
   const { default: address } = await import('@pmndrs/assets/models/suzi.glb');
   const { scene } = await new GLTFLoader().setDRACOLoader(new DRACOLoader()).loadAsync(address);
@@ -100,7 +100,7 @@ async function loadMonkey(): Promise<Object3D> {
   return scene;
 }
 
-/** A shader of one's own, which lights itself. */
+/** A custom shader that computes its own lighting. */
 function makeGlobe(): Mesh<SphereGeometry, ShaderMaterial> {
   const material = new ShaderMaterial({
     uniforms: { keyLight: { value: 1 }, towardsLight: { value: KEY.clone().normalize() } },
@@ -160,7 +160,7 @@ function makeSparks(): Sprite[] {
   });
 }
 
-/** A star of four points, as cartoons draw what glitters. */
+/** A four-pointed cartoon star. */
 function drawStar(): CanvasTexture {
   const size = 128;
   const canvas = document.createElement('canvas');

@@ -30,7 +30,7 @@ export function makeTentacle(): { mesh: SkinnedMesh; animate: (seconds: number) 
   return { mesh, animate };
 }
 
-/** Each vertex follows the two joints that it lies between. */
+/** Each vertex is weighted to its two adjacent bones. */
 function bindTo(geometry: CapsuleGeometry): void {
   const { position } = geometry.attributes;
   const joints: number[] = [];

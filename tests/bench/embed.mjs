@@ -1,6 +1,6 @@
 /**
- * `npm run bench -- embed`: what a page pays for 1, 10 and 40 widgets, in a worker and without, beside the same page with
- * nothing, with tsParticles and with model-viewer: bytes, main-thread time, processor time in view and out of view, the
+ * `npm run bench -- embed`: the cost of 1, 10 and 40 widgets, in a worker and on the main thread, compared with an
+ * empty page, with tsParticles and with model-viewer: download size, main-thread time, CPU time in and out of view,
  * time to the first picture, and memory.
  */
 
@@ -14,10 +14,16 @@ import { bringPeers, PEERS } from './embed/peers.mjs';
 import { report } from './embed/report.mjs';
 import { Visit } from './embed/visit.mjs';
 
-/** @typedef {import('./embed/contestants.mjs').Contestant} Contestant @typedef {import('./embed/report.mjs').Measured} Measured */
+/**
+ * @typedef {import('./embed/contestants.mjs').Contestant} Contestant
+ * @typedef {import('./embed/report.mjs').Measured} Measured
+ */
 
 const COUNTS = { quick: [1, 10], whole: [1, 10, 40] };
-/** Fewer where every one is long. @param {number} count of widgets */
+/**
+ * Fewer rounds for more widgets, because each takes longer.
+ * @param {number} count of widgets
+ */
 const roundsOf = (count) => (count === 1 ? 5 : 3);
 
 /** @param {import('./support/page.mjs').Choice} choice */
@@ -32,12 +38,18 @@ export async function run({ quick, say }) {
   return report(all);
 }
 
-/** A contestant in its browser, with what is found of it. @typedef {{ contestant: Contestant, visit: Visit, found: Measured }} Entry */
+/**
+ * A contestant, its browser and its results.
+ * @typedef {{ contestant: Contestant, visit: Visit, found: Measured }} Entry
+ */
 
 /**
- * All contestants side by side, each in a browser of its own, and measured in turns: whose turn it is not is out of view.
+ * All contestants in parallel, each in a separate browser, measured in turns. All others are scrolled out of view.
  *
- * @param {number} count @param {boolean} quick @param {(line: string) => void} say @returns {Promise<Measured[]>}
+ * @param {number} count
+ * @param {boolean} quick
+ * @param {(line: string) => void} say
+ * @returns {Promise<Measured[]>}
  */
 async function measure(count, quick, say) {
   const entries = await Promise.all(contestants.map((contestant) => enter(contestant, count)));
@@ -47,7 +59,7 @@ async function measure(count, quick, say) {
     for (let round = 0; round < rounds; round++) {
       for (const { contestant, visit, found } of entries) {
         say(`${contestant.name}, round ${round + 1} of ${rounds}`);
-        // The time to the first smoke has its rounds with one widget of ours; else one load will do.
+        // The time to the first smoke is measured in every round with one widget; otherwise one load is enough.
         if (round === 0 || (count === 1 && contestant.event === 'ready')) await load(contestant, visit, found);
         found.seen.push(await visit.measureSeen(quick ? 20 : 40, ms));
         found.megabytes ??= await visit.megabytes();
@@ -69,7 +81,12 @@ async function enter(contestant, count) {
   return { contestant, visit: await Visit.begin(), found };
 }
 
-/** From a host of its own, so that nothing is in any cache. @param {Contestant} contestant @param {Visit} visit @param {Entry['found']} found */
+/**
+ * From a separate origin, so that nothing is cached.
+ * @param {Contestant} contestant
+ * @param {Visit} visit
+ * @param {Entry['found']} found
+ */
 async function load(contestant, visit, found) {
   const server = await serveSite(inRoot('.'), '/');
   try {

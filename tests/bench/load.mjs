@@ -1,6 +1,6 @@
 /**
- * `npm run bench -- load`: from the navigation to the first smoke in the built site, from this machine and with nothing in
- * any cache, and what comes over the wire until then.
+ * `npm run bench -- load`: time from the navigation to the first smoke in the built site, served locally with an empty
+ * cache, and the size on the wire until then.
  */
 
 import { chromium } from '@playwright/test';
@@ -13,7 +13,7 @@ import { spread } from './support/spread.mjs';
 
 /** @typedef {import('../../scripts/bench/table.mjs').Figure} Figure */
 
-/** Without rigids and with them. */
+/** Without and with rigids. */
 const PRESETS = ['wisp', 'lamp'];
 
 /** @param {import('./support/page.mjs').Choice} choice @returns {Promise<Figure[]>} */
@@ -22,7 +22,7 @@ export async function run({ quick, say }) {
   const rounds = quick ? 5 : 9;
   /** @type {Map<string, import('./load/firstSmoke.mjs').Load[]>} */
   const found = new Map(PRESETS.map((preset) => [preset, []]));
-  // In turns, so that what else the machine does meets all alike; the first of each round warms the disk.
+  // In turns, so that load on the machine affects all alike. The first visit of each round warms the disk cache.
   for (let round = 0; round <= rounds; round++) {
     for (const preset of PRESETS) {
       say(`${preset}, round ${round} of ${rounds}`);
@@ -33,7 +33,7 @@ export async function run({ quick, say }) {
   return [...found].flatMap(([preset, loads]) => figures(preset, loads));
 }
 
-/** In a browser of its own: another one would have the shaders and the compiled modules already. */
+/** In a separate browser: a reused one would have cached shaders and compiled modules. */
 async function visit(/** @type {string} */ preset) {
   const server = await serveSite(inRoot('dist'), '/');
   const browser = await chromium.launch({ executablePath: await findBrowser(), args: CHROMIUM_FLAGS });

@@ -1,6 +1,7 @@
 /**
- * A contact sheet of puffs of lobes: a row for each shape, turned this way and that, in light from the upper left and
- * with ink, as the bodies' shader computes them. First the variations that were chosen by eye, then the ends of each knob.
+ * A contact sheet of puffs of lobes: a row per shape, in several orientations, with light from the upper left and with
+ * ink, computed as in the body shader. First the hand-picked variations, then the minimum and maximum of each
+ * parameter.
  */
 import { writeFileSync } from 'node:fs';
 import { PNG } from 'pngjs';
@@ -12,16 +13,16 @@ import { dot, normalized } from '../../src/puffs/vector.ts';
 
 type Color = readonly [red: number, green: number, blue: number];
 
-/** How many variations were chosen by eye. */
+/** Number of hand-picked variations. */
 const CHOSEN = 12;
 const TILE = 140;
 const COLUMNS = 9;
-/** Half the width of a tile, and the width of the ink, in particle radii. */
+/** Half the width of a tile, and the line width, in particle radii. */
 const PAD = 1.1;
 const RING = 0.045;
 const TOWARDS_LIGHT = normalized([-0.5, 0.7, 0.55]);
 const [PAPER, INK]: Color[] = [[255, 255, 255], [29, 23, 32]]; // prettier-ignore
-/** The tones from shade to light, and where on N . L they begin. */
+/** The tones from shadow to light, and the N . L at which each begins. */
 const TONES: readonly (readonly [number, Color])[] = [[-1, [144, 131, 173]], [0.3, [206, 189, 205]], [0.66, [246, 239, 226]]]; // prettier-ignore
 
 function sheetShapes(): PuffShape[] {
@@ -55,7 +56,7 @@ export function writeSheet(file: string, shapes = sheetShapes()): void {
   writeFileSync(file, PNG.sync.write(png));
 }
 
-/** The mean of four samples a pixel. */
+/** The mean of four samples per pixel. */
 function pixelColor(view: readonly Lobe[], i: number, j: number): Color {
   const colors = [0, 1, 2, 3].map((corner) => {
     const x = i + 0.25 + 0.5 * (corner & 1);

@@ -5,7 +5,7 @@ import { channelSheet } from '../../src/puffs/billboards/channelSheet.ts';
 import { bakePuffs } from '../../src/puffs/billboards/layers.ts';
 import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
 
-/** Pixels along each side of a puff's tile, and around the channels. */
+/** Pixels: side of a puff's tile, and gap around the channels. */
 const TILE = 256;
 const GAP = 24;
 

@@ -1,4 +1,4 @@
-/** `npm run bench -- render`: what the passes of a frame cost, with and without culling, and what memory smoke takes. */
+/** `npm run bench -- render`: cost of the passes of a frame, with and without culling, and memory per particle. */
 
 import { measureInPage } from './support/page.mjs';
 

@@ -1,6 +1,6 @@
 /**
- * `npm run bench -- sim`: what a step costs, beside the same in native code, in JavaScript and as a mere pass over
- * memory, and beside two particle engines; and our collisions against Rapier's queries.
+ * `npm run bench -- sim`: cost of a step, compared with native code, JavaScript, a pass over memory, and two particle
+ * engines; and our collisions compared with Rapier's queries.
  */
 
 import { costsTable } from './sim/costsTable.mjs';

@@ -1,7 +1,10 @@
 import { mergeConfig } from 'vite';
 import tests from '../support/vite.config.ts';
 
-/** The tests' server for measuring: isolated pages, because only those get a clock of 5 instead of 100 microseconds. */
+/**
+ * The tests' server for measurements: cross-origin isolated pages have a clock resolution of 5 instead of 100
+ * microseconds.
+ */
 export default mergeConfig(tests, {
   cacheDir: '.cache/vite-bench',
   optimizeDeps: { include: ['@dimforge/rapier3d-compat', 'three.quarks', 'three-nebula'] },

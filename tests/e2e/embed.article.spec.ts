@@ -1,4 +1,4 @@
-/** An article with smoke in its figures: what it costs the page around it. */
+/** An article with smoke in its figures: the effect on the performance of the page. */
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
@@ -6,10 +6,10 @@ import { expect, frames, MODULES, scrollPage, test } from '../support/embed.ts';
 
 const SOURCE = readFileSync(new URL('../../examples/article/index.html', import.meta.url), 'utf8');
 const ARTICLE = /<body>([^]*)<\/body>/.exec(SOURCE)![1].replace(/src="(tea|fire)/g, 'src="/examples/article/$1');
-/** So many words stand before the first figure on any screen that it is not near when the page opens. */
+/** Text before the first figure, long enough to keep it out of the loading margin on any screen. */
 const LONG = ARTICLE.replace('<figure>', `${/<p class="first">[^]*?<\/p>/.exec(ARTICLE)![0].repeat(8)}<figure>`);
 const STYLE = '<link rel="stylesheet" href="/examples/article/style.css" />';
-/** Counts from the first moment on what the page is held up by and what moves on it. */
+/** Measures layout shifts and blocking time from the start of the page. */
 const METER = `<script>
   window.cost = { shift: 0, blocking: 0 };
   const watch = (type, note) => new PerformanceObserver((list) => list.getEntries().forEach(note)).observe({ type, buffered: true });
@@ -22,7 +22,7 @@ interface Cost {
   blocking: number;
 }
 
-/** What the page has cost once all figures have been scrolled to and what stands in them plays. */
+/** The values after all figures were scrolled into view and play. */
 async function costOf(page: Page): Promise<Cost> {
   for (const figure of await page.locator('figure').all()) {
     await figure.scrollIntoViewIfNeeded();
@@ -46,7 +46,7 @@ test('fetches nothing heavy before its figures near, shifts nothing, and holds t
   const without = await costOf(page);
   await openPage(LONG, { script: `${STYLE}${METER}${MODULES}` });
   await page.waitForFunction(() => customElements.get('cartoon-smoke') && document.readyState === 'complete');
-  // Once the observer of the viewport has had its say.
+  // After the IntersectionObserver callback.
   await scrollPage(page, 0);
   const early = server.sent.map(({ file }) => file.split('/').at(-1)).filter((file) => /js|wasm/.test(file!));
   expect(new Set(early)).toEqual(new Set(['cartoonSmokeElement.js', 'element.js', 'errors.js']));

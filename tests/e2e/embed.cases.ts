@@ -1,4 +1,4 @@
-/** Stages from elsewhere, as a page has them. */
+/** Remote stages, as a page uses them. */
 import type { RemoteStage, RemoteStageOptions } from '../../src/remote/contract.ts';
 import { openStage } from '../../src/remote/openStage.ts';
 import { SmokeError, type ParameterError } from '../../src/preset/errors.ts';
@@ -11,11 +11,11 @@ const SMALL: Values = { ...presetValues(findPreset('wisp')!), 'simulation.maxPar
 export interface Opened {
   stage: RemoteStage;
   canvas: HTMLCanvasElement;
-  /** How many canvases were asked for. */
+  /** Number of created canvases. */
   made: number;
 }
 
-/** A small wisp on the page. Its canvas is told of before anybody draws on it. */
+/** A small wisp on the page. The callback gets its canvas before the first picture. */
 export async function open(
   options: RemoteStageOptions = {},
   onCanvas?: (canvas: HTMLCanvasElement) => void,
@@ -52,10 +52,10 @@ export function differing(a: Uint32Array, b: Uint32Array): number {
   return a.reduce((count, pixel, index) => count + (pixel === b[index] ? 0 : 1), Math.abs(a.length - b.length));
 }
 
-/** What a worker draws comes to the page when it can: so long it has, which no machine needs. */
+/** Timeout for pictures of a worker, far longer than any machine needs. */
 const TIMEOUT_MS = 60_000;
 
-/** Pixels of a canvas on the page that differ from what they should be, once none does, or nobody waits any longer. */
+/** Polls until the canvas shows the expected pixels or the timeout ends. @returns the number of pixels that differ */
 export async function differingShown(canvas: HTMLCanvasElement, expected: Uint32Array): Promise<number> {
   let count = Infinity;
   for (const until = performance.now() + TIMEOUT_MS; count > 0 && performance.now() < until;) {
@@ -65,7 +65,7 @@ export async function differingShown(canvas: HTMLCanvasElement, expected: Uint32
   return count;
 }
 
-/** Colours on a canvas of the page, once it shows more than so few: it may show earlier pictures for a while. */
+/** Polls until the canvas shows more than `few` colours: it may show earlier pictures for a while. */
 export async function colorsShown(canvas: HTMLCanvasElement, few: number): Promise<number> {
   let colors = 0;
   for (const until = performance.now() + TIMEOUT_MS; colors <= few && performance.now() < until;) {
@@ -75,13 +75,13 @@ export async function colorsShown(canvas: HTMLCanvasElement, few: number): Promi
   return colors;
 }
 
-/** The same steps in a worker and on this thread: pixels that differ, and colours, so that a blank picture shows. */
+/** The same steps in a worker and on the main thread: pixels that differ, and colours, to detect a blank picture. */
 export async function compareThreads() {
   const places = [await open({ thread: 'worker' }), await open({ thread: 'main' })];
   const stages = places.map(({ stage }) => stage);
   for (const stage of stages) await stage.step(150);
   const shown = await pixelsOf(places[1].canvas);
-  // Before anybody asks for a picture, which is drawn anew.
+  // Before picture(), which redraws.
   const differingOnPage = await differingShown(places[0].canvas, shown);
   const [worker, main] = await Promise.all(stages.map(async (stage) => pixelsOf(await stage.picture())));
   const report = {
@@ -94,7 +94,7 @@ export async function compareThreads() {
   return report;
 }
 
-/** What a page sees of a stage's messages and workers, counted from now on. */
+/** Counts the messages and workers of stages from now on. */
 export function watch() {
   const seen = { workers: 0, terminated: 0, messages: 0 };
   const { Worker: OriginalWorker, MessageChannel: OriginalChannel } = globalThis;
@@ -117,20 +117,20 @@ export function watch() {
   return seen;
 }
 
-/** Settled when a stage has come so many steps on. */
+/** Resolves when a stage has advanced by this number of steps. */
 export async function goesOn(stage: RemoteStage, steps = 5): Promise<void> {
   const goal = (await stage.stats()).steps + steps;
   while ((await stage.stats()).steps < goal) await new Promise(requestAnimationFrame);
 }
 
-/** Settled when whoever observes what is in view has been told how that is now. */
+/** Resolves after the pending IntersectionObserver callbacks. */
 export async function sightIsNotified(): Promise<void> {
   await new Promise((resolve) => new IntersectionObserver(resolve).observe(document.body));
-  // All observers are told in one task.
+  // All observers are called in one task.
   await new Promise((resolve) => setTimeout(resolve));
 }
 
-/** Steps that a stage takes within so many frames of this page, once it has been told of what came before. */
+/** Steps of a stage within a number of frames of this page, after pending callbacks. */
 export async function stepsWithin(stage: RemoteStage, frames: number): Promise<number> {
   await sightIsNotified();
   const before = (await stage.stats()).steps;
@@ -138,7 +138,7 @@ export async function stepsWithin(stage: RemoteStage, frames: number): Promise<n
   return (await stage.stats()).steps - before;
 }
 
-/** How an error that a stage gives looks on this side. */
+/** An error of a stage as the page receives it. */
 export async function thrownBy(act: () => Promise<unknown>) {
   const error = await act().then(
     () => undefined,
@@ -149,7 +149,7 @@ export async function thrownBy(act: () => Promise<unknown>) {
   return { isOurs: error instanceof SmokeError, name, message, key, value, accepted };
 }
 
-/** What goes wrong in each place, and what stays as it was. */
+/** Errors by cause, and that the state is unchanged. */
 export async function errors(thread: 'main' | 'worker') {
   const { stage } = await open({ thread });
   const before = await stage.hash();
@@ -171,7 +171,7 @@ export async function errors(thread: 'main' | 'worker') {
   return { ...rejected, after: await thrownBy(() => stage.play()), isSame };
 }
 
-/** A take and a state that went to the worker and back: hashes that have to be equal. */
+/** Sends a take and a state to the worker and back: the hashes must be equal. */
 export async function sendBytes() {
   const { stage } = await open({ thread: 'worker' });
   await stage.step(20);
@@ -190,7 +190,7 @@ export async function sendBytes() {
   return { hashes, inputs: take.inputs, isOfStart: take.values['emission.rate'] === SMALL['emission.rate'] };
 }
 
-/** Events that come, and messages that come without anybody listening. */
+/** Events, and messages that arrive without listeners. */
 export async function listen(seen: ReturnType<typeof watch>) {
   const { stage } = await open({ thread: 'worker' });
   const notified: boolean[] = [];
@@ -208,7 +208,7 @@ export async function listen(seen: ReturnType<typeof watch>) {
   return { notified, silent, steps };
 }
 
-/** Scrolls a stage away and back, playing and paused: steps that it takes meanwhile. */
+/** Scrolls a stage out of view and back, playing and paused: its steps in the meantime. */
 export async function scroll() {
   const { stage, canvas } = await open();
   const takes = () => stepsWithin(stage, 20);
@@ -227,7 +227,9 @@ export async function scroll() {
   return { away, paused };
 }
 
-/** Starts that are called off before they begin, before there is a worker, and once the worker has its order; how each ended. */
+/**
+ * Starts aborted before they begin, before the worker exists, and after the worker got the request: the result of each.
+ */
 export async function abortStarts() {
   const controllers = [0, 1, 2].map(() => new AbortController());
   const [atOnce, soon, later] = controllers.map(({ signal }) => signal);
@@ -235,7 +237,7 @@ export async function abortStarts() {
   const starts = [
     open({ signal: atOnce }),
     open({ signal: soon }),
-    // The order goes out in the task that makes the canvas, and no answer can come before that ends.
+    // The request is posted in the task that creates the canvas, and no response can arrive before that task ends.
     open({ signal: later }, () => queueMicrotask(() => controllers[2].abort('later'))),
   ];
   controllers[1].abort('soon');

@@ -1,4 +1,4 @@
-/** The script for CDNs, from a host that is not the page's: named with its hash, and its worker comes up all the same. */
+/** The CDN script from another origin: loaded with its integrity hash, and its worker starts as well. */
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -29,7 +29,7 @@ const test = base.extend<{ cdn: Server; visit: Visit }>({
     await use(cdn);
     await cdn.close();
   },
-  // A server of its own, because pages that a test answers for count as of another network, which may not ask this one.
+  // A separate server: intercepted pages count as a public network, which may not access this local one.
   visit: async ({ page }, use) => {
     const { serveSite } = await script<{ serveSite: Serve }>('site/serve.mjs');
     const folder = mkdtempSync(join(tmpdir(), 'cartoon-smoke-host-'));
@@ -45,14 +45,14 @@ const test = base.extend<{ cdn: Server; visit: Visit }>({
   },
 });
 
-/** The tag that a page author writes, with the hash that the build prints. */
+/** The documented script tag, with the hash that the build prints. */
 async function tag(cdn: Server): Promise<string> {
   const { hashes } = await script<{ hashes(folder: string): Hash[] }>('package/measure.mjs');
   const [{ file, integrity }] = hashes(DIST);
   return `<script type="module" src="${cdn.address}package/dist/${file}" crossorigin integrity="${integrity}"></script>`;
 }
 
-/** Where the smoke runs, once it stands. */
+/** The thread of the smoke when it is ready. */
 async function thread(page: Page): Promise<string> {
   await stands(page);
   return page.evaluate(async () => (await document.querySelector('cartoon-smoke')!.stage).thread);

@@ -5,7 +5,7 @@ type Shared = typeof import('../../src/remote/sharedDevice.ts');
 /** A page or a worker. */
 type Thread = Pick<Worker, 'evaluate' | 'evaluateHandle'>;
 
-/** Takes the context of a thread away or gives it back, and waits until that has happened. */
+/** Loses or restores the context of a thread, and waits for the event. */
 export async function changeContext(thread: Thread, way: 'loseContext' | 'restoreContext'): Promise<void> {
   const shared = await thread.evaluateHandle(`import('/src/remote/sharedDevice.ts')`);
   await thread.evaluate(
@@ -16,7 +16,7 @@ export async function changeContext(thread: Thread, way: 'loseContext' | 'restor
       const event = method === 'loseContext' ? 'webglcontextlost' : 'webglcontextrestored';
       const happens = new Promise((resolve) => device.canvas.addEventListener(event, resolve, { once: true }));
       const kept = globalThis as { losing?: WEBGL_lose_context | null };
-      // A context that is lost gives no extensions.
+      // A lost context returns no extensions.
       if (method === 'loseContext') kept.losing = device.renderer.getContext().getExtension('WEBGL_lose_context');
       kept.losing![method]();
       await happens;
@@ -28,8 +28,8 @@ export async function changeContext(thread: Thread, way: 'loseContext' | 'restor
 }
 
 /**
- * How long a thread waits for what may take ten seconds or more, such as a context that is to come back: for ever, however slow
- * the machine is, or not at all. No test can turn the clock of a worker.
+ * Sets a thread's timeouts of ten seconds or more, such as the one for a lost context, to infinity or zero. Tests
+ * cannot control the clock of a worker.
  */
 export async function setTimeouts(thread: Thread, timeout: 'endless' | 'none'): Promise<void> {
   await thread.evaluate((given) => {

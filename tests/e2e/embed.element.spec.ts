@@ -7,7 +7,7 @@ declare global {
   }
 }
 
-/** Notes down all events of the first element, from before it is upgraded. */
+/** Records all events of the first element, from before its upgrade. */
 const LISTEN = `<script>
   window.notified = [];
   for (const type of ['ready', 'error', 'statechange']) {
@@ -157,7 +157,7 @@ test('lets pointers through unless it is interactive', async ({ page, openPage }
   expect(await below()).toBe('a');
   await page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => (smoke.interactive = true));
   expect(await below()).toBe('cartoon-smoke');
-  // What turns the view is fetched first.
+  // The orbit controls are loaded lazily.
   await expect(page.locator('cartoon-smoke canvas')).toHaveAttribute('tabindex');
   const azimuth = () => page.locator('cartoon-smoke').screenshot();
   const before = await azimuth();

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { expect, stands, test, WISP } from '../support/embed.ts';
 
-/** What a page does with smoke that fails, from before the element is upgraded. */
+/** A page that handles failures of smoke from before the element's upgrade. */
 const failing = (thread: string, rest = '') => `
   <cartoon-smoke preset="wisp" thread="${thread}" ${rest} style="width: 200px; height: 150px">
     <svg slot="poster" id="poster" viewBox="0 0 4 3"><rect width="4" height="3" fill="teal" /></svg>
@@ -23,7 +23,7 @@ async function expectPoster(page: Page): Promise<void> {
   await expect(page.getByRole('button')).toHaveCount(0);
 }
 
-// The browser itself tells of answers that are errors.
+// The browser logs error responses itself.
 test.use({ allowed: /Failed to load resource|Refused to compile|violates the following Content Security Policy/ });
 
 const WASM = '**/bindings_bg.wasm';
@@ -56,7 +56,7 @@ for (const [fault, provoke] of Object.entries(FAULTS)) {
 test('a simulator of which nothing comes is waited for, then told as a LoadError', async ({ page, openPage }) => {
   await page.clock.install();
   const asked = page.waitForRequest(WASM);
-  // Never answered.
+  // The request stays pending.
   await page.route(WASM, () => undefined);
   await openPage(failing('main'));
   await asked;
@@ -66,7 +66,7 @@ test('a simulator of which nothing comes is waited for, then told as a LoadError
 });
 
 const THINGS = 'collide="p"';
-/** Scripts that are fetched on the way to the first picture, and what else an element needs to want them. */
+/** Scripts that load before the first picture, and the attributes that make an element load them. */
 const SCRIPTS = {
   'session.js': '',
   'stage.js': '',
@@ -93,7 +93,7 @@ for (const [file, rest] of Object.entries(SCRIPTS)) {
     await page.route(`**/dist/${file}`, () => undefined);
     await openPage(failing('main', rest));
     await asked;
-    // Some scripts are asked for ahead, and waited for from a later moment on.
+    // Some scripts are preloaded; their timeout starts later.
     const known = () =>
       page.evaluate(() => Promise.race([Reflect.get(window, 'failure') as Promise<string>, Promise.resolve('')]));
     const notified = expect.poll(() => page.clock.runFor(61_000).then(known));

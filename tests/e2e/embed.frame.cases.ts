@@ -1,4 +1,4 @@
-/** Smoke in frames, from the page around them. */
+/** Smoke in iframes, from the parent page. */
 import { connectFrame } from '../../src/remote/connectFrame.ts';
 import { SimulatorError } from '../../src/preset/errors.ts';
 import type { RemoteStage } from '../../src/remote/contract.ts';
@@ -11,7 +11,7 @@ export interface Framed {
   stage: RemoteStage;
 }
 
-/** Puts a frame on the page. @param sandbox without one, none @param isShaded whether it stands in a shadow tree */
+/** Adds an iframe to the page. @param sandbox absent: no sandbox @param isShaded whether it is in a shadow tree */
 export function frame(address: string, sandbox?: string, isShaded = false): HTMLIFrameElement {
   const element = Object.assign(document.createElement('iframe'), SIZE, { src: address, title: 'Smoke' });
   element.style.border = '0';
@@ -27,13 +27,15 @@ export async function connect(address: string, sandbox?: string, origin?: string
   return { frame: element, stage: await connectFrame(element, { origin }) };
 }
 
-/** One of two connections ends the smoke: what the other one is told, and the steps that a third one finds. */
+/**
+ * One of two connections disposes the smoke: the notice to the other one, and the steps that a third connection sees.
+ */
 export async function endsAndBegins(address: string): Promise<{ other: string; steps: number }> {
   const { frame: element, stage } = await connect(address);
   const other = await connectFrame(element);
   await other.step(5);
   await stage.dispose();
-  // It is on its way to the frame, by another port.
+  // The notice travels on another port.
   let notified: string | undefined;
   while (!notified) {
     notified = await other.hash().then(
@@ -45,7 +47,7 @@ export async function endsAndBegins(address: string): Promise<{ other: string; s
   return { other: notified, steps };
 }
 
-/** How the page around a frame ends what is in it. */
+/** Ways in which the parent page removes or replaces an iframe. */
 const ENDINGS: Readonly<Record<string, (frame: HTMLIFrameElement) => void>> = {
   removed: (element) => element.remove(),
   moved: (element) => document.body.prepend(element),
@@ -53,7 +55,7 @@ const ENDINGS: Readonly<Record<string, (frame: HTMLIFrameElement) => void>> = {
   'sent elsewhere': (element) => (element.src = 'about:blank'),
 };
 
-/** What calls say that were pending when a frame ended in one of the ways above, and later ones; and what was left to observe. */
+/** Errors of calls that were pending when the iframe ended, and of later calls; and the remaining observers. */
 export async function endFrame(address: string, sandbox: string, how: string) {
   const { MutationObserver: Original } = globalThis;
   const observing = new Set<MutationObserver>();
@@ -85,7 +87,7 @@ export async function endFrame(address: string, sandbox: string, how: string) {
   }
 }
 
-/** What a page is told that waits for a frame and removes it meanwhile. */
+/** The error of a page that waits for an iframe and removes it. */
 export async function removeWhileWaiting(address: string): Promise<string> {
   const element = frame(address);
   const connecting = connectFrame(element);
@@ -96,7 +98,7 @@ export async function removeWhileWaiting(address: string): Promise<string> {
   );
 }
 
-/** Settled when a frame's pictures are as large as it is: it hears of its size with the pictures of the page around it. */
+/** Resolves when the frame's pictures have its size: an iframe gets its size with the frames of the parent page. */
 export async function isSized({ frame: { width, height }, stage }: Framed): Promise<void> {
   const size = async () => {
     const picture = await createImageBitmap(await stage.picture());
@@ -105,7 +107,9 @@ export async function isSized({ frame: { width, height }, stage }: Framed): Prom
   while ((await size()) !== [width, height].join()) await new Promise(requestAnimationFrame);
 }
 
-/** Whether a frame that is there lets this page in. @param timeout milliseconds after which it does not, where it says nothing */
+/**
+ * Whether an existing iframe accepts this page. @param timeout milliseconds without a response after which it does not
+ */
 export async function letsIn(address: string, timeout?: number): Promise<boolean> {
   const element = frame(address);
   await new Promise((resolve) => element.addEventListener('load', resolve));
@@ -116,13 +120,15 @@ export async function letsIn(address: string, timeout?: number): Promise<boolean
   );
 }
 
-/** What hostile messages could have changed. */
+/** State that hostile messages could change. */
 export async function stateOf(stage: RemoteStage) {
   const { steps, alive } = await stage.stats();
   return { hash: await stage.hash(), values: await stage.get(), steps, alive };
 }
 
-/** Sends hostile messages to a frame's window and to a port of its own; how many answers were no errors. */
+/**
+ * Sends hostile messages to an iframe's window and to a separate port. @returns the number of responses without error
+ */
 export async function attack(element: HTMLIFrameElement, count: number): Promise<{ accepted: number; sent: number }> {
   const { port1, port2 } = new MessageChannel();
   const report = { accepted: 0, sent: 0 };
@@ -140,7 +146,7 @@ export async function attack(element: HTMLIFrameElement, count: number): Promise
     port1.postMessage(message);
     element.contentWindow!.postMessage(message, '*');
     report.sent += 1;
-    // The frame has to have its turn, or everything waits in one heap.
+    // Yield to the frame, or all messages pile up in its queue.
     if (report.sent % 100 === 0) await new Promise((resolve) => setTimeout(resolve));
   }
   const last = answerTo(77);

@@ -1,4 +1,4 @@
-/** Smoke in a frame of another origin, as strictly sandboxed as frames can be. */
+/** Smoke in a cross-origin iframe with the strictest sandbox. */
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { ConsoleMessage } from '@playwright/test';
@@ -13,7 +13,7 @@ interface ServeScript {
   ): Promise<{ address: string; close(): Promise<void> }>;
 }
 
-// The site as it is published: its frame is one script.
+// The built site: its frame is one script.
 test.use({ showsBuiltSite: true });
 
 type Cases = typeof import('./embed.cases.ts');
@@ -154,7 +154,7 @@ test('goes by hash and query as the demo does, and brings the physics only where
 });
 
 test.describe('without its physics', () => {
-  // The browser itself tells of what it could not fetch.
+  // The browser logs failed requests itself.
   test.use({ allowed: /Failed to load resource/ });
 
   test('a frame shows its fallback, and tells the page around it a LoadError', async ({ load, blank, baseURL }) => {

@@ -1,11 +1,14 @@
-/** The element in frameworks, in fresh projects: rendered on a server, set and heard in the browser, its markup checked. */
+/**
+ * The element in frameworks, in new projects: server-side rendering, properties and events in the browser, type-checked
+ * markup.
+ */
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { bin, expect, expectTitle, expectTypes, PAGE, test } from '../support/freshProject.ts';
 
 const TYPESCRIPT = 'typescript@7';
-/** A second picture sets another value and takes one away; the title tells what the element has by then. */
+/** The second render sets one value and removes another. The title shows the element's state after it. */
 const APP = `import 'cartoon-smoke/react';
 import type { CartoonSmokeElement } from 'cartoon-smoke';
 import { useRef, useState } from 'react';
@@ -33,7 +36,7 @@ export function Smoke() {
   );
 }
 `;
-/** Whoever takes over what a server has rendered listens in an effect: React does not attach listeners of events there. */
+/** Hydration listens in an effect: React does not attach custom event listeners to server-rendered elements. */
 const CLIENT = `'use client';
 import 'cartoon-smoke/react';
 import { useEffect, useRef, useState } from 'react';
@@ -62,7 +65,7 @@ export function Smoke() {
 `;
 const READY = 'worker,true,12,300';
 
-/** What the package's README tells those to do whose page a server renders. */
+/** The component that the package's README recommends for server-side rendering. */
 function componentOfReadme(): string {
   const readme = readFileSync(fileURLToPath(new URL('../../scripts/package/README.md', import.meta.url)), 'utf8');
   return /```jsx\n([^]*?)```/.exec(readme)![1];

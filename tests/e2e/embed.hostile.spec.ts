@@ -35,7 +35,7 @@ test('5,000 hostile attributes change nothing outside of the element, and the sm
       const failures: string[] = [];
       smoke.addEventListener('error', ({ detail }) => failures.push(detail.error.message));
       const before = document.body.innerHTML.replace(/<cartoon-smoke[^]*/, '');
-      // A linear congruence, so that a failure comes again.
+      // A linear congruential generator, so that failures are reproducible.
       let state = 7;
       const pick = <Item>(list: readonly Item[]): Item => {
         state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
@@ -44,7 +44,7 @@ test('5,000 hostile attributes change nothing outside of the element, and the sm
       for (let round = 0; round < 50; round++) {
         for (let count = 0; count < 100; count++) {
           const name = pick(pick([own, attributes, attributes, attributes]));
-          // Scenes with rigids would be fetched: those have tests of their own.
+          // Scenes with rigids would need requests; other tests cover them.
           if (name === 'scene' || name === 'preset' || name === 'src') continue;
           if (pick([0, 1, 1, 1])) smoke.setAttribute(name, pick(values));
           else smoke.removeAttribute(name);

@@ -1,4 +1,4 @@
-/** What pointers, fingers and keys do to an interactive element, and what they leave to the page. */
+/** Pointer, touch and keyboard input of an interactive element, and what the page still receives. */
 import type { Page } from '@playwright/test';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
 import { expect, stands, test, WISP, type OpenPage } from '../support/embed.ts';
@@ -10,18 +10,18 @@ async function opened(page: Page, openPage: OpenPage, style = ''): Promise<void>
   const tall = '<div style="height: 3000px"></div>';
   await openPage(`<cartoon-smoke ${WISP} paused interactive style="${BOX}"></cartoon-smoke>${tall}`, { style });
   await stands(page);
-  // What hears pointers is fetched first.
+  // The pointer handlers are loaded lazily.
   await expect(page.locator('cartoon-smoke canvas')).toHaveAttribute('tabindex');
 }
 
-/** Where the eye stands: degrees about what it looks at, and metres from it; undefined where nothing has moved it. */
+/** The camera's position: degrees around its target, and distance in metres; undefined before the first change. */
 async function eye(page: Page): Promise<Record<'azimuth' | 'distance', number | undefined>> {
   const values = await page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => smoke.get());
   const valueOf = (key: string) => values[key] as number | undefined;
   return { azimuth: valueOf('camera.azimuth'), distance: valueOf('camera.distance') };
 }
 
-/** Metres from what the eye looks at, which has been zoomed. */
+/** Distance of the camera from its target after a zoom, metres. */
 async function distance(page: Page): Promise<number> {
   return (await eye(page)).distance ?? 0;
 }

@@ -1,10 +1,10 @@
-/** A landing page with smoke over its first screen: what is below can still be used, and things of the page stand in it. */
+/** A landing page with smoke over its first screen: the content below stays usable, and elements act as colliders. */
 import { readFileSync } from 'node:fs';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
 import { expect, MODULES, stands, test } from '../support/embed.ts';
 
 const SOURCE = readFileSync(new URL('../../examples/landing/index.html', import.meta.url), 'utf8');
-// Fewer particles, at rest from the first step: what is looked at is the page.
+// Fewer particles and paused at the first step: these tests check the page.
 const LANDING = /<body>([^]*)<\/body>/
   .exec(SOURCE)![1]
   .replaceAll(/\bstart="\d+"/g, '')
@@ -30,7 +30,7 @@ for (const size of [
     const smoke = page.locator('cartoon-smoke').first();
     const values = await smoke.evaluate((element: CartoonSmokeElement) => element.get());
     const shapes = Object.keys(values).filter((key) => /^colliders\.\d\.shape$/.test(key));
-    // Two lines, what they lead to and the button.
+    // Two lines, the text below them and the button.
     expect(shapes).toHaveLength(4);
     expect(values['emitters.0.shape']).toBe('box');
     await page.getByRole('link', { name: 'Choose a tea' }).click();

@@ -1,17 +1,17 @@
-/** What comes late: an answer, a failure or an end that arrives after the page has changed its mind. */
+/** Late responses, failures and disposals that arrive after the page has changed its request. */
 import type { Page, Route } from '@playwright/test';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
 import { expect, stands, test, WISP } from '../support/embed.ts';
 
 type Connect = typeof import('../../src/remote/connectFrame.ts');
 
-// The browser itself tells of what is refused.
+// The browser logs aborted requests itself.
 test.use({ allowed: /ERR_FAILED/ });
 
 const SIZE = 'style="width: 200px; height: 150px"';
 const AIR = 'preset="air" simulation-max-particles="300" puff-variations="1" thread="main"';
 
-/** Notes down what the first element tells, from before it is upgraded. */
+/** Records the events of the first element, from before its upgrade. */
 const LISTEN = `<script>
   window.notified = [];
   for (const type of ['ready', 'error', 'statechange']) {
@@ -31,7 +31,7 @@ function valuesOn(page: Page) {
   return smokeOn(page).evaluate((smoke: CartoonSmokeElement) => smoke.get());
 }
 
-/** The first request for a file, which waits for its answer. */
+/** The first request for a file, held until the test continues it. */
 async function hold(page: Page, file: string): Promise<{ asked: Promise<Route> }> {
   let take!: (route: Route) => void;
   const asked = new Promise<Route>((resolve) => (take = resolve));
@@ -53,7 +53,7 @@ test('what was taken away amid its start has no say when the element is put back
   const before = await notifiedOn(page);
   expect(before.filter((type) => type === 'ready')).toHaveLength(1);
   await route.continue();
-  // It waits for the same file, and for longer than the start that was called off.
+  // Interaction needs the same file; the aborted start would have received it earlier.
   const isInteractive = () =>
     smokeOn(page).evaluate((smoke) => smoke.shadowRoot!.querySelector('.frame')!.matches('.interactive'));
   await smokeOn(page).evaluate((smoke) => smoke.toggleAttribute('interactive', true));
@@ -175,7 +175,7 @@ test('a view that was let go of unseen does not turn with the pointer', async ({
     await page.mouse.move(left + 40, 60);
   };
   await drag(60);
-  // From 6.9 degrees on, by 13.75 with each of them.
+  // From 6.9 degrees, 13.75 degrees per event.
   await expect.poll(azimuth).toBe(-7);
   await smokeOn(page).evaluate((smoke) => smoke.removeAttribute('interactive'));
   await page.mouse.up();
@@ -196,7 +196,7 @@ test('what is let go of before the answer that it is held is not shown as held',
   const held = await smokeOn(page).evaluate(async (smoke: CartoonSmokeElement) => {
     const canvas = smoke.shadowRoot!.querySelector('canvas')!;
     Object.assign(await smoke.stage, { pointer: async () => 'rigid' });
-    // No browser captures a pointer that there is not.
+    // No browser captures a pointer that does not exist.
     canvas.setPointerCapture = () => undefined;
     const isHeldAfter = async (...types: string[]) => {
       for (const type of types) canvas.dispatchEvent(new PointerEvent(type, { pointerId: 7 }));

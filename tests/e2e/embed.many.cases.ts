@@ -3,7 +3,7 @@ import { goesOn, open, sightIsNotified, type Opened } from './embed.cases.ts';
 
 const TINY = { width: 32, height: 24 };
 
-/** Counts the WebGL contexts that this thread asks for, from now on. */
+/** Counts the WebGL contexts that this thread creates, from now on. */
 export function countContexts(): { webgl: number } {
   const count = { webgl: 0 };
   for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) {
@@ -17,7 +17,7 @@ export function countContexts(): { webgl: number } {
   return count;
 }
 
-/** Stages of the same smoke, some of them out of view, that have come as far as they are told by their numbers. */
+/** Stages of the same smoke, some out of view, each advanced by 60 steps. */
 export async function openMany(count: number, inView: number, thread: 'main' | 'worker'): Promise<Opened[]> {
   document.body.style.cssText = 'display: flow-root; height: 5000px; position: relative';
   const opened = await Promise.all(Array.from({ length: count }, () => open({ ...TINY, thread })));
@@ -29,7 +29,7 @@ export async function openMany(count: number, inView: number, thread: 'main' | '
   return opened;
 }
 
-/** Plays all until those in view have gone on: which have taken steps. */
+/** Plays all stages until those in view have advanced. @returns which of them advanced */
 export async function whichGoOn(opened: readonly Opened[], inView: number): Promise<boolean[]> {
   await Promise.all(opened.map(({ stage }) => stage.play()));
   await sightIsNotified();
@@ -43,7 +43,7 @@ function stepsOf(opened: readonly Opened[]): Promise<number[]> {
   return Promise.all(opened.map(async ({ stage }) => (await stage.stats()).steps));
 }
 
-/** Makes stages and ends them, one after the other. */
+/** Creates and disposes stages one by one. */
 export async function comeAndGo(rounds: number, thread: 'main' | 'worker'): Promise<void> {
   for (let round = 0; round < rounds; ++round) {
     const { stage, canvas } = await open({ ...TINY, thread });

@@ -1,4 +1,4 @@
-/** Forty stages at once, and two hundred that come and go, one after the other, and leave nothing behind. */
+/** Forty stages at once, and two hundred created and disposed one by one without leaks. */
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { expectBack, expectMany } from './embed.many.ts';
@@ -10,7 +10,7 @@ type Load = typeof import('../../src/sim/load.ts');
 const SHARED = '/src/remote/sharedDevice.ts';
 const LOAD = '/src/sim/load.ts';
 const [FIRST, MORE] = [20, 180];
-/** The engine keeps some code and feedback; stages that were kept would take twice as much. */
+/** The engine keeps some code and feedback; leaked stages would need twice as much. */
 const SLACK_BYTES = 1_000_000;
 
 test.use({ ownPage: true, allowed: /context lost|CONTEXT_LOST/i });
@@ -62,7 +62,7 @@ test('a worker keeps neither textures, geometries, programs nor WASM memory of w
   await comeAndGo(MORE);
   const after = await held(blank);
   expect({ ...after, wasm: 0 }).toEqual({ ...before, wasm: 0 });
-  // The next stage may come before the one before it has gone; a leak of all would be four times as much.
+  // The next stage may start before the previous one is disposed. A leak of all stages would need four times as much.
   expect(after.wasm - before.wasm).toBeLessThan(1024 * 1024);
   await expect.poll(() => blank.workers().length).toBe(0);
 });
@@ -75,7 +75,7 @@ async function usedBytes(page: Page): Promise<number> {
   return usedSize;
 }
 
-/** What the worker's device and simulator hold. */
+/** Memory of the worker's device and simulator. */
 async function held(page: Page) {
   const [worker] = page.workers();
   const modules = await worker.evaluateHandle(`Promise.all([import('${SHARED}'), import('${LOAD}')])`);

@@ -8,7 +8,7 @@ type ProvokedCases = typeof import('./embed.provoked.cases.ts');
 type Cases = typeof import('./embed.cases.ts');
 type ManyCases = typeof import('./embed.many.cases.ts');
 
-/** @param blank a page of its own */
+/** @param blank a separate page */
 export async function expectMany(
   { load, blank }: { load: LoadModule; blank: Page },
   [count, inView]: readonly [count: number, inView: number],
@@ -35,7 +35,7 @@ export async function expectMany(
   await expect.poll(() => blank.workers().length).toBe(0);
 }
 
-/** Elements whose context goes and comes back, twice: all of them draw on, and none tells of it. */
+/** Elements whose context is lost and restored twice: all of them continue to draw without an event. */
 export async function expectBack(
   { load, blank }: { load: LoadModule; blank: Page },
   count: number,

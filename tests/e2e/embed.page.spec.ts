@@ -3,7 +3,7 @@ import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.
 import { expect, scrollPage, stands, test } from '../support/embed.ts';
 import { gpuKeepsUp } from '../support/gpuKeepsUp.ts';
 
-/** Smoke over a page of 600 by 450 pixels: 150 of them are a metre. */
+/** Smoke over a page of 600 x 450 pixels; 150 pixels are one metre. */
 const AIR = `preset="air" simulation-max-particles="300" thread="main" transparent
   style="position: absolute; left: 20px; top: 10px; width: 600px; height: 450px"`;
 const box = (id: string, left: number, top: number, width: number, height: number) =>
@@ -20,7 +20,7 @@ function noticesOf(page: Page): Promise<string[]> {
 
 type Numbers = Record<string, number | string | undefined>;
 
-/** Of each thing of the page, whether smoke rises from it. */
+/** Whether smoke rises from each element of the page. */
 async function risingOn(page: Page): Promise<boolean[]> {
   const values = (await page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => smoke.get())) as Numbers;
   return Object.keys(values)
@@ -41,7 +41,7 @@ test('boxes of the page stand in the smoke where they stand on the page, and go 
     const names = ['position.x', 'position.y', 'halfExtents.x', 'halfExtents.y'];
     return names.map((name) => Number(now[`colliders.0.${name}`] ?? NaN).toFixed(2));
   };
-  // The middle of the smoke is at 320, 235; that of the box at 320, 122.5.
+  // The centre of the smoke is at (320, 235), that of the box at (320, 122.5).
   await expect.poll(place).toEqual(['0.00', '0.75', '1.00', '0.25']);
   await page.evaluate(() =>
     Object.assign(document.querySelector<HTMLElement>('#a')!.style, { left: '95px', top: '235px' }),
@@ -57,12 +57,12 @@ test('a smoke that stays while the page scrolls sees its boxes go by: of many th
   page,
   openPage,
 }) => {
-  // One every 200 pixels, from 85 below the top; the middle of the smoke is 235 below.
+  // One every 200 pixels, from 85 below the top; the centre of the smoke is at 235.
   const boxes = Array.from({ length: 12 }, (_, index) => box(`a${index}`, 170, 85 + 200 * index, 300, 75));
   await openPage(`<cartoon-smoke ${AIR.replace('absolute', 'fixed')} paused collide="button"></cartoon-smoke>
     ${boxes.join('')}<div style="height: 3000px"></div>${NOTICES}`);
   await stands(page);
-  /** The numbers of the boxes that smoke flows around and those of the boxes that it curls at. */
+  /** The indices of the boxes used as colliders, and of those with curl. */
   const followed = async (scrolled: number) => {
     const values = (await page
       .locator('cartoon-smoke')
@@ -121,7 +121,7 @@ test.describe('with all pixels', () => {
         const { data } = context.getImageData(x, y, width, height);
         return data.filter((value, index) => index % 4 === 3 && value > 0).length / (width * height);
       };
-      // Puffs may stand over its edge by their radius: their middles may not.
+      // Puffs may extend over its edge by their radius, but their centres may not.
       return { within: share(280, 175, 40, 10), below: share(200, 220, 200, 190) };
     });
     expect(covered.within).toBe(0);
@@ -158,7 +158,7 @@ test.describe('with all pixels', () => {
       return kinds;
     }, screenshot.toString('base64'));
     for (const kind of ['clear', 'solid', 'between'] as const) expect(report[kind]).toBeGreaterThan(50);
-    // Both pictures are rounded, and the one of its own is taken apart by its alpha.
+    // Both pictures are rounded, and the separate one is unpremultiplied.
     expect(report.farthest).toBeLessThan(4);
   });
 });
@@ -226,10 +226,10 @@ test.describe('by touch', () => {
     await openPage(`<cartoon-smoke ${AIR} emit-from="button" emit-on="hover"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
       <script>document.querySelector('button').onclick = () => (window.clicked = true);</script>`);
     await stands(page);
-    // From here on time passes, and smoke plays, only as far as they are told to.
+    // From here on the test controls the clock and the smoke.
     await page.clock.pauseAt(await page.evaluate(() => Date.now() + 60_000));
     await page.tap('#a');
-    // Last of what browsers make of a tap.
+    // The last event of a tap.
     await page.waitForFunction(() => Reflect.get(window, 'clicked') === true);
     await page.clock.runFor(250);
     const alive = () =>
@@ -279,7 +279,7 @@ test('a click lets smoke rise for a moment, and reaches what was clicked', async
   await openPage(`<cartoon-smoke ${AIR} emit-from="button" emit-on="click"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
     <script>document.querySelector('button').onclick = () => (window.clicked = true);</script>`);
   await stands(page);
-  // From here on time passes, and smoke plays, only as far as they are told to.
+  // From here on the test controls the clock and the smoke.
   await page.clock.pauseAt(await page.evaluate(() => Date.now() + 60_000));
   await page.click('#a');
   await page.clock.runFor(250);

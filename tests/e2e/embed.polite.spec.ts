@@ -9,14 +9,14 @@ test.describe('with less motion asked for', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
   test('shows one still picture with smoke in it, until somebody plays', async ({ page, openPage }) => {
-    // What tests run in a page counts as done by a person.
+    // Code that a test evaluates counts as user activation.
     await page.addInitScript(() => Object.defineProperty(navigator, 'userActivation', { value: { isActive: false } }));
     await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
     await stands(page);
     const smoke = page.locator('cartoon-smoke');
     const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
     expect(await steps()).toBe(240);
-    // A page that plays by itself is not a person.
+    // A page's own call of play() is not a user gesture.
     await smoke.evaluate((element: CartoonSmokeElement) => element.play());
     expect(await smoke.evaluate((element: CartoonSmokeElement) => element.playing)).toBe(false);
     expect(await steps()).toBe(240);
@@ -151,7 +151,7 @@ test('draws sixty pictures a second on a screen that shows four times as many', 
     return { ...count, steps: (await smoke.stats()).steps - count.steps };
   });
   expect(Math.abs(drawn.frames - 60)).toBeLessThanOrEqual(1);
-  // The time before the first of them counts, too, as far as any does.
+  // The time before the first frame counts, too, up to the limit.
   expect(drawn.steps).toBeGreaterThan(55);
 });
 
@@ -170,7 +170,7 @@ test.describe('with all pixels', () => {
       });
     const session = await page.context().newCDPSession(page);
     for (const zoom of [1, 2, 1.25]) {
-      // As zooming does it: there are fewer CSS pixels, and each has more of the screen's.
+      // As browser zoom: fewer CSS pixels with more device pixels each.
       const [width, height] = [640 / zoom, 360 / zoom];
       const metrics = { width, height, mobile: false, deviceScaleFactor: zoom };
       await session.send('Emulation.setDeviceMetricsOverride', metrics);

@@ -1,4 +1,4 @@
-/** The package as a new user tries it: packed by npm, installed into projects that know nothing of this one. */
+/** The package as a new user installs it: packed by npm, in projects outside this repository. */
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type * as Vite from 'vite';

@@ -1,14 +1,14 @@
-/** Elements with faults that only sources know, and what a page sees of them. */
+/** Elements with injected faults, which only the sources support, and their effects on a page. */
 import type { ElementOptions } from '../../src/element/cartoonSmokeElement.ts';
 import { CartoonSmokeElement } from '../../src/element/define.ts';
 
 export interface Shown {
   readonly element: CartoonSmokeElement;
-  /** What the element told, by type and by the name of the error. */
+  /** Events of the element, by type and error name. */
   readonly notified: string[];
 }
 
-/** Puts a small wisp with a poster and a fallback on the page. */
+/** Adds a small wisp with a poster and a fallback to the page. */
 export function show(thread: 'auto' | 'main' | 'worker', options: ElementOptions = {}): Shown {
   const element = new CartoonSmokeElement(options);
   Object.assign(element, { preset: 'wisp', simulationMaxParticles: 300, thread, loading: 'eager' });
@@ -21,7 +21,7 @@ export function show(thread: 'auto' | 'main' | 'worker', options: ElementOptions
   return { element, notified };
 }
 
-/** Several of them, beside each other. */
+/** Several elements side by side. */
 export function showSome(count: number, thread: 'main' | 'worker'): Shown[] {
   const shown = Array.from({ length: count }, () => show(thread));
   for (const { element } of shown) {
@@ -31,7 +31,7 @@ export function showSome(count: number, thread: 'main' | 'worker'): Shown[] {
   return shown;
 }
 
-/** Settled when all of them have gone on, and show smoke. */
+/** Resolves when all elements have advanced and show smoke. */
 export async function allDraw(shown: readonly Shown[]): Promise<void> {
   await Promise.all(
     shown.map(async (one) => {
@@ -43,13 +43,13 @@ export async function allDraw(shown: readonly Shown[]): Promise<void> {
   );
 }
 
-/** Whether the poster and the fallback stand in the place of the smoke, and nothing can be played. */
+/** Whether poster and fallback replace the smoke, and playback is disabled. */
 export function isGivenUp({ element }: Shown): boolean {
   const [poster, fallback] = [...element.children].map((child) => child.checkVisibility());
   return poster && fallback && !element.shadowRoot!.querySelector('button')!.checkVisibility();
 }
 
-/** Colours that the element's canvas shows. */
+/** Number of colours on the element's canvas. */
 export async function colorsOf({ element }: Shown): Promise<number> {
   const bitmap = await createImageBitmap(element.shadowRoot!.querySelector('canvas')!);
   const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
@@ -57,13 +57,13 @@ export async function colorsOf({ element }: Shown): Promise<number> {
   return new Set(new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
 }
 
-/** Puts elements on the page and takes them away, one after the other, as soon as they play. */
+/** Adds elements and removes each as soon as it plays. */
 export async function comeAndGo(rounds: number, thread: 'auto' | 'main'): Promise<void> {
   for (let round = 0; round < rounds; ++round) {
     const { element } = show(thread);
     await element.ready;
     element.remove();
-    // It ends in a task of its own, because it may only have been moved.
+    // Removal takes effect in a later task, because the element may only have been moved.
     await new Promise((resolve) => setTimeout(resolve));
   }
 }

@@ -1,4 +1,4 @@
-/** Faults that no page can bring about, and contexts that go, seen through the element: it recovers or gives up, and says so. */
+/** Injected faults and lost contexts, seen through the element: it recovers, or it gives up and reports an error. */
 import type { JSHandle, Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import type { LoadModule } from '../support/modules.ts';
@@ -49,8 +49,8 @@ for (const thread of ['main', 'worker'] as const) {
     await expectGivenUp(load, shown, [ready, 'ContextError']);
     await shown.evaluate(({ element }) => element.setAttribute('src', '#preset=wisp'));
     await expect.poll(notified).toEqual([ready, 'ContextError', ready]);
-    // It goes while the next smoke starts, which may stand blank before it is given up. A worker that had nothing to draw for
-    // long has made way for another.
+    // The context is lost while the next smoke starts, which may be blank before it gives up. The long-idle worker has
+    // been replaced by another one.
     await setTimeouts(drawing(), 'none');
     const options = { fault: 'contextLostInStart' } as const;
     const late = await cases.evaluateHandle((module, given) => module.show(...given), [thread, options] as const);
@@ -60,7 +60,7 @@ for (const thread of ['main', 'worker'] as const) {
   });
 }
 
-/** Lets so many times pass after which the page asks whether its worker is there. */
+/** Advances the clock by this number of heartbeat intervals. */
 async function beats(page: Page, count: number): Promise<void> {
   for (let beat = 0; beat < count; ++beat) await page.clock.fastForward(10_000);
 }
@@ -79,7 +79,7 @@ test('a worker that ends in the start is noticed, and the next smoke has a new o
   await expect.poll(() => blank.workers().length).toBe(1);
 });
 
-/** Ends the worker of a page, by itself or by an exception, and lets the page find out. */
+/** Ends the worker of a page, by close() or by an exception, and waits until the page detects it. */
 async function kill(page: Page, way: 'close' | 'throw'): Promise<void> {
   await page.workers()[0].evaluate((how) => {
     setTimeout(() => {

@@ -1,4 +1,4 @@
-/** Pages and browsers that refuse something: smoke comes on another way, or an error of a named class says why not. */
+/** Pages and browsers with restrictions: smoke uses a fallback, or reports an error of a documented class. */
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { loadModule } from '../support/modules.ts';
@@ -7,10 +7,10 @@ import { setTimeouts } from './embed.context.ts';
 type Cases = typeof import('./embed.cases.ts');
 type Shared = typeof import('../../src/remote/sharedDevice.ts');
 
-// Source modules, on pages of their own; the browser itself tells on the console what it forbids.
+// Source modules on separate pages. The browser logs what it blocks itself.
 test.use({ allowed: /Content Security|TrustedScriptURL|Trusted Type|404|WebAssembly|context lost/i });
 
-/** Opens two stages on a page: where they run, how many canvases and workers that took, and what they show. */
+/** Opens two stages on a page: their threads, the number of canvases and workers, and the pictures. */
 async function openTwo(page: Page) {
   const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
   return cases.evaluate(async (module) => {
@@ -93,12 +93,12 @@ test('a context that does not come back is told as a ContextError, once, and may
     return { errors, stage };
   });
   await page.clock.install({ time: 0 });
-  // From here on time passes only as it is told to.
+  // From here on the test controls the clock.
   await page.clock.pauseAt(60_000);
   const device = await shared.evaluateHandle(({ threadDevice }) => threadDevice.hold()!);
   const losing = await device.evaluateHandle(async ({ canvas, renderer }) => {
     const extension = renderer.getContext().getExtension('WEBGL_lose_context')!;
-    // It is lost at once, and waited for from its event on.
+    // The context is lost at once; the timeout starts with its event.
     const lost = new Promise((resolve) => canvas.addEventListener('webglcontextlost', resolve, { once: true }));
     extension.loseContext();
     await lost;

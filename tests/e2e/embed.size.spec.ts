@@ -1,6 +1,6 @@
 /**
- * What pages fetch for `<cartoon-smoke preset="wisp">`, in kilobytes over the wire (gzip -9). The limits are what holds
- * today; the goals are printed beside them.
+ * Downloads of `<cartoon-smoke preset="wisp">`, in kilobytes on the wire (gzip -9). The limits match the current state;
+ * the output also lists the targets.
  */
 import { expect, stands, test, type Server } from '../support/embed.ts';
 
@@ -19,7 +19,7 @@ function fetched(server: Server, isCounted: (file: string) => boolean): number {
 const isScript = (file: string) => file.endsWith('.js');
 const isThree = (file: string) => file.includes('node_modules/three');
 
-/** What no wisp on a page's main thread needs. */
+/** Files that a wisp on a page's main thread never needs. */
 const RARITIES =
   'lamp train physics worker preset.js presets.js comparisonRenderers debugViews billboards prismVolumes link moment pointers onPage';
 

@@ -1,4 +1,4 @@
-/** Tabs that are really hidden, by another one that comes to the front. */
+/** Tabs hidden by another tab. */
 import type { Page } from '@playwright/test';
 import type { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
 import { expect, showPage, stands, test, WISP } from '../support/embed.ts';
@@ -15,7 +15,7 @@ function stepsOf(page: Page): Promise<number> {
   return page.locator('cartoon-smoke').evaluate(async (element: CartoonSmokeElement) => (await element.stats()).steps);
 }
 
-/** Steps while so many pictures of a tab go by that can be seen, once what was said before has been heard. */
+/** Steps during a number of frames of a visible tab, after pending messages. */
 async function stepsWhile(page: Page, seen: Page): Promise<number> {
   const frames = () =>
     seen.evaluate(async () => {

@@ -1,4 +1,4 @@
-/** Two versions of the package on one page: whichever comes first is the element, and the page's console stays silent. */
+/** Two versions of the package on one page: the first one defines the element, and the console has no messages. */
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
@@ -13,7 +13,7 @@ const NOTICES = `<script>
   document.addEventListener('statechange', ({ detail }) => window.notified.push(...detail.notices), true);
 </script>`;
 
-/** What the page loads of `/other/` is the package as a later version has it. */
+/** The files below `/other/` are the package with a later version number. */
 async function serveOther(page: Page): Promise<void> {
   await page.context().route('**/other/**', (route) => {
     const file = readFileSync(DIST + new URL(route.request().url()).pathname.replace('/other/', ''));

@@ -1,4 +1,4 @@
-/** Stages in a worker: the same pictures, one worker and one context for all, and nothing that the page need notice. */
+/** Stages in a worker: the same pictures, one worker and one context for all, no effect on the page. */
 import { expect, test } from '../support/fixtures.ts';
 import { setTimeouts, changeContext } from './embed.context.ts';
 
@@ -73,7 +73,7 @@ test.describe('on a page of their own', () => {
       const again = await module.open();
       await again.stage.step(2);
       await again.stage.dispose();
-      // At once: it ends by itself some seconds later.
+      // Immediately: it would terminate itself after some seconds.
       return [count.workers, count.terminated];
     }, seen);
     expect(counts).toEqual([1, 0]);
@@ -87,7 +87,7 @@ test.describe('on a page of their own', () => {
     const notified = await cases.evaluateHandle(async (module) => {
       const { stage } = await module.open();
       const error = new Promise<Error>((resolve) => stage.on('error', resolve));
-      // Listening is asked for by a message, and this one comes after it.
+      // Listening sends a message, and this call follows it.
       await stage.get();
       return { error };
     });
@@ -107,14 +107,14 @@ test.describe('on a page of their own', () => {
 
   test('amid many steps a worker says now and then that it lives', async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
-    // What the worker says when the page asks is not meant, and no time passes for the page until it would.
+    // The heartbeat is not under test: the page's clock stops before its timeout.
     await blank.clock.install({ time: 0 });
     await blank.clock.pauseAt(1_000);
     const opened = await cases.evaluateHandle((module) => module.open());
     const [worker] = blank.workers();
     const said = await worker.evaluateHandle(() => {
       const [now, seen] = [performance.now.bind(performance), [] as unknown[]];
-      // Each step takes longer than the ten seconds after which it speaks, and no time.
+      // Each step appears to take longer than the ten-second interval of messages, but takes no real time.
       let ahead = 0;
       performance.now = () => now() + (ahead += 20_000);
       globalThis.postMessage = (message: unknown) => void seen.push(message);

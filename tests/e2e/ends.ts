@@ -1,16 +1,16 @@
-/** Every row of the table at both ends of what a link may ask for, tried on the stage of the page. */
+/** Every row of the table at both ends of the range that links accept, applied to the stage of the page. */
 import type { Page } from '@playwright/test';
 import type { Parameter, Value, Values } from '../../src/preset/parameter.ts';
 import { table } from '../../src/preset/table.ts';
 
-/** Of one row, or of all rows of an item. */
+/** One row, or all rows of a list item. */
 export interface Trial {
   readonly name: string;
   readonly low: Values;
   readonly high: Values;
 }
 
-/** What a row needs beside it to show in the picture. */
+/** Additional values that a row needs to have a visible effect. */
 const COMPANIONS: readonly (readonly [key: RegExp, values: Values])[] = [
   [/^style\.(shadowDepth|deepShadow)$/, { 'style.shadowSteps': 2, 'style.shadowDepth': 2 }],
   [/^style\.rampBlend$/, { 'style.ramp': '0:000000,1:ffffff' }],
@@ -34,7 +34,7 @@ function endsOf(row: Parameter): readonly [Value, Value] {
   return ENDS[row.kind];
 }
 
-/** All rows at once at one of their ends. @param end 0 for the lower */
+/** All rows at once at one end of their range. @param end 0 for the lower */
 export function valuesAt(rows: readonly Parameter[], end: 0 | 1): Values {
   const companions = COMPANIONS.filter(([key]) => rows.some((row) => key.test(row.key))).map(([, values]) => values);
   return Object.assign({}, ...companions, Object.fromEntries(rows.map((row) => [row.key, endsOf(row)[end]]))) as Values;
@@ -44,14 +44,14 @@ const rowsOf = (readers: readonly Parameter['reader'][]) =>
   table.filter(({ reader, key }) => readers.includes(reader) && key !== 'scene');
 const isLaterItem = ({ key }: Parameter) => /^\w+\.[1-7]\./.test(key);
 
-/** Each row by itself; of the items of a list, which are alike, the first only. */
+/** Each row alone. List items are alike, so only the first item of each list. */
 export function singleTrials(...readers: Parameter['reader'][]): Trial[] {
   return rowsOf(readers)
     .filter((row) => !isLaterItem(row))
     .map((row) => ({ name: row.key, low: valuesAt([row], 0), high: valuesAt([row], 1) }));
 }
 
-/** The other items of each list, all rows of one at once. */
+/** The other items of each list, with all rows of an item at once. */
 export function itemTrials(): Trial[] {
   const items = new Map<string, Parameter[]>();
   for (const row of rowsOf(['simulator']).filter(isLaterItem)) {
@@ -61,13 +61,13 @@ export function itemTrials(): Trial[] {
 }
 
 /**
- * Names of the trials whose two ends lead to the same state of the simulator. A state that was saved is taken up again,
- * which is refused where it holds a number that is not finite.
+ * Names of the trials whose two ends lead to the same simulator state. Each saved state is restored, which throws if it
+ * holds a non-finite number.
  */
 export function withoutEffectOnState(page: Page, trials: readonly Trial[]): Promise<string[]> {
   return page.evaluate((list) => {
     const stage = window.cartoonSmoke!;
-    // Nobody sees the pictures.
+    // No pictures are needed.
     stage.resize(0, 0);
     const capacity = Number(stage.get()['simulation.maxParticles']);
     const start = stage.save();
@@ -89,7 +89,7 @@ export function withoutEffectOnState(page: Page, trials: readonly Trial[]): Prom
   }, trials);
 }
 
-/** Names of the trials after which the picture is the same at both ends, and as it was. */
+/** Names of the trials whose picture is the same at both ends and unchanged. */
 export function withoutEffectOnPicture(page: Page, trials: readonly Trial[]): Promise<string[]> {
   return page.evaluate((list) => {
     const stage = window.cartoonSmoke!;
@@ -98,12 +98,12 @@ export function withoutEffectOnPicture(page: Page, trials: readonly Trial[]): Pr
     const before = stage.get();
     const draw = (values: Record<string, string | number>) => {
       stage.set({ ...before, ...values });
-      // In a pause a picture that is seen again is drawn at once, and can be read in the same task.
+      // A paused stage draws immediately when it becomes visible again, so its picture can be read in the same task.
       stage.visible = true;
       context.clearRect(0, 0, canvas.width, canvas.height);
       context.drawImage(canvas, 0, 0);
       const pixels = context.getImageData(0, 0, canvas.width, canvas.height).data.join();
-      // What leads to the next picture is not drawn.
+      // Do not draw the intermediate states.
       stage.visible = false;
       const added = Object.keys(values).filter((key) => !(key in before));
       if (added.length > 0) stage.unset(added);

@@ -3,9 +3,9 @@ import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { closeSheet, LIGHT, open } from './page.ts';
 
-/** What axe finds wrong, in short: the rule and where. */
+/** The violations that axe finds: the rule and the element. */
 async function expectNoFaults(page: Page, view: string): Promise<void> {
-  // Of what is right nobody reads where it is, which takes longest to find out; and no frame is to be looked into.
+  // Skip the locations of passed rules, which take most of the time, and the search in frames.
   const axe = new AxeBuilder({ page }).options({ resultTypes: ['violations'] }).setLegacyMode();
   const { violations } = await axe.analyze();
   const faults = violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${String(target)}`));
@@ -55,7 +55,7 @@ test.describe('on a phone', () => {
 });
 
 test.describe('with reduced motion, at 200 %', () => {
-  // A window of 1280 x 720 at 200 % has so many CSS pixels.
+  // The CSS pixels of a 1280 x 720 window at 200 % zoom.
   test.use({ viewport: { width: 640, height: 360 }, contextOptions: { reducedMotion: 'reduce' } });
 
   test('axe finds nothing beside the still picture, and nothing lies out of reach', async ({ page }) => {

@@ -1,4 +1,4 @@
-/** The camera is in the link: whoever opens it looks from the same place. */
+/** The link contains the camera and restores its view. */
 import type { Page } from '@playwright/test';
 import { table } from '../../src/preset/table.ts';
 import { expect, test } from '../support/fixtures.ts';
@@ -8,11 +8,11 @@ import { fingerOf, mouseOf } from './touch.ts';
 
 test.use({ viewport: { width: 400, height: 300 } });
 
-/** Two places where neither the ball nor a control is. */
+/** Two positions without ball or control. */
 const NOWHERE = { x: 40, y: 110 };
 const BESIDE = { x: 110, y: 90 };
 
-/** What of the picture depends on where the eye is: places of the scene in it, and all its pixels. */
+/** View-dependent parts of the picture: projected points of the scene, and all pixels. */
 const viewOf = (page: Page) =>
   ask(page, async (stage) => ({
     places: [stage.sight.project([0, 1, 0]), stage.sight.project([0.5, 1.5, 0.5])],
@@ -22,7 +22,7 @@ const viewOf = (page: Page) =>
 const eyeOf = (page: Page) =>
   ask(page, (stage) => Object.fromEntries(Object.entries(stage.get()).filter(([key]) => key.startsWith('camera.'))));
 
-/** Waits until the eye stands in the address bar. @param before the rest of what stands there @returns its hash */
+/** Waits until the address bar contains the camera. @param before rest of the address @returns its hash */
 async function expectLink(page: Page, before = LIGHT): Promise<string> {
   const eye = await eyeOf(page);
   const held = table.filter(({ key }) => key in eye);
@@ -33,9 +33,9 @@ async function expectLink(page: Page, before = LIGHT): Promise<string> {
 }
 
 /**
- * Three turns of a wheel or presses of a key, one after the other at once, as on a machine that is quick enough. Comes back
- * when the page takes the gesture for over: of two timers of one length the later ends later. The address bar tells
- * nothing of that, its timer is the earlier one.
+ * Three wheel events or key presses without delay, as on a fast machine. Resolves when the page considers the gesture
+ * complete: of two timers with the same delay, the later one fires later. The address bar does not show this, because
+ * its timer is the earlier one.
  */
 const burst = (page: Page, type: 'wheel' | 'keydown', detail: object) =>
   page.evaluate(

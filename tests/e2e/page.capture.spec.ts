@@ -1,4 +1,4 @@
-/** Captures, ordered from the sheet by its fields and taken as the downloads that they are. */
+/** Captures, configured in the dialog and received as downloads. */
 import { fileURLToPath } from 'node:url';
 import type { Download, Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
@@ -27,8 +27,8 @@ async function bytesOf(file: Download): Promise<number[]> {
 }
 
 /**
- * How many bytes of colour change from each frame of a film to the next. It is decoded frame by frame, because a video
- * element may show a frame only some time after it says that it has gone there.
+ * Bytes of colour that change between consecutive frames of a film. Decodes frame by frame, because a video element may
+ * show a frame some time after its `seeked` event.
  */
 async function movesOf(page: Page, film: number[]): Promise<number[]> {
   await page.addScriptTag({ path: MEDIABUNNY });

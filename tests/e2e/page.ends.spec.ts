@@ -1,4 +1,4 @@
-/** Every row of the table at both ends of what a link may ask for: something changes, and nothing breaks. */
+/** Every row of the table at both ends of the range that links accept: each has an effect, and nothing breaks. */
 import type { Page } from '@playwright/test';
 import { table } from '../../src/preset/table.ts';
 import { expect, test } from '../support/fixtures.ts';
@@ -13,7 +13,7 @@ test('what the simulator reads changes its state', async ({ page }) => {
   await open(page, `?paused=1&ui=0${SMALL.replace('lamp', 'wisp')}`);
   await ask(page, (stage) => stage.step(60));
   const trials = singleTrials('simulator', 'stage');
-  // A state without rigids is saved and taken up ten times as fast, and most rows need none.
+  // Saving and restoring a state without rigids is ten times as fast, and most rows need no rigids.
   const left = new Set(await withoutEffectOnState(page, trials));
   expect(left.size).toBeLessThan(trials.length / 4);
   await open(page, `?paused=1&ui=0${SMALL}`);
@@ -29,7 +29,7 @@ test('so do all items of its lists, each as a whole, and all at once leave the s
   await expectAlive(page);
 });
 
-/** All at once at their ends leave the simulator alive, without NaN. */
+/** With all rows at their ends the simulator still has finite values. */
 async function expectAlive(page: Page): Promise<void> {
   const rows = table.filter(({ reader }) => reader === 'simulator');
   const states = await page.evaluate(
@@ -42,7 +42,7 @@ async function expectAlive(page: Page): Promise<void> {
         stage.set(values);
         stage.step(30);
         const { alive, waiting, steps } = stage.stats;
-        // Taking up a state is refused where it holds a number that is not finite.
+        // restore() throws for a state with non-finite numbers.
         stage.restore(stage.save());
         return { figures: [alive, waiting, steps].every(Number.isFinite), hash: stage.hash() };
       });
@@ -71,7 +71,7 @@ test.describe('with all pixels', () => {
       stage.step(110);
     });
     await ask(page, async (stage) => {
-      // The other renderers come together, when the first of them is asked for; from then on each shows at once.
+      // All renderers are loaded together when the first one is requested; after that each change is immediate.
       stage.set({ 'style.renderer': 'selle' });
       await stage.complete();
       stage.set({ 'style.renderer': 'nailboards' });

@@ -10,26 +10,26 @@ const numberOf = (page: Page, key: string) =>
     return Number({ ...stage.rig, ...stage.get() }[name] ?? 0);
   }, key);
 const link = (page: Page) => page.evaluate(() => decodeURIComponent(location.hash));
-/** The same number as the link has it. */
+/** The same number in the link. */
 const linkedNumber = async (page: Page, key: string) =>
   Number(new URLSearchParams((await link(page)).slice(1)).get(key));
-/** Few pixels of the picture, enough to tell two apart. */
+/** A few pixels of the picture, enough to detect changes. */
 const pictureOf = (page: Page) =>
   ask(page, async (stage) => {
     const bytes = new Uint8Array(await (await stage.picture()).arrayBuffer());
     return bytes.reduce((sum, byte, index) => (sum * 31 + byte + index) % 2147483647, 7);
   });
 
-/** Drags a handle and sees value, picture, link and undo follow. */
+/** Drags a handle and checks value, picture, link and undo. */
 async function expectGesture(page: Page, drag: Drag, key: string, value: string, by: { x: number; y: number }) {
-  // The others act on smoke that is yet to come.
+  // The other handles only affect new smoke.
   const showsAtOnce = key === 'light';
   const before = { number: await numberOf(page, value), picture: showsAtOnce && (await pictureOf(page)) };
   const from = await middleOf(page, handle(key));
   const to = { x: from.x + by.x, y: from.y + by.y };
   await drag(from, to);
   await expect.poll(() => numberOf(page, value), { message: `${key} moves ${value}` }).not.toBe(before.number);
-  // The stage takes edits up with its next frame, and what it has now may be from the middle of the gesture.
+  // The stage applies edits with its next frame; its current value may be from the middle of the gesture.
   await expect
     .poll(async () => (await linkedNumber(page, value)) - (await numberOf(page, value)), { message: 'link' })
     .toBe(0);
@@ -70,7 +70,7 @@ test('handles of sun, wind, emitter and vortex follow the mouse and the keys', a
     await expect.poll(() => numberOf(page, value), { message: `${press} moves ${value}` }).not.toBe(before);
   }
 
-  // Attached it stays where it is seen, and then goes where the ball goes.
+  // When attached it keeps its position, and then moves with the ball.
   const place = await middleOf(page, handle('vortices.1'));
   await page.getByLabel('Vortex 2 rides on').selectOption({ label: 'Ball' });
   await expect.poll(() => link(page)).toContain('vortices.1.rigid=0');
@@ -98,10 +98,10 @@ test('a vortex is attached to the propeller, where its handle stands, and let go
   await expect.poll(() => link(page)).toContain('vortices.0.rigid=4096');
   await page.keyboard.press('p');
   await page.keyboard.press('h');
-  /** From where the vortex is seen, as the geometry of the airplane has it, to its handle. */
+  /** Distance on screen between the vortex, computed from the geometry of the airplane, and its handle. */
   const distance = async () => {
     const expected = await ask(page, (stage) => {
-      // 0.7 m from the hub on a blade that makes 3.2 turns a second, in the space of the airplane.
+      // 0.7 m from the hub on a blade with 3.2 revolutions per second, in the airplane's space.
       const angle = 2 * Math.PI * 3.2;
       const seen = stage.sight.project([0.98, 0.02 + 0.7 * Math.cos(angle), 0.7 * Math.sin(angle)], 0)!;
       const { left, top } = (stage.canvas as HTMLCanvasElement).getBoundingClientRect();

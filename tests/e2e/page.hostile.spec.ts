@@ -1,4 +1,4 @@
-/** Links from people who mean harm, or none: the page goes on, says so, asks nobody for anything and runs nothing. */
+/** Malicious and malformed links: the page works, shows a notice, sends no requests and runs no code. */
 import type { Page } from '@playwright/test';
 import { pack, packBytes } from '../../src/preset/packing.ts';
 import { table } from '../../src/preset/table.ts';
@@ -15,7 +15,7 @@ const texts = table.filter(({ kind, key }) => kind !== 'number' && kind !== 'int
 interface Hostile {
   name: string;
   link: string;
-  /** Part of what is told. */
+  /** A part of the notice. */
   notified: string;
 }
 
@@ -42,7 +42,7 @@ async function hostileLinks(): Promise<Hostile[]> {
   ];
 }
 
-/** What would show that something of a link had run. */
+/** Side effects of injected code. */
 const traces = (page: Page) =>
   page.evaluate(() => ({
     ran: (window as { ran?: unknown }).ran ?? ({} as { ran?: unknown }).ran,
@@ -73,7 +73,7 @@ test('each leaves a running page and a notice, asks nobody and runs nothing', as
 });
 
 test('script in every text value leaves the values as they were', async ({ page }) => {
-  // One link for all: of many messages the page shows the first few.
+  // One link for all cases: the page shows only the first few messages.
   await open(page, `?paused=1${SMALL}&${texts.map(({ key }) => `${key}=${script}`).join('&')}`);
   await expect(page.locator('.notices')).toContainText('more parts that could not be used');
   expect(await traces(page)).toEqual(NOTHING);

@@ -2,7 +2,7 @@ import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { ask, ballPlace, closeSheet, LIGHT, open, type Point } from './page.ts';
 
-// Long enough for the ball to come after the pointer: its spring leaves a 400th of the way after 20 steps.
+// Long enough for the ball to follow the pointer: after 20 steps its spring leaves 1/400 of the distance.
 const arrive = (page: Page) => ask(page, (stage) => stage.step(20));
 
 async function expectBallAt(page: Page, { x, y }: Point): Promise<void> {
@@ -40,7 +40,7 @@ test('the mouse drags the ball and turns the view beside it, and arrow keys move
     await arrive(page);
     const start = (await ballPlace(page))!;
     await page.keyboard.down('ArrowLeft');
-    // A held key moves the ball by no more than 9 cm a frame, and a busy machine draws few frames.
+    // A held key moves the ball by at most 9 cm per frame, and a busy machine draws few frames.
     await expect
       .poll(async () => {
         await arrive(page);
@@ -210,7 +210,7 @@ test('smoke that played goes on after a sheet that was opened again at once, and
   await page.keyboard.press('c');
   const sheet = page.getByRole('dialog', { name: 'Capture the smoke' });
   await expect(sheet).toBeVisible();
-  // By then the page has heard of the closing.
+  // After this frame the page has received the close event.
   await page.route(/\/png-/, async (route) => {
     await page.evaluate(() => new Promise(requestAnimationFrame));
     await route.continue();
@@ -218,7 +218,7 @@ test('smoke that played goes on after a sheet that was opened again at once, and
   await sheet.evaluate(async (dialog: HTMLDialogElement) => {
     dialog.close();
     document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'c', bubbles: true }));
-    // Before the page hears of the closing, which it does with the next frame.
+    // Before the page receives the close event, which arrives with the next frame.
     while (!dialog.open) await Promise.resolve();
     dialog.querySelector('form')!.requestSubmit();
   });

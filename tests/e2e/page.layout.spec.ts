@@ -1,4 +1,4 @@
-/** The picture stands in the middle of what controls leave, and none of them lies over what people press. */
+/** The picture is centred in the area without controls, and no control covers another one. */
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { LIGHT, open } from './page.ts';
@@ -10,7 +10,10 @@ const edges = async (locator: Locator) => {
   return { left: x, right: x + width, middle: x + width / 2 };
 };
 
-/** @param left, right of what shows, CSS pixels; half the space between a panel and the smoke may go to either */
+/**
+ * @param left, right edges of the visible area, CSS pixels; half the space between a panel and the smoke may be on
+ *   either side
+ */
 async function expectMiddle(page: Page, left: number, right: number): Promise<void> {
   const away = async () => Math.abs((await edges(page.locator('#smoke'))).middle - (left + right) / 2);
   await expect.poll(away).toBeLessThan(8);
@@ -57,7 +60,7 @@ test.describe('on a phone that is turned', () => {
     const gallery = page.locator('.gallery');
     const expectWidth = async (width: number) => {
       await expect.poll(() => page.locator('#smoke').evaluate(({ clientWidth }) => clientWidth)).toBe(width);
-      // Who listens to the size is told before the next frame.
+      // ResizeObserver callbacks run before the next frame.
       await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
     };
     const rotate = async (isOpen: boolean) => {
@@ -77,7 +80,7 @@ test.describe('on a phone that is turned', () => {
   test('a gallery that was put away does not come back for a window that is turned there and back at once', async ({
     page,
   }) => {
-    // The page is told of the turn when it is over.
+    // The media query event arrives after the rotation is complete.
     await page.addInitScript(() => {
       const low = Object.assign(new EventTarget(), { matches: false });
       const { matchMedia } = window;

@@ -2,7 +2,7 @@ import { pack } from '../../src/preset/packing.ts';
 import { expect, test } from '../support/fixtures.ts';
 import { ask, expectHash, expectValue, LIGHT, open, row, valueOf } from './page.ts';
 
-// Just wide enough for the panel to stand open beside the smoke.
+// Just wide enough for the panel to be open next to the smoke.
 test.use({ viewport: { width: 760, height: 540 } });
 
 test('an edit changes the stage and the link, and the link restores it', async ({ page, context }) => {
@@ -15,7 +15,7 @@ test('an edit changes the stage and the link, and the link restores it', async (
   const hash =
     '#v=1&preset=lamp&emission.rate=55.5&puff.variations=1&style.shadows=0&style.tones=3&style.inkColor=aa0011&simulation.maxParticles=500';
   await expectHash(page, hash);
-  // The stage takes edits up with its next frame, which on a busy machine may come after the address bar.
+  // The stage applies edits with its next frame, on a busy machine possibly after the address bar.
   await expectValue(page, 'style.inkColor', '#aa0011');
   const values = await ask(page, (stage) => stage.get());
   const other = await context.newPage();
@@ -76,7 +76,7 @@ test('sliders, fields and curves set parameters, which are undone and reset', as
     const plane = (await control.locator('.curve-plane').boundingBox())!;
     const onPlane = (at: number, value: number) =>
       [plane.x + at * plane.width, plane.y + (1 - value) * plane.height] as const;
-    /** How high the stop in the middle is, of one more than there were. */
+    /** Height of the middle stop after one is added. */
     const middle = async () => {
       const all = String(await valueOf(page, 'emission.density')).split(',');
       const added = all.map((stop) => stop.split(':').map(Number)).find(([at]) => Math.abs(at - 0.5) < 0.03);
@@ -123,7 +123,7 @@ test('a link typed while an edit is written into the address bar is taken up all
   await page.evaluate(() => {
     const edited = location.href;
     location.hash = '#v=1&preset=lamp-ghost&emission.rate=30&bogus=1';
-    // As the write does that was under way: after the new address, before its event.
+    // Simulates a pending write of the page: after the new address, before its event.
     history.replaceState(history.state, '', edited);
   });
   await expectValue(page, 'emission.rate', 30);
@@ -169,7 +169,7 @@ test('an old link is brought up to date, and tells so in a live region that was 
   await page.addInitScript(() => {
     const lengths: number[] = [];
     Object.assign(window, { lengths });
-    // What stands in a region when it comes is not read aloud.
+    // Screen readers do not announce content that a live region has when it is inserted.
     new MutationObserver(() => {
       const region = document.querySelector('[role=status][aria-label="Messages"]');
       if (region) lengths.push(region.childElementCount);

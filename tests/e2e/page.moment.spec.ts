@@ -6,7 +6,7 @@ import { ask, ballPlace, closeSheet, crawl, expectValue, hold, LIGHT, messagesOf
 
 test.use({ viewport: { width: 320, height: 240 } });
 
-/** Drags the ball, blows, and turns knobs while the smoke plays, then pauses. */
+/** Drags the ball, blows and changes values while the smoke plays, then pauses. */
 async function play(page: Page): Promise<void> {
   await open(page, LIGHT);
   const ball = (await ballPlace(page))!;
@@ -22,7 +22,7 @@ async function play(page: Page): Promise<void> {
   await ask(page, (stage) => stage.step(45));
 }
 
-/** The link to what the page shows, as the sheet has it. */
+/** The link to the current moment, from the share dialog. */
 async function momentLink(page: Page): Promise<string> {
   const sheet = page.getByRole('dialog', { name: 'Share this smoke' });
   await page.keyboard.press('s');
@@ -68,7 +68,7 @@ test('a moment of another scene, put into the address bar, is entered and stays 
   await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
   await ask(page, (stage) => stage.step(30));
   const train = { moment: await shown(page), link: new URL(await momentLink(page)).hash };
-  // To a scene without rigids, whose simulator is another one, and back.
+  // To a scene without rigids, which has another simulator, and back.
   for (const { moment, link } of [wisp, train]) {
     await page.evaluate((hash) => (location.hash = hash), link);
     await expect.poll(() => shown(page)).toEqual(moment);

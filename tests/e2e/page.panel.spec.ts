@@ -1,4 +1,4 @@
-/** The search of the panel, and the sheet that the panel is on phones. */
+/** The search of the panel, and the panel as a bottom sheet on phones. */
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { LIGHT, expectValue, open } from './page.ts';
@@ -8,7 +8,7 @@ const panelOf = (page: Page) => page.getByRole('region', { name: 'Parameters' })
 const rowsOf = (page: Page) => panelOf(page).locator('.row').filter({ visible: true });
 const keysOf = (rows: Locator) => rows.evaluateAll((all) => all.map((row) => (row as HTMLElement).dataset.key));
 
-/** What is typed leaves what it speaks of, opens folded groups, and gives all back when it is gone. */
+/** A search shows only matching rows and expands collapsed groups. Clearing it restores the panel. */
 async function expectSearch(page: Page, enter: (words: string) => Promise<void>): Promise<void> {
   const field = page.getByRole('searchbox', { name: 'Find a parameter' });
   const before = await rowsOf(page).count();
@@ -89,7 +89,7 @@ test('knobs of billboards wait for the end of the gesture, and an unset colour s
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  /** Height of the sheet as a share of the window, once it rests. */
+  /** Height of the sheet as a share of the window, after its animation. */
   const shareOf = async (page: Page) => {
     const panel = panelOf(page);
     await panel.evaluate((sheet) => Promise.all(sheet.getAnimations().map(({ finished }) => finished)));

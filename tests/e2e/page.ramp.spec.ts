@@ -4,20 +4,20 @@ import { expectValue, LIGHT, open, row, valueOf } from './page.ts';
 
 const KEY = 'style.ramp';
 
-/** A place on the bar of colours, 0..1 along it, in CSS pixels. */
+/** A position on the colour bar, 0 to 1 along it, in CSS pixels. */
 async function onBar(page: Page, along: number): Promise<{ x: number; y: number }> {
   const box = (await row(page, KEY).locator('.ramp-bar').boundingBox())!;
   return { x: box.x + along * box.width, y: box.y + box.height / 3 };
 }
 
-/** A click waits until the bar has come to rest. */
+/** A click waits until the bar no longer moves. */
 async function pressBar(page: Page, along: number): Promise<void> {
   const bar = row(page, KEY).locator('.ramp-bar');
   const { width, height } = (await bar.boundingBox())!;
   await bar.click({ position: { x: along * width, y: height / 3 } });
 }
 
-/** Where the stops of the stage's ramp are. */
+/** Positions of the stops of the stage's ramp. */
 async function places(page: Page): Promise<number[]> {
   const text = String(await valueOf(page, KEY));
   return text === '' ? [] : text.split(',').map((stop) => Number(stop.split(':')[0]));

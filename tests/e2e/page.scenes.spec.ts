@@ -6,10 +6,10 @@ import { doubleTap, fingerOf } from './touch.ts';
 
 test.use({ viewport: { width: 480, height: 320 } });
 
-/** Little smoke of one shape, so that SwiftShader has little to draw and the page little to bake. */
+/** Little smoke of one shape, which is cheap to draw with SwiftShader and to bake. */
 const LIGHT = '&emission.rate=20&puff.variations=1&simulation.maxParticles=300';
 
-/** Addresses of what the page fetches from here on. */
+/** URLs that the page requests from here on. */
 function fetched(page: Page): string[] {
   const addresses: string[] = [];
   page.on('request', (request) => addresses.push(new URL(request.url()).pathname));
@@ -31,19 +31,19 @@ test('a scene fetches what it needs and no more: no physics and no other scene f
   expect(await wasmBytes(page, addresses)).toBeGreaterThan(2 * without);
 });
 
-/** Length of the one module among these addresses. */
+/** Size of the only WASM module among these URLs, bytes. */
 async function wasmBytes(page: Page, addresses: readonly string[]): Promise<number> {
   const wasm = [...new Set(addresses.filter((address) => address.endsWith('.wasm')))];
   expect(wasm).toHaveLength(1);
   return page.evaluate(async (address) => (await (await fetch(address)).arrayBuffer()).byteLength, wasm[0]);
 }
 
-/** Chooses a preset in the gallery, which low windows hide at first. */
+/** Selects a preset in the gallery, which is collapsed in low windows. */
 async function choose(page: Page, preset: string): Promise<void> {
   await page.locator('label', { has: page.locator(`input[name=preset][value=${preset}]`) }).click();
 }
 
-// What a page says on its console fails every test.
+// Console errors fail every test.
 test('the gallery leads through every scene, and each of them smokes', async ({ page }) => {
   await open(page, `?paused=1#v=1&preset=wisp${LIGHT}`);
   await page.keyboard.press('g');
@@ -82,7 +82,7 @@ test.describe('with fingers', () => {
 
   test('a finger steers the airplane, which flies after it', async ({ page }) => {
     await open(page, `?paused=1#v=1&preset=airplane${LIGHT}`);
-    // The camera stays, so that only the airplane moves in the picture.
+    // Fix the camera, so that only the airplane moves in the picture.
     await ask(page, (stage) => stage.camera.orbit(0.001, 0));
     await ask(page, (stage) => stage.step(30));
     const start = (await ballPlace(page))!;
@@ -104,7 +104,7 @@ test.describe('with fingers', () => {
   });
 });
 
-/** Share of the picture around a place, in CSS pixels, that another picture has otherwise. */
+/** Whether the picture around a position, in CSS pixels, changes. */
 async function changedAround(page: Page, { x, y }: Point, act: () => Promise<void>): Promise<boolean> {
   const clip = { x: x - 30, y: y - 30, width: 60, height: 60 };
   const before = await page.screenshot({ clip });

@@ -12,7 +12,7 @@ const SIDES = [
   [1, 3, 7, 5],
 ];
 
-/** A cube as an OBJ file. @param sides how many of its sides it has */
+/** A cube as an OBJ file. @param sides number of its sides */
 function cubeObject(name: string, sides = 6) {
   const lines = [
     ...CORNERS.map((corner) => `v ${corner.join(' ')}`),
@@ -21,7 +21,7 @@ function cubeObject(name: string, sides = 6) {
   return { name, mimeType: 'model/obj', buffer: Buffer.from(lines.join('\n')) };
 }
 
-/** The cube as a glTF file. @param address where its numbers are; within the file where absent */
+/** The cube as a glTF file. @param address URL of its buffer; embedded where absent */
 function cubeScene(name: string, address?: string) {
   const triangles = SIDES.flatMap(([a, b, c, d]) => [a, b, c, a, c, d]);
   const [places, corners] = [Float32Array.from(CORNERS.flat()), Uint16Array.from(triangles)];
@@ -30,7 +30,7 @@ function cubeScene(name: string, address?: string) {
     asset: { version: '2.0' },
     scene: 0,
     scenes: [{ nodes: [0] }],
-    // Mirrored and stretched: a node's transform counts.
+    // Mirrored and stretched: tests that node transforms are applied.
     nodes: [{ mesh: 0, scale: [-1, 1, 3] }],
     meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
     accessors: [

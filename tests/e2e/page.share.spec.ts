@@ -20,7 +20,7 @@ async function drop(page: Page, name: string, text: string): Promise<void> {
   await page.dispatchEvent('body', 'drop', { dataTransfer: data });
 }
 
-/** What the page saves when something is pressed. */
+/** The file that the page saves when a control is pressed. */
 async function saved(page: Page, press: () => Promise<void>): Promise<{ name: string; text: string }> {
   const [file] = await Promise.all([page.waitForEvent('download'), press()]);
   const chunks: Buffer[] = [];
@@ -73,7 +73,7 @@ test('the sheet of the platform is offered where there is one, and copying by ha
     if (isSecureContext) navigator.clipboard.writeText = () => Promise.reject(new Error('refused'));
   });
   await open(page, `?paused=1${LIGHT}`);
-  // Who is quicker than the links are written hands out none.
+  // A click before the links are written shares no link.
   await page.evaluate(() => {
     for (const name of ['Share', 'Send…']) {
       [...document.querySelectorAll('button')].find(({ textContent }) => textContent === name)!.click();
@@ -92,7 +92,7 @@ test('the sheet of the platform is offered where there is one, and copying by ha
 test('a take too long for a link becomes a file, which brings the moment back', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await ask(page, (stage) => {
-    // Each step draws a picture where one is seen.
+    // A visible stage draws a picture after each step.
     stage.resize(0, 0);
     for (let step = 0; step < 420; step++) {
       for (let channel = 0; channel < 8; channel++) stage.steer(channel, Math.sin(step * step + channel * 7));
@@ -164,13 +164,13 @@ test('looks of one’s own are kept, shown again, renamed, saved, and removed wi
       const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
       return new Set(new Uint32Array(data.buffer)).size;
     });
-  // The picture is decoded beside the page, and painted after the card has come.
+  // The picture is decoded asynchronously and painted after the card appears.
   await expect.poll(colors).toBeGreaterThan(20);
 });
 
 test('what was kept and cannot be read is set aside, not lost', async ({ page }) => {
   await page.addInitScript(() => {
-    // An empty page has no storage.
+    // An opaque origin has no storage.
     if (origin !== 'null') localStorage.setItem('cartoon-smoke.presets', '[{"id": "x", "name": 7}, 3');
   });
   await open(page, `?paused=1${LIGHT}`);

@@ -3,7 +3,7 @@ import { gpuKeepsUp } from '../support/gpuKeepsUp.ts';
 import { ask, LIGHT, messagesOf, open } from './page.ts';
 
 test('a machine that is late is told once, politely, and draws fewer pixels', async ({ page }) => {
-  // Frames come when this says, whatever the machine can do.
+  // The test controls the frames, independent of the machine.
   await page.addInitScript(gpuKeepsUp);
   await page.addInitScript(() => {
     Object.assign(window, { frameMs: 16 });

@@ -1,4 +1,4 @@
-/** What fingers do that have neither keys nor a second button, on a phone. */
+/** Touch input on a phone that replaces keys and the second mouse button. */
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { ask, expectValue, LIGHT, open, row, valueOf } from './page.ts';
@@ -73,7 +73,7 @@ test('a finger moves, chooses and resets in the panel', async ({ page }) => {
     await density.locator('.curve-stop').last().scrollIntoViewIfNeeded();
     const before = await valueOf(page, 'emission.density');
     const stop = (await density.locator('.curve-stop').last().boundingBox())!;
-    // Beside the stop, as fingers are.
+    // Next to the stop, as an imprecise touch.
     const from = { x: stop.x - 4, y: stop.y + stop.height / 2 };
     await drag(from, { x: from.x, y: from.y - 40 });
     await expect.poll(() => valueOf(page, 'emission.density')).toMatch(/,1:\.\d+$/);

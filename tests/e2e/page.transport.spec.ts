@@ -6,11 +6,11 @@ import { fingerOf, mouseOf, type Drag } from './touch.ts';
 const stepsOf = (page: Page) => ask(page, (stage) => stage.stats.steps);
 const line = (page: Page) => page.getByRole('slider', { name: 'Timeline' });
 
-/** Drags the knob from one moment to another, seconds. */
+/** Drags the knob from one time to another, seconds. */
 async function scrub(page: Page, drag: Drag, from: number, to: number): Promise<void> {
   const box = (await line(page).boundingBox())!;
   const most = Number(await line(page).getAttribute('max'));
-  // The knob's middle stays inside the line by half its width.
+  // The knob's centre stays half its width inside the line.
   const place = (seconds: number) => ({
     x: box.x + 8 + ((box.width - 16) * seconds) / most,
     y: box.y + box.height / 2,
@@ -23,7 +23,7 @@ interface KnobState {
   hash: string;
 }
 
-/** Waits until the smoke has come to where the knob is, within some steps; only then nobody is on the way any more. */
+/** Waits until the smoke has reached the knob's time, within some steps; then no seek is running any more. */
 async function arrival(page: Page, isThere: (steps: number) => boolean): Promise<KnobState> {
   const look = () =>
     ask(page, (stage) => {
@@ -35,7 +35,7 @@ async function arrival(page: Page, isThere: (steps: number) => boolean): Promise
   return look();
 }
 
-/** Forth, back and forth again: the same moment has the same smoke. */
+/** Forward, back and forward again: the same moment has the same smoke. */
 async function expectScrubbing(page: Page, drag: Drag): Promise<void> {
   await scrub(page, drag, 0, 2);
   const { steps, hash } = await arrival(page, (count) => count > 90);
@@ -70,7 +70,7 @@ test('mouse and keys go along the time line and through the presets', async ({ p
       const knob = document.querySelector<HTMLInputElement>('input.timeline')!;
       const seen: number[] = [];
       window.cartoonSmoke!.on('frame', () => seen.push(knob.valueAsNumber));
-      // The first way is given up in favour of the second, and shows where it has come to.
+      // The second seek cancels the first, which still draws the step that it has reached.
       for (const seconds of [9, 4]) {
         knob.value = String(seconds);
         knob.dispatchEvent(new Event('input'));

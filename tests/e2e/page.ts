@@ -1,19 +1,19 @@
-/** Ways into the demo page for its tests. */
+/** Helpers for tests of the demo page. */
 import type { Page } from '@playwright/test';
 import type { Stage } from '../../src/stage/stage.ts';
 import { expect } from '../support/fixtures.ts';
 
-/** Little smoke of one shape, so that SwiftShader has little to draw and the page little to bake. */
+/** Little smoke of one shape, which is cheap to draw with SwiftShader and to bake. */
 export const LIGHT = '#v=1&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=500';
 
-/** Opens the page and waits for its stage. @param address what follows the slash: query and hash */
+/** Opens the page and waits for its stage. @param address part after the slash: query and hash */
 export async function open(page: Page, address: string): Promise<void> {
   await page.goto('about:blank');
   await page.goto(`/${address}`);
   await page.waitForFunction(() => window.cartoonSmoke !== undefined);
 }
 
-/** What the stage answers to a question asked in the page. */
+/** Evaluates a function of the stage in the page. */
 export function ask<Answer>(page: Page, question: (stage: Stage) => Answer): Promise<Awaited<Answer>> {
   return page.evaluate(`(${String(question)})(window.cartoonSmoke)`) as Promise<Awaited<Answer>>;
 }
@@ -32,9 +32,8 @@ export async function expectHash(page: Page, hash: string): Promise<void> {
 }
 
 /**
- * Has the page take a frame for each piece of what it does in pieces, and think that little fits into a piece: a long way
- * through time then takes minutes on the fastest machine, and can be looked at and stopped. From now on, and on pages that
- * are opened later.
+ * Makes the page use one frame for each slice of its chunked work, and makes each slice small: a long seek then takes
+ * minutes on any machine, and can be observed and stopped. Affects the current page and pages opened later.
  */
 export async function crawl(page: Page): Promise<void> {
   const slowDown = () => {
@@ -52,15 +51,15 @@ export async function crawl(page: Page): Promise<void> {
 }
 
 /**
- * Waits until `?t=` or a moment has wound the stage forward, and nothing lies over it any more: the page is open before.
- * @param count of steps, 60 a second
+ * Waits until `?t=` or a moment has advanced the stage and its overlay is gone: the page loads earlier.
+ * @param count number of steps, 60 per second
  */
 export async function expectSteps(page: Page, count: number): Promise<void> {
   const arrived = () => ask(page, ({ stats }) => (document.querySelector('progress') ? 'on the way' : stats.steps));
   await expect.poll(arrived, { message: 'steps' }).toBe(count);
 }
 
-/** What the page tells people from now on: some of it goes by itself, so that looking now and then could miss it. */
+/** Records the messages of the page from now on. Some of them disappear on their own, so polling could miss them. */
 export async function messagesOf(page: Page): Promise<() => Promise<string[]>> {
   const notified = await page.evaluateHandle(() => {
     const texts: string[] = [];
@@ -76,13 +75,16 @@ export async function messagesOf(page: Page): Promise<() => Promise<string[]>> {
   return () => notified.jsonValue();
 }
 
-/** Closes the sheet that is open. Only when it is gone are keys the page's again, which on a busy machine may take a while. */
+/**
+ * Closes the open dialog and waits until it is gone, because until then it receives all keys. A busy machine takes a
+ * while.
+ */
 export async function closeSheet(page: Page): Promise<void> {
   await page.keyboard.press('Escape');
   await expect(page.getByRole('dialog')).toHaveCount(0);
 }
 
-/** Lets nothing of that address come until the function that it gives is called. */
+/** Holds all responses from a URL until the returned function is called. */
 export async function hold(page: Page, address: string): Promise<() => void> {
   let arrive!: () => void;
   const arrival = new Promise<void>((resolve) => (arrive = resolve));
@@ -104,8 +106,8 @@ export interface Point {
 }
 
 /**
- * The middle of what can be grabbed, in CSS pixels: found by trying, as a person would, in a picture that has the size
- * of its canvas, which it gets with the next frame.
+ * The centre of the object that can be dragged, in CSS pixels. Found by hit-testing, as a user would, with a picture of
+ * the size of its canvas, which it gets with the next frame.
  */
 export function ballPlace(page: Page): Promise<Point | null> {
   return page.evaluate(async () => {

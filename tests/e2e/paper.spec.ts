@@ -3,18 +3,18 @@ import { expect, test } from '../support/fixtures.ts';
 
 test.use({ deviceScaleFactor: 1 });
 
-/** How many pictures each of a figure's two columns has. */
+/** Number of pictures in each of a figure's two columns. */
 const PICTURES = { 'figure-1': 1, 'figure-2': 1, 'figure-3': 4, 'figure-13': 3 };
 
 interface Measured {
-  /** How many colours there are, and the share of the pixels that the commonest has. */
+  /** Number of colours, and share of the pixels with the most frequent one. */
   readonly colors: number;
   readonly commonest: number;
-  /** Pixels of smoke in full light. */
+  /** Pixels of fully lit smoke. */
   readonly lit: number;
 }
 
-/** Measures each picture of two columns, and the share of pixels in which the pictures of a pair differ. */
+/** Measures each picture of the two columns, and the share of differing pixels of each pair. */
 function measure(page: Page, figure: string) {
   return page.evaluate((id) => {
     const FULL_LIGHT = 0xffe2eff6;

@@ -1,4 +1,4 @@
-/** What a page does to its visitor's machine after it has started. */
+/** Load on the visitor's machine after the start. */
 import { expect, test } from '../support/fixtures.ts';
 import { slowness, TASK_CATEGORIES, tasksAfter } from '../support/longTasks.ts';
 
@@ -14,7 +14,7 @@ test('at default settings no task takes longer than 200 ms once smoke plays', as
   });
   await page.waitForFunction((time) => window.cartoonSmoke!.stats.time > time + 1, start);
   const tasks = tasksAfter('plays', await browser.stopTracing());
-  // What draws is among them, but what it costs is paid by another process.
+  // Draw calls are among the tasks, but another process does the work.
   expect(tasks.length).toBeGreaterThan(20);
   expect(tasks[0]).toBeGreaterThan(0);
   expect(tasks[0]).toBeLessThan(200 * slowness());
@@ -25,7 +25,7 @@ test('nothing is written to the console', async ({ page }) => {
   page.on('console', (message) => lines.push(message.text()));
   await page.goto('/');
   await page.waitForFunction(() => (window.cartoonSmoke?.stats.bodiesDrawn ?? 0) > 0);
-  // What Chromium's driver and the tests' own tools say is not the page's doing.
+  // Ignore messages of Chromium's driver and of the test tools.
   const own = lines.filter((line) => !/GPU stall due to ReadPixels|Service Worker registration blocked/.test(line));
   expect(own).toEqual([]);
 });

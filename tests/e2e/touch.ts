@@ -1,15 +1,16 @@
-/** Fingers for tests of the page. */
+/** Touch input for tests of the page. */
 import type { Page } from '@playwright/test';
 import type { Point } from './page.ts';
 
 export type Drag = (from: Point, to: Point) => Promise<void>;
 
-/** Seconds at which a finger comes down, is half way there, is there, has come to rest, and lifts. */
+/** Seconds: touchstart, half-way, arrival, rest, touchend. */
 const [DOWN, HALF_WAY, THERE, AT_REST, UP] = [0, 0.1, 0.2, 0.8, 1];
 
 /**
- * A finger that goes from one place to another; the page must have been opened with touch. It rests before it lifts, a
- * second ago as browsers are told: to them the first tap soon after a flick stops what was flicked, and clicks nothing.
+ * A finger that moves between two positions; the page must be opened with touch. It rests before it lifts, and its
+ * timestamps are one second in the past: browsers treat the first tap soon after a fling as a stop of that fling,
+ * without a click.
  */
 export async function fingerOf(page: Page): Promise<Drag> {
   const session = await page.context().newCDPSession(page);
@@ -25,7 +26,7 @@ export async function fingerOf(page: Page): Promise<Drag> {
   };
 }
 
-/** Two fingers beside each other, at a height of 100 pixels, that go from these places of the width to those. */
+/** Two fingers next to each other, at a height of 100 pixels, that move between horizontal positions. */
 export async function fingersOf(page: Page): Promise<(from: [number, number], to: [number, number]) => Promise<void>> {
   const session = await page.context().newCDPSession(page);
   const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...widths: number[]) =>
@@ -38,7 +39,7 @@ export async function fingersOf(page: Page): Promise<(from: [number, number], to
   };
 }
 
-/** Two taps a tenth of a second apart, however long the page takes over the first. */
+/** Two taps 0.1 s apart, even if the page takes longer for the first. */
 export async function doubleTap(page: Page, place: Point): Promise<void> {
   const session = await page.context().newCDPSession(page);
   const start = Date.now() / 1000;
@@ -49,7 +50,7 @@ export async function doubleTap(page: Page, place: Point): Promise<void> {
   }
 }
 
-/** The same by the mouse. */
+/** The same with the mouse. */
 export function mouseOf({ mouse }: Page): Drag {
   return async (from, to) => {
     await mouse.move(from.x, from.y);
@@ -59,7 +60,7 @@ export function mouseOf({ mouse }: Page): Drag {
   };
 }
 
-/** The middle of what a selector finds, when it is seen: what a tap shows comes after the tap. */
+/** The centre of the first match when it is visible: elements that a tap opens appear after the tap. */
 export async function middleOf(page: Page, selector: string): Promise<Point> {
   const found = page.locator(selector);
   await found.waitFor();

@@ -1,4 +1,4 @@
-/** Captures are files; where the engine has no encoder for a video, a VideoError says so. */
+/** Captures are files. Without an encoder for a video, capture fails with a VideoError. */
 import { describe, expect } from 'vitest';
 import { engine, test } from './fixtures.ts';
 import { colorsIn, pictureIn } from './pictures.ts';
@@ -22,7 +22,7 @@ test('a GIF', async ({ load }) => {
   expect(bytes.length).toBeGreaterThan(2_000);
 });
 
-// Debian's WebKitGTK has VideoEncoder, but the page's process crashes when it is asked what it encodes.
+// Debian's WebKitGTK has VideoEncoder, but its web process crashes in isConfigSupported().
 describe.skipIf(engine.title === 'WebKit' && !engine.isPlaywrights)('video', () => {
   test.for(['webm', 'mp4'] as const)('a %s, or why there is none', async (format, { load, task }) => {
     const outcome = await (await load<Page>(STAGES)).captured(format);

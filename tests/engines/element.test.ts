@@ -1,4 +1,4 @@
-/** The element plays on both threads, and in a frame that has no origin. */
+/** The element plays on both threads, and in a frame with an opaque origin. */
 import { expect, inject } from 'vitest';
 import { start } from './engines.ts';
 import { startWebKit } from './drivers/webkit.ts';

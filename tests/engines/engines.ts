@@ -1,4 +1,4 @@
-/** Which browsers the tests run in, and how each of them is started. */
+/** The browsers of the tests, and how to start each of them. */
 import { chromium, firefox, webkit } from '@playwright/test';
 import { script } from '../support/server.ts';
 import type { Driver } from './drivers/driver.ts';
@@ -8,9 +8,9 @@ import { startWebKit } from './drivers/webkit.ts';
 
 export interface Engine {
   readonly title: 'Chromium' | 'Firefox' | 'WebKit';
-  /** Whether Playwright drives it; Debian's Firefox and WebKit, which draw with llvmpipe, have drivers of their own. */
+  /** Whether Playwright drives it. Debian's Firefox and WebKit, which render with llvmpipe, have separate drivers. */
   readonly isPlaywrights: boolean;
-  /** Where it lies; undefined when this machine does not have it. */
+  /** Path of the browser; undefined if it is not installed. */
   readonly path: string | undefined;
 }
 
@@ -39,7 +39,7 @@ export async function findEngines(): Promise<Engine[]> {
   return engines;
 }
 
-/** @throws when this machine does not have it */
+/** @throws if the browser is not installed */
 export async function start({ title, isPlaywrights, path }: Engine): Promise<Driver> {
   if (path === undefined) throw new Error(`There is no ${title} on this machine: npm run test:engines gets it.`);
   if (title === 'Chromium') return startPlaywright(chromium, { executablePath: path, args: CHROMIUM_FLAGS });

@@ -1,16 +1,16 @@
-/** The `test` of the engines: with a browser of the engine whose project runs, one for all tests of a file. */
+/** The `test` of the engine tests: with a browser of the project's engine, shared by all tests of a file. */
 import { inject, test as base } from 'vitest';
 import type { Driver } from './drivers/driver.ts';
 import { start } from './engines.ts';
 
-/** A module's functions as promises: what goes in and comes out goes through JSON. */
+/** A module's functions as promises: arguments and results are serialized as JSON. */
 export type InPage<Module> = {
   [Name in keyof Module]: Module[Name] extends (...given: infer Given) => infer Value
     ? (...given: Given) => Promise<Awaited<Value>>
     : never;
 };
 
-/** Imports a source module in a page without anything of ours, by its path in the repository. */
+/** Imports a source module in a page without product code, by its path in the repository. */
 export type Load = <Module>(path: `/${string}`) => Promise<InPage<Module>>;
 
 export const engine = inject('engine');
@@ -38,11 +38,11 @@ export function blankPage(): string {
   return `${inject('sources')}/tests/support/blank.html`;
 }
 
-/** The module at this path on the page's own host. */
+/** The module at this path on the page's origin. */
 export function inPage<Module>(browser: Driver, path: string): InPage<Module> {
   return new Proxy({} as InPage<Module>, {
     get: (_, name) =>
-      // Awaited modules must not look like promises.
+      // An awaited module must not be thenable.
       name === 'then'
         ? undefined
         : (...given: unknown[]) =>

@@ -1,4 +1,4 @@
-/** Every preset ends in the state of the committed list, which Node makes. */
+/** Every preset ends in the state of the committed list, which Node generates. */
 import { describe, expect } from 'vitest';
 import { presets } from '../../src/preset/presets.ts';
 import { engine, test } from './fixtures.ts';

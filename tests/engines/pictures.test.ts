@@ -1,4 +1,4 @@
-/** Every scene looks the same in all engines, but for a few pixels. */
+/** Every scene looks the same in all engines, except for a few pixels. */
 import { afterAll, beforeAll, expect, inject, test } from 'vitest';
 import { sceneEntries } from '../../src/scenes/scenes.ts';
 import { compare } from '../support/goldens.ts';
@@ -11,8 +11,8 @@ type Page = typeof import('./page/stages.ts');
 
 const [SECONDS, WIDTH, HEIGHT] = [3, 720, 480] as const;
 /**
- * The share of the pixels that may differ, and by how much a channel may be off that is still the same: rasterisers place
- * edges differently by fractions of a pixel, and an edge is a larger share of a smaller picture.
+ * Share of the pixels that may differ, and tolerance of a channel: rasterizers place edges differently by fractions of
+ * a pixel, and edges are a larger share of a smaller picture.
  */
 const [MAX_SHARE, TOLERANCE] = [0.005, 16];
 

@@ -1,4 +1,4 @@
-/** Serves the source modules and the built site to all tests, and builds the site where it is not fresh. */
+/** Serves the source modules and the built site to all tests, and builds the site if it is out of date. */
 import { fileURLToPath } from 'node:url';
 import { createServer } from 'vite';
 import type { TestProject } from 'vitest/node';
@@ -8,18 +8,18 @@ import type { Engine } from './engines.ts';
 
 declare module 'vitest' {
   interface TaskMeta {
-    /** Shown to whoever runs `npm run test:engines`. */
+    /** Printed by `npm run test:engines`. */
     note?: string;
   }
 
   interface ProvidedContext {
-    /** What the project's tests run in. */
+    /** The engine of the tests' project. */
     engine: Engine;
-    /** All that there are. */
+    /** All engines. */
     engines: Engine[];
-    /** Address of the source modules, on a development server; without a slash at the end. */
+    /** URL of the source modules on a development server, without a trailing slash. */
     sources: string;
-    /** Address of the built site. */
+    /** URL of the built site. */
     site: string;
   }
 }

@@ -1,4 +1,4 @@
-/** What people did, and states that were saved, come to the same in this engine and in Node. */
+/** Takes and saved states give the same hashes in this engine and in Node. */
 import { expect } from 'vitest';
 import { decode } from '../../src/preset/codec.ts';
 import type { Values } from '../../src/preset/parameter.ts';
@@ -11,7 +11,7 @@ import { test } from './fixtures.ts';
 type Stages = typeof import('./page/stages.ts');
 type Element = typeof import('./page/element.ts');
 
-/** In the lamp a ball is dragged and a thing is dropped; the airplane is steered. */
+/** Drags the ball and drops an object in the lamp; steers the airplane. */
 test.for(['lamp', 'airplane'])('a take of the %s replays from its link', async (preset, { load }) => {
   const stages = await load<Stages>('/tests/engines/page/stages.ts');
   const { hash, link, steps, inputs } = await stages.perform(preset);

@@ -3,10 +3,10 @@ import { defineConfig } from 'vitest/config';
 import { findEngines } from './engines.ts';
 
 const TESTS = 'tests/engines/*.test.ts';
-// Here each test starts all engines by itself.
+// Each of these tests starts all engines itself.
 const OF_ALL = 'tests/engines/pictures.test.ts';
 
-// Where an engine is missing, its tests fail in the check and are left out elsewhere: the command says so.
+// The tests of a missing engine fail in CI. Elsewhere they are skipped, and the command reports it.
 const isCheck = process.env.CI === 'true';
 const engines = (await findEngines()).filter(({ path }) => isCheck || path !== undefined);
 
@@ -15,11 +15,11 @@ const project = (name: string, include: string, exclude: string[], provide: Part
   test: { name, include: [include], exclude, provide: { engines, ...provide } },
 });
 
-/** `npm run test:engines`: each test runs in three browser engines, a project each. */
+/** `npm run test:engines`: each test runs in three browser engines, with a project for each. */
 export default defineConfig({
   test: {
     environment: 'node',
-    // A browser keeps one core busy, and the project is made for two.
+    // A browser keeps one core busy, and the project targets machines with two.
     maxWorkers: 2,
     allowOnly: false,
     passWithNoTests: false,

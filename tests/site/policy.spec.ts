@@ -1,4 +1,4 @@
-/** The page whole under a strict Content-Security-Policy: nothing that people do asks for what it forbids. */
+/** The whole page with a strict Content-Security-Policy: no user action violates it. */
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { closeSheet, expectSteps } from '../e2e/page.ts';
@@ -14,7 +14,7 @@ test.beforeAll(async () => {
   server = await serveStrictly(DIST);
 });
 test.afterAll(() => server.close());
-// The last of each test's violations is its own.
+// Each test provokes one violation at its end.
 test.use({ serviceWorkers: 'block', allowed: /Applying inline style violates/ });
 
 test.beforeEach(async ({ page }) => {
@@ -30,7 +30,7 @@ test.beforeEach(async ({ page }) => {
 test.afterEach(async ({ page }) => {
   const violations = () => page.evaluate(() => (window as unknown as { violations: string[] }).violations);
   expect(await violations()).toEqual([]);
-  // That none was found tells something only where one would have been.
+  // The absence of violations is only meaningful if a violation would be detected.
   await page.evaluate(() => document.body.setAttribute('style', 'color: red'));
   await expect.poll(violations).toHaveLength(1);
 });
@@ -47,7 +47,7 @@ test('panel, gallery, handles, statistics, views and notices', async ({ page }) 
   await page.keyboard.press('v');
   await page.keyboard.press('?');
   await closeSheet(page);
-  // In a window so low it is closed at first.
+  // The gallery is collapsed in a window of this height.
   await page.keyboard.press('g');
   await page.getByRole('radio', { name: 'Cup of tea' }).check();
   await expect.poll(() => page.evaluate(() => window.cartoonSmoke!.get().scene)).toBe('wisp');

@@ -1,4 +1,4 @@
-/** The built site on a plain host: from a folder deep inside, packed by gzip, under a strict Content-Security-Policy. */
+/** The built site on a static host: in a nested folder, with gzip and a strict Content-Security-Policy. */
 import { cpSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -19,7 +19,7 @@ test.beforeEach(async () => {
   server = await serveStrictly(folder);
 });
 test.afterEach(async ({ page }) => {
-  // Before its server: what it still fetches would fail, and it would complain.
+  // Before the server closes, or pending requests would fail and log errors.
   await page.close();
   await server.close();
   rmSync(folder, { recursive: true });
@@ -39,7 +39,7 @@ test('says whose work it holds, under which licence, and where the source of it 
   const link = page.getByRole('link', { name: 'Third-party licences' });
   const answer = await page.request.get(new URL((await link.getAttribute('href'))!, server.address).href);
   const text = await answer.text();
-  // Bundled, fetched on demand, of an example, and linked into the WASM.
+  // Bundled, loaded on demand, used by an example, and linked into the WASM.
   for (const name of ['three', 'mediabunny', 'gifenc', 'react-dom', 'rapier3d', 'glam']) {
     expect(text).toMatch(new RegExp(`^${name} \\d+\\.\\d+\\.\\d+ \\([^\n]+\\)\nhttps://`, 'm'));
   }
@@ -47,11 +47,11 @@ test('says whose work it holds, under which licence, and where the source of it 
   expect(text).toContain('Mozilla Public License Version 2.0');
 });
 
-/** Kilobytes of JavaScript and WASM, as they come over the wire, that may come before the first smoke. */
+/** Largest size of JavaScript and WASM before the first smoke, kilobytes on the wire. */
 const LIMITS = { wisp: 400, lamp: 900 };
 
 test.describe('before its first smoke', () => {
-  // It fetches after that, and what it fetches is not meant here.
+  // The service worker loads more files later, which do not count here.
   test.use({ serviceWorkers: 'block' });
 
   for (const [preset, limit] of Object.entries(LIMITS)) {
@@ -61,7 +61,7 @@ test.describe('before its first smoke', () => {
       const needed = (await fetched(page)).filter((file) => /\.(js|wasm)$/.test(file));
       const sent = server.sent.filter(({ file }) => needed.includes(file));
       expect(sent.reduce((sum, { bytes }) => sum + bytes, 0) / 1000).toBeLessThan(limit);
-      // What only some people ever need.
+      // Optional files.
       const names = needed.join(' ');
       for (const rarity of ['GLTFLoader', 'OBJLoader', 'paper', 'draco']) expect(names).not.toContain(rarity);
       expect(names).not.toContain(preset === 'wisp' ? 'lamp-' : 'wisp-');
@@ -115,12 +115,12 @@ test('a new version is offered that the browser has found before the page looks 
   await expect(page.getByRole('button', { name: 'Reload' })).toBeVisible();
 });
 
-/** Waits for it, also where the page is about to be another. */
+/** Waits for smoke, also across a navigation. */
 async function smokes(page: Page): Promise<void> {
   await page.waitForFunction(() => (window.cartoonSmoke?.stats.alive ?? 0) > 0);
 }
 
-/** What the page has fetched so far, relative to its folder. */
+/** The URLs that the page has loaded so far, relative to its folder. */
 function fetched(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const base = new URL('.', location.href).href;
@@ -132,7 +132,7 @@ async function isCached(page: Page, file: string): Promise<void> {
   await expect.poll(async () => (await cached(page)).join(' ')).toContain(file);
 }
 
-/** What the service worker has kept. A reload on the way answers with nothing. */
+/** The files in the service worker's cache; empty during a reload. */
 async function cached(page: Page): Promise<string[]> {
   const list = page.evaluate(async () => {
     const keys = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
@@ -141,7 +141,7 @@ async function cached(page: Page): Promise<string[]> {
   return list.catch(() => []);
 }
 
-/** Publishes the site anew with another name for the page's main chunk. */
+/** Publishes the site again with another name for the page's main chunk. */
 function renameMain(site: string): [before: string, after: string] {
   const before = readdirSync(join(site, 'assets')).find((name) => /^main-.+\.js$/.test(name))!;
   const after = 'main-Another1.js';

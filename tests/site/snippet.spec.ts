@@ -1,4 +1,4 @@
-/** The code that the share sheet of the built site gives for the element, on somebody else's page. */
+/** The code for the element from the built site's share dialog, on a host page. */
 import { createHash } from 'node:crypto';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -12,7 +12,7 @@ const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
 const LOOK = '#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300&style.smokeColor=%23ff2010';
 
 let server: SiteServer;
-/** Another origin, because of its port. */
+/** Another origin, because the port differs. */
 let elsewhere: SiteServer;
 const folder = mkdtempSync(join(tmpdir(), 'cartoon-smoke-elsewhere-'));
 
@@ -27,7 +27,7 @@ test.afterAll(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** What the sheet has in its field for the element. */
+/** The content of the dialog's field for the element. */
 async function snippet(page: Page): Promise<string> {
   await page.goto(`${server.address}?paused=1${LOOK}`);
   await page.getByRole('button', { name: 'Share' }).click();
@@ -35,7 +35,7 @@ async function snippet(page: Page): Promise<string> {
   return page.getByLabel('Custom element with its script').inputValue();
 }
 
-/** Opens an empty page of another origin with nothing but this on it. */
+/** Opens a page of another origin with only this code. */
 async function paste(page: Page, code: string): Promise<void> {
   const head = '<!doctype html><meta charset="utf-8"><title>Elsewhere</title><link rel="icon" href="data:,">';
   writeFileSync(join(folder, 'index.html'), head + code);
@@ -77,7 +77,7 @@ test.describe('changed on its way', () => {
   });
 });
 
-/** Of the element's stage. */
+/** Statistics of the element's stage. */
 function statsOf(page: Page): Promise<{ bodiesDrawn: number }> {
   return page.locator('cartoon-smoke').evaluate((element) => Reflect.get(element, 'stats').call(element));
 }

@@ -1,4 +1,4 @@
-/** Random states that a link may carry. Made of few plain numbers, so that ten thousand take seconds, and shrink well. */
+/** Random states for links. They consist of a few plain numbers, so that ten thousand take seconds and shrink well. */
 import fc from 'fast-check';
 import type { State } from '../../src/preset/codec.ts';
 import { MAX_STOPS, writeCurve } from '../../src/preset/curve.ts';
@@ -7,10 +7,10 @@ import { presets, presetValues } from '../../src/preset/presets.ts';
 import { MAX_COLORS, writeRamp } from '../../src/preset/ramp.ts';
 import { table } from '../../src/preset/table.ts';
 
-/** Which row, and a number that its value is made of. */
+/** Row index, and a number that determines its value. */
 const anyChange = fc.tuple(fc.nat({ max: table.length - 1 }), fc.nat({ max: 999_999_999 }));
 
-/** Mostly a few, now and then so many that the link is packed. */
+/** Mostly a few changes, sometimes so many that the link is packed. */
 const anyChanges = fc.oneof(
   { arbitrary: fc.array(anyChange, { maxLength: 20 }), weight: 9 },
   { arbitrary: fc.array(anyChange, { minLength: 20, maxLength: 80 }), weight: 1 },
@@ -23,7 +23,7 @@ export const anyState: fc.Arbitrary<State> = fc
     return { preset: preset.name, values: { ...presetValues(preset), ...(Object.fromEntries(values) as Values) } };
   });
 
-/** @param share 0 to below 1. Each tenth number is an end of the range; the others lie anywhere within, with all their digits. */
+/** @param share 0 to below 1. Every tenth number is an end of the range; the others are inside it with all digits. */
 function valueOf(parameter: Parameter, share: number): Value {
   switch (parameter.kind) {
     case 'toggle':
@@ -47,11 +47,11 @@ function numberIn({ kind, min, max, linkMax = max }: NumberParameter, share: num
   if (share < 0.05) return min;
   if (share < 0.1) return linkMax;
   const number = min + (share - 0.1) * (10 / 9) * (linkMax - min);
-  // Rounding can give -0, which a link writes as 0.
+  // Rounding can return -0, which a link writes as 0.
   return kind === 'integer' ? Math.round(number) + 0 : number;
 }
 
-/** Rising places, the first below 1, in whole thousandths. */
+/** Ascending positions, the first below 1, in multiples of 0.001. */
 function places(share: number, min: number, max: number): number[] {
   const count = min + Math.floor(share * (max - min + 1));
   return Array.from({ length: count }, (_, index) => Math.floor((1000 * (index + share)) / count) / 1000);

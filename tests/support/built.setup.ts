@@ -1,4 +1,4 @@
-/** Builds what pages are tested on before anybody opens one: workers that find it missing would all build it. */
+/** Builds the site and the package before the first test, so that parallel workers do not each build them. */
 import { test } from '@playwright/test';
 import { script } from './server.ts';
 

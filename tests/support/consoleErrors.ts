@@ -1,10 +1,10 @@
 import type { ConsoleMessage, Page } from '@playwright/test';
 
 /**
- * Collects what goes wrong on a page: errors on the console, exceptions that nobody caught, and what WebGL warns of,
- * which is how a wrong call shows. Advice of the driver about speed is left out.
+ * Collects console errors, uncaught exceptions and WebGL warnings of a page. An invalid WebGL call causes such a
+ * warning. Performance hints of the driver are ignored.
  *
- * @returns A list that grows while the page lives.
+ * @returns A list that grows as long as the page is open.
  */
 export function watchConsoleErrors(page: Page): string[] {
   const consoleErrors: string[] = [];

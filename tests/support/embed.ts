@@ -1,22 +1,22 @@
-/** The `test` of pages of other people: they get the package as npm has it, without a bundler. */
+/** The `test` of host pages: they load the package as published on npm, without a bundler. */
 import type { Page } from '@playwright/test';
 import { expect, test as base } from './fixtures.ts';
 import type { SiteServer as Server } from './plainPage.ts';
 
 export interface PageOptions {
-  /** What the page loads; the modules of the package by default, three.js beside them. */
+  /** Script of the page; the modules of the package by default, with three.js next to them. */
   script?: string;
   style?: string;
   headers?: Record<string, string>;
 }
 
-/** Opens a page with this body; answers when it was loaded. */
+/** Opens a page with this body and resolves when it is loaded. */
 export type OpenPage = (body: string, options?: PageOptions) => Promise<void>;
 
 export const MODULES = `
   <script type="importmap">{ "imports": { "three": "/node_modules/three/build/three.module.js" } }</script>
   <script type="module" src="/package/dist/element.js"></script>`;
-/** The smallest smoke there is. */
+/** The cheapest smoke. */
 export const WISP = 'preset="wisp" simulation-max-particles="300" puff-variations="1" thread="main"';
 
 export const test = base.extend<{ openPage: OpenPage }>({
@@ -27,7 +27,7 @@ export const test = base.extend<{ openPage: OpenPage }>({
 
 export { expect, type Server };
 
-/** Shows a page of somebody else's with this body. */
+/** Shows a host page with this body. */
 export async function showPage(
   page: Page,
   server: Server,
@@ -42,24 +42,24 @@ export async function showPage(
   await page.goto(`${server.address}host.html`);
 }
 
-/** Scrolls a page, whatever its first frames wait for; settled when whoever observes what is in view has been told. */
+/** Scrolls a page without waiting for its frames. Resolves after all IntersectionObserver callbacks. */
 export async function scrollPage(page: Page, top: number): Promise<void> {
   await page.evaluate(async (y) => {
     scrollTo(0, y);
     await new Promise((resolve) => new IntersectionObserver(resolve).observe(document.body));
-    // All observers are told in one task.
+    // All observers are called in one task.
     await new Promise((resolve) => setTimeout(resolve));
   }, top);
 }
 
-/** Lets a page show so many frames. */
+/** Waits for `count` frames of a page. */
 export async function frames(page: Page, count: number): Promise<void> {
   await page.evaluate(async (max) => {
     for (let frame = 0; frame < max; ++frame) await new Promise(requestAnimationFrame);
   }, count);
 }
 
-/** Settled when the smoke of the first element that fits stands. */
+/** Resolves when the smoke of the first matching element is ready. */
 export async function stands(page: Page, selector = 'cartoon-smoke'): Promise<void> {
   await page.waitForFunction(async (wanted) => {
     const element = document.querySelector(wanted) as { ready?: Promise<void> } | null;

@@ -1,6 +1,6 @@
 import type { View } from '../../src/sim/view.ts';
 
-/** A view of all that lives, uncut, as it is now. */
+/** A view of all living particles at the current step, without culling. */
 export const EVERYTHING: View = {
   purpose: 'eye',
   blend: 1,

@@ -1,6 +1,6 @@
 /**
- * The `test` of every browser test: the page must not complain on its console, and what draws must be SwiftShader,
- * because on anything else the pictures mean something else.
+ * The `test` of every browser test. The page must not log errors, and the WebGL renderer must be SwiftShader, because
+ * pictures differ between renderers.
  */
 import { expect, test as base, type Page } from '@playwright/test';
 import { serveBuiltSite } from './builtSite.ts';
@@ -10,28 +10,31 @@ import { loadModule, type LoadModule } from './modules.ts';
 import { serveRepository, type SiteServer } from './plainPage.ts';
 
 interface TestFixtures {
-  /** Complaints of the page that a test provokes on purpose; any other makes it fail. `test.use({ allowed: /…/ })` */
+  /** Console messages that a test provokes; all others make it fail. `test.use({ allowed: /…/ })` */
   allowed: RegExp;
-  /** Whether `blank` is nobody else's: for tests of what ends with a page, such as contexts and memory. */
+  /** Whether `blank` is a separate page: for tests of resources that a page keeps, such as contexts and memory. */
   ownPage: boolean;
-  /** A page without anything of ours on it, for tests of single modules: one for all tests of a file. */
+  /** A page without product code, for tests of single modules; shared by all tests of a file. */
   blank: Page;
-  /** Imports a source module inside the blank page, such as '/src/puffs/billboards/mesh.ts', and gives a handle on it. */
+  /** Imports a source module in the blank page, such as '/src/puffs/billboards/mesh.ts', and returns its handle. */
   load: LoadModule;
 }
 
 export interface WorkerOptions {
-  /** Whether `page` shows the built site; the sources on the development server otherwise. */
+  /** Whether `page` shows the built site; otherwise the sources on the development server. */
   showsBuiltSite: boolean;
 }
 
 interface WorkerFixtures extends WorkerOptions {
-  /** Address of the built site, where it is shown. */
+  /** URL of the built site, if shown. */
   site: string | undefined;
-  /** The unmasked renderer string of WebGL 2, checked once for each browser that is started. */
+  /** The unmasked renderer string of WebGL 2, checked once per browser. */
   renderer: string;
   reused: ReusedPage;
-  /** For pages of other people. It stands here so that their tests and others of the element take turns in one browser. */
+  /**
+   * Server of host pages. It is a fixture of all browser tests, so that tests of host pages and of the element share a
+   * browser.
+   */
   server: SiteServer;
 }
 

@@ -1,4 +1,4 @@
-/** Projects that know nothing of this one, with the tarball that `npm run package` writes. */
+/** Projects outside this repository that install the tarball of `npm run package`. */
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -12,7 +12,7 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const ELEMENT = '<cartoon-smoke preset="wisp" simulation-max-particles="300" style="height: 200px"></cartoon-smoke>';
 export const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Waiting</title><link rel="icon" href="data:,">`;
 export const PAGE_WITH_ELEMENT = PAGE + ELEMENT;
-/** At its strictest; the declarations of all packages are checked, too. */
+/** The strictest options; they also check the declarations of all packages. */
 export const STRICT = {
   strict: true,
   exactOptionalPropertyTypes: true,
@@ -24,13 +24,13 @@ export const STRICT = {
   noEmit: true,
 };
 
-/** Makes a project with these packages beside ours, and gives its folder. */
+/** Creates a project with these packages and cartoon-smoke, and returns its folder. */
 type MakeProject = (packages: readonly string[], files: Readonly<Record<string, string>>) => string;
 
 export const test = base.extend<{ project: MakeProject }, { archive: string }>({
   archive: [
     async ({ server }, use) => {
-      // The server builds the package first.
+      // Accessing the server builds the package.
       expect(server.address).toBeTruthy();
       const { ARCHIVE } = await script<{ ARCHIVE: string }>('setup/package.mjs');
       await use(join(ROOT, ARCHIVE));
@@ -58,7 +58,7 @@ function write(place: string, files: Readonly<Record<string, string>>): void {
   }
 }
 
-/** Runs a program of a project's packages; what it prints is the message when it fails. */
+/** Runs a binary of a project's packages. On failure its output is the error message. */
 export function bin(place: string, command: string, ...parameters: string[]): void {
   run(place, process.execPath, [join(place, 'node_modules', command), ...parameters]);
 }
@@ -77,7 +77,7 @@ function run(place: string, program: string, parameters: readonly string[]): voi
   }
 }
 
-/** Type-checks a project by both ways of resolving modules that new ones use. */
+/** Type-checks a project with both module resolutions of new projects. */
 export function expectTypes(place: string, options: object, include: readonly string[]): void {
   for (const [module, moduleResolution] of [
     ['nodenext', 'nodenext'],
@@ -89,7 +89,9 @@ export function expectTypes(place: string, options: object, include: readonly st
   }
 }
 
-/** Serves what was built, and waits until the page has this title. @param further what else has to hold while it is served */
+/**
+ * Serves the built project and waits until the page has this title. @param further additional checks while it is served
+ */
 export async function expectTitle(
   page: Page,
   place: string,

@@ -1,8 +1,8 @@
 /**
  * Compares pictures with the goldens in tests/visual/goldens.
  *
- * A pixel is an outlier when any of its four channels differs by more than the case's tolerance. Nothing is forgiven
- * besides: in particular edge pixels count like others, because ink is made of them.
+ * A pixel is an outlier when any of its four channels differs by more than the case's tolerance. There are no
+ * exceptions: edge pixels count as well, because ink lines consist of them.
  */
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -13,26 +13,26 @@ import { PNG } from 'pngjs';
 const FOLDER = fileURLToPath(new URL('../visual/goldens', import.meta.url));
 
 export interface GoldenCase {
-  /** File name without its ending. */
+  /** File name without extension. */
   readonly name: string;
-  /** Largest difference of a channel that is still the same, 0..255. */
+  /** Largest tolerated difference of a channel, 0 to 255. */
   readonly tolerance: number;
-  /** How many pixels may differ by more. */
+  /** Largest number of outliers. */
   readonly outliers: number;
 }
 
 export interface Comparison {
   /** Number of pixels that differ by more than the tolerance. */
   readonly outliers: number;
-  /** Largest difference of any channel, 0..255. */
+  /** Largest difference of any channel, 0 to 255. */
   readonly largest: number;
   /** The golden in grey with the outliers in red. */
   readonly difference: PNG;
 }
 
 /**
- * Demands that a picture is the golden. On a difference the picture, the golden and a picture of the difference are
- * attached to the test's result. `npm run test:update` writes the goldens anew; a missing one is a failure otherwise.
+ * Expects a picture to match its golden. On a mismatch the picture, the golden and their difference are attached to the
+ * test result. `npm run test:update` rewrites the goldens; otherwise a missing golden fails.
  *
  * @param picture a PNG file's bytes
  */
@@ -47,7 +47,7 @@ export async function expectGolden(picture: Buffer, golden: GoldenCase, testInfo
   await expectSame(picture, readFileSync(path), golden, testInfo);
 }
 
-/** The same of two PNG files. The test goes on after a difference, and fails at its end. */
+/** The same for two PNG files. Uses a soft assertion: the test continues after a mismatch and fails at its end. */
 export async function expectSame(
   picture: Buffer,
   expected: Buffer,
@@ -66,7 +66,7 @@ export async function expectSame(
   expect.soft(comparison.outliers, what).toBeLessThanOrEqual(golden.outliers);
 }
 
-/** Compares two pictures channel by channel. Pictures of different size differ in every pixel of the golden. */
+/** Compares two pictures channel by channel. If their sizes differ, every pixel of the golden is an outlier. */
 export function compare(picture: PNG, golden: PNG, tolerance: number): Comparison {
   const pixels = golden.width * golden.height;
   const difference = new PNG({ width: golden.width, height: golden.height });
@@ -84,7 +84,7 @@ export function compare(picture: PNG, golden: PNG, tolerance: number): Compariso
   return { outliers, largest, difference };
 }
 
-/** The bytes of a Blob that lives in a page, such as what `stage.picture()` resolves to. */
+/** The bytes of a Blob in a page, such as the result of `stage.picture()`. */
 export async function bytesOf(blob: JSHandle<Blob>): Promise<Buffer> {
   const text = await blob.evaluate(async (it) => {
     const bytes = new Uint8Array(await it.arrayBuffer());

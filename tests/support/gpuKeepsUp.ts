@@ -1,6 +1,6 @@
 /**
- * Lets a page take its GPU for as fast as its clock, for tests that make time themselves: what has been drawn is told in real
- * time only, and not amid a task. Workers are not reached.
+ * Makes the GPU of a page appear idle, for tests that control the clock: sync objects are only signaled in real time,
+ * and not during a task. Does not affect workers.
  */
 export function gpuKeepsUp(): void {
   WebGL2RenderingContext.prototype.getSyncParameter = () => WebGL2RenderingContext.SIGNALED;

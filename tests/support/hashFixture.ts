@@ -1,6 +1,6 @@
 /**
- * The scenario of `sim-wasm/sim/tests/collide_fixture.txt`, for Node and for pages: the crate's own test runs it
- * natively, and everywhere else it has to come to the same hashes.
+ * The scenario of `sim-wasm/sim/tests/collide_fixture.txt`, for Node and for pages. The crate's own test runs it
+ * natively; all platforms must produce the same hashes.
  */
 import type { SimulatorFactory } from '../../src/sim/load.ts';
 import type { RigidDescription, RigidShape } from '../../src/sim/rigid.ts';
@@ -8,7 +8,7 @@ import type { Simulator } from '../../src/sim/simulator.ts';
 
 const KINDS = ['fixed', 'kinematic', 'dynamic'] as const;
 
-/** What follows a word on the lines that begin with it. */
+/** The rest of each line that starts with a word. */
 export function linesOf(fixture: string, word: string): string[] {
   const found = fixture.split('\n').filter((line) => line.startsWith(word));
   return found.map((line) => line.slice(word.length).trim());
@@ -50,7 +50,7 @@ function end(simulator: Simulator): string {
   return hash;
 }
 
-/** The numbers of the fixture are those of the boundary; here they become a description again. */
+/** Converts the boundary format of the fixture to a description. */
 function rigidOf(line: string): RigidDescription {
   const [form, pose] = line.split(' | ');
   const [kind, shape, dimensions] = form.split(' ');

@@ -26,12 +26,12 @@ const METHODS = [
   '',
 ];
 
-/** With an empty list of arguments these would do what they are for. */
+/** Calls without arguments: with an empty argument list they would be valid. */
 const NO_ARGUMENTS = new Set(Object.keys(calls).filter((name) => calls[name as keyof typeof calls].takes.length === 0));
 const NO_LISTS = [7, 'args', { length: 1e9 }, { 0: 1, length: 1 }, null];
 const WRONG_LISTS = [[NaN], ['x'.repeat(1e4)], [{ 'emission.rate': 'many' }], [[{}]], [-Infinity], [new Uint8Array(9)]];
 
-/** Messages that nobody means well with: wrong in shape, in size or in value, some of them almost right. */
+/** Hostile messages with a wrong shape, size or value, some of them almost valid. */
 export function* hostileMessages(count: number, seed: number): Generator {
   const random = seeded(seed);
   const pick = <Item>(items: readonly Item[]): Item => items[Math.floor(random() * items.length)];

@@ -1,4 +1,4 @@
-/** How long the main thread of a page was busy, task by task. */
+/** CPU time of the tasks of a page's main thread. */
 
 interface TraceEvent {
   readonly name: string;
@@ -6,15 +6,15 @@ interface TraceEvent {
   readonly pid: number;
   readonly tid: number;
   readonly ts: number;
-  /** Microseconds of the processor. */
+  /** CPU time, microseconds. */
   readonly tdur?: number;
   readonly args?: { readonly name?: string };
 }
 
-/** What `browser.startTracing` has to record. */
+/** Trace categories for `browser.startTracing`. */
 export const TASK_CATEGORIES = ['toplevel', 'blink.user_timing'];
 
-/** What `work` takes of a processor on which the limits of the tests were found to hold with room to spare. */
+/** CPU time of `work` on the machine that the limits of the tests were measured on, milliseconds. */
 const WORK_MS = 28;
 
 function work(): number {
@@ -23,7 +23,7 @@ function work(): number {
   return state;
 }
 
-/** How many times as long as there this processor takes for the same work, at least 1. */
+/** How many times slower this machine is than that one, at least 1. */
 export function slowness(): number {
   const times = [1, 2, 3, 4].map(() => {
     const before = process.cpuUsage();
@@ -35,8 +35,8 @@ export function slowness(): number {
 }
 
 /**
- * Milliseconds that the tasks of a page's main thread took of the processor after it marked a moment, the longest first.
- * The processor's time and not the clock's: on a busy machine others' work would count as well.
+ * CPU times in milliseconds of a page's main-thread tasks after a mark, longest first. CPU time instead of wall time
+ * excludes the load of other processes.
  * @param mark name of a performance.mark that the page made
  */
 export function tasksAfter(mark: string, trace: Buffer): number[] {

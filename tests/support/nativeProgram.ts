@@ -1,4 +1,4 @@
-/** Programs of sim-wasm that are compiled natively, for tests to compare with. */
+/** Native builds of sim-wasm programs, for comparison in tests. */
 import { script } from './server.ts';
 
 interface Toolchain {
@@ -7,7 +7,7 @@ interface Toolchain {
 }
 
 /**
- * Builds a program, if it is not up to date.
+ * Builds a program if it is not up to date.
  *
  * @returns its path
  */

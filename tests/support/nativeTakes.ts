@@ -5,13 +5,13 @@ import { join } from 'node:path';
 import { promisify } from 'node:util';
 import { buildNative } from './nativeProgram.ts';
 
-/** Takes that `sim-wasm/sim/examples/table_takes.rs` makes natively, with the hashes that they come to there. */
+/** Takes that `sim-wasm/sim/examples/table_takes.rs` records natively, with their hashes. */
 export interface NativeTake {
   hasRigids: boolean;
   steps: number;
   alive: number;
   hash: string;
-  /** In hexadecimal digits. */
+  /** Bytes in hexadecimal digits. */
   take: string;
 }
 

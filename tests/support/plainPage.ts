@@ -1,11 +1,11 @@
-/** Plain web hosts: for the built site from a folder deep inside, packed by gzip, under a strict policy, and for the package. */
+/** Static file hosts: the built site in a nested folder, with gzip and a strict policy; and the package. */
 import { fileURLToPath } from 'node:url';
 import { script } from './server.ts';
 
 export interface SiteServer {
-  /** Of the folder, ending with a slash. */
+  /** URL of the folder, with a trailing slash. */
   readonly address: string;
-  /** What was answered so far: bytes over the wire, without headers. */
+  /** Responses so far: size on the wire, without headers. */
   readonly sent: { file: string; bytes: number }[];
   close(): Promise<void>;
 }
@@ -26,13 +26,13 @@ export async function serveStrictly(folder: string): Promise<SiteServer> {
   return serveSite(folder, PLACE, STRICT);
 }
 
-/** As hosts of static files do that let every page fetch them. */
+/** With CORS for all origins, as hosts of static files have. */
 export async function serveOpenly(folder: string): Promise<SiteServer> {
   const { serveSite } = await script<ServeScript>('site/serve.mjs');
   return serveSite(folder, PLACE, { 'access-control-allow-origin': '*' });
 }
 
-/** The whole repository, of which pages of other people load the package as npm has it. */
+/** The whole repository. Host pages load the published package from it. */
 export async function serveRepository(): Promise<SiteServer> {
   const { serveSite } = await script<ServeScript>('site/serve.mjs');
   return serveSite(ROOT, '/');

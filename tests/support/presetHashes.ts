@@ -1,4 +1,7 @@
-/** The hash of each named preset after some seconds, without drawing: what `tests/engines/hashes.json` lists. */
+/**
+ * The hash of each preset after some seconds, without rendering. The expected values are in
+ * `tests/engines/hashes.json`.
+ */
 import { findPreset, presets, presetValues } from '../../src/preset/presets.ts';
 import { withDrops } from '../../src/scenes/drops.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
@@ -6,10 +9,10 @@ import { STEP_SECONDS } from '../../src/sim/clock.ts';
 import type { SimulatorFactory } from '../../src/sim/load.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
 
-/** Hashes of 16 hexadecimal digits by simulated seconds, by the name of the preset. */
+/** Hashes of 16 hexadecimal digits by simulated seconds, by preset name. */
 export type HashList = Record<string, Record<string, string>>;
 
-/** Gives the simulators with physics, or those without. */
+/** Returns the simulators with or without physics. */
 type FactoryFor = (physics: boolean) => Promise<SimulatorFactory>;
 
 export const HASH_LIST = new URL('../engines/hashes.json', import.meta.url);
@@ -32,7 +35,7 @@ export async function hashesOf(
 ): Promise<Record<string, string>> {
   const values = presetValues(findPreset(name)!);
   const { load, hasRigids } = sceneNamed(values.scene as string);
-  // As `openScene` does: where there is physics, things can be dropped.
+  // As in `openScene`: with physics the scene has drops.
   const scene = hasRigids ? withDrops(await load()) : await load();
   const simulation = new Simulation(await factoryFor(hasRigids), scene, values, 0);
   const hashes = moments.map((seconds) => {

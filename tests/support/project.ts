@@ -1,6 +1,6 @@
 /**
- * A copy of this project's scripts in a folder of its own, on a machine where only the programs exist that a test
- * puts there. The scripts run as they do for a person: as a process, judged by what it prints and its status.
+ * A copy of this project's scripts in a temporary folder, on a PATH with only the programs that a test adds. The
+ * scripts run as separate processes; tests check their output and exit status.
  */
 import { spawnSync } from 'node:child_process';
 import { chmodSync, cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
@@ -12,9 +12,9 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 
 export interface Ending {
   status: number | null;
-  /** What it printed for people to follow. */
+  /** Standard output. */
   output: string;
-  /** The lines of the error stream. */
+  /** The lines of standard error. */
   errors: string[];
 }
 
@@ -42,7 +42,7 @@ export class Project {
     return readFileSync(this.path(name), 'utf8');
   }
 
-  /** Puts a program on PATH, given as the body of a shell script. */
+  /** Adds a program to PATH, given as the body of a shell script. */
   program(name: string, body: string): void {
     this.write(`programs/${name}`, `#!/bin/sh\n${body}\n`);
     chmodSync(this.path(`programs/${name}`), 0o755);
@@ -53,7 +53,7 @@ export class Project {
     return this.node([`scripts/${script}`, ...parameters], environment);
   }
 
-  /** Sets up single components, named by their files. */
+  /** Sets up single components by file name. */
   setUp(components: string[], environment: Record<string, string> = {}): Ending {
     const code = [
       `import { conclude } from './scripts/lib/userError.mjs';`,
@@ -68,7 +68,7 @@ export class Project {
     const { status, stdout, stderr } = spawnSync(process.execPath, parameters, {
       cwd: this.folder,
       encoding: 'utf8',
-      // Nothing of this machine is inherited: no npm that started us, no home with a cargo in it.
+      // Inherit no environment of this machine: neither the npm that started the tests nor a home folder with a cargo.
       env: { PATH: this.path('programs'), HOME: this.folder, ...environment },
     });
     return { status, output: stdout, errors: stderr.split('\n').filter(Boolean) };

@@ -1,20 +1,20 @@
 /**
- * Records what crosses into simulators, for `sim-wasm/sim/examples/native_hashes.rs` to do again. A call is its name, a
- * byte with the count of its arguments, and the arguments, each behind a byte that tells its type; little endian, lengths
- * in 32 bits.
+ * Records the calls of simulators, for `sim-wasm/sim/examples/native_hashes.rs` to repeat. Format of a call: its name,
+ * a byte with the number of arguments, and the arguments, each after a byte with its type. Little endian, lengths are
+ * 32-bit.
  */
 import { SimulatorFactory } from '../../src/sim/load.ts';
 
 type Method = (...given: unknown[]) => unknown;
 
-/** What changes nothing. `hash` is recorded although it changes nothing: the native program prints the hash there. */
+/** Calls without side effects. `hash` is recorded as well, because the native program prints the hash there. */
 const READS: ReadonlySet<PropertyKey> = new Set(['save', 'arrange', 'control', 'parameterKeys', 'parameterValues']);
 
-/** Calls of all simulators that are made of its factories, in order. */
+/** Calls of all simulators of its factories, in order. */
 export class RecordedCalls {
   readonly #parts: Uint8Array[] = [];
 
-  /** Simulators of the same module that record their calls here. */
+  /** Returns a factory whose simulators record their calls here. */
   record({ module }: SimulatorFactory): SimulatorFactory {
     const { bindings, memory } = module;
     const Simulator = new Proxy(bindings.Simulator, {
@@ -61,12 +61,12 @@ function argument(given: unknown): Uint8Array[] {
   throw new TypeError(`A call with ${String(given)} cannot be recorded: add its type here and to native_hashes.rs.`);
 }
 
-/** Behind the number of its bytes. */
+/** Prefixed with the length in bytes. */
 function sized(given: ArrayBufferView): Uint8Array {
   return Buffer.concat([bytesOf(Uint32Array.of(given.byteLength)), bytesOf(given)]);
 }
 
-/** A copy: callers may use an array again. */
+/** A copy: callers may reuse an array. */
 function bytesOf({ buffer, byteOffset, byteLength }: ArrayBufferView): Uint8Array {
   return new Uint8Array(buffer, byteOffset, byteLength).slice();
 }

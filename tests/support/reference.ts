@@ -1,34 +1,34 @@
-/** Pictures by sim-wasm/reference, and how much others differ from them. */
+/** Pictures by sim-wasm/reference, and their comparison with others. */
 import { spawn } from 'node:child_process';
 import { expect, test, type TestInfo } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { buildNative } from './nativeProgram.ts';
 
-/** Row by row from the bottom. */
+/** Rows from bottom to top. */
 interface ReferencePicture {
   width: number;
   height: number;
-  /** Four bytes a pixel. */
+  /** Four bytes per pixel. */
   colors: Uint8Array;
-  /** Shadow volumes over each pixel, at most 255. */
+  /** Shadow volumes at each pixel, at most 255. */
   counts: Uint8Array;
-  /** Pixels of one region show the same tone of the same thing. */
+  /** All pixels of a region show the same tone of the same object. */
   regions: Uint32Array;
-  /** By so much a channel may differ. */
+  /** Largest allowed difference of a channel. */
   rounding: number;
 }
 
-/** The little of a description that is read here. */
+/** The part of a description that this file reads. */
 interface Described {
   width: number;
   height: number;
   style: { smokeRamps: readonly { isBlended?: boolean }[] };
 }
 
-/** The most by which a channel changes from one texel to the next of the tests' ramps whose tones run into each other. */
+/** Largest difference of a channel between adjacent texels of the tests' smooth ramps. */
 const BLENDED_TEXEL = 4;
 
-/** How much a picture differs from the reference. An edge is where the reference itself changes from pixel to pixel. */
+/** Differences from the reference. An edge pixel is one at which the reference changes to the next pixel. */
 interface Difference {
   pixels: number;
   edges: number;
@@ -40,33 +40,33 @@ interface Difference {
 
 let program: Promise<string> | undefined;
 
-/** Builds the program ahead of the tests, which takes longer than they may where nothing was built before. */
+/** Builds the program before the tests: a first build takes longer than the timeout of a test. */
 export async function buildReference(): Promise<void> {
   test.setTimeout(1_200_000);
   program ??= buildNative('bin', 'reference');
   await program;
 }
 
-/** A picture and what it is a picture of; bytes as base64, row by row from the bottom. */
+/** A picture and its description; bytes as base64, rows from bottom to top. */
 export interface Drawn {
-  /** JSON as `Scene` in sim-wasm/reference/src/scene.rs has it. */
+  /** JSON in the format of `Scene` in sim-wasm/reference/src/scene.rs. */
   description: string;
   pixels: string;
-  /** Shadow volumes over each pixel. */
+  /** Shadow volumes at each pixel. */
   counts: string;
 }
 
-/** Within regions nothing can round to the other side of a border. */
+/** Within regions rounding cannot cross a border. */
 const MAX_WITHIN = 0.0001;
-/** Of the pixels at edges: single precision, and corners of boards that lie on a raster of sixteenths of a pixel. */
+/** Share of the edge pixels. Causes: single precision, and board corners that snap to a grid of 1/16 pixel. */
 const MAX_OF_EDGES = 0.01;
 const MAX_COUNTS = 0.001;
 
 /**
- * Demands that a picture is the reference's: far less than 0.5 % of its pixels may be of another colour. Prints the
- * figures, and attaches both pictures where it is not so.
- * @param limits shares that may be of another colour: of all pixels, within regions; of the pixels at edges, which are
- *   more for a few large puffs, whose boards' corners decide alone
+ * Expects a picture to match the reference: far fewer than 0.5 % of its pixels may have another colour. Prints the
+ * numbers, and attaches both pictures on failure.
+ * @param limits largest shares of wrong colours: of all pixels, within regions; and of edge pixels, which is larger for
+ *   a few large puffs, because the corners of their boards dominate
  */
 export async function expectReference(
   name: string,
@@ -106,7 +106,7 @@ async function referencePicture(description: string): Promise<ReferencePicture> 
   };
 }
 
-/** @param colors, counts of the other picture, row by row from the bottom */
+/** @param colors, counts of the other picture, rows from bottom to top */
 function differenceFrom(reference: ReferencePicture, colors: Uint8Array, counts: Uint8Array): Difference {
   const difference: Difference = { pixels: reference.regions.length, edges: 0, colors: 0, counts: 0, colorsAtEdges: 0 };
   for (let pixel = 0; pixel < difference.pixels; pixel++) {
@@ -122,7 +122,7 @@ function differenceFrom(reference: ReferencePicture, colors: Uint8Array, counts:
   return difference;
 }
 
-/** The reference above the other picture, and where they differ: red within regions, yellow at edges. */
+/** The reference above the other picture, and the differences: red within regions, yellow at edges. */
 function sheetOf(reference: ReferencePicture, colors: Uint8Array): Buffer {
   const { width, height } = reference;
   const sheet = new PNG({ width, height: 3 * height });

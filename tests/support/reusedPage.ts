@@ -4,8 +4,8 @@ import { watchConsoleErrors } from './consoleErrors.ts';
 const BLANK = '/tests/support/blank.html';
 
 /**
- * A page without anything of ours that all tests of a file use one after the other, so that modules are loaded, puffs
- * baked and shaders compiled once a file and not once a test. The next file finds it as new.
+ * A page without product code that all tests of a file share, so that modules are loaded, puffs baked and shaders
+ * compiled once per file instead of once per test. The next file gets a fresh page.
  */
 export class ReusedPage {
   private readonly browser: Browser;
@@ -18,7 +18,7 @@ export class ReusedPage {
     this.options = options;
   }
 
-  /** The page, ready for a test of this file. @param file path that tells files apart */
+  /** The page, prepared for a test of this file. @param file path of the test file */
   async forTestOf(file: string): Promise<Page> {
     this.opened ??= await this.open();
     const { page } = this.opened;
@@ -29,13 +29,10 @@ export class ReusedPage {
     return page;
   }
 
-  /**
-   * What the page complained of since this was last asked. What came after the end of a test counts for the next one:
-   * late, but not lost.
-   */
+  /** Console errors of the page since the last call. Errors after the end of a test are reported by the next one. */
   async consoleErrors(): Promise<string[]> {
     if (!this.opened) return [];
-    // What the page has said before it answers has arrived when its answer has.
+    // Messages that the page logs before this evaluation arrive before its result.
     await this.opened.page.evaluate(() => {
       document.body.replaceChildren();
       document.body.removeAttribute('style');

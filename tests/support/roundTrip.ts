@@ -3,7 +3,7 @@ import { expect } from 'vitest';
 import { decode, encode } from '../../src/preset/codec.ts';
 import { anyState } from './anyState.ts';
 
-/** Writes random states into links and reads them again: each comes back whole, without a notice. */
+/** Writes random states to links and reads them back: each is unchanged and has no notices. */
 export async function expectRoundTrips(count: number): Promise<void> {
   const returns = fc.asyncProperty(anyState, async (state) => {
     const hash = await encode(state);

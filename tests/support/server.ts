@@ -1,4 +1,4 @@
-/** What the browser tests run against: the port of their server and the browser, the same in every worker. */
+/** Settings of the browser tests that all workers share: the port of the server and the browser. */
 
 interface BrowserScript {
   findBrowser(): Promise<string | undefined>;
@@ -12,14 +12,14 @@ interface PortScript {
 
 export interface TestServer {
   readonly port: number;
-  /** Path of the Chromium to start; one without windows where there is one. */
+  /** Path of the Chromium to start, preferably a headless shell. */
   readonly browser: string;
   readonly flags: string[];
 }
 
 /**
- * Chooses a free port and a browser. The choice is left in the environment, which the workers inherit: they load the
- * configuration again and have to come to the same result.
+ * Chooses a free port and a browser. Environment variables pass the choice to the workers, which load the configuration
+ * again and need the same result.
  */
 export async function demandTestServer(): Promise<TestServer> {
   const { findBrowser, findShell, CHROMIUM_FLAGS } = await script<BrowserScript>('setup/browser.mjs');
@@ -31,12 +31,12 @@ export async function demandTestServer(): Promise<TestServer> {
   return { port: Number(process.env.TEST_PORT), browser: process.env.TEST_BROWSER, flags: CHROMIUM_FLAGS };
 }
 
-/** A port that nobody listens on, nor is given to whoever asks for any. */
+/** A free port outside the range for automatic assignment. */
 export async function findFreePort(): Promise<number> {
   return (await script<PortScript>('lib/port.mjs')).findFreePort();
 }
 
-/** Imports a module of scripts/, which is plain JavaScript and therefore has its type said here. */
+/** Imports a module of scripts/. These are plain JavaScript, so the caller gives the type. */
 export function script<Module>(path: string): Promise<Module> {
   return import(new URL(`../../scripts/${path}`, import.meta.url).href) as Promise<Module>;
 }

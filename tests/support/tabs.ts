@@ -10,8 +10,8 @@ export interface Tabs {
 }
 
 /**
- * Opens tabs that hide one another, as people have them. The runner's own pages are all told that they are in front,
- * whatever lies over them; only the first context of a browser that it finds running is left as it is.
+ * Opens tabs that hide each other, as in a regular browser. Playwright emulates focus for its own pages, which are then
+ * always visible; it does not do so for the default context of a browser that it connects to.
  */
 export async function openTabs(
   { chromium }: PlaywrightWorkerArgs['playwright'],
@@ -20,11 +20,11 @@ export async function openTabs(
   const port = await findFreePort();
   const browser = await chromium.launch({
     ...options,
-    // A browser without windows hides no tab.
+    // A headless browser hides no tab.
     executablePath: process.env.CHROMIUM_PATH,
     args: [...(options.args ?? []), `--remote-debugging-port=${port}`],
   });
-  // The browser listens there some time after it has started.
+  // The browser opens the port some time after its start.
   while (!(await listensOn(port)));
   const seen: Browser = await chromium.connectOverCDP(`http://127.0.0.1:${port}`, { noDefaults: true, timeout: 0 });
   const [context] = seen.contexts();
@@ -33,7 +33,7 @@ export async function openTabs(
   return { page, other, close: () => browser.close() };
 }
 
-/** Settled when a tab knows whether it is hidden. */
+/** Resolves when a tab has this visibility state. */
 export async function isNow(page: Page, state: DocumentVisibilityState): Promise<void> {
   await page.evaluate(async (wanted) => {
     while (document.visibilityState !== wanted) {

@@ -1,4 +1,4 @@
-/** Something for a simulation of the lamp to replay, for Node and for pages. */
+/** Actions on a simulation of the lamp to record and replay, for Node and for pages. */
 import { defaultPreset, presetValues } from '../../src/preset/presets.ts';
 import type { Values } from '../../src/preset/parameter.ts';
 import { lamp } from '../../src/scenes/lamp.ts';
@@ -8,12 +8,11 @@ import { Simulation } from '../../src/stage/simulation.ts';
 export const VALUES: Values = { ...presetValues(defaultPreset), 'simulation.maxParticles': 300, 'emission.rate': 150 };
 export const LAST_STEP = 400;
 
-/** A simulation of the lamp. */
 export function lampSimulation(factory: SimulatorFactory, historyBytes = 1e7): Simulation {
   return new Simulation(factory, lamp(), VALUES, historyBytes);
 }
 
-/** What a restless person does before step `step` is taken. */
+/** Actions before step `step`. */
 export function act(simulation: Simulation, step: number): void {
   const { drag } = simulation;
   if (step % 50 === 20) simulation.set({ 'forces.wind.x': step / 200 - 1 });
@@ -30,7 +29,7 @@ export function act(simulation: Simulation, step: number): void {
   if (step % 33 === 0) simulation.input((simulator) => simulator.inputSteer(step % 8, step / 400));
 }
 
-/** Lives the script and gives the hashes after every 20th step. */
+/** Runs the actions and returns the hashes after every 20th step. */
 export function live(simulation: Simulation): string[] {
   const hashes: string[] = [];
   for (let step = 0; step < LAST_STEP; ++step) {
@@ -41,7 +40,7 @@ export function live(simulation: Simulation): string[] {
   return hashes;
 }
 
-/** The hashes at the same moments of what goes by itself. */
+/** The hashes at the same steps of a replay. */
 export function follow(simulation: Simulation): string[] {
   const hashes: string[] = [];
   for (let step = 20; step <= LAST_STEP; step += 20) {

@@ -1,6 +1,6 @@
-/** A take of version 2, recorded by the last version of the product that wrote them. */
+/** A take of format version 2, recorded by the last release that wrote it. */
 
-/** As links carry it: 60 steps of the preset wisp, with wind after 10 of them and a gust after 20. */
+/** In the encoding of links: 60 steps of the preset wisp, with wind after 10 steps and a gust after 20. */
 export const TAKE_2 = [
   'jVfNixxFFK8JenCXZD-SNZsQPVQQPEya2dnZXWmUHvAfUAniwUtt9-uZYnu62qrq2ZkJCwqCR70quUU8-i9EzEVRIaISBA8eRJAIBj9AT5rqnq',
   'qu7plaU4f9qN_vV_Xeq1fvVUtyBGcQQl9_e-ejj9-5H8ecjX5bRaiFEHpP_ZiP5-e_n7mK3_7p5u9fRAihswghGFEhKEs9TiSUlG5_wwYSGoOk',
@@ -18,5 +18,5 @@ export const TAKE_2 = [
   '9RizdfotjveAdtbD0jR2TyElHhT5SLvU6njZcXMexf2_H266gpYGrdXg0rapeyoi6pbh72r3W87t5ydKqCs3Ny8h8',
 ].join('');
 
-/** The hash at its end, in the version that recorded it. The preset computes nothing that has changed since. */
+/** The hash at its end in the version that recorded it. No change since then affects this preset. */
 export const HASH_2 = 'e93357ea1dd8c2a7';

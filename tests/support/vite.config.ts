@@ -2,7 +2,7 @@ import { fileURLToPath } from 'node:url';
 import { mergeConfig, type Plugin } from 'vite';
 import site from '../../vite.config.ts';
 
-/** Pages under a Content-Security-Policy of the test's choice: `/page.html?policy=worker-src%20'none'`. */
+/** Pages with a Content-Security-Policy from the query: `/page.html?policy=worker-src%20'none'`. */
 function policies(): Plugin {
   return {
     name: 'policies',
@@ -17,7 +17,7 @@ function policies(): Plugin {
   };
 }
 
-/** The development server as the tests want it: nothing reloads a page in the middle of a test. */
+/** The development server without hot reload, so that no page reloads during a test. */
 export default mergeConfig(site, {
   root: fileURLToPath(new URL('../..', import.meta.url)),
   plugins: [policies()],

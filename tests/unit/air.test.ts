@@ -1,4 +1,4 @@
-/** Open air: whatever box a page puts into it, no smoke gets in, and smoke is of one size in pictures of all sizes. */
+/** Open air: no smoke enters a box of the page, and the smoke has the same size in pictures of all sizes. */
 import { expect, test } from 'vitest';
 import { colliderValues, curlValues } from '../../src/element/layout/pageValues.ts';
 import type { Values } from '../../src/preset/parameter.ts';
@@ -26,7 +26,9 @@ test('smoke goes around a box above its emitter, and gets past it', async () => 
   simulator.dispose();
 });
 
-/** Under a wide box in still air smoke lies until it is gone: the share of its worn puffs that end in one line, to 15 mm. */
+/**
+ * Smoke below a wide box in still air at the end of its lifetime: the share of expiring puffs within 15 mm of one line.
+ */
 async function alignedUnder(values: Values): Promise<number> {
   const simulator = (await loadVariant('core')).create({ capacity: 600, seed: 3 });
   const things = { 'forces.turbulence': 0, ...colliderValues([{ ...BOX, halfWidth: 3 }], PLANE), ...values };

@@ -1,4 +1,4 @@
-/** The airplane of Fig. 2: its propeller's swirl, the vortices of its wings, its hull, and how it is steered. */
+/** The airplane of Fig. 2: the swirl of its propeller, wing-tip vortices, hull, and steering. */
 import { Quaternion, Vector3 } from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
@@ -21,7 +21,7 @@ beforeAll(async () => {
   scene = airplane();
 });
 
-/** Tracers in the wind around one shedder, which rides on a rigid too small to matter. */
+/** Tracers in the wind around one shedder, which is attached to a negligibly small rigid. */
 function tracers(shedder: number, values: Record<string, number>): Simulator {
   const simulator = factory.create({ capacity: 20_000, seed: 3 });
   const shedders = Object.entries(scene.rig).filter(([key]) => key.startsWith('shedders'));
@@ -69,7 +69,7 @@ describe('the swirl behind the propeller', () => {
     simulator.dispose();
   });
 
-  /** About +x. */
+  /** Around +x. */
   function senseOfPropeller(): number {
     const { pose } = scene.parts![PROPELLER];
     const blade = (seconds: number) => new Vector3(0, 1, 0).applyQuaternion(new Quaternion(...pose(seconds).rotation));
@@ -78,7 +78,7 @@ describe('the swirl behind the propeller', () => {
     return sense;
   }
 
-  /** Mean angular velocity about the hub's axis of the tracers between two places along it, rad/s. */
+  /** Mean angular velocity around the hub's axis of the tracers between two positions along it, rad/s. */
   function angularRate(simulator: Simulator, low: number, high: number): number {
     const { x, y, z, py, pz } = readParticles(simulator);
     const rates: number[] = [];
@@ -96,7 +96,7 @@ describe('the swirl behind the propeller', () => {
 test('the vortices of the wings are as fast as the flight has it: twice the speed, twice the swirl', () => {
   const share = scene.rig['shedders.1.perSpeed'];
   const fastest = [AIRSPEED, 2 * AIRSPEED].map((speed) => {
-    // So few that each is alone, shed evenly in space.
+    // Few enough not to interact, shed at even distances.
     const simulator = tracers(1, {
       'winds.0.velocity.x': -speed,
       'shedders.1.rate': speed,
@@ -132,7 +132,7 @@ describe('in flight', () => {
     const ghost = { ...scene.rigids[0], shape: { type: 'ball', radius: 0.01 }, boundaryLayer: 0 } as const;
     const [hull, none] = [scene, { ...scene, rigids: [ghost] }].map(deepestIn);
     expect(hull).toBeLessThan(1e-3);
-    // The same flight through the same smoke that bumps into nothing.
+    // Control: the same flight through the same smoke without collisions.
     expect(none).toBeGreaterThan(0.15);
   });
 
@@ -143,19 +143,19 @@ describe('in flight', () => {
     });
     expect(PROPELLER_SENSE * inverse.beside).toBeGreaterThan(0.35);
     expect(PROPELLER_SENSE * inverse.behind).toBeGreaterThan(0.9);
-    // The hull and the vortices of the wings alone turn the clouds to neither side.
+    // Hull and wing vortices alone do not rotate the clouds to either side.
     expect(Math.abs(still.beside)).toBeLessThan(0.05);
     expect(Math.abs(still.behind)).toBeLessThan(0.2);
   });
 
-  /** Speeds in m/s at which clouds move round the axis of the propeller, positive about the nose's direction. */
+  /** Mean speeds at which clouds move around the propeller axis, m/s, positive around the nose direction. */
   interface Swirl {
     /** Between the propeller and the leading edge of the wings, and behind the tail. */
     beside: number[];
     behind: number[];
   }
 
-  /** Twenty seconds of the preset, with the hull and the clouds as people see them. */
+  /** Twenty seconds of the preset, with the rendered hull and clouds. */
   function cloudsInFlight(seed: number, hasSlipstream: boolean): Swirl {
     const simulation = new Simulation(factory, scene, { ...presetValues(findPreset('airplane')!), seed }, 1e6);
     if (!hasSlipstream) simulation.simulator.set({ 'shedders.0.rate': 0 });
@@ -190,11 +190,11 @@ describe('in flight', () => {
     return speeds.reduce((sum, speed) => sum + speed, 0) / speeds.length;
   }
 
-  /** How deep smoke gets into where the hull is, metres; below 0 it stays outside. */
+  /** Largest depth of smoke inside the hull, metres; negative outside. */
   function deepestIn(flown: Scene): number {
     const values = { ...presetValues(findPreset('airplane')!), 'emission.rate': 500, 'simulation.maxParticles': 5000 };
     const simulation = new Simulation(factory, flown, values, 1e6);
-    // Without what lets smoke give way before it comes near.
+    // Without the repulsion that moves smoke away before it touches the hull.
     simulation.simulator.set({ 'attractors.0.acceleration': 0 });
     let deepest = -Infinity;
     for (let step = 0; step < 600; step++) {
@@ -222,7 +222,7 @@ describe('in flight', () => {
       before = pose;
     }
     expect(roll).toBeGreaterThan(0.2);
-    // It bobs about the place.
+    // It bobs around the position.
     [0.02, 0.35, 0.33].forEach((bob, axis) => expect(Math.abs(before[axis] - max[axis])).toBeLessThan(bob + 0.05));
     simulation.dispose();
   });
@@ -233,7 +233,7 @@ describe('in flight', () => {
   }
 });
 
-/** How deep the deepest particle lies in the hull, metres. */
+/** Depth of the deepest particle inside the hull, metres. */
 function depthOf(simulator: Simulator): number {
   const pose = simulator.rigidPoses(1);
   const inverse = new Quaternion(...pose.subarray(3, 7)).invert();
@@ -243,7 +243,7 @@ function depthOf(simulator: Simulator): number {
   const { x, y, z } = readParticles(simulator);
   const depths = Array.from(x, (_, i) => {
     const place = new Vector3(x[i] - pose[0], y[i] - pose[1], z[i] - pose[2]);
-    // No part of the hull reaches farther.
+    // No part of the hull is farther away.
     if (place.length() > 1.8) return -Infinity;
     return Math.max(...parts.map((part) => depthIn(part, place.clone().applyQuaternion(inverse))));
   });

@@ -1,11 +1,11 @@
-/** What the benchmarks make of their rounds. */
+/** Statistics of the benchmark rounds. */
 import { describe, expect, it } from 'vitest';
 import { figure, type Figure } from '../bench/support/figures.ts';
 import { median, ratios, slope, spread } from '../bench/support/statistics.ts';
 import { meanDistance, type Contestant } from '../bench/sim/contestant.ts';
 import { interleave, type Plan } from '../bench/sim/rounds.ts';
 
-// Its path is no literal, because the compiler has no types for plain JavaScript here.
+// Not a literal path, because plain JavaScript has no types here.
 const path = '../bench/sim/costsTable.mjs';
 const { costsTable } = (await import(path)) as {
   costsTable(figures: Pick<Figure, 'name' | 'value' | 'unit'>[]): string | undefined;
@@ -50,7 +50,7 @@ describe('distances', () => {
   });
 });
 
-/** Takes `cost` milliseconds a step, by its own word. */
+/** Reports `cost` milliseconds per step. */
 class Clockwork implements Contestant {
   readonly name: string;
   restarts = 0;
@@ -89,7 +89,7 @@ describe('turns', () => {
   });
 
   it('cost the mean of their slices, or the cheapest', async () => {
-    // After warming by one and by ten steps each round has four slices of ten steps.
+    // After warm-up runs of one and of ten steps each round has four slices of ten steps.
     const moody = () => {
       let slice = 0;
       return {

@@ -1,4 +1,4 @@
-/** The JavaScript that sim.vsJavaScript measures against must do the simulator's work, or the figure means nothing. */
+/** The JavaScript twin of the sim.vsJavaScript benchmark must match the simulator, or the comparison is meaningless. */
 import { beforeAll, describe, expect, it } from 'vitest';
 import { SIX_FORCES, seededCloud, type ForceValues } from '../bench/sim/cloud.ts';
 import { largestDifference, TwinSimulator } from '../bench/sim/twin.ts';
@@ -8,7 +8,7 @@ import type { Simulator } from '../../src/sim/simulator.ts';
 import { loadVariant } from './simWasm.ts';
 
 const COUNT = 1000;
-/** Metres: a hundred units in the last place of a coordinate of 5 m, after twelve steps that move by a decimetre. */
+/** Metres: a hundred units in the last place of a coordinate of 5 m, after twelve steps of 0.1 m each. */
 const TOLERANCE = 5e-5;
 const STEPS = 12;
 

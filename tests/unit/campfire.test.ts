@@ -1,4 +1,4 @@
-/** The campfire: smoke cools by its law, and the colour that it is drawn in falls with its temperature. */
+/** The campfire: smoke cools by its formula, and its colour follows its temperature. */
 import { expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import { campfire } from '../../src/scenes/campfire.ts';
@@ -9,7 +9,7 @@ import { readParticles } from '../bench/support/snapshot.ts';
 import { loadVariant } from './simWasm.ts';
 
 const values = presetValues(findPreset('campfire')!);
-/** Colours of the bands of temperature, each from a temperature on. */
+/** Colours of the temperature bands, each with its lower bound. */
 const { heatColors } = styleOf(values);
 
 test('every flame and every spark cools exponentially, and what is higher is colder', async () => {
@@ -44,14 +44,14 @@ test('colours are the darker the colder, from fire to smoke, and no puff turns a
   expect(steps.length).toBeGreaterThan(4);
   expect(steps).toEqual(steps.toSorted((a, b) => a - b));
   expect(new Set(steps).size).toBe(steps.length);
-  // Fire is more red than blue by far, smoke is not.
+  // Red exceeds blue by far in fire, but not in smoke.
   const warmth = heatColors.map(({ color: [red, , blue] }) => red - blue);
   expect(warmth[0]).toBeLessThan(0);
   expect(Math.max(...warmth)).toBeGreaterThan(150);
   const { colors } = bandsOf(styleOf(values), 0);
   expect([colors[0], colors.at(-1)]).toEqual([heatColors[0].color, heatColors.at(-1)!.color]);
   const drawn = colors.map(luma);
-  // Channels are whole numbers.
+  // Channels are integers.
   for (const [i, one] of drawn.slice(1).entries()) expect(one).toBeGreaterThan(drawn[i] - 1);
   const jumps = colors
     .slice(1)

@@ -8,7 +8,7 @@ import type { Arranger, FrameInput } from '../../src/smoke/frameInput.ts';
 const SEEDS = [0, 100, 255];
 const VIEW = { purpose: 'eye', cull: true, coverage: {} } as unknown as View;
 
-/** A puff of radius 2 for each seed, at a height. */
+/** A puff of radius 2 for each seed, at the same height. */
 function smokeAt(height: number): Arranger & { asked: View[] } {
   const place = Float32Array.from(SEEDS.flatMap((_, at) => [at, height, 0, 2]));
   const attributes = Uint32Array.from(SEEDS.flatMap((seed) => [0x12345678, seed << 8]));
@@ -29,7 +29,7 @@ function frameAt(height: number): FrameInput {
   return { simulator: smokeAt(height), camera, light, rigids, blend: 1 } as unknown as FrameInput;
 }
 
-/** Radius of each puff that is left, by the height it stands at. */
+/** Radii of the remaining puffs, by height. */
 function radii({ count, place }: Rows): Record<number, number[]> {
   const found: Record<number, number[]> = {};
   for (let row = 0; row < count; ++row) (found[place[4 * row + 1]] ??= []).push(place[4 * row + 3]);

@@ -6,7 +6,7 @@ import { traceRegion } from '../../src/app/capture/trace.ts';
 
 const [RED, GREEN, BLUE] = [0xff2030c0, 0xff30c020, 0xffc03020];
 
-/** Three sectors about a point, and a disc in the first. */
+/** Three sectors around a point, and a disc in the first. */
 function sectors(size = 64): ImageData {
   const pixels = Uint32Array.from({ length: size * size }, (_, at) => {
     const [x, y] = [(at % size) - size / 2.3, Math.floor(at / size) - size / 2.1];
@@ -17,7 +17,7 @@ function sectors(size = 64): ImageData {
   return { data: new Uint8ClampedArray(pixels.buffer), width: size, height: size } as unknown as ImageData;
 }
 
-/** Twice the area inside, holes taken off. */
+/** Twice the enclosed area, without holes. */
 function doubledArea(outlines: Point[][]): number {
   const cross = (outline: Point[]) =>
     outline.reduce((sum, [x, y], at) => {

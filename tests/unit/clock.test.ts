@@ -3,7 +3,7 @@ import { Clock, STEP_SECONDS } from '../../src/sim/clock.ts';
 
 const FRAME = 1000 / 60;
 
-/** Time at which the picture stands, in steps, after each of `frames` ticks of `interval` milliseconds. */
+/** Time of the picture, in steps, after each of `frames` ticks of `interval` milliseconds. */
 function pictureTimes(speed: number, interval: number, frames: number): number[] {
   const clock = new Clock();
   clock.speed = speed;

@@ -1,4 +1,4 @@
-/** The cloudscape: clouds drift as the wind has it and never run out, and the sun hangs where the light comes from. */
+/** The cloudscape: clouds drift with the wind and never run out, and the visible sun is in the light direction. */
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
@@ -10,7 +10,7 @@ import { loadVariant } from './simWasm.ts';
 
 const values = presetValues(findPreset('cloudscape')!);
 
-/** Places of the puffs that were born at the start, in the order of their seeds, which stay theirs. */
+/** Positions of the initial puffs by seed, which is constant. */
 function firstOnes(simulation: Simulation): Map<string, [x: number, y: number, z: number]> {
   const { x, y, z, size, attributes, age } = readParticles(simulation.simulator);
   const oldest = Math.max(...age) - 0.1;

@@ -21,7 +21,7 @@ vi.mock('../../src/smoke/extraPasses.ts', () => ({
 
 const settled = () => new Promise((resolve) => setTimeout(resolve));
 
-/** A completion, what is wanted of it, and what it tells. */
+/** A completion, its requested picture kind, and its notices. */
 function begun() {
   const wanted: { renderer: PictureKind['renderer'] } = { renderer: 'selle' };
   const notified: string[] = [];

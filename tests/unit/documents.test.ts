@@ -38,10 +38,10 @@ function range(parameter: Parameter): string {
   }
 }
 
-/** Where, when and on what an item acts: every list of forces has these, emitters all but the region. */
+/** Where, when and on which rigid an item acts: all forces have these keys, and emitters all but the region. */
 const SCOPE = /^\w+\.0\.(region\.|envelope\.|rigid$)/;
 
-/** The items of a list are alike, and a vector's three numbers too, and what all lists have: one row stands for all. */
+/** One row represents all items of a list, all components of a vector, and all keys common to lists. */
 function rows(): string[] {
   const listed = table.filter(({ key }) => !/^\w+\.[1-7]\./.test(key) && !/^\w+\.0\..*\.[yz]$/.test(key));
   const scope = listed.filter(({ key }) => SCOPE.test(key) && key.startsWith('winds.'));
@@ -56,7 +56,7 @@ function row(parameter: Parameter, key: string): string {
   return `| \`${name}\` | ${range(parameter)} | ${parameter.default} | ${parameter.text} |`;
 }
 
-/** What the element has besides the parameters. */
+/** The element's API besides the parameters. */
 function elementRows(): string[] {
   const kinds = [
     ['attribute', attributes],
@@ -147,7 +147,7 @@ function withoutCode(text: string): string {
   return text.replace(/^```[^]*?^```/gm, '');
 }
 
-/** Relative targets of links and images; code is left out. */
+/** Relative targets of links and images, without those in code. */
 function linksIn(text: string): string[] {
   const prose = withoutCode(text).replace(/`[^`\n]*`/g, '');
   const targets = [...prose.matchAll(/\]\(([^()\s]+)\)|^\[[^\]]+\]: (\S+)/gm)].map(
@@ -156,7 +156,7 @@ function linksIn(text: string): string[] {
   return targets.filter((target) => !/^[a-z]+:/.test(target));
 }
 
-/** @param from the file that has the link */
+/** @param from the file with the link */
 function isBroken(link: string, from: string): boolean {
   const [path, heading] = link.split('#', 2);
   const file = path === '' ? from : join(dirname(from), path);
@@ -164,7 +164,7 @@ function isBroken(link: string, from: string): boolean {
   return heading !== undefined && !headingsOf(read(file)).includes(heading);
 }
 
-/** Anchors of the headings, as GitHub makes them. */
+/** Anchors of the headings, in GitHub's format. */
 function headingsOf(text: string): string[] {
   const headings = [...withoutCode(text).matchAll(/^#{1,6} (.+)$/gm)];
   return headings.map(([, heading]) =>

@@ -1,4 +1,4 @@
-/** The ball of the lamp, dragged by its spring: as a pointer and as keys do it. */
+/** The lamp's ball, dragged on its spring by pointer and keys. */
 import { PerspectiveCamera, Vector2, Vector3 } from 'three';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { lamp } from '../../src/scenes/lamp.ts';
@@ -20,7 +20,7 @@ const camera = new PerspectiveCamera(40, 1.6, 0.05, 200);
 camera.position.set(0, 1.6, 6);
 camera.updateMatrixWorld();
 
-/** Where a place of the world is in the picture. */
+/** A world position on the screen. */
 function seen(place: Vector3): Vector2 {
   const { x, y } = place.clone().project(camera);
   return new Vector2(x, y);
@@ -45,7 +45,7 @@ function letGo(simulation: Simulation): void {
   simulation.releaseHandle();
 }
 
-/** The share of the way that is left `steps` steps after a rest. */
+/** The share of the distance that remains `steps` steps after a start at rest. */
 function left(steps: number): number {
   const a = STIFFNESS_TIMES_STEP;
   return (1 + (steps * a) / (1 + a)) / (1 + a) ** steps;

@@ -1,4 +1,4 @@
-/** Things that people drop: which one falls, on what, and the same again in a take. */
+/** Dropped objects: which one falls, where it lands, and its replay in a take. */
 import { Vector3 } from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';

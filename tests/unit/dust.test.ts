@@ -1,4 +1,4 @@
-/** Dust: the harder something hits the sand, the more of it rises; where nothing moves none does. */
+/** Dust: a harder impact on the sand raises more of it, and without motion there is none. */
 import { beforeAll, expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import { dust } from '../../src/scenes/dust.ts';
@@ -19,7 +19,7 @@ beforeAll(async () => {
   factory = await loadVariant('physics');
 });
 
-/** The scene with one toy alone: the others and the mole are out of the way. */
+/** The scene with one toy; the others and the mole are far away. */
 function alone(toy: number, position: Vector, restitution = 0): Simulation {
   const scene = dust();
   const rigids = scene.rigids.map((rigid, index): Scene['rigids'][number] => {
@@ -29,7 +29,7 @@ function alone(toy: number, position: Vector, restitution = 0): Simulation {
   return new Simulation(factory, { ...scene, guide: undefined, rigids }, values, 1e6);
 }
 
-/** Puffs that a fall raises within half a second after it was to end, and the speed at which it ends (m/s). */
+/** Puffs that an impact raises within half a second, and the impact speed (m/s). */
 function fall(toy: number, size: number, metres: number): { puffs: number; speed: number } {
   const simulation = alone(toy, [0, size + metres, 0]);
   const seconds = Math.sqrt((2 * metres) / 9.81);
@@ -46,7 +46,7 @@ test.each([
   const falls = [0.1, 0.4, 1, 2].map((metres) => fall(toy, size, metres));
   for (const [index, { puffs, speed }] of falls.entries()) {
     const expected = BY_HIT * speed ** POWER;
-    // A step more or less of the fall, and the part of a puff that is owed.
+    // Tolerance: one step of the fall, and the fraction of a puff that is still due.
     expect(puffs).toBeGreaterThan(0.9 * expected - 1);
     expect(puffs).toBeLessThan(1.1 * expected + 1);
     if (index > 0) expect(puffs).toBeGreaterThan(1.5 * falls[index - 1].puffs);

@@ -1,4 +1,4 @@
-/** What the attribute `src` of an element takes. */
+/** Values of the element's `src` attribute. */
 import { expect, test } from 'vitest';
 import { readLink } from '../../src/element/attributes/link.ts';
 import { FIRST_PRESET } from '../../src/preset/byScene/fetchPreset.ts';

@@ -13,7 +13,7 @@ function isNumber(row: Parameter): boolean {
   return row.kind === 'number' || row.kind === 'integer' || typeof row.default === 'number';
 }
 
-/** The keys as names.json has them: texts with `$`, vectors as one. */
+/** The keys in the format of names.json: `$` marks texts, a vector is one key. */
 function fieldsOf(rows: readonly Parameter[], prefix: string): string {
   const fields = rows.map((row) => row.key.slice(prefix.length) + (isNumber(row) ? '' : '$'));
   return fields.join(' ').replace(/(\S+\.)x \1y \1z(?= |$)/g, '$1xyz');

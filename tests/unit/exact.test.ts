@@ -1,4 +1,4 @@
-/** The functions that scenes use in the place of the engine's: as accurate, and pinned to the last bit. */
+/** The functions that scenes use instead of the engine's: as accurate, and bit-exact everywhere. */
 import { createHash } from 'node:crypto';
 import { Euler, Quaternion, Vector3 } from 'three';
 import { expect, test } from 'vitest';
@@ -12,9 +12,12 @@ import { random } from '../visual/random.ts';
 type Range = readonly [min: number, max: number];
 type Function = (...given: number[]) => number;
 
-/** Seconds of ten hours times the fastest rate of a scene, 47 rad/s. */
+/** Ten hours in seconds times the highest rate of a scene, 47 rad/s. */
 const FAR: Range = [-1.7e6, 1.7e6];
-/** Each with the engine's, ranges of what it is given, and a bound of the error: absolute, or a share of the result. */
+/**
+ * Each with the engine's function, the ranges of its arguments, and an error bound: absolute, or relative to the
+ * result.
+ */
 const FUNCTIONS: readonly [string, Function, Function, readonly Range[], number, 'absolute' | 'relative'][] = [
   ['sin', sin, Math.sin, [[-10, 10]], 3e-16, 'absolute'],
   ['sin far away', sin, Math.sin, [FAR], 3e-16, 'absolute'],
@@ -33,7 +36,7 @@ const FUNCTIONS: readonly [string, Function, Function, readonly Range[], number,
   ['hypot', hypot, Math.hypot, [[-9, 9], [-9, 9], [-9, 9]], 5e-16, 'relative'],
 ]; // prettier-ignore
 
-/** So many rows of numbers in ranges, the same each time. */
+/** Seeded rows of numbers within ranges. */
 function rows(count: number, ranges: readonly Range[]): number[][] {
   const next = random(7);
   return Array.from({ length: count }, () => ranges.map(([min, max]) => min + (max - min) * next()));
@@ -48,7 +51,7 @@ test.each(FUNCTIONS)('%s is as accurate as the engine', (_, own, engine, ranges,
   expect(worst).toBeLessThan(bound);
 });
 
-/** The first digits of a hash over the bits of numbers. */
+/** The first digits of a hash of the numbers' bits. */
 function hashOf(numbers: readonly number[]): string {
   const bytes = new DataView(new ArrayBuffer(8 * numbers.length));
   numbers.forEach((number, index) => bytes.setFloat64(8 * index, number));
@@ -125,7 +128,7 @@ test('a quaternion gives its angles back', () => {
       quaternionFromAngles([0, angles[1], 0]),
       quaternionFromAngles([angles[0], 0, angles[2]]),
     );
-    // Near z = pi / 2 the angles of a rounded quaternion are uncertain.
+    // Near z = pi / 2 the angles of a rounded quaternion are ill-conditioned.
     anglesYZX(quaternion).forEach((angle, axis) => expect(Math.abs(angle - angles[axis])).toBeLessThan(1e-13));
   }
   const upright = multiply(quaternionFromAngles([0, 0.4, 0]), quaternionFromAngles([0, 0, Math.PI / 2]));

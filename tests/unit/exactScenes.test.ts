@@ -1,13 +1,13 @@
 /**
- * Nothing that reaches the simulator comes from a function whose last bits the language leaves to the engine: the same
- * scenes run with the engine's functions and with bent ones, by far more than any two engines differ.
+ * No value that reaches the simulator depends on a function whose last bits are implementation-defined: the same scenes
+ * run with the engine's functions and with perturbed ones, which differ far more than any two engines.
  */
 import { expect, test, vi } from 'vitest';
 import type { MovingSceneState, Placement, Scene } from '../../src/scenes/scene.ts';
 import { random } from '../visual/random.ts';
 
 const STEPS = 120;
-/** Relative. Poses are float32 in the simulator: what is bent by a last bit only would hardly ever show. */
+/** Relative. Poses are float32 in the simulator: a perturbation of the last bit only would rarely be visible. */
 const BENT = 1 + 2 ** -16;
 const NAMES = [
   ...(['sin', 'cos', 'tan', 'asin', 'acos', 'atan', 'atan2', 'sinh', 'cosh', 'tanh', 'asinh', 'acosh'] as const),
@@ -22,7 +22,7 @@ function bend(): void {
   }
 }
 
-/** What `make` makes of modules that nobody has loaded yet, while the functions are as they are or bent. */
+/** The result of `make` with freshly loaded modules, with the original or the perturbed functions. */
 async function made<T>(isBent: boolean, make: () => Promise<T>): Promise<T> {
   vi.resetModules();
   if (isBent) bend();
@@ -33,7 +33,7 @@ async function made<T>(isBent: boolean, make: () => Promise<T>): Promise<T> {
   }
 }
 
-/** Every scene as the product shows it, with what can be dropped into it. */
+/** Every scene as in production, with its drops. */
 async function scenes(): Promise<[string, Scene][]> {
   const { sceneEntries } = await import('../../src/scenes/scenes.ts');
   const { withDrops } = await import('../../src/scenes/drops.ts');
@@ -43,7 +43,7 @@ async function scenes(): Promise<[string, Scene][]> {
   );
 }
 
-/** The hash of each preset after two seconds, in which somebody steers. */
+/** The hash of each preset after two seconds with steering. */
 async function hashes(): Promise<Record<string, string>> {
   const { presets, presetValues } = await import('../../src/preset/presets.ts');
   const { Simulation } = await import('../../src/stage/simulation.ts');
@@ -64,7 +64,7 @@ async function hashes(): Promise<Record<string, string>> {
   return found;
 }
 
-/** Poses that a guide or a rule may find, the same each time: lying, flying and fallen. */
+/** Seeded poses for guides and rules: resting, flying and fallen. */
 function moments(): MovingSceneState[] {
   const next = random(3);
   const somewhere = (): Placement => {
@@ -86,7 +86,7 @@ function moments(): MovingSceneState[] {
   });
 }
 
-/** All numbers that a scene gives to the simulator, in double precision. */
+/** All numbers that a scene passes to the simulator, in double precision. */
 async function numbers(): Promise<Record<string, unknown>> {
   const all = (await scenes()).map(([name, { rig, rigids, emissionSurfaces, guide, rule, parts, ground, handle }]) => [
     name,

@@ -8,7 +8,7 @@ type Triple = [number, number, number];
 
 const CUBE = box([0, 0, 0], [1, 1, 1]);
 
-/** Volume enclosed by an extrusion after its faces that look away from the light are carried along. */
+/** Volume enclosed by an extrusion after its faces that point away from the light are translated. */
 function sweptVolume(mesh: TriangleMesh, travel: Triple, extent: number): number {
   const { positions, faceNormals, indices } = extrude(mesh);
   const corner = (vertex: number): Triple => {

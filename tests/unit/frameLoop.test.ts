@@ -31,7 +31,7 @@ function loopOf(frameRate?: number): FrameLoop {
   return new FrameLoop(tasks, frameRate);
 }
 
-/** Lets a screen show a second of frames, with a millisecond of jitter. */
+/** Simulates one second of screen frames with one millisecond of jitter. */
 function second(screenRate: number, from = 0): void {
   for (let frame = 0; frame < screenRate; ++frame) {
     callbacks.splice(-1).forEach((callback) => callback(from + (1000 * frame) / screenRate + (frame % 2)));
@@ -63,7 +63,7 @@ test('while nobody can see it no frame is asked for, and it goes on playing', ()
   expect(loop.isPlaying).toBe(true);
   loop.isSeen = true;
   second(60, 2000);
-  // From the first no time has passed.
+  // No time has passed before the first frame.
   expect(frames).toBe(before + 59);
 });
 

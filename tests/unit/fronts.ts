@@ -1,11 +1,11 @@
-/** Puffs drawn by hand for their front. */
+/** Hand-made puffs for tests of their front side. */
 import type { Lobe, PuffShape } from '../../src/puffs/shapes.ts';
 
 function lobe(x: number, y: number, z: number, radius: number): Lobe {
   return { center: [x, y, z], radius };
 }
 
-/** Puffs whose lobes lie near the centre plane or before it, so that their silhouettes have no deep steps. */
+/** Puffs with lobes near the centre plane or in front of it, so that their silhouettes have no deep steps. */
 export const FRONTS: readonly PuffShape[] = [
   {
     name: 'cauliflower',

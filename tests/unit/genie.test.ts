@@ -1,4 +1,4 @@
-/** The genie: wherever he is called, his chest goes with him and his tail still comes out of the lamp, without a gap. */
+/** The genie: at every called position his chest follows him and his tail connects him to the lamp without a gap. */
 import { beforeAll, expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import { genie } from '../../src/scenes/genie.ts';
@@ -16,7 +16,7 @@ beforeAll(async () => {
   factory = await loadVariant('physics');
 });
 
-/** Six seconds after he was called to a place. */
+/** Six seconds after he is called to a position. */
 function calledTo(place: readonly number[], changed: Record<string, number> = {}): Simulation {
   const simulation = new Simulation(factory, scene, values, 1e6);
   simulation.simulator.set(changed);
@@ -27,7 +27,7 @@ function calledTo(place: readonly number[], changed: Record<string, number> = {}
   return simulation;
 }
 
-/** The widest gap between the spout and his waist, in height, that no puff bridges; metres. */
+/** The largest vertical gap between spout and waist that no puff covers, metres. */
 function gapInTail(simulation: Simulation): number {
   const { y, size } = readParticles(simulation.simulator);
   const waist = simulation.simulator.rigidPoses(1)[1] + scene.rig['attractors.0.position.y'];
@@ -48,7 +48,7 @@ test.each([
 ])('called %s, he arrives in one piece', (_, place) => {
   const simulation = calledTo(place);
   const [x, y, z] = simulation.simulator.rigidPoses(1);
-  // He sways about the place.
+  // He sways around the position.
   expect(Math.hypot(x - place[0], y - place[1], z - place[2])).toBeLessThan(0.25);
   expect(gapInTail(simulation)).toBeLessThan(0.02);
   const particles = readParticles(simulation.simulator);

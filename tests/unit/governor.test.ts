@@ -4,13 +4,13 @@ import { Governor, SCALES } from '../../src/stage/governor.ts';
 const REFRESH = 1000 / 60;
 const LOWEST = SCALES.at(-1)!;
 
-/** How long a frame takes: milliseconds by the time that has passed and the scale it is drawn at. */
+/** Frame time in milliseconds, by elapsed time and scale. */
 type Load = (seconds: number, scale: number) => number;
 
-/** A machine that shows its frames on a 60 Hz screen: each waits for the next refresh. */
+/** A machine with a 60 Hz screen: each frame waits for the next refresh. */
 class Machine {
   readonly governor = new Governor();
-  /** Every change of scale, with the second it came at. */
+  /** Every change of scale with its time in seconds. */
   readonly changes: { seconds: number; scale: number }[] = [];
   private now = 5_000;
   private readonly load: Load;
@@ -31,14 +31,14 @@ class Machine {
     return this;
   }
 
-  /** Time without frames, as in a tab that nobody sees. */
+  /** Time without frames, as in a hidden tab. */
   sleep(seconds: number): this {
     this.now += 1000 * seconds;
     return this;
   }
 }
 
-/** A load that follows the pixels, with this many milliseconds at full scale. */
+/** Frame time proportional to the pixels, with this number of milliseconds at full scale. */
 function pixels(fullScaleMs: number): Load {
   return (_, scale) => fullScaleMs * scale * scale;
 }

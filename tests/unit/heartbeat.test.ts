@@ -1,4 +1,4 @@
-/** A worker that is gone is told from one that had no time to answer, and from a page that did not run meanwhile. */
+/** A dead worker is distinguished from one that is too busy to respond, and from a page that was suspended. */
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { afterRunning, fetched } from '../../src/preset/timeout.ts';
 import { beatWhile, watchHeart } from '../../src/remote/heartbeat.ts';
@@ -10,7 +10,7 @@ let beats = 0;
 let stop: () => void;
 const onGone = vi.fn();
 
-/** Watches a worker that answers at once, as long as it answers. */
+/** Watches a worker that responds immediately while it is alive. */
 function watch(): EventTarget {
   const worker = new EventTarget();
   const postMessage = () => {
@@ -92,7 +92,7 @@ test('a hidden page asks for nothing and gives nothing up', () => {
 test('a night in which nothing ran counts as one beat', () => {
   watch();
   answers = false;
-  // A laptop that wakes up, or a debugger that goes on: the clock has moved, and each timer is due once.
+  // As after system sleep or a debugger pause: the clock has advanced, and each timer fires once.
   for (let night = 0; night < 10; ++night) {
     vi.setSystemTime(Date.now() + 8 * 60 * MINUTE);
     vi.advanceTimersByTime(10_000);

@@ -4,7 +4,7 @@ import { capsule, follow } from '../../src/three/proxies.ts';
 
 const LIMB = { from: new Vector3(0, 0, 0), to: new Vector3(0, 2, 0), radius: 0.3 };
 
-/** How far the balls reach from the capsule's axis at a height. */
+/** Distance of the balls' outline from the capsule's axis at a height. */
 function outlineAt(height: number): number {
   const reaches = capsule({ follows: new Object3D(), ...LIMB }).map(({ center, radius }) =>
     Math.sqrt(Math.max(0, radius ** 2 - (height - center!.y) ** 2)),

@@ -4,7 +4,7 @@ import type { Rows } from '../../src/sim/rows.ts';
 
 const ROLL = 0x1234;
 
-/** Rows with a radius of half a metre, whose shadows end so many 256ths of it behind them. */
+/** Rows with a radius of 0.5 m, whose shadows end this many 1/256ths of the radius behind them. */
 function rowsEnding(ends: number[]): Rows {
   return {
     count: ends.length,

@@ -29,7 +29,7 @@ function faces({ indices }: TriangleMesh): Vector[] {
 
 const partMesh = (name: string): TriangleMesh => parts.find((part) => part.name === name)!.mesh;
 
-/** The point that lies `distance` out of the mouth. */
+/** The point at `distance` metres outside the mouth. */
 function beforeMouth(distance: number): Vector {
   const [x, y, z] = spout.position;
   const [dx, dy, dz] = spout.direction;
@@ -128,20 +128,20 @@ describe('the spout', () => {
 });
 
 describe('the collision pieces', () => {
-  /** Directions all round, on a spiral. */
+  /** Directions on a spiral over the sphere. */
   const directions = Array.from({ length: 600 }, (_, i): Vector => {
     const y = 1 - (2 * i + 1) / 600;
     const angle = i * Math.PI * (3 - Math.sqrt(5));
     return [Math.sqrt(1 - y * y) * Math.cos(angle), y, Math.sqrt(1 - y * y) * Math.sin(angle)];
   });
 
-  /** How far a point lies outside the hull of some corners (a lower bound), negative inside. */
+  /** Lower bound of a point's distance from the convex hull of some corners, negative inside. */
   function outsideHull(corners: readonly Vector[]): (point: Vector) => number {
     const supports = directions.map((direction) => Math.max(...corners.map((corner) => dot(corner, direction))));
     return (point) => Math.max(...directions.map((direction, i) => dot(point, direction) - supports[i]));
   }
 
-  /** How far a point lies from a mesh, to within the spacing of points spread over its triangles (a centimetre). */
+  /** Distance of a point from a mesh, from samples on its triangles with a spacing of one centimetre. */
   function fromMesh(vertices: readonly Vector[], triangles: readonly Vector[]): (point: Vector) => number {
     const shares = [0, 1, 2, 3, 4, 5, 6].flatMap((i) => Array.from({ length: 7 - i }, (_, j) => [i / 6, j / 6]));
     const spread = triangles.flatMap(([a, b, c]) =>
@@ -178,7 +178,7 @@ describe('the collision pieces', () => {
     const vertices = parts.flatMap(({ mesh }) => triples(mesh.positions));
     for (const direction of directions) {
       const [ours, lamps] = [corners, vertices].map((list) => Math.max(...list.map((point) => dot(point, direction))));
-      // Corners of the pieces lie on the true surface, which the edges of the mesh cut by up to 2 mm.
+      // Corners of the pieces are on the true surface; edges of the mesh are up to 2 mm inside it.
       expect(ours).toBeLessThan(lamps + 0.003);
     }
   });

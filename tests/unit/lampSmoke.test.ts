@@ -1,4 +1,4 @@
-/** The magic lamp: its smoke leaves by the mouth and rises, and a ball that is led into it pushes it aside. */
+/** The magic lamp: its smoke leaves the mouth and rises, and a ball in the smoke displaces it. */
 import { beforeAll, expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import { lamp } from '../../src/scenes/lamp.ts';
@@ -21,13 +21,13 @@ function burning(seconds: number): Simulation {
   return simulation;
 }
 
-/** How far each particle is from a place, metres. */
+/** Distance of each particle from a position, metres. */
 function distances({ simulator }: Simulation, [a, b, c]: readonly number[]): number[] {
   const { x, y, z } = readParticles(simulator);
   return Array.from(x, (_, i) => Math.hypot(x[i] - a, y[i] - b, z[i] - c));
 }
 
-/** In the midst of the column. */
+/** In the middle of the column. */
 const PLACE = [1.07, 1.25, 0.1] as const;
 const [START] = lamp().handle!.start;
 

@@ -1,7 +1,7 @@
 /**
- * A link holds only what differs from its preset, so presets and defaults are part of what links mean.
- * `UPDATE_LINK_MEANING=1 npx vitest run tests/unit/linkMeaning.test.ts` records new keys, new presets and a new version; what
- * is recorded can change with a new version only.
+ * A link contains only the differences from its preset, so presets and defaults are part of the meaning of links.
+ * `UPDATE_LINK_MEANING=1 npx vitest run tests/unit/linkMeaning.test.ts` records new keys, new presets and a new
+ * version; recorded values can only change with a new version.
  */
 import { readFileSync, writeFileSync } from 'node:fs';
 import { beforeAll, expect, it } from 'vitest';
@@ -12,11 +12,11 @@ import { presets } from '../../src/preset/presets.ts';
 import { findParameter, table } from '../../src/preset/table.ts';
 
 interface Meaning {
-  /** All versions that were ever written, the present one last. */
+  /** All released versions, the current one last. */
   versions: string[];
-  /** Of each parameter; those of an item of a list with `#` for its number. */
+  /** Defaults by parameter; keys of list items have `#` instead of the index. */
   defaults: Values;
-  /** What each preset has otherwise, by its name. */
+  /** Differences from the defaults, by preset name. */
   presets: Record<string, Values>;
 }
 
@@ -59,12 +59,12 @@ function presentMeaning({ versions }: Meaning): Meaning {
   };
 }
 
-/** What a preset has that says nothing; an optional parameter is then as the scene has it. */
+/** The value of a key without a value in the preset; an optional parameter then has the scene's value. */
 function usual(defaults: Values, key: string): Values[string] | undefined {
   return findParameter(key)?.isOptional ? undefined : defaults[key];
 }
 
-/** What of the recorded meaning is not so any longer, with the same version of links. */
+/** Recorded values that have changed although the version of links has not. */
 function changesOf(recorded: Meaning): string[] {
   if (recorded.versions.at(-1) !== VERSION) return [];
   const ofDefaults = Object.keys(recorded.defaults).map((key) => ['', key]);

@@ -44,7 +44,7 @@ describe('what changes from picture to picture', () => {
       suddenChange(picture(), picture(rectangle(1, 20, color)), { reach: REACH, strip, paling: { where, ink: INK } });
     const halfInked = 0xff784c28;
     expect(change(halfInked).all).toBe(0);
-    // The lower half, where no line pales.
+    // The lower half, where no line is faded.
     expect(change(INK).all).toBe(10);
     expect(
       suddenChange(picture(), picture(rectangle(6, 5, RED)), { reach: REACH, paling: { where, ink: INK } }).all,

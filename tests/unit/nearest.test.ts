@@ -1,9 +1,9 @@
-/** Which boxes of a page count where the simulator has no room for all. */
+/** Which boxes of a page the simulator uses if there are too many. */
 import { expect, test } from 'vitest';
 import { nearest } from '../../src/element/layout/nearest.ts';
 
 const FRAME = { left: 0, top: 0, width: 600, height: 400 };
-/** Twelve boxes one below the other, 100 pixels apart: four of them are in the frame. */
+/** Twelve boxes in a column, 100 pixels apart; four of them are in the frame. */
 const BOXES = Array.from({ length: 12 }, (_, index) => ({ left: 100, top: 10 + 100 * index, width: 200, height: 50 }));
 
 function chosen(count: number, sources: readonly { left: number; top: number; width: number; height: number }[] = []) {

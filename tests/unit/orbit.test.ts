@@ -17,7 +17,7 @@ const MOVING = {
   cameraMove: (seconds: number) => ({ azimuth: seconds / 10, target: [0, seconds, 0] as const }),
 };
 
-/** Where a point is seen, in normalised device coordinates. */
+/** Projection of a point in normalized device coordinates. */
 function seen(eye: OrbitCamera, point = new Vector3(0.5, 1.5, 0.3)): number[] {
   return point.clone().project(eye.camera).toArray();
 }

@@ -1,4 +1,4 @@
-/** What the package's sources are shortened by: names that nobody else knows. */
+/** Shortening of private names in the package's sources. */
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { expect, it } from 'vitest';
@@ -21,7 +21,7 @@ const script = async <Module>(name: string) =>
 const { privatePlaces } = await script<Members>('shortMembers');
 const { shortNames } = await script<Shaders>('shortShaders');
 
-/** What is said at the places of each private name that may be short. */
+/** The texts at the occurrences of each private name that can be shortened. */
 function said(code: string): Record<string, string[]>[] {
   return privatePlaces('some.ts', code).map((places) =>
     Object.fromEntries([...places].map(([name, all]) => [name, all.map(({ start, end }) => code.slice(start, end))])),

@@ -70,7 +70,7 @@ it.each(['index', 'element', 'preset'])('can import %s where there is no page', 
 
 it('has a source map for each module, and no words of the table in what widgets fetch', () => {
   const files = readdirSync(join(FOLDER, 'dist'));
-  // What the bundler adds has no sources.
+  // Code that the bundler adds has no sources.
   const modules = files.filter((file) => file.endsWith('.js') && file !== 'rolldown-runtime.js');
   expect(modules.filter((file) => !files.includes(`${file}.map`))).toEqual([]);
   const { text } = table.find(({ key }) => key === 'emission.rate')!;

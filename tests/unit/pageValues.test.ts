@@ -1,4 +1,7 @@
-/** Boxes of a page in the smoke, for eyes from all around: the cut of each obstacle with the plane of the picture is the box. */
+/**
+ * Boxes of a page in the smoke, for cameras from all sides: the intersection of each collider with the picture plane is
+ * the box.
+ */
 import { Quaternion, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { colliderValues, emitterValues } from '../../src/element/layout/pageValues.ts';
@@ -18,7 +21,7 @@ function tuple({ x, y, z }: Vector3): Tuple {
   return [x, y, z];
 }
 
-/** What an eye at these angles sees to its right and upwards, unit vectors. */
+/** Right and up vectors of a camera at these angles, unit length. */
 function axesOf(azimuth: number, elevation: number): { right: Vector3; up: Vector3 } {
   const right = new Vector3(Math.cos(azimuth), 0, -Math.sin(azimuth));
   const away = Math.sin(elevation);
@@ -35,7 +38,7 @@ test.each(EYES)('an obstacle is as wide and high as its box, from %f and %f', (a
   const axes = axesOf(azimuth, elevation);
   const values = colliderValues([PLACE], planeOf(axes)) as Record<string, number>;
   const read = (name: string) => new Vector3(...['x', 'y', 'z'].map((axis) => values[`colliders.0.${name}.${axis}`]));
-  // As the simulator turns a box: its y axis to the given one, by the shortest way.
+  // As in the simulator: the shortest rotation of the y axis to the given axis.
   const rotation = new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), read('axis').normalize());
   const half = read('halfExtents');
   const isWithin = (x: number, y: number) => {

@@ -138,7 +138,7 @@ describe('the shadow of surfaces', () => {
   });
 
   it('has the hue of the first colour of a chosen ramp, and is as light and no stronger than the violet', () => {
-    // The dark green less its lightness is (-26, 17, -21); the violet spreads over 56, that over 43.
+    // The dark green minus its lightness is (-26, 17, -21); the channels of the violet span 56, those of the green 43.
     expect(surfaceShadowOf({ tones, shading, stops: GREEN })).toEqual([115, 171, 122]);
     for (const dark of ['000000', 'ffffff', '140030', 'ff0000', '808080']) {
       const shadow = surfaceShadowOf({ tones, shading, stops: parseStops(`0:${dark},.5:ffffff`) });

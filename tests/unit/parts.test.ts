@@ -1,4 +1,4 @@
-/** What rides on the moving parts of a scene is where they are, and comes to the same hashes by every way. */
+/** Items attached to moving parts of a scene follow them, and every way of running it gives the same hashes. */
 import { describe, expect, it, vi } from 'vitest';
 import { decode, encode } from '../../src/preset/codec.ts';
 import type { Values } from '../../src/preset/parameter.ts';
@@ -20,7 +20,7 @@ const RATE = 600;
 const TIP = 0.7;
 const STILL: Values = { 'emission.rate': RATE, 'emission.lifetime': 60, 'forces.turbulence': 0 };
 
-/** Puffs that stay where they are born, on the y axis of the first part. */
+/** Puffs that stay at their spawn position, on the y axis of the first part. */
 const NOZZLE = {
   'emitters.0.rigid': FIRST_PART,
   'emitters.0.position.y': TIP,
@@ -34,7 +34,7 @@ interface Wheel {
   variant: 'core' | 'physics';
   scene: Scene;
   hub: Vector;
-  /** Of the axis that it turns about. */
+  /** The rotation axis. */
   axis: 0 | 2;
   /** rad/s. */
   rate: number;
@@ -45,7 +45,7 @@ const [planeRigid] = plane.rigids;
 const WHEELS: readonly Wheel[] = [
   {
     variant: 'physics',
-    // So small that nothing bumps into it, and flying on the spot.
+    // Small enough to collide with nothing, and flying in place.
     scene: { ...plane, rigids: [{ ...planeRigid, shape: { type: 'ball', radius: 0.001 } }], guide: undefined },
     hub: HUB.map((at, axis) => at + plane.handle!.start[axis]) as unknown as Vector,
     axis: 0,
@@ -109,7 +109,7 @@ describe('a vortex, an emitter and a shedder on the propeller', () => {
   };
   const STEPS = 130;
 
-  /** Flown by hand, with the smoke of the scene. */
+  /** Steers the flight, with the smoke of the scene. */
   function fly(simulation: Simulation): string {
     while (simulation.simulator.steps < STEPS) {
       const { steps } = simulation.simulator;

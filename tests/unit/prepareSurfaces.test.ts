@@ -22,7 +22,7 @@ test('a piece of the work is of one mesh or of one pair that meets', () => {
 test('what was prepared is not made again', () => {
   expect([...preparingSurfaces(SURFACES)]).not.toHaveLength(0);
   const meshes = [BOX, FLOOR].map((mesh) => structuredClone(mesh.positions));
-  // What is kept stays as it was made, though the mesh is another now.
+  // The cached surfaces are independent of later changes of the mesh.
   BOX.positions.fill(0);
   FLOOR.positions.fill(0);
   expect(memoizedExtrusion(BOX).longestEdge).toBeGreaterThan(1);

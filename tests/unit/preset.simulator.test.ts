@@ -10,11 +10,11 @@ import { EVERYTHING } from '../support/everything.ts';
 import { simulatorValues } from '../../src/sim/simulatorValues.ts';
 
 const WASM = new URL('../../src/sim/wasm/core/bindings_bg.wasm', import.meta.url);
-/** One item stands for all of its list. */
+/** One item represents its list. */
 const rows = table.filter(
   (row): row is NumberParameter => row.reader === 'simulator' && 'min' in row && !/^\w+\.[1-7]\./.test(row.key),
 );
-/** With these, nothing is born in half a second. */
+/** With these values nothing spawns within half a second. */
 const BARREN = new Set([
   'emission.rate = 0',
   'emitters.0.share = 0',
@@ -23,7 +23,7 @@ const BARREN = new Set([
 ]);
 const lamp = presetValues(presets[0]);
 
-/** The table of the page against the table of the simulator: two languages, one vocabulary. */
+/** The parameter table of the page matches the simulator's. */
 describe('the simulator', () => {
   let factory: SimulatorFactory;
 
@@ -62,7 +62,7 @@ describe('the simulator', () => {
   });
 
   it('shows something else for every parameter that it reads', () => {
-    // A slanting axis, so that a shift along any direction tells.
+    // A diagonal axis, so that a shift in any direction has an effect.
     const axis = { 'vortices.0.axis.x': 0.5, 'vortices.0.axis.y': 0.5 };
     const wind = { 'forces.wind.x': 0.5, 'wind.gusts': 0.5, 'wind.shear': 0.1 };
     const base = { ...axis, ...wind, 'vortices.0.circulation': 2, 'turbulence.speed': 1, 'gravity.acceleration': 1 };
@@ -73,7 +73,7 @@ describe('the simulator', () => {
       simulator.dispose();
       return picture;
     };
-    // What an item of a list shows depends on the rest of the item: the simulator's own tests have each force.
+    // The effect of a list item depends on its other values; the simulator's own tests cover each force.
     const heeded = rows.filter(({ key }) => !/^\w+\.0\.(?!circulation)/.test(key));
     for (const row of heeded) {
       const pictures = [row.min, row.default, row.max].map((value) => shown({ [row.key]: value }));
@@ -84,7 +84,7 @@ describe('the simulator', () => {
   it('shows something else for an item of each list of forces as it starts', () => {
     const shown = (values: Record<string, number>) => {
       const simulator = smoking({ 'gravity.acceleration': 1, ...values });
-      // Long enough for what starts anew every two seconds.
+      // Long enough for cycles of two seconds.
       simulator.step(120);
       const places = simulator.arrange(EVERYTHING).place.join();
       simulator.dispose();

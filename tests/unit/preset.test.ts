@@ -7,7 +7,7 @@ import { findParameter, groups, itemGroups, table } from '../../src/preset/table
 import { defaults, isAccepted, validate } from '../../src/preset/values.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
 
-/** What other people's links and pages rely on. */
+/** Public names, used by links and pages. */
 const PROMISED = [
   'scene',
   'seed',
@@ -96,7 +96,7 @@ describe('presets', () => {
     for (const preset of presets) {
       const values = presetValues(preset) as Record<string, number>;
       const { rule } = await sceneNamed(values.scene as unknown as string).load();
-      // Of how much of the rate a rule makes use tells the test of its scene.
+      // The tests of scenes with a rule cover the share of the rate that the rule uses.
       if (rule) continue;
       const alive = values['emission.rate'] * values['emission.lifetime'];
       expect(alive, preset.name).toBeLessThan(values['simulation.maxParticles']);

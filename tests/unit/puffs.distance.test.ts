@@ -67,7 +67,7 @@ test('the signed distance to a disc is right within 0.71 cells, and negative ins
   );
   signed.forEach((distance, cell) => {
     const expected = fromMiddle(cell % size, Math.floor(cell / size)) - radius;
-    // Half a cell for where the border lies between two centres, on the diagonal.
+    // Tolerance: half a diagonal, because the border is between two cell centres.
     expect(Math.abs(distance - expected)).toBeLessThan(Math.SQRT1_2);
   });
 });

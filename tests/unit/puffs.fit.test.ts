@@ -23,7 +23,7 @@ test('voxels are those whose centres a ball holds, and know how deep they lie', 
       centreOf(at, voxels.width),
     );
     const distance = 1 - Math.hypot(x, y, z);
-    // The facets of the mesh lie a little deeper than the ball that they stand for.
+    // The facets of the mesh are slightly inside the ball.
     if (Math.abs(distance) > 0.01 && value !== (distance > 0 ? 1 : 0)) wrong++;
     if (value === 1) expect(Math.abs(depths[voxel] - distance)).toBeLessThan(voxels.width);
   });
@@ -38,7 +38,7 @@ test('what overlapping closed parts hold together is inside, whichever way they 
   const voxels = voxelsOf(closedMesh(parts), 40);
   const inverted = voxelsOf(closedMesh({ ...parts, indices: parts.indices.toReversed() }), 40);
   expect(inverted.inside).toEqual(voxels.inside);
-  // Its bounding box has its middle at (0, 0.1, 0), from which the first ball reaches farthest.
+  // Its bounding box has the centre (0, 0.1, 0); the farthest point belongs to the first ball.
   const reach = Math.hypot(0.4, 0.1) + 0.5;
   const balls: Lobe[] = [
     { center: [-0.4 / reach, -0.1 / reach, 0], radius: 0.5 / reach },

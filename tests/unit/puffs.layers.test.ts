@@ -10,7 +10,7 @@ const BALL: Lobe = { center: [0.1, -0.05, 0], radius: 0.8 };
 const layers = bakePuffs(FRONTS);
 const texel = (2 * PUFF_PAD) / layers.size;
 
-/** Places on a regular grid over the quad, off the texel centres. */
+/** Positions on a regular grid over the quad, away from the texel centres. */
 const places = Array.from({ length: 90 * 90 }, (_, i): [number, number] => [
   ((i % 90) / 90 - 0.497) * 2.6,
   (Math.floor(i / 90) / 90 - 0.497) * 2.6,
@@ -53,7 +53,8 @@ describe('a puff of one lobe', () => {
       const [dx, dy] = [x - BALL.center[0], y - BALL.center[1]];
       const z = Math.sqrt(BALL.radius ** 2 - dx * dx - dy * dy);
       const { normal, height } = samplePuff(ball, 0, x, y);
-      // Across the surface, which is steep near the rim: facets of the mesh and the filter each take a part.
+      // Error along the normal, because the surface is steep near the rim. It includes the facets of the mesh and the
+      // filter.
       expect((Math.abs(height - z) * z) / BALL.radius).toBeLessThan(0.005 * BALL.radius);
       const cosine = (normal[0] * dx + normal[1] * dy + normal[2] * z) / BALL.radius;
       expect(cosine).toBeGreaterThan(0.9995);
@@ -105,14 +106,14 @@ describe('the layers of all shapes', () => {
       for (const [x, y] of places) {
         const outside = samplePuff(layers, layer, x, y);
         if (outside.distance <= 0 || outside.distance > 0.3) continue;
-        // Down the distance to the border, where the puff's own values stand.
+        // Along the gradient of the distance to the border, where the puff's own values apply.
         const gradient = [0, 1].map((axis) => {
           const step = axis === 0 ? [texel, 0] : [0, texel];
           const ahead = samplePuff(layers, layer, x + step[0], y + step[1]).distance;
           return ahead - samplePuff(layers, layer, x - step[0], y - step[1]).distance;
         });
         const length = Math.hypot(...gradient);
-        if (length < 1.8 * texel) continue; // A ridge between two lobes: two borders are as near.
+        if (length < 1.8 * texel) continue; // A ridge between two lobes is equally far from two borders.
         const back = outside.distance + texel;
         const border = samplePuff(layers, layer, x - (gradient[0] / length) * back, y - (gradient[1] / length) * back);
         const agreement = outside.normal.reduce((sum, n, axis) => sum + n * border.normal[axis], 0);
@@ -143,7 +144,7 @@ describe('the layers of all shapes', () => {
       get: (target, key) => (reads++, Reflect.get(target, key) as unknown),
     });
     const { coverage } = rasterise({ ...mesh, positions }, layers.size);
-    // With the faces that look away it would be half as many again.
+    // With back faces there would be 1.5 times as many.
     expect(reads).toBeLessThan(4.5 * coverage.length);
   });
 });

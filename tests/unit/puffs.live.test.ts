@@ -5,7 +5,7 @@ import { fetchExtras } from '../../src/smoke/extraPasses.ts';
 import { LivePuffs } from '../../src/smoke/livePuffs.ts';
 
 const ONE: Values = { ...presetValues(defaultPreset), 'puff.variations': 1 };
-/** A value of each row that shapes puffs, other than its default. */
+/** A non-default value of each row that affects the shape of puffs. */
 const CHANGED: readonly (readonly [key: string, value: number])[] = [
   ['puff.lumpiness', 0.2],
   ['puff.flatness', 0.9],
@@ -24,7 +24,7 @@ function layersOf(values: Values) {
 
 test.each(CHANGED)('billboards, and so the puffs of Selle, take their shapes from %s', (key, value) => {
   const [before, after] = [layersOf({}), layersOf({ [key]: value })];
-  // Normals and reliefs inside, and the silhouette.
+  // Normals and heights inside, and the silhouette.
   const changed = (name: 'normalDepth' | 'colorCoverage') =>
     [...before[name]].filter((word, at) => word !== after[name][at]).length;
   expect(changed('normalDepth')).toBeGreaterThan(5_000);
@@ -49,7 +49,7 @@ test.each(LOOKS)('they are baked in pieces where %o shows them, and only there',
   const seed = look['puff.form'] ? 51 : 52;
   const lobes = pieces({ 'puff.seed': seed });
   expect(lobes).toBeGreaterThan(30);
-  // Those lobes are kept: what is left are billboards.
+  // Lobes with this seed are cached; only billboards are missing.
   expect(pieces({ 'puff.seed': seed, ...look })).toBeGreaterThan(30);
   expect(pieces({ 'puff.seed': seed })).toBe(0);
 });

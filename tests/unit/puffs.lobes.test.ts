@@ -56,7 +56,7 @@ test.each(LOBE_SHAPES)('$name is a lobed, roundish thing from every side', ({ lo
     const radius = silhouetteRadius(view);
     expect(radius).toBeGreaterThan(0.7);
     expect(radius).toBeLessThan(0.9);
-    // Scallops: a disc of its area would be left by the outline by nothing.
+    // Scallops: the deviation from a disc of the same area. A disc would have none.
     const outline = GRID.filter(([x, y]) => Math.abs(meetLobes(view, x, y).distance) < 0.03).map((at) =>
       Math.hypot(...at),
     );

@@ -21,7 +21,7 @@ test('an orientation is a rotation by the roll about the axis of the seed', () =
     expect(trace(rotation)).toBeCloseTo(1 + 2 * Math.cos(roll), 12);
     const [x, y, z] = rotation;
     for (const [a, b] of [[x, y], [y, z], [z, x]] as const) expect(dot(a, b)).toBeCloseTo(0, 12); // prettier-ignore
-    // Right-handed about the axis, as a mirror image or the other sense would not be.
+    // Right-handed around the axis: excludes mirror images and the opposite direction.
     const side = rotated(orientationOf(seed, Math.PI / 2), rotated(orientationOf(seed, Math.PI / 2), x));
     expect(lengthOf(minus(side, rotated(orientationOf(seed, Math.PI), x)))).toBeLessThan(1e-12);
   }
@@ -44,7 +44,7 @@ test('the axes of all seeds spread over the sphere', () => {
       (least, other) => Math.min(least, lengthOf(minus(spherePoint(seed, 256), spherePoint(other, 256)))),
       2,
     );
-    // 256 discs of this radius fill most of the sphere's area, 4 pi.
+    // 256 discs of this radius cover most of the sphere's area, 4 pi.
     expect(nearest / 2).toBeGreaterThan(0.08);
   }
 });

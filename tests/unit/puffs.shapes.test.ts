@@ -1,16 +1,16 @@
-/** What billboards show of the default puffs. */
+/** Billboards of the default puffs. */
 import { expect, test } from 'vitest';
 import { bakePuffs, type PuffLayers } from '../../src/puffs/billboards/layers.ts';
 import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
 
 const layers = bakePuffs(LOBE_SHAPES);
 
-/** Whether a texel's centre lies inside the silhouette. */
+/** Whether the centre of a texel is inside the silhouette. */
 function isInside({ size, colorCoverage }: PuffLayers, layer: number, texel: number): boolean {
   return colorCoverage[4 * (layer * size * size + texel) + 3] < 128;
 }
 
-/** Intersection over union of two silhouettes, the second turned by quarters. */
+/** Intersection over union of two silhouettes, the second rotated by quarter turns. */
 function overlap(a: number, b: number, quarters: number): number {
   const { size } = layers;
   let both = 0;
@@ -39,7 +39,7 @@ test.each(LOBE_SHAPES.map(({ name }, layer) => ({ name, layer })))('$name fits i
   expect(figures.silhouetteRadius).toBeGreaterThan(0.75);
   expect(figures.silhouetteRadius).toBeLessThan(0.88);
   expect(figures.inscribedRadius).toBeGreaterThan(0.5);
-  // Scallops, not a disc: the silhouette swings by a quarter of its radius.
+  // Scallops instead of a disc: the silhouette varies by a quarter of its radius.
   expect(figures.outerRadius - figures.inscribedRadius).toBeGreaterThan(0.25 * figures.silhouetteRadius);
 });
 
@@ -64,7 +64,7 @@ function meanHeight(layer: number): number {
   return sum / count;
 }
 
-/** Read independently of the code under test: normal half floats only. */
+/** Independent of the code under test; supports normal half floats only. */
 function halfToNumber(half: number): number {
   return (1 + (half & 1023) / 1024) * 2 ** ((half >> 10) - 15);
 }

@@ -6,7 +6,7 @@ import { solidsOf, type PuffSolids } from '../../src/puffs/bake/solids.ts';
 import { finished } from '../../src/puffs/work.ts';
 import { bakingBillboards } from '../../src/smoke/billboards.ts';
 
-/** Height of the balls of a variation, each larger by `growth`, over a place; -Infinity beside all. */
+/** Height of a variation's balls, each enlarged by `growth`, at a position; -Infinity outside all balls. */
 function heightOf({ table, balls }: PuffSolids, variation: number, [x, y]: [number, number], growth: number): number {
   const at = (column: number, ball: number) => table[(4 * variation + column) * balls + ball];
   const heights = Array.from({ length: balls }, (_, ball) => {

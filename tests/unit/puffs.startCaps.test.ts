@@ -29,7 +29,7 @@ function randomDirection(): Vector {
 
 const dot = (a: readonly number[], b: readonly number[]): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
-/** Random places on a puff's front, as pixels fall on it. */
+/** Random positions on a puff's front, distributed like pixels. */
 function surface(layer: number, count: number): { normal: readonly number[]; position: Vector }[] {
   return Array.from({ length: count }, () => [2 * next() - 1, 2 * next() - 1]).flatMap(([x, y]) => {
     const { normal, height, distance } = samplePuff(layers, layer, x, y);
@@ -37,7 +37,7 @@ function surface(layer: number, count: number): { normal: readonly number[]; pos
   });
 }
 
-/** How far behind the centre plane the farthest lit place lies; -Infinity if none is lit. */
+/** Distance of the farthest lit position behind the centre plane; -Infinity if none is lit. */
 function farthestLit(places: ReturnType<typeof surface>, light: Vector, threshold: number): number {
   return places.reduce(
     (farthest, { normal, position }) =>
@@ -68,7 +68,7 @@ test.each(cases)('at threshold %f no lit place of %s lies behind its cap, from a
     expect(cap).toBeGreaterThanOrEqual(farthest);
     if (farthest > -Infinity) [slack, lit] = [slack + cap - farthest, lit + 1];
   }
-  // Not merely conservative: a volume that began far behind its puff would leave light where shadow belongs.
+  // Also an upper bound: a volume that began far behind its puff would leave lit areas in the shadow.
   expect(slack / lit).toBeLessThan(0.16);
 });
 
@@ -90,7 +90,7 @@ test('a ball lit from half its hemisphere on has its cap half a radius before th
   expect(cap).toBeLessThan(-0.8 * 0.5 + 0.1);
 });
 
-/** Random places on all of a puff of lobes, as pixels from any side can fall on them. */
+/** Random positions on the whole surface of a puff of lobes, distributed like pixels of all views. */
 function allRound(lobes: readonly Lobe[], count: number): { normal: readonly number[]; position: Vector }[] {
   const middle = middleOf(lobes);
   return Array.from({ length: count }, () => {
@@ -133,7 +133,7 @@ test('is baked from few of the points: most patches are ruled out by what bounds
   const caps = bakeStartCaps(counting, 0.5);
   expect(caps.values).toEqual(capsFor(0.5).values);
   const points = fronts.flat().reduce((sum, patch) => sum + patch.points.length / POINT_STRIDE, 0);
-  // Each entry would visit all of them.
+  // Without culling each entry would visit all points.
   const all = points * caps.width * caps.height;
   expect(visited).toBeLessThan(0.22 * all);
 });

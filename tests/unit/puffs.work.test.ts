@@ -51,7 +51,7 @@ test('who wants puffs that somebody is baking goes on with them', () => {
   for (; baked.includes(undefined) && rounds < pieces; rounds++) {
     works.forEach((work, index) => (baked[index] ??= workedFor(work, 0)));
   }
-  // Two at work need half as many rounds as one.
+  // Two workers need half as many rounds as one.
   expect(rounds).toBeLessThan(0.6 * pieces);
   expect(baked[0]).toBeDefined();
   expect(baked[0]).toBe(baked[1]);

@@ -8,7 +8,7 @@ import { validate } from '../../src/preset/values.ts';
 
 const TEXT = '0:333344,.5:aab0c0,1:ffffff';
 
-/** So many stops at even distances. */
+/** A number of stops at even distances. */
 function stopsText(count: number): string {
   return Array.from({ length: count }, (_, index) => `${(index / 100).toFixed(2).replace(/^0/, '')}:00ff00`).join();
 }

@@ -1,4 +1,4 @@
-/** The release workflow, as far as it can be run without credentials: its own steps, with its own commands. */
+/** The release workflow, as far as it runs without credentials: its own steps with its own commands. */
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -35,7 +35,7 @@ const { on, permissions, jobs } = parse(readFileSync(join(ROOT, '.github/workflo
 const out = mkdtempSync(join(tmpdir(), 'cartoon-smoke-release-'));
 afterAll(() => rmSync(out, { recursive: true }));
 
-/** The command of a step, which must be there. */
+/** The command of a step; fails if the step is missing. */
 function commandOf(job: string, name: string): string {
   const command = jobs[job].steps.find((step) => step.name === name)?.run;
   if (command === undefined) throw new Error(`The job ${job} has no step ${name}.`);
@@ -134,7 +134,7 @@ describe('the site', () => {
     expect(picture.startsWith(`${BASE}/`)).toBe(true);
     expect(existsSync(join(out, picture.slice(BASE.length)))).toBe(true);
     expect(readFileSync(join(out, 'oembed/lamp.json'), 'utf8')).toContain(`${BASE}/embed.html#v=1&amp;preset=lamp`);
-    // From any other folder it works as well.
+    // Relative URLs only, so that it works in any folder.
     expect(page.match(/(?:src|href)="(?!\.\/|https:\/\/example\.org)[^"]*"/g)).toBe(null);
   });
 

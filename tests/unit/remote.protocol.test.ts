@@ -1,4 +1,4 @@
-/** The messages between a stage and who has it from elsewhere: what is understood, and that nothing else is. */
+/** The messages between a stage and its remote client: valid ones are read, all others rejected. */
 import { expect, test } from 'vitest';
 import {
   ContextError,
@@ -85,7 +85,7 @@ test('of five thousand hostile messages none is understood, and none is a reply 
   let count = 0;
   for (const message of hostileMessages(5_000, 5)) {
     const read = readRequest(message);
-    // What has the right shape is the stage's to refuse, by its values.
+    // The stage rejects well-formed messages with invalid values itself.
     if (read && 'method' in read) expect(['set', 'enter', 'restore', 'playTake', 'readTake']).toContain(read.method);
     expect(readReply(message, () => 'hash')).toBeUndefined();
     expect(readNotification(message)).toBeUndefined();

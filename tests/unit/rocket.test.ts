@@ -1,4 +1,4 @@
-/** The rocket: what its engine blows on the ground spreads in a ring that grows, and nothing goes into the ground. */
+/** The rocket: its exhaust spreads on the ground in a growing ring, and no smoke enters the ground. */
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
@@ -57,12 +57,12 @@ test('it comes back to where it stood', () => {
   expect(at(6)[1]).toBeGreaterThan(6);
   expect(at(17)[1]).toBeCloseTo(at(0)[1], 9);
   for (let step = 0; step < 2400; step++) {
-    // 5.5 m/s at the most, and no jump.
+    // At most 5.5 m/s, without a jump.
     expect(Math.abs(at((step + 1) / 60)[1] - at(step / 60)[1])).toBeLessThan(6 / 60);
   }
 });
 
-/** What a guide is told of a moment. */
+/** The arguments of a guide at a time. */
 function momentAt(seconds: number) {
   const nowhere = { position: [0, 0, 0], rotation: [0, 0, 0, 1] } as const;
   return { seconds, dt: 1 / 60, control: () => 0, pose: () => nowhere };

@@ -1,4 +1,4 @@
-/** The states that a stage keeps for going back: within their budget, and dense where seeks are frequent. */
+/** The saved states of a stage for seeks: within their budget, and dense around frequent seeks. */
 import { describe, expect, it } from 'vitest';
 import { SavedStates } from '../../src/stage/states.ts';
 

@@ -1,4 +1,4 @@
-/** What holds for every scene: that it fits the list of scenes, can be built, and goes the same way every time. */
+/** Every scene fits the list of scenes, can be built, and is deterministic. */
 import { beforeAll, describe, expect, test } from 'vitest';
 import { strings } from '../../src/app/strings.ts';
 import { findPreset, presets, presetValues } from '../../src/preset/presets.ts';
@@ -111,7 +111,7 @@ describe.each(NAMES)('%s', (name) => {
   });
 });
 
-/** Six times the signed volume of tetrahedra from the origin: positive where faces look outwards. */
+/** Six times the signed volume of tetrahedra from the origin: positive where faces point outwards. */
 function volume({ positions, indices }: TriangleMesh): number {
   let sum = 0;
   for (let from = 0; from < indices.length; from += 3) {

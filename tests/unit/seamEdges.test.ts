@@ -6,7 +6,7 @@ import { box, ground } from '../visual/solids.ts';
 
 const FLOOR = ground(0, 5).mesh;
 
-/** Lengths of the pieces of a seam, metres, and the two ends of each. */
+/** Lengths of the segments of a seam, metres, and the end points of each. */
 function seamOf(one: TriangleMesh, other: TriangleMesh): { length: number; places: number[][] } {
   const { count, ends } = seamEdges(one, other);
   const places = Array.from({ length: 2 * count }, (_, place) => [...ends.subarray(3 * place, 3 * place + 3)]);

@@ -1,4 +1,4 @@
-/** The arrows of ARCHITECTURE.md, shown to be refused and accepted by the linter's configuration. */
+/** The linter's configuration rejects and accepts imports as the arrows of ARCHITECTURE.md require. */
 import { spawnSync } from 'node:child_process';
 import { copyFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -31,7 +31,7 @@ function lint(): string[] {
   return stdout.split('\n').filter((line) => /\[Error/.test(line));
 }
 
-/** Lints one line of code standing in a folder. */
+/** Lints one line of code in a folder. */
 function lintLine(folder: string, code: string): string[] {
   project.write(`src/${folder}/user.ts`, `${code}\n`);
   return lint();

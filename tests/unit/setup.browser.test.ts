@@ -1,4 +1,4 @@
-/** What the browser of tests and benchmarks is started with. */
+/** Launch flags of the browser for tests and benchmarks. */
 import { chromium } from '@playwright/test';
 import { expect, test } from 'vitest';
 import { script } from '../support/server.ts';
@@ -6,7 +6,7 @@ import { script } from '../support/server.ts';
 const featuresIn = (text: string) => /--disable-features=(\S+)/.exec(text)![1].split(',');
 
 test('whatever Playwright turns off in the browser is turned off by our flag, which stands in for its own', async () => {
-  // Who cannot start a browser says what it was to be started with.
+  // The error of a failed launch contains the flags.
   const error = await chromium.launch({ executablePath: process.execPath }).then(() => '', String);
   const theirs = featuresIn(error);
   expect(theirs.length).toBeGreaterThan(0);

@@ -1,4 +1,4 @@
-/** The commands themselves: their arguments, their ports, the benchmark's dispatch. */
+/** The commands: their arguments, their ports, the dispatch of the benchmark. */
 import { spawnSync } from 'node:child_process';
 import { cpSync } from 'node:fs';
 import { createServer } from 'node:net';
@@ -80,7 +80,7 @@ describe('.ci/run', () => {
 
 describe('bench', () => {
   beforeEach(() => {
-    // What the suites need is not what is tested here.
+    // This test does not cover the suites' dependencies.
     project.write('scripts/setup/setup.mjs', 'export const TESTS = []; export async function setUp() {}');
     project.write(
       'tests/bench/smoke.mjs',

@@ -1,4 +1,4 @@
-/** The linter refuses engine-dependent numbers where they reach the simulator, and nowhere else. */
+/** The linter rejects engine-dependent numbers where they reach the simulator, and only there. */
 import { spawnSync } from 'node:child_process';
 import { copyFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -14,7 +14,7 @@ beforeEach(() => {
 });
 afterEach(() => project.dispose());
 
-/** The errors of our own rules, for files and their code. */
+/** The errors of the custom lint rules, for files and their code. */
 function errors(files: Readonly<Record<string, string>>): string[] {
   for (const [path, code] of Object.entries(files)) project.write(path, code);
   const oxlint = `${ROOT}/node_modules/oxlint/bin/oxlint`;

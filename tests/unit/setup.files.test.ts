@@ -1,4 +1,4 @@
-/** A test file that lies where no runner looks would pass for ever; one that is cited but missing proves nothing. */
+/** A test file outside all runners' folders would always pass, and a citation of a missing file proves nothing. */
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { basename } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -29,7 +29,7 @@ test('every test file that a comment or a document cites exists', () => {
   const sources = files.filter((path) => /\.(md|ts|rs|glsl|vert|frag|css)$/.test(path));
   const texts = [...readdirSync(ROOT).filter((path) => path.endsWith('.md')), ...sources];
   const names = new Set(['tests', 'sim-wasm/sim/tests'].flatMap(filesIn).map((path) => basename(path)));
-  // A path from the root or from the crate `sim`, or the name alone.
+  // A path relative to the root or to the crate `sim`, or only the file name.
   const isThere = (cited: string) =>
     cited.includes('/')
       ? existsSync(`${ROOT}/${cited}`) || existsSync(`${ROOT}/sim-wasm/sim/${cited}`)

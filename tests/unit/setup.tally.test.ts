@@ -1,4 +1,4 @@
-/** Counting: trouble of a runner must never look like success. */
+/** The test counter: a runner's failure never counts as success. */
 import { expect, test } from 'vitest';
 
 interface Tally {
@@ -17,7 +17,7 @@ interface TallyScript {
   sumEndings(outcomes: { status: number; output: string }[]): { passed: number; failed: number };
 }
 
-// Its path is no literal, because the compiler has no types for plain JavaScript here.
+// Not a literal path, because plain JavaScript has no types here.
 const path = '../../scripts/test/tally.mjs';
 const { tallyVitest, tallyPlaywright, tallyCargo, settle, notesIn, sumEndings } = (await import(path)) as TallyScript;
 

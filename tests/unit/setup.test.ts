@@ -1,4 +1,4 @@
-/** What a person reads when the machine lacks something: one sentence, a bad status, no stack trace. */
+/** Output if the machine lacks something: one sentence, a non-zero status, no stack trace. */
 import { existsSync } from 'node:fs';
 import { afterEach, beforeEach, describe, expect, test } from 'vitest';
 import { Project, type Ending } from '../support/project.ts';
@@ -18,7 +18,7 @@ function installPackages(): void {
   project.write('node_modules/three/package.json', '{}');
 }
 
-/** A rustup whose toolchain is complete; `cargo` is the shell code that answers for it. */
+/** A rustup with a complete toolchain; `cargo` is the shell code of its cargo. */
 function installRust(cargo = 'exit 0'): void {
   const sysroot = project.path('sysroot');
   project.write('sysroot/lib/rustlib/wasm32-unknown-unknown/lib/core', '');
@@ -114,7 +114,7 @@ describe('toolchain', () => {
     'without rustup, %s says what to install',
     async (script) => {
       installPackages();
-      // Not the default ports: the demo may run meanwhile.
+      // Not the default ports, because the demo may be running.
       const port = /start|preview/.test(script) ? ['--port', String(await findFreePort())] : [];
       expectOnlySentence(project.run(script, port), /^rustup was not found: install it from https:\/\/rustup\.rs/);
     },

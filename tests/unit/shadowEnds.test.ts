@@ -17,7 +17,7 @@ function endsOf(casters: Float32Array, receivers: typeof NOWHERE | object, trave
   return ends;
 }
 
-/** Whether a point lies in the shadow of a ball, and how far behind its centre. */
+/** Whether a point is in the shadow of a ball, and its distance behind the centre. */
 function inShadow(casters: Float32Array, row: number, point: Vector3, travel: Vector3): number | undefined {
   const offset = point.clone().sub(new Vector3().fromArray(casters, 4 * row));
   const along = offset.dot(travel);
@@ -63,7 +63,7 @@ describe('shadows', () => {
     const casters = Float32Array.of(0, 1, 0, 0.2);
     expect(endsOf(casters, { bodies: Float32Array.of(0, -1, 0, 0.3, 2, -4, 0, 0.3) })[0]).toBeCloseTo(2.3);
     const table = new Box3(new Vector3(-2, -0.1, -2), new Vector3(2, 0, 2));
-    // The ball that holds the puff has left it a radius later.
+    // The bounding ball of the puff leaves it one radius later.
     expect(endsOf(casters, { boxes: [table] })[0]).toBeCloseTo(1.1 + 1.1 * 0.2);
   });
 });

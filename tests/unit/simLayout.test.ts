@@ -65,7 +65,7 @@ describe('the layout of rows and views', () => {
     simulator.step(10);
     const culled = { ...EVERYTHING, cull: true };
     expect(simulator.arrange(EVERYTHING).count).toBeGreaterThan(50);
-    // Clip space is the world here, so what stands at x = 5 is to the right of everything that can be seen.
+    // Clip space equals world space here, so positions with x = 5 are to the right of the view.
     expect(simulator.arrange(culled).count).toBe(0);
     const wide = Array.from(EVERYTHING.clipFromWorld);
     wide[0] = 0.1;

@@ -184,7 +184,7 @@ describe('loading', () => {
     vi.resetModules();
   });
 
-  /** A module of its own, in which nothing is loaded yet. */
+  /** A new module instance without loaded modules. */
   async function fresh() {
     vi.resetModules();
     return import('../../src/sim/load.ts');

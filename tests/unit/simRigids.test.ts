@@ -59,7 +59,7 @@ describe('rigids', () => {
         simulator.addRigid({ kind: 'dynamic', shape: falling, position: [x, 30, z] });
       }),
     );
-    // 30 m take 2.5 s; at their end they move by 0.4 m a step.
+    // A fall of 30 m takes 2.5 s; the final speed is 0.4 m per step.
     simulator.step(160);
     const poses = simulator.rigidPoses(1);
     expect(poses.every(Number.isFinite)).toBe(true);
@@ -202,7 +202,7 @@ describe('rigids', () => {
   it('kill or tint the smoke that touches them', async () => {
     for (const action of ['kill', 'tint'] as const) {
       const simulator = await create();
-      // Few enough that births never wait: there is always fresh smoke below the plate.
+      // Few enough that spawns are never delayed: there is always new smoke below the plate.
       simulator.set({ ...JET, 'emission.rate': 60, 'emitters.0.spread': 0 });
       const plate: RigidShape = { type: 'cuboid', halfExtents: [2, 0.1, 2] };
       simulator.addRigid({ ...still(plate), position: [0, 1, 0], action, tint: 9 });

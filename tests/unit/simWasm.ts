@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { loadSimulators, type SimulatorFactory } from '../../src/sim/load.ts';
 
-/** The built WASM of a variant: Node cannot fetch a file. */
+/** The built WASM of a variant. Node cannot fetch a file. */
 export function wasmBytes(variant: 'core' | 'physics'): Buffer<ArrayBuffer> {
   return readFileSync(new URL(`../../src/sim/wasm/${variant}/bindings_bg.wasm`, import.meta.url));
 }
@@ -10,7 +10,7 @@ export function loadVariant(variant: 'core' | 'physics'): Promise<SimulatorFacto
   return loadSimulators({ physics: variant === 'physics', bytes: wasmBytes(variant) });
 }
 
-/** A plain upward jet. */
+/** An upward jet. */
 export const JET: Record<string, number> = {
   'emission.rate': 600,
   'emission.lifetime': 4,

@@ -1,4 +1,4 @@
-/** Smoke under every force for hours: no step may go wrong, and memory must not grow. */
+/** Hours of smoke under every force: no step fails, and memory does not grow. */
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { expect, it } from 'vitest';
@@ -11,9 +11,11 @@ import { loadVariant } from './simWasm.ts';
 
 const STEPS = 1_000_000;
 const SAMPLES = 200;
-/** Samples until all that is made once has been made. */
+/** Samples until all one-time allocations are done. */
 const WARM_UP = 40;
-/** Between collections the heap differs by some tens of thousands of bytes; a leak of a byte a step would be more. */
+/**
+ * The heap differs by some ten thousand bytes between collections; a leak of one byte per step would exceed this limit.
+ */
 const HEAP_SLACK = 400_000;
 
 const forces: Record<string, number> = Object.assign(
@@ -31,7 +33,7 @@ it(
     const simulator = factory.create({ capacity: 1000, seed: 11 });
     const scene = lamp();
     simulator.set({ ...scene.rig, ...simulatorValues(presetValues(defaultPreset)), ...forces, 'emission.rate': 400 });
-    // The ball and the table: the lamp's own many parts would take most of the time.
+    // Only the ball and the table: the lamp's many parts would take most of the time.
     for (const rigid of scene.rigids.slice(0, 2)) simulator.addRigid(rigid);
     const collectGarbage = garbageCollector();
     const pages = new Set<number>();
@@ -58,7 +60,7 @@ it(
   },
 );
 
-/** Node hides it unless asked. */
+/** Node exposes it only with a flag. */
 function garbageCollector(): () => void {
   setFlagsFromString('--expose-gc');
   return runInNewContext('gc') as () => void;

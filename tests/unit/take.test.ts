@@ -1,4 +1,4 @@
-/** Going back and forth in a take, and doing it again elsewhere, comes to the same hashes. */
+/** Seeking in a take and replaying it elsewhere give the same hashes. */
 import { beforeAll, describe, expect, it } from 'vitest';
 import { defaultState, encode, LONGEST_LINK } from '../../src/preset/codec.ts';
 import { goToMoment } from '../../src/element/moment.ts';
@@ -18,7 +18,7 @@ beforeAll(async () => {
   factory = await loadVariant('physics');
 });
 
-/** Goes to a step as a seek does. */
+/** Advances to a step as a seek does. */
 function seek(simulation: ReturnType<typeof lampSimulation>, step: number): string {
   simulation.approach(step);
   simulation.advance(step - simulation.simulator.steps);
@@ -139,7 +139,7 @@ describe('a take', () => {
     const simulation = lampSimulation(factory);
     const place = [0, 1.5, 0];
     for (let step = 0; step < 30 * 60; ++step) {
-      // A hand trembles by millimetres; multiples of irrational numbers tremble the same each time.
+      // Simulates the tremor of a hand, some millimetres. Multiples of irrational numbers make it reproducible.
       place[0] += 0.02 * Math.sin(step / 17) + 0.004 * ((step * Math.SQRT2) % 1);
       place[1] += 0.015 * Math.cos(step / 23) - 0.004 * ((step * Math.E) % 1);
       simulation.drag!.target.fromArray(place);
@@ -182,7 +182,7 @@ describe('a take', () => {
     expect(simulation.simulator.hash()).toBe(HASH_2);
     const again = simulation.simulator.take(noteOf(take.values));
     expect(core.readTake(again).isExact).toBe(true);
-    // What is sent on from here is of version 3, and differs by that alone.
+    // The new encoding has version 3, and no other difference.
     expect([...again]).toEqual([...bytes].with(4, 3));
     for (const [kept, isNotified] of [
       [bytes, true],

@@ -1,4 +1,4 @@
-/** The train: every puff leaves the chimney while the wheels are within the same part of each half turn. */
+/** The train: all puffs leave the chimney in the same phase of each half turn of the wheels. */
 import { Quaternion, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
@@ -11,7 +11,7 @@ import { loadVariant } from './simWasm.ts';
 const STEP = 1 / 60;
 const scene = train();
 
-/** How far the first axle has turned at a time, in half turns, 0 to 1. */
+/** Phase of the first axle at a time, in half turns, 0 to 1. */
 function phase(seconds: number): number {
   const spoke = new Vector3(1, 0, 0).applyQuaternion(new Quaternion(...scene.parts![0].pose(seconds).rotation));
   const halfRevolutions = -Math.atan2(spoke.y, spoke.x) / Math.PI;
@@ -34,7 +34,7 @@ test('puffs keep time with the wheels', async () => {
     spawned.forEach((seconds) => phases.push(phase((step + 1) * STEP - seconds)));
   }
   expect(phases.length).toBeGreaterThan(100);
-  // A third of the stroke, and the rounding of ages.
+  // A third of the stroke, plus the rounding of ages.
   for (const at of phases) expect(at).toBeLessThan(0.37);
   expect(Math.max(...phases) - Math.min(...phases)).toBeGreaterThan(0.2);
   const revolutions = (600 * STEP * SPEED) / (2 * Math.PI * WHEEL_RADIUS);

@@ -1,4 +1,4 @@
-/** The cup of tea: in still air each puff of steam rises as its lift, its cooling and its drag say; wind takes it along. */
+/** The cup of tea: in still air each puff of steam rises by its lift, cooling and drag; wind carries it along. */
 import { expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import { wisp } from '../../src/scenes/wisp.ts';
@@ -7,7 +7,7 @@ import { readParticles } from '../bench/support/snapshot.ts';
 import { loadVariant } from './simWasm.ts';
 
 const WIND = 0.4;
-/** Nothing by chance but the lifetimes, and no swirls. */
+/** Only the lifetimes are random, and there is no turbulence. */
 const PLAIN = {
   'emitters.0.radius': 0,
   'emitters.0.speedVariation': 0,
@@ -33,7 +33,7 @@ test('steam rises by the closed form and drifts by the wind times its age', asyn
   simulator.dispose();
 });
 
-/** Metres that steam has risen: slip v with v' = lift exp(-t / cooling) - drag v, from the emitter's speed on. */
+/** Height gained by steam, metres: slip v with v' = lift exp(-t / cooling) - drag v, from the emitter's speed on. */
 function height(rig: Readonly<Record<string, number>>, t: number): number {
   const [drag, cooling] = [rig['drag.rate'], rig['buoyancy.coolingTime']];
   const braked = (1 - Math.exp(-drag * t)) / drag;

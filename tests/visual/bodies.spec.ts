@@ -152,7 +152,7 @@ for (const form of ['lobes', 'billboards'] as const) {
   });
 }
 
-/** The ground of the tests is 222, 170, 110, and shadow a product. */
+/** The ground has the colour (222, 170, 110). The shadow colour multiplies it. */
 const GROUND_SHADOWS = [
   ['is violet without a ramp', {}, '131,93,85,255'],
   ['has the hue of a chosen ramp: (115, 171, 122) of dark green', { stops: 'green' }, '100,114,53,255'],

@@ -13,10 +13,10 @@ test('selle draws closed lines one pixel wide exactly where the depth gap is ove
   for (const { missing, extra, thickest, isClosed } of [under, over]) {
     expect({ missing, extra, thickest, isClosed }).toEqual({ missing: 0, extra: 0, thickest: 1, isClosed: true });
   }
-  // Round the larger puff, and with the larger gap round the smaller one before it.
+  // The line is around the larger puff. With the larger gap there is also a line around the smaller one in front of it.
   expect(under.line).toBeGreaterThan(90);
   expect(over.line - under.line).toBeGreaterThan(20);
-  // The page, smoke in full light, ink.
+  // Page, fully lit smoke, ink.
   expect(over.colors).toBe(3);
 });
 
@@ -34,7 +34,7 @@ test('sprites fade towards a surface behind them', async ({ load }) => {
   expect(far).toBeCloseTo(1, 1);
 });
 
-/** Share of a shadow's area that the map may take from it or add to it by its texels. */
+/** Share of a shadow's area that the texels of the shadow map may remove or add. */
 const MAX_OF_SHADOW = 0.015;
 
 for (const view of ['sun', 'distantLamp', 'lampAbove', 'lampAmongCrates', 'lampBelow'] as const) {

@@ -6,7 +6,7 @@ const CASES = '/tests/visual/cases/culling.ts';
 
 test('leaving out what is hidden changes no pixel of the lamp', async ({ load }) => {
   const cases = await load<Cases>(CASES);
-  // Denser than the lamp's own, so that much of it is hidden.
+  // Denser than the lamp preset, so that many particles are hidden.
   const values = { 'simulation.maxParticles': 800, 'emission.rate': 150 };
   const comparisons = await cases.evaluate(
     (module, input) => module.compareScene(input, 4, ['scene', 'above', 'inside']),

@@ -41,6 +41,6 @@ test('the coverage grid is shown where it lies, and covers nothing but smoke', a
   const { tinted, wrong, missing, clear } = await cases.evaluate((module) => module.coverageTints());
   expect(tinted).toBeGreaterThan(1_000);
   expect(clear).toBe(0);
-  // Sides of cells are rounded otherwise in single precision.
+  // Single precision rounds the borders of cells differently.
   expect(wrong + missing).toBeLessThan(0.002 * tinted);
 });

@@ -1,4 +1,4 @@
-/** A frame as the renderer of sim-wasm/reference takes it. Runs inside a page; the names are those of its scene.rs. */
+/** A frame in the format of the renderer in sim-wasm/reference. Runs inside a page. The names are those of scene.rs. */
 import { Matrix4 } from 'three';
 import type { Color, Ramp } from '../../src/device/ramps.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
@@ -17,22 +17,22 @@ import { minCapOf } from '../../src/passes/volumes.ts';
 
 type Triple = readonly [number, number, number];
 
-/** What a surface is in truth, where its mesh only comes near it. */
+/** The exact solid that a mesh approximates. */
 export type Solid = { type: 'ball'; center: Triple; radius: number } | { type: 'box'; center: Triple; half: Triple };
 
-/** A surface that is drawn, and what the reference has in its place; its own triangles where absent. */
+/** A drawn surface and its solid in the reference; the surface's own triangles where absent. */
 export type Shaped = SurfaceDescription & { solid?: Solid };
 
-/** All that a frame shows: what `SmokeRenderer` is made with, and what it draws. */
+/** All visible content of a frame: the arguments of `SmokeRenderer` and its input. */
 export interface Shown {
   input: FrameInput;
   surfaces: readonly Shaped[];
   backdrop?: { top: Color; bottom: Color };
 }
 
-/** Lines that tremble are drawn anew so often, as film on twos is. */
+/** Boiling lines change this often, as animation on twos. */
 const DRAWINGS_PER_SECOND = 12;
-/** What has fallen lower is not drawn, metres. */
+/** Objects below this height are not drawn, metres. */
 const OUT_OF_SIGHT = -60;
 
 /** JSON for the reference. */
@@ -57,7 +57,7 @@ export function describe(shown: Shown): string {
   });
 }
 
-/** A view that leaves nothing out. */
+/** A view without culling. */
 function viewOf({ blend }: FrameInput, purpose: View['purpose']): View {
   const everywhere = { min: [-1e3, -1e3, -1e3], max: [1e3, 1e3, 1e3] };
   const clipFromWorld = new Float32Array(16);
@@ -118,11 +118,11 @@ function puffsAsObject(form: PuffForm): object {
 
 function lobePuffs() {
   const { lobeCount, count, table, fillet, blend, startCaps, depth } = bakedPuffs().lobes;
-  // A row holds the lobes and their middle.
+  // A row holds the lobes and their centre.
   return { fillet, blend, startCaps, depth, lobes: lobesOf(table, count, lobeCount, lobeCount + 1) };
 }
 
-/** Billboards are baked layers, given as they are; their shadows are made of lobes. */
+/** Billboards are baked layers, passed unchanged. Their shadows consist of lobes. */
 function billboardPuffs() {
   const { layers, casters, startCaps, depth } = bakedPuffs().billboards;
   const { size, pad, distanceRange, normalDepth, colorCoverage } = layers;
@@ -139,7 +139,7 @@ function billboardPuffs() {
   };
 }
 
-/** The lobes of each variation, out of rows of `columns` times four numbers. */
+/** The lobes of each variation, from rows of `columns` times four numbers. */
 function lobesOf(table: Float32Array, variations: number, lobes: number, columns: number): number[][][] {
   const numbers = (length: number) => [...Array(length).keys()];
   return numbers(variations).map((variation) =>

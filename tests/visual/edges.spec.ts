@@ -4,7 +4,7 @@ import { expect, test } from '../support/fixtures.ts';
 type Cases = typeof import('./cases/edges.ts');
 const CASES = '/tests/visual/cases/edges.ts';
 
-/** Degrees against the horizontal. */
+/** Degrees from the horizontal. */
 const ANGLES = [3, 8, 22, 38, 45, 64, 75, 87];
 
 test('slanted edges of every kind are smoothed as their pixels are covered', async ({ load }) => {
@@ -51,7 +51,7 @@ for (const grey of [0, 128, 255]) {
     const cases = await load<Cases>(CASES);
     const { farthest, mixed } = await cases.evaluate((module, value) => module.pageShares(value), grey);
     expect(mixed).toBeGreaterThan(100);
-    // What 8 bits leave of the share between ink and black.
+    // The 8-bit error of the share between ink and black.
     expect(farthest).toBeLessThan(grey === 0 ? 0.06 : 0.02);
   });
 }

@@ -93,7 +93,7 @@ for (const kind of ['skinned', 'instanced'] as const) {
     const { changed, hidden, shown } = await cases.evaluate((module, which) => module.deformed(which), kind);
     expect(hidden).toBeGreaterThan(100);
     expect(shown).toBeGreaterThan(100);
-    // The same triangles from another vertex shader may round a pixel of an edge differently.
+    // Another vertex shader may round an edge pixel of the same triangles differently.
     expect(changed).toBeLessThanOrEqual(4);
   });
 }
@@ -133,7 +133,7 @@ for (const samples of [0, 4]) {
     const cases = await load<Output>(OUTPUT);
     const { changed, smoke } = await cases.evaluate((module, count) => module.inTarget(count), samples);
     expect(smoke).toBeGreaterThan(1000);
-    // What is blended along an edge is blended in linear light there, and display-encoded on the canvas.
+    // Edges are blended in linear light in the target, but display-encoded on the canvas.
     expect(changed).toBeLessThan(1200);
   });
 }
@@ -191,7 +191,7 @@ test.describe('of billboards that are not here yet', () => {
 
   const CODE = '**/src/smoke/billboards.ts*';
   const block = (page: Page) => page.route(CODE, (route) => route.abort());
-  /** The request for it, which waits for its answer. */
+  /** The intercepted request, held until the test continues it. */
   const held = async (page: Page) => {
     let take!: (route: Route) => void;
     const asked = new Promise<Route>((resolve) => (take = resolve));
@@ -225,7 +225,7 @@ test.describe('of billboards that are not here yet', () => {
     expect(await cases.evaluate((module, one) => module.frames(one), asked)).toBe(0);
     const thrown = await asked.evaluate(({ smoke }) => smoke.complete().catch((error: Error) => error.name));
     expect(thrown).toBe('LoadError');
-    // Each frame had the time to try and to tell: who asked just now has waited for as long.
+    // Each frame had time to retry and to notify: complete() waited as long.
     expect(await notified()).toEqual(once);
     await asked.evaluate(({ smoke }) => {
       smoke.set({ 'puff.form': 'lobes' });

@@ -3,7 +3,7 @@ import { expect, test } from '../support/fixtures.ts';
 type Cases = typeof import('./cases/ink.ts');
 const CASES = '/tests/visual/cases/ink.ts';
 
-/** Pixels: billboards read their distance from a texture, lobes compute it. */
+/** Pixels: billboards sample their distance from a texture, lobes compute it. */
 const SLACK = { lobes: 0.1, billboards: 1 };
 
 for (const form of ['lobes', 'billboards'] as const) {

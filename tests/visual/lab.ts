@@ -1,6 +1,6 @@
 /**
- * A bench for pictures: draws given puffs and surfaces through the product's own passes, without a simulator, and reads
- * colours and stencil counts back. Runs inside a page.
+ * A lab for pictures: draws given puffs and surfaces with the production passes, without a simulator, and reads back
+ * colours and stencil counts. Runs inside a page.
  */
 import {
   type Camera,
@@ -25,10 +25,10 @@ import type { Light } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import type { Style } from '../../src/smoke/style.ts';
 
-// Pictures are read at once: all that draws them is fetched before.
+// Tests read pictures synchronously, so load all optional renderer code first.
 await fetchExtras({ renderer: 'selle', form: 'billboards', view: 'normals', isFlat: true });
 
-/** A particle as a test sees it; lengths in metres, roll in radians, age as a fraction of the lifetime. */
+/** A particle in test units: lengths in metres, roll in radians, age as a fraction of the lifetime. */
 export interface LabPuff {
   place: readonly [number, number, number];
   radius: number;
@@ -36,7 +36,7 @@ export interface LabPuff {
   variation?: number;
   /** 0 to 15. */
   tint?: number;
-  /** 0..255. */
+  /** 0 to 255. */
   seed?: number;
   age?: number;
   /** 0 to 4. */
@@ -47,29 +47,29 @@ export interface LabScene {
   width: number;
   height: number;
   puffs: readonly LabPuff[];
-  /** What they look like, a variation each; the default ones where absent. */
+  /** Shapes by variation; the default ones where absent. */
   shapes?: readonly PuffShape[];
-  /** What throws shadow; the puffs themselves where absent. */
+  /** Shadow casters; the puffs where absent. */
   casters?: readonly LabPuff[];
   surfaces?: readonly SurfaceDescription[];
-  /** World transforms of rigids and parts, by their number; rigids are at the origin where absent. */
+  /** World transforms of rigids and parts, by number; rigids are at the origin where absent. */
   rigids?: readonly Matrix4[];
   parts?: readonly Matrix4[];
   backdrop?: { top: Color; bottom: Color };
   camera?: Camera;
   towardsLight?: readonly [number, number, number];
-  /** Draws with a depth buffer that is reversed, as the host's renderer may have it. */
+  /** Draws with a reversed depth buffer, as the host's renderer may have. */
   reversedDepth?: boolean;
-  /** Place of a lamp, instead of a sun. */
+  /** Position of a lamp, instead of a sun. */
   lamp?: readonly [number, number, number];
   style?: Partial<Style>;
   pixelRatio?: number;
   /** Simulated seconds. */
   time?: number;
   smoothEdges?: boolean;
-  /** What is drawn instead of the picture. */
+  /** Debug view to draw instead of the picture. */
   view?: DebugView;
-  /** Also read the stencil, which takes eight draws. */
+  /** Also reads the stencil, with eight draw calls. */
   readCounts?: boolean;
 }
 
@@ -109,7 +109,7 @@ export const PLAIN_STYLE: Style = {
   inkColor: [27, 26, 46],
 };
 
-/** RGBA bytes, the bottom row first, and, if asked for, the count in the stencil of each pixel. */
+/** RGBA bytes, bottom row first, and optionally the stencil count of each pixel. */
 export interface LabPicture {
   width: number;
   height: number;
@@ -117,7 +117,7 @@ export interface LabPicture {
   counts: Uint8Array;
 }
 
-/** Packs puffs as the simulator would. */
+/** Packs puffs in the simulator's row format. */
 export function rowsOf(puffs: readonly LabPuff[]): Rows {
   const place = new Float32Array(4 * puffs.length);
   const attributes = new Uint32Array(2 * puffs.length);
@@ -133,14 +133,14 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
   return { count: puffs.length, place, attributes };
 }
 
-/** The same as casters whose shadows have no end. */
+/** The same rows as casters with unlimited shadow length. */
 function castersOf(puffs: readonly LabPuff[]): Rows {
   const rows = rowsOf(puffs);
   for (let word = 0; word < rows.attributes.length; word += ATTRIBUTE_WORDS) rows.attributes[word] |= NO_END;
   return rows;
 }
 
-/** The camera of most tests: at the origin's front, 4 m away, looking along -z. */
+/** The camera of most tests: 4 m in front of the origin, looking along -z. */
 export function frontCamera(width: number, height: number, distance = 4, fieldOfView = 40): PerspectiveCamera {
   const camera = new PerspectiveCamera(fieldOfView, width / height, 0.1, 100);
   camera.position.set(0, 0, distance);
@@ -148,7 +148,7 @@ export function frontCamera(width: number, height: number, distance = 4, fieldOf
   return camera;
 }
 
-/** Draws one picture on a context of its own and gives everything back. */
+/** Draws one picture on a separate context and disposes it. */
 export function takePicture(scene: LabOptions): LabPicture {
   const lab = new Lab(scene);
   try {
@@ -158,15 +158,15 @@ export function takePicture(scene: LabOptions): LabPicture {
   }
 }
 
-/** The scenes of a lab are like the one that it is made with. */
+/** All scenes of a lab share these options. */
 export interface LabOptions extends LabScene {
-  /** The most puffs of any of them, if more than of this one. */
+  /** Largest number of puffs in any scene, if larger than in this one. */
   capacity?: number;
-  /** Draws as where the depth that fragments write is not kept. */
+  /** Draws as on a device that ignores fragment depth. */
   failsSelfTest?: boolean;
 }
 
-/** Keeps a context and its programs for many pictures of one size, one set of surfaces and one backdrop. */
+/** Keeps a context and its programs for many pictures with the same size, surfaces and backdrop. */
 export class Lab {
   private readonly device: Device;
   private readonly smoke: SmokeRenderer;
@@ -180,7 +180,7 @@ export class Lab {
     this.smoke = new SmokeRenderer(this.device, { capacity: max, surfaces, backdrop, puffs: baked });
   }
 
-  /** The error that WebGL has noted since this was last asked; 0 for none. */
+  /** The WebGL error since the last call; 0 for none. */
   get error(): number {
     return this.device.renderer.getContext().getError();
   }
@@ -189,7 +189,7 @@ export class Lab {
     return this.drawFrame(inputOf(scene), scene);
   }
 
-  /** Draws a frame of which all is given, such as one with the rows of a real simulator. */
+  /** Draws a complete frame input, such as one with the rows of a real simulator. */
   drawFrame(input: FrameInput, options: Pick<LabScene, 'smoothEdges' | 'readCounts'> = {}): LabPicture {
     const { width, height } = input;
     this.smoke.passes.resolve.smoothEdges = options.smoothEdges ?? false;
@@ -254,7 +254,7 @@ function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arra
   };
 }
 
-/** Reads the stencil, which WebGL cannot do itself: each of its bits draws itself where it stands. */
+/** Reads the stencil, which WebGL cannot read directly: one draw call per bit writes it as a colour. */
 export function readStencil({ renderer }: Device, target: WebGLRenderTarget): Uint8Array {
   const value = { value: 0 };
   const triangle = new FullScreen(

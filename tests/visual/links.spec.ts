@@ -1,7 +1,7 @@
 /**
- * Recorded share links, each with the hash and the picture of its moment. `UPDATE_LINKS=all npx playwright test
- * --project=modules tests/visual/links.spec.ts` records them anew and prints what has changed of each; `UPDATE_LINKS=lamp,dust`
- * those with these names.
+ * Recorded share links with the hash and the picture of their moment. `UPDATE_LINKS=all npx playwright test
+ * --project=modules tests/visual/links.spec.ts` records all of them and prints the changes; `UPDATE_LINKS=lamp,dust`
+ * records only these.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -14,10 +14,10 @@ import { HASH_LIST, type HashList } from '../support/presetHashes.ts';
 type Cases = typeof import('./cases/links.ts');
 
 interface RecordedLink {
-  /** What stands behind the page's address. */
+  /** Query and hash of the page's address. */
   link: string;
   hash: string;
-  /** Code and key of each, with commas between them. */
+  /** Code and key of each notice, separated by commas. */
   notices: string;
 }
 
@@ -25,13 +25,13 @@ const FOLDER = fileURLToPath(new URL('links/', import.meta.url));
 const FILE = `${FOLDER}links.json`;
 const links = JSON.parse(readFileSync(FILE, 'utf8')) as Record<string, RecordedLink>;
 
-/** None on one machine; another CPU may round otherwise. The hash has to be the same everywhere. */
+/** There is no difference on one machine; another CPU may round differently. The hash is the same everywhere. */
 const DIFFERENCE = { tolerance: 2, outliers: 7 };
 
 const { UPDATE_LINKS } = process.env;
 const names = UPDATE_LINKS && UPDATE_LINKS !== 'all' ? UPDATE_LINKS.split(',') : Object.keys(links);
 
-// One test, because each that fails costs another start of the browser.
+// One test, because each failed test restarts the browser.
 test('each link shows what was recorded', async ({ load }, testInfo) => {
   test.setTimeout(1_200_000);
   const cases = await load<Cases>('/tests/visual/cases/links.ts');

@@ -1,28 +1,28 @@
-/** What changed between two pictures that motion does not explain. */
+/** Changes between two pictures that motion does not explain. */
 import type { LabPicture } from './lab.ts';
 
-/** Steps of a channel that nobody sees as an edge: by so much lines fade and backdrops differ from row to row. */
+/** Largest invisible difference of a channel: faded lines and gradient backdrops differ by this from row to row. */
 const UNSEEN = 10;
 
-/** What counts as one area of change. */
+/** Which changes motion explains. */
 export interface Explained {
-  /** What was so near before may have moved here, pixels. */
+  /** A colour may move this far between the pictures, pixels. */
   reach: number;
   /**
-   * As wide a strip, pixels, may come from behind an edge that moves, in a colour that was seen nowhere before. Lines of ink
-   * are as thin and may not: they count however thin they are.
+   * A strip of up to `width` pixels may appear from behind a moving edge in a new colour. Ink lines are as thin and
+   * always count.
    */
   strip?: { width: number; ink: number };
-  /** Where lines go over into the colour of their smoke, by pixels: ink comes and goes by and by there. */
+  /** Where lines blend into the colour of their smoke, by pixel: ink appears and vanishes gradually there. */
   paling?: { where: Uint8Array; ink: number };
-  /** Pixels that are no matter of what is looked at. */
+  /** Pixels to ignore. */
   besides?: ReadonlySet<number>;
 }
 
 /**
- * Areas of one picture whose colour the other has nowhere within `reach` pixels of them. The border is left out as far as
- * that reaches: what is seen there may come from beyond the picture, or go there.
- * @returns pixels of all of them, and of the largest connected one
+ * Areas of one picture whose colour does not occur in the other one within `reach` pixels. A border of `reach` pixels
+ * is ignored, because its content may come from outside the picture or move there.
+ * @returns pixels of all areas, and of the largest connected one
  */
 export function unexplained(a: LabPicture, b: LabPicture, explained: Explained): { all: number; largest: number } {
   const { strip } = explained;
@@ -32,7 +32,7 @@ export function unexplained(a: LabPicture, b: LabPicture, explained: Explained):
   return { all: areas.reduce((sum, area) => sum + area, 0), largest: Math.max(0, ...areas) };
 }
 
-/** The pixels of those areas, strips among them. */
+/** The pixels of those areas, including strips. */
 export function suddenPixels(
   a: LabPicture,
   b: LabPicture,
@@ -51,7 +51,7 @@ export function suddenPixels(
   return sudden;
 }
 
-/** As {@link unexplained}, both ways: what comes is as sudden as what goes. */
+/** {@link unexplained} in both directions: areas that appear and areas that vanish. */
 export function suddenChange(a: LabPicture, b: LabPicture, explained: Explained): { all: number; largest: number } {
   const [gone, come] = [unexplained(a, b, explained), unexplained(b, a, explained)];
   return { all: Math.max(gone.all, come.all), largest: Math.max(gone.largest, come.largest) };
@@ -59,7 +59,7 @@ export function suddenChange(a: LabPicture, b: LabPicture, explained: Explained)
 
 interface Search {
   reach: number;
-  /** What may have come over a colour, in any measure. */
+  /** An ink colour that may cover the colour with any share. */
   ink: number | undefined;
   width: number;
 }
@@ -78,7 +78,7 @@ function looksAlike(one: number, other: number): boolean {
   return [0, 8, 16, 24].every((bits) => Math.abs(((one >>> bits) & 255) - ((other >>> bits) & 255)) <= UNSEEN);
 }
 
-/** Whether a colour is another with more or less ink over it. */
+/** Whether a colour is another one with more or less ink. */
 function isInked(color: number, plain: number, ink: number): boolean {
   const [mixed, from, to] = [color, plain, ink].map(channelsOf);
   const way = to.map((value, channel) => value - from[channel]);
@@ -91,7 +91,7 @@ function channelsOf(color: number): number[] {
   return [0, 8, 16, 24].map((bits) => (color >>> bits) & 255);
 }
 
-/** Areas that hang together, over corners too. */
+/** Areas of 8-connected pixels. */
 function areasOf(pixels: Set<number>, width: number): number[][] {
   const left = new Set(pixels);
   const areas: number[][] = [];
@@ -108,7 +108,7 @@ function areasOf(pixels: Set<number>, width: number): number[][] {
   return areas;
 }
 
-/** Pixels of an area, or those of its ink alone where all of it is a thin strip. */
+/** Pixels of an area, or only those of its ink if the whole area is a thin strip. */
 function withoutStrips(
   area: number[],
   colors: Uint32Array,

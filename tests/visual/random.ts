@@ -1,4 +1,4 @@
-/** Seeded numbers from 0 to 1, the same on every machine (a 32-bit linear congruential generator). */
+/** Seeded numbers from 0 to 1, the same on every machine (32-bit linear congruential generator). */
 export function random(seed: number): () => number {
   let state = seed >>> 0;
   return () => {

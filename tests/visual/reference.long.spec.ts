@@ -23,7 +23,7 @@ const SCENES: readonly SceneName[] = [
   'eyeInPlume',
 ];
 
-/** Each of the paper's four effects on and off, with each number of tones and each kind of gradient. */
+/** Each of the paper's four effects on and off, with each number of tones and each gradient type. */
 function everyMode(): Mode[] {
   const modes: Mode[] = [];
   for (const tones of [1, 2, 3] as const)
@@ -34,17 +34,17 @@ function everyMode(): Mode[] {
   return modes;
 }
 
-/** Simulated seconds after which all scenes have plenty of smoke. */
+/** Simulated seconds after which all scenes have enough smoke. */
 const SECONDS = 4;
-/** Fewest particles that a picture shows: the train's cloud of steam has the fewest. */
+/** Smallest number of particles in a picture: the train's steam cloud has the fewest. */
 const FEWEST = 60;
 /**
- * SwiftShader clips triangles at the border of the picture, where edges that two of them share come apart. Pixels of the
- * meadow fall through the cracks of volumes that leave the picture under it: 13 in 76,800.
+ * SwiftShader clips triangles at the border of the picture, where their shared edges then separate. Pixels of the
+ * meadow show through these cracks in shadow volumes that cross the lower border: 13 of 76,800.
  */
 const MAX_WITHIN: Readonly<Record<string, number>> = { cloudscape: 0.0003, 'cloudscape-gouache': 0.0003 };
 
-/** Pictures that are handed over at once: a description with all its triangles takes a megabyte. */
+/** Pictures per transfer: a description with all triangles has about one megabyte. */
 const BATCH = 12;
 
 test.beforeAll(buildReference);

@@ -19,7 +19,7 @@ const FIRE = [
 
 const BILLBOARDS = { form: 'billboards' } as const;
 
-/** A few modes of each scene; the long test has every mode of every scene. */
+/** A few modes of each scene; the long test covers every mode of every scene. */
 const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [{}, { tones: 1 }, { tones: 3, inkSwell: 0.7 }]],
   ['offAxis', [{}, { outlines: false }]],

@@ -5,11 +5,11 @@ type Cases = typeof import('./cases/rotation.ts');
 const CASES = '/tests/visual/cases/rotation.ts';
 
 const STEP = 1 / 8;
-/** Shares of the covered pixels: what changes lies along borders, and comes to nothing with the angle. */
+/** Shares of the covered pixels: changes are along borders and vanish with the angle. */
 const MAX_CHANGED = 0.015;
 /**
- * What views baked from so many sides would change at once where one takes over from the next: they lie so many degrees
- * apart. Memory: half floats and bytes, 64 x 64 texels a view and four variations.
+ * Change caused by switching between baked views, for comparison: the angle between adjacent views in degrees, and the
+ * memory for half floats and bytes, 64 x 64 texels per view and four variations.
  */
 const BAKED = [64, 256, 1024].map((views) => ({
   views,

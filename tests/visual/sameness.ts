@@ -1,7 +1,10 @@
 import { expect } from '@playwright/test';
 import type { Comparison } from './cases/culling.ts';
 
-/** That no pixel of any pair of pictures differs, though one of each was drawn from less, and that they show something. */
+/**
+ * Expects no pixel to differ between the pictures of any pair, although one draws fewer rows, and pictures with
+ * content.
+ */
 export function expectSame(comparisons: readonly Comparison[]): void {
   for (const { changed, masked, shadowed, colors, bodies, casters } of comparisons) {
     expect([changed, masked]).toEqual([0, 0]);
@@ -10,12 +13,12 @@ export function expectSame(comparisons: readonly Comparison[]): void {
     expect(bodies[0]).toBeLessThanOrEqual(bodies[1]);
     expect(casters[0]).toBeLessThanOrEqual(casters[1]);
   }
-  // Thin smoke that all lies within a view may stay whole there.
+  // Thin smoke entirely inside a view may have nothing to cull.
   expect(comparisons.some(({ bodies }) => bodies[0] < bodies[1])).toBe(true);
   expect(comparisons.some(({ casters }) => casters[0] < casters[1])).toBe(true);
 }
 
-/** The same of dense smoke, of which something is left out from wherever it is seen. */
+/** The same for dense smoke, which has hidden particles in every view. */
 export function expectSameFromLess(comparisons: readonly Comparison[]): void {
   expectSame(comparisons);
   for (const { bodies, casters } of comparisons) {

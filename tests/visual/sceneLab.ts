@@ -1,4 +1,4 @@
-/** A scene of the demo with its simulator, drawn without the edge filter, for any camera: flat colours to reason about. */
+/** A scene of the demo with its simulator, drawn for any camera without the edge filter, so that colours are flat. */
 import { PerspectiveCamera, Vector3, type Box3, type Camera } from 'three';
 import { createDevice } from '../../src/device/device.ts';
 import { widestLine } from '../../src/passes/ink.ts';
@@ -22,21 +22,21 @@ const SMALL: Values = { 'simulation.maxParticles': 800 };
 export interface SceneChoice {
   width: number;
   height: number;
-  /** On top of the scene's own. */
+  /** Override the scene's values. */
   values?: Values;
-  /** Keeps the parts that turn by themselves as they are turned at the start. */
+  /** Stops self-rotating parts at their initial angle. */
   holdsRotations?: boolean;
 }
 
 export interface FrameOptions {
   camera?: Camera;
-  /** Leaves out what cannot show. */
+  /** Culls hidden particles. */
   cull?: boolean;
   /** Also reads the stencil. */
   readCounts?: boolean;
-  /** Leaves out all smoke. */
+  /** Draws no smoke. */
   isBare?: boolean;
-  /** Between the step before (0) and now (1). */
+  /** Between the previous step (0) and the current one (1). */
   blend?: number;
 }
 
@@ -67,7 +67,7 @@ export class SceneLab {
     this.smoke.passes.resolve.smoothEdges = false;
   }
 
-  /** @param preset name of a preset, which is a scene's for its first one */
+  /** @param preset name of a preset; a scene has the name of its first preset */
   static async create(preset: string, choice: SceneChoice): Promise<SceneLab> {
     const values = { ...presetValues(findPreset(preset)!), ...SMALL, ...choice.values };
     const { load, hasRigids } = sceneNamed(values.scene as string);
@@ -80,13 +80,13 @@ export class SceneLab {
     return this.simulation.simulator;
   }
 
-  /** The colour of lines as it stands in pictures. */
+  /** The colour of lines in pictures. */
   get ink(): number {
     const [red, green, blue] = this.style.inkColor;
     return (255 << 24) | (blue << 16) | (green << 8) | red;
   }
 
-  /** Width of lines where they are widest, pixels. */
+  /** Largest line width, pixels. */
   get widestLine(): number {
     const { pixels, swell } = inkLineOf(this.style, 1);
     return widestLine(pixels, swell);
@@ -136,7 +136,7 @@ export class SceneLab {
     };
   }
 
-  /** The scene's camera, or one that differs from it: angles in radians, lengths in metres. */
+  /** The scene's camera, with optional changes: angles in radians, lengths in metres. */
   camera(changed: Partial<CameraPose> = {}): PerspectiveCamera {
     const { target, azimuth, elevation, distance, fieldOfView } = { ...this.scene.camera, ...changed };
     const camera = new PerspectiveCamera((fieldOfView * 180) / Math.PI, this.width / this.height, 0.1, 100);
@@ -146,14 +146,14 @@ export class SceneLab {
     return camera;
   }
 
-  /** Boxes of the surfaces as they stand after the latest step, world space. */
+  /** Bounding boxes of the surfaces after the latest step, world space. */
   surfaceBoxes(): Box3[] {
     const { rigids, parts = [] } = this.frame();
     this.smoke.passes.placeSurfaces(rigids, parts);
     return this.smoke.passes.surfaces.worldBoxes();
   }
 
-  /** Pixels that a metre spans where it comes nearest to the eye. */
+  /** Pixels per metre at the distance `nearest` from the eye, metres. */
   pixelsPerMetre(nearest: number): number {
     return this.height / (2 * Math.tan(this.scene.camera.fieldOfView / 2) * nearest);
   }

@@ -3,7 +3,7 @@ import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 
 type Triple = readonly [number, number, number];
 
-/** A horizontal square that receives shadow and throws none. */
+/** A horizontal square that receives shadow and casts none. */
 export function ground(y: number, half: number): SurfaceDescription {
   const mesh = {
     positions: new Float32Array([-half, y, -half, half, y, -half, half, y, half, -half, y, half]),

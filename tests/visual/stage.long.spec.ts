@@ -1,4 +1,4 @@
-/** What takes long of stages; stage.spec.ts has the same with fewer. */
+/** Long tests of stages; stage.spec.ts has shorter versions. */
 import { test } from '../support/fixtures.ts';
 import { expectGone } from './stageEnds.ts';
 

@@ -78,7 +78,7 @@ test.describe('loss', () => {
     expect(report).toEqual({ changed: 0, sameHash: true, rejected: true });
   });
 
-  // More than the sixteen contexts that a browser lets live at a time.
+  // More than the browser's limit of sixteen live contexts.
   test('a canvas on which a stage was disposed serves no other, in words', async ({ load }) => {
     const cases = await load<Devices>(DEVICES);
     expect(await cases.evaluate((module) => module.useCanvasAgain())).toMatch(/^ContextError: .*use another canvas/);
@@ -101,7 +101,7 @@ test('a take on another stage has the same hashes and the same picture', async (
   const { hashes, rates, inputs, changed } = await cases.evaluate((module) => module.replayTake());
   expect(hashes[1]).toBe(hashes[0]);
   expect(rates).toEqual([rates[0], rates[0], 60]);
-  // Rate, nudge, blow, steer, and that the spring let go of what had been nudged.
+  // Rate, nudge, blow, steer, and the release by the spring after the nudge.
   expect(inputs).toEqual([5, 5]);
   expect(changed).toBe(0);
 });

@@ -4,14 +4,14 @@ import type { LoadModule } from '../support/modules.ts';
 
 type Devices = typeof import('./cases/stageDevices.ts');
 
-/** Stages after which the modules hold what they keep for all stages, and most functions are compiled. */
+/** Stages to create first, so that modules fill their caches and most functions are compiled. */
 const WARM_UP = 2;
-/** By so many bytes for each stage may arrays and objects grow together. */
+/** Limit for the growth of arrays and objects together, bytes per stage. */
 const MAX_BYTES = 500;
 
 /**
- * Makes and ends stages, one after the other, between two snapshots of the heap: their contexts are gone, and of no class
- * live as many more as there were stages. One small object left by each stage fails.
+ * Creates and disposes stages one by one between two heap snapshots. Expects their contexts to be lost, and no class to
+ * grow by one instance per stage. One small object leaked by each stage fails.
  */
 export async function expectGone(load: LoadModule, page: Page, stages: number): Promise<void> {
   const cases = await load<Devices>('/tests/visual/cases/stageDevices.ts');
@@ -37,7 +37,7 @@ export async function expectGone(load: LoadModule, page: Page, stages: number): 
   expect(after.bytes - before.bytes).toBeLessThan(stages * MAX_BYTES);
 }
 
-/** As V8 writes it: numbers one after the other for each node and each edge. */
+/** V8's format: consecutive numbers for each node and each edge. */
 interface HeapSnapshot {
   snapshot: { meta: { node_fields: string[]; node_types: [string[]]; edge_fields: string[] } };
   nodes: number[];
@@ -46,9 +46,9 @@ interface HeapSnapshot {
 }
 
 interface Heap {
-  /** How many objects, functions and resources of WebGL live, by the names of their classes. */
+  /** Live objects, functions and WebGL resources, by class name. */
   objects: Map<string, number>;
-  /** That these and their arrays take. */
+  /** Size of the objects and their arrays, bytes. */
   bytes: number;
 }
 
@@ -72,7 +72,7 @@ function heapOf({ snapshot: { meta }, nodes, edges, strings }: HeapSnapshot): He
   const patterns = new Set<number>();
   for (let at = 0, edge = 0; at < nodes.length; at += width) {
     const end = edge + edgeWidth * nodes[at + edgeCount];
-    // What the engine copies literals from.
+    // The engine copies literals from allocation sites.
     if (strings[nodes[at + 1]] === 'system / AllocationSite') {
       for (; edge < end; edge += edgeWidth) patterns.add(edges[edge + toNode]);
     }

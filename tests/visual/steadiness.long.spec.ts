@@ -5,7 +5,7 @@ type Cases = typeof import('./cases/steadiness.ts');
 const CASES = '/tests/visual/cases/steadiness.ts';
 
 /**
- * Pixels of an area that may come or go at once: slivers of light, shadow and ink from behind a lobe are born so. A puff
+ * Pixels of an area that may appear or vanish at once: slivers of light, shadow and ink from behind a lobe do. A puff
  * of the lamp covers about 300.
  */
 const SLIVER = 12;

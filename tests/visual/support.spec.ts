@@ -1,4 +1,4 @@
-/** Shows that the common ground of the browser tests fails when it should. */
+/** The shared fixtures of the browser tests fail when they should. */
 import { PNG } from 'pngjs';
 import { watchConsoleErrors } from '../support/consoleErrors.ts';
 import { expect, test } from '../support/fixtures.ts';

@@ -3,7 +3,7 @@ import { expect, test } from '../support/fixtures.ts';
 type Cases = typeof import('./cases/ballShadows.ts');
 const CASES = '/tests/visual/cases/ballShadows.ts';
 
-/** Shadows of whole puffs are compared in reference.spec.ts. */
+/** reference.spec.ts compares the shadows of whole puffs. */
 test('a puff of one lobe throws the shadow of a ball, wherever the light and the eye stand', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   for (const view of ['ordinary', 'backlit', 'besideEye', 'lamp', 'lampOrthographic'] as const) {

@@ -1,4 +1,4 @@
-/** A ball as a binary glTF file, for model-viewer: as plain as a model can be. */
+/** A ball as a binary glTF file: a minimal model for model-viewer. */
 
 const [ACROSS, DOWN] = [32, 16];
 const [ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER, FLOAT, UNSIGNED_SHORT] = [34962, 34963, 5126, 5123];
@@ -24,7 +24,11 @@ function grid(columns, rows) {
   return Array.from({ length: columns * rows }, (_, index) => [index % columns, Math.floor(index / columns)]);
 }
 
-/** On the unit ball. @param {number} around 0 to 1 @param {number} down 0 to 1 */
+/**
+ * On the unit sphere.
+ * @param {number} around 0 to 1
+ * @param {number} down 0 to 1
+ */
 function pointAt(around, down) {
   const [angle, fall] = [2 * Math.PI * around, Math.PI * down];
   return [Math.sin(fall) * Math.cos(angle), Math.cos(fall), -Math.sin(fall) * Math.sin(angle)];
@@ -39,7 +43,7 @@ function describe(places, order) {
     scene: 0,
     scenes: [{ nodes: [0] }],
     nodes: [{ mesh: 0 }],
-    // A ball's normals are its places.
+    // The normals of a unit sphere are its positions.
     meshes: [{ primitives: [{ attributes: { POSITION: 0, NORMAL: 0 }, indices: 1 }] }],
     accessors: [vectors, { bufferView: 1, componentType: UNSIGNED_SHORT, count: order / 2, type: 'SCALAR' }],
     bufferViews: [
@@ -50,7 +54,10 @@ function describe(places, order) {
   };
 }
 
-/** @param {object} description @param {Buffer} binary a whole number of words */
+/**
+ * @param {object} description
+ * @param {Buffer} binary length is a multiple of 4
+ */
 function packed(description, binary) {
   const text = JSON.stringify(description);
   const json = Buffer.from(text.padEnd(Math.ceil(text.length / 4) * 4));

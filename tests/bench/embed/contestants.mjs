@@ -1,10 +1,12 @@
-/** The same page five times: with nothing on it, with our element in both ways, and with what others put there. */
+/**
+ * Five variants of a page: empty, with our element in a worker and on the main thread, and with two other libraries.
+ */
 
 import { PEERS, SCRIPTS } from './peers.mjs';
 
-/** Circles of tsParticles: as many as puffs live in the wisp, and they move as it does. */
+/** Number of tsParticles circles: as many as living puffs of the wisp, with the same motion. */
 export const CIRCLES = 110;
-/** CSS pixels: forty fit into the view. */
+/** CSS pixels. Forty widgets fit into the viewport. */
 const [WIDTH, HEIGHT] = [160, 96];
 export const VIEW = { width: 1280, height: 720 };
 
@@ -13,7 +15,7 @@ export const VIEW = { width: 1280, height: 720 };
  * @property {string} name
  * @property {string} head
  * @property {(index: number) => string} widget
- * @property {string} [event] that a widget has when its first picture stands
+ * @property {string} [event] that a widget fires with its first picture
  */
 
 /** @type {Contestant[]} */
@@ -47,7 +49,11 @@ function ours(thread) {
   };
 }
 
-/** An article with widgets at its head, and enough below them to scroll them away. @param {Contestant} contestant @param {number} count */
+/**
+ * An article that starts with widgets, with enough text below to scroll them out of view.
+ * @param {Contestant} contestant
+ * @param {number} count
+ */
 export function pageOf({ head, widget }, count) {
   const widgets = Array.from({ length: count }, (_, index) => widget(index)).join('');
   const text = '<p>Somebody writes about something else, and goes on for long.</p>'.repeat(200);
@@ -56,7 +62,7 @@ export function pageOf({ head, widget }, count) {
     <script>window.circles = ${CIRCLES}</script>${head}<body style="margin: 0"><div id="widgets" style="font-size: 0">${widgets}</div>${text}`;
 }
 
-/** Runs in the page: soft circles that rise, in every box. */
+/** Runs in the page: soft circles that rise in every box. */
 async function startParticles() {
   const { tsParticles, loadSlim, circles } = /** @type {any} */ (window);
   await loadSlim(tsParticles);

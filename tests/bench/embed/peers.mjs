@@ -1,4 +1,4 @@
-/** What other people's pages use in our place, as npm has it: fetched for this bench alone, in these versions. */
+/** Comparable libraries from npm, in fixed versions, installed for this benchmark only. */
 
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -10,7 +10,7 @@ export const VERSIONS = { '@google/model-viewer': '4.4.0', '@tsparticles/slim': 
 /** Relative to the root. */
 export const PEERS = '.cache/bench-embed';
 
-/** Scripts with all that they need inside, by which their authors tell pages to use them. */
+/** Self-contained scripts, which their documentation recommends for pages. */
 export const SCRIPTS = {
   modelViewer: `${PEERS}/node_modules/@google/model-viewer/dist/model-viewer.min.js`,
   tsParticles: `${PEERS}/node_modules/@tsparticles/slim/tsparticles.slim.bundle.min.js`,
@@ -23,7 +23,7 @@ export async function bringPeers(say) {
   const folder = inRoot(PEERS);
   mkdirSync(folder, { recursive: true });
   writeFileSync(join(folder, 'package.json'), JSON.stringify({ private: true, dependencies: VERSIONS }));
-  // Their scripts bring three.js of their own: what they would have beside them is not needed.
+  // The scripts bundle three.js, so peer dependencies are not needed.
   const parameters = ['install', '--legacy-peer-deps', '--ignore-scripts', '--no-audit', '--no-fund'];
   const { status, output } = await run('npm', parameters, { folder, onLine: say });
   if (status !== 0) throw new UserError('model-viewer and tsParticles could not be fetched from npm.', output);

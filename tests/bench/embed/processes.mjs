@@ -1,4 +1,4 @@
-/** What the processes of a browser cost: its page's, in which its worker runs, too, and the one that draws. */
+/** Cost of a browser's processes: the renderer process, including its worker, and the GPU process. */
 
 import { readFileSync } from 'node:fs';
 
@@ -6,8 +6,8 @@ const COUNTED = ['renderer', 'GPU'];
 
 /**
  * @typedef {object} Cost
- * @property {number} seconds of a processor so far
- * @property {number | undefined} megabytes of memory of their own; only Linux tells
+ * @property {number} seconds of CPU time so far
+ * @property {number | undefined} megabytes of private memory; Linux only
  */
 
 /** @param {import('@playwright/test').CDPSession} session with the browser @returns {Promise<Cost>} */
@@ -21,7 +21,10 @@ export async function costOf(session) {
   };
 }
 
-/** @param {number} id of a process @returns {any} megabytes that no file stands behind; undefined where nobody tells */
+/**
+ * @param {number} id of a process
+ * @returns {any} megabytes of anonymous memory; undefined where unsupported
+ */
 function memoryOf(id) {
   try {
     return Number(/^RssAnon:\s+(\d+) kB/m.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1]) / 1000;

@@ -1,4 +1,4 @@
-/** Figures of what was measured, and what is not the same in them. */
+/** The results as figures, with notes about unequal work. */
 
 import { spread } from '../support/spread.mjs';
 import { TRIANGLES } from './ball.mjs';
@@ -8,14 +8,14 @@ import { CIRCLES } from './contestants.mjs';
  * @typedef {import('../../../scripts/bench/table.mjs').Figure} Figure
  * @typedef {import('./visit.mjs').Window} Window
  *
- * @typedef {object} Measured What was found of one contestant with one number of widgets.
+ * @typedef {object} Measured Results of one contestant with one number of widgets.
  * @property {string} name
  * @property {number} count
- * @property {{ file: string, bytes: number }[]} files as they came over the wire
+ * @property {{ file: string, bytes: number }[]} files with their size on the wire
  * @property {import('./visit.mjs').Loaded[]} loads
  * @property {Window[]} seen
  * @property {Window[]} unseen
- * @property {number | undefined} megabytes more than the page takes without widgets
+ * @property {number | undefined} megabytes more than the page without widgets
  */
 
 const OURS = 'worker';
@@ -40,7 +40,11 @@ const UNEQUAL = {
   modelViewer: `a ball of ${TRIANGLES} triangles that turns, lit by a map, without simulation; on one context as we are`,
 };
 
-/** Ours in a worker has the plain name. @param {string} stem @param {Measured} of */
+/**
+ * The element in a worker has the name without a suffix.
+ * @param {string} stem
+ * @param {Measured} of
+ */
 function nameOf(stem, { name, count }) {
   return `embed.${stem}${name === OURS ? '' : `.${name}`}${count === 1 ? '' : `.${count}`}`;
 }
@@ -73,7 +77,10 @@ function mainThread(measured) {
   return [{ name: nameOf('mainThreadMs', measured), unit: 'ms', ...spread(perFrame(measured)), note }];
 }
 
-/** Round by round. @param {Measured} measured */
+/**
+ * By round.
+ * @param {Measured} measured
+ */
 function perFrame({ seen }) {
   return seen.map(({ mainMs, frames }) => mainMs / frames);
 }
@@ -88,7 +95,10 @@ function processor(measured) {
   ];
 }
 
-/** Percents of a core. @param {Window} window */
+/**
+ * Percent of a core.
+ * @param {Window} window
+ */
 function shareOf({ processorSeconds, seconds }) {
   return (100 * processorSeconds) / seconds;
 }
@@ -111,9 +121,13 @@ function memory(measured) {
 }
 
 /**
- * Ours divided by theirs, with one widget, round by round.
+ * Our value divided by the other one, with one widget, by round.
  *
- * @param {Measured[]} all @param {string} other @param {string} name @param {string} unequal @returns {Figure[]}
+ * @param {Measured[]} all
+ * @param {string} other
+ * @param {string} name
+ * @param {string} unequal
+ * @returns {Figure[]}
  */
 function versus(all, other, name, unequal) {
   const single = (/** @type {string} */ wanted) => all.find((each) => each.name === wanted && each.count === 1);

@@ -1,4 +1,4 @@
-/** A page with widgets in a browser of its own, which can be measured while they are seen and while they are not. */
+/** A page with widgets in a separate browser, measured in and out of view. */
 
 import { setTimeout as pause } from 'node:timers/promises';
 import { chromium } from '@playwright/test';
@@ -7,22 +7,22 @@ import { VIEW } from './contestants.mjs';
 import { costOf } from './processes.mjs';
 
 const SETTLING_MS = 500;
-/** Of a processor: what a browser takes for itself. */
+/** Share of a core that an idle browser uses. */
 const RESTING_SHARE = 0.1;
-/** With what is drawn slowly, and with what was not drawn yet. */
+/** Timeouts for slow frames, and for the first frame. */
 const TIMEOUT_MS = 20_000;
 const LONG_TIMEOUT_MS = 120_000;
 
 /**
  * @typedef {object} Window
  * @property {number} seconds
- * @property {number} frames that were begun, whichever thread draws
+ * @property {number} frames that were started, on either thread
  * @property {number} mainMs milliseconds of work on the page's main thread
- * @property {number} processorSeconds of the page's process and the one that draws
+ * @property {number} processorSeconds of the renderer process and the GPU process
  *
  * @typedef {object} Loaded
  * @property {number} first ms from the navigation to the first picture of a widget
- * @property {number} all ms until all have theirs
+ * @property {number} all ms until all widgets have a picture
  */
 
 export class Visit {
@@ -38,9 +38,11 @@ export class Visit {
   }
 
   /**
-   * Opens a page as somebody does who was never there, and waits until all widgets stand.
+   * Opens a page with an empty cache and waits until all widgets are ready.
    *
-   * @param {string} address @param {string | undefined} event @param {number} count of widgets
+   * @param {string} address
+   * @param {string | undefined} event
+   * @param {number} count of widgets
    * @returns {Promise<Loaded>}
    */
   async load(address, event, count) {
@@ -62,9 +64,11 @@ export class Visit {
   }
 
   /**
-   * With the widgets in view: so long at least, and until so many frames were drawn, and on a slow machine not much longer.
+   * With the widgets in view: at least `ms`, then until `frames` frames are drawn, for at most 20 s in total.
    *
-   * @param {number} frames @param {number} ms @returns {Promise<Window>}
+   * @param {number} frames
+   * @param {number} ms
+   * @returns {Promise<Window>}
    */
   async measureSeen(frames, ms) {
     await this.scroll(0);
@@ -78,9 +82,10 @@ export class Visit {
   }
 
   /**
-   * With the widgets out of view, once they have come to rest, or have had time enough for it.
+   * With the widgets out of view, after they are idle or a timeout.
    *
-   * @param {number} ms @returns {Promise<Window>}
+   * @param {number} ms
+   * @returns {Promise<Window>}
    */
   async measureUnseen(ms) {
     await this.scroll(1);
@@ -90,7 +95,11 @@ export class Visit {
     return this.measure(ms);
   }
 
-  /** What asks the page for its frames stands outside of what is measured of it. @param {number} ms @returns {Promise<Window>} */
+  /**
+   * Reading the frame counts is outside the measured interval.
+   * @param {number} ms
+   * @returns {Promise<Window>}
+   */
   async measure(ms) {
     const framesBefore = await this.frames();
     const before = await this.state();
@@ -129,10 +138,10 @@ export class Visit {
     return { cost: await costOf(this.session), taskSeconds, seconds: performance.now() / 1000 };
   }
 
-  /** Drawn so far, on whichever thread. */
+  /** Frames drawn so far, on either thread. */
   async frames() {
     const page = this.openPage();
-    // The page is asked only where it draws itself.
+    // Query the page only if there is no worker.
     const [worker] = page.workers();
     return worker ? worker.evaluate(framesSoFar) : page.evaluate(framesSoFar);
   }
@@ -153,18 +162,24 @@ function together(one, other) {
   };
 }
 
-/** The process that draws may still have work when the page asks for no more. @param {Window} window */
+/**
+ * The GPU process may still be busy after the page's last request.
+ * @param {Window} window
+ */
 function isAtRest({ seconds, frames, processorSeconds }) {
   return frames === 0 && processorSeconds < RESTING_SHARE * seconds;
 }
 
-/** Runs in a page before anything of it: notes when widgets stand, and why they do not. @param {string | undefined} event */
+/**
+ * Runs in a page before its scripts: records when widgets are ready, and why they fail.
+ * @param {string | undefined} event
+ */
 function watch(event) {
   const scope = /** @type {any} */ (window);
   scope.arrivals = [];
   const isWidget = (/** @type {Event} */ { target }) => target instanceof Element && target.matches('.widget');
   const arrive = (/** @type {Event} */ happened) => {
-    // Presented by the time the next frame begins.
+    // The picture is presented when the next frame begins.
     if (isWidget(happened)) requestAnimationFrame(() => scope.arrivals.push(performance.now()));
   };
   const fail = (/** @type {any} */ happened) => {
@@ -174,14 +189,18 @@ function watch(event) {
   document.addEventListener('error', fail, true);
 }
 
-/** Runs in a page: waits until as many widgets stand, or one never will. @param {number} count @returns {Promise<string | undefined>} */
+/**
+ * Runs in a page: waits until all widgets are ready, or one fails.
+ * @param {number} count
+ * @returns {Promise<string | undefined>}
+ */
 async function arrived(count) {
   const scope = /** @type {any} */ (window);
   while (scope.arrivals.length < count && !scope.failure) await new Promise(requestAnimationFrame);
   return scope.failure;
 }
 
-/** Runs on a page or in a worker: counts the frames for which anybody asked, however many asked for the same. */
+/** Runs in a page or worker: counts frames with at least one requested callback. */
 function countFrames() {
   const scope = /** @type {any} */ (globalThis);
   const ask = requestAnimationFrame.bind(globalThis);

@@ -1,10 +1,10 @@
-/** Loads the built site once, as somebody does who comes for the first time, and watches for smoke. */
+/** Loads the built site once with an empty cache, and detects the first smoke. */
 
 /**
  * @typedef {object} Load
- * @property {number} firstSmoke ms from the navigation to the presented frame that shows the first bodies
- * @property {number} stageAt ms from the navigation to a stage whose scene and simulator have come
- * @property {number} bytes of JavaScript and WASM that had come over the wire by then
+ * @property {number} firstSmoke ms from the navigation to the presented frame with the first bodies
+ * @property {number} stageAt ms from the navigation to a stage with scene and simulator
+ * @property {number} bytes of JavaScript and WASM on the wire by then
  */
 
 /**
@@ -28,7 +28,9 @@ export async function loadOnce(browser, address) {
   }
 }
 
-/** Runs in the page before anything of it: notes when its stage is there, and when the frame after the first bodies begins. */
+/**
+ * Runs in the page before its scripts: records when the stage exists, and when the frame after the first bodies begins.
+ */
 function watch() {
   Object.defineProperty(window, 'cartoonSmoke', {
     configurable: true,
@@ -38,7 +40,7 @@ function watch() {
       const end = stage.on('frame', (/** @type {{ bodiesDrawn: number }} */ { bodiesDrawn }) => {
         if (bodiesDrawn === 0) return;
         end();
-        // A frame is presented by the time the next one begins.
+        // A frame is presented when the next one begins.
         requestAnimationFrame(() => {
           const firstSmoke = performance.now();
           const code = performance.getEntriesByType('resource').filter(({ name }) => /\.(js|wasm)$/.test(name));

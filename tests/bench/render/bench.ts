@@ -1,4 +1,4 @@
-/** The product's own frame over the seeded plume, and its passes one at a time. */
+/** The production frame with the seeded plume, and its passes one at a time. */
 import { Matrix4, PerspectiveCamera, type Camera } from 'three';
 import { createDevice } from '../../../src/device/device.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
@@ -17,7 +17,7 @@ export const WIDTH = 640;
 export const HEIGHT = 360;
 export const PARTICLES = 3000;
 
-/** A table under the plume and a ball beside it: surfaces and casters that no scene of the demo changes. */
+/** A table below the plume and a ball next to it: surfaces and casters independent of the demo's scenes. */
 export const SURROUNDINGS: Omit<SmokeOptions, 'capacity'> = {
   surfaces: [
     { name: 'table', mesh: tableMesh(1.75, 0.12), color: [178, 92, 96], casts: false, inked: true },
@@ -38,7 +38,7 @@ export class RenderBench {
   readonly device = createDevice(new OffscreenCanvas(1, 1));
   readonly smoke: SmokeRenderer;
   readonly simulator: Simulator;
-  /** A change needs a new object. */
+  /** Assign a new object to change it. */
   style: Style = PLAIN_STYLE;
   private readonly width: number;
   private readonly height: number;
@@ -55,11 +55,11 @@ export class RenderBench {
     this.smoke = new SmokeRenderer(this.device, { capacity: particles, ...SURROUNDINGS });
   }
 
-  /** A picture of the suite's shape, smaller where only its rows matter. */
+  /** A picture with the suite's aspect ratio, smaller where only its rows matter. */
   static async create(scale = 1, particles = PARTICLES, smoke = seededPlume): Promise<RenderBench> {
     const factory = await loadSimulators({ physics: false });
     const simulator = factory.create({ capacity: particles, seed: 1 });
-    // The paper's law, by which particles are born full.
+    // The paper's equations, with which particles spawn at full size.
     simulator.set({ 'emission.rate': 0, 'emission.growthTime': 0, 'simulation.integrator': 1 });
     simulator.restore(withParticles(simulator, smoke(particles, 9)));
     return new RenderBench(simulator, particles, WIDTH * scale, HEIGHT * scale);
@@ -73,14 +73,14 @@ export class RenderBench {
     return this.smoke.draw({ ...this.input(cull), camera });
   }
 
-  /** The first half of a frame, which draws nothing. */
+  /** The first half of a frame, without drawing. */
   arrange(cull: boolean): FrameReport {
     return this.smoke.arrange(this.input(cull));
   }
 
   /**
-   * Milliseconds of a frame and of three of its passes, all within the same frame. Waiting for each pass costs the frame
-   * some tenths of a millisecond, and takes nothing from it, since SwiftShader draws one thing after the other anyway.
+   * Milliseconds of a frame and of three of its passes, all in the same frame. The wait after each pass costs some
+   * tenths of a millisecond. It does not remove parallelism, because SwiftShader executes draw calls one by one.
    */
   timeFrame(cull: boolean): FrameTimes {
     const times: FrameTimes = { bodies: 0, volumes: 0, resolve: 0, frame: 0 };
@@ -91,12 +91,12 @@ export class RenderBench {
       pass.draw = (...all) => (times[name] = this.timeDrawing(() => draw(...all)));
     }
     times.frame = this.timeDrawing(() => this.draw(cull));
-    // What was set on the passes hid the methods of their classes.
+    // The instance properties hid the methods of the passes' classes.
     for (const pass of Object.values(watched)) Reflect.deleteProperty(pass, 'draw');
     return times;
   }
 
-  /** x, y, z and radius of every puff, culled or not. */
+  /** x, y, z and radius of every puff, without culling. */
   places(): Float32Array {
     this.draw(false);
     const { geometry, count } = this.smoke.passes.bodies;
@@ -110,12 +110,12 @@ export class RenderBench {
     return pixels;
   }
 
-  /** Waits until everything has been drawn: only a pixel that is asked for makes the browser wait, finish() does not. */
+  /** Waits until all draw calls are complete. Only reading a pixel blocks; finish() does not. */
   private sync(): void {
     this.context.readPixels(0, 0, 1, 1, this.context.RGBA, this.context.UNSIGNED_BYTE, this.pixel);
   }
 
-  /** Milliseconds until what `draw` asked for has been drawn, with nothing else under way. */
+  /** Milliseconds until the draw calls of `draw` are complete, starting with an idle GPU. */
   timeDrawing(draw: () => void): number {
     this.sync();
     const start = performance.now();
@@ -147,7 +147,9 @@ export class RenderBench {
   }
 }
 
-/** As far from the plume as the demo is from its own; the upper third leaves the picture to the right. */
+/**
+ * At the same distance from the plume as in the demo. The upper third of the plume is outside the picture on the right.
+ */
 function frontCamera(): PerspectiveCamera {
   const camera = new PerspectiveCamera(33, WIDTH / HEIGHT, 0.1, 100);
   camera.position.set(-1.3, 1.9, 6.6);

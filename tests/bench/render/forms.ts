@@ -1,4 +1,4 @@
-/** render.lobes: what bodies cost as lobes and as baked billboards, of the same rows, in turns. */
+/** render.lobes: cost of bodies as lobes and as baked billboards, with the same rows, in turns. */
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
@@ -6,7 +6,7 @@ import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { HEIGHT, RenderBench, WIDTH } from './bench.ts';
 import { countFragments, type Fragments } from './fragments.ts';
 
-/** What one form was seen to do. */
+/** Results of one form. */
 interface Side {
   form: PuffForm;
   style: Style;
@@ -18,7 +18,7 @@ interface Side {
 export async function measureForms(quick: boolean): Promise<Figure[]> {
   const bench = await RenderBench.create();
   const [lobes, billboards] = [look(bench, 'lobes'), look(bench, 'billboards')];
-  // Unculled, since the two forms hide differently much.
+  // Unculled, because the forms hide different numbers of bodies.
   const same = lobes.bodiesDrawn === billboards.bodiesDrawn;
   demand(same, `${lobes.bodiesDrawn} bodies of lobes and ${billboards.bodiesDrawn} billboards`);
   const rounds = quick ? 5 : 11;

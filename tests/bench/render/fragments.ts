@@ -1,4 +1,4 @@
-/** Counts fragments: draws a pass once more, each fragment adding one to its pixel, and sums the picture. */
+/** Counts fragments: draws a pass once more with additive blending of 1 per fragment, and sums the picture. */
 import {
   Camera,
   CustomBlending,
@@ -14,17 +14,17 @@ import {
   type WebGLRenderer,
 } from 'three';
 
-/** What a pass covers. */
+/** The fragments of a pass. */
 export interface Fragments {
-  /** Fragments that the shader ran for. */
+  /** Invocations of the fragment shader. */
   rasterised: number;
-  /** Those of them that were not discarded; depth and stencil are not asked. */
+  /** Fragments that are not discarded, without depth and stencil test. */
   kept: number;
 }
 
 /**
- * @param geometry as filled for the last frame
- * @param material the pass's own, with the uniforms of the last frame
+ * @param geometry with the data of the last frame
+ * @param material of the pass, with the uniforms of the last frame
  */
 export function countFragments(
   renderer: WebGLRenderer,
@@ -40,7 +40,7 @@ export function countFragments(
 
 const ONE_EACH = 'precision highp float; layout(location = 0) out vec4 one; void main() { one = vec4(1.0); }';
 
-/** The pass's own shader, discards included, whose first output becomes 1. */
+/** The shader of the pass, including discards, with 1 as its first output. */
 function addingOne(source: string): string {
   const output = /layout\(location = 0\) out vec4 (\w+);/.exec(source)?.[1];
   const declaration = output === undefined ? 'layout(location = 0) out vec4 one;' : '';

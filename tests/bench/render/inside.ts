@@ -1,4 +1,4 @@
-/** render.inside: the frame with the eye in the middle of the plume, where each near volume may cover the whole picture. */
+/** render.inside: the frame with the camera inside the plume, where each near volume may cover the whole picture. */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { HEIGHT, PARTICLES, RenderBench, WIDTH } from './bench.ts';
 import { countFragments } from './fragments.ts';
@@ -30,7 +30,7 @@ export async function measureInside(quick: boolean): Promise<Figure[]> {
   ];
 }
 
-/** Draws once from where the camera is, which also compiles the programs. */
+/** Draws once with the current camera, which also compiles the programs. */
 function lookFrom(bench: RenderBench) {
   bench.camera.updateMatrixWorld();
   const { bodiesDrawn, castersDrawn } = bench.draw(true);

@@ -1,4 +1,4 @@
-/** memory.*: what a particle takes, and that stepping and arranging take nothing. */
+/** memory.*: bytes per particle, and no allocation by step and arrange. */
 import { loadSimulators, SimulatorFactory } from '../../../src/sim/load.ts';
 import type { Simulator, SimulatorModule } from '../../../src/sim/simulator.ts';
 import * as rigidNumbers from '../../../src/sim/rigidNumbers.ts';
@@ -10,7 +10,7 @@ const CAPACITY_STEP = 100_000;
 const CAPACITIES = 6;
 const ROUNDS = 5;
 const STEPS = 400;
-/** Few enough that no collection falls into them. */
+/** Few enough that no garbage collection occurs. */
 const UNCOLLECTED_STEPS = 100;
 
 const VIEW: Omit<View, 'purpose'> = {
@@ -27,7 +27,7 @@ const VIEWS: readonly View[] = [
   { ...VIEW, purpose: 'light' },
 ];
 
-/** A fountain that is as full as it gets, with births, deaths and all forces. */
+/** A fountain at its maximum number of particles, with spawns, expiry and all forces. */
 const FOUNTAIN = {
   'emission.rate': 4000,
   'emission.lifetime': 2,
@@ -43,7 +43,7 @@ export async function measureMemory(): Promise<Figure[]> {
   return [await bytesOfParticle(), ...(await perStep())];
 }
 
-/** Each capacity in a WASM memory of its own: in a shared one the next simulator would fill the gaps of the last. */
+/** Each capacity in a separate WASM memory: in a shared one the next simulator would reuse freed memory. */
 async function bytesOfParticle(): Promise<Figure> {
   const sizes: number[] = [];
   for (let number = 1; number <= CAPACITIES; number++) {
@@ -59,7 +59,7 @@ async function bytesOfParticle(): Promise<Figure> {
   return figure('memory.wasm', 'B', rounds, note);
 }
 
-/** A copy of the module that shares nothing: browsers take another query for another module. */
+/** A separate module instance: browsers treat another query as another module. */
 async function freshFactory(number: number): Promise<SimulatorFactory> {
   const folder = '/src/sim/wasm/physics';
   const [bindings, response] = await Promise.all([
@@ -102,7 +102,7 @@ async function perStep(): Promise<Figure[]> {
   ];
 }
 
-/** A full simulator among moving rigids. */
+/** A full simulator with moving rigids. */
 function makeBusy(factory: SimulatorFactory): { simulator: Simulator; swing: () => void } {
   const simulator = factory.create({ capacity: 6000, seed: 1 });
   simulator.set(FOUNTAIN);
@@ -119,9 +119,9 @@ function makeBusy(factory: SimulatorFactory): { simulator: Simulator; swing: () 
   return { simulator, swing };
 }
 
-/** Bytes by which the heap grows each time; garbage is collected before, and after unless told. */
+/** Bytes by which the heap grows each time, with garbage collection before, and after by default. */
 function heapGrowth(times: number, work: () => void, collected = true): number {
-  // Twice: finalisers of the first collection give the second something to find.
+  // Twice, because finalizers of the first collection create garbage for the second.
   const settle = () => [collect(), collect()];
   work();
   settle();

@@ -1,11 +1,11 @@
-/** render.*: milliseconds of each pass and of the whole frame, with and without arrange's culling, in turns. */
+/** render.*: milliseconds of each pass and of the whole frame, with and without the culling of `arrange`, in turns. */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { HEIGHT, PARTICLES, RenderBench, WIDTH, type FrameTimes } from './bench.ts';
 import { countFragments, type Fragments } from './fragments.ts';
 
 const PASSES = ['bodies', 'volumes', 'resolve', 'frame'] as const;
 
-/** What one way of drawing was seen to do. */
+/** Results of one variant. */
 interface Side {
   cull: boolean;
   times: FrameTimes[];
@@ -43,7 +43,7 @@ export async function measurePasses(quick: boolean): Promise<Figure[]> {
   ];
 }
 
-/** Draws once, which also compiles the programs, and looks at what was drawn. */
+/** Draws once, which also compiles the programs, and checks the result. */
 function look(bench: RenderBench, cull: boolean): Side {
   const { bodiesDrawn, castersDrawn } = bench.draw(cull);
   const picture = bench.picture();

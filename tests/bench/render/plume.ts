@@ -1,15 +1,18 @@
-/** The smoke that the render suite draws: seeded, and no scene of the demo, so that it stays what it is. */
+/** The smoke of the render suite: seeded and independent of the demo's scenes, so that results stay comparable. */
 import { emptyParticles, type Particles } from '../support/snapshot.ts';
 import { random } from '../../visual/random.ts';
 
-/** Seconds that the plume's particles live; the last tenth of it is not drawn, where puffs have nearly gone. */
+/**
+ * Lifetime of the plume's particles, seconds. The last tenth is not drawn, because the puffs are almost transparent
+ * there.
+ */
 const LIFETIME = 6;
 const OLDEST = 0.9;
 const VARIATIONS = 4;
 
 /**
- * A column of smoke that rises from the origin to 3.7 m, widens and drifts to the right by 4.5 m, where a camera on its
- * lower part no longer sees it. `emission.growthTime` must be 0, and the integrator the paper's.
+ * A column of smoke that rises from the origin to 3.7 m, widens and drifts 4.5 m to the right, out of the view of a
+ * camera at its lower part. Requires `emission.growthTime` 0 and the paper's integrator.
  */
 export function seededPlume(count: number, seed: number): Particles {
   const next = random(seed);
@@ -32,12 +35,12 @@ export function seededPlume(count: number, seed: number): Particles {
   return particles;
 }
 
-/** Radius, height and place of the column, and the mean radius of its puffs; metres. */
+/** Radius, height and position of the column, and the mean radius of its puffs; metres. */
 const COLUMN = { radius: 0.55, height: 3.4, x: -1.3, size: 0.2 };
 
 /**
- * A column that is so full of smoke that more puffs hardly show: upright before the bench's camera, its puffs alike at
- * all heights.
+ * A column so dense that additional puffs are almost invisible: upright in front of the benchmark's camera, with the
+ * same distribution of puffs at all heights.
  */
 export function saturatedColumn(count: number, seed: number): Particles {
   const next = random(seed);

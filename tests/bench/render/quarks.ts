@@ -1,4 +1,7 @@
-/** three.quarks drawing given puffs as particle libraries do: soft textured quads that face the eye, blended, unsorted. */
+/**
+ * three.quarks with the same puffs, drawn as particle libraries do: soft textured quads that face the camera, blended,
+ * unsorted.
+ */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -18,7 +21,7 @@ import {
 import { BatchedRenderer, ConstantValue, ParticleSystem, PointEmitter, RenderMode } from 'three.quarks';
 import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
 
-/** Texels along a side of the soft disc. */
+/** Side of the soft disc, texels. */
 const SOFT_DISC = 64;
 
 export class QuarksScene {
@@ -27,7 +30,7 @@ export class QuarksScene {
   private readonly system: ParticleSystem;
   private readonly softDisc = softDisc();
 
-  /** @param places x, y, z and radius of each puff, metres: a quad is as wide as the ball of its puff */
+  /** @param places x, y, z and radius of each puff, metres: the width of a quad is the diameter of its puff */
   constructor(places: Float32Array, surfaces: readonly SurfaceDescription[]) {
     this.system = new ParticleSystem({
       looping: false,
@@ -55,7 +58,7 @@ export class QuarksScene {
     return this.system.particleNum;
   }
 
-  /** A frame as an application draws it: buffers filled for particles that have moved, then everything to the canvas. */
+  /** A frame of an application: fills the buffers for moved particles, then draws everything to the canvas. */
   draw(renderer: WebGLRenderer, camera: PerspectiveCamera): void {
     this.batches.update(0);
     renderer.setRenderTarget(null);
@@ -64,7 +67,7 @@ export class QuarksScene {
     renderer.render(this.scene, camera);
   }
 
-  /** How many fragments its quads cover: each adds one to its pixel. */
+  /** Number of fragments of its quads, counted with additive blending. */
   countFragments(renderer: WebGLRenderer, camera: PerspectiveCamera, width: number, height: number): number {
     const target = new WebGLRenderTarget(width, height, {
       type: FloatType,
@@ -102,7 +105,7 @@ export class QuarksScene {
   }
 }
 
-/** White, its alpha falling off smoothly from the middle. */
+/** White, with an alpha that decreases smoothly from the centre. */
 function softDisc(): DataTexture {
   const texels = new Uint8Array(4 * SOFT_DISC * SOFT_DISC).fill(255);
   for (let i = 0; i < SOFT_DISC * SOFT_DISC; i++) {

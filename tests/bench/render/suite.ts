@@ -1,4 +1,4 @@
-/** What `npm run bench -- render` measures, inside one page. */
+/** The measurements of `npm run bench -- render`, in one page. */
 import type { Figure } from '../support/figures.ts';
 import { measureMemory } from './memory.ts';
 import { measureForms } from './forms.ts';

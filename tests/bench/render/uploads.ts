@@ -1,4 +1,4 @@
-/** memory.upload: bytes that reach the GPU's buffers in a frame, for each body and caster drawn. */
+/** memory.upload: bytes uploaded to GPU buffers in a frame, per drawn body and caster. */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { PARTICLES, RenderBench } from './bench.ts';
 
@@ -7,7 +7,7 @@ const FRAMES = 5;
 export async function measureUploads(): Promise<Figure[]> {
   await say('memory.upload');
   const bench = await RenderBench.create(0.1);
-  // The first frame also makes the buffers, once, with room for all.
+  // The first frame also creates the buffers once, for the full capacity.
   bench.draw(true);
   const watch = watchUploads(bench.context);
   const rounds: number[] = [];
@@ -27,7 +27,7 @@ export async function measureUploads(): Promise<Figure[]> {
   ];
 }
 
-/** Adds up what a context is given for its buffers from here on; uniforms and textures are no buffers. */
+/** Counts the bytes of buffer uploads of a context from here on; uniforms and textures do not count. */
 export function watchUploads(gl: WebGL2RenderingContext): { bytes: number } {
   const watch = { bytes: 0 };
   const { bufferData, bufferSubData } = gl;
@@ -42,11 +42,11 @@ export function watchUploads(gl: WebGL2RenderingContext): { bytes: number } {
   return watch;
 }
 
-/** Bytes of a source as WebGL reads it: a size, a buffer, or a view of which `length` elements from `offset` on count. */
+/** Bytes of a source as WebGL reads it: a size, a buffer, or `length` elements of a view from `offset` on. */
 function bytesOf(source: unknown, offset: unknown, length: unknown): number {
   if (typeof source === 'number') return source;
   if (!ArrayBuffer.isView(source)) return source instanceof ArrayBuffer ? source.byteLength : 0;
   const element = 'BYTES_PER_ELEMENT' in source ? Number(source.BYTES_PER_ELEMENT) : 1;
-  // WebGL takes 0 for the length, too, as everything that is left.
+  // For WebGL a length of 0 also means the rest of the view.
   return length ? Number(length) * element : source.byteLength - Number(offset ?? 0) * element;
 }

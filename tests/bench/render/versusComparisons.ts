@@ -1,4 +1,4 @@
-/** render.vsSelle and render.vsShadowMap: the frame against the same smoke drawn by the other cartoon renderers. */
+/** render.vsSelle and render.vsShadowMap: the frame compared with the same smoke in the comparison renderers. */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import type { Renderer, Style } from '../../../src/smoke/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';

@@ -1,4 +1,4 @@
-/** render.vsQuarks: a full cartoon frame against three.quarks' plain blended quads, of the same puffs, in turns. */
+/** render.vsQuarks: a full cartoon frame compared with blended quads of three.quarks, with the same puffs, in turns. */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { HEIGHT, RenderBench, SURROUNDINGS, WIDTH } from './bench.ts';
 import { countFragments } from './fragments.ts';
@@ -34,7 +34,7 @@ export async function measureAgainstQuarks(quick: boolean): Promise<Figure[]> {
   ];
 }
 
-/** Draws each side once, which also compiles its programs, and looks at what was drawn. */
+/** Draws each side once, which also compiles its programs, and checks the result. */
 function check(bench: RenderBench, quarks: QuarksScene): { ours: string; theirs: string } {
   const { renderer } = bench.device;
   const { bodiesDrawn, castersDrawn } = bench.draw(true);

@@ -1,18 +1,18 @@
 /**
- * How cost follows what can be seen: bodies and casters that stay of seeded plumes of 1,000 to 100,000 and what arrange
- * takes for them, and frames of plumes and of a column that is full of smoke.
+ * Cost relative to visible content: bodies and casters that remain from seeded plumes of 1,000 to 100,000 and the time
+ * of `arrange` for them, and frames of plumes and of a dense column.
  */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { HEIGHT, RenderBench, WIDTH } from './bench.ts';
 import { saturatedColumn, seededPlume } from './plume.ts';
 
-/** Of so many what stays is told; nothing of it is drawn. */
+/** Numbers of particles for `arrange` alone, without drawing. */
 const ARRANGED = [1_000, 3_000, 10_000, 30_000, 100_000];
-/** Between these counts the time for each drawn body and caster is compared. */
+/** Numbers of particles for the comparison of time per drawn body and caster. */
 const COMPARED = [5_000, 10_000, 20_000, 50_000];
 const COLUMN = [5_000, 20_000];
 
-/** What frames of one smoke took and drew. */
+/** Times and drawn rows of one smoke's frames. */
 interface Frames {
   frame: number[];
   arrange: number[];
@@ -41,7 +41,7 @@ async function drawnShareOfPlumes(rounds: number): Promise<Figure[]> {
   const figures: Figure[] = [];
   for (const count of ARRANGED) {
     const bench = await RenderBench.create(1, count);
-    // The code and its memory are warm from the second call on.
+    // The first call warms up code and memory.
     const reports = Array.from({ length: 1 + rounds }, () => bench.arrange(true)).slice(1);
     const [{ bodiesDrawn, castersDrawn }] = reports;
     const times = reports.map(({ arrangeMs }) => arrangeMs);
@@ -55,7 +55,7 @@ async function drawnShareOfPlumes(rounds: number): Promise<Figure[]> {
   return figures;
 }
 
-/** Draws smokes of all counts in turns, so that what slows the machine slows all. */
+/** Draws the smokes of all counts in turns, so that load on the machine affects all alike. */
 async function framesOf(
   name: string,
   counts: readonly number[],
@@ -92,7 +92,7 @@ function arrangeFigure({ arrange, frame }: Frames): Figure {
   return figure('render.arrange', 'x', shares, 'arrange for eye and light / frame, plume of 10,000; goal <= 0.15');
 }
 
-/** How far the dearest frame for each body and caster drawn lies above the cheapest, round by round. */
+/** The ratio of the highest to the lowest time per drawn body and caster, minus 1, by round. */
 function perDrawnFigure(plumes: readonly Frames[]): Figure {
   const spread = plumes[0].frame.map((_, round) => {
     const each = plumes.map(({ frame, bodies, casters }) => frame[round] / (bodies + casters));

@@ -1,9 +1,9 @@
-/** The smoke that both sides of sim.vsJavaScript move, and the forces that move it. */
+/** The smoke for both sides of sim.vsJavaScript, and its forces. */
 import type { Particles } from '../support/snapshot.ts';
 import { emptyParticles } from '../support/snapshot.ts';
 import { random } from '../../visual/random.ts';
 
-/** Six forces, one vortex, one octave of turbulence that evolves; no emission, no rigids. */
+/** Six forces, one vortex, one octave of evolving turbulence; no emission, no rigids. */
 export const SIX_FORCES = {
   'emission.rate': 0,
   'gravity.acceleration': 0.4,
@@ -25,14 +25,14 @@ export const SIX_FORCES = {
   'vortices.0.axis.z': 1,
 } as const;
 
-/** What the forces need to know; the same keys as the simulator's. */
+/** The parameters of the forces, with the simulator's keys. */
 export type ForceValues = Readonly<Record<keyof typeof SIX_FORCES, number>>;
 
 const HALF_SIDE = 5;
-/** Seconds; nobody dies while being measured, unless a test wants it. */
+/** Seconds. No particle expires during a measurement, unless a test sets a shorter lifetime. */
 const LIFETIME = 1000;
 
-/** Particles spread over a cube of 10 m, at rest in the air, from a seeded generator. */
+/** Seeded particles in a cube of 10 m, at rest relative to the air. */
 export function seededCloud(count: number, seed: number, lifetime = LIFETIME): Particles {
   const next = random(seed);
   const particles = emptyParticles(count);

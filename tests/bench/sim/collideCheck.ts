@@ -1,10 +1,10 @@
-/** That our collisions and Rapier's queries do the same work: both find the same particles at the same rigids. */
+/** Our collisions and Rapier's queries do the same work: both find the same particles at the same rigids. */
 import { demand } from '../support/figures.ts';
 import type { MeasuredSimulator } from './collideModule.ts';
 import { COUNT, Scene } from './collideScene.ts';
 import { RIGIDS } from './obstacles.ts';
 
-/** Metres that a particle and a rigid may come nearer to each other within a step, which only ours follows. */
+/** Largest relative motion of a particle and a rigid within a step, metres. Only our collisions handle it. */
 const WAY = 0.06;
 const WARMING_STEPS = 5;
 
@@ -12,14 +12,14 @@ const WARMING_STEPS = 5;
 export interface Work {
   /** Their box touches a rigid's. */
   asked: number;
-  /** Rapier finds them overlapping, had nobody pushed them. */
+  /** They overlap according to Rapier, in the run without collisions. */
   overlapping: number;
   pushed: number;
 }
 
 /**
- * Takes a step with and one without collisions from the same particles. Who was pushed must be near a rigid as Rapier
- * answers, who overlaps one must have been pushed, and all of them must be among those that are asked.
+ * Runs one step with collisions and one without, from the same particles. Every pushed particle must be near a rigid
+ * according to Rapier, every particle that overlaps one must be pushed, and all of them must be among the queried ones.
  *
  * @param limit Metres; the radius of the largest particle.
  */
@@ -29,7 +29,7 @@ export function compareWork(make: (capacity: number) => MeasuredSimulator, limit
   unhindered.restart();
   for (let step = 0; step < WARMING_STEPS; step++) {
     scene.step();
-    // Its air must be as old, though its particles are replaced.
+    // Keeps the age of its air equal, although its particles are replaced.
     unhindered.step();
   }
   unhindered.take(scene.particles);
@@ -59,7 +59,7 @@ export function compareWork(make: (capacity: number) => MeasuredSimulator, limit
   return work;
 }
 
-/** The limited queries must answer as the unlimited ones where it matters. */
+/** The limited queries must give the same results as the unlimited ones where it matters. */
 function demandSameDistances(
   rapier: MeasuredSimulator['rapier'],
   near: ReadonlySet<number>,

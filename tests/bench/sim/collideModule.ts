@@ -1,4 +1,4 @@
-/** The simulator with calls that measure: `cargo xtask wasm --bench` in sim-wasm. */
+/** The simulator with measuring functions: `cargo xtask wasm --bench` in sim-wasm. */
 import { SimulatorFactory } from '../../../src/sim/load.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
 import * as rigidNumbers from '../../../src/sim/rigidNumbers.ts';
@@ -6,7 +6,7 @@ import type * as Bindings from '../../../src/sim/wasm/physics/bindings.js';
 
 const FOLDER = '/sim-wasm/target/wasm/bench';
 
-/** What the measuring variant adds to a simulator; sim-wasm/bindings/src/measure.rs. */
+/** Additional functions of the measuring variant; sim-wasm/bindings/src/measure.rs. */
 interface Measuring {
   stepObserved(): Float64Array;
   findInTouchedBoxes(): Uint32Array;
@@ -18,11 +18,11 @@ interface Measuring {
 export interface Parts {
   /** Rapier's own step. */
   world: number;
-  /** All else that rigids cost: their ways, the grid, the search, the contacts. */
+  /** All other costs of rigids: motion, grid, search, contacts. */
   collision: number;
 }
 
-/** A simulator whose steps can be taken apart. */
+/** A simulator that measures the parts of its steps. */
 export class MeasuredSimulator {
   readonly simulator: Simulator;
   readonly rapier: Omit<Measuring, 'stepObserved'>;
@@ -40,7 +40,7 @@ export class MeasuredSimulator {
   }
 }
 
-/** Loads the module and returns a maker of simulators. */
+/** Loads the module and returns a function that creates simulators. */
 export async function loadMeasured(): Promise<(capacity: number) => MeasuredSimulator> {
   const bindings = (await import(/* @vite-ignore */ `${FOLDER}/bindings.js`)) as typeof Bindings;
   const bytes = await (await fetch(`${FOLDER}/bindings_bg.wasm`)).arrayBuffer();

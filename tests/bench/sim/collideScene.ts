@@ -1,4 +1,4 @@
-/** Smoke among moving rigids, whose steps are measured part by part. */
+/** Smoke among moving rigids, measured by part of the step. */
 import { emptyParticles, readParticles, withParticles, type Particles } from '../support/snapshot.ts';
 import { SIX_FORCES } from './cloud.ts';
 import type { MeasuredSimulator, Parts } from './collideModule.ts';
@@ -6,13 +6,13 @@ import { poseAt, seededSmoke, seededSwings, type Swing } from './obstacles.ts';
 
 export const COUNT = 10_000;
 const STEP = 1 / 60;
-/** Metres to where no rigid is. */
+/** Distance at which there are no rigids, metres. */
 const FAR = 500;
 
 /** The same forces as in collide.vsCompat. */
 const FORCES = { ...SIX_FORCES, 'vortices.0.circulation': 2, 'vortices.0.reach': 4 };
 
-/** 10,000 particles among rigids, and as many far away if asked. */
+/** 10,000 particles among rigids, and optionally as many far away. */
 export class Scene {
   readonly measured: MeasuredSimulator;
   private readonly swings: readonly Swing[];
@@ -45,7 +45,7 @@ export class Scene {
     return this.measured.step();
   }
 
-  /** Puts other particles in the place of its own. */
+  /** Replaces its particles. */
   take(particles: Particles): void {
     const { simulator } = this.measured;
     simulator.restore(withParticles(simulator, particles));

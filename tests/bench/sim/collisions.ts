@@ -1,4 +1,7 @@
-/** collide.near, .far, .vsNaive and .rigids1 to .rigids1000: what collisions cost, beside Rapier's queries in the same WASM. */
+/**
+ * collide.near, .far, .vsNaive and .rigids1 to .rigids1000: cost of collisions, compared with Rapier's queries in the
+ * same WASM.
+ */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { median, ratios } from '../support/statistics.ts';
 import { compareWork } from './collideCheck.ts';
@@ -6,12 +9,12 @@ import { loadMeasured } from './collideModule.ts';
 import { COUNT, Scene } from './collideScene.ts';
 import { RIGIDS } from './obstacles.ts';
 
-/** Metres; no particle is larger, so one whose centre is farther from all rigids overlaps none. */
+/** Metres. No particle is larger, so one whose centre is farther away from all rigids overlaps none. */
 const LIMIT = 0.08;
 const EVERYWHERE = 1e30;
 const CROWDS = [1, 10, 100, 1000];
 
-/** Milliseconds of a round's cheapest step: all steps do alike, and others on the machine only ever slow down. */
+/** Milliseconds of a round's fastest step: all steps do the same work, and other processes only make them slower. */
 interface Round {
   near: number;
   withFar: number;
@@ -26,7 +29,7 @@ export async function measureCollisions(quick: boolean): Promise<Figure[]> {
   const tenths = tenthsOf(COUNT);
   const rounds: Round[] = [];
   const [wanted, steps] = quick ? [5, 15] : [9, 40];
-  // The first round warms.
+  // The first round is a warm-up.
   for (let round = 0; round <= wanted; round++) {
     await say(`collisions among ${RIGIDS} rigids, round ${round} of ${wanted}`);
     const result = playRound(near, withFar, tenths, steps);
@@ -60,7 +63,9 @@ export async function measureCollisions(quick: boolean): Promise<Figure[]> {
   ];
 }
 
-/** All numbers below `count` in ten lists: queries for all of them take so long that others always come between. */
+/**
+ * All numbers below `count` in ten lists: a run with all queries is so long that other processes always interrupt it.
+ */
 function tenthsOf(count: number): Uint32Array[] {
   const size = count / 10;
   return Array.from({ length: 10 }, (_, tenth) => Uint32Array.from({ length: size }, (__, i) => tenth * size + i));

@@ -1,4 +1,6 @@
-/** Rapier's JavaScript bindings as a page would use them to ask where each particle stands, used as thriftily as they allow. */
+/**
+ * Rapier's JavaScript bindings as a page would use them to query the position of each particle, with minimal overhead.
+ */
 import RAPIER from '@dimforge/rapier3d-compat';
 import type { RigidShape } from '../../../src/sim/rigid.ts';
 import { poseAt, type Swing } from './obstacles.ts';
@@ -9,7 +11,7 @@ export class CompatWorld {
   private readonly bodies: RAPIER.RigidBody[];
   private readonly swings: readonly Swing[];
   private readonly point = { x: 0, y: 0, z: 0 };
-  /** Filled by each query: the bindings then make no new object for the answer. */
+  /** Reused for each query, so that the bindings allocate no result object. */
   private readonly answer: RAPIER.PointColliderProjection;
 
   private constructor(swings: readonly Swing[], seconds: number) {
@@ -27,7 +29,7 @@ export class CompatWorld {
     return new CompatWorld(swings, seconds);
   }
 
-  /** Takes the rigids to where they are after so many seconds, as the simulator does: by one step of the world. */
+  /** Moves the rigids to their poses after some seconds, as the simulator does: with one step of the world. */
   moveTo(seconds: number): void {
     this.bodies.forEach((body, index) => {
       const { position, rotation } = poseAt(this.swings[index], seconds);
@@ -44,10 +46,10 @@ export class CompatWorld {
   }
 
   /**
-   * One query for each particle; what a page would then do with the answers is left out.
+   * One query per particle, without further processing of the result.
    *
    * @param place rows of x, y, z and radius
-   * @returns how many centres lie inside of a rigid
+   * @returns number of centres inside a rigid
    */
   projectAll(place: Float32Array, count: number): number {
     let inside = 0;
@@ -57,7 +59,7 @@ export class CompatWorld {
     return inside;
   }
 
-  /** Metres from a point to the nearest surface; negative inside. */
+  /** Signed distance from a point to the nearest surface, metres; negative inside. */
   distance(x: number, y: number, z: number): number {
     const { point, isInside } = this.project(x, y, z);
     const distance = Math.hypot(point.x - x, point.y - y, point.z - z);
@@ -102,7 +104,7 @@ export class CompatWorld {
   }
 }
 
-// The bindings call a missing handle null, though their types do not say so.
+// The bindings use null for a missing handle, against their type declarations.
 const NO_FILTER = null as unknown as undefined;
 
 function colliderOf(shape: RigidShape): RAPIER.ColliderDesc {

@@ -1,4 +1,7 @@
-/** Ours in WASM, natively and in JavaScript, the memory pass, and two particle engines, at one number of particles. */
+/**
+ * Our simulator in WASM, native and in JavaScript, the memory pass, and two particle engines, for one number of
+ * particles.
+ */
 import { demand, say } from '../support/figures.ts';
 import { seededCloud } from './cloud.ts';
 import { meanDistance, type Contestant } from './contestant.ts';
@@ -9,10 +12,10 @@ import { Quarks } from './quarks.ts';
 import { interleave, type Costs, type Plan } from './rounds.ts';
 import { largestDifference } from './twin.ts';
 
-/** Metres, and what else a particle has: single precision at 5 m over the steps that are compared. */
+/** Positions in metres, and other values: single precision at 5 m over the compared steps. */
 const TOLERANCE = 1e-4;
 const COMPARED_STEPS = 20;
-/** Of the mean way in so many steps, an engine's and ours, one may be so many times the other. */
+/** Largest factor between the mean distances moved of an engine and of our simulator, in this number of steps. */
 const COMPARABLE = 2;
 const DISTANCE_STEPS = 120;
 const COMPARED_COUNT = 1000;
@@ -38,7 +41,9 @@ async function enter(count: number): Promise<Field> {
   };
 }
 
-/** All costs at one number of particles, after it was checked that all do the same, or what they can of it. */
+/**
+ * All costs for one number of particles, after a check that all contestants do the same work as far as they support it.
+ */
 export async function hold(count: number, plan: Plan): Promise<Costs> {
   const field = await enter(count);
   await compareOurs(field);
@@ -60,7 +65,7 @@ export async function hold(count: number, plan: Plan): Promise<Costs> {
   return costs;
 }
 
-/** In WASM and natively it must be the same to the last bit, in JavaScript up to rounding. */
+/** WASM and native must be bit-identical, JavaScript equal up to rounding. */
 async function compareOurs({ wasm, native, javaScript }: Field): Promise<void> {
   const start = wasm.particles();
   wasm.advance(COMPARED_STEPS);
@@ -76,9 +81,9 @@ async function compareOurs({ wasm, native, javaScript }: Field): Promise<void> {
 }
 
 /**
- * Engines with other laws of motion cannot end in the same places, but their particles must go about as far.
+ * Engines with other equations of motion cannot reach the same positions, but the mean distance moved must be similar.
  *
- * @returns By the engine's name, the mean way of its particles as a multiple of ours.
+ * @returns By engine name, the mean distance moved relative to ours.
  */
 export async function compareEngines(): Promise<Record<string, number>> {
   const wasm = await Wasm.create(COMPARED_COUNT);

@@ -1,20 +1,23 @@
-/** Those who are compared, behind one face. */
+/** The common interface of all contestants. */
 
-/** Holds a number of particles under the six forces and can advance them. */
+/** Holds particles under the six forces and advances them. */
 export interface Contestant {
-  /** Names its figures. */
+  /** Used in the names of its figures. */
   readonly name: string;
-  /** Goes back to the seeded particles; the engines of others go on instead, for whom that takes longer than a round. */
+  /**
+   * Resets to the seeded particles. Third-party engines continue instead, because a reset takes longer than a round.
+   */
   restart(): void | Promise<void>;
-  /** Advances by so many steps and returns the milliseconds that this took. */
+  /** Advances by this number of steps and returns the elapsed milliseconds. */
   advance(steps: number): number | Promise<number>;
-  /** Where its particles are, metres, x y z by turns; undefined for one that has only a fingerprint, or no places. */
+  /**
+   * Positions of its particles, metres, x y z interleaved; undefined for contestants with only a hash or no positions.
+   */
   places?(): Float32Array;
-  /** Gives its memory back. */
   dispose(): void;
 }
 
-/** Mean distance (m) between the places before and after; both hold the same particles in the same order. */
+/** Mean distance (m) between positions before and after, of the same particles in the same order. */
 export function meanDistance(before: Float32Array, after: Float32Array): number {
   let sum = 0;
   for (let i = 0; i < before.length; i += 3) {

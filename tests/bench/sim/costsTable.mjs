@@ -1,4 +1,4 @@
-/** The figures `sim.cost.CONTESTANT.PARTICLES` as a table: a row for each contestant, a column for each number. */
+/** The figures `sim.cost.CONTESTANT.PARTICLES` as a table: a row per contestant, a column per number of particles. */
 
 const PREFIX = 'sim.cost.';
 

@@ -1,15 +1,15 @@
-/** The same crate outside of the browser, and the memory pass on both sides: what a step in WASM could come near to. */
+/** The same crate as native code, and the memory pass in both: lower bounds for a step in WASM. */
 import { time } from '../support/figures.ts';
 import type { Contestant } from './contestant.ts';
 
-/** Sends a line to the native program (tests/bench/sim/native.mjs) and returns its answer. */
+/** Sends a line to the native program (tests/bench/sim/native.mjs) and returns its response. */
 async function order(line: string, body?: Uint8Array<ArrayBuffer>): Promise<string> {
   const response = await fetch(`/native?${encodeURIComponent(line)}`, { method: 'POST', body });
   if (!response.ok) throw new Error(`The native program gave no answer to ${line}.`);
   return response.text();
 }
 
-/** The native simulator; there is one, which holds what was loaded last. */
+/** The native simulator. There is a single one, with the most recently loaded state. */
 export class Native implements Contestant {
   readonly name = 'native';
 
@@ -35,7 +35,7 @@ export class Native implements Contestant {
   dispose(): void {}
 }
 
-/** The memory pass of the native program, over as many particles as it has loaded. */
+/** The memory pass of the native program, for the number of particles that it has loaded. */
 export class NativeMemory implements Contestant {
   readonly name = 'nativeMemory';
 

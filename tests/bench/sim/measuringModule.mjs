@@ -1,4 +1,4 @@
-/** The simulator's WASM with calls that measure; cargo itself knows whether there is anything to build. */
+/** The simulator's WASM with measuring functions; cargo detects whether a build is needed. */
 
 import { UserError } from '../../../scripts/lib/userError.mjs';
 import { cargo } from '../../../scripts/setup/toolchain.mjs';

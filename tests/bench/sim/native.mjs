@@ -1,4 +1,4 @@
-/** The simulator as a program of its own beside the page, and the way on which the page gives it orders. */
+/** The simulator as a native process, and the endpoint through which the page sends it commands. */
 
 import { spawn } from 'node:child_process';
 import { existsSync, mkdirSync } from 'node:fs';
@@ -11,8 +11,8 @@ const FOLDER = 'sim-wasm/target/bench';
 const PROGRAM = `${FOLDER}/release/examples/contest${process.platform === 'win32' ? '.exe' : ''}`;
 
 /**
- * What WASM's SIMD can do and the least x86-64 cannot, such as rounding four numbers down: without it the comparison
- * would be with a weaker machine. Fused multiply-add stays out on both sides.
+ * SIMD features of WASM that baseline x86-64 lacks, such as rounding four numbers down: without them the native side
+ * would be slower. Neither side uses fused multiply-add.
  */
 const FEATURES = process.arch === 'x64' ? '-C target-feature=+sse4.1' : '';
 
@@ -34,7 +34,7 @@ function demandBuilt(
   if (status !== 0) throw new UserError(`The example ${example} does not compile: see the lines above.`, output);
 }
 
-/** The running program; it ends with its standard input, and so with this process. */
+/** The running program. It exits when its standard input closes, and therefore with this process. */
 export class Native {
   /** @type {((line: string) => void)[]} */
   #waiting = [];
@@ -48,8 +48,8 @@ export class Native {
   }
 
   /**
-   * The vite plugin that passes orders on: POST /native?LINE, with the bytes that follow the line as the body. The
-   * answer is the program's line.
+   * The vite plugin that forwards commands: POST /native?LINE, with the bytes after the line as the body. The response
+   * is the program's line.
    *
    * @returns {import('vite').Plugin}
    */

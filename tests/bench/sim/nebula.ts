@@ -1,4 +1,4 @@
-/** three-nebula with the behaviours that come nearest to the six forces. */
+/** three-nebula with the behaviours closest to the six forces. */
 import { CurlNoise, Emitter, Force, Life, Mass, Radius, Rate, Span, System, Vector3D, Vortex } from 'three-nebula';
 import { time } from '../support/figures.ts';
 import type { Particles } from '../support/snapshot.ts';
@@ -6,9 +6,9 @@ import { SIX_FORCES } from './cloud.ts';
 import type { Contestant } from './contestant.ts';
 import { STEP, TYPICAL_DISTANCE, angularRate } from './nearest.ts';
 
-/** A Force multiplies its numbers by this. */
+/** Factor that Force applies to its numbers. */
 const MEASURE = 100;
-/** The curl's root mean square, by which an acceleration has to be larger to give the same speed against the drag. */
+/** Root mean square of the curl noise. The acceleration is divided by it to give the same speed against the drag. */
 const CURL = 1;
 
 export class Nebula implements Contestant {
@@ -22,7 +22,7 @@ export class Nebula implements Contestant {
       .setRate(new Rate(new Span(count), new Span(0)))
       .setInitializers([new Mass(1), new Radius(0.2), new Life(1e6)])
       .setBehaviours(behaviours());
-    // Between two steps of the system, whatever their length, the speed falls to 1 - damping of what it was.
+    // Between two steps of the system, of any duration, the speed is multiplied by 1 - damping.
     this.emitter.damping = 1 - Math.exp(-SIX_FORCES['drag.rate'] * STEP);
     this.system.addEmitter(this.emitter);
     this.emitter.setTotalEmitTimes(1).experimental_emit();
@@ -39,7 +39,7 @@ export class Nebula implements Contestant {
 
   restart(): void {}
 
-  /** No renderer is attached: the update is that of the particles alone. */
+  /** Without a renderer: updates the particles only. */
   advance(steps: number): number {
     return time(() => {
       for (let step = 0; step < steps; step++) void this.system.update(STEP);
@@ -58,7 +58,7 @@ export class Nebula implements Contestant {
   }
 }
 
-/** The drag is the emitter's damping. The buoyancy does not cool, and the vortex has no core. */
+/** The emitter's damping is the drag. The buoyancy does not cool, and the vortex has no core. */
 function behaviours() {
   const drag = SIX_FORCES['drag.rate'];
   const push = (x: number, y: number, z: number) => new Force(x / MEASURE, y / MEASURE, z / MEASURE);

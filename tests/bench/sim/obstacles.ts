@@ -1,18 +1,18 @@
-/** The rigids that both sides of collide.vsCompat meet, and the smoke among them. */
+/** The rigids of both sides of collide.vsCompat, and the smoke among them. */
 import { emptyParticles, type Particles } from '../support/snapshot.ts';
 import { random } from '../../visual/random.ts';
 import type { RigidShape } from '../../../src/sim/rigid.ts';
 
 export const RIGIDS = 100;
 
-/** Half side of the box, metres, in which particles and rigids lie: a crowd, of which rigids fill some 5 %. */
+/** Half side of the box with particles and rigids, metres. The rigids fill about 5 % of it. */
 const HALF_SIDE = 1.5;
 
-/** A rigid that swings about its place and turns about an axis. */
+/** A rigid that oscillates around its position and rotates around an axis. */
 export interface Swing {
   shape: RigidShape;
   place: readonly [number, number, number];
-  /** Radians a second of the swing, and where in it the rigid begins. */
+  /** Angular rate of the oscillation, rad/s, and its initial phase. */
   pace: number;
   phase: number;
 }
@@ -23,7 +23,7 @@ export interface Pose {
   rotation: [number, number, number, number];
 }
 
-/** Rigids of four shapes, scattered by a seeded generator; the more they are, the smaller, so that they fill as much. */
+/** Seeded rigids of four shapes. Their size decreases with their number, so that they fill the same volume. */
 export function seededSwings(seed: number, count = RIGIDS): Swing[] {
   const next = random(seed);
   const spot = () => (2 * next() - 1) * HALF_SIDE;
@@ -43,7 +43,7 @@ function shapeOf(kind: number, size: number): RigidShape {
   return { type: 'cylinder', halfHeight: size, radius: 0.9 * size };
 }
 
-/** Where a rigid is after so many seconds; up to 0.5 m/s and 1.5 rad/s fast. */
+/** Pose of a rigid after some seconds; at most 0.5 m/s and 1.5 rad/s. */
 export function poseAt({ place: [x, y, z], pace, phase }: Swing, seconds: number): Pose {
   const angle = phase + pace * seconds;
   return {
@@ -52,7 +52,7 @@ export function poseAt({ place: [x, y, z], pace, phase }: Swing, seconds: number
   };
 }
 
-/** Small particles spread evenly over the box. */
+/** Small particles distributed evenly in the box. */
 export function seededSmoke(count: number, seed: number): Particles {
   const next = random(seed);
   const particles = emptyParticles(count);

@@ -7,13 +7,13 @@ import { SIX_FORCES, seededCloud } from './cloud.ts';
 import type { Contestant } from './contestant.ts';
 import { TwinSimulator } from './twin.ts';
 
-/** Chooses the pattern of turbulence. */
+/** Seed of the turbulence. */
 const SEED = 7;
 
 export class Wasm implements Contestant {
   readonly name = 'wasm';
   readonly simulator: Simulator;
-  /** The saved state that every round starts from, parameters included. */
+  /** The saved initial state of every round, including parameters. */
   readonly start: Uint8Array;
 
   private constructor(simulator: Simulator, start: Uint8Array) {

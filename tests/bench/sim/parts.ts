@@ -1,4 +1,4 @@
-/** Where the time of a step goes: the same cloud with more and more switched on, beside the memory pass. */
+/** Time of a step by part: the same cloud with more and more forces enabled, compared with the memory pass. */
 import { figure, type Figure } from '../support/figures.ts';
 import { ratios, slope } from '../support/statistics.ts';
 import { SIX_FORCES } from './cloud.ts';

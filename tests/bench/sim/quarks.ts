@@ -1,4 +1,4 @@
-/** three.quarks with the behaviours that come nearest to the six forces. */
+/** three.quarks with the behaviours closest to the six forces. */
 import {
   ApplyForce,
   ConstantValue,
@@ -18,12 +18,12 @@ import { SIX_FORCES } from './cloud.ts';
 import type { Contestant } from './contestant.ts';
 import { STEP, TYPICAL_DISTANCE, angularRate } from './nearest.ts';
 
-/** LimitSpeedOverLife takes away `dampen` * 20 of the excess speed in a second. */
+/** LimitSpeedOverLife removes `dampen` * 20 of the excess speed per second. */
 const DAMPEN_PER_SECOND = 20;
-/** The noise's root mean square, by which an acceleration has to be larger to give the same speed against the drag. */
+/** Root mean square of the noise. The acceleration is divided by it to give the same speed against the drag. */
 const NOISE = 0.25;
 
-/** A constant serves as a curve over life, and costs less than one, though the types ask for a curve. */
+/** A constant works as a curve over life and is cheaper, but the types require a curve. */
 const NONE = new ConstantValue(0) as unknown as FunctionValueGenerator;
 
 export class Quarks implements Contestant {
@@ -59,7 +59,7 @@ export class Quarks implements Contestant {
 
   restart(): void {}
 
-  /** Only the system's own update, without the filling of the buffers that BatchedRenderer.update would add. */
+  /** Only the system's own update, without filling the buffers as in BatchedRenderer.update. */
   advance(steps: number): number {
     const system = this.system as unknown as { update(delta: number): void };
     return time(() => {
@@ -82,7 +82,7 @@ export class Quarks implements Contestant {
   }
 }
 
-/** In the order of SIX_FORCES. The buoyancy does not cool, and the vortex turns all particles at one rate. */
+/** In the order of SIX_FORCES. The buoyancy does not cool, and the vortex rotates all particles at the same rate. */
 function behaviours(): Behavior[] {
   const drag = SIX_FORCES['drag.rate'];
   const wind = new Vector3(SIX_FORCES['forces.wind.x'], 0, SIX_FORCES['forces.wind.z']);

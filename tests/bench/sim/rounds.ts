@@ -1,35 +1,35 @@
-/** Contestants measured by turns. */
+/** Measures contestants in turns. */
 import { say } from '../support/figures.ts';
 import type { Contestant } from './contestant.ts';
 
-/** Nanoseconds for a particle and a step, of each round, by the contestant's name. */
+/** Nanoseconds per particle and step, for each round, by contestant name. */
 export type Costs = Record<string, number[]>;
 
 export interface Plan {
   rounds: number;
-  /** Milliseconds that each contestant is to take in a round, and before the first; one step is the least. */
+  /** Milliseconds per contestant in a round, and in the warm-up before; at least one step. */
   share: number;
   warming: number;
   /**
-   * Milliseconds between two readings of the clock: longer than its grain, short enough that others are met in the
-   * same state.
+   * Milliseconds between two readings of the clock: longer than its resolution, short enough that load on the machine
+   * affects all contestants alike.
    */
   slice: number;
   /**
-   * What a round costs: the mean of its slices, or the cheapest of them, since others on the machine only ever slow
-   * down. The latter is fair only among slices of one length, so to none whose single step takes longer than a slice.
+   * Cost of a round: the mean of its slices, or the cheapest one, because other processes only slow slices down. The
+   * latter is only fair for slices of the same duration, so not for contestants whose single step is longer than a
+   * slice.
    */
   cost: 'mean' | 'cheapest';
 }
 
-/** Milliseconds; less than any step takes, but not nothing, as the clock may say. */
+/** Milliseconds: less than any step takes, but not zero, which the clock may return. */
 const SHORTEST_STEP = 1e-4;
 
 /**
- * Lets all contestants advance by turns, in slices, with the order turned on from slice to slice, so that whatever else
- * the machine does meets all alike.
+ * Advances all contestants in turns, in slices, with a rotating order, so that load on the machine affects all alike.
  *
- * @param counts How many particles each has, in the order of the contestants.
+ * @param counts Number of particles of each contestant, in the same order.
  */
 export async function interleave(
   contestants: readonly Contestant[],
@@ -55,13 +55,13 @@ function costOf(slices: readonly number[], { cost }: Plan): number {
   return cost === 'mean' ? slices.reduce((sum, slice) => sum + slice, 0) / slices.length : Math.min(...slices);
 }
 
-/** How a contestant spends its share: so many slices of so many steps. */
+/** How a contestant divides its share: number of slices, and steps per slice. */
 interface Pace {
   slices: number;
   steps: number;
 }
 
-/** Advances until the compilers have done their best, and finds out how much fits into a slice. */
+/** Advances until the JIT compilers have optimized the code, and determines the steps per slice. */
 async function warm(contestant: Contestant, { share, warming, slice }: Plan): Promise<Pace> {
   await contestant.restart();
   let [steps, spent, last] = [1, 0, 0];

@@ -1,4 +1,4 @@
-/** sim.linear: whether a particle costs the same among many as among few. */
+/** sim.linear: whether the cost per particle is independent of their number. */
 import { figure, type Figure } from '../support/figures.ts';
 import { median, spread } from '../support/statistics.ts';
 import type { Contestant } from './contestant.ts';
@@ -7,7 +7,7 @@ import { interleave, type Plan } from './rounds.ts';
 
 const SIZES = [10_000, 30_000, 100_000, 300_000, 1_000_000];
 
-/** Milliseconds: what a step of the most takes, so that all have slices of one length. */
+/** Milliseconds of a step with the most particles, so that all slices have the same duration. */
 const LONGEST_STEP = 50;
 
 export async function measureSizes(quick: boolean): Promise<Figure[]> {

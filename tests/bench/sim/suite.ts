@@ -1,4 +1,4 @@
-/** What `npm run bench -- sim` measures, inside one page. */
+/** The measurements of `npm run bench -- sim`, in one page. */
 import type { Figure } from '../support/figures.ts';
 import { measureCollisions } from './collisions.ts';
 import { measureParts } from './parts.ts';

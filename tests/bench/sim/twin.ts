@@ -1,11 +1,11 @@
 /**
- * The simulator's step in JavaScript, as fast as it would go: what sim.vsJavaScript divides by. Struct of arrays, one
- * loop over all particles, no objects, no calls, all constants in locals. It computes in double precision and rounds
- * where it stores: rounding each operation by Math.fround was measured to be slower.
+ * The simulator's step in optimized JavaScript: the reference of sim.vsJavaScript. Struct of arrays, one loop over all
+ * particles, no objects, no calls, all constants in locals. It computes in double precision and rounds on store:
+ * rounding each operation with Math.fround is slower by measurement.
  *
- * Equations, hashes and the order of the step are those of sim-wasm/sim/src: emission at rest, forces and motion by air
- * and slip, ageing, cooling and death. Only what the comparison needs exists here: exactly one vortex, one octave, no
- * colliders. tests/unit/bench.twin.test.ts holds it against the WASM.
+ * Equations, hashes and order of the step are those of sim-wasm/sim/src: emission at rest, forces, motion by air and
+ * slip, ageing, cooling and expiry. It only has the features of the comparison: exactly one vortex, one octave, no
+ * colliders. tests/unit/bench.twin.test.ts compares it with the WASM.
  */
 import { FLOAT_COLUMNS, type Memory, type Particles } from '../support/snapshot.ts';
 import type { ForceValues } from './cloud.ts';
@@ -18,7 +18,7 @@ const MIX = 0x2c1b3c6d;
 const SIDE = Math.fround(Math.sqrt(6));
 const HALF_WAVE = 2 ** 30;
 const WORLD_RADIUS = 10_000;
-/** Squared distance in core radii from which on a vortex is a free one. */
+/** Squared distance in core radii beyond which a vortex is a free one. */
 const END_OF_CORE = 12.75;
 
 export class TwinSimulator {
@@ -45,8 +45,8 @@ export class TwinSimulator {
 }
 
 /**
- * Moves and ages the first `alive` particles and returns how many are left. One function of this length, because
- * what is split up is not always put together again by the compiler, and then pays for calls and memory.
+ * Moves and ages the first `alive` particles and returns the number of remaining ones. It is one long function, because
+ * the compiler does not always inline smaller ones, which then cost calls and memory access.
  */
 function advance(particles: Particles, alive: number, constants: ReturnType<typeof constantsOf>): number {
   const { x: X, y: Y, z: Z, px: PX, py: PY, pz: PZ, sx: SX, sy: SY, sz: SZ } = particles;
@@ -66,13 +66,13 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
     const slipZ = SZ[i];
     const heat = TEMPERATURE[i];
 
-    // Gravity, buoyancy and drag act on the slip.
+    // Gravity, buoyancy and drag change the slip.
     const lift = buoyancy * heat - gravity;
     const slippedX = slipX * first;
     const slippedY = slipY * first + lift * second;
     const slippedZ = slipZ * first;
 
-    // Turbulence, half of the last step's displacement ahead.
+    // Turbulence, sampled half of the last step's displacement ahead.
     const aheadX = (x - PX[i]) * 0.5 + x;
     const aheadY = (y - PY[i]) * 0.5 + y;
     const aheadZ = (z - PZ[i]) * 0.5 + z;
@@ -90,7 +90,8 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
     const hash3 = (hash0 + STRIDE_X + STRIDE_Y + STRIDE_Z) | 0;
     const sense = 1 - 2 * ((cellX + cellY + cellZ + parity) & 1);
 
-    // From the corners of the tetrahedron to the place: the greatest and the least fraction choose two of them.
+    // Offsets from the corners of the tetrahedron to the position. The largest and the smallest fraction select two
+    // corners.
     const lean = (fx + fy + fz) * (SIDE / 6);
     const x0 = fx * SIDE - lean;
     const y0 = fy * SIDE - lean;
@@ -207,7 +208,7 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
     flowY = flowY * amplitude;
     flowZ = flowZ * amplitude + windZ;
 
-    // The vortex: its speed where turbulence was taken, its direction in the middle of the step.
+    // The vortex: speed at the sampling position of the turbulence, direction at the middle of the step.
     const offX = aheadX - originX;
     const offY = aheadY - originY;
     const offZ = aheadZ - originZ;
@@ -270,13 +271,13 @@ function advance(particles: Particles, alive: number, constants: ReturnType<type
   return alive;
 }
 
-/** Puts the last living particle into the place of a dead one. */
+/** Moves the last living particle to the index of an expired one. */
 function bury(particles: Particles, dead: number, last: number): void {
   for (const name of FLOAT_COLUMNS) particles[name][dead] = particles[name][last];
   particles.attributes[dead] = particles.attributes[last];
 }
 
-/** The largest difference between two sets of particles in place (m), slip (m/s), age (s) and temperature. */
+/** The largest difference between two sets of particles in position (m), slip (m/s), age (s) and temperature. */
 export function largestDifference(one: Particles, other: Particles): number {
   let largest = 0;
   for (const name of ['x', 'y', 'z', 'px', 'py', 'pz', 'sx', 'sy', 'sz', 'age', 'temperature'] as const) {

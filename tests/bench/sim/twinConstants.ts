@@ -1,4 +1,4 @@
-/** What a step of the twin needs to be computed once: the same numbers as in sim-wasm/sim/src/forces, rounded alike. */
+/** Per-step constants of the twin: the same numbers as in sim-wasm/sim/src/forces, with the same rounding. */
 import type { Memory } from '../support/snapshot.ts';
 import type { ForceValues } from './cloud.ts';
 
@@ -6,12 +6,12 @@ const DT = 1 / 60;
 const STRIDE = [0x8da6b343, 0xd8163841, 0xcb1ab31f];
 const COMPONENT_VARIANCE = 2 ** 60 / 3;
 const CELL_VARIANCE = 46.017793;
-/** Sides of the lattice's cubes in one `turbulence.scale`. */
+/** Side of the lattice's cubes in units of `turbulence.scale`. */
 const CELLS = 0.765;
-/** Shifts the lattice, so that the world's origin is no corner of it. */
+/** Offset of the lattice, so that no corner is at the world origin. */
 const SHIFT = 0.37;
 
-/** Constants of one step. The twin knows one vortex and one octave of turbulence, and wind along x and z. */
+/** Constants of one step. The twin has one vortex and one octave of turbulence, and wind along x and z. */
 export function constantsOf(values: ForceValues, memory: Memory) {
   return { ...dragOf(values), ...liftOf(values), ...turbulenceOf(values, memory), ...vortexOf(values) };
 }

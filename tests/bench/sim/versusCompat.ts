@@ -1,4 +1,6 @@
-/** collide.vsCompat: one query a particle through Rapier's JavaScript bindings, divided by all of our collisions. */
+/**
+ * collide.vsCompat: one query per particle through Rapier's JavaScript bindings, divided by the time of our collisions.
+ */
 import { loadSimulators } from '../../../src/sim/load.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
 import { EVERYTHING } from '../../support/everything.ts';
@@ -11,24 +13,24 @@ import { poseAt, RIGIDS, seededSmoke, seededSwings } from './obstacles.ts';
 const COUNT = 10_000;
 const STEP = 1 / 60;
 const WARMING_STEPS = 30;
-/** Steps in a row, as the bindings answer query after query: each side finds caches as it left them. */
+/** Consecutive steps, as the bindings run query after query: each side finds its caches warm. */
 const CHUNK = 5;
-/** Metres that a particle and a rigid may come nearer to each other within a step, which only ours follows. */
+/** Largest relative motion of a particle and a rigid within a step, metres. Only our collisions handle it. */
 const WAY = 0.06;
-/** Metres by which both may disagree on where a rigid is. */
+/** Largest difference between the two positions of a rigid, metres. */
 const POSE_TOLERANCE = 1e-4;
 
-/** The smoke bends around the rigids only where it moves: the same forces as in sim.vsJavaScript, the vortex smaller. */
+/** Moving smoke flows around the rigids: the same forces as in sim.vsJavaScript, with a smaller vortex. */
 const FORCES = { ...SIX_FORCES, 'vortices.0.circulation': 2, 'vortices.0.reach': 4 };
 
 interface Round {
-  /** Milliseconds of the cheapest step: all steps do alike, and others on the machine only ever slow down. */
+  /** Milliseconds of the fastest step: all steps do the same work, and other processes only make them slower. */
   withRigids: number;
   without: number;
   compat: number;
 }
 
-/** The same smoke with and without rigids, and the rigids once more in the bindings' own world. */
+/** The same smoke with and without rigids, and the rigids in the bindings' own world. */
 class Contest {
   readonly swings = seededSwings(11);
   readonly compat: CompatWorld;
@@ -64,7 +66,7 @@ class Contest {
     this.seconds = 0;
   }
 
-  /** Sends the rigids of both worlds on, outside of all timings. */
+  /** Advances the rigids of both worlds, outside all timings. */
   send(): void {
     this.sendOurs();
     this.compat.moveTo(this.seconds);
@@ -96,7 +98,7 @@ class Contest {
       this.compat.moveTo(this.seconds);
       const { place, count } = this.withRigids.arrange(EVERYTHING);
       demand(count === COUNT, `${count} particles live`);
-      // All at once take so long that others on the machine always come between.
+      // A run with all queries is so long that other processes always interrupt it.
       minOfTenths.forEach((cost, tenth) => {
         const rows = place.subarray((4 * tenth * count) / 10, (4 * (tenth + 1) * count) / 10);
         minOfTenths[tenth] = Math.min(
@@ -142,14 +144,15 @@ export async function measureAgainstCompat(quick: boolean): Promise<Figure[]> {
 }
 
 /**
- * Checks one step: who is pushed by ours must be near a rigid in the bindings' world, who overlaps one there must have
- * been pushed. Between the two lies what the step's way explains. Returns how many were pushed.
+ * Checks one step: every particle that we push must be near a rigid in the bindings' world, and every particle that
+ * overlaps one there must be pushed. The motion within the step explains the rest. Returns the number of pushed
+ * particles.
  */
 function compare(contest: Contest): number {
   for (let step = 0; step < 5; step++) {
     contest.send();
     contest.withRigids.step();
-    // Its air must be as old, though its particles are replaced.
+    // Keeps the age of its air equal, although its particles are replaced.
     contest.without.step();
   }
   const before = readParticles(contest.withRigids);

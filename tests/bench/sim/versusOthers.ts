@@ -1,4 +1,4 @@
-/** The contest at four numbers of particles, and the ratios that are read from it. */
+/** The contest for four numbers of particles, and the resulting ratios. */
 import { figure, type Figure } from '../support/figures.ts';
 import { ratios } from '../support/statistics.ts';
 import { compareEngines, hold } from './contest.ts';
@@ -7,7 +7,7 @@ import type { Costs, Plan } from './rounds.ts';
 const JUDGED = 100_000;
 const SIZES = [1_000, 10_000, JUDGED, 1_000_000];
 
-/** What is timed. */
+/** Descriptions of the measured work. */
 const CONTESTANTS: Readonly<Record<string, string>> = {
   wasm: 'step() of this simulator in WASM',
   native: 'the same crate natively, with SSE4.1 and without FMA as in WASM; ends in the same fingerprint',
@@ -18,7 +18,7 @@ const CONTESTANTS: Readonly<Record<string, string>> = {
   nebula: "three-nebula's System.update with five behaviours and damping, no renderer",
 };
 
-/** Where the engines' behaviours are no equals of ours. */
+/** Differences between the engines' behaviours and ours. */
 const UNEQUAL = {
   quarks: 'its turbulence has divergence, its vortex turns all at one rate, its buoyancy does not cool',
   nebula: 'its turbulence does not evolve, its vortex has no core, its buoyancy does not cool',

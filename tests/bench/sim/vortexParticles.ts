@@ -1,4 +1,4 @@
-/** sim.vortexParticles: what 1,000 vortex particles add to a step of 20,000 particles under the six forces. */
+/** sim.vortexParticles: cost of 1,000 vortex particles in a step of 20,000 particles under the six forces. */
 import { demand, figure, type Figure } from '../support/figures.ts';
 import { ratios } from '../support/statistics.ts';
 import { readParticles, sectionLength, withParticles } from '../support/snapshot.ts';
@@ -10,13 +10,13 @@ import { interleave, type Plan } from './rounds.ts';
 const COUNT = 20_000;
 const VORTEX_PARTICLES = 1000;
 const SHEDDING_STEPS = 30;
-/** A second. */
+/** Per second. */
 const RATE = (VORTEX_PARTICLES * 60) / SHEDDING_STEPS;
 const FIRST_STEP = Math.floor(RATE / 60);
 
 /**
- * They are born in a ball of 5.5 m, of which the cloud's cube fills most. Each reaches three cores far, so that a place
- * is within the reach of six of them on average.
+ * They spawn in a ball of 5.5 m, which the cloud's cube mostly fills. Each has a reach of three cores, so a position is
+ * within the reach of six of them on average.
  */
 const SHEDDER = {
   'shedders.0.rate': RATE,
@@ -62,7 +62,7 @@ export async function measureVortexParticles(quick: boolean): Promise<Figure[]> 
   ];
 }
 
-/** Lets exactly so many be shed, and returns that state with the cloud as it was before. */
+/** Sheds exactly this number, and returns that state with the original cloud. */
 function shed({ simulator }: Wasm): Uint8Array {
   const size = () => sectionLength(simulator, 'vort');
   const none = size();
@@ -75,7 +75,7 @@ function shed({ simulator }: Wasm): Uint8Array {
   return withParticles(simulator, seededCloud(COUNT, 3));
 }
 
-/** What stirs nothing costs nothing either. */
+/** Requires an effect: vortex particles without one would also have no cost. */
 async function demandMotion(without: Wasm, withVortices: Wasm, withThem: Contestant): Promise<void> {
   await withThem.restart();
   without.restart();

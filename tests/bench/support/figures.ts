@@ -1,13 +1,15 @@
-/** Figures, and how rounds become one: a median with its range, since single timings on a shared machine are noise. */
+/**
+ * Figures, and their aggregation: median and range of the rounds, because single timings on a shared machine are noise.
+ */
 
 import { median } from './statistics.ts';
 
-/** As scripts/bench.mjs prints and writes it. */
+/** In the output format of scripts/bench.mjs. */
 export interface Figure {
   name: string;
   value: number;
   unit: string;
-  /** Least and greatest of the rounds. */
+  /** Minimum and maximum of the rounds. */
   range: [number, number];
   rounds: number;
   note: string;
@@ -19,7 +21,7 @@ export function figure(name: string, unit: string, rounds: readonly number[], no
   return { name, value: median(rounds), unit, range, rounds: rounds.length, note };
 }
 
-/** Stops the suite: a ratio of different work is worth nothing. */
+/** Stops the suite: a ratio of different work is meaningless. */
 export function demand(holds: boolean, what: string): asserts holds {
   if (!holds) throw new Error(`The work is not the same: ${what}`);
 }
@@ -32,11 +34,11 @@ export function time(work: () => void): number {
 }
 
 declare global {
-  /** Put into the page by the suite's runner. */
+  /** Exposed to the page by the suite's runner. */
   var sayProgress: ((line: string) => Promise<void>) | undefined;
 }
 
-/** Shows what is being measured; also lets the browser see to its own work between two rounds. */
+/** Shows the current measurement. Also yields to the browser between two rounds. */
 export async function say(line: string): Promise<void> {
   await globalThis.sayProgress?.(line);
 }

@@ -1,4 +1,4 @@
-/** Runs a suite inside one page of a headless Chromium that draws with SwiftShader. */
+/** Runs a suite in a page of a headless Chromium with SwiftShader. */
 
 import { chromium } from '@playwright/test';
 import { createServer } from 'vite';
@@ -6,9 +6,9 @@ import { inRoot } from '../../../scripts/lib/paths.mjs';
 import { CHROMIUM_FLAGS, findBrowser } from '../../../scripts/setup/browser.mjs';
 
 /**
- * Heap sizes to the byte, and a collection when asked for: without them growth cannot be told from garbage. WASM goes
- * through the optimising compiler at once: its code is twice as fast, and on a busy machine the switch to it may come
- * after the warming.
+ * Exact heap sizes and explicit garbage collection: without them growth cannot be distinguished from garbage. WASM uses
+ * the optimizing compiler immediately: its code is twice as fast, and on a busy machine tier-up may occur after the
+ * warm-up.
  */
 const MEASURING_FLAGS = ['--enable-precise-memory-info', '--js-flags=--expose-gc --no-liftoff'];
 
@@ -16,11 +16,11 @@ const MEASURING_FLAGS = ['--enable-precise-memory-info', '--js-flags=--expose-gc
  * @typedef {import('../../../scripts/bench/table.mjs').Figure} Figure
  * @typedef {object} Choice
  * @property {boolean} quick fewer rounds and repetitions
- * @property {(line: string) => void} say shows what is being measured
+ * @property {(line: string) => void} say shows the current measurement
  */
 
 /**
- * Imports a module by its path in the repository inside a page and lets its `measure(quick)` make the figures.
+ * Imports a module in a page by its path in the repository and calls its `measure(quick)`.
  *
  * @param {`/${string}`} path
  * @param {Choice} choice
@@ -33,7 +33,7 @@ export async function measureInPage(path, { quick, say }, plugins = []) {
 }
 
 /**
- * @param {string} expression evaluated in a page that has nothing of ours on it but the server's modules
+ * @param {string} expression evaluated in a page without product code, except for the server's modules
  * @param {(line: string) => void} say the page's `sayProgress`
  * @param {import('vite').Plugin[]} [plugins] added to the server of the page
  * @returns {Promise<unknown>}

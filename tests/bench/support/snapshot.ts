@@ -1,10 +1,10 @@
 /**
- * Particles in and out of a simulator by its saved state, because nothing else can place a given particle. Of the layout
- * in sim-wasm/sim/src/simulator/snapshot.rs only this is known here: an envelope with a checksum, sections with a name of four
- * letters and a length, and what stands in the section of the particles.
+ * Reads and writes the particles of a simulator through its saved state, the only way to place given particles.
+ * Relevant parts of the format in sim-wasm/sim/src/simulator/snapshot.rs: an envelope with a checksum, sections with a
+ * name of four letters and a length, and the content of the particle section.
  */
 
-/** The columns of particle state in the order in which they are saved. */
+/** The columns of particle state in saved order. */
 export const FLOAT_COLUMNS = [
   'x',
   'y',
@@ -24,20 +24,20 @@ export const FLOAT_COLUMNS = [
 /** Struct of arrays; units as in sim-wasm/sim/src/particles/mod.rs. */
 export type Particles = Record<(typeof FLOAT_COLUMNS)[number], Float32Array> & { attributes: Uint32Array };
 
-/** What a simulator that has made no step yet remembers besides its particles, as far as the twin needs it. */
+/** State of a simulator before its first step besides its particles, as far as the twin needs it. */
 export interface Memory {
   seed: number;
-  /** Metres by which the wind has carried the turbulence, and its phase in radians. */
+  /** Distance by which the wind has moved the turbulence, metres, and its phase, radians. */
   drift: [number, number, number];
   phase: number;
 }
 
-/** A simulator, as far as this file needs one. */
+/** The part of a simulator that this file uses. */
 interface Saving {
   save(): Uint8Array;
 }
 
-/** Where the checksum stands, and where what it covers begins. */
+/** Offset of the checksum, and start of the bytes that it covers. */
 const CHECKSUM = 8;
 const BODY = 16;
 const SECTION_HEAD = 8;
@@ -49,7 +49,7 @@ export function emptyParticles(count: number): Particles {
   return { ...Object.fromEntries(columns), attributes: new Uint32Array(count) } as Particles;
 }
 
-/** The living particles, copied. */
+/** Copies of the living particles. */
 export function readParticles(simulator: Saving): Particles {
   const saved = simulator.save();
   const { content, end } = findSection(saved, PARTICLES);
@@ -76,13 +76,13 @@ export function withParticles(simulator: Saving, particles: Particles): Uint8Arr
   columns.forEach((column, index) =>
     bytes.set(new Uint8Array(column.buffer, column.byteOffset, 4 * count), content + 4 + 4 * count * index),
   );
-  // Nothing is held: no columns follow.
+  // No particles are held, so no columns follow.
   view.setUint32(content + length - 4, 0, true);
   writeChecksum(bytes);
   return bytes;
 }
 
-/** Bytes that a section of the saved state takes. */
+/** Size of a section of the saved state, bytes. */
 export function sectionLength(simulator: Saving, name: string): number {
   const { content, end } = findSection(simulator.save(), name);
   return end - content;
@@ -92,7 +92,7 @@ function viewOf(bytes: Uint8Array): DataView {
   return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 }
 
-/** Where a section has its content, and where it ends. */
+/** Start of a section's content, and its end. */
 function findSection(saved: Uint8Array, name: string): { content: number; end: number } {
   const view = viewOf(saved);
   for (let head = BODY; head < saved.length;) {

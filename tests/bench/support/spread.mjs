@@ -1,5 +1,6 @@
 /**
- * A figure of its rounds, at least one: the middle one, or the mean of the middle two, with the least and the greatest.
+ * Median of the rounds with minimum and maximum; at least one value. An even number of values has the mean of the
+ * middle two.
  *
  * @param {readonly number[]} values
  * @returns {{ value: number, range: [number, number], rounds: number }}

@@ -1,17 +1,17 @@
-/** A display without a screen, on which Mesa draws in software. */
+/** A virtual display, on which Mesa renders in software. */
 import { spawn, type ChildProcess, type SpawnOptions } from 'node:child_process';
 import { once } from 'node:events';
 import type { Readable } from 'node:stream';
 
 export interface Display {
-  /** For the programs that are to be shown there. */
+  /** Environment variables for programs on the display. */
   readonly environment: NodeJS.ProcessEnv;
   stop(): Promise<void>;
 }
 
-/** Starts Xvfb itself, because xvfb-run leaves it running when it is killed. */
+/** Starts Xvfb directly, because xvfb-run leaves it running when it is killed. */
 export async function startDisplay(): Promise<Display> {
-  // It chooses a number that is free and writes it to the third stream.
+  // Xvfb chooses a free display number and writes it to file descriptor 3.
   const xvfb = startProgram('Xvfb', ['-displayfd', '3', '-screen', '0', '1280x1024x24', '-nolisten', 'tcp'], {
     stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
   });
@@ -22,7 +22,7 @@ export async function startDisplay(): Promise<Display> {
   };
 }
 
-/** Starts a program that ends with this process at the latest. */
+/** Starts a program that is killed when this process exits. */
 export function startProgram(program: string, parameters: string[], options: SpawnOptions): ChildProcess {
   const child = spawn(program, parameters, options);
   const stop = () => child.kill();

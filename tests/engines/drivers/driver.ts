@@ -1,15 +1,15 @@
-/** What the tests ask of a browser, whatever protocol it is driven by. */
+/** The browser interface of the tests, independent of the protocol. */
 export interface Driver {
-  /** Loads an address in the one page, and waits for its `load` event. */
+  /** Loads a URL in the single page, and waits for its `load` event. */
   open(address: string): Promise<void>;
-  /** Evaluates an expression in the page. Promises are awaited; the value goes through JSON. */
+  /** Evaluates an expression in the page. Awaits promises; serializes the value as JSON. */
   evaluate(expression: string): Promise<unknown>;
-  /** What WebGL draws with. Leaves the page. */
+  /** The WebGL renderer. Navigates the page. */
   renderer(): Promise<string>;
   close(): Promise<void>;
 }
 
-/** Milliseconds that a command may take. */
+/** Timeout of a command, milliseconds. */
 export const LIMIT = 600_000;
 
 /** An expression for the unmasked renderer string of WebGL 2. */

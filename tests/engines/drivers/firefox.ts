@@ -1,4 +1,4 @@
-/** Debian's Firefox, which speaks WebDriver BiDi; Playwright needs a Firefox of its own. */
+/** Debian's Firefox, driven by WebDriver BiDi; Playwright requires its own build of Firefox. */
 import puppeteer from 'puppeteer-core';
 import { LIMIT, RENDERER, type Driver } from './driver.ts';
 import { startDisplay } from './display.ts';

@@ -1,4 +1,4 @@
-/** Chromium, and Playwright's own Firefox and WebKit. */
+/** Chromium, and Playwright's builds of Firefox and WebKit. */
 import type { BrowserType, LaunchOptions } from '@playwright/test';
 import { LIMIT, RENDERER, type Driver } from './driver.ts';
 

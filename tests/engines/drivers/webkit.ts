@@ -1,6 +1,6 @@
 /**
- * Debian's WebKitGTK, which speaks W3C WebDriver. The five commands that are needed are plain HTTP; the client
- * libraries for Node are far larger, and their current versions need a newer Node than the project does.
+ * Debian's WebKitGTK, driven by W3C WebDriver. The five required commands are plain HTTP. Client libraries for Node are
+ * far larger, and their current versions require a newer Node than this project.
  */
 import { setTimeout as sleep } from 'node:timers/promises';
 import { findFreePort } from '../../support/server.ts';
@@ -9,13 +9,13 @@ import { startDisplay, startProgram, stopProgram } from './display.ts';
 
 /**
  * @param path of MiniBrowser
- * @param features switched on besides WebGL
+ * @param features enabled in addition to WebGL
  */
 export async function startWebKit(path: string, features: readonly string[] = []): Promise<Driver> {
   const display = await startDisplay();
   const port = await findFreePort();
   const server = startProgram('WebKitWebDriver', [`--port=${port}`], {
-    // Its sandbox needs rights that containers do not give.
+    // Its sandbox needs privileges that containers lack.
     env: { ...display.environment, WEBKIT_DISABLE_SANDBOX_THIS_IS_DANGEROUS: '1' },
     stdio: 'ignore',
   });
@@ -43,7 +43,7 @@ export async function startWebKit(path: string, features: readonly string[] = []
   return {
     open,
     evaluate,
-    // WebGL says "Apple GPU" on every machine; this page of WebKitGTK's says what its processes draw with.
+    // WebGL reports "Apple GPU" on every machine; this internal page of WebKitGTK shows the actual renderer.
     async renderer() {
       await open('webkit://gpu');
       const text = await evaluate('document.body.innerText');
@@ -76,7 +76,7 @@ async function answers(address: string): Promise<boolean> {
   }
 }
 
-/** @throws what the driver answers where it refuses */
+/** @throws the driver's response on an error */
 async function command<Value>(method: string, address: string, body?: object): Promise<Value> {
   const response = await fetch(address, { method, body: body && JSON.stringify(body) });
   const { value } = (await response.json()) as { value: Value & { error?: string; message?: string } };

@@ -1,4 +1,4 @@
-/** Bytes as base64, for going through JSON. */
+/** Bytes as base64, for JSON. */
 export function packed(bytes: Uint8Array): string {
   return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
 }

@@ -1,4 +1,4 @@
-/** Runs in a page: the element, and a frame in a sandbox. */
+/** Runs in a page: the element, and a sandboxed frame. */
 // oxlint-disable-next-line import/no-unassigned-import -- it defines the element
 import '../../../src/element/define.ts';
 import type { CartoonSmokeElement } from '../../../src/element/cartoonSmokeElement.ts';
@@ -11,7 +11,7 @@ const ATTRIBUTES = { 'simulation-max-particles': '300', 'puff-variations': '1', 
 
 interface Played {
   thread: string;
-  /** Steps that were taken while it played by itself. */
+  /** Steps during playback. */
   steps: number;
   /** A PNG, base64. */
   picture: string;
@@ -34,7 +34,7 @@ async function play(stage: RemoteStage): Promise<Played> {
   return { thread: stage.thread, steps, picture: await packedFile(await stage.picture()) };
 }
 
-/** Settled when it has played for half a second. */
+/** Resolves after half a second of playback. */
 export async function playElement(thread: 'auto' | 'main'): Promise<Played> {
   const element = put({ preset: 'wisp', thread, start: '2' });
   try {
@@ -64,7 +64,7 @@ export async function hashAtLink(link: string): Promise<{ hash: string; notices:
   }
 }
 
-/** Settled when a frame with an origin of its own has played for half a second. */
+/** Resolves after half a second of playback in a frame with an opaque origin. */
 export async function playFrame(address: string): Promise<Played> {
   const frame = document.createElement('iframe');
   frame.setAttribute('sandbox', 'allow-scripts');

@@ -2,7 +2,7 @@
 import { loadSimulators } from '../../../src/sim/load.ts';
 import { hashesOf } from '../../support/presetHashes.ts';
 
-/** @returns the hash after so many simulated seconds each, which ascend, by the seconds */
+/** @param moments simulated seconds, ascending @returns the hashes by seconds */
 export function hashesInPage(name: string, moments: readonly number[]): Promise<Record<string, string>> {
   return hashesOf(name, moments, (physics) => loadSimulators({ physics }));
 }

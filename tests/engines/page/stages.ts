@@ -1,4 +1,4 @@
-/** Runs in a page: stages on the page's own thread, small because software draws them. */
+/** Runs in a page: stages on the main thread, small because of software rendering. */
 import { capture } from '../../../src/app/capture/dialog.ts';
 import type { Format } from '../../../src/app/capture/settings.ts';
 import { encode } from '../../../src/preset/codec.ts';
@@ -8,15 +8,18 @@ import { createStage, type Stage } from '../../../src/stage/stage.ts';
 import { packed, packedFile } from './bytes.ts';
 
 const [WIDTH, HEIGHT] = [160, 120];
-/** Little smoke of one shape is soon baked and drawn. */
+/** Little smoke of one shape is cheap to bake and draw. */
 const LITTLE: Values = { 'simulation.maxParticles': 500, 'puff.variations': 1 };
 
 let shown: Promise<Stage> | undefined;
 
-/** The picture of a preset as a PNG, base64. All come from one stage, because each new context compiles its programs anew. */
+/**
+ * The picture of a preset as a PNG, base64. All pictures share a stage, because each new context compiles its programs
+ * again.
+ */
 export async function pictureOf(name: string, seconds: number, width: number, height: number): Promise<string> {
   const values = presetValues(findPreset(name)!);
-  // Nobody sees it, so that it draws nothing but the picture that is asked for.
+  // A hidden stage draws only the requested picture.
   const options = { values, width, height, pixelRatio: 1, visible: false };
   shown ??= createStage(document.createElement('canvas'), options);
   const stage = await shown;
@@ -33,7 +36,7 @@ function valuesOf(preset: string): Values {
   return { ...presetValues(findPreset(preset)!), ...LITTLE };
 }
 
-/** What a person does: drags what can be dragged, drops a thing, blows and steers. */
+/** Simulates user input: drags an object, drops another, blows and steers. */
 export async function perform(preset: string): Promise<{ hash: string; link: string; steps: number; inputs: number }> {
   const stage = await open(preset);
   stage.step(40);
@@ -58,7 +61,7 @@ export async function perform(preset: string): Promise<{ hash: string; link: str
   return { hash, link, steps, inputs };
 }
 
-/** A place of the picture where a pointer takes hold of something. */
+/** A position of the picture at which the pointer hits a draggable object. */
 function handleOf(stage: Stage): { x: number; y: number } {
   for (let y = 2; y < HEIGHT; y += 4) {
     for (let x = 2; x < WIDTH; x += 4) {
@@ -70,7 +73,7 @@ function handleOf(stage: Stage): { x: number; y: number } {
   throw new Error('Nothing in the picture can be dragged.');
 }
 
-/** A state that was saved, what it goes on to, and what another stage goes on to that takes it up. */
+/** A saved state, its later state, and the later state of another stage that restores it. */
 export async function saveAndRestore(preset: string, steps: number) {
   const [stage, other] = [await open(preset), await open(preset)];
   stage.step(90);
@@ -84,7 +87,7 @@ export async function saveAndRestore(preset: string, steps: number) {
   return report;
 }
 
-/** What the capture sheet makes of the lamp, or why it does not. */
+/** The capture of the lamp, or its error. */
 export async function captured(
   format: Format,
 ): Promise<{ type: string; bytes: string } | { error: string; message: string }> {

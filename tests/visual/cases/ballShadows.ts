@@ -1,4 +1,4 @@
-/** Shadows of puffs of one lobe, which are balls, and of boxes on a ground: they are known exactly. */
+/** Shadows of boxes and of single-lobe puffs (balls) on a ground, compared with analytic results. */
 import {
   Box3,
   Euler,
@@ -29,10 +29,10 @@ type Triple = readonly [number, number, number];
 type View = { camera: Camera; casters: readonly LabPuff[] } & Pick<LabScene, 'towardsLight' | 'lamp'>;
 
 export interface BallReport {
-  /** Pixels of the ground, and those whose count is not that of the balls before the light. */
+  /** Ground pixels, and those whose stencil count differs from the number of balls between pixel and light. */
   receiver: number;
   differing: number;
-  /** The most balls before the light of one pixel. */
+  /** Largest number of balls between one pixel and the light. */
   deepest: number;
 }
 
@@ -61,7 +61,7 @@ export function compare(name: keyof typeof VIEWS): BallReport {
   return report;
 }
 
-/** A box, and where it stands in the world. */
+/** A box and its world transform. */
 interface Crate {
   half: Triple;
   worldFromModel: Matrix4;
@@ -69,14 +69,14 @@ interface Crate {
 
 type MapView = View & { crates?: readonly Crate[]; receiver?: SurfaceDescription };
 
-/** What rides on a part that is out of sight throws no shadow, wherever the light stands. */
+/** A part outside the view. It casts no shadow for any position of the light. */
 const PARKED: Crate = { half: [0.5, 0.5, 0.5], worldFromModel: new Matrix4().setPosition(0, -100, 0) };
 
 export const MAP_VIEWS = {
   sun: () => ({ camera: from([0.5, 2.6, 5]), towardsLight: [-0.5, 0.8, 0.4], casters: puffs(), crates: crates() }),
   distantLamp: () => ({ camera: from([0.5, 2.6, 5]), lamp: [2, 9, 1.5], casters: puffs(), crates: crates() }),
   lampAbove: () => ({ camera: from([0.5, 2.6, 5]), lamp: [0.1, 2.4, 0.2], casters: puffs(), crates: crates() }),
-  // One shadow lies beside what the lamp sees below it, another on the border.
+  // One shadow is outside the lamp's downward map, another on its border.
   lampAmongCrates: () => ({ camera: from([0.5, 3.6, 5]), lamp: [0.1, 0.6, 0.2], casters: [], crates: crates() }),
   lampBelow: () => ({
     camera: from([0.5, -4, 4], [0, -1, 0]),
@@ -87,16 +87,16 @@ export const MAP_VIEWS = {
   }),
 } satisfies Record<string, () => MapView>;
 
-/** How the ground's pixels agree with the steps of shadow that they must have. */
+/** How the ground pixels match their expected shadow steps. */
 export interface StepsReport {
-  /** Pixels in one step of shadow by a model of boxes that reach into each other, and all in two. */
+  /** Pixels in the first shadow step cast by a model of overlapping boxes, and pixels in the second step. */
   underModel: number;
   deep: number;
   wrongColors: number;
   wrongCounts: number;
 }
 
-/** Two balls and a model of many parts over the ground, in two steps of shadow: the parts count as one. */
+/** Two balls and a multi-part model above the ground with two shadow steps. All parts together count as one caster. */
 export function stepsUnderParts(): StepsReport {
   const view: View = { camera: from([0.5, 2.6, 5]), towardsLight: [-0.3, 0.8, 0.4], casters: OVERLAPPING };
   const floor = ground(GROUND_Y, GROUND_HALF);
@@ -125,13 +125,13 @@ export function stepsUnderParts(): StepsReport {
   return report;
 }
 
-/** Boxes that reach into each other. */
+/** Overlapping boxes. */
 const MODEL: readonly Crate[] = [0, 1, 2, 3].map((part) => ({
   half: [0.4, 0.2 - 0.03 * part, 0.25],
   worldFromModel: new Matrix4().setPosition(0.3 + 0.2 * part, -0.6 + 0.25 * part, 0.1 * part),
 }));
 
-/** Balls of which one shades the shadow of the other, and of the model. */
+/** One ball shades the shadow of the other ball and of the model. */
 const OVERLAPPING: readonly LabPuff[] = [
   { place: [-0.6, -0.3, 0.3], radius: 0.4 },
   { place: [-0.1, -0.1, 0.2], radius: 0.4 },
@@ -153,7 +153,9 @@ function crates(): Crate[] {
   ];
 }
 
-/** Pixels of the ground that the light does not reach, those of them that the shadow map leaves lit, and dark ones that are lit. */
+/**
+ * Ground pixels in shadow, those that the shadow map leaves lit (`missing`), and lit ones that it darkens (`extra`).
+ */
 export function mapErrors(name: keyof typeof MAP_VIEWS): { shadow: number; missing: number; extra: number } {
   const view: MapView = MAP_VIEWS[name]();
   const { crates: standing = [], receiver = ground(GROUND_Y, GROUND_HALF) } = view;
@@ -180,7 +182,7 @@ export function mapErrors(name: keyof typeof MAP_VIEWS): { shadow: number; missi
   return report;
 }
 
-/** The balls that a puff of the default shapes is made of. */
+/** The lobes of a puff with the default shapes. */
 function lobesOf({ place, radius, variation = 0, seed = 0, roll = 0 }: LabPuff): LabPuff[] {
   return rotatedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes).map((lobe) => ({
     place: new Vector3(...lobe.center)
@@ -214,7 +216,7 @@ function looking(camera: Camera, place: Triple, at: Triple): Camera {
   return camera;
 }
 
-/** Seeded casters over the ground. */
+/** Seeded casters above the ground. */
 function cluster(): LabPuff[] {
   const next = random(77);
   return Array.from({ length: 12 }, () => ({
@@ -223,7 +225,7 @@ function cluster(): LabPuff[] {
   }));
 }
 
-/** All casters beside the eye and behind it, most of them hardly before or behind the near plane, and the sun too. */
+/** All casters are beside or behind the eye, most of them close to the near plane. The sun is behind the eye, too. */
 function besideEye(camera: Camera): View {
   const next = random(5);
   const casters = Array.from({ length: 24 }, (_, index): LabPuff => {
@@ -253,14 +255,14 @@ function towardsLightFrom(point: Vector3, { lamp, towardsLight }: View): Vector3
   return (lamp ? new Vector3(...lamp).sub(point) : new Vector3(...towardsLight!)).normalize();
 }
 
-/** Whether a box stands on the ray from a point towards the light, which stands beyond all of them. */
+/** Whether a box intersects the ray from a point towards the light. The light is beyond all boxes. */
 function hidesAsBox({ half, worldFromModel }: Crate, point: Vector3, view: View): boolean {
   const ray = new Ray(point.clone(), towardsLightFrom(point, view)).applyMatrix4(worldFromModel.clone().invert());
   const corner = new Vector3(...half);
   return ray.intersectsBox(new Box3(corner.clone().negate(), corner));
 }
 
-/** Whether a ball stands between a point and the light. */
+/** Whether a ball is between a point and the light. */
 function hides({ place, radius }: LabPuff, point: Vector3, view: View): boolean {
   const towards = towardsLightFrom(point, view);
   const offset = new Vector3(...place).sub(point);

@@ -1,4 +1,4 @@
-/** Captures of a small lamp, and what somebody who opens the files finds in them. */
+/** Captures of a small lamp scene, and the decoded content of the files. */
 import { unzipSync } from 'fflate';
 import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
 import { capture } from '../../../src/app/capture/dialog.ts';
@@ -19,7 +19,7 @@ const PLAIN: CaptureSettings = {
 
 let opened: Promise<Stage> | undefined;
 
-/** One for all tests, in the midst of its smoke. */
+/** One stage for all tests, with smoke. */
 function lamp(): Promise<Stage> {
   opened ??= createStage(new OffscreenCanvas(WIDTH, HEIGHT), { values: { 'simulation.maxParticles': 300 } }).then(
     async (stage) => {
@@ -35,7 +35,7 @@ async function captured(settings: Partial<CaptureSettings>, signal = new AbortCo
   return capture(await lamp(), { ...PLAIN, ...settings }, { signal, onProgress: () => undefined });
 }
 
-/** Whatever is done with the captures, the smoke must stay as it is. */
+/** Runs captures and reports whether the smoke is unchanged afterwards. */
 export async function untouched<Report>(work: () => Promise<Report>): Promise<Report & { isUntouched: boolean }> {
   const stage = await lamp();
   const before = [stage.hash(), stage.stats.steps, (await bytesOf(await stage.picture())).join()];
@@ -46,7 +46,7 @@ export async function untouched<Report>(work: () => Promise<Report>): Promise<Re
 
 let large: Promise<ImageData> | undefined;
 
-/** Twice as large and without background; one for all tests. */
+/** At scale 2 and without background; memoized for all tests. */
 function largeCut(): Promise<ImageData> {
   large ??= captured({ scale: 2, hasBackground: false }).then(pixelsOf);
   return large;
@@ -73,7 +73,7 @@ export function gif() {
     const { frames, loops } = await gifOf(await captured({ format: 'gif', rate: 12, seconds: 1 }));
     const shown = await pixelsOf(await (await lamp()).picture());
     const kept = commonest(shown, 20).filter((color) => commonest(frames[0], 256).includes(color)).length;
-    // The same moments without a way back to the first of them.
+    // The same moments without the transition of the loop back to the first one.
     const straight = Object.values(unzipSync(await bytesOf(await captured({ format: 'zip', rate: 12, seconds: 1 }))));
     const [first, last] = [await pixelsOfBytes(straight[0]), await pixelsOfBytes(straight.at(-1)!)];
     return {
@@ -129,7 +129,7 @@ export function sequence(inLayers: boolean) {
   });
 }
 
-/** Flats, shadow and ink laid over each other, against the picture: mean difference of a channel. */
+/** Composes flats, shadow and ink and compares the result with the picture: mean difference of a channel, 0 to 255. */
 async function composedError([, flats, ink, shadow]: ImageData[]): Promise<number> {
   const [width, height] = [2 * WIDTH, 2 * HEIGHT];
   const context = new OffscreenCanvas(width, height).getContext('2d')!;
@@ -155,7 +155,7 @@ export function drawing() {
   });
 }
 
-/** Ends a clip after its second frame. */
+/** Cancels a clip after its second frame. */
 export function cancelled() {
   return untouched(async () => {
     const controller = new AbortController();
@@ -170,7 +170,7 @@ export function cancelled() {
   });
 }
 
-/** What is said where no encoder is. */
+/** The error without an encoder. */
 export function withoutEncoder() {
   return untouched(async () => {
     const encoder = globalThis.VideoEncoder;
@@ -213,7 +213,7 @@ async function bytesOf(blob: Blob): Promise<Uint8Array<ArrayBuffer>> {
   return new Uint8Array(await blob.arrayBuffer());
 }
 
-/** The commonest opaque colours. */
+/** The most frequent opaque colours. */
 function commonest({ data }: ImageData, count: number): number[] {
   const counts = new Map<number, number>();
   for (const color of new Uint32Array(data.buffer)) {
@@ -226,7 +226,7 @@ function hexOf(color: number): string {
   return `#${[0, 8, 16].map((shift) => ((color >>> shift) & 0xff).toString(16).padStart(2, '0')).join('')}`;
 }
 
-/** Pixels of which a channel differs by more than a tolerance. */
+/** Pixels of which a channel differs by more than `tolerance`. */
 function differing(a: ImageData, b: ImageData, tolerance = 0): number {
   let count = 0;
   for (let at = 0; at < a.data.length; at += 4) {
@@ -235,7 +235,7 @@ function differing(a: ImageData, b: ImageData, tolerance = 0): number {
   return count;
 }
 
-/** Of 255. */
+/** Mean difference of a channel, 0 to 255. */
 function meanDifference(a: ImageData, b: ImageData): number {
   let sum = 0;
   a.data.forEach((value, at) => (sum += Math.abs(value - b.data[at])));

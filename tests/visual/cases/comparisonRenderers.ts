@@ -1,4 +1,4 @@
-/** What the other renderers draw: Selle's lines, blended sprites, shadow by a depth map. */
+/** The comparison renderers: Selle's lines, blended sprites, shadow maps. */
 import type { Color } from '../../../src/device/ramps.ts';
 import type { PuffShape } from '../../../src/puffs/shapes.ts';
 import { frontCamera, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
@@ -7,25 +7,28 @@ import { box } from '../solids.ts';
 const WIDTH = 200;
 const HEIGHT = 160;
 
-/** A line along the inner side of circles about the middle of the picture. */
+/** Ink along the inner side of circles around the centre of the picture. */
 export interface LineReport {
-  /** Pixels that must be ink, because they lie in a circle and a neighbour over one of their sides does not. */
+  /** Pixels that must be ink: inside a circle, with a 4-neighbour outside it. */
   line: number;
-  /** Those of them that are not, and ink elsewhere. */
+  /** `line` pixels without ink, and ink pixels elsewhere. */
   missing: number;
   extra: number;
-  /** Side of the largest square that is all ink. */
+  /** Side of the largest square of ink, pixels. */
   thickest: number;
-  /** Whether each circle's line can be crossed nowhere by steps over the sides of pixels. */
+  /** Whether every line is closed for 4-connected steps. */
   isClosed: boolean;
   colors: number;
 }
 
-/** Pixels by which the silhouette, which is read from a texture, may be off. */
+/** Tolerance in pixels, because the silhouette is sampled from a texture. */
 const SLACK = 0.25;
 const BALL: readonly PuffShape[] = [{ name: 'ball', lobes: [{ center: [0, 0, 0], radius: 1 }] }];
 
-/** The lines of a ball before a larger one, by a share of the threshold: round both, or round the larger one alone. */
+/**
+ * The lines of a ball in front of a larger ball, for a share of the threshold: around both, or around the larger one
+ * only.
+ */
 export function depthLines(share: number): LineReport {
   const radii = [0.3, 0.9];
   const threshold = PLAIN_STYLE.innerLine * ((radii[0] + radii[1]) / 2);
@@ -58,7 +61,7 @@ export function depthLines(share: number): LineReport {
   };
 }
 
-/** Whether a pixel lies in a circle and one beside it does not, each by as much less as there is slack. */
+/** Whether a pixel is inside a circle and a 4-neighbour outside, each by at least `slack` pixels. */
 function isLine(at: number, radius: number, slack: number): boolean {
   const beside = NEIGHBOURS.map((step) => fromMiddle(at + step));
   return fromMiddle(at) < radius + slack && Math.max(...beside) > radius - slack;
@@ -66,12 +69,12 @@ function isLine(at: number, radius: number, slack: number): boolean {
 
 const NEIGHBOURS = [1, -1, WIDTH, -WIDTH];
 
-/** From the middle of the picture to that of a pixel. */
+/** Distance between the centre of a pixel and the centre of the picture, pixels. */
 function fromMiddle(at: number): number {
   return Math.hypot((at % WIDTH) + 0.5 - WIDTH / 2, Math.floor(at / WIDTH) + 0.5 - HEIGHT / 2);
 }
 
-/** Side of the largest square of ink. */
+/** Side of the largest square of ink, pixels. */
 function thickestOf(isInk: readonly boolean[]): number {
   const sides = new Int32Array(isInk.length);
   isInk.forEach((ink, at) => {
@@ -80,7 +83,7 @@ function thickestOf(isInk: readonly boolean[]): number {
   return Math.max(...sides);
 }
 
-/** Whether steps from just inside a circle's line lead out of the circle without touching ink. */
+/** Whether a 4-connected path from just inside a circle's line leaves the circle without crossing ink. */
 function leaksFrom(radius: number, isInk: readonly boolean[]): boolean {
   const start = (HEIGHT / 2) * WIDTH + WIDTH / 2 + Math.floor(radius) - 3;
   const seen = new Set([start]);
@@ -91,7 +94,9 @@ function leaksFrom(radius: number, isInk: readonly boolean[]): boolean {
   return false;
 }
 
-/** The middle pixel under two sprites of two tints, far one first, and what blending one over the other gives there. */
+/**
+ * The centre pixel of two overlapping sprites with two tints, far one first, and the analytic blend of the two colours.
+ */
 export function blendedSprites(): { drawn: number[]; expected: number[] } {
   const puffs: LabPuff[] = [
     { place: [0, 0, -0.5], radius: 0.5, tint: 1, age: 0.25 },
@@ -106,7 +111,7 @@ export function blendedSprites(): { drawn: number[]; expected: number[] } {
   return { drawn: colorAt(picture, (HEIGHT / 2) * WIDTH + WIDTH / 2), expected };
 }
 
-/** How opaque the middle of a sprite is at some radii before a wall; a share of what it is far from it. */
+/** Opacity at the centre of a sprite `gap` radii in front of a wall, as a share of the opacity without a wall. */
 export function softness(gap: number): number {
   const radius = 0.5;
   const wall = {

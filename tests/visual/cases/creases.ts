@@ -1,4 +1,6 @@
-/** Lines along the sharp edges of a box, and where it stands on a floor, against the projections of those that a camera sees. */
+/**
+ * Lines along the sharp edges of a box and its intersection with a floor, compared with the projected visible edges.
+ */
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { PLAIN_STYLE, takePicture } from '../lab.ts';
 import { box } from '../solids.ts';
@@ -7,7 +9,7 @@ const SIZE = 200;
 const HALF = 0.5;
 const WIDTH = 3;
 
-/** Ink within a box: pixels that belong to a line, those of them without ink, and ink where no line is. */
+/** Ink inside a box: pixels that belong to a line, those of them without ink, and ink elsewhere. */
 export interface CreaseReport {
   expected: number;
   missing: number;
@@ -16,11 +18,11 @@ export interface CreaseReport {
 
 export interface CreaseCase {
   projection: 'perspective' | 'orthographic';
-  /** Of the camera, metres. */
+  /** Distance of the camera, metres. */
   distance: number;
-  /** Whether a wall stands before the box. */
+  /** Whether a wall is in front of the box. */
   behind?: boolean;
-  /** How deep the box stands in a floor, metres, whose line is looked at; there is none where absent. */
+  /** Depth of the box in a floor, metres; the test then measures the line on the floor. No floor where absent. */
   sunk?: number;
   reversedDepth?: boolean;
 }
@@ -38,9 +40,9 @@ export function creasesOf({ projection, distance, behind = false, sunk, reversed
   const report = { expected: 0, missing: 0, stray: 0 };
   for (let pixel = 0; pixel < SIZE * SIZE; ++pixel) {
     const at = new Vector3((pixel % SIZE) + 0.5, Math.floor(pixel / SIZE) + 0.5, 0);
-    // Away from the silhouette, where hulls draw.
+    // Outside the silhouette, where hulls draw.
     if (at.distanceTo(corner) > 0.6 * Math.min(...ends.map((end) => end.distanceTo(corner)))) continue;
-    // Ribbons end square, and stand out where two meet at an angle.
+    // Ribbons have square ends, which protrude where two ribbons meet at an angle.
     if (sunk !== undefined && at.distanceTo(corner) < WIDTH) continue;
     const away = Math.min(...ends.map((end) => distanceTo(at, corner, end)));
     const isInk = PLAIN_STYLE.inkColor.every((channel, index) => pixels[4 * pixel + index] === channel);
@@ -51,7 +53,7 @@ export function creasesOf({ projection, distance, behind = false, sunk, reversed
   return report;
 }
 
-/** The corner that looks at the camera, or the one on the floor, and the ends of the three edges that meet there. */
+/** The corner that faces the camera, or the one on the floor, and the end points of its three edges. */
 function cornerOf(sunk?: number): Vector3[] {
   const height = sunk === undefined ? HALF : sunk - HALF;
   const corners = [

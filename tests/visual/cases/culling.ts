@@ -1,4 +1,4 @@
-/** Pictures with and without what arrange leaves out: pixels that differ, and pixels whose shadow does. */
+/** Pictures with and without the culling of `arrange`: pixels that differ, and pixels whose shadow differs. */
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { defaultPreset, findPreset, presetValues, type Preset } from '../../../src/preset/presets.ts';
 import type { Value, Values } from '../../../src/preset/parameter.ts';
@@ -8,24 +8,24 @@ import type { Style } from '../../../src/smoke/style.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { RenderBench } from '../../bench/render/bench.ts';
 
-/** What two pictures of the same moment have in common, and how much less one of them was drawn from. */
+/** Differences between two pictures of the same moment, and the number of rows that each one draws. */
 export interface Comparison {
-  /** Pixels of another colour, and pixels that only one of the two has in shadow. */
+  /** Pixels with another colour, and pixels that are in shadow in only one of the two. */
   changed: number;
   masked: number;
-  /** Pixels in shadow at all, and colours: a picture with neither compares nothing. */
+  /** Pixels in shadow, and colours. A picture without them compares nothing. */
   shadowed: number;
   colors: number;
   bodies: [culled: number, whole: number];
   casters: [culled: number, whole: number];
 }
 
-/** From the front as the scene has it, from the side and above, from within a plume, and from behind the smoke. */
+/** Camera of the scene, from the side and above, inside a plume, behind the smoke, orthographic. */
 export type Viewpoint = 'scene' | 'above' | 'inside' | 'behind' | 'orthographic';
 
 const [WIDTH, HEIGHT] = [320, 240];
 
-/** A moment of the scene of a preset, the default one where none is named, as its stage draws it, from several places. */
+/** A moment of a preset's scene as its stage draws it, from several viewpoints. The default preset where absent. */
 export async function compareScene(
   { preset, ...values }: Values,
   seconds: number,
@@ -63,7 +63,7 @@ function presetNamed(name: Value | undefined): Preset {
   return preset;
 }
 
-/** A seeded plume of the bench. */
+/** A seeded plume of the benchmark. */
 export async function comparePlume(
   particles: number,
   style: Partial<Style>,
@@ -79,7 +79,7 @@ export async function comparePlume(
   return comparisons;
 }
 
-/** As far from the middle of the smoke as the scene's camera, on the other side. */
+/** On the opposite side of the smoke, at the distance of the scene's camera. */
 function cameraBehind({ camera, simulator }: FrameInput): Camera {
   const { min, max } = simulator.bounds;
   const middle = new Vector3(...min).lerp(new Vector3(...max), 0.5);
@@ -91,7 +91,7 @@ function cameraBehind({ camera, simulator }: FrameInput): Camera {
   return behind;
 }
 
-/** Both lamp and plume rise at the origin. */
+/** Both lamp and plume start at the origin. */
 function cameraAt(place: Exclude<Viewpoint, 'behind'>, scene: Camera): Camera {
   if (place === 'scene') return scene;
   const aspect = WIDTH / HEIGHT;
@@ -118,7 +118,7 @@ function compare(smoke: SmokeRenderer, draw: (cull: boolean) => ReturnType<Smoke
   };
 }
 
-/** The picture, and where the stencil is not zero: the mask that stands in the alpha of the lit colour. */
+/** The picture, and where the stencil is not zero (the mask, which the alpha channel of the lit colour stores). */
 function read({ passes }: SmokeRenderer): { colors: Uint32Array; mask: Uint8Array } {
   const { renderer, targets } = passes;
   const gl = renderer.getContext();

@@ -1,4 +1,4 @@
-/** What the debug views show, against what the lab reads of the same scene. */
+/** Debug views, compared with data that the lab reads from the same scene. */
 import { OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Vector2, Vector3, type Camera } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import type { DebugView } from '../../../src/preset/quality.ts';
@@ -47,7 +47,7 @@ function same(a: Rgba, b: Rgba, tolerance = 0): boolean {
   return a.every((value, channel) => Math.abs(value - b[channel]) <= tolerance);
 }
 
-/** The colour of a number in the views that count. */
+/** Colour of a count in the heat map views. */
 function heatOf(number: number, rate: number): Rgba {
   const heat = 3 * (1 - 2 ** (-rate * (number > 0 ? number + 1 : 0)));
   const channel = (from: number) => Math.round(255 * Math.min(1, Math.max(0, heat - from)));
@@ -55,9 +55,9 @@ function heatOf(number: number, rate: number): Rgba {
 }
 
 export interface ViewsReport {
-  /** Pixels that a view shows otherwise than it must, by view. */
+  /** Wrong pixels by view. */
   wrong: Record<DebugView, number>;
-  /** Pixels of which something could be said, by view. */
+  /** Pixels with a known expected value, by view. */
   judged: Record<DebugView, number>;
   error: number;
 }
@@ -66,7 +66,7 @@ export function compareViews(form: PuffForm): ViewsReport {
   const plain = sceneOf(form);
   const parts = [0, 0.2].map((beside) => ({ ...BOX, mesh: box([-1.1 + beside, -0.5, 0.6], [0.3, 0.2, 0.2]) }));
   const surfaces = [...plain.surfaces!, ...parts];
-  // Two steps let the parts count as one; there are too few volumes for the second.
+  // With two shadow steps all parts count as one caster. There are too few volumes for the second step.
   const scene: LabScene = { ...plain, surfaces, style: { form, shadowSteps: 2, shadowDepth: 100 } };
   const lab = new Lab(scene);
   const show = (extra: Partial<LabScene>) => lab.draw({ ...scene, ...extra });
@@ -101,7 +101,7 @@ function isInkColor([red, green, blue]: Rgba): boolean {
   return red === inkColor[0] && green === inkColor[1] && blue === inkColor[2];
 }
 
-/** Of the pixels of a lone puff without ink: how many have a normal that does not explain their tone. */
+/** Ink-free pixels of a lone puff, and those whose normal does not explain their tone. */
 export function normalsAndTones(form: PuffForm): { puff: number; unexplained: number } {
   const towardsLight = new Vector3(0.3, 0.5, 0.8).normalize();
   const puffs: LabPuff[] = [{ place: [0, 0, 0], radius: 1, seed: 5 }];
@@ -121,14 +121,14 @@ export function normalsAndTones(form: PuffForm): { puff: number; unexplained: nu
     const [x, y, z] = normals(pixel).map((value) => value / 127.5 - 1);
     const facing = new Vector3(x, y, z).normalize().dot(towardsLight);
     report.puff += 1;
-    // Eight bits leave a hundredth of the cosine.
+    // An 8-bit normal has an error of about 0.01 in the cosine.
     if (Math.abs(facing - 0.5) < 0.015) continue;
     if ((tones(pixel)[0] === PLAIN_STYLE.smokeColor[0]) !== facing > 0.5) report.unexplained += 1;
   }
   return report;
 }
 
-/** How far the view of depth is from a ground's true depth, in 255ths, for both kinds of camera. */
+/** Largest difference between the depth view and the true depth of a ground, in 1/255, for both camera types. */
 export function depthError(): { worst: number; pixels: number } {
   const cameras = [
     new PerspectiveCamera(40, WIDTH / HEIGHT, 0.1, 50),
@@ -170,7 +170,7 @@ function depthErrorOf(camera: Camera): { worst: number; pixels: number } {
   return report;
 }
 
-/** Colours of the overdraw of two bodies on one place, without and with their volumes, and those that are right. */
+/** Overdraw colours of two coincident bodies, without and with shadow volumes, and the expected colours. */
 export function overdraw(): { bodies: string[]; expected: string[]; withVolumes: number } {
   const twice = [PUFFS[0], PUFFS[0]];
   const scene: LabScene = { ...sceneOf('lobes'), puffs: twice, view: 'overdraw' };
@@ -189,8 +189,8 @@ export function overdraw(): { bodies: string[]; expected: string[]; withVolumes:
 }
 
 /**
- * Pixels of a plume that the view of the grid tints, those of them where it should not, those that it should tint and does
- * not, and tinted ones that show no smoke.
+ * Pixels of a plume: tinted by the grid view, tinted by mistake (`wrong`), not tinted although covered (`missing`), and
+ * tinted without smoke (`clear`).
  */
 export async function coverageTints(): Promise<{ tinted: number; wrong: number; missing: number; clear: number }> {
   const bench = await RenderBench.create(0.5, 1500);
@@ -216,7 +216,7 @@ export async function coverageTints(): Promise<{ tinted: number; wrong: number; 
   return report;
 }
 
-/** Whether the simulator's grid covers a pixel of the bench's picture. */
+/** Whether the simulator's grid covers a pixel of the benchmark picture. */
 function coveredIn(bench: RenderBench): (pixel: number) => boolean {
   const { simulator, smoke, camera } = bench;
   const input = bench['input'](true);

@@ -1,4 +1,4 @@
-/** windowDepth as the shaders compute it, against the projection of the same points. */
+/** `windowDepth` of the shaders, compared with the projection of the same points. */
 import {
   type Camera,
   FloatType,
@@ -28,7 +28,7 @@ const CAMERAS: Record<string, () => Camera> = {
   orthographic: () => new OrthographicCamera(-2, 3, 2, -1, NEAR, FAR),
 };
 
-/** The largest difference over depths from near to far. */
+/** The largest error for depths between near and far plane. */
 export function largestError(cameraName: string): number {
   const { projectionMatrix } = CAMERAS[cameraName]();
   const computed = onTheGpu(projectionMatrix);

@@ -1,6 +1,6 @@
 /**
- * The edge filter on pictures made by hand - two tones on both sides of a straight line, thin lines, a disc on the page -,
- * where the oracle is the area of each pixel beyond the line; and on a picture of puffs.
+ * The edge filter on synthetic pictures (two tones on the sides of a straight line, thin lines, a disc on the page) and
+ * on a picture of puffs. For synthetic pictures the expected value is the area of each pixel beyond the line.
  */
 import {
   DataTexture,
@@ -19,12 +19,12 @@ import { random } from '../random.ts';
 import { ground } from '../solids.ts';
 
 const SIZE = 64;
-/** Pixels at the border of a picture know only one side of it. */
+/** The filter has only one side of a pixel at the border of the picture. */
 const MARGIN = 14;
 
 type Tone = readonly [red: number, green: number, blue: number, alpha: number];
 
-/** A pixel in both colours, as the passes leave it: unlit with the alpha of the page, lit with the mask. */
+/** A pixel in both colour targets: unlit with the alpha of the page, lit with the mask. */
 interface Pixel {
   unlit: Tone;
   lit: Tone;
@@ -37,7 +37,7 @@ const opaque = (red: number, green: number, blue: number): Pixel => ({
 
 const SMOKE: Pixel = { unlit: [145, 129, 174, 255], lit: [246, 239, 226, 0] };
 
-/** The two sides of each kind of edge. */
+/** The colours on the two sides of each edge type. */
 const KINDS: Readonly<Record<string, readonly [Pixel, Pixel]>> = {
   ink: [opaque(29, 23, 32), SMOKE],
   shade: [opaque(145, 129, 174), SMOKE],
@@ -47,22 +47,22 @@ const KINDS: Readonly<Record<string, readonly [Pixel, Pixel]>> = {
   hue: [opaque(44, 20, 20), opaque(20, 20, 44)],
 };
 
-/** How far, in pixels and with its sign, the middle of a pixel lies from a line. */
+/** Signed distance of a pixel centre from a line, pixels. */
 type Distance = (x: number, y: number) => number;
 
-/** @param angle in degrees against the horizontal */
+/** @param angle in degrees from the horizontal */
 function lineAt(angle: number, shift: number): Distance {
   const [normalX, normalY] = [-Math.sin((angle * Math.PI) / 180), Math.cos((angle * Math.PI) / 180)];
   return (x, y) => (x + 0.5 - SIZE / 2) * normalX + (y + 0.5 - SIZE / 2) * normalY - shift;
 }
 
-/** Draws given colours through the filter. */
+/** Applies the filter to given colours. */
 class Filter {
   private readonly device: Device = createDevice(new OffscreenCanvas(1, 1));
   private readonly pass = new ResolvePass();
   private readonly output = new WebGLRenderTarget(SIZE, SIZE, { depthBuffer: false });
 
-  /** @returns RGBA bytes, premultiplied, the row y = 0 first; none where the picture goes to the canvas */
+  /** @returns RGBA bytes, premultiplied, the row y = 0 first; undefined where the picture is drawn to the canvas */
   draw(
     pixelAt: (x: number, y: number) => Pixel,
     smoothEdges: boolean,
@@ -77,7 +77,7 @@ class Filter {
     return pixels;
   }
 
-  /** Puts the picture of the latest colours on a canvas of the page. */
+  /** Shows the filtered picture of the latest colours on a canvas of the page. */
   show(pixelAt: (x: number, y: number) => Pixel, canvas: HTMLCanvasElement): void {
     this.device.renderer.setSize(SIZE, SIZE, false);
     this.draw(pixelAt, true, null);
@@ -107,19 +107,21 @@ function eachPixel(margin: number, visit: (x: number, y: number) => void): void 
 }
 
 export interface SlantReport {
-  /** Different colours between those of the two sides. */
+  /** Distinct colours between those of the two sides. */
   levels: number;
-  /** Mean over the pixels that the line crosses: how far their share of the far side is from their area beyond it. */
+  /**
+   * Mean over the pixels on the line: difference between their share of the far colour and their area beyond the line.
+   */
   error: number;
-  /** The same without the filter. */
+  /** The same error without the filter. */
   rawError: number;
-  /** Pixels whose surroundings are flat and that changed nonetheless. */
+  /** Pixels that change although their neighbourhood is flat. */
   flatChanged: number;
-  /** Pixels that are no mixture of the two sides. */
+  /** Pixels that are not a mixture of the two sides. */
   strange: number;
 }
 
-/** A slanted line of each kind under several angles and shifts. */
+/** A slanted line of each edge type at several angles and offsets. */
 export function slants(angles: readonly number[]): { kind: string; angle: number; report: SlantReport }[] {
   const filter = new Filter();
   const reports = Object.entries(KINDS).flatMap(([kind, sides]) =>
@@ -166,20 +168,20 @@ function colorOf(pixels: Uint8Array, side: Pixel, pixelAt: (x: number, y: number
   throw new RangeError('The line leaves no pixel on one of its sides.');
 }
 
-/** Light that an 8-bit display value stands for, 0 to 1. */
+/** Linear light of an 8-bit sRGB value, 0 to 1. */
 function light(value: number): number {
   const display = value / 255;
   return display <= 0.04045 ? display / 12.92 : ((display + 0.055) / 1.055) ** 2.4;
 }
 
-/** The amounts that the filter mixes: light, times alpha, and alpha. */
+/** The values that the filter mixes: linear light times alpha, and alpha. */
 function amounts(color: Uint8Array): number[] {
   const alpha = color[3] / 255;
   const own = (value: number) => (alpha > 0 ? light(Math.min(255, value / alpha)) * alpha : 0);
   return [own(color[0]), own(color[1]), own(color[2]), alpha];
 }
 
-/** The share of `to` in a mixture, by the channel in which the two differ most. */
+/** The share of `to` in a mixture, from the channel with the largest difference between `from` and `to`. */
 function shareBetween(from: Uint8Array, to: Uint8Array, color: Uint8Array): number {
   const [a, b, c] = [amounts(from), amounts(to), amounts(color)];
   const gaps = a.map((value, channel) => Math.abs(b[channel] - value));
@@ -193,7 +195,7 @@ function isMixture(from: Uint8Array, to: Uint8Array, color: Uint8Array): boolean
   return c.every((value, channel) => Math.abs(a[channel] + share * (b[channel] - a[channel]) - value) < 0.012);
 }
 
-/** The part of a pixel that lies beyond a line, from 16 x 16 points. */
+/** The part of a pixel beyond a line, from 16 x 16 samples. */
 function areaBeyond(distance: Distance, x: number, y: number): number {
   if (Math.abs(distance(x, y)) > 0.75) return distance(x, y) > 0 ? 1 : 0;
   let beyond = 0;
@@ -205,13 +207,13 @@ function areaBeyond(distance: Distance, x: number, y: number): number {
 }
 
 interface LineReport {
-  /** Darkness after the filter over that before. */
+  /** Darkness after the filter divided by the darkness before. */
   kept: number;
-  /** The same of the stretch of four pixels that has lost most. */
+  /** The same for the four-pixel segment with the largest loss. */
   palest: number;
 }
 
-/** Dark lines of several widths, in pixels, on light ground, straight under several angles and round a ring. */
+/** Dark lines on a light ground: straight lines at several angles, and a ring. Widths in pixels. */
 export function thinLines(
   widths: readonly number[],
   angles: readonly (number | 'ring')[],
@@ -243,7 +245,7 @@ function lineReport(filter: Filter, width: number, angle: number | 'ring'): Line
   return { kept: sum(after) / sum(before), palest: Math.min(...palest) };
 }
 
-/** How much of the ground's light each pixel lacks. */
+/** Linear light of the ground minus that of each pixel. */
 function darkness(pixels: Uint8Array): Float64Array {
   const background = light(KINDS.ink[1].lit[0]);
   return Float64Array.from({ length: SIZE * SIZE }, (_, pixel) => 1 - light(pixels[4 * pixel]) / background);
@@ -257,7 +259,7 @@ function sumsOfRows(values: Float64Array): number[] {
   return between((row) => over((column) => values[row * SIZE + column]));
 }
 
-/** Sums over 48 sectors about the middle. */
+/** Sums over 48 sectors around the centre. */
 function sumsOfSectors(values: Float64Array): number[] {
   const sums = Array<number>(48).fill(0);
   eachPixel(0, (x, y) => {
@@ -275,7 +277,7 @@ function over(valueAt: (index: number) => number): number {
   return Array.from({ length: SIZE }, (_, index) => valueAt(index)).reduce((sum, value) => sum + value, 0);
 }
 
-/** The corner of a square that stands straight: how many of its pixels change. */
+/** Number of pixels that change at the corner of an axis-aligned square. */
 export function corner(): number {
   const filter = new Filter();
   const pixelAt = (x: number, y: number) => (x < SIZE / 2 && y < SIZE / 2 ? KINDS.ink[0] : KINDS.ink[1]);
@@ -286,7 +288,7 @@ export function corner(): number {
 
 const PAGE = KINDS.silhouette[1];
 
-/** An inked disc on a page, which is transparent unless another is given. */
+/** An inked disc on a page, which is transparent by default. */
 function disc(page: Pixel = PAGE): (x: number, y: number) => Pixel {
   return (x, y) => {
     const radius = Math.hypot(x + 0.5 - SIZE / 2 - 0.3, y + 0.5 - SIZE / 2 + 0.2);
@@ -295,8 +297,8 @@ function disc(page: Pixel = PAGE): (x: number, y: number) => Pixel {
 }
 
 /**
- * The outline of a disc smoothed on a transparent page and on an opaque one of a grey: the farthest that a pixel's share
- * of the page lies from the other's, and how many pixels are neither page nor disc.
+ * The smoothed outline of a disc on a transparent page and on an opaque grey page: the largest difference of a pixel's
+ * page share between the two, and the number of pixels that are neither page nor disc.
  */
 export function pageShares(grey: number): { farthest: number; mixed: number } {
   const filter = new Filter();
@@ -314,7 +316,10 @@ export function pageShares(grey: number): { farthest: number; mixed: number } {
   return report;
 }
 
-/** Puts the smoothed disc on the page, before a photograph-like background. @returns both as RGBA bytes, top row first */
+/**
+ * Shows the smoothed disc on the page in front of a photograph-like background.
+ * @returns both as RGBA bytes, top row first
+ */
 export function showDisc(background: string): { disc: number[]; behind: number[] } {
   const filter = new Filter();
   const canvas = document.createElement('canvas');
@@ -324,7 +329,7 @@ export function showDisc(background: string): { disc: number[]; behind: number[]
   document.body.style.cssText = `margin:0;background:${behind ? `url(${behind.url})` : background}`;
   canvas.style.display = 'block';
   filter.show(disc(), canvas);
-  // The filter lives as long as the page: with its context the picture on the canvas would go, too.
+  // The filter is not disposed before the page: disposal of its context would also clear the canvas.
   const pixels = filter.draw(disc(), true);
   const stride = 4 * SIZE;
   const flipped = Array.from({ length: 4 * SIZE * SIZE }, (_, at) => {
@@ -348,16 +353,18 @@ function noise(): { url: string; pixels: number[] } {
 }
 
 export interface SceneReport {
-  /** Colours between two flat ones along all their edges, by the two. */
+  /** Distinct colours between two flat colours along all their edges, by the pair. */
   levels: Record<string, number>;
-  /** Pixels among nine of one colour, and how many of them changed. */
+  /** Pixels whose 3 x 3 neighbourhood has one colour, and those of them that change. */
   flat: number;
   flatChanged: number;
-  /** Changed pixels that are no mixture of their own colour and that of a neighbour. */
+  /** Changed pixels that are not a mixture of their own colour and a neighbour's. */
   strange: number;
 }
 
-/** Two puffs, one before the other, on a ground and a transparent page: all edges that the passes make. */
+/**
+ * Two puffs, one in front of the other, on a ground and a transparent page: every edge type that the passes produce.
+ */
 export function sceneEdges(form: PuffForm, outlines: boolean): SceneReport {
   const [width, height] = [320, 240];
   const scene: LabScene = {
@@ -406,7 +413,7 @@ function tiltedCamera(aspect: number): PerspectiveCamera {
   return camera;
 }
 
-/** What a flat colour of `sceneEdges` is; tones of the ground and the smoke by their brightness. */
+/** Name of a flat colour of `sceneEdges`. Brightness distinguishes the tones of ground and smoke. */
 function nameOf(color: Uint8Array): string {
   if (color[3] === 0) return 'page';
   const { inkColor, smokeColor } = PLAIN_STYLE;
@@ -416,7 +423,7 @@ function nameOf(color: Uint8Array): string {
   return 'shade';
 }
 
-/** Marks of a few pixels, by their places, and whether a hand may have drawn them. */
+/** Marks of a few pixels by position, and whether a pen stroke could produce them. */
 const MARKS: Readonly<Record<string, { pixels: readonly string[]; isDrawn: boolean }>> = {
   'a pixel': { pixels: ['30 30'], isDrawn: false },
   'a pair': { pixels: ['30 30', '31 30'], isDrawn: false },
@@ -426,7 +433,7 @@ const MARKS: Readonly<Record<string, { pixels: readonly string[]; isDrawn: boole
   'a slanted stroke': { pixels: ['30 30', '31 31', '32 32'], isDrawn: true },
 };
 
-/** The share of each mark's darkness on light ground that the filter leaves. */
+/** The share of each mark's darkness on a light ground that remains after the filter. */
 export function marks(): { name: string; isDrawn: boolean; left: number }[] {
   const filter = new Filter();
   const reports = Object.entries(MARKS).map(([name, { pixels, isDrawn }]) => {

@@ -1,4 +1,4 @@
-/** What is drawn where the depth that fragments write is not kept, beside what is drawn elsewhere. */
+/** Pictures of the fallback without fragment depth, compared with the regular renderer. */
 import { OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Vector2, Vector3, type Camera } from 'three';
 import { createDevice } from '../../../src/device/device.ts';
 import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
@@ -15,7 +15,7 @@ type Triple = [number, number, number];
 
 const SUN = new Vector3(-0.5, 0.8, 0.4).normalize().toArray();
 
-/** Whether this machine passes the self test, and whether a device can be told to fail it. */
+/** Whether this machine passes the self test, and whether a device can simulate a failure. */
 export function selfTest(): { passes: boolean; notified: boolean; error: number } {
   const [device, notified] = [{}, { failsSelfTest: true }].map((options) =>
     createDevice(new OffscreenCanvas(1, 1), options),
@@ -26,7 +26,7 @@ export function selfTest(): { passes: boolean; notified: boolean; error: number 
   return report;
 }
 
-/** The self test where a depth that fragments write does not count, as with some drivers. */
+/** The self test with `gl_FragDepth` disabled, as with some drivers. */
 export function selfTestWithoutWriting(): boolean {
   const { shaderSource } = WebGL2RenderingContext.prototype;
   WebGL2RenderingContext.prototype.shaderSource = function (shader, source) {
@@ -48,7 +48,7 @@ function looking(camera: Camera, from: Triple, at: Triple): Camera {
 
 const perspective = () => new PerspectiveCamera(45, WIDTH / HEIGHT, 0.1, 100);
 
-/** How the scene is looked at and lit. */
+/** Camera and light of the scene. */
 const VIEWS: Readonly<Record<string, () => Partial<LabScene>>> = {
   ordinary: () => ({ camera: looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0]) }),
   lamp: () => ({ camera: looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0]), lamp: [-0.8, 2.6, 0.5] }),
@@ -58,7 +58,7 @@ const VIEWS: Readonly<Record<string, () => Partial<LabScene>>> = {
   }),
 };
 
-/** A small cloud over a ground with a box. */
+/** A small cloud above a ground with a box. */
 function cloud(count: number): LabPuff[] {
   const next = random(31);
   return Array.from({ length: count }, () => ({
@@ -83,7 +83,7 @@ function sceneOf(puffs: readonly LabPuff[], extra: Partial<LabScene>): LabScene 
   };
 }
 
-/** Where the ground is seen, and how many prisms hold its points against round volumes computed here. */
+/** Ground pixels, and the number of flat shadow prisms at each one, compared with round volumes computed on the CPU. */
 export interface PrismReport {
   receiver: number;
   differing: number;
@@ -91,7 +91,7 @@ export interface PrismReport {
   deepest: number;
 }
 
-/** A ground under many casters, looked at from a place; no puffs, no box. */
+/** A ground below many casters; no puffs and no box. */
 export function prismCounts(view: string): PrismReport {
   const casters = cloud(40);
   const { camera, lamp } = { ...VIEWS[view]() };
@@ -111,7 +111,7 @@ export function prismCounts(view: string): PrismReport {
   return report;
 }
 
-/** Whether the shadow of a flat body a little wider than the mean silhouette of the puffs holds a point. */
+/** Whether a point is inside the shadow of a flat body that is slightly wider than the mean silhouette of the puffs. */
 function roundVolume(
   { place, radius }: LabPuff,
   camera: Camera,
@@ -139,9 +139,9 @@ function groundPoint(pixel: number, camera: Camera): Vector3 | undefined {
   return point && Math.abs(point.x) <= 3 && Math.abs(point.z) <= 3 ? point : undefined;
 }
 
-/** How often the two ways agree about shadow on the ground, about ink and about smoke. */
+/** Agreement of the two methods about shadow on the ground, ink and smoke. */
 export interface Agreement {
-  /** Pixels of ground and box in shadow as nailboards have it, those in the flat shadow, and those in both. */
+  /** Pixels of ground and box in the nailboard shadow, in the flat shadow, and in both. */
   shadow: number;
   flatShadow: number;
   shadowAgreed: number;
@@ -152,7 +152,7 @@ export interface Agreement {
   error: number;
 }
 
-/** The ground and the box under a cloud, drawn in both ways. */
+/** The ground and the box below a cloud, drawn with both methods. */
 export function agreement(view: string): Agreement {
   const scene = sceneOf(cloud(40), VIEWS[view]());
   const nailboards = draw(scene, false);
@@ -195,11 +195,11 @@ function kindOf({ pixels }: LabPicture, pixel: number): 'ink' | 'smoke' | 'other
   const [red, green, blue] = pixels.subarray(4 * pixel, 4 * pixel + 3);
   const { inkColor } = PLAIN_STYLE;
   if (red === inkColor[0] && green === inkColor[1] && blue === inkColor[2]) return 'ink';
-  // The ground and the box are redder than any tone of the smoke.
+  // Ground and box are redder than every tone of the smoke.
   return red > 0 && red < blue + 40 ? 'smoke' : 'other';
 }
 
-/** Of the light that reaches a lone flat puff, how many pixels its own volume takes away. */
+/** Lit pixels of a lone flat puff, and those that its own shadow volume masks. */
 export function flatSelfMasked(trials: number): { lit: number; masked: number } {
   const next = random(8);
   const scene = { width: WIDTH, height: HEIGHT, puffs: [], capacity: 1, failsSelfTest: true };
@@ -227,7 +227,7 @@ export function flatSelfMasked(trials: number): { lit: number; masked: number } 
   return result;
 }
 
-/** Pixels in the common shadow of many casters on one place that came out lit. */
+/** Pixels in the common shadow of many coincident casters, and those of them that are lit. */
 export function coincident(count: number): { shadowed: number; lit: number } {
   const casters = Array.from({ length: count }, (): LabPuff => ({ place: [0, 0, 0], radius: 0.5 }));
   const countsOf = (some: readonly LabPuff[]) => {
@@ -239,7 +239,7 @@ export function coincident(count: number): { shadowed: number; lit: number } {
   return { shadowed, lit: one.filter((value, pixel) => value > 0 && all[pixel] === 0).length };
 }
 
-/** A stage that fails the self test: what it tells, and whether its picture has smoke, ink and shadow. */
+/** A stage that fails the self test: its `writesDepth`, and pixels of smoke, ink and shadow in its picture. */
 export async function flatStage(): Promise<{ writesDepth: boolean; ink: number; smoke: number; shadowed: number }> {
   const pictures = await Promise.all(
     [1, 0].map(async (shadows) => {
@@ -257,7 +257,7 @@ export async function flatStage(): Promise<{ writesDepth: boolean; ink: number; 
   const count = (color: string) => shaded.filter((pixel) => pixel.toString(16) === `ff${color}`).length;
   return {
     writesDepth: pictures[0].writesDepth,
-    // As bytes: alpha, blue, green, red.
+    // Byte order: alpha, blue, green, red.
     ink: count('20171d'),
     smoke: count('e2eff6'),
     shadowed: shaded.filter((pixel, index) => pixel !== free[index]).length,

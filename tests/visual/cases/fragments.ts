@@ -1,4 +1,4 @@
-/** The counters of the render suite against numbers that can be known. */
+/** The counters of the render benchmark, compared with known values. */
 import { OrthographicCamera } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { createDevice } from '../../../src/device/device.ts';
@@ -9,7 +9,7 @@ import { Lab, type LabScene } from '../lab.ts';
 
 const SIZE = 100;
 
-/** Fragments of equal puffs in one place, 25 pixels in radius, and how many pixels they cover in the picture. */
+/** Fragments of coincident equal puffs with a radius of 25 pixels, and the number of pixels that they cover. */
 export function bodies(form: PuffForm, count: number): Fragments & { pixels: number } {
   const puffs = Array.from({ length: count }, () => ({ place: [0, 0, 0] as const, radius: 0.5 }));
   const camera = new OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
@@ -29,7 +29,9 @@ export function bodies(form: PuffForm, count: number): Fragments & { pixels: num
   return { ...fragments, pixels: pixels.filter((value, index) => index % 4 === 3 && value > 0).length };
 }
 
-/** Pixel centres in the quad of one such puff: round all that any puff can be, or round the silhouette of its lobes. */
+/**
+ * Pixel centres inside the quad of one such puff: around the bound of all puffs, or around the silhouette of its lobes.
+ */
 export function quadPixels(form: PuffForm): number {
   const { lobes } = LOBE_SHAPES[0];
   const across = (axis: 0 | 1): number => {
@@ -41,7 +43,7 @@ export function quadPixels(form: PuffForm): number {
   return across(0) * across(1);
 }
 
-/** Bytes seen of uploads whose sizes are 100, 40, 32 and 12. */
+/** Bytes counted for uploads of 100, 40, 32 and 12 bytes. */
 export function uploads(): number[] {
   const device = createDevice(new OffscreenCanvas(1, 1));
   const gl = device.renderer.getContext() as WebGL2RenderingContext;

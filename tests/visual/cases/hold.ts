@@ -1,20 +1,20 @@
-/** Smoke drawn on ones to fours beside a ball that moves all the time: in which steps each of them changes. */
+/** Smoke on ones to fours beside a ball that moves in every step: the steps in which each of them changes. */
 import { SceneLab } from '../sceneLab.ts';
 
 const SIZE = 160;
 const BALL = 0;
-/** The ball is farther right than this, and the smoke less far; a share of the picture's width. */
+/** Share of the picture's width: the ball is to the right of it, the smoke to the left. */
 const BORDER = 0.72;
-/** The puffs have left the spout by then, and are well before their end. */
+/** At this step the puffs have left the spout and are far from the end of their lifetime. */
 const FIRST_STEP = 60;
 
 export interface HoldReport {
-  /** Steps, from 0, in which the smoke or its ink looked different from the step before. */
+  /** Steps, from 0, in which the smoke or its ink differs from the previous step. */
   smoke: number[];
   ball: number[];
 }
 
-/** @param hold a puff stands still for so many 24ths of a second */
+/** @param hold how long puffs keep a drawing, in 24ths of a second */
 export async function changes(hold: number, puffs: number, steps: number): Promise<HoldReport> {
   const values = { 'style.hold': hold, 'style.shadows': 0, 'simulation.maxParticles': puffs };
   const lab = await SceneLab.create('lamp', { width: SIZE, height: SIZE, values });
@@ -32,7 +32,7 @@ export async function changes(hold: number, puffs: number, steps: number): Promi
   return report;
 }
 
-/** The two parts of the picture, for comparison. */
+/** The two parts of the picture as strings, for comparison. */
 function sides(lab: SceneLab, step: number): { smoke: string; ball: string } {
   lab.simulator.moveRigid(BALL, [1.6, 1 + 0.03 * step, 0]);
   const pixels = new Uint32Array(lab.draw().pixels.buffer);

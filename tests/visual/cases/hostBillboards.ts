@@ -1,4 +1,4 @@
-/** Smoke in the host's scene that is asked for billboards, whose code is not here yet. */
+/** Smoke in the host's scene that changes to billboards before their code is loaded. */
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { changedPixels, dispose, draw, emptyHost, HANGING, smokeIn, type Host, type Pixels } from './hostScene.ts';
@@ -8,13 +8,13 @@ export const BILLBOARDS: Values = { 'puff.form': 'billboards' };
 export interface Asked {
   readonly host: Host;
   readonly smoke: CartoonSmoke;
-  /** The picture before anybody asked. */
+  /** The picture before the change. */
   readonly before: Pixels;
-  /** What was told since. */
+  /** Notices since then. */
   readonly notified: string[];
 }
 
-/** Smoke as lobes, which is then asked for billboards. */
+/** Smoke with lobes that changes to billboards. */
 export async function ask(): Promise<Asked> {
   const host = emptyHost();
   const smoke = await smokeIn(host);
@@ -25,7 +25,10 @@ export async function ask(): Promise<Asked> {
   return { host, smoke, before, notified };
 }
 
-/** Some frames of the host in which a knob is turned: pixels by which the last one differs from what was before. */
+/**
+ * Draws some frames of the host while a value changes.
+ * @returns pixels that differ between the last frame and the picture before
+ */
 export function frames({ host, smoke, before }: Asked): number {
   const { 'style.outlineWidth': width } = smoke.get();
   for (const changed of [1, 2, 3, Number(width)]) {
@@ -36,7 +39,7 @@ export function frames({ host, smoke, before }: Asked): number {
   return changedPixels(before, draw(host));
 }
 
-/** Pixels by which the picture differs from that of smoke that had billboards from its start. */
+/** Pixels that differ from the picture of smoke that has billboards from the start. */
 export async function fromStart({ host }: Asked): Promise<number> {
   const other = emptyHost();
   await smokeIn(other, { ...HANGING, ...BILLBOARDS });
@@ -45,7 +48,7 @@ export async function fromStart({ host }: Asked): Promise<number> {
   return changed;
 }
 
-/** How smoke fails to come that has billboards from its start. */
+/** The error of smoke that has billboards from the start. */
 export function beginWith(): Promise<string> {
   const host = emptyHost();
   return smokeIn(host, { ...HANGING, ...BILLBOARDS }).then(

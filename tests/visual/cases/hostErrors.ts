@@ -1,4 +1,4 @@
-/** What smoke rejects in a host's scene. */
+/** Errors for unsupported settings in a host's scene. */
 import {
   ArrayCamera,
   Group,
@@ -12,7 +12,7 @@ import {
 } from 'three';
 import { dispose, emptyHost, HANGING, makeRenderer, smokeIn } from './hostScene.ts';
 
-/** Everything that is refused, and in which words. */
+/** Error messages by unsupported setting. */
 export async function errors(): Promise<Record<string, string>> {
   const said: Record<string, string> = {};
   const attempt = async (name: string, act: () => unknown) => {

@@ -1,4 +1,4 @@
-/** Ink of smoke in the host's scene: along surfaces, and in time. */
+/** Ink of smoke in the host's scene: along surfaces, and over time. */
 import { Mesh, MeshBasicMaterial, PlaneGeometry, Vector2 } from 'three';
 import {
   changedPixels,
@@ -14,7 +14,7 @@ import {
   type Pixels,
 } from './hostScene.ts';
 
-/** Pixels from the border within which there has to be ink. */
+/** There is ink within this distance of the border, pixels. */
 const REACH = 2;
 const RED = {
   'style.inkColor': '#ff0000',
@@ -24,8 +24,8 @@ const RED = {
 } as const;
 
 /**
- * Puffs that are half sunk into a floor: how many pixels of smoke lie beside the floor, and how many of them have ink near.
- * @param origin where the view begins on the canvas, pixels
+ * Puffs that are half inside a floor: smoke pixels next to the floor, and those of them with ink nearby.
+ * @param origin origin of the viewport on the canvas, pixels
  */
 export async function contactLine(antialias: boolean, origin: number): Promise<{ border: number; inked: number }> {
   const host = emptyHost(makeRenderer({ antialias }, [WIDTH + origin, HEIGHT + origin]));
@@ -59,7 +59,10 @@ function around(pixel: number, width: number): number[] {
   return steps.flatMap((x) => steps.map((y) => pixel + x + y * width));
 }
 
-/** Pixels that change in the two steps from one drawing, of five, to the next: with lines that boil, and with lines that do not. */
+/**
+ * Pixels that change within two steps, between which a new drawing begins (a drawing lasts five steps): with boiling
+ * lines, and without.
+ */
 export async function boiling(): Promise<{ boiling: number; steady: number }> {
   const changes: number[] = [];
   for (const boil of [1, 0]) {

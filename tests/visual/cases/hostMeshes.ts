@@ -1,4 +1,4 @@
-/** Meshes of every kind, solid and blended, among smoke. */
+/** Meshes of every type, opaque and transparent, among smoke. */
 import { Mesh, MeshBasicMaterial, PlaneGeometry, Sprite, SpriteMaterial, Vector3, type Object3D } from 'three';
 import {
   changedPixels,
@@ -14,7 +14,7 @@ import {
   type Pixels,
 } from './hostScene.ts';
 
-/** Pixels that differ between a deformed mesh among smoke and the same triangles as an ordinary mesh. */
+/** Pixels that differ between a deformed mesh among smoke and the same triangles as a plain mesh. */
 export async function deformed(
   kind: 'skinned' | 'instanced',
 ): Promise<{ changed: number; hidden: number; shown: number }> {
@@ -64,7 +64,7 @@ function separate(mesh: ReturnType<typeof makeInstanced>): Object3D {
   return group.add(...parts);
 }
 
-/** Share of the smoke that a blended object of half opacity tints: when it stands before, within and behind the smoke. */
+/** Share of the smoke that an object with opacity 0.5 tints: in front of, inside and behind the smoke. */
 export async function blended(
   kind: 'pane' | 'sprite',
 ): Promise<{ before: number; within: number; behind: number; wrong: number }> {

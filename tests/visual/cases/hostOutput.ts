@@ -1,4 +1,4 @@
-/** Where smoke is drawn to: canvas, targets, several views; and how the renderer is left. */
+/** Outputs of smoke (canvas, render targets, several viewports), and the renderer state after a frame. */
 import { Color, HalfFloatType, Vector4, WebGLRenderTarget, type Mesh, type MeshBasicMaterial } from 'three';
 import {
   changedPixels,
@@ -22,7 +22,7 @@ const PARAMETERS = [
   .join(' ')
   .split(' ');
 
-/** What a renderer and its context hold between two frames. */
+/** State of a renderer and its WebGL context between two frames. */
 function stateOf({ renderer, scene, keyLight }: Host): Record<string, unknown> {
   const gl = renderer.getContext() as unknown as Record<string, number> & WebGL2RenderingContext;
   const held = PARAMETERS.map((name) => [name, String(gl.getParameter(gl[name]))]);
@@ -53,7 +53,10 @@ function stateOf({ renderer, scene, keyLight }: Host): Record<string, unknown> {
   };
 }
 
-/** The state after a frame without smoke and after one with it, and how a frame without it looks before and after. */
+/**
+ * The state after a frame without smoke and after one with it, and the difference of frames without smoke before and
+ * after.
+ */
 export async function stateAsFound(): Promise<{ before: object; after: object; changed: number; drawn: number }> {
   const host = furnishedHost();
   host.renderer.setClearColor('#123456', 0.5);
@@ -71,7 +74,7 @@ export async function stateAsFound(): Promise<{ before: object; after: object; c
   return { before, after, changed, drawn };
 }
 
-/** Two cameras share a canvas; how far each half is from the picture that its camera draws alone. */
+/** Two cameras share a canvas: difference of each half from the picture of its camera alone. */
 export async function twoCameras(): Promise<{ left: number; right: number; between: number; sameState: boolean }> {
   const size = [WIDTH / 2, HEIGHT] as const;
   const [pair, single] = [furnishedHost(), furnishedHost(makeRenderer({}, [...size]))];
@@ -100,7 +103,7 @@ export async function twoCameras(): Promise<{ left: number; right: number; betwe
   return { left, right, between: changedPixels(halves[0], halves[1]), sameState };
 }
 
-/** How far the picture in a linear half float target, encoded here, is from the canvas: most pixels, and the worst of them. */
+/** The picture in a linear half-float target, encoded in the test, compared with the canvas. */
 export async function inTarget(samples: number): Promise<{ changed: number; smoke: number }> {
   const host = furnishedHost(makeRenderer({ antialias: samples > 0 }));
   const before = draw(host);
@@ -122,7 +125,7 @@ const RENDERERS = {
   reversedDepth: { reversedDepthBuffer: true },
 } as const;
 
-/** The canvas of a renderer with a half float buffer of its own or with its depth reversed, against one without. */
+/** The canvas of a renderer with a half-float output buffer or a reversed depth buffer, compared with one without. */
 export async function otherRenderer(kind: keyof typeof RENDERERS): Promise<number> {
   const pictures: Pixels[] = [];
   for (const parameters of [{}, RENDERERS[kind]]) {

@@ -1,4 +1,4 @@
-/** the host's scene for the tests of src/three: meshes of every kind, a renderer, and what it draws as bytes. */
+/** The host's scene for the tests of src/three: meshes of every type, a renderer, and its pixels as bytes. */
 import {
   AmbientLight,
   Bone,
@@ -32,7 +32,7 @@ import type { Values } from '../../../src/preset/parameter.ts';
 export const WIDTH = 200;
 export const HEIGHT = 140;
 
-/** Some twenty puffs that all hang at one place. */
+/** About twenty puffs that stay at one position. */
 export const HANGING: Values = {
   'emission.rate': 240,
   'emission.growthTime': 0,
@@ -68,7 +68,7 @@ export function makeRenderer(
   return renderer;
 }
 
-/** An empty scene under a key light from the upper right. */
+/** An empty scene with a key light from the upper right. */
 export function emptyHost(renderer = makeRenderer()): Host {
   const scene = new Scene();
   scene.background = new Color('#4477aa');
@@ -81,7 +81,7 @@ export function emptyHost(renderer = makeRenderer()): Host {
   return { renderer, scene, camera, keyLight };
 }
 
-/** Meshes of every kind on a floor. */
+/** Meshes of every type on a floor. */
 export function furnishedHost(renderer?: WebGLRenderer): Host {
   const host = emptyHost(renderer);
   const floor = new Mesh(new PlaneGeometry(8, 8), new MeshStandardMaterial({ color: '#c08860' }));
@@ -99,7 +99,7 @@ export function furnishedHost(renderer?: WebGLRenderer): Host {
   return host;
 }
 
-/** A post of two joints, bent at the middle. */
+/** A post with two bones, bent at the middle. */
 export function makeSkinned(material: MeshStandardMaterial | MeshBasicMaterial): { mesh: SkinnedMesh; bones: Bone[] } {
   const geometry = new CylinderGeometry(0.12, 0.12, 1.6, 24, 12).translate(0, 0.8, 0);
   const { position } = geometry.attributes;
@@ -135,7 +135,7 @@ export function makeInstanced(material: MeshStandardMaterial | MeshBasicMaterial
   return mesh;
 }
 
-/** A shader of one's own that knows nothing of lights. */
+/** A custom shader without lights. */
 function stripes(): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader: `
@@ -158,7 +158,7 @@ export async function smokeIn(host: Host, values: Values = HANGING, more: Partia
   return smoke;
 }
 
-/** Draws the host's frame and reads it from the canvas. */
+/** Draws the host's frame and reads its pixels from the canvas. */
 export function draw({ renderer, scene, camera }: Host): Pixels {
   renderer.render(scene, camera);
   return readCanvas(renderer);
@@ -172,7 +172,7 @@ export function readCanvas(renderer: WebGLRenderer): Pixels {
   return pixels;
 }
 
-/** Where smoke is, alone in front of one colour. */
+/** Pixels of the smoke, drawn alone in front of a uniform colour. */
 export function smokePixels(host: Host, smoke: CartoonSmoke): boolean[] {
   const scene = new Scene();
   scene.background = new Color('#ff00ff');
@@ -182,7 +182,7 @@ export function smokePixels(host: Host, smoke: CartoonSmoke): boolean[] {
   return Array.from({ length: WIDTH * HEIGHT }, (_, pixel) => pixels[4 * pixel + 1] !== 0);
 }
 
-/** How the picture would be without the key light. */
+/** The picture without the key light. */
 export function drawUnlit(host: Host): Pixels {
   const { intensity } = host.keyLight;
   host.keyLight.intensity = 0;
@@ -191,7 +191,7 @@ export function drawUnlit(host: Host): Pixels {
   return pixels;
 }
 
-/** The largest difference of a channel, pixel by pixel. */
+/** The largest difference of a channel, by pixel. */
 export function differences(a: Pixels, b: Pixels): number[] {
   return Array.from({ length: a.length / 4 }, (_, pixel) =>
     Math.max(...[0, 1, 2, 3].map((channel) => Math.abs(a[4 * pixel + channel] - b[4 * pixel + channel]))),

@@ -1,4 +1,4 @@
-/** The shadow of smoke and of casters in the host's scene, against the same scene without its key light. */
+/** The shadow of smoke and of casters in the host's scene, compared with the same scene without its key light. */
 import {
   ACESFilmicToneMapping,
   BoxGeometry,
@@ -34,18 +34,18 @@ import {
   type Pixels,
 } from './hostScene.ts';
 
-/** How the pixels beside the smoke are, once it is there. */
+/** Pixels outside the smoke, after smoke is added. */
 export interface Census {
-  /** As they were. */
+  /** Unchanged pixels. */
   lit: number;
-  /** As they are without the key light, which is not as they were. */
+  /** Changed pixels with the colour of the scene without the key light. */
   dark: number;
-  /** Partly so and partly so, along an edge that the canvas smooths. */
+  /** A mixture of the two, along an edge that the canvas antialiases. */
   between: number;
   wrong: number;
 }
 
-/** A furnished scene before and after smoke comes into it. */
+/** A furnished scene before and after smoke is added. */
 export async function lightAndShadow(parameters: WebGLRendererParameters, toneMapped: boolean): Promise<Census> {
   const toneMapping = toneMapped ? ACESFilmicToneMapping : NoToneMapping;
   const host = furnishedHost(makeRenderer(parameters, undefined, toneMapping));
@@ -76,13 +76,13 @@ function isBetween(value: Pixels, a: Pixels, b: Pixels, pixel: number): boolean 
   });
 }
 
-/** Where smoke is, and one pixel around it. */
+/** Pixels of smoke and their neighbours. */
 function maskOf(host: Host, smoke: CartoonSmoke): boolean[] {
   const isSmoke = smokePixels(host, smoke);
   return isSmoke.map((_, pixel) => [0, 1, -1, WIDTH, -WIDTH].some((step) => isSmoke[pixel + step]));
 }
 
-/** Floor pixels that a box nobody sees darkens. */
+/** Floor pixels in the shadow of an invisible box. */
 export async function meshShadow(): Promise<Census> {
   const host = furnishedHost();
   const box = new Mesh(new BoxGeometry(0.8, 0.6, 0.6), UNSEEN);
@@ -100,14 +100,14 @@ export async function meshShadow(): Promise<Census> {
 const NO_SMOKE = { ...HANGING, 'emission.rate': 0 };
 const UNSEEN = new MeshBasicMaterial({ colorWrite: false, depthWrite: false });
 
-/** How the floor's pixels agree with rays towards the light that meet one of the balls or none. */
+/** Agreement of the floor's pixels with rays towards the light that intersect a ball or not. */
 export interface Agreement {
   dark: number;
   lit: number;
   wrong: number;
 }
 
-/** The shadow on the floor of the balls that stand in for a mesh. */
+/** The shadow on the floor of the balls that approximate a mesh. */
 export async function ballShadow(kind: 'capsules' | 'bones' | 'instances'): Promise<Agreement> {
   const host = floorOnly();
   const { mesh: skinned, bones } = makeSkinned(UNSEEN);
@@ -133,7 +133,10 @@ const WAYS_TO_GO: Readonly<Record<string, (thing: Object3D, group: Group) => voi
   removed: (_, group) => void group.removeFromParent(),
 };
 
-/** Pixels in the shadow of a thing while it is there, and once it is hidden, in something hidden, or out of the scene. */
+/**
+ * Pixels in the shadow of an object: visible, hidden, inside a hidden parent, removed from the scene, and visible
+ * again.
+ */
 export async function shadowsOfGone(
   kind: 'rigid' | 'bones' | 'instances' | 'proxies',
 ): Promise<Record<string, number>> {
@@ -172,7 +175,7 @@ function floorOnly(): Host {
   return host;
 }
 
-/** Pixels whose ray misses a ball by less than this are not judged, metres. */
+/** Pixels whose ray misses a ball by less than this distance are ignored, metres. */
 const EDGE = 0.03;
 
 function agreementOf(host: Host, picture: Pixels, unlit: Pixels, balls: readonly BallAt[]): Agreement {
@@ -192,7 +195,7 @@ function agreementOf(host: Host, picture: Pixels, unlit: Pixels, balls: readonly
   return agreement;
 }
 
-/** Where the floor is in a pixel, if there. */
+/** The point of the floor at a pixel; undefined where there is none. */
 function onFloor({ camera }: Host, pixel: number): Vector3 | undefined {
   const x = (((pixel % WIDTH) + 0.5) / WIDTH) * 2 - 1;
   const y = ((Math.floor(pixel / WIDTH) + 0.5) / HEIGHT) * 2 - 1;
@@ -202,21 +205,21 @@ function onFloor({ camera }: Host, pixel: number): Vector3 | undefined {
   return Math.max(Math.abs(place.x), Math.abs(place.z)) < 3.9 ? place : undefined;
 }
 
-/** How far a ray passes by a point. */
+/** Distance between a ray and a point, metres. */
 function gapOf(origin: Vector3, direction: Vector3, point: Vector3): number {
   const beside = point.clone().sub(origin);
   return beside.addScaledVector(direction, -beside.dot(direction)).length();
 }
 
-/** The factor by which the second step of shadow darkens. */
+/** The factor of the second shadow step. */
 const DEEP = [128, 64, 255];
 const TWO_STEPS = { 'style.shadowSteps': 2, 'style.shadowDepth': 2, 'style.deepShadow': '#8040ff' };
-/** Few puffs, so that some of their shadow is of one alone. */
+/** Few puffs, so that some shadow pixels have a single caster. */
 const SPREAD = { ...HANGING, 'emission.rate': 60, 'emitters.0.radius': 0.6, 'emitters.0.position.x': 0.3 };
 
 /**
- * Shadow of two steps, of two boxes that overlap on the floor and of smoke: pixels by what shades them, and those that are
- * not as they must be.
+ * Shadow with two steps, cast by two boxes that overlap on the floor and by smoke: pixels by caster, and pixels with an
+ * unexpected colour.
  */
 export async function deepShadow(): Promise<{ byBoxes: number; byBoth: number; bySmoke: number; wrong: number }> {
   const host = floorOnly();

@@ -1,4 +1,4 @@
-/** Lines of ink around puffs: their width in pixels, near and far, and what becomes of them beside the smallest puffs. */
+/** Ink lines around puffs: width in pixels, near and far, and the lines of the smallest puffs. */
 import { OrthographicCamera, type PerspectiveCamera } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { middleOf } from '../../../src/puffs/normals.ts';
@@ -15,42 +15,45 @@ const FIELD_OF_VIEW = 40;
 
 export type Projection = 'perspective' | 'orthographic';
 
-/** A lone puff and the line that it must have. */
+/** A lone puff and its expected line. */
 export interface LineCase {
   form: PuffForm;
   projection: Projection;
-  /** Of the camera, metres. */
+  /** Distance of the camera, metres. */
   distance: number;
-  /** Pixels of the picture for each pixel of the page. */
+  /** Pixels of the picture per CSS pixel. */
   pixelRatio: number;
-  /** Pixels of the page. */
+  /** CSS pixels. */
   outlineWidth: number;
   inkSwell?: number;
   boil?: number;
 }
 
-/** How far the worst pixel lies from the border that it is on the wrong side of, and the pixels of ink; all in pixels. */
+/** Largest distance of a pixel from the line's border if it is on the wrong side of it, and the pixels of ink. */
 export interface LineReport {
   worst: number;
   ink: number;
   expectedWidth: number;
   radius: number;
-  /** 0 to 1: how far the line's colour is from smoke to ink where that differs most from what it should be. */
+  /** Where the line's colour differs most from the expected colour: its position between smoke (0) and ink (1). */
   share: number;
   expectedShare: number;
 }
 
-/** So far within its borders, pixels, a pixel is of the line without doubt, in a form that reads its distances too. */
+/**
+ * A pixel at least this far inside the line's borders is always line, also in a form that samples its distances,
+ * pixels.
+ */
 const SURELY = 0.5;
 
 const TOWARDS_LIGHT = [0.48, 0.64, 0.6] as const;
 
-/** The width that a line has beside a puff of a radius; all in pixels. The law of shaders/lib/ink.glsl. */
+/** Line width around a puff of a radius, all in pixels. The formula of shaders/lib/ink.glsl. */
 function lineWidth(fullWidth: number, radius: number): number {
   return fullWidth * smoothStep(1, 3.5, radius / fullWidth);
 }
 
-/** How much of that is ink. The law of shaders/lib/ink.glsl. */
+/** Ink share of the line's colour. The formula of shaders/lib/ink.glsl. */
 function inkShare(width: number, fullWidth: number, radius: number): number {
   return smoothStep(0.5, 1, width) * smoothStep(1.5, 3, radius / fullWidth);
 }
@@ -60,15 +63,15 @@ function smoothStep(from: number, to: number, value: number): number {
   return t * t * (3 - 2 * t);
 }
 
-/** How much wider than even a line is at a place of the image plane about what it surrounds. */
+/** Factor on the line width at a direction of the image plane around the puff. */
 function swelling(swell: number, x: number, y: number): number {
   return 2 ** ((-swell * (x * TOWARDS_LIGHT[0] + y * TOWARDS_LIGHT[1])) / Math.hypot(x, y));
 }
 
-/** The drawing of the pictures, of which there are twelve a second. */
+/** Number of the pictures' drawing; there are twelve drawings per second. */
 const DRAWING = 7;
 
-/** What a hand that trembles leaves of a width, at a place about what the line surrounds. */
+/** Factor of the boil on the line width, at a direction around the puff. */
 function trembling(boil: number, seed: number, x: number, y: number): number {
   const hashed = Math.imul(seed, 747796405) + Math.imul(DRAWING, 2891336453);
   const bits = Math.imul(hashed ^ (hashed >>> 16), 73244475) >>> 0;
@@ -77,7 +80,7 @@ function trembling(boil: number, seed: number, x: number, y: number): number {
   return 1 - boil * (0.25 + 0.125 * (Math.sin(3 * angle + phase) + Math.sin(8 * angle - 2.7 * phase)));
 }
 
-/** Compares the lines of lone puffs, pixel by pixel, with distances to their silhouettes that the CPU computes. */
+/** Compares the lines of lone puffs, pixel by pixel, with silhouette distances that the CPU computes. */
 export function measureLines(cases: readonly LineCase[]): LineReport[] {
   const lab = new Lab({ width: SIZE, height: SIZE, puffs: [] });
   const reports = cases.map((line, index) => measureLine(lab, line, index % 4));
@@ -128,19 +131,22 @@ function keepWorstShare(report: LineReport, share: number): void {
   if (error(share) > error(report.share)) report.share = share;
 }
 
-/** How far a pixel's colour is from smoke to ink. */
+/** Position of a pixel's colour between smoke (0) and ink (1). */
 function shareAt(pixels: Uint8Array, pixel: number): number {
   const [red] = PLAIN_STYLE.inkColor;
   const [smokeRed] = PLAIN_STYLE.smokeColor;
   return (smokeRed - pixels[4 * pixel]) / (smokeRed - red);
 }
 
-/** Nearer to ink than to smoke. */
+/** Closer to ink than to smoke. */
 function isDark(pixels: Uint8Array, pixel: number): boolean {
   return shareAt(pixels, pixel) > 0.5;
 }
 
-/** Pixels that a boiling line changes from drawing to drawing, within one, and from a line that does not boil. */
+/**
+ * Pixels of a boiling line that change between drawings, change within one drawing, and extend beyond a line without
+ * boil.
+ */
 export function boiling(form: PuffForm): { between: number; within: number; beyond: number; ink: number } {
   const puffs: LabPuff[] = [{ place: [0, 0, 0], radius: 0.8, seed: 9 }];
   const lab = new Lab({ width: SIZE, height: SIZE, puffs });
@@ -155,7 +161,7 @@ export function boiling(form: PuffForm): { between: number; within: number; beyo
   return { between: unlike(first, next), within: unlike(first, again), beyond, ink: all.filter(isInk).length };
 }
 
-/** A plume far away, its puffs a pixel or two large: pixels that it covers, and how many of them are darker than smoke. */
+/** A distant plume with puffs of one or two pixels: covered pixels, and those darker than smoke. */
 export function farPlume(form: PuffForm): { covered: number; dark: number } {
   const next = random(8);
   const puffs = Array.from({ length: 600 }, (_, index): LabPuff => {

@@ -4,7 +4,10 @@ import { goToMoment } from '../../../src/element/moment.ts';
 import type { Notice } from '../../../src/preset/notice.ts';
 import { openHere } from '../../../src/remote/openHere.ts';
 
-/** CSS pixels. Pictures have half as many each way, because less would show too little of the open air. */
+/**
+ * CSS pixels. The picture has half as many pixels in each direction, because a smaller page would crop the open-air
+ * scene.
+ */
 const [WIDTH, HEIGHT] = [320, 180];
 
 export interface OpenedLink {
@@ -13,12 +16,12 @@ export interface OpenedLink {
   picture: Blob;
 }
 
-/** @param link what comes behind the page's address: the query and the hash */
+/** @param link query and hash of the page's address */
 export async function openLink(link: string): Promise<OpenedLink> {
   const notices: Notice[] = [];
   const { values, start, take } = await readLink(link, 'https://cartoon-smoke.example/', notices);
   const size = { width: WIDTH, height: HEIGHT, pixelRatio: 0.5 };
-  // Only the picture that is compared is drawn.
+  // Draw only the picture for the comparison.
   const stage = await openHere(new OffscreenCanvas(WIDTH, HEIGHT), { values, ...size, visible: false });
   try {
     if (take) notices.push(...(await goToMoment(stage, take, start, values)));

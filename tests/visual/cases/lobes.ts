@@ -1,4 +1,4 @@
-/** Smoke whose puffs change their form while it is drawn. */
+/** Smoke that changes its puff form between frames. */
 import { Lab, type LabScene } from '../lab.ts';
 
 const SCENE: LabScene = {
@@ -10,7 +10,7 @@ const SCENE: LabScene = {
   ],
 };
 
-/** Pixels that change when one smoke goes from lobes to billboards, and those that are not as before when it goes back. */
+/** Pixels that change on a switch from lobes to billboards, and pixels that differ after the switch back. */
 export function switchForms(): { there: number; back: number } {
   const lab = new Lab(SCENE);
   const [first, second, third] = (['lobes', 'billboards', 'lobes'] as const).map(

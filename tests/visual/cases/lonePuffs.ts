@@ -1,4 +1,4 @@
-/** Whether puffs that nothing else shades keep all of their light. */
+/** Puffs without other casters keep all of their light. */
 import { type Camera, PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { colorAt, type Color } from '../../../src/device/ramps.ts';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
@@ -12,13 +12,16 @@ import { colors, differing } from './puffs.ts';
 
 const [WIDTH, HEIGHT] = [240, 180];
 
-/** Puffs of one picture stay so many times their radii apart, as the light sees them, so that none shades another. */
+/**
+ * Minimum distance of the puffs of a picture as seen from the light, in sums of their radii, so that none shades
+ * another.
+ */
 const APART = 1.4;
 
-/** How often a place is sought for one more puff of a picture. */
+/** Attempts to find a position for one more puff. */
 const TRIES = 40;
 
-/** A ramp that turns from shadow at once, with a fill light and a rim: nothing of it may begin behind the volume. */
+/** A ramp with an early first stop, a fill light and a rim: none of its tones may start behind the shadow volume. */
 export const EARLY: Partial<Style> = {
   stops: parseStops('0:3a3f6b,.3:7a6fa8,.8:fff4d8'),
   isBlended: true,
@@ -27,9 +30,9 @@ export const EARLY: Partial<Style> = {
 };
 
 /**
- * Puffs that nothing shades, under random lights, however they and the camera are turned, up to 35 degrees off the axis:
- * how many of the pixels that their own light reaches their own shadow takes away again. As many of the `trials` puffs
- * share a picture as keep out of each other's light.
+ * Puffs without other casters, with random lights, orientations and cameras, up to 35 degrees off the axis: lit pixels
+ * that the puff's own shadow volume masks. Each picture has as many of the `trials` puffs as fit without shading each
+ * other.
  */
 export function selfMasked(
   form: PuffForm,
@@ -69,7 +72,7 @@ function direction(next: Random): Vector3 {
   return new Vector3().setFromSphericalCoords(1, Math.acos(2 * next() - 1), next() * 2 * Math.PI);
 }
 
-/** Puffs before a camera whose lines along the light keep apart. */
+/** Puffs in front of a camera whose lines along the light direction do not intersect. */
 function sunny(camera: Camera, max: number, next: Random): { puffs: LabPuff[]; towardsLight: Triple } {
   const towards = direction(next);
   const across = (puff: LabPuff) => new Vector3(...puff.place).projectOnPlane(towards);
@@ -78,11 +81,11 @@ function sunny(camera: Camera, max: number, next: Random): { puffs: LabPuff[]; t
   return { puffs, towardsLight: towards.toArray() };
 }
 
-/** Puffs around a lamp, two radii from it each. */
+/** Puffs around a lamp, each two radii away from it. */
 function aroundLamp(camera: Camera, max: number, next: Random): { puffs: LabPuff[]; lamp: Triple } {
   const lamp = new Vector3(next() - 0.5, next() - 0.5, -2).applyMatrix4(camera.matrixWorld);
   const towards = (puff: LabPuff) => new Vector3(...puff.place).sub(lamp).normalize();
-  // Each is as wide as half its distance, so that the sum of two radii is 1 on the unit sphere about the lamp.
+  // The radius is half the distance, so the sum of two radii is 1 on the unit sphere around the lamp.
   const distance = (a: LabPuff, b: LabPuff) => towards(a).distanceTo(towards(b));
   const puffs = spacedApart(max, distance, () => {
     const radius = 0.35 + 0.25 * next();
@@ -97,7 +100,7 @@ function aroundLamp(camera: Camera, max: number, next: Random): { puffs: LabPuff
   return { puffs, lamp: lamp.toArray() };
 }
 
-/** At least one puff, at max `max`. @param distance of two puffs as the light sees them, in sums of their radii */
+/** One to `max` puffs. @param distance distance of two puffs as seen from the light, in sums of their radii */
 function spacedApart(max: number, distance: (a: LabPuff, b: LabPuff) => number, seek: () => LabPuff): LabPuff[] {
   const puffs: LabPuff[] = [];
   for (let tries = 0; tries < TRIES && puffs.length < max; ++tries) {
@@ -107,7 +110,7 @@ function spacedApart(max: number, distance: (a: LabPuff, b: LabPuff) => number, 
   return puffs;
 }
 
-/** A place up to 35 degrees off the camera's axis. */
+/** A random position up to 35 degrees off the camera's axis. */
 function seenPlace(camera: Camera, next: Random): Vector3 {
   const slope = Math.tan((35 * Math.PI) / 180) * Math.sqrt(next());
   const angle = next() * 2 * Math.PI;
@@ -120,7 +123,7 @@ function rotatedPuff(next: Random, place: Vector3, radius: number): LabPuff {
   return { place: place.toArray(), radius, roll: next() * 2 * Math.PI, seed: Math.floor(next() * 256) };
 }
 
-/** How many pixels are neither ink, nor page, nor of the darkest tone, which has no light to lose. */
+/** Pixels that are not ink, page or the darkest tone, which receives no light. */
 function litPixels(found: Record<string, number>, toning: Partial<Style>): number {
   const dark = darkestOf({ ...PLAIN_STYLE, ...toning }).join();
   const isLit = (color: string) =>

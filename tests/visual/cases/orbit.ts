@@ -1,4 +1,4 @@
-/** Pictures of smoke that stands still while the camera goes round it: nothing may jump. */
+/** Pictures of static smoke while the camera orbits it: nothing jumps. */
 import { PerspectiveCamera } from 'three';
 import { Lab, type LabPuff, type LabScene } from '../lab.ts';
 import { suddenChange } from '../motion.ts';
@@ -8,14 +8,14 @@ const SIZE = 160;
 const DISTANCE = 4;
 const RADIUS = 0.8;
 
-/** What changed between two pictures, one degree apart, that motion alone does not explain. */
+/** Changes between two pictures, one degree apart, that motion alone does not explain. */
 export interface OrbitReport {
-  /** Most such pixels in one step, and the degree at which. */
+  /** Largest number of such pixels in one step, and the degree of that step. */
   largest: number;
   at: number;
-  /** Fewest pixels that smoke covers in a picture. */
+  /** Smallest number of pixels that smoke covers in a picture. */
   painted: number;
-  /** Farthest that a point of the smoke moves in a step, pixels. */
+  /** Largest motion of a point of the smoke in a step, pixels. */
   motion: number;
 }
 
@@ -59,7 +59,7 @@ function cameraAt(degree: number): PerspectiveCamera {
   return camera;
 }
 
-/** Pixels that a point at the far side of the smoke moves when the camera goes on by a degree. */
+/** Motion of a point at the far side of the smoke when the camera orbits by one degree, pixels. */
 function motionOf(puffs: readonly LabPuff[]): number {
   const reach = Math.max(...puffs.map(({ place, radius }) => Math.hypot(...place) + radius));
   const pixelsPerMetre = SIZE / 2 / Math.tan((16 * Math.PI) / 180) / (DISTANCE - reach);

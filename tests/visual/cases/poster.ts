@@ -9,7 +9,7 @@ export interface PosterOrder {
   isTransparent: boolean;
 }
 
-/** @returns the PNG, base64, and what of the link was not taken as it stood */
+/** @returns the PNG in base64, and the link's notices */
 export async function poster({ link, width, height, isTransparent }: PosterOrder) {
   const element = new CartoonSmokeElement();
   Object.assign(element, { src: link, paused: true, transparent: isTransparent, loading: 'eager', thread: 'main' });
@@ -27,7 +27,7 @@ export async function poster({ link, width, height, isTransparent }: PosterOrder
   }
 }
 
-/** Shows an element with a link, without its button, at its first picture. */
+/** Shows an element with a link at its first picture, without its button. */
 export async function showFirst(link: string, width: number, height: number): Promise<void> {
   const element = new CartoonSmokeElement();
   Object.assign(element, { src: link, paused: true, loading: 'eager', thread: 'main' });

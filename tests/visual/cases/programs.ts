@@ -1,16 +1,16 @@
-/** Which programs a stage has compiled, and when. */
+/** Which programs a stage compiles, and when. */
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 
-/** The shaders of programs in the order in which they were linked. */
+/** The shaders of programs in link order. */
 export interface LinkedPrograms {
-  /** Before anything was drawn for anybody to see. */
+  /** Linked before the first visible picture. */
   readonly ahead: string[];
-  /** With the first pictures. */
+  /** Linked with the first pictures. */
   readonly drawing: string[];
 }
 
-/** Those of a wisp that nobody sees until it stands. */
+/** The programs of a wisp that is hidden until it is ready. */
 export async function programsOfWisp(lobes: number): Promise<LinkedPrograms> {
   const linked: string[] = [];
   const stop = listenToLinks((shaders) => linked.push(shaders));
@@ -24,7 +24,7 @@ export async function programsOfWisp(lobes: number): Promise<LinkedPrograms> {
   return { ahead, drawing: linked };
 }
 
-/** Returns the function that ends it. */
+/** @returns the function that stops listening */
 function listenToLinks(listener: (shaders: string) => void): () => void {
   const { prototype } = WebGL2RenderingContext;
   const { linkProgram } = prototype;

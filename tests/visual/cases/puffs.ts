@@ -1,4 +1,4 @@
-/** What single puffs and small heaps of them must look like. */
+/** Single puffs and small heaps, compared with expected pixels. */
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
@@ -22,7 +22,7 @@ export function differing(a: LabPicture, b: LabPicture): number {
   return wordsOfA.reduce((count, word, at) => count + Number(word !== wordsOfB[at]), 0);
 }
 
-/** How often each colour occurs, `r,g,b,a` to pixels. */
+/** Pixels by colour `r,g,b,a`. */
 export function colors(picture: LabPicture): Record<string, number> {
   const counts = new Map<number, number>();
   for (const word of wordsOf(picture)) counts.set(word, (counts.get(word) ?? 0) + 1);
@@ -30,7 +30,7 @@ export function colors(picture: LabPicture): Record<string, number> {
   return Object.fromEntries([...counts].map(([word, count]) => [keyOf(word), count]));
 }
 
-/** A number for each pixel, because whole pictures are compared hundreds of times. */
+/** One number per pixel: tests compare hundreds of pictures. */
 function wordsOf({ pixels }: LabPicture): Uint32Array {
   return new Uint32Array(pixels.buffer, pixels.byteOffset, pixels.length / 4);
 }
@@ -46,14 +46,14 @@ function heap(count: number, seed: number): LabPuff[] {
   }));
 }
 
-/** A puff without roll as a camera that looks along -z sees it, by (x, y) in radii: computed without a GPU. */
+/** A puff without roll, seen by a camera along -z, by (x, y) in radii; computed on the CPU. */
 export function seenOf(form: PuffForm, variation: number, seed = 0, roll = 0): (x: number, y: number) => PuffSample {
   if (form === 'billboards') return (x, y) => samplePuff(bakedPuffs().billboards.layers, variation, x, y);
   const lobes = rotatedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes);
   return (x, y) => sampleLobes(lobes, x, y);
 }
 
-/** The colours of a heap of puffs in two tones with shadows; and those that its ramp, the ink and the page allow. */
+/** The colours of a heap of puffs with two tones and shadows, and the colours that its ramp, ink and page allow. */
 export function toneColors(form: PuffForm): { found: Record<string, number>; allowed: string[] } {
   const ramp = rampOf(PLAIN_STYLE.smokeColor, { tones: 2, shading: true });
   const opaque = [...ramp.lit.map(({ color }) => color), PLAIN_STYLE.inkColor].map((color) => `${color.join()},255`);
@@ -64,8 +64,8 @@ export function toneColors(form: PuffForm): { found: Record<string, number>; all
 }
 
 /**
- * The colours of a heap of puffs with chosen stops, a fill light, a rim, and colours by temperature; and those allowed:
- * of each band of temperature its stops and its filled tone, and the rim.
+ * The colours of a heap of puffs with custom stops, fill light, rim and temperature colours, and the allowed colours:
+ * the rim, and the stops and fill tone of each temperature band.
  */
 export function chosenColors(form: PuffForm): { found: Record<string, number>; allowed: string[] } {
   const style: Style = {
@@ -87,7 +87,7 @@ export function chosenColors(form: PuffForm): { found: Record<string, number>; a
   };
 }
 
-/** Pixels of a puff with a gradient by height that change when smoke appears far above, out of the picture. */
+/** Pixels of a puff with a height gradient that change when smoke appears far above, outside the picture. */
 export function heightUnrest(form: PuffForm): { differing: number; shades: number } {
   const puff: LabPuff = { place: [0, 0, 0], radius: 0.8 };
   const style = { form, shadows: false, gradient: 'height' } as const;
@@ -97,13 +97,13 @@ export function heightUnrest(form: PuffForm): { differing: number; shades: numbe
   return { differing: differing(alone, below), shades: Object.keys(colors(alone)).length };
 }
 
-/** A puff that is one ball, so that its surface is known. */
+/** A puff of one ball, with an analytic surface. */
 const BALL: PuffShape = { name: 'ball', lobes: [{ center: [0, 0, 0], radius: 1 }] };
 const BALL_RADIUS = 0.8;
 
 /**
- * A ball with a gradient by height, seen by cameras of different tilts: by how much a channel is off, at most, where the
- * height of the place that a pixel shows says what it should be, and how many pixels were looked at.
+ * A ball with a height gradient, seen by tilted cameras: largest error of a channel against the tone for the height at
+ * the pixel, and the number of compared pixels.
  */
 export function heightErrors(form: PuffForm): { tilt: number; projection: string; looked: number; worst: number }[] {
   const puff: LabPuff = { place: [0.3, 0.2, -0.1], radius: BALL_RADIUS };
@@ -133,7 +133,7 @@ export function heightErrors(form: PuffForm): { tilt: number; projection: string
   return reports;
 }
 
-/** Before a puff, but not in the middle of the picture, turned about it by degrees: 90 looks down. */
+/** Camera in front of a puff, off-centre and tilted around it in degrees: 90 looks down. */
 function tiltedCamera(projection: string, tilt: number, { place }: LabPuff): Camera {
   const camera =
     projection === 'perspective'
@@ -148,7 +148,10 @@ function tiltedCamera(projection: string, tilt: number, { place }: LabPuff): Cam
   return camera;
 }
 
-/** World height of what a pixel shows of a ball, which a nailboard raises along the view ray; none beside it and at its rim. */
+/**
+ * World height of a ball's surface at a pixel, raised along the view ray as on a nailboard; undefined outside and at
+ * the rim.
+ */
 function heightShown(at: number, camera: Camera, { place, radius }: LabPuff): number | undefined {
   const pixel = [((at % WIDTH) + 0.5) / WIDTH, (Math.floor(at / WIDTH) + 0.5) / HEIGHT].map((share) => 2 * share - 1);
   const [near, far] = [-1, 1].map((z) =>
@@ -161,7 +164,9 @@ function heightShown(at: number, camera: Camera, { place, radius }: LabPuff): nu
   return pointAt(centre.z + radius * Math.sqrt(1 - beside * beside)).applyMatrix4(camera.matrixWorld).y;
 }
 
-/** The colours of a lone puff by its tint, most frequent first without ink and page, and those that the tint's ramp has. */
+/**
+ * The colours of a lone puff by tint, most frequent first, without ink and page, and the colours of the tint's ramp.
+ */
 export function tintColors(form: PuffForm): { tint: number; found: string[]; expected: string[] }[] {
   const { smokeColor, tints, inkColor } = PLAIN_STYLE;
   const other = [`${inkColor.join()},255`, '0,0,0,0'];
@@ -180,7 +185,7 @@ export function tintColors(form: PuffForm): { tint: number; found: string[]; exp
   });
 }
 
-/** The ink of a puff that is lit, of one seen from its dark side, and of one in another's shadow. */
+/** The ink of a lit puff, of one seen from its dark side, and of one in another puff's shadow. */
 export function inkColors(form: PuffForm): Record<string, { ink: number; nearInk: number }> {
   const puff: LabPuff = { place: [0, 0, 0], radius: 0.8 };
   const blocker: LabPuff = { place: [0, 0, 6], radius: 3 };
@@ -215,7 +220,7 @@ function spanOf(heights: readonly number[]): Heights {
   return { lowest: Math.min(...heights), highest: Math.max(...heights) };
 }
 
-/** Heights, in radii, from which a puff's ring of ink hangs: those about its silhouette. */
+/** Heights along a puff's silhouette, in radii. The ink around the puff has these heights. */
 function edgeHeights(seen: (x: number, y: number) => PuffSample): Heights {
   const heights: number[] = [];
   for (let x = -1; x <= 1; x += 1 / 128) {
@@ -227,7 +232,7 @@ function edgeHeights(seen: (x: number, y: number) => PuffSample): Heights {
   return spanOf(heights);
 }
 
-/** Heights of a puff's surface, in radii, within a small reach of its middle. */
+/** Heights of a puff's surface near its centre, in radii. */
 function faceHeights(seen: (x: number, y: number) => PuffSample, reach: number): Heights {
   const heights: number[] = [];
   for (let x = -1.3; x <= 1.3; x += 0.1) {
@@ -237,8 +242,8 @@ function faceHeights(seen: (x: number, y: number) => PuffSample, reach: number):
 }
 
 /**
- * Pixels of ink around a small puff that hangs before the broad face of a very large one.
- * @param side the whole edge of the small puff stands nearer to the face than the threshold, or farther
+ * Ink pixels around a small puff in front of the face of a very large one.
+ * @param side the silhouette of the small puff is nearer to the face than the threshold (`under`), or farther (`over`)
  */
 export function innerInk(form: PuffForm, side: 'under' | 'over', innerTaper = 0, multiple = 1): number {
   const [near, far, innerLine, variation] = [0.35, 14, 0.9, 2];
@@ -264,7 +269,7 @@ export function innerInk(form: PuffForm, side: 'under' | 'over', innerTaper = 0,
   return colors(picture)[`${PLAIN_STYLE.inkColor.join()},255`] ?? 0;
 }
 
-/** Pixels that change when the same puffs and casters come in another order. */
+/** Pixels that change with the order of puffs and casters. */
 export function orderSensitivity(form: PuffForm): { differing: number; pixels: number; painted: number } {
   const puffs = heap(200, 9);
   const next = random(4);
@@ -289,8 +294,8 @@ export function reversalSensitivity(form: PuffForm): { differing: number; painte
 }
 
 /**
- * Of the pixels that a puff covers but should not, or should but does not: how far the farthest one's centre lies from
- * the projected silhouette, grown by a line of ink, in pixels. The silhouette is that of the CPU, projected by hand.
+ * Largest distance, in pixels, between the centre of a wrongly covered or wrongly uncovered pixel and the silhouette
+ * plus the width of the ink line. The CPU projects the silhouette.
  */
 export function outlineError(
   form: PuffForm,
@@ -320,12 +325,14 @@ export function outlineError(
   return result;
 }
 
-/** A roll as a row holds it. */
+/** A roll with the 16-bit precision of a row, radians. */
 export function roundedRoll(roll: number): number {
   return (Math.round((roll / (2 * Math.PI)) * 65536) / 65536) * 2 * Math.PI;
 }
 
-/** How far the seam between a puff and a horizontal plane through its middle strays from a straight line, in pixels. */
+/**
+ * Largest deviation of the seam between a puff and a horizontal plane through its centre from a straight line, pixels.
+ */
 export function seamBend(form: PuffForm): number {
   const camera = new PerspectiveCamera(40, WIDTH / HEIGHT, 0.1, 50);
   camera.position.set(0, 1.6, 3);
@@ -353,7 +360,7 @@ export function seamBend(form: PuffForm): number {
   return rows.length > 20 ? Math.max(...rows) - Math.min(...rows) : 0;
 }
 
-/** How many pixels of each colour there are of a ground in the shadow of a puff that is out of the picture. */
+/** Pixels by colour of a ground in the shadow of a puff that is outside the picture. */
 export function groundColors(style: Partial<Style>): Record<string, number> {
   const camera = new PerspectiveCamera(40, WIDTH / HEIGHT, 0.1, 50);
   camera.position.set(0, 1.5, 1.5);

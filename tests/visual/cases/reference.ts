@@ -1,4 +1,4 @@
-/** Frames that the GPU draws, and their descriptions for the reference, which draws the same. */
+/** Frames that the GPU draws, and their descriptions for the reference renderer. */
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
@@ -74,7 +74,9 @@ function looking(camera: Camera, from: [number, number, number], at: [number, nu
   return camera;
 }
 
-/** Puffs of all tints, ages and variations over a ground, higher by `raised` metres, with a ball and a box among them. */
+/**
+ * Puffs with all tints, ages and variations above a ground, `raised` metres higher, with a ball and a box among them.
+ */
 function cluster(camera: Camera, light: Pick<LabScene, 'towardsLight' | 'lamp'>, raised = 0): Shown {
   const next = random(77);
   const puffs = Array.from({ length: 40 }, (_, index) => ({
@@ -92,7 +94,7 @@ function cluster(camera: Camera, light: Pick<LabScene, 'towardsLight' | 'lamp'>,
   return { input, surfaces, backdrop: BACKDROP };
 }
 
-/** The shadows of puffs beside the eye and behind it, most of them hardly before or behind the near plane. */
+/** Shadows of puffs beside and behind the eye, most of them close to the near plane. */
 function beside(camera: Camera): Shown {
   const next = random(5);
   const casters = Array.from({ length: 30 }, (_, index) => {
@@ -104,7 +106,7 @@ function beside(camera: Camera): Shown {
   return shadowsOnly(camera, casters, [0.6, 0.5, 0.6]);
 }
 
-/** More puffs on one place than a stencil counts. */
+/** More coincident puffs than a stencil can count. */
 function coincident(camera: Camera): Shown {
   const one = { place: [0, 0, 0], radius: 0.5 } as const;
   return shadowsOnly(
@@ -114,7 +116,7 @@ function coincident(camera: Camera): Shown {
   );
 }
 
-/** Two parts of a model, one in the shadow of the other, and puffs beside and over it. */
+/** Two parts of a model, one in the other's shadow, and puffs beside and above it. */
 function underParts(camera: Camera): Shown {
   const casters = [-0.5, -0.1, 0.4].map((x, variation) => ({ place: [x, 0.3, 0.2] as const, radius: 0.35, variation }));
   const parts = [-0.2, 0.2].map((y) => cube([0.6, y, 0.2], [0.4, 0.05, 0.3]));
@@ -144,7 +146,7 @@ function cube(center: [number, number, number], half: [number, number, number]):
   return { name: 'box', mesh: box(center, half), color: [219, 64, 92], casts: true, inked: false, solid };
 }
 
-/** A preset after some simulated time, drawn without the edge filter, and how many bodies and casters there are. */
+/** A preset after a simulated time, drawn without the edge filter, and its number of bodies and casters. */
 export async function drawnPreset(
   preset: string,
   form: PuffForm,
@@ -152,7 +154,7 @@ export async function drawnPreset(
 ): Promise<Drawn & { bodies: number; casters: number }> {
   const lab = await SceneLab.create(preset, { width: WIDTH, height: HEIGHT, values: { 'puff.form': form } });
   lab.step(60 * seconds);
-  // Bounds are of what was drawn last.
+  // The bounds are those of the previous frame.
   lab.draw();
   const { pixels, counts } = lab.draw({ cull: false, readCounts: true });
   const { bodiesDrawn, castersDrawn } = lab.report!;
@@ -161,17 +163,17 @@ export async function drawnPreset(
   return { description, pixels: base64(pixels), counts: base64(counts), bodies: bodiesDrawn, casters: castersDrawn };
 }
 
-/** The lamp with its own camera and light, and its surfaces as triangles, after some steps of the real simulator. */
+/** The lamp with its camera and light, and its surfaces as triangles, after some steps of the real simulator. */
 async function lampAfter(steps: number, isInPlume = false): Promise<Shown> {
   const lab = await SceneLab.create('lamp', { width: WIDTH, height: HEIGHT });
   lab.step(steps);
-  // Bounds are of what was drawn last.
+  // The bounds are those of the previous frame.
   lab.draw();
   const { min, max } = lab.simulator.bounds;
   const target = new Vector3(...min).lerp(new Vector3(...max), 0.5).toArray();
   const camera = isInPlume ? lab.camera({ target, distance: 0.3 }) : lab.camera();
-  // What is covered throws no shadow where something is left out, and counts are of all; pictures without it are compared
-  // with pictures with it in culling.ts.
+  // A culled frame has no shadows of covered particles, but the reference counts all of them. culling.ts compares
+  // culled and unculled pictures.
   return { ...lab.scene, input: lab.frame({ camera, cull: false }) };
 }
 

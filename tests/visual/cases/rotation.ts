@@ -1,4 +1,6 @@
-/** Puffs that turn by little while time stands still: how much of the picture changes, and whether it is the right one. */
+/**
+ * Puffs rotate by small angles while time is stopped: the change of the picture, and its difference from the reference.
+ */
 import { PerspectiveCamera } from 'three';
 import type { Drawn } from '../../support/reference.ts';
 import { describe } from '../description.ts';
@@ -6,24 +8,24 @@ import { inputOf, Lab, type LabPicture, type LabPuff, type LabScene } from '../l
 
 export type RotationKind = 'orbit' | 'roll';
 
-/** Shares of what smoke covers that change from one picture to the next. */
+/** Share of the smoke's pixels that change between two pictures. */
 export interface RotationReport {
-  /** The largest and the mean over all steps. */
+  /** Maximum and mean of all steps. */
   largest: number;
   mean: number;
-  /** Fewest pixels that smoke covers. */
+  /** Smallest number of pixels that smoke covers. */
   covered: number;
 }
 
 const SIZE = 200;
 const TOWARDS_LIGHT = [0.5, 0.8, 0.6] as const;
-/** Two puffs that run into each other: their seam tells depths, three tones normals, and there is ink inside and round. */
+/** Two intersecting puffs: their seam shows depth, three tones show normals, and there are inner and outer lines. */
 const PUFFS: readonly LabPuff[] = [
   { place: [-0.25, 0.05, 0.1], radius: 0.7, variation: 0, seed: 90, roll: 2 },
   { place: [0.4, -0.1, -0.15], radius: 0.6, variation: 1, seed: 17, roll: 5, tint: 1 },
 ];
 
-/** Turns the camera round the puffs, or each puff about its own axis, by steps of some degrees. */
+/** Rotates the camera around the puffs, or each puff around its own axis. */
 export function rotating(by: RotationKind, degrees: number, steps: number): RotationReport {
   const lab = new Lab(sceneAt(by, 0));
   const report = { largest: 0, mean: 0, covered: Infinity };
@@ -41,7 +43,7 @@ export function rotating(by: RotationKind, degrees: number, steps: number): Rota
   return report;
 }
 
-/** What is seen at some angles, to be compared with the reference. */
+/** Pictures at some angles, for comparison with the reference. */
 export function rotated(by: RotationKind, angles: readonly number[]): Drawn[] {
   const lab = new Lab(sceneAt(by, 0));
   const pictures = angles.map((degrees) => {

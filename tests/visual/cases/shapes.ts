@@ -1,4 +1,4 @@
-/** Puffs of other shapes than the default ones: knobs that turn, meshes that people bring, several smokes on a device. */
+/** Puffs with custom shapes: changes of parameters, meshes of the host, several smokes on one device. */
 import { createDevice } from '../../../src/device/device.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
@@ -14,7 +14,7 @@ import { random } from '../random.ts';
 const [WIDTH, HEIGHT] = [160, 120];
 const VALUES: Values = { ...presetValues(defaultPreset), 'simulation.maxParticles': 400 };
 
-/** A ring of balls: nothing like a puff, with a hole and with places to see deep behind its middle. */
+/** A ring of balls: unlike a puff it has a hole, and parts far behind its centre are visible. */
 export const RING: PuffShape = {
   name: 'ring',
   lobes: Array.from({ length: 12 }, (_, index) => {
@@ -23,7 +23,7 @@ export const RING: PuffShape = {
   }),
 };
 
-/** Shapes at the ends and in the middle of all knobs, of a few seeds, and two that no knob makes. */
+/** Shapes with minimum, maximum and random parameters, and two that no parameters produce. */
 export function oddShapes(): PuffShape[] {
   const next = random(5);
   const shapes = Array.from({ length: 14 }, (_, seed) => {
@@ -34,7 +34,7 @@ export function oddShapes(): PuffShape[] {
   return [...shapes, RING, { name: 'ball', lobes: [{ center: [0, 0, 0], radius: 1 }] }];
 }
 
-/** Smokes with different puffs on one device: pixels by which each differs from itself when the other has drawn. */
+/** Smokes with different puffs on one device: pixels of each that differ after the other has drawn. */
 export async function shareDevice(): Promise<{ between: number; disturbed: number; same: number; held: number[] }> {
   const device = createDevice(new OffscreenCanvas(1, 1));
   device.renderer.setSize(WIDTH, HEIGHT, false);
@@ -70,8 +70,8 @@ async function stageOf(values: Values = {}, canvas = new OffscreenCanvas(WIDTH, 
 }
 
 /**
- * A stage in a pause whose knobs turn: pixels that differ from before, from a stage that was made so, and, after turning
- * back, from the first picture.
+ * A paused stage whose parameters change: pixels that differ from before, from a stage created with these values, and,
+ * after the values are restored, from the first picture.
  */
 export async function changeKnobs(values: Values): Promise<{ changed: number; asMade: number; back: number }> {
   const [stage, made] = [await stageOf(), await stageOf(values)];
@@ -90,7 +90,7 @@ export async function changeKnobs(values: Values): Promise<{ changed: number; as
   return report;
 }
 
-/** How many pixels change when there are fewer variations than living particles have, at once and in a restored state. */
+/** Pixels that change when there are fewer variations than living particles use, at once and in a restored state. */
 export async function fewerVariations(): Promise<{ atOnce: number; restored: number; later: boolean }> {
   const stage = await stageOf({ 'puff.variations': 9 });
   stage.step(80);
@@ -106,7 +106,7 @@ export async function fewerVariations(): Promise<{ atOnce: number; restored: num
   return { atOnce, restored, later };
 }
 
-/** The same stage with a shape that somebody brought, in both forms, and without it again. */
+/** A stage with a custom shape, in both forms, and without it again. */
 export async function bringShape(): Promise<{ lobes: number; billboards: number; back: number; hash: boolean }> {
   const stage = await stageOf();
   stage.step(80);
@@ -130,9 +130,9 @@ export async function bringShape(): Promise<{ lobes: number; billboards: number;
 }
 
 /**
- * A stage that plays with its clock at rest while a knob turns: after how many frames the picture changes, and whether it
- * is then the one that a pause shows. Whatever looks at the time finds a millisecond gone, so that frames are counted and
- * no machine is measured.
+ * Changes a parameter while a stage plays with a stopped clock: the number of frames until the picture changes, and its
+ * difference from the picture of a paused stage. Each read of the time advances it by one millisecond, so the result
+ * counts frames and does not depend on the machine.
  */
 export async function changeWhilePlaying(): Promise<{ frames: number; leftOver: number }> {
   let frame: FrameRequestCallback = () => {};

@@ -1,4 +1,4 @@
-/** Stages as a page makes them, and what stands on their canvases: common ground of the cases of stages, and their pictures. */
+/** Stages as a page creates them, and the pixels of their canvases. Shared by all cases of stages. */
 import type { Device } from '../../../src/device/device.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { defaultPreset, findPreset, presetValues } from '../../../src/preset/presets.ts';
@@ -13,7 +13,6 @@ export async function lampStage(canvas: OffscreenCanvas | HTMLCanvasElement, dev
   return createStage(canvas, { values: SMALL, width: WIDTH, height: HEIGHT, pixelRatio: 1, device });
 }
 
-/** The picture of the lamp at a simulated time. */
 export async function lampPicture(seconds: number): Promise<Blob> {
   const stage = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT));
   await stage.seek(seconds);
@@ -22,7 +21,7 @@ export async function lampPicture(seconds: number): Promise<Blob> {
   return picture;
 }
 
-/** Colours in a picture, and the pixels of its commonest one: a blank picture has a single colour. */
+/** Colours of a picture, and the pixels of the most frequent one: a blank picture has a single colour. */
 export async function census(picture: Blob): Promise<{ colors: number; commonest: number; pixels: number }> {
   const data = await pixelsOf(picture);
   const counts = new Map<number, number>();
@@ -30,7 +29,7 @@ export async function census(picture: Blob): Promise<{ colors: number; commonest
   return { colors: counts.size, commonest: Math.max(...counts.values()), pixels: data.length };
 }
 
-/** Metres of the open air to a CSS pixel, on screens of different sharpness, before and after another scene. */
+/** Metres per CSS pixel of the open-air scene at several device pixel ratios, before and after another scene. */
 export async function airPerPixel(): Promise<number[]> {
   const values = { ...presetValues(findPreset('air')!), 'simulation.maxParticles': 100 };
   const metres: number[] = [];
@@ -50,7 +49,7 @@ export async function airPerPixel(): Promise<number[]> {
   return metres;
 }
 
-/** Pictures that a stage has drawn: made where nobody sees it, seen, given the same size again, given another. */
+/** Number of pictures that a stage has drawn: created hidden, visible, resized to the same size, resized to another. */
 export async function picturesDrawn(): Promise<number[]> {
   const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
   const size = { width: WIDTH, height: HEIGHT, pixelRatio: 1 };

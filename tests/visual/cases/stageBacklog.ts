@@ -1,9 +1,9 @@
-/** Frames that a stage has handed to the GPU and that are not drawn yet. */
+/** Frames that a stage has submitted to the GPU and that are not complete. */
 import { lampStage, visibleCanvas } from './stage.ts';
 
 /**
- * Plays so many frames below the viewport, where no browser holds them back.
- * @returns how many of them were under way at once, at most
+ * Plays some frames below the viewport, where the browser does not throttle them.
+ * @returns the largest number of incomplete frames
  */
 export async function maxInFlight(frames: number): Promise<number> {
   const canvas = visibleCanvas();

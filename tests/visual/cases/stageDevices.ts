@@ -1,8 +1,8 @@
-/** Stages and the contexts that they draw with: shared, lost, ended, and a memory that grows. */
+/** Stages and their contexts: shared, lost, disposed, and with growing WASM memory. */
 import { createDevice } from '../../../src/device/device.ts';
 import { differing, HEIGHT, lampPicture, lampStage, pixelsOf, shown, visibleCanvas, WIDTH } from './stage.ts';
 
-/** Two stages on one device, one with its own light: are they different from each other, and as they are alone? */
+/** Two stages on one device, one with another light: differences between the two, and from a stage alone. */
 export async function shareDevice(): Promise<{ between: number; firstAlone: number; secondAlone: number }> {
   const device = createDevice(new OffscreenCanvas(1, 1));
   const [first, second] = [await lampStage(visibleCanvas(), device), await lampStage(visibleCanvas(), device)];
@@ -18,7 +18,7 @@ export async function shareDevice(): Promise<{ between: number; firstAlone: numb
   return { between: differing(a, b), firstAlone: differing(a, c), secondAlone: differing(b, d) };
 }
 
-/** The pictures on the two canvases of stages that share a device, as the page shows them. */
+/** Pixels that differ on the two canvases of stages that share a device. */
 export async function sharedCanvases(): Promise<number> {
   const device = createDevice(new OffscreenCanvas(1, 1));
   const canvases = [visibleCanvas(), visibleCanvas()];
@@ -31,7 +31,7 @@ export async function sharedCanvases(): Promise<number> {
   return differing(a, b);
 }
 
-/** Makes and ends stages one after the other; how many of their contexts are gone, and the size of the WASM memory. */
+/** Creates and disposes stages one by one: the number of lost contexts, and the size of the WASM memory. */
 export async function comeAndGo(rounds: number): Promise<{ lost: number; wasmBytes: number }> {
   const contexts: WebGL2RenderingContext[] = [];
   for (let round = 0; round < rounds; ++round) {
@@ -47,14 +47,14 @@ export async function comeAndGo(rounds: number): Promise<{ lost: number; wasmByt
   return { lost, wasmBytes: (await wasmMemory()).buffer.byteLength };
 }
 
-/** What is said of a canvas on which a stage was disposed. */
+/** The error for a canvas whose stage was disposed. */
 export async function useCanvasAgain(): Promise<string> {
   const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
   (await lampStage(canvas)).dispose();
   return lampStage(canvas).then(() => 'nothing', String);
 }
 
-/** Takes the context away and gives it back in mid-run: pixels that differ from a run without the loss, and the hash. */
+/** Loses and restores the context in mid-run: pixels that differ from a run without the loss, and the hash. */
 export async function loseContext(): Promise<{ changed: number; sameHash: boolean; rejected: boolean }> {
   const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
   const stage = await lampStage(canvas);
@@ -83,7 +83,7 @@ export async function loseContext(): Promise<{ changed: number; sameHash: boolea
   return { changed: differing(a, b), sameHash, rejected };
 }
 
-/** Steps on each side of a growth of the WASM memory: pixels that changed, and whether the buffer is another one. */
+/** Steps before and after the WASM memory grows: changed pixels, and whether the buffer is a new one. */
 export async function growMemory(): Promise<{ changed: number; grown: boolean; painted: number }> {
   const stage = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT));
   const twin = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT));

@@ -1,4 +1,4 @@
-/** Stages that are asked for what cannot be: what they say of it, and that it leaves no trace. */
+/** Stages with invalid arguments: the error, and that the state is unchanged. */
 import { ParameterError } from '../../../src/preset/errors.ts';
 import type { Stage } from '../../../src/stage/stage.ts';
 import { HEIGHT, lampStage, WIDTH } from './stage.ts';
@@ -15,7 +15,7 @@ const ASKED: Readonly<Record<string, (stage: Stage) => unknown>> = {
   pixelRatio: (stage) => stage.resize(WIDTH, HEIGHT, NaN),
 };
 
-/** The names that the errors for NaN say, those that should be said, and whether all that can be seen stays as it was. */
+/** The names in the errors for NaN, the expected names, and whether the visible state is unchanged. */
 export async function rejectNaN() {
   const stage = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT));
   const errors: unknown[] = [];
@@ -44,7 +44,7 @@ function keyOf(error: unknown): string {
   return error instanceof ParameterError ? error.key : String(error);
 }
 
-/** Where a stage is after seeks that were called off before they began, and why they say that they ended. */
+/** The step of a stage after seeks that were cancelled before they began, and their rejection reasons. */
 export async function seekCalledOff(): Promise<{ steps: number[]; reasons: unknown[] }> {
   const stage = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT));
   stage.step(70);

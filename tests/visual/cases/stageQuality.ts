@@ -5,9 +5,9 @@ import { gpuKeepsUp } from '../../support/gpuKeepsUp.ts';
 import { differing, HEIGHT, pixelsOf, shown, SMALL, visibleCanvas, WIDTH } from './stage.ts';
 
 /**
- * A stage that draws half of the pixels beside one of half the size with all of them: pixels of the first that differ
- * though all neighbours of the same place are alike in the second, and how many there are, ink apart. Also whether its
- * picture() has all pixels, and what its canvas measures.
+ * A stage with half the pixels in each direction, compared with a stage of half the size: differing pixels whose
+ * neighbourhood is uniform in the second picture, and all such pixels, without ink. Also reports whether `picture()`
+ * has all pixels, and the size of the canvas.
  */
 export async function halfQuality(device?: Device): Promise<{
   flat: number;
@@ -49,7 +49,7 @@ export async function halfQualityShared(): ReturnType<typeof halfQuality> {
   return report;
 }
 
-/** Scales that a playing stage draws with when each frame takes longer than it should, and after a pause. */
+/** Scales of a playing stage whose frames are too slow, and after a pause. */
 export async function governedScales(quality: 'auto' | undefined): Promise<{ played: number[]; paused: number }> {
   gpuKeepsUp();
   let frame: FrameRequestCallback = () => {};

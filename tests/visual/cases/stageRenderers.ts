@@ -1,10 +1,10 @@
-/** Stages that are asked for a renderer whose code is not here yet. */
+/** Stages that change to a renderer before its code is loaded. */
 import { createStage } from '../../../src/stage/stage.ts';
 import { differing, HEIGHT, lampStage, shown, SMALL, visibleCanvas, WIDTH } from './stage.ts';
 
 /**
- * Pixels by which a picture changes at once when another renderer is asked for whose code is not here, when it has come, and
- * by which it differs then from that of a stage that began with it.
+ * Pixels that change immediately when the renderer changes, pixels that change after its code is loaded, and pixels
+ * that differ then from a stage created with that renderer.
  */
 export async function lateRenderer(): Promise<{ atOnce: number; later: number; fromStart: number }> {
   const canvas = visibleCanvas();
@@ -23,7 +23,9 @@ export async function lateRenderer(): Promise<{ atOnce: number; later: number; f
   return { atOnce, later: differing(before, after), fromStart };
 }
 
-/** What a stage says of a renderer and of a view whose code cannot be fetched, and whether it goes on. */
+/**
+ * Notices and errors of a stage for a renderer and a view whose code cannot be loaded, and whether the stage goes on.
+ */
 export async function lostRenderer(): Promise<{ notified: string[]; thrown: string; steps: number; drawn: number }> {
   const stage = await lampStage(visibleCanvas());
   const notified: string[] = [];

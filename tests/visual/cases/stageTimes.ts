@@ -1,10 +1,13 @@
-/** Stages that go through time: at a speed, back and forth, and again as a take. */
+/** Stages over time: playback speed, seeks in both directions, replayed takes. */
 import type { Simulator } from '../../../src/sim/simulator.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 import { EVERYTHING } from '../../support/everything.ts';
 import { differing, HEIGHT, lampStage, pixelsOf, SMALL, WIDTH } from './stage.ts';
 
-/** The centre of the smoke's rows on successive frames of a 60 Hz clock at a speed: mean movement in steps' movements. */
+/**
+ * Moves smoke with a 60 Hz clock at a playback speed.
+ * @returns largest difference between a frame's movement, in movements of a step, and the speed
+ */
 export async function movementAtSpeed(speed: number): Promise<number> {
   const { Clock } = await import('../../../src/sim/clock.ts');
   const { loadSimulators } = await import('../../../src/sim/load.ts');
@@ -34,7 +37,7 @@ function centreX(simulator: Simulator, blend: number): number {
   return sum / count;
 }
 
-/** Lives a take on one stage and does it again on another: hashes, values and pictures of both. */
+/** Records a take on one stage and replays it on another: hashes, values and pictures of both. */
 export async function replayTake(): Promise<Record<'hashes' | 'rates' | 'inputs', unknown[]> & { changed: number }> {
   const [first, second] = await Promise.all([1, 2].map(() => lampStage(new OffscreenCanvas(WIDTH, HEIGHT))));
   first.set({ 'style.tones': 3 });
@@ -54,7 +57,7 @@ export async function replayTake(): Promise<Record<'hashes' | 'rates' | 'inputs'
   for (const seconds of [2, 0.5, 2]) await second.seek(seconds);
   hashes.push(second.hash());
   rates.push(second.get()['emission.rate']);
-  // The light was turned after the start and is no part of the simulation: it is the receiver's own.
+  // The light changed after the start and is not part of the simulation, so the receiver sets it.
   second.set({ 'light.azimuth': 20 });
   const inputs = [first.stats.inputs, second.take().inputs];
   const [a, b] = await Promise.all([first, second].map(async (stage) => pixelsOf(await stage.picture())));
@@ -62,7 +65,7 @@ export async function replayTake(): Promise<Record<'hashes' | 'rates' | 'inputs'
   return { hashes, rates, inputs, changed: differing(a, b) };
 }
 
-/** Going back in time: hashes on the way there and on the way again, and the memory that it takes. */
+/** Seeks back in time: hashes of the first run and of the repeated one, and the memory of the history. */
 export async function seekBack(): Promise<{ straight: string[]; again: string[]; bytes: number; rates: unknown[] }> {
   const stage = await createStage(new OffscreenCanvas(WIDTH, HEIGHT), {
     values: SMALL,
@@ -89,7 +92,9 @@ export async function seekBack(): Promise<{ straight: string[]; again: string[];
   return { straight, again, bytes, rates };
 }
 
-/** A ball that a pointer drags while smoke rises, and the same again as a take: hashes, and what it is without the drag. */
+/**
+ * A ball dragged by the pointer while smoke rises, and its replay as a take: the hashes, and the hash without the drag.
+ */
 export async function replayDrag(): Promise<Record<'lived' | 'again' | 'still', string> & { held: unknown[] }> {
   const [first, second, still] = await Promise.all([1, 2, 3].map(() => lampStage(new OffscreenCanvas(WIDTH, HEIGHT))));
   const [x, y] = ballOn(first);
@@ -109,7 +114,7 @@ export async function replayDrag(): Promise<Record<'lived' | 'again' | 'still', 
   return { ...hashes, held };
 }
 
-/** Where the first pixel is, from the top left, by which the ball can be grabbed. */
+/** Position of the first pixel, from the top left, at which the pointer hits the ball. */
 function ballOn(stage: Stage): [x: number, y: number] {
   for (let y = 0; y < HEIGHT; y += 2) {
     for (let x = 0; x < WIDTH; x += 2) {

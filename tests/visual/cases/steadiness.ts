@@ -1,4 +1,4 @@
-/** Whole scenes, picture by picture: nothing may pop as time goes by, nor jump while the camera goes round. */
+/** Whole scenes, picture by picture: nothing pops over time or jumps while the camera orbits. */
 import { Vector3, type PerspectiveCamera } from 'three';
 import { readParticles } from '../../bench/support/snapshot.ts';
 import type { LabPicture } from '../lab.ts';
@@ -6,29 +6,29 @@ import { suddenChange, suddenPixels } from '../motion.ts';
 import { SceneLab } from '../sceneLab.ts';
 
 const SIZE = { width: 200, height: 200 };
-/** Nearer to the eye than this nothing of a scene comes while the camera goes round, as a share of its distance. */
+/** No part of a scene is closer to the eye than this while the camera orbits, as a share of the camera distance. */
 const NEAREST = 0.6;
-/** Pixels on top of the motion: a pixel's own width, and what rounding adds. */
+/** Added to the motion: the width of a pixel, and rounding. */
 const SLACK = 2;
-/** How far from its middle the centre of something can be that is still seen, in halves of the picture. */
+/** Largest distance of a visible object's centre from the centre of the picture, in half sizes of the picture. */
 const BESIDE = 1.3;
 
 export interface Steadiness {
-  /** Pixels of the largest area that appears or goes from one picture to the next, and the picture in which. */
+  /** Pixels of the largest area that appears or vanishes between two pictures, and the number of the picture. */
   largest: number;
   at: number;
-  /** Most pixels of all such areas of one picture. */
+  /** Largest number of pixels of all such areas of one picture. */
   all: number;
-  /** Greatest motion that was allowed for, pixels. */
+  /** Largest allowed motion, pixels. */
   motion: number;
   pictures: number;
-  /** In a picture, on average: a rocket that is not lit has none. */
+  /** Mean per picture: a rocket before ignition has none. */
   bodies: number;
-  /** Pixels of a picture that smoke, its lines and its shadow change, on average. */
+  /** Mean number of pixels of a picture that smoke, its lines and its shadow change. */
   smoke: number;
 }
 
-/** Pictures of successive steps; what turns by itself, such as a propeller, stands still. */
+/** Pictures of successive steps. Self-rotating parts, such as a propeller, are stopped. */
 export async function timePassing(scene: string, fromStep: number, steps: number): Promise<Steadiness> {
   const lab = await SceneLab.create(scene, { ...SIZE, holdsRotations: true });
   lab.step(fromStep);
@@ -43,7 +43,7 @@ export async function timePassing(scene: string, fromStep: number, steps: number
   return report;
 }
 
-/** Pictures a degree apart, with time stopped, from so far that no smoke comes near the eye. */
+/** Pictures one degree apart, with stopped time, at a distance that keeps smoke away from the eye. */
 export async function orbiting(scene: string, atStep: number, degrees: number): Promise<Steadiness> {
   const lab = await SceneLab.create(scene, { ...SIZE, holdsRotations: true });
   lab.step(atStep);
@@ -87,7 +87,7 @@ function differing(one: LabPicture, other: LabPicture): number {
   return a.reduce((sum, color, pixel) => sum + (color === b[pixel] ? 0 : 1), 0);
 }
 
-/** A picture with its smoke and without. */
+/** A picture with smoke and one without. */
 function look(lab: SceneLab, camera: PerspectiveCamera, reach: number) {
   const picture = lab.draw({ camera });
   const bodies = lab.report!.bodiesDrawn;
@@ -95,14 +95,14 @@ function look(lab: SceneLab, camera: PerspectiveCamera, reach: number) {
   return { picture, bodies, paling, bare: lab.draw({ camera, isBare: true }) };
 }
 
-/** Where surfaces come and go without any smoke, such as one that sinks into another faster than it moves. */
+/** Pixels at which surfaces alone appear or vanish, such as one that sinks into another faster than it moves. */
 function surfacesAlone(before: LabPicture, now: LabPicture, reach: number): Set<number> {
   return new Set([...suddenPixels(before, now, { reach }), ...suddenPixels(now, before, { reach })]);
 }
 
 /**
- * Pixels about the puffs of the latest picture with a radius of one to three widths of their line: by the law of
- * shaders/lib/ink.glsl that goes over into smoke there.
+ * Pixels around puffs of the latest picture with a radius of one to three line widths: there the formula of
+ * shaders/lib/ink.glsl blends the line into smoke.
  */
 function palingLines(lab: SceneLab, camera: PerspectiveCamera, reach: number): Uint8Array {
   const where = new Uint8Array(SIZE.width * SIZE.height);
@@ -128,7 +128,7 @@ function clampColumn(x: number): number {
   return Math.min(SIZE.width, Math.max(0, Math.round(x)));
 }
 
-/** Where particles were before the latest step, and where they are. */
+/** Positions of particles before and after the latest step. */
 function particlePaths({ simulator }: SceneLab): [before: Vector3[], now: Vector3[]] {
   const { x, y, z, px, py, pz } = readParticles(simulator);
   const placesOf = (xs: Float32Array, ys: Float32Array, zs: Float32Array) =>
@@ -136,7 +136,7 @@ function particlePaths({ simulator }: SceneLab): [before: Vector3[], now: Vector
   return [placesOf(px, py, pz), placesOf(x, y, z)];
 }
 
-/** The corners of what stands or rides in a scene. */
+/** The corners of the surfaces of a scene, static and moving. */
 function surfaceCorners(lab: SceneLab): Vector3[] {
   return lab
     .surfaceBoxes()
@@ -148,7 +148,7 @@ function surfaceCorners(lab: SceneLab): Vector3[] {
     );
 }
 
-/** Pixels between the pictures of two places of the same thing, for the one of them that is seen and gets on most. */
+/** Largest distance between two positions of the same visible point on the screen, pixels. */
 function longestWay(before: Vector3[], now: Vector3[], camera: PerspectiveCamera): number {
   const half = new Vector3(SIZE.width / 2, SIZE.height / 2, 0);
   const ways = now.map((place, i) => {

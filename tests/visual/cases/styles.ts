@@ -1,4 +1,4 @@
-/** The paper's four effects, each on or off by itself: sixteen pictures of one heap of smoke over the ground. */
+/** The paper's four effects, each on or off: sixteen pictures of one heap of smoke above the ground. */
 import type { Gradient } from '../../../src/passes/bodies.ts';
 import { colorAt, type Color } from '../../../src/device/ramps.ts';
 import { rampOf, surfaceToning } from '../../../src/smoke/palette.ts';
@@ -13,23 +13,22 @@ const GROUND = ground(-0.8, 6);
 const AGES = [0, 1 / 3, 2 / 3];
 const SUN = [0.5, 0.8, 0.33] as const;
 
-/** Which of the effects are on, as bits in their order. */
+/** The enabled effects, as bits in the order of `EFFECTS`. */
 export const COMBINATIONS = Array.from({ length: 16 }, (_, bits) => bits);
 
-/** What a combination is called. */
 export function labelOf(bits: number): string {
   const on = EFFECTS.filter((_, effect) => isOn(bits, effect));
   return on.length === 0 ? 'none' : on.join(', ');
 }
 
-/** How often each colour occurs in each combination, `r,g,b`, and those that there have to be, each within `slack`. */
+/** Pixels by colour `r,g,b` for each combination, and the expected colours, each within `slack`. */
 export function colorsOf(): { label: string; found: Record<string, number>; expected: Color[]; slack: number }[] {
   const scene = sceneOf(200, 150);
   const lab = new Lab(scene);
   const reports = COMBINATIONS.map((bits) => {
     const style = styleOf(bits, 'age');
     const { pixels } = lab.draw({ ...scene, style });
-    // A factor times a colour is rounded once by us and once by the target.
+    // The factor and the target each round a colour once.
     return {
       label: labelOf(bits),
       found: countColors(pixels),
@@ -41,7 +40,7 @@ export function colorsOf(): { label: string; found: Record<string, number>; expe
   return reports;
 }
 
-/** All combinations as one PNG, four by four with their names, base64. */
+/** All combinations as one PNG, four by four with labels, in base64. */
 export async function sheet(): Promise<string> {
   const [width, height, bar] = [320, 240, 22];
   const scene = sceneOf(width, height);
@@ -82,7 +81,7 @@ function sceneOf(width: number, height: number): LabScene {
   return { width, height, puffs: heap(), surfaces: [GROUND], backdrop: { top: SKY, bottom: SKY }, towardsLight: SUN };
 }
 
-/** Puffs of three ages round an upright axis, larger below. */
+/** Puffs of three ages around a vertical axis, larger below. */
 function heap(): LabPuff[] {
   const next = random(13);
   return Array.from({ length: 48 }, (_, index) => {
@@ -128,7 +127,7 @@ function countColors(pixels: Uint8Array): Record<string, number> {
   return counts;
 }
 
-/** The rows of WebGL come from the bottom. */
+/** WebGL returns the bottom row first. */
 function upright(pixels: Uint8Array, width: number, height: number): ImageData {
   const image = new ImageData(width, height);
   for (let row = 0; row < height; ++row) {

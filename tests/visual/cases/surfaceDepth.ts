@@ -1,4 +1,4 @@
-/** Lines of puffs that touch surfaces: on a floor they must close, behind a wall they must not show. */
+/** Lines of puffs that touch surfaces: closed on a floor, hidden behind a wall. */
 import { PerspectiveCamera } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
@@ -24,7 +24,7 @@ function is(picture: LabPicture, pixel: number, color: readonly number[]): boole
   return color.every((channel, index) => picture.pixels[4 * pixel + index] === channel);
 }
 
-/** The neighbours of a pixel by their edges, and with `corners` by their corners too. */
+/** The 4-neighbours of a pixel, and with `corners` the 8-neighbours. */
 function neighbours(pixel: number, corners: boolean): number[] {
   const [x, y] = [pixel % WIDTH, Math.floor(pixel / WIDTH)];
   const steps = [-1, 0, 1].flatMap((dx) => [-1, 0, 1].map((dy) => [dx, dy]));
@@ -34,7 +34,7 @@ function neighbours(pixel: number, corners: boolean): number[] {
     .map(([dx, dy]) => pixel + dx + dy * WIDTH);
 }
 
-/** All pixels that are reached from the first by steps onto pixels that are `open`. */
+/** Flood fill: all `open` pixels connected to the first one. */
 function flood(first: number, open: (pixel: number) => boolean, corners: boolean): Set<number> {
   const reached = new Set([first]);
   const waiting = [first];
@@ -49,17 +49,17 @@ function flood(first: number, open: (pixel: number) => boolean, corners: boolean
 }
 
 export interface Outline {
-  /** What the puff and the view are. */
+  /** Puff and view. */
   name: string;
   fill: number;
   ink: number;
   /** Pixels of the puff's fill that a flood from outside reaches. */
   leaked: number;
-  /** Pixels of ink that hang together with most others. */
+  /** Pixels of the largest connected ink area. */
   connected: number;
 }
 
-/** Puffs on a floor, from resting on their lobes to half sunk in, under several views. */
+/** Puffs on a floor, from resting on their lobes to half inside it, in several views. */
 export function onFloor(form: PuffForm): Outline[] {
   return resting(form).map(({ picture, name }) => outlineOf(picture, name));
 }
@@ -97,7 +97,7 @@ function outlineOf(picture: LabPicture, name: string): Outline {
   return { name, fill: fill.length, ink: ink.length, leaked, connected };
 }
 
-/** A puff close behind a low wall, or close before it: pixels of ink over the wall, and all of them. */
+/** A puff close behind a low wall, or close in front of it: pixels of ink on the wall, and all ink pixels. */
 export function atWall(form: PuffForm, side: 'behind' | 'before', gap: number): { onWall: number; ink: number } {
   const [top, depth] = [0.45, 0.05];
   const mesh = box([0, 0, 0], [3, top, depth]);

@@ -1,13 +1,13 @@
-/** Pictures of the presets as the gallery of the page shows them. */
+/** Pictures of the presets for the page's gallery. */
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 
 /** Long enough for smoke to fill its column. */
 const SECONDS = 6;
-/** By scene, where what makes the smoke is gone by then. */
+/** By scene, where the emitter is out of view at that time. */
 const EARLIER: Readonly<Record<string, number>> = { rocket: 4 };
 const [WIDTH, HEIGHT] = [192, 128];
-/** Drawn larger and made smaller, so that ink is as fine as in the picture that it stands for. */
+/** Drawn at a larger scale and then reduced, so that ink lines are as thin as in the full picture. */
 const ENLARGED = 3;
 const QUALITY = 0.85;
 
