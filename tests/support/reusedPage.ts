@@ -45,8 +45,8 @@ export class ReusedPage {
   }
 
   private async open() {
-    const { baseURL, viewport, deviceScaleFactor } = this.options;
-    const context = await this.browser.newContext({ baseURL, viewport, deviceScaleFactor });
+    const { baseURL, viewport } = this.options;
+    const context = await this.browser.newContext({ baseURL, viewport });
     const page = await context.newPage();
     return { context, page, consoleErrors: watchConsoleErrors(page) };
   }
