@@ -46,7 +46,7 @@ export class ReusedPage {
 
   private async open() {
     const { baseURL, viewport } = this.options;
-    const context = await this.browser.newContext({ baseURL, viewport });
+    const context = await this.browser.newContext({ baseURL, viewport, deviceScaleFactor: 1 });
     const page = await context.newPage();
     return { context, page, consoleErrors: watchConsoleErrors(page) };
   }
