@@ -53,7 +53,10 @@ const drawNailboards: DrawSmoke = (passes, { output }, { bodies, casters }, surf
   passes.resolve.draw(renderer, targets, output);
 };
 
-/** The first half of a frame, without draw calls: arrange(eye) and arrange(light) -> instance buffers. */
+/**
+ * The first half of a frame, without draw calls: arrange(eye) and arrange(light) -> instance buffers.
+ * @param input as `SmokeRenderer.prepare` returns it
+ */
 export function arrangeFrame(passes: SmokePasses, input: FrameInput): ArrangedFrame {
   const { eye, bodies, casters } = passes;
   const { simulator, style } = input;
@@ -82,12 +85,12 @@ export function reportOf({ bodies, casters, arrangeMs }: ArrangedFrame): FrameRe
 }
 
 /** Sets what the arrangement and all passes read of the frame: size, camera, light, places of the surfaces and time. */
-function setUpView(passes: SmokePasses, { camera, light, width, height, ...input }: FrameInput): void {
+function setUpView(passes: SmokePasses, { camera, light, style, width, height, rigids, parts, time }: FrameInput) {
   passes.targets.resize(width, height);
   const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
   passes.eye.look(camera, homogeneous(light), width, height, reversedDepth);
-  passes.placeSurfaces(input.rigids, input.parts ?? []);
-  passes.body.setBoil(input.style.boil, Math.floor((input.time ?? 0) * DRAWINGS_PER_SECOND));
+  passes.placeSurfaces(rigids, parts ?? []);
+  passes.body.setBoil(style.boil, Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));
 }
 
 /**
