@@ -20,9 +20,7 @@ import { InkUniforms, type InkLine } from './ink.ts';
 import { memoize } from './memoize.ts';
 import { seamEdges } from './seamEdges.ts';
 import type { SurfaceDescription } from './surfaces.ts';
-
-/** Least angle between the normals of two faces whose edge is drawn, degrees. */
-const SHARP = 40;
+import { SHARP_ANGLE } from '../constants.ts';
 
 /**
  * Draws the sharp edges of inked surfaces, and the seams between surfaces of the same rigid, as ribbons with the width
@@ -79,7 +77,7 @@ export class CreasesPass {
   }
 }
 
-export const memoizedCreases = memoize((mesh: TriangleMesh) => creaseEdges(mesh, SHARP));
+export const memoizedCreases = memoize((mesh: TriangleMesh) => creaseEdges(mesh, SHARP_ANGLE));
 export const memoizedSeams = memoize((one: TriangleMesh) => memoize((other: TriangleMesh) => seamEdges(one, other)));
 
 /** The edges that are drawn with each surface. */

@@ -43,9 +43,6 @@ export interface SurfaceDescription {
   part?: number;
 }
 
-/** Distance, in line widths, by which the raised hull is nearer, so that its line does not sink into the ground. */
-const RAISED_WIDTHS = 6;
-
 /**
  * Draws the scene's meshes with flat tones, and their outlines as inverted hulls (back faces). Each inked surface has
  * two hulls. One is at the surface's own depth and draws the lines in front of other parts of the surface. The raised
@@ -159,7 +156,7 @@ export class SurfacesPass {
       glslVersion: GLSL3,
       vertexShader: hullVertexShader,
       fragmentShader: hullFragmentShader,
-      uniforms: { ...this.hullUniforms, raisedWidths: { value: ownPixels > 0 ? RAISED_WIDTHS : 0 } },
+      uniforms: { ...this.hullUniforms, isRaised: { value: ownPixels > 0 } },
       side: BackSide,
       stencilWrite: ownPixels > 0,
       stencilRef: ownPixels,

@@ -22,6 +22,7 @@ import { codeOf, ExtraPasses, hasExtras } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { inkLineOf, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
+import { TINTS } from '../constants.ts';
 
 export interface SmokeOptions {
   /** Largest number of particles that can be drawn. */
@@ -37,7 +38,6 @@ export interface SmokeOptions {
 
 /** World height below which surfaces are hidden, metres. */
 const OUT_OF_SIGHT = -60;
-const TINTS = 3;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
 

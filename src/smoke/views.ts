@@ -7,13 +7,10 @@ import type { FrameView } from '../device/frameView.ts';
 import type { FrameInput } from './frameInput.ts';
 import type { SmokePasses } from './smokePasses.ts';
 import { inkLineOf } from './style.ts';
+import { COVERS_LIMIT, STEEPEST } from '../constants.ts';
 
 /** Largest distance of ink from a silhouette, in puff radii; see shaders/lib/ink.glsl. */
 const WIDEST_RING = 0.3;
-/** Largest distance by which a surface may lift ink, for each unit beside its puff; see shaders/lib/contact.glsl. */
-const STEEPEST = 8;
-/** The simulator's limit of covers. */
-const MAX_COVERS = 16;
 
 export function eyeView(passes: SmokePasses, input: FrameInput): View {
   const { eye } = passes;
@@ -69,7 +66,7 @@ function coverageOf(
   const [nearest, farthest] = eye.range;
   const { pixels, swell } = inkLineOf(style, pixelRatio);
   return {
-    covers: covers > MAX_COVERS ? 0 : covers,
+    covers: covers > COVERS_LIMIT ? 0 : covers,
     pixel: eye.unitsPerPixel,
     nearest,
     farthest,

@@ -1,9 +1,11 @@
-//! The balls of puffs and their orientation, as in src/puffs/solids.ts and shaders/lib/orientation.glsl.
+//! The balls of puffs and their orientation, as in src/puffs/bake/solids.ts and shaders/lib/orientation.glsl.
 
 use wide::f32x4;
 
-/// Maximum number of balls per puff.
-pub const BALLS_LIMIT: usize = 12;
+/// Maximum number of lobes of a puff.
+const MAX_LOBES: usize = 12;
+/// Maximum number of balls per puff: one for each lobe.
+pub const BALLS_LIMIT: usize = MAX_LOBES;
 const LANES: usize = 4;
 const SEEDS: usize = 256;
 /// Entries per revolution of the sine table. The tolerance of the solids covers the error between them.
