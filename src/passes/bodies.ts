@@ -18,13 +18,11 @@ import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
 import { withLobes } from '../device/unroll.ts';
-import type { SurfaceDepthPass } from './surfaceDepth.ts';
+import type { SurfaceDepth } from './surfaceDepth.ts';
 import { InkUniforms, type InkLine } from './ink.ts';
 
 /** The coordinate that a gradient fill follows. */
 export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
-
-const NO_SURFACES = { surfaceDepth: { value: null }, hasSurfaces: { value: false }, surfaceSlack: { value: 0 } };
 
 /** Draws the puffs: lit and unlit colour, ink, and depth. Puffs are opaque, so rows can be in any order. */
 export class BodiesPass {
@@ -36,6 +34,9 @@ export class BodiesPass {
   private readonly common: Record<string, IUniform>;
   private readonly ink = new InkUniforms();
   private readonly uniforms = {
+    surfaceDepth: { value: null as Texture | null },
+    hasSurfaces: { value: false },
+    surfaceSlack: { value: 0 },
     innerLine: { value: 0.5 },
     innerTaper: { value: 0 },
     boil: { value: 0 },
@@ -58,29 +59,19 @@ export class BodiesPass {
 
   /**
    * @param ramps ramps 1 and up are those of the tints; its bands select the ramp of a puff without a tint
-   * @param rows instance buffer with one quad, or with two (front and back) if `isFlat`
-   * @param surfaceDepth depth of the surfaces that puffs may touch; without it puffs have no contact lines
    * @param isFlat whether puffs have the depth of their quads, for GPUs that do not keep the depth that fragments write
    */
-  constructor(
-    eye: FrameView,
-    puffs: PuffTextures,
-    ramps: RampTexture,
-    rows: BufferGeometry,
-    surfaceDepth?: SurfaceDepthPass,
-    isFlat = false,
-  ) {
+  constructor(eye: FrameView, puffs: PuffTextures, ramps: RampTexture, isFlat = false) {
     this.isFlat = isFlat;
     this.puffs = puffs;
     this.common = {
       ...eye.uniforms,
       ...this.ink.uniforms,
-      ...(surfaceDepth?.uniforms ?? NO_SURFACES),
       ...this.uniforms,
       ramps: { value: ramps.texture },
       ...this.puffUniforms,
     };
-    this.rows = new DrawnMesh(rows, this.lobesMaterial());
+    this.rows = new DrawnMesh(this.lobesMaterial());
   }
 
   /**
@@ -129,8 +120,13 @@ export class BodiesPass {
     );
   }
 
-  draw(renderer: WebGLRenderer): void {
-    this.rows.draw(renderer);
+  /**
+   * @param rows instance buffer with one quad, or with two (front and back) if the puffs are flat
+   * @param surfaces depth of the surfaces that puffs may touch; without it puffs have no contact lines
+   */
+  draw(renderer: WebGLRenderer, rows: BufferGeometry, surfaces?: SurfaceDepth): void {
+    this.touch(surfaces);
+    this.rows.draw(renderer, rows);
   }
 
   /** The material of the draw call. */
@@ -139,12 +135,19 @@ export class BodiesPass {
   }
 
   /** Draws once with a variant of the material. */
-  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
-    this.rows.drawAs(renderer, material);
+  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial, rows: BufferGeometry, surfaces?: SurfaceDepth): void {
+    this.touch(surfaces);
+    this.rows.drawAs(renderer, material, rows);
   }
 
   dispose(): void {
     for (const material of this.materials.values()) material.dispose();
+  }
+
+  private touch(surfaces: SurfaceDepth | undefined): void {
+    this.uniforms.hasSurfaces.value = surfaces !== undefined;
+    this.uniforms.surfaceDepth.value = surfaces?.depth ?? null;
+    this.uniforms.surfaceSlack.value = surfaces?.slack ?? 0;
   }
 
   private lobesMaterial(): RawShaderMaterial {

@@ -84,13 +84,6 @@ export class SurfacesPass {
     }
   }
 
-  /** Computes the world-space bounding box of all visible surfaces; empty if there are none. */
-  bounds(into: Box3): Box3 {
-    into.makeEmpty();
-    for (const box of this.worldBoxes()) into.union(box);
-    return into;
-  }
-
   /** The world-space bounding box of each visible surface. */
   worldBoxes(): Box3[] {
     return this.boxes.flatMap((local, surface) => {

@@ -14,8 +14,7 @@ import { SurfaceDepthPass } from '../passes/surfaceDepth.ts';
 import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
 import { bakedPuffs } from './bakedPuffs.ts';
-import { arrangeFrame, drawFrame } from './frame.ts';
-import type { FrameInput, FrameReport } from './frameInput.ts';
+import type { FrameInput } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
 import { codeOf, ExtraPasses, hasExtras } from './extraPasses.ts';
@@ -79,17 +78,15 @@ export class SmokeRenderer {
       targets: new Targets(),
       bodies,
       casters,
-      shadowEnds: new ShadowEnds(),
+      shadowEnds: new ShadowEnds(capacity),
       backdrop: new BackdropPass(eye),
       surfaces: surfacesPass,
       creases,
       surfaceDepth,
-      body: new BodiesPass(eye, this.puffs, this.ramps, bodies.geometry, surfaceDepth, isFlat),
+      body: new BodiesPass(eye, this.puffs, this.ramps, isFlat),
       meshVolumes,
-      volumes: new VolumesPass(eye, this.puffs, casters.geometry),
-      prismVolumes: isFlat
-        ? new (codeOf('prismVolumes').PrismVolumesPass)(eye, this.puffs, casters.geometry)
-        : undefined,
+      volumes: new VolumesPass(eye, this.puffs),
+      prismVolumes: isFlat ? new (codeOf('prismVolumes').PrismVolumesPass)(eye, this.puffs) : undefined,
       mask: new MaskPass(),
       resolve: new ResolvePass(),
       extras: new ExtraPasses({
@@ -98,8 +95,6 @@ export class SmokeRenderer {
         ramps: this.ramps,
         firstSurface: FIRST_SURFACE_RAMP,
         surfaces,
-        bodies: bodies.geometry,
-        casters: casters.geometry,
       }),
       hasBackdrop: backdrop !== undefined,
       extentsOf: (form) => this.puffs.of(form),
@@ -117,24 +112,16 @@ export class SmokeRenderer {
   }
 
   /**
-   * Draws one frame. While `fetchExtras` has not loaded the modules that it needs, it is drawn with lobe nailboards.
+   * Applies the style of a frame to all passes, and returns the frame that they can draw: while `fetchExtras` has not
+   * loaded the modules that it needs, one with lobe nailboards.
    * @throws ContextError if the device has lost its context
    */
-  draw(input: FrameInput): FrameReport {
+  prepare(input: FrameInput): FrameInput {
+    this.device.requireUsable();
     const drawn = this.withWhatIsHere(input);
-    this.prepare(drawn);
-    this.device.renderer.info.reset();
-    return drawFrame(this.passes, drawn);
-  }
-
-  /**
-   * Prepares all passes for a frame that the caller draws with them.
-   * @throws ContextError if the device has lost its context
-   */
-  arrange(input: FrameInput): FrameReport {
-    const arranged = this.withWhatIsHere(input);
-    this.prepare(arranged);
-    return arrangeFrame(this.passes, arranged);
+    const { style, pixelRatio } = drawn;
+    if (style !== this.style || pixelRatio !== this.pixelRatio) this.apply(style, pixelRatio);
+    return drawn;
   }
 
   /** Replaces the puffs from the next frame on. Particles keep their variation. */
@@ -169,11 +156,6 @@ export class SmokeRenderer {
     if (this.asked !== style) this.meanwhile = { ...style, renderer: 'nailboards', form: 'lobes' };
     this.asked = style;
     return { ...input, style: this.meanwhile!, view: undefined };
-  }
-
-  private prepare({ style, pixelRatio }: FrameInput): void {
-    this.device.requireUsable();
-    if (style !== this.style || pixelRatio !== this.pixelRatio) this.apply(style, pixelRatio);
   }
 
   private apply(style: Style, pixelRatio: number): void {

@@ -40,7 +40,7 @@ export function describe(shown: Shown): string {
   const { input, surfaces, backdrop } = shown;
   const { simulator, camera, style, width, height } = input;
   const seen = surfaces.filter((surface) => placeOf(surface, shown).elements[13] > OUT_OF_SIGHT);
-  const rows = (purpose: View['purpose']) => rowsAsObjects(simulator.arrange(viewOf(input, purpose)));
+  const rows = (purpose: View['purpose']) => rowsAsObjects(simulator.arrange(viewOf(input, purpose)).rows);
   return JSON.stringify({
     width,
     height,

@@ -20,6 +20,7 @@ import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { PuffShape } from '../../src/puffs/shapes.ts';
 import { ATTRIBUTE_WORDS, NO_END, type Rows } from '../../src/sim/rows.ts';
 import { fetchExtras } from '../../src/smoke/extraPasses.ts';
+import { drawFrame } from '../../src/smoke/frame.ts';
 import type { Arranger, FrameInput } from '../../src/smoke/frameInput.ts';
 import type { Light } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
@@ -193,7 +194,7 @@ export class Lab {
   drawFrame(input: FrameInput, options: Pick<LabScene, 'smoothEdges' | 'readCounts'> = {}): LabPicture {
     const { width, height } = input;
     this.smoke.passes.resolve.smoothEdges = options.smoothEdges ?? false;
-    this.smoke.draw(input);
+    drawFrame(this.smoke, input);
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.device.renderer.getContext();
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -244,13 +245,17 @@ function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arra
   const all = [...puffs, ...casters];
   const extreme = (axis: 0 | 1 | 2, sign: 1 | -1) =>
     sign * Math.max(...all.map(({ place, radius }) => sign * place[axis] + radius));
+  const bounds = {
+    min: [extreme(0, -1), extreme(1, -1), extreme(2, -1)],
+    max: [extreme(0, 1), extreme(1, 1), extreme(2, 1)],
+    greatestRadius: Math.max(0, ...all.map(({ radius }) => radius)),
+  } as const;
   return {
-    arrange: ({ purpose }) => (purpose === 'eye' ? rowsOf(puffs) : castersOf(casters)),
-    bounds: {
-      min: [extreme(0, -1), extreme(1, -1), extreme(2, -1)],
-      max: [extreme(0, 1), extreme(1, 1), extreme(2, 1)],
-      greatestRadius: Math.max(0, ...all.map(({ radius }) => radius)),
-    },
+    arrange: ({ purpose }) => ({
+      rows: purpose === 'eye' ? rowsOf(puffs) : castersOf(casters),
+      bounds,
+      grid: undefined,
+    }),
   };
 }
 

@@ -9,6 +9,7 @@ import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { loadSimulators } from '../../src/sim/load.ts';
 import { PLACE_FLOATS } from '../../src/sim/rows.ts';
 import type { Simulator } from '../../src/sim/simulator.ts';
+import { drawFrame } from '../../src/smoke/frame.ts';
 import type { Arranger, FrameInput, FrameReport } from '../../src/smoke/frameInput.ts';
 import { lightOf } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
@@ -41,8 +42,11 @@ export interface FrameOptions {
 }
 
 const NO_SMOKE: Arranger = {
-  arrange: () => rowsOf([]),
-  bounds: { min: [0, 0, 0], max: [0, 0, 0], greatestRadius: 0 },
+  arrange: () => ({
+    rows: rowsOf([]),
+    bounds: { min: [0, 0, 0], max: [0, 0, 0], greatestRadius: 0 },
+    grid: undefined,
+  }),
 };
 
 export class SceneLab {
@@ -107,7 +111,7 @@ export class SceneLab {
 
   draw(options: FrameOptions = {}): LabPicture {
     const { width, height } = this;
-    this.report = this.smoke.draw(this.frame(options));
+    this.report = drawFrame(this.smoke, this.frame(options));
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.device.renderer.getContext();
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
