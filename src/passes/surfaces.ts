@@ -20,7 +20,6 @@ import vertexShader from '../../shaders/surfaces/surfaces.vert';
 import type { FrameView } from '../device/frameView.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
 import { hullNormals, type TriangleMesh } from './extrusion.ts';
-import { InkUniforms, type InkLine } from './ink.ts';
 import { memoize } from './memoize.ts';
 
 /** A triangle mesh of the scene. */
@@ -60,20 +59,13 @@ export class SurfacesPass {
   private readonly closing: Mesh[] = [];
   private readonly groups = new Map<string, number>();
   private readonly boxes: Box3[];
-  private readonly ink = new InkUniforms();
-  private readonly hullUniforms;
+  private readonly eye: FrameView;
 
   /** @param firstMaterial ramp index of the first surface; the other surfaces follow in order */
   constructor(eye: FrameView, ramps: RampTexture, firstMaterial: number, surfaces: readonly SurfaceDescription[]) {
-    this.hullUniforms = { ...eye.uniforms, ...this.ink.uniforms };
-    surfaces.forEach((surface, index) => this.add(surface, eye, ramps, firstMaterial + index));
+    this.eye = eye;
+    surfaces.forEach((surface, index) => this.add(surface, ramps, firstMaterial + index));
     this.boxes = surfaces.map((surface) => boxOf(surface.mesh));
-  }
-
-  /** @param hasSeams whether creases.ts draws the seams of static surfaces, which then need no raised hull */
-  setInk(line: InkLine, hasSeams: boolean): void {
-    this.ink.set(line);
-    for (const hull of this.closing) hull.visible = !hasSeams;
   }
 
   /** Sets the world transform and the visibility of a surface. */
@@ -93,8 +85,11 @@ export class SurfacesPass {
   }
 
   draw(renderer: WebGLRenderer): void {
+    const { creases, inkPixels } = this.eye.uniforms;
+    // The creases pass draws the seams of static surfaces, which then need no raised hull.
+    for (const hull of this.closing) hull.visible = !creases.value;
     renderer.render(this.fills, this.camera);
-    if (this.ink.uniforms.inkPixels.value > 0) renderer.render(this.hulls, this.camera);
+    if (inkPixels.value > 0) renderer.render(this.hulls, this.camera);
     renderer.clearStencil();
   }
 
@@ -103,7 +98,7 @@ export class SurfacesPass {
     for (const geometry of this.geometries) geometry.dispose();
   }
 
-  private add(surface: SurfaceDescription, eye: FrameView, ramps: RampTexture, ramp: number): void {
+  private add(surface: SurfaceDescription, ramps: RampTexture, ramp: number): void {
     const ownPixels = this.stencilNumber(surface);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(surface.mesh.positions, 3));
@@ -115,7 +110,7 @@ export class SurfacesPass {
       vertexShader,
       fragmentShader,
       uniforms: {
-        ...eye.uniforms,
+        ...this.eye.uniforms,
         ramps: { value: ramps.texture },
         material: { value: ramp },
       },
@@ -149,7 +144,7 @@ export class SurfacesPass {
       glslVersion: GLSL3,
       vertexShader: hullVertexShader,
       fragmentShader: hullFragmentShader,
-      uniforms: { ...this.hullUniforms, isRaised: { value: ownPixels > 0 } },
+      uniforms: { ...this.eye.uniforms, isRaised: { value: ownPixels > 0 } },
       side: BackSide,
       stencilWrite: ownPixels > 0,
       stencilRef: ownPixels,

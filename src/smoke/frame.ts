@@ -85,12 +85,12 @@ export function reportOf({ bodies, casters, arrangeMs }: ArrangedFrame): FrameRe
 }
 
 /** Sets what the arrangement and all passes read of the frame: size, camera, light, places of the surfaces and time. */
-function setUpView(passes: SmokePasses, { camera, light, style, width, height, rigids, parts, time }: FrameInput) {
+function setUpView(passes: SmokePasses, { camera, light, width, height, rigids, parts, time }: FrameInput) {
   passes.targets.resize(width, height);
   const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
   passes.eye.look(camera, homogeneous(light), width, height, reversedDepth);
   passes.placeSurfaces(rigids, parts ?? []);
-  passes.body.setBoil(style.boil, Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));
+  passes.body.setDrawing(Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));
 }
 
 /**

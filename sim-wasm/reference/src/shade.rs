@@ -150,7 +150,7 @@ pub struct Along {
 
 /// Factor on a colour of the ramp.
 pub fn gradient_factor(style: &Style, along: &Along) -> DVec3 {
-    let [bottom, top] = style.plume_height;
+    let [bottom, top] = style.gradient_heights;
     let share = match style.gradient {
         Gradient::None => return DVec3::ONE,
         Gradient::Puff => 0.5 + 0.5 * along.puff,
