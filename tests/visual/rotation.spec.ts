@@ -36,6 +36,11 @@ for (const by of ['orbit', 'roll'] as const) {
   });
 }
 
+test('puffs have the orientation of the CPU for every seed', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  expect(await cases.evaluate((module) => module.differenceOfRotations())).toBeLessThan(1e-5);
+});
+
 test('from every side on the way the puffs are those of the reference', async ({ load }, testInfo) => {
   const cases = await load<Cases>(CASES);
   for (const by of ['orbit', 'roll'] as const) {
