@@ -8,7 +8,7 @@ import { eyeView, lightView, shownWithin, smokeBox, viewSources, type ViewSource
 import type { FrameInput, FrameReport } from './frameInput.ts';
 
 /** Animation on twos: lines change at half of 24 frames a second. */
-const DRAWINGS_PER_SECOND = 12;
+export const DRAWINGS_PER_SECOND = 12;
 
 /**
  * Draws a frame. Until the code that it needs is loaded, it is drawn with lobe nailboards. What the steps write:

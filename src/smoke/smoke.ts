@@ -36,7 +36,7 @@ export interface SmokeOptions {
 }
 
 /** World height below which surfaces are hidden, metres. */
-const OUT_OF_SIGHT = -60;
+export const OUT_OF_SIGHT = -60;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
 

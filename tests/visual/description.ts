@@ -9,7 +9,9 @@ import type { View } from '../../src/sim/view.ts';
 import type { PuffForm } from '../../src/device/puffTextures.ts';
 import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { bandsOf } from '../../src/smoke/bands.ts';
+import { DRAWINGS_PER_SECOND } from '../../src/smoke/frame.ts';
 import type { FrameInput } from '../../src/smoke/frameInput.ts';
+import { OUT_OF_SIGHT } from '../../src/smoke/smoke.ts';
 import type { Light } from '../../src/smoke/light.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from '../../src/smoke/palette.ts';
 import { inkPixelsOf, type Style } from '../../src/smoke/style.ts';
@@ -29,11 +31,6 @@ export interface Shown {
   surfaces: readonly Shaped[];
   backdrop?: { top: Color; bottom: Color };
 }
-
-/** Boiling lines change this often, as animation on twos. */
-const DRAWINGS_PER_SECOND = 12;
-/** Objects below this height are not drawn, metres. */
-const OUT_OF_SIGHT = -60;
 
 /** JSON for the reference. */
 export function describe(shown: Shown): string {
