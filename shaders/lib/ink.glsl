@@ -6,8 +6,8 @@ const vec2 FADE_WIDTHS = vec2(0.5, 1.0);
 const vec2 FADE_RADII = vec2(1.5, 3.0);
 
 // A line has its full width on puffs with a radius of at least 3.5 widths. On smaller puffs it narrows, and a puff no
-// larger than the line width has none, so that distant smoke does not turn into dots. Billboard layers end 0.3 radii
-// beyond the silhouette, and the width does not exceed that.
+// larger than the line width has none, so that distant smoke does not turn into dots. The width is at most 0.301 radii,
+// within the 0.35 radii by which billboard layers extend beyond the silhouette.
 float lineWidth(float fullWidth, float radius) {
   return fullWidth * smoothstep(LINE_RADII.x, LINE_RADII.y, radius / max(fullWidth, 1e-6));
 }
