@@ -4,6 +4,7 @@ import type { PuffForm } from '../device/puffTextures.ts';
 import { writeColor, type Color, type Tone } from '../device/ramps.ts';
 import type { Parameter, Value, Values } from '../preset/parameter.ts';
 import { styleRows } from '../preset/rows/style.ts';
+import { defaults } from '../preset/values.ts';
 import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
 /** How puffs are drawn: with nailboards and shadow volumes, or with one of three renderers for comparison. */
@@ -39,27 +40,25 @@ type FieldOf<Row extends StyleRow> =
 type Fields = { [Row in StyleRow as NameOf<Row>]: FieldOf<Row> };
 
 /** Parameters that fields with other names hold. */
-const COMBINED = [
-  'ramp',
-  'rampBlend',
-  'ageRamp',
-  'heatRamp',
-  'tint1',
-  'tint2',
-  'tint3',
-  'backdrop',
-  'wash',
-  'washColor',
-  'gradientBottom',
-  'gradientTop',
-] as const satisfies readonly (keyof Fields)[];
+type Combined =
+  | 'ramp'
+  | 'rampBlend'
+  | 'ageRamp'
+  | 'heatRamp'
+  | 'tint1'
+  | 'tint2'
+  | 'tint3'
+  | 'backdrop'
+  | 'wash'
+  | 'washColor'
+  | 'gradientBottom'
+  | 'gradientTop';
 
 /**
  * The style of smoke: the paper's four effects, each on or off, and their colours. Parameters of the table
  * (src/preset/rows/style.ts) are fields of the same name, and further fields combine some of them.
  */
-export interface Style
-  extends Omit<Fields, (typeof COMBINED)[number]>, Pick<SurfaceToning, 'stops' | 'isBlended' | 'wash'> {
+export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stops' | 'isBlended' | 'wash'> {
   form: PuffForm;
   /** World heights between which the gradient 'height' runs, metres. */
   gradientHeights: readonly [bottom: number, top: number];
@@ -117,12 +116,9 @@ function fieldOf({ kind }: Parameter, value: Value | undefined): unknown {
  * by its name, and `inkPixels`.
  */
 export function styleUniforms(): StyleUniforms {
-  const combined: readonly string[] = COMBINED;
-  const shown = rows.filter((row) => !row.isOptional && !combined.includes(nameOf(row)));
-  const uniforms = shown.flatMap((row): [string, IUniform][] => {
-    if (row.kind === 'color') return [[nameOf(row), { value: new ThreeColor() }]];
-    if (row.kind === 'toggle') return [[nameOf(row), { value: false }]];
-    return row.kind === 'number' || row.kind === 'integer' ? [[nameOf(row), { value: 0 }]] : [];
+  const uniforms = Object.entries(styleOf(defaults())).flatMap(([name, value]): [string, IUniform][] => {
+    if (typeof value === 'number' || typeof value === 'boolean') return [[name, { value }]];
+    return Array.isArray(value) && typeof value[2] === 'number' ? [[name, { value: new ThreeColor() }]] : [];
   });
   return { ...Object.fromEntries(uniforms), inkPixels: { value: 0 } };
 }

@@ -8,13 +8,18 @@ import { inkPixelsOf, setStyle, styleOf, styleUniforms, widestLineOf } from '../
 const STYLE = styleOf(defaults());
 
 it('has a uniform for each number, toggle and colour that is a field', () => {
-  const kinds: Readonly<Record<string, unknown>> = { toggle: false, number: 0, integer: 0, color: expect.any(Color) };
+  const types: Readonly<Record<string, unknown>> = {
+    toggle: expect.any(Boolean),
+    number: expect.any(Number),
+    integer: expect.any(Number),
+    color: expect.any(Color),
+  };
   const fields: Readonly<Record<string, unknown>> = { ...STYLE };
   const uniforms = styleUniforms();
   for (const row of styleRows) {
     const name = row.key.slice('style.'.length);
     const isField = ['number', 'boolean'].includes(typeof fields[name]) || Array.isArray(fields[name]);
-    if (isField && row.kind in kinds) expect(uniforms[name], name).toEqual({ value: kinds[row.kind] });
+    if (isField && row.kind in types) expect(uniforms[name], name).toEqual({ value: types[row.kind] });
   }
   expect(uniforms).toHaveProperty('innerTaper');
 });
