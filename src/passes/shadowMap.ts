@@ -9,7 +9,7 @@ import {
   Sphere,
   Vector3,
   type WebGLRenderTarget,
-  type BufferGeometry,
+  type InstancedBufferGeometry,
   type Camera,
   type Texture,
   type WebGLRenderer,
@@ -62,7 +62,7 @@ export interface ShadowMapSources {
   /** Ramp index of the first surface; the other surfaces follow in order. */
   readonly firstSurface: number;
   readonly surfaces: readonly SurfaceDescription[];
-  readonly casters: BufferGeometry;
+  readonly casters: InstancedBufferGeometry;
 }
 
 /**
@@ -200,7 +200,7 @@ class LobeDepths {
   /** Materials by lobe count, because the shaders unroll the loop over the lobes. */
   private readonly materials = new Map<number, RawShaderMaterial>();
 
-  constructor(lightEye: FrameView, puffs: PuffTextures, rows: BufferGeometry) {
+  constructor(lightEye: FrameView, puffs: PuffTextures, rows: InstancedBufferGeometry) {
     this.puffs = puffs;
     this.uniforms = {
       ...lightEye.uniforms,

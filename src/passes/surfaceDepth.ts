@@ -18,6 +18,7 @@ export class SurfaceDepthPass {
     hasSurfaces: IUniform<boolean>;
     surfaceSlack: IUniform<number>;
   };
+  /** The host's depth in the viewport of the smoke. */
   private readonly copy = depthCopy();
   /** The host's whole depth buffer, if smoke is drawn into a part of it. */
   private readonly whole = depthCopy();
@@ -38,10 +39,7 @@ export class SurfaceDepthPass {
   draw(renderer: WebGLRenderer, targets: Targets, isInked: boolean): void {
     this.uniforms.hasSurfaces.value = isInked && this.hasSurfaces;
     if (!this.uniforms.hasSurfaces.value) return;
-    this.copy.setSize(targets.width, targets.height);
-    renderer.initRenderTarget(this.copy);
-    renderer.copyTextureToTexture(targets.depth, this.copy.depthTexture!);
-    renderer.setRenderTarget(targets.renderTarget);
+    this.uniforms.surfaceDepth.value = targets.copyDepth(renderer);
   }
 
   /**
@@ -59,6 +57,7 @@ export class SurfaceDepthPass {
     const isPart = origin.x > 0 || origin.y > 0;
     copyDepth(renderer, isPart ? this.whole : this.copy, origin, origin, size);
     if (isPart) copyDepth(renderer, this.copy, origin, new Vector2(), size);
+    this.uniforms.surfaceDepth.value = this.copy.depthTexture!;
   }
 
   dispose(): void {

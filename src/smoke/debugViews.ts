@@ -3,6 +3,7 @@ import { DebugViewsPass } from '../passes/debugViews.ts';
 import type { DebugView } from '../preset/quality.ts';
 import type { CoverageGrid } from '../sim/view.ts';
 import type { FrameInput } from './frameInput.ts';
+import { countVolumes, MAX_COUNT } from './frame.ts';
 import type { SmokePasses } from './smokePasses.ts';
 
 /** Shows intermediate results of the passes instead of the picture. */
@@ -20,16 +21,11 @@ export class DebugViews {
 
   /** Draws a view after the surfaces: the passes of the frame up to the viewed result, and then the view. */
   draw(view: DebugView, passes: SmokePasses, { style, output }: FrameInput): void {
-    const { renderer, targets, body } = passes;
-    const volumes = passes.prismVolumes ?? passes.volumes;
+    const { renderer, targets, body, volumes } = passes;
     if (view === 'normals') this.pass.drawNormals(renderer, body);
     else body.draw(renderer);
     if (view === 'counts') {
-      if (style.shadows) {
-        passes.meshVolumes.draw(renderer);
-        passes.mask.countOnce(renderer);
-        volumes.draw(renderer);
-      }
+      if (style.shadows) countVolumes(passes, style, MAX_COUNT);
       this.pass.copyCounts(renderer);
     }
     if (view === 'overdraw') this.pass.countOverdraw(renderer, style.shadows ? [body, volumes] : [body]);

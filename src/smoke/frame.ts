@@ -1,10 +1,12 @@
 import { Box3, Vector3 } from 'three';
 import { homogeneous } from './light.ts';
 import type { SmokePasses } from './smokePasses.ts';
-import { THROWS_SHADOW } from './style.ts';
+import { THROWS_SHADOW, type Style } from './style.ts';
 import { eyeView, lightView, shownWithin, smokeBox } from './views.ts';
 import type { FrameInput, FrameReport } from './frameInput.ts';
 
+/** Largest count of the stencil buffer. */
+export const MAX_COUNT = 255;
 /** Animation on twos: lines change at half of 24 frames a second. */
 const DRAWINGS_PER_SECOND = 12;
 
@@ -32,12 +34,23 @@ function drawNailboards(passes: SmokePasses, { style, output }: FrameInput): voi
   const { renderer, targets } = passes;
   passes.body.draw(renderer);
   if (style.shadows) {
-    passes.meshVolumes.draw(renderer);
-    passes.mask.countOnce(renderer);
-    (passes.prismVolumes ?? passes.volumes).draw(renderer);
+    countVolumes(passes, style, style.shadowSteps === 2 ? Math.min(style.shadowDepth, MAX_COUNT) : 1);
     passes.mask.draw(renderer);
   }
   passes.resolve.draw(renderer, targets, output);
+}
+
+/**
+ * Counts the shadow volumes that contain the place at each pixel, in the stencil buffer.
+ * @param limit count from which on more volumes make no difference, 1..MAX_COUNT
+ */
+export function countVolumes(passes: SmokePasses, { volumes }: Style, limit: number): void {
+  const { renderer, targets, extras } = passes;
+  passes.meshVolumes.draw(renderer);
+  passes.mask.countOnce(renderer);
+  // Counting needs the depth that fragments write.
+  if (volumes === 'counted' && !passes.isFlat) extras.countedVolumes!.draw(renderer);
+  else passes.volumes.draw(renderer, targets.copyDepth(renderer), limit);
 }
 
 /** The first half of a frame, without draw calls: arrange(eye) and arrange(light) -> instance buffers. */

@@ -2,7 +2,7 @@ import type { Device } from '../device/device.ts';
 import { FrameView } from '../device/frameView.ts';
 import { PuffTextures, type BakedPuffs } from '../device/puffTextures.ts';
 import { RampTexture, type Color } from '../device/ramps.ts';
-import { FRONT_AND_BACK, CasterInstances, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
+import { CasterInstances, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
 import { BackdropPass } from '../passes/backdrop.ts';
 import { BodiesPass } from '../passes/bodies.ts';
 import { CreasesPass } from '../passes/creases.ts';
@@ -18,7 +18,7 @@ import { arrangeFrame, drawFrame } from './frame.ts';
 import type { FrameInput, FrameReport } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
-import { codeOf, ExtraPasses, hasExtras } from './extraPasses.ts';
+import { ExtraPasses, hasExtras } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { inkLineOf, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
@@ -68,7 +68,7 @@ export class SmokeRenderer {
     const eye = new FrameView();
     const isFlat = !device.writesDepth;
     const bodies = new Instances(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
-    const casters = new CasterInstances(capacity, FRONT_AND_BACK);
+    const casters = new CasterInstances(capacity, ONE_QUAD);
     const surfacesPass = new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces);
     const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0 || isGuest);
     const creases = new CreasesPass(eye, surfaces);
@@ -86,10 +86,8 @@ export class SmokeRenderer {
       surfaceDepth,
       body: new BodiesPass(eye, this.puffs, this.ramps, bodies.geometry, surfaceDepth, isFlat),
       meshVolumes,
-      volumes: new VolumesPass(eye, this.puffs, casters.geometry),
-      prismVolumes: isFlat
-        ? new (codeOf('prismVolumes').PrismVolumesPass)(eye, this.puffs, casters.geometry)
-        : undefined,
+      volumes: new VolumesPass(eye, this.puffs, casters.geometry, isFlat),
+      isFlat,
       mask: new MaskPass(),
       resolve: new ResolvePass(),
       extras: new ExtraPasses({
@@ -158,7 +156,6 @@ export class SmokeRenderer {
     passes.creases.dispose();
     passes.surfaceDepth.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
-    passes.prismVolumes?.dispose();
     passes.extras.dispose();
     this.ramps.dispose();
   }
@@ -166,7 +163,7 @@ export class SmokeRenderer {
   private withWhatIsHere(input: FrameInput): FrameInput {
     const { style, view } = input;
     if (hasExtras({ ...style, view })) return input;
-    if (this.asked !== style) this.meanwhile = { ...style, renderer: 'nailboards', form: 'lobes' };
+    if (this.asked !== style) this.meanwhile = { ...style, renderer: 'nailboards', form: 'lobes', volumes: 'receiver' };
     this.asked = style;
     return { ...input, style: this.meanwhile!, view: undefined };
   }
@@ -177,7 +174,7 @@ export class SmokeRenderer {
   }
 
   private apply(style: Style, pixelRatio: number): void {
-    const { body, surfaces, volumes, prismVolumes, mask, resolve, extras } = this.passes;
+    const { body, surfaces, volumes, mask, resolve, extras } = this.passes;
     const line = inkLineOf(style, pixelRatio);
     this.writeRamps(style);
     this.paintBackdrop(style);
@@ -188,7 +185,7 @@ export class SmokeRenderer {
     surfaces.setInk(line, style.creases);
     this.passes.creases.setInk(style.creases ? line : { ...line, pixels: 0 });
     volumes.follow(style.form, litThresholdOf(style));
-    prismVolumes?.follow();
+    extras.countedVolumes?.follow(style.form, litThresholdOf(style));
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);
     resolve.setDeepShadow(style.deepShadow);
     this.style = style;

@@ -9,6 +9,9 @@ import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './p
 export type Renderer = 'nailboards' | ComparisonRenderer;
 export type ComparisonRenderer = 'selle' | 'sprites' | 'shadowMap';
 
+/** How the stencil counts shadow volumes: by testing each pixel's receiver, or entries and exits as in the paper. */
+export type Volumes = 'receiver' | 'counted';
+
 /** The renderers that draw shadows and need casters. */
 export const THROWS_SHADOW: Readonly<Record<Renderer, boolean>> = {
   nailboards: true,
@@ -25,6 +28,7 @@ export interface Style extends SurfaceToning {
   /** Whether sharp edges of surfaces are inked too. */
   creases: boolean;
   shadows: boolean;
+  volumes: Volumes;
   /** Steps of shadow. Where at least `shadowDepth` volumes overlap, the second step is `deepShadow` times the first. */
   shadowSteps: 1 | 2;
   shadowDepth: number;
@@ -71,6 +75,7 @@ export function automaticColors(values: Values): Values {
 /** Fields with the same name as their parameter, grouped by the conversion of their values. */
 const PLAIN = [
   'renderer',
+  'volumes',
   'shadowSteps',
   'shadowDepth',
   'gradient',

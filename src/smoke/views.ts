@@ -62,8 +62,8 @@ function coverageOf(
   covers: number,
 ): CoverageView | undefined {
   // The comparison renderers draw hidden puffs, too: they are compared without occlusion culling, and blended sprites
-  // are transparent. With flat puffs and prism volumes, the solids do not match the drawn shapes.
-  if (style.renderer !== 'nailboards' || passes.prismVolumes) return undefined;
+  // are transparent. The solids do not match flat puffs.
+  if (style.renderer !== 'nailboards' || passes.isFlat) return undefined;
   const { eye, volumes } = passes;
   const { capRange, depth, solids } = passes.extentsOf(style.form);
   const [nearest, farthest] = eye.range;

@@ -28,7 +28,7 @@ export interface HostView {
 export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInput): FrameReport {
   const { smoke, pictures, insert, casters } = passes;
   const { renderer } = view;
-  const { body, eye, mask, resolve, surfaceDepth, targets, volumes } = smoke.passes;
+  const { body, eye, mask, resolve, surfaceDepth, targets, extras } = smoke.passes;
   const { style } = input;
   const hasDeep = style.shadows && style.shadowSteps === 2;
   const isLinear = isLinearPicture(renderer);
@@ -49,7 +49,7 @@ export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInp
     if (style.shadows) {
       casters.draw(renderer, view.scene);
       mask.countOnce(renderer);
-      volumes.draw(renderer);
+      extras.countedVolumes?.draw(renderer);
     }
     insert.drawLit(renderer);
     if (style.shadows) {

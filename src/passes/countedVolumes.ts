@@ -1,0 +1,52 @@
+import type { InstancedBufferGeometry, RawShaderMaterial, WebGLRenderer } from 'three';
+import fragmentShader from '../../shaders/countedVolumes/countedVolumes.frag';
+import vertexShader from '../../shaders/volumes/volumes.vert';
+import { DrawnMesh } from '../device/drawnMesh.ts';
+import type { FrameView } from '../device/frameView.ts';
+import type { PuffTextures } from '../device/puffTextures.ts';
+import { FIRST_BORDER } from '../device/ramps.ts';
+import { countFaces, countingMaterial } from '../device/stencil.ts';
+import { withLobes } from '../device/unroll.ts';
+import { frontAndBack } from '../instances/instances.ts';
+import { ParticleVolumes } from './volumes.ts';
+
+/**
+ * Counts the shadow volumes of particles in the stencil buffer by depth pass, as McGuire and Fein do ('Real-Time
+ * Rendering of Cartoon Smoke and Clouds', 2006): a quad at the depth where view rays enter a volume, and one where they
+ * leave it. This works for each sample of a multisampled buffer. The operations clamp. Each volume draws its front face
+ * and then its back face in one draw call, so the running count is exact, and a saturated count can only stay dark.
+ */
+export class CountedVolumesPass extends ParticleVolumes {
+  protected readonly rows: DrawnMesh<InstancedBufferGeometry>;
+  private readonly casters: InstancedBufferGeometry;
+
+  /** @param casters one quad for each caster */
+  constructor(eye: FrameView, puffs: PuffTextures, casters: InstancedBufferGeometry) {
+    super(eye, puffs);
+    this.casters = casters;
+    this.rows = new DrawnMesh(frontAndBack(casters), this.materialFor('lobes', FIRST_BORDER));
+    countFaces(
+      this.rows.mesh,
+      { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.INCR },
+      { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.DECR },
+    );
+  }
+
+  draw(renderer: WebGLRenderer): void {
+    this.rows.mesh.geometry.instanceCount = this.casters.instanceCount;
+    this.rows.draw(renderer);
+  }
+
+  override dispose(): void {
+    this.rows.mesh.geometry.dispose();
+    super.dispose();
+  }
+
+  protected materialWith(lobes: number): RawShaderMaterial {
+    return countingMaterial({
+      vertexShader: withLobes(vertexShader, lobes),
+      fragmentShader: withLobes(fragmentShader, lobes),
+      uniforms: this.uniforms,
+    });
+  }
+}
