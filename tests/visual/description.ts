@@ -104,6 +104,7 @@ function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): obje
     bands,
     rim: style.shading ? style.rim : 0,
     rimColor: style.rimColor,
+    volumes: style.volumes,
     shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,
     deepShadow: style.deepShadow,
     minCap: minCapOf(litThresholdOf(style), bakedPuffs()[style.form].latestCap),
