@@ -7,7 +7,7 @@ import { publint } from 'publint';
 import { rolldown, type Plugin } from 'rolldown';
 import { beforeAll, expect, it } from 'vitest';
 import { names } from '../../src/element/attributes/names.ts';
-import { version } from '../../src/element/version.ts';
+import { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
 import { table } from '../../src/preset/table.ts';
 
 interface PackageScript {
@@ -115,7 +115,7 @@ it('says whose work is bundled and linked into the simulator, under which licenc
 
 it('has an element that says the version of the package', () => {
   const { version: ofPackage } = JSON.parse(readFileSync(join(FOLDER, 'package.json'), 'utf8')) as { version: string };
-  expect(version).toBe(ofPackage);
+  expect(CartoonSmokeElement.version).toBe(ofPackage);
 });
 
 it('has a manifest of the element with all parameters', () => {
