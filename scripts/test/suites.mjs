@@ -1,8 +1,9 @@
 /** The test suites. Each runs its own test runner and counts the results in the runner's machine-readable report. */
 
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
+import { filesUnder } from '../setup/sources.mjs';
 import { cargo, NATIVE } from '../setup/toolchain.mjs';
 import { notesIn, readReport, settle, tallyCargo, tallyPlaywright, tallyVitest } from './tally.mjs';
 
@@ -119,13 +120,4 @@ function hasLongTests(/** @type {string} */ name) {
   }
   const isLong = name === 'unit' ? /^tests\/unit\/.+\.long\.test\.ts$/ : /^tests\/(?!unit\/).+\.long\.(spec|test)\.ts$/;
   return filesUnder('tests').some((path) => isLong.test(path));
-}
-
-/** @returns {string[]} */
-function filesUnder(/** @type {string} */ folder) {
-  if (!existsSync(inRoot(folder))) return [];
-  return readdirSync(inRoot(folder), { withFileTypes: true }).flatMap((entry) => {
-    const path = `${folder}/${entry.name}`;
-    return entry.isDirectory() ? filesUnder(path) : [path];
-  });
 }
