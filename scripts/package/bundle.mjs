@@ -6,7 +6,6 @@ import { rolldown } from 'rolldown';
 import { inRoot, root } from '../lib/paths.mjs';
 import { shortMembers } from './shortMembers.mjs';
 import { shadersTogether, shortShaders } from './shortShaders.mjs';
-import { sourceModule } from './sourceModule.mjs';
 import { withoutShaders } from './withoutShaders.mjs';
 import { withoutWords } from './withoutWords.mjs';
 
@@ -38,9 +37,6 @@ const TOGETHER = [
 /** @type {import('rolldown').OutputOptions} */
 const SPLIT = { codeSplitting: { groups: TOGETHER } };
 const ERRORS = inRoot('src/preset/errors.ts');
-
-/** @type {{ table: import('../../src/preset/parameter.ts').Parameter[] }} */
-const { table } = await sourceModule('src/preset/table.ts');
 
 /**
  * Writes the modules of the package, with separate chunks for deferred code and without three.js, and the script for
@@ -75,7 +71,7 @@ export async function bundleScript(folder, plugins = shortening()) {
 
 /** Plugins that reduce the size further than a minifier can. */
 export function shortening() {
-  return [shortShaders(), shadersTogether(), shortMembers(), withoutWords(table), withoutShaders()];
+  return [shortShaders(), shadersTogether(), shortMembers(), withoutWords(), withoutShaders()];
 }
 
 /**
