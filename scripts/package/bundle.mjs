@@ -88,8 +88,8 @@ export const SMALL = {
     typescript: { removeClassFieldsWithoutInitializer: true },
   },
   experimental: { nativeMagicString: true },
-  // Shaders have no source maps.
-  checks: { sourcemapBroken: false },
+  // Shaders have no source maps. A busy machine is no reason for a warning.
+  checks: { sourcemapBroken: false, bundlerTimings: false },
 };
 
 /**

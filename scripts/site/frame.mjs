@@ -36,7 +36,7 @@ async function scriptOf(physics) {
     plugins: shortening(),
     transform: { ...SMALL.transform, define: { ...SMALL.transform?.define, ...define } },
     // This script contains everything it needs, so it does not use URLs relative to import.meta.
-    checks: { emptyImportMeta: false },
+    checks: { ...SMALL.checks, emptyImportMeta: false },
   });
   const { output } = await build.generate({ format: 'iife', codeSplitting: false, minify: true });
   await build.close();
