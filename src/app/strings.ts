@@ -85,7 +85,7 @@ export const strings = {
     light: (azimuth: number, elevation: number) => `Light: azimuth ${azimuth}\u00b0, elevation ${elevation}\u00b0`,
     wind: (speed: number) => `Wind: ${speed.toFixed(1)} m/s`,
     addWhirl: 'Add a vortex',
-    ridesOn: (label: string) => `${label} rides on`,
+    attachTo: (label: string) => `Attach ${label} to`,
   },
   transport: {
     title: 'Playback',

@@ -12,14 +12,14 @@ test('forces and what the scene has are edited as items', async ({ page }) => {
     await expect.poll(() => page.evaluate(hash)).toContain('winds.0.velocity.x=0.5');
     await expect(page.locator('summary', { hasText: 'Wind 1' })).toBeInViewport();
     await expect(page.getByRole('heading', { name: 'Parameters' })).toBeInViewport();
-    await page.getByLabel('Rides on', { exact: true }).selectOption({ label: 'Ball' });
+    await page.getByLabel('Attached to', { exact: true }).selectOption({ label: 'Ball' });
     await expect.poll(() => page.evaluate(hash)).toContain('winds.0.rigid=0');
     await expectValue(page, 'winds.0.rigid', 0);
 
     await page.getByRole('button', { name: 'Undo' }).click();
     await expect.poll(() => page.evaluate(hash)).not.toContain('winds.0.rigid');
     await expect.poll(() => ask(page, (stage) => 'winds.0.rigid' in stage.get())).toBe(false);
-    await expect(page.getByLabel('Rides on', { exact: true })).toHaveValue('-1');
+    await expect(page.getByLabel('Attached to', { exact: true })).toHaveValue('-1');
 
     await page.getByRole('button', { name: 'Remove Wind 1' }).click();
     await expect.poll(() => page.evaluate(hash)).not.toContain('winds');
