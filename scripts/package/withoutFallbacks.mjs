@@ -15,7 +15,7 @@ export function withoutFallbacks() {
       filter: { id: /wasm\/\w+\/bindings\.js$/ },
       handler(code) {
         const stray = FALLBACKS.find((fallback) => code.search(fallback) < 0);
-        if (stray) throw new Error(`The simulator bindings have no ${stray} to leave out.`);
+        if (stray) throw new Error(`The simulator bindings contain no ${stray} to remove.`);
         return { code: FALLBACKS.reduce((left, fallback) => left.replace(fallback, ''), code), map: null };
       },
     },

@@ -35,7 +35,7 @@ export function withoutWords(table) {
  */
 function tableModule(table) {
   const stray = table.find(({ key }, index) => key !== names[index].key);
-  if (stray) throw new Error(`${stray.key} is at another place in src/element/attributes/names.json.`);
+  if (stray) throw new Error(`${stray.key} has another position in src/element/attributes/names.json.`);
   const rows = table.filter(({ key }) => !OF_LATER_ITEMS.test(key)).map(bare);
   return `
     import { names } from '../element/attributes/names.ts';

@@ -201,7 +201,7 @@ export const strings = {
     truncated: 'The recording of this moment is incomplete. The smoke may look different.',
     inexact: 'An older version recorded this moment. The smoke may end differently.',
     tooLate: (seconds: number) => `This moment is later than the limit. The smoke is shown at ${seconds} s.`,
-    notFresh: 'it starts from a saved state. Ask for a file instead.',
+    notFresh: 'it starts from a saved state. A file can contain such a moment.',
     tooMany: (particles: number, max: number) =>
       `it needs room for ${particles} particles. The limit for links is ${max}.`,
   },

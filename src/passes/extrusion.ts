@@ -105,7 +105,7 @@ export function extrude(mesh: TriangleMesh): Extrusion {
       const end = welded[mesh.indices[3 * face + ((corner + 1) % 3)]];
       const key = start * welded.length + end;
       if (edges.has(key)) {
-        throw new RangeError(`The edge ${start}>${end} has two faces that wind the same way.`);
+        throw new RangeError(`The edge ${start}>${end} has two faces with the same winding.`);
       }
       edges.set(key, [3 * face + corner, 3 * face + ((corner + 1) % 3)]);
     }

@@ -33,7 +33,7 @@ describe('ports', () => {
       ]) {
         const ending = project.run(script, ['--port', String(port)]);
         expect(ending.errors).toEqual([
-          `Port ${port} is in use: stop what uses it, or choose another with ${command} --port ${port + 1}.`,
+          `Port ${port} is in use: stop the program that uses it, or choose another with ${command} --port ${port + 1}.`,
         ]);
         expect(ending).toMatchObject({ status: 1, output: '' });
       }

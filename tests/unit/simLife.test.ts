@@ -136,7 +136,7 @@ describe('a simulator', () => {
     simulator.dispose();
     simulator.dispose();
     for (const action of [() => simulator.step(), () => simulator.alive, () => simulator.arrange(EVERYTHING)]) {
-      expect(caught(action).message).toBe('The simulator was disposed. Make a new one.');
+      expect(caught(action).message).toBe('The simulator was disposed. Create a new one.');
       expect(caught(action)).toBeInstanceOf(SimulatorError);
     }
   });

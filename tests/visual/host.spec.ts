@@ -172,7 +172,7 @@ test.describe('errors', () => {
     expect(said.fixed).toMatch(/^ParameterError: seed cannot be 2: .*creation/);
     expect(said.given).toMatch(/^ParameterError: light.azimuth cannot be 20: .*your scene/);
     expect(said.open).toMatch(/^ParameterError: cast cannot be “Mesh”: .*closed mesh.*proxies/);
-    expect(said.empty).toMatch(/^ParameterError: cast cannot be “Group”: .*a mesh in it/);
+    expect(said.empty).toMatch(/^ParameterError: cast cannot be “Group”: .*contains a mesh/);
     expect(said.emitter).toMatch(/^ParameterError: emitter cannot be 8: it takes a whole number from 0 to 7/);
     expect(said.seconds).toMatch(/^ParameterError: seconds cannot be NaN/);
     expect(said.count).toMatch(/^ParameterError: count cannot be NaN/);

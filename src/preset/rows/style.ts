@@ -3,7 +3,7 @@ import { choice, quantity } from './row.ts';
 
 /** Shadows, tones, colours and ink. */
 export const styleRows: readonly Parameter[] = [
-  toggle('shading', 'Shading', 'Light and shade on puffs. Off draws them in one tone.'),
+  toggle('shading', 'Shading', 'Light and shade on puffs; off draws them flat.'),
   toggle('outlines', 'Outlines', 'Ink around the smoke and between its puffs.'),
   toggle('creases', 'Creases', 'Ink along sharp edges of surfaces and where motionless surfaces meet.'),
   toggle('shadows', 'Shadows', 'Smoke casts shadows on itself and on the objects of the scene.'),
