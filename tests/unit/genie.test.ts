@@ -59,7 +59,7 @@ test.each([
   simulation.dispose();
 });
 
-test('it is the pull of his waist that leads the tail there', () => {
+test('the attractor at his waist pulls the tail to it', () => {
   const simulation = calledTo(max, { 'attractors.0.acceleration': 0 });
   expect(gapInTail(simulation)).toBeGreaterThan(0.2);
   simulation.dispose();

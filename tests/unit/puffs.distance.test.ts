@@ -58,7 +58,7 @@ test('has no nearest cell of an empty set', () => {
   ).toBe(true);
 });
 
-test('the signed distance to a disc is right within 0.71 cells, and negative inside', () => {
+test('the signed distance to a disc is exact within 0.71 cells, and negative inside', () => {
   const [size, radius, middle] = [200, 61.3, 99.7];
   const fromMiddle = (x: number, y: number): number => Math.hypot(x - middle, y - middle);
   const signed = signedDistance(

@@ -29,7 +29,7 @@ it.each([
   }
 });
 
-it('is a circle where a ball dips into a floor, whichever comes first', () => {
+it('is a circle where a ball intersects a floor, in either order', () => {
   const ball = ballMesh(1, 64);
   for (let at = 1; at < ball.positions.length; at += 3) ball.positions[at] += 0.6;
   for (const { length, places } of [seamOf(ball, FLOOR), seamOf(FLOOR, ball)]) {
@@ -38,7 +38,7 @@ it('is a circle where a ball dips into a floor, whichever comes first', () => {
   }
 });
 
-it('is nowhere between what is apart or lies in one plane', () => {
+it('is empty for surfaces that are apart or coplanar', () => {
   expect(seamEdges(box([0, 0.51, 0], [0.5, 0.5, 0.5]), FLOOR).count).toBe(0);
   expect(seamEdges(ground(0, 1).mesh, FLOOR).count).toBe(0);
 });

@@ -116,7 +116,7 @@ const files = execFileSync('git', ['ls-files', '--cached', '--others', '--exclud
   .filter((file) => [...TYPESCRIPT, ...GLSL_AND_RUST].includes(extname(file)) && !SKIPPED.test(file));
 
 describe('old words', () => {
-  it('are in no name of a file, a folder or a thing', () => {
+  it('are in no name of a file, a folder or an identifier', () => {
     expect(files.length).toBeGreaterThan(500);
     expect(files.flatMap((file) => oldWords(file, readFileSync(`${ROOT}/${file}`, 'utf8')))).toEqual([]);
   });
