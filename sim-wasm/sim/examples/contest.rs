@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     while input.read_line(&mut line)? > 0 {
         let words: Vec<&str> = line.split_whitespace().collect();
         let answer = if let ["load", capacity, length] = words[..] {
-            // The old one goes first: two of them would need twice the memory.
+            // Drop the old one first: two of them would need twice the memory.
             drop(contest.take());
             contest = Some(load(&mut input, capacity.parse()?, length.parse()?)?);
             "loaded".into()

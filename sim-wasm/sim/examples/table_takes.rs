@@ -15,7 +15,7 @@ const MAX_ITEMS: u32 = 3;
 fn main() {
     for seed in 0..TAKES {
         let mut simulator = configured(seed);
-        // Once something has happened a take brings its whole scene along, rigids included.
+        // After the first change a take contains its whole scene, including rigids.
         simulator.step();
         simulator.record();
         live(&mut simulator, &mut Random::new(1000 + seed));
@@ -53,7 +53,7 @@ fn configured(seed: u32) -> Simulator {
             simulator.set(&key, value).expect("the value is in range");
         }
     }
-    // Whatever else was thrown: a plain emitter behind the last random one, so that there is something to move.
+    // In every case a plain emitter follows the last random one, so that particles exist.
     let smoke = [
         ("emission.rate", 400.0),
         ("emission.lifetime", 3.0),

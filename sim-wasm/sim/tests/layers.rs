@@ -46,7 +46,7 @@ fn no_arrow_leads_to_a_higher_layer() {
 #[test]
 fn no_files_form_a_cycle() {
     let mut arrows = arrows();
-    // A file outside of all cycles sooner or later uses nothing that is left.
+    // A file outside all cycles eventually has no remaining dependency.
     while let Some(done) = arrows
         .iter()
         .find(|(_, targets)| targets.is_empty())
@@ -93,7 +93,7 @@ fn arrows() -> Arrows {
             None => full.extend_from_slice(own),
         }
         full.extend(rest.map(str::to_owned));
-        // The longest beginning of the path that is a file.
+        // The longest prefix of the path that is a file.
         (1..=full.len())
             .rev()
             .map(|len| full[..len].to_vec())

@@ -48,7 +48,7 @@ struct Observer {
     right: V3,
     up: V3,
     forward: V3,
-    /// Half the height of what is seen at unit depth, or anywhere.
+    /// Half the height of the view at unit depth, or at any depth for an orthographic view.
     half: f64,
     is_perspective: bool,
 }
@@ -68,7 +68,7 @@ impl Observer {
         }
     }
 
-    /// Right, up and forward of the eye.
+    /// Right, up and forward axes of the eye.
     fn view(&self, place: V3) -> V3 {
         let from = minus(place, self.at);
         [dot(from, self.right), dot(from, self.up), dot(from, self.forward)]
@@ -78,7 +78,7 @@ impl Observer {
         if self.is_perspective { depth } else { 1.0 }
     }
 
-    /// Columns of clipFromWorld, as wide as high, seen slightly off the axis.
+    /// Columns of clipFromWorld: a square, slightly off-axis view.
     fn matrix(&self) -> Vec<f32> {
         let f = 1.0 / self.half;
         let (a, b) = if self.is_perspective {
@@ -105,7 +105,7 @@ impl Observer {
         (0..16).map(|i| rows[i % 4][i / 4] as f32).collect()
     }
 
-    /// Whether a place of the image plane at unit depth is in the picture.
+    /// Whether a point of the image plane at unit depth is in the picture.
     fn sees(&self, point: [f64; 2]) -> bool {
         let aside = if self.is_perspective { 0.1 } else { 0.0 };
         (point[0] / self.half + aside).abs() < 1.0 && (point[1] / self.half).abs() < 1.0
@@ -175,7 +175,7 @@ impl Puff {
         }
     }
 
-    /// Depth of the puff at a place of the image plane, and of its ring of ink where only that is there.
+    /// Depth of the puff at a point of the image plane, or of its ring of ink if only the ring covers the point.
     fn depth(&self, eye: &Observer, point: [f64; 2], ink: f64) -> Option<(f64, bool)> {
         let w = eye.w(self.centre[2]);
         let at = [0, 1].map(|axis: usize| (point[axis] * w - self.centre[axis]) / self.radius);
@@ -407,7 +407,7 @@ struct Shadow {
     centre: V3,
     start: f64,
     end: f64,
-    /// Middle on the plane through the origin across the light, and radius.
+    /// Centre on the plane through the origin across the light, and radius.
     discs: Vec<(V3, f64)>,
 }
 
@@ -438,7 +438,7 @@ impl Shadow {
             let flat = std::array::from_fn(|i| middle[i] - along * travel[i]);
             (flat, radius * f64::from(columns[3 * BALLS + ball]))
         };
-        // Back into the puff's own frame.
+        // Transforms back into the frame of the puff.
         let unturned = [attributes[0].wrapping_neg() & 0xffff, attributes[1]];
         let cap = start_cap(caps, *attributes, turned(travel.map(|c| -c), unturned));
         let start = dot(centre, travel) + (cap + shear + 0.02) * radius;
@@ -463,11 +463,11 @@ impl Shadow {
         self.discs.iter().any(inside)
     }
 
-    /// Somewhere between two places on the discs: of the gaps between them an eye may see shadow.
+    /// A point between two points on the discs: shadow can be visible in the gaps between the discs.
     fn sample(&self, random: &mut Random) -> V3 {
         let mut on_disc = || {
             let (middle, radius) = self.discs[random.bits() as usize % self.discs.len()];
-            // Any direction on the plane across the light is one between two others.
+            // Every direction in the plane across the light is between two others.
             let way = minus(self.discs[random.bits() as usize % self.discs.len()].0, middle);
             let length = dot(way, way).sqrt();
             let reach = radius * f64::from(random.signed());
@@ -500,14 +500,14 @@ fn a_dense_cloud_is_mostly_hidden_and_a_thin_one_is_not() {
         .filter(|(_, attributes)| attributes[0] >> 16 < 0xffff)
         .count();
     assert!(4 * ended > casters.len(), "{ended} of {} shadows end", casters.len());
-    // So it is for an eye whose rays are parallel, whatever the direction of the light.
+    // The same holds for parallel view rays and any direction of the light.
     let from_afar = Observer::new([3.0, 4.0, 5.0], 1.5, false);
     let casters = rows(
         &mut dense_cloud,
         &shadow_view(&from_afar, unit([0.4, -0.8, 0.1]), 1, &solids),
     );
     assert!(casters.len() < 1800, "{} of 4000 casters stay", casters.len());
-    // What must be covered more often is covered less often.
+    // A higher required count culls fewer rows.
     let twice = share(4000, 1.0, 2);
     assert!(
         twice[1] > dense[1] + 0.02,

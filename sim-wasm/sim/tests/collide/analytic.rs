@@ -104,7 +104,7 @@ fn receding_particles_are_not_changed() {
 
 #[test]
 fn a_newborn_keeps_the_velocity_of_its_short_way() {
-    // Born when 3/4 of the step were over, falling at 12 m/s for the last quarter.
+    // Spawned after 3/4 of the step; falls at 12 m/s for the last quarter.
     let probe = fly(
         [0.0, 0.12, 0.0],
         [0.0, 0.07, 0.0],
@@ -261,6 +261,6 @@ fn on_a_rough_surface_each_worn_puff_keeps_its_own_distance() {
     close(rests(0.0, 0.9, &seeds), [0.02; 6]);
     close(rests(1.0, 0.9, &seeds), [0.02, 0.056, 0.092, 0.128, 0.164, 0.2]);
     close(rests(0.5, 0.9, &seeds), [0.02, 0.038, 0.056, 0.074, 0.092, 0.11]);
-    // A puff that has lost nothing keeps off no farther than it reaches.
+    // A puff that has lost no size keeps only its own radius as distance.
     close(rests(1.0, 0.0, &seeds), [0.2; 6]);
 }

@@ -104,7 +104,7 @@ fn a_small_emitter_gets_its_share_of_a_full_simulator() {
             seconds += particles.x[..simulator.alive()].iter().filter(|x| **x > 50.0).count();
         }
         let share = seconds as f64 / (1200.0 * 64.0);
-        // Rounding up helps the small one to somewhat more than 0.05 / 1.05.
+        // Rounding up gives the small one slightly more than 0.05 / 1.05.
         assert!((0.04..0.2).contains(&share), "{share} of all that live");
     }
 }

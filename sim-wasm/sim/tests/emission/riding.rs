@@ -64,7 +64,7 @@ fn a_blade_that_turns_more_than_half_a_turn_in_a_step_leaves_an_even_circle() {
     simulator.rigids_mut().set_spin(0, [0.0, 1.0, 0.0], 200.0).unwrap();
     steps(&mut simulator, 30);
     assert_eq!(simulator.alive(), 600);
-    // In the order of birth: nobody has died.
+    // In the order of birth: no particle has died.
     for (number, [x, y, z]) in places(&simulator).into_iter().enumerate() {
         assert!((x.hypot(z) - 0.5).abs() < 1e-4 && y == 0.0);
         let turned = 200.0 / 1200.0 * (number as f64 + 1.0);
@@ -99,7 +99,7 @@ fn spin_goes_along_too() {
     let mut simulator = riding(SPECK, &settings);
     simulator.rigids_mut().set_spin(0, [0.0, 1.0, 0.0], 20.0).unwrap();
     steps(&mut simulator, 10);
-    // Slung off at 10 m/s along the tangent of the place of birth.
+    // Emitted at 10 m/s along the tangent at the point of birth.
     for (number, [x, _, z]) in places(&simulator).into_iter().enumerate() {
         let turned = 20.0 / 600.0 * (number as f64 + 1.0);
         let flown = 10.0 * (10.0 / 60.0 - (number as f64 + 1.0) / 600.0);
@@ -122,7 +122,7 @@ fn directions_and_places_turn_with_the_rigid() {
         ("emission.rate", 60.0),
     ];
     let mut simulator = riding(SPECK, &settings);
-    // A quarter about x: up becomes +z.
+    // A quarter turn about x: up becomes +z.
     let half = std::f32::consts::FRAC_1_SQRT_2;
     let turned = pose_of(&[0.0, 0.0, 0.0, half, 0.0, 0.0, half]).unwrap();
     simulator.rigids_mut().move_to(0, turned).unwrap();

@@ -45,7 +45,7 @@ fn chi_square(values: impl Iterator<Item = f64>, bins: usize) -> f64 {
 }
 
 fn assert_even(values: impl Iterator<Item = f64>, what: &str) {
-    // Mean 49, standard deviation 10: 6 of them are beyond any chance.
+    // Mean 49, standard deviation 10: a deviation of 6 is not chance.
     let statistic = chi_square(values, 50);
     assert!(
         statistic < 110.0,
@@ -136,7 +136,7 @@ fn a_cone_fans_out_from_its_apex() {
         let blowing = born(6.0, &[("emitters.0.speed", 2.0), ("emitters.0.spread", spread)]);
         let disc = born(6.0, &[("emitters.0.spread", spread)]);
         assert_even(places(&disc).iter().map(|p| (length(p) / 2.0).powi(2)), "radius");
-        // Behind the disc by radius / tan(spread), where all ways meet; 1 / tan(0) is infinitely far.
+        // All paths meet radius / tan(spread) behind the disc; 1 / tan(0) is infinite.
         let particles = blowing.particles();
         for (i, p) in places(&disc).iter().enumerate() {
             let slip = [particles.sx[i], particles.sy[i], particles.sz[i]].map(f64::from);

@@ -95,7 +95,7 @@ fn mirrored(settings: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
     let flips = |key: &str| {
         let is_sense = key.starts_with("vortices") || key.starts_with("spirals");
         if is_sense && key.contains(".axis.") {
-            // The rotation about an axis is a pseudovector: x stays, y and z turn. Rise along it is turned back below.
+            // An axis of rotation is a pseudovector: x stays, y and z change sign. The code below corrects the rise.
             !key.ends_with(".x")
         } else {
             key.ends_with(".x") && !key.contains(".size.") || key.ends_with("spirals.0.along")
@@ -148,7 +148,7 @@ fn a_mirrored_scene_moves_as_the_mirrored_particles() {
         ("gravity.acceleration", 0.2),
         ("drag.rate", 0.5),
     ];
-    // The default axis of a vortex stands there too, so that it is mirrored with the rest.
+    // The list includes the default axis of a vortex, so that it is mirrored, too.
     let axes = [
         ("vortices.0.axis.z", 1.0),
         ("vortices.1.axis.z", 1.0),

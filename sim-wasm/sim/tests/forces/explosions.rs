@@ -135,7 +135,7 @@ fn a_fall_is_the_parabola_up_to_the_limit_and_then_even() {
         for step in 1..=120 {
             simulator.step();
             let (t, y) = (f64::from(step) * STEP, f64::from(place(&simulator, 0)[1]));
-            // Euler is half a step late.
+            // Euler lags by half a step.
             let expected = if t < 0.4 { -2.5 * t * t } else { -0.4 - 2.0 * (t - 0.4) };
             assert!((y - expected).abs() < 0.5 * STEP * 2.0 + 1e-4, "{y} after {t} s");
             assert!(before - y <= 2.0 * STEP * 1.000_1, "{} m/s", (before - y) / STEP);

@@ -119,7 +119,7 @@ fn an_ellipse_keeps_its_energy_and_its_path() {
     };
     let first = energy(&simulator);
     let mut exact = [1.0, 0.0, 0.0, 0.8];
-    // Twenty turns.
+    // Twenty revolutions.
     for step in 0..20 * 250 {
         simulator.step();
         let now = energy(&simulator);

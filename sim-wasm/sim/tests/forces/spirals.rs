@@ -21,7 +21,7 @@ fn a_spiral_turns_draws_in_and_rises_at_constant_speeds() {
         let (r, angle) = (3.0 - 0.5 * t, 3.0 * t);
         // Counter-clockwise seen against y: from x towards -z.
         let off = (x - 1.0 - r * angle.cos()).hypot(z + r * angle.sin());
-        // The first step of a newborn does not know its way yet, which costs half of the turn squared.
+        // The first step of a new particle has no previous displacement, which costs half of the squared rotation.
         assert!(off < 0.006 * r, "{off} m off after {t} s");
         assert!((y - 0.25 * t).abs() < 1e-4, "height {y} after {t} s");
     }
@@ -50,7 +50,7 @@ fn the_angle_of_a_spiral_is_right_at_every_turn() {
     for (turn, tolerance) in [(1.0, 2e-4), (8.0, 2e-4), (50.0, 2e-3)] {
         let mut simulator = alone(&[WIDE, ("spirals.0.turn", turn)], [2.0, 0.0, 0.0], [0.0; 3]);
         let (mut angle, mut before) = (0.0, 0.0);
-        // The first step is a straight one.
+        // The first step is straight.
         steps(&mut simulator, 1);
         for step in 0..=240 {
             let [x, _, z] = place(&simulator, 0).map(f64::from);

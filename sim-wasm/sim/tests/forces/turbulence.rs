@@ -154,7 +154,7 @@ fn speed_is_even_within_the_cell() {
         let speed = speed_within_cells(&field, fraction.map(|i| f64::from(i) / f64::from(GRID)));
         (least, greatest) = (least.min(speed), greatest.max(speed));
     }
-    // 1.39 by the formula, and 2 % of chance at either end.
+    // 1.39 by the formula, with 2 % of noise in both directions.
     assert!(greatest / least < 1.45, "between {least} and {greatest} m/s");
 }
 
@@ -167,7 +167,7 @@ fn velocity_and_its_slopes_are_continuous_across_faces() {
     let (mut jumps, mut kinks, mut bends) = (0.0, 0.0, 0.0);
     for number in 0..3000 {
         let (a, b) = (share(), share());
-        // On the faces of the skewed cubes, and where two fractions are the same.
+        // On the faces of the skewed cubes, and where two fractions are equal.
         let face = [[0.0, a, b], [a, 0.0, b], [a, b, 0.0], [a, a, b], [a, b, a], [b, a, a]][number % 6];
         let across = [
             [1.0, 0.0, 0.0],
@@ -185,7 +185,7 @@ fn velocity_and_its_slopes_are_continuous_across_faces() {
         let [tiny_left, tiny_right] = [-0.01, 0.01].map(beside);
         for i in 0..3 {
             jumps = f64::max(jumps, (tiny_right[i] - tiny_left[i]).abs());
-            // The slope just left of the face against the slope just right of it, and how much slopes change at all.
+            // The change of the slope across the face, and the typical change of slopes.
             let slopes = [
                 left[i] - before[i],
                 middle[i] - left[i],

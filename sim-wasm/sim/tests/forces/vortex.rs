@@ -186,7 +186,7 @@ fn a_mirrored_scene_gives_the_mirrored_picture() {
     let mut moved = 0.0_f32;
     for i in 0..400 {
         let ([x, y, z], mirrored) = (place(&one, i), place(&other, i));
-        // An axis of rotation is mirrored by turning the other way: nothing but signs differs.
+        // Mirroring an axis reverses the rotation: only signs differ.
         assert_eq!([-x, y, z], mirrored, "particle {i}");
         moved = moved.max(x.abs());
     }

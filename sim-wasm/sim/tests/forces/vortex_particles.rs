@@ -82,7 +82,7 @@ fn one_gives_the_velocity_of_the_formula_and_nothing_beyond_its_reach() {
         place[direction] += 1.5001;
         assert_eq!(simulator.air_velocity(place), [0.0; 3]);
     }
-    // Across the axis, against the Gaussian that it stands for.
+    // Across the axis, compared with the Gaussian that it approximates.
     let mut alone = still(4);
     alone.add_vortex_particle(&ONE);
     for i in 0..150 {
@@ -109,7 +109,7 @@ fn the_divergence_vanishes() {
                 place[axis] += step;
                 f64::from(simulator.air_velocity(place)[part])
             };
-            // A difference of fourth order: what is left of it is rounding.
+            // A difference of fourth order: the remainder is rounding.
             (8.0 * (at(0.01) - at(-0.01)) - (at(0.02) - at(-0.02))) / 0.12
         };
         let divergence: f64 = (0..3).map(|axis| slope(axis, axis)).sum();
@@ -154,7 +154,7 @@ fn smoke_circles_about_one() {
     let [x, y, z] = place(&simulator, 0).map(f64::from);
     let angle = speed / 0.4 * 240.0 * STEP;
     assert!(angle > 2.0, "it has to come around: {angle}");
-    // The midpoint rule lets the radius grow by a^4 / 8 for a turn by a, and the angle lag.
+    // With the midpoint rule the radius grows by a^4 / 8 for a rotation by a, and the angle lags.
     let expected = [0.4 * angle.cos(), 0.4 * angle.sin(), 0.2];
     assert!(
         distance([x, y, z].map(|part| part as f32), expected) < 2e-3,
@@ -173,7 +173,7 @@ fn two_that_turn_against_each_other_travel_together() {
             ..ONE
         });
     }
-    // Each goes as fast as the other turns the air there.
+    // Each one moves at the speed of the air that the other one rotates.
     let particle = VortexParticle {
         swirl: [0.0, 0.0, 4.0],
         ..ONE
@@ -202,7 +202,7 @@ fn two_that_turn_alike_go_round() {
             ..ONE
         });
     }
-    // A turn by a each step widens the circle by a^4 / 4, here 0.6 % in all; Euler's rule would make it twice as wide.
+    // A rotation by a in each step widens the circle by a^4 / 4, here 0.6 % in all; Euler's rule would double its size.
     steps(&mut simulator, 600);
     let [x, y, _] = simulator.vortex_particle(0).unwrap().position;
     assert!((x.hypot(y) - 0.25).abs() < 0.0025, "they drifted apart: {}", x.hypot(y));
@@ -222,7 +222,7 @@ fn they_go_with_wind_turbulence_and_vortices_like_smoke() {
     simulator.add_vortex_particle(&VortexParticle { position: start, ..ONE });
     steps(&mut simulator, 120);
     let particle = simulator.vortex_particle(0).unwrap();
-    // A first step has no way before it that could be continued, so the two may differ by rounding only.
+    // A first step has no previous displacement to continue, so the two differ only by rounding.
     let apart = distance(particle.position, place(&simulator, 0).map(f64::from));
     assert!(apart < 1e-4, "{apart} m apart after 2 s");
     assert!(distance(particle.position, start.map(f64::from)) > 0.3);
@@ -252,7 +252,7 @@ fn one_spreads_and_fades_by_its_closed_form() {
         let (got, expected) = (simulator.air_velocity(place), closed_form(&now, place));
         assert!(distance(got, expected) < 3e-6, "after {t} s: {got:?}, not {expected:?}");
     }
-    // Sixtieths add up to 4 s but for rounding.
+    // Sixtieths add up to 4 s except for rounding.
     steps(&mut simulator, 2);
     assert_eq!(
         (simulator.vortex_particles(), simulator.air_velocity([0.1; 3])),

@@ -79,7 +79,7 @@ fn strength_follows_the_speed_through_the_air() {
             assert!((got - expected).abs() < 1e-3 * expected, "{got} m/s, not {expected}");
         }
     }
-    // Wind along with it: nothing passes. Wind past one at rest: the same as through still air.
+    // With a wind of the same velocity no air passes. Wind past a rigid at rest equals motion through still air.
     let mut carried = ball(&[("forces.wind.x", f64::from(SPEED))]);
     go(&mut carried, 0.0, SPEED, 60, 0.0);
     assert_eq!(carried.vortex_particles(), 0);
@@ -99,7 +99,7 @@ fn at_rest_nothing_is_shed() {
 #[test]
 fn the_shear_layers_turn_as_the_wake_drags_them() {
     for (speed, angle) in [(SPEED, 0.0), (-SPEED, 0.0), (SPEED, std::f32::consts::PI)] {
-        // So weak that they stay on their sides.
+        // Weak enough to stay on their sides.
         let mut simulator = ball(&[("shedders.0.perSpeed", 0.01), ("shedders.0.rate", 0.0)]);
         go(&mut simulator, 0.0, 0.0, 10, angle);
         simulator.set("shedders.0.rate", 24.0).unwrap();
@@ -108,7 +108,7 @@ fn the_shear_layers_turn_as_the_wake_drags_them() {
         for particle in all(&simulator) {
             let [_, y, z] = particle.position;
             assert!((y.abs() - 0.2).abs() < 0.03 && z.abs() < 1e-5, "shed at {y} {z}");
-            // Air in the wake goes along with the ball: towards +x it turns counter-clockwise above.
+            // Air in the wake follows the ball: for motion towards +x the vortices above rotate counter-clockwise.
             let turn = speed_of(&particle) * y.signum() * speed.signum();
             assert!(turn > 0.0, "the wrong sense at {y} at {speed} m/s, turned by {angle}");
             sides[usize::from(y > 0.0)] += 1;
@@ -136,7 +136,7 @@ fn the_tips_of_a_wing_turn_against_each_other() {
 
 #[test]
 fn they_are_born_all_along_the_way() {
-    // Twenty a step: each at its own moment, so that the gaps within a step are those from step to step. With their axes
+    // Twenty per step, each at its own time, so the gaps within a step equal those between steps. With their axes
     // along the line they do not move each other.
     let line = [
         ("shedders.0.rate", 1200.0),
@@ -202,7 +202,7 @@ fn envelope_and_region_say_when_and_where() {
         ("shedders.0.region.size.x", 0.1),
         ("shedders.0.region.softness", 0.0),
     ];
-    // The region rides along: the sides of the ball are always outside of it.
+    // The region moves with the ball: the sides of the ball are always outside it.
     let mut simulator = ball(&within);
     go(&mut simulator, 0.0, SPEED, 60, 0.0);
     assert_eq!(simulator.vortex_particles(), 0);

@@ -137,7 +137,7 @@ proptest! {
     #[test]
     fn no_curve_ever_pops(
         stops in prop::collection::vec((0.0..=1.0_f64, 0.0..=1.0_f64), 0..=8),
-        // Repeated ages are what would jump.
+        // Repeated ages would cause a jump.
         grid in 1..8_i32,
         growth_time in 0.0..3.0_f64,
         lifetime in 0.2..5.0_f64,
@@ -176,7 +176,7 @@ fn size_grows_by_the_way_through_the_air() {
         let (drag, rate) = (("drag.rate", 1.6), 1.6_f64);
         let slowed = 0.1 + 0.12 * 3.0 * (1.0 - (-rate * seconds).exp()) / rate;
         let free = 0.1 + 0.12 * 3.0 * seconds;
-        // The wind carries smoke along with the air that it would take in.
+        // The wind carries smoke together with the air around it, so it adds no entrainment.
         let wind = ("forces.wind.x", 8.0);
         for (settings, expected) in [(&[][..], free), (&[drag][..], slowed), (&[drag, wind][..], slowed)] {
             let found = grown(settings, seconds);

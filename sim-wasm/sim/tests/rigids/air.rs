@@ -115,7 +115,7 @@ fn a_spinning_drum_drags_air_around_and_off_is_off() {
         place(&simulator, 0)
     };
     assert_eq!(drum(0.0), [0.6, 0.0, 0.0]);
-    // Half way through the layer it goes with half of the surface's 1 m/s, on a circle of 0.6 m, but for the midpoint
+    // In the middle of the layer it moves at half of the surface's 1 m/s, on a circle of 0.6 m, except for the midpoint
     // rule's outward drift.
     let [x, _, z] = drum(0.2);
     let angle = (-z).atan2(x);
@@ -184,15 +184,15 @@ fn a_tilted_plate_is_lifted_aside_by_the_law_of_the_flat_plate() {
     steps(&mut simulator, 6);
     let before = simulator.rigids().poses()[7];
     steps(&mut simulator, 1);
-    // Heavy: hardly moved yet. Only the large faces count for a thin plate, but the edges are told too.
+    // Heavy, so it has hardly moved yet. For a thin plate only the large faces count, but the edges contribute, too.
     let poses = simulator.rigids().poses();
     let speed = (poses[7] - before) / STEP;
     let (mass, sine, cosine) = (0.6 * 0.6 * 0.02 * 4_000.0, angle.sin(), angle.cos());
-    // It falls by 9.81 m/s2 meanwhile, and in the first step the specks have not moved yet.
+    // It falls at 9.81 m/s2 meanwhile, and in the first step the specks have not moved yet.
     let relative = 5.0 + 9.81 * 3.5 * STEP;
     let law = |area: f32, along: [f32; 2]| 10.0 * 0.5 * 1.2 * 1.17 * area * relative * relative * along[0] * along[1];
     let force = -law(0.36, [cosine, sine]) + law(0.012, [sine, cosine]);
-    // Rapier moves by the mean of its four substeps: of the last step's gain five eighths are seen.
+    // Rapier moves by the mean of its four substeps: five eighths of the last step's gain are visible.
     let expected = force / mass * 5.625 * STEP;
     assert!((speed / expected - 1.0).abs() < 0.05, "{speed} for {expected}");
 }

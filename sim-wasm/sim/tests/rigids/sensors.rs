@@ -66,7 +66,7 @@ fn what_touches_a_killing_plate_dies_in_that_step_and_nothing_else_does() {
         let mut expected = 6;
         for step in 1..=8 {
             steps(&mut simulator, 1);
-            // Half a metre a step: number k touches when 1 + 0.3 k - 0.5 step <= 0.051.
+            // Half a metre per step: number k touches when 1 + 0.3 k - 0.5 step <= 0.051.
             let gone = (0..4)
                 .filter(|k| 1.0 + 0.3 * *k as f32 - 0.5 * step as f32 <= 0.051)
                 .count();

@@ -153,7 +153,7 @@ fn a_saved_state_goes_on_as_what_was_saved() {
     let saved = whole.save();
     (0..30).for_each(|_| advance(&mut whole, wheel));
 
-    // Poses that were given for another step must not matter.
+    // Poses given for another step have no effect.
     let mut other = simulator(500, 9, &[]);
     other.place_parts(&numbers(-1.0, 400, propeller)).unwrap();
     other.restore(&saved).unwrap();
@@ -171,7 +171,7 @@ fn a_take_is_replayed_from_every_state_though_an_input_looks_at_the_air() {
             states.push(simulator.save());
         }
         if step == 20 {
-            // Changes the particles at once, by the air where they are.
+            // Changes the particles at once, by the air at their positions.
             simulator.input_values(&[("simulation.integrator", 1.0)]).unwrap();
         }
         advance(&mut simulator, wheel);
@@ -226,11 +226,11 @@ mod on_rigids {
     use sim::math::pose::product;
     use sim::rigids::{RigidDescription, RigidKind, RigidShape};
 
-    /// So small that nothing bumps into it.
+    /// Small enough that nothing collides with it.
     const SPECK: RigidShape = RigidShape::Ball { radius: 0.001 };
     const FAR: [f32; 3] = [0.0, -50.0, 0.0];
 
-    /// A rigid that stands aside and one that goes as `pose` tells.
+    /// A rigid that is out of the way, and one with the pose `pose`.
     fn rigged(settings: &[&[(&str, f64)]], pose: impl Fn(f64) -> Pose) -> Simulator {
         let mut simulator = simulator(1000, 1, settings);
         for pose in [Pose::at(FAR.into()), pose(0.0)] {
@@ -245,7 +245,7 @@ mod on_rigids {
         simulator.rigids_mut().move_to(1, pose(end)).unwrap();
     }
 
-    /// Something of each kind of which it shows at once whether it rides.
+    /// One item of each kind that shows at once whether it follows its carrier.
     const KINDS: &[&[(&str, f64)]] = &[
         &[
             ("emitters.0.position.x", 0.3),
@@ -271,7 +271,7 @@ mod on_rigids {
         ],
     ];
 
-    /// The greatest distance (m) between two particles of the same number.
+    /// The largest distance (m) between two particles of the same index.
     fn farthest(ours: &Simulator, expected: &Simulator) -> f32 {
         assert_eq!(ours.alive(), expected.alive());
         let pairs = places(ours).into_iter().zip(places(expected));
@@ -280,7 +280,7 @@ mod on_rigids {
             .fold(0.0, f32::max)
     }
 
-    /// The settings and the key that lets them ride.
+    /// The settings, and the key that attaches them.
     fn with_smoke(kind: &[(&str, f64)], rigid: f64) -> Simulator {
         let list = kind[0].0.split('.').next().unwrap();
         let key = format!("{list}.0.rigid");
@@ -312,7 +312,7 @@ mod on_rigids {
         }
     }
 
-    /// Where the part stands on its carrier at `time` (s).
+    /// Pose of the part on its carrier at `time` (s).
     fn on_carrier(time: f64) -> Pose {
         Pose {
             position: Vector::new(0.2, 0.3 * time as f32, 0.1),
@@ -320,7 +320,7 @@ mod on_rigids {
         }
     }
 
-    /// Where it is in the world when its carrier goes as `wheel` tells.
+    /// Pose of the part in the world when its carrier has the pose of `wheel`.
     fn carried(time: f64) -> Pose {
         let (carrier, own) = (wheel(time), on_carrier(time));
         // The sandwich product, written out.

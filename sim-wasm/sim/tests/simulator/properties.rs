@@ -127,7 +127,7 @@ mod rigids {
         TOP_SPEED,
     };
 
-    /// A few metres, so that things meet, or anywhere in the world.
+    /// Within a few metres, so that items interact, or anywhere in the world.
     fn any_place() -> impl Strategy<Value = [f32; 3]> {
         prop_oneof![
             8 => prop::array::uniform3(-2.0..2.0_f32),
@@ -208,7 +208,7 @@ mod rigids {
         prop_oneof![keyframes, spline]
     }
 
-    /// Where it goes and how fast it spins as a share of what its size allows; what is not kinematic does neither.
+    /// Its path, and its spin as a fraction of the limit for its size. Only kinematic rigids have them.
     fn any_description() -> impl Strategy<Value = (RigidDescription, f32)> {
         let kind = prop_oneof![
             Just(RigidKind::Fixed),
@@ -255,7 +255,7 @@ mod rigids {
         ]
     }
 
-    /// The fastest spin (rad/s) that the simulator takes for it: it tells, when one that is too fast is refused.
+    /// The fastest spin (rad/s) that the simulator accepts for it, taken from the error for a faster one.
     fn fastest(simulator: &mut Simulator, index: u32) -> f32 {
         let mut rate = 1e6;
         while let Err(error) = simulator.rigids_mut().set_spin(index, [0.0, 1.0, 0.0], rate) {
@@ -290,7 +290,8 @@ mod rigids {
         })
     }
 
-    /// Puts in all that is accepted: what has no volume in single precision, or joins two that stand still, is not.
+    /// Adds everything that is accepted. Not accepted are shapes without volume in single precision and joints of two
+    /// fixed rigids.
     fn furnish(simulator: &mut Simulator, world: &World) {
         for (description, spin) in &world.rigids {
             let Ok(index) = simulator.rigids_mut().add(description.clone()) else {

@@ -17,7 +17,7 @@ fn busy() -> Simulator {
 fn restored_it_goes_on_to_the_same_hash() {
     let mut original = busy();
     let bytes = original.save();
-    // Another seed, another capacity, other parameters, other particles: nothing of it may remain.
+    // Another seed, capacity, parameters and particles, none of which may remain.
     let mut restored = simulator(
         900,
         99,
@@ -31,7 +31,7 @@ fn restored_it_goes_on_to_the_same_hash() {
         (original.hash(), 100, original.waiting())
     );
     assert_eq!(restored.parameters(), original.parameters());
-    // The larger one has more room for what waits: go on with the same capacity.
+    // The larger one has more room for waiting particles: continue with the same capacity.
     restored.resize(500).unwrap();
     assert!(restored.save() == bytes, "something was not restored");
     for _ in 0..60 {

@@ -68,7 +68,7 @@ proptest! {
         let mut live = recording(seed);
         let moments = play(&mut live, &script);
         let bytes = live.take("").unwrap();
-        // Another seed, other values, and something going on: a take brings all of it along.
+        // Another seed, other values and a running simulation: a take replaces all of it.
         let mut other = recording(seed + 1);
         other.input_values(&[("forces.drag", 3.0)]).unwrap();
         steps(&mut other, 10);
