@@ -159,7 +159,7 @@ fn paths(source: &str) -> BTreeSet<String> {
     found.into_iter().filter(|path| is_inside(path)).collect()
 }
 
-/// Writes out the paths of a tree such as `a::{b, c::{d, e}}`.
+/// Lists the paths of a tree such as `a::{b, c::{d, e}}`.
 fn expand(prefix: &str, tree: &str, found: &mut BTreeSet<String>) {
     let tree = tree.trim();
     let Some((head, inner)) = tree.split_once('{') else {

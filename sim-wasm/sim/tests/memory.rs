@@ -31,7 +31,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Bytes that making a simulator takes.
+/// Bytes allocated by a new simulator.
 fn bytes_of(capacity: u32) -> usize {
     let before = BYTES.load(Ordering::Relaxed);
     let simulator = Simulator::new(capacity, 1).unwrap();

@@ -3,8 +3,8 @@
 //! `place`, four f32: x, y, z in world space (m), radius (m), blended between the steps.
 //! `attributes`, two u32:
 //! - word 0, bits 0-15: roll, as a fraction of a turn times 65,536, with a slow spin by age.
-//! - word 0, bits 16-31: age / lifetime times 65,535. In rows for the light: the earliest end of the shadow in 256ths of
-//!   a radius behind the centre, 65,535 for none.
+//! - word 0, bits 16-31: age / lifetime times 65,535. In rows for the light: the earliest end of the shadow in 256ths
+//!   of a radius behind the centre, 65,535 for none.
 //! - word 1: variation (bits 0-7), seed byte (8-15), temperature (16-23, 255 means 4), tint (24-31, 0 means none).
 
 use crate::particles::Particles;

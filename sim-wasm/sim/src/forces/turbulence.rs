@@ -9,8 +9,8 @@
 //! octave. After a quarter turn the pattern is completely new; the speed does not change. The wind of `forces.wind.*`
 //! moves the pattern.
 //!
-//! `turbulence.*` acts everywhere. `turbulences.#.*` add to it, each in its region; at the soft edge of a region the flow
-//! is not free of divergence.
+//! `turbulence.*` acts everywhere. `turbulences.#.*` add to it, each in its region; at the soft edge of a region the
+//! flow is not free of divergence.
 
 use wide::f32x4;
 

@@ -5,8 +5,8 @@
 //!
 //! Gusts have the root mean square speed `gusts`. Their spectrum is flat up to the frequency 1 / `gustTime` and falls
 //! with the power -5/3 above, as in Kaimal et al., "Spectral characteristics of surface-layer turbulence", Quarterly
-//! Journal of the Royal Meteorological Society 98, 1972. They are a sum of sixteen waves, the same at all positions. The
-//! seed selects the phases. Still air has no direction; its gusts blow along x.
+//! Journal of the Royal Meteorological Society 98, 1972. They are a sum of sixteen waves, the same at all positions.
+//! The seed selects the phases. Still air has no direction; its gusts blow along x.
 //!
 //! `forces.wind.*` with `wind.*` acts everywhere and moves the pattern of turbulence. `winds.#.*` act in their regions.
 

@@ -7,16 +7,16 @@ use sim::arrange::VIEW_FLOATS;
 use sim::math::random::Random;
 use sim::particles::Newborn;
 
-/// The paper's law: particles are born full, and have a row from the start.
+/// The law of the paper: particles start at full size and have a row from the start.
 const FULL: &[(&str, f64)] = &[("simulation.integrator", 1.0)];
 const BALLS: usize = 8;
 const VARIATIONS: usize = 3;
 const NEAR: f64 = 0.1;
 const FAR: f64 = 60.0;
-/// Where a shadow starts at least and at most, in radii.
+/// Minimum and maximum distance at which a shadow starts, in radii.
 const CAPS: [f64; 2] = [0.05, 0.4];
 
-/// How much nearer surfaces may lift a ring of ink, for each unit of its width.
+/// Maximum distance by which surfaces raise a ring of ink, per unit of its width.
 const LIFT: f64 = 8.0;
 
 type V3 = [f64; 3];
@@ -41,7 +41,7 @@ fn cross(a: V3, b: V3) -> V3 {
     ]
 }
 
-/// An eye somewhere, looking at the middle of the cloud.
+/// A random eye that looks at the centre of the cloud.
 #[derive(Clone, Debug)]
 struct Observer {
     at: V3,
@@ -141,13 +141,13 @@ fn solids(seed: u32) -> Vec<f32> {
     table
 }
 
-/// The share of its radius with which a puff at a depth is drawn.
+/// The fraction of its radius with which a puff at this depth is drawn.
 fn grown(depth: f64, radius: f64) -> f64 {
     let share = ((depth - NEAR) / (2.0 * radius)).clamp(0.0, 1.0);
     share * share * (3.0 - 2.0 * share)
 }
 
-/// A puff as the eye sees it, in double precision.
+/// A puff seen from the eye, in double precision.
 struct Puff {
     centre: V3,
     radius: f64,
@@ -195,7 +195,7 @@ impl Puff {
     }
 }
 
-/// A direction of the puff's own frame in the world; see src/puffs/orientation.ts.
+/// Transforms a direction from the frame of the puff to the world; see src/puffs/orientation.ts.
 fn turned(at: V3, attributes: [u32; 2]) -> V3 {
     let seed = f64::from(attributes[1] >> 8 & 0xff);
     let z = 1.0 - (2.0 * seed + 1.0) / 256.0;
@@ -274,7 +274,7 @@ fn start_caps() -> Vec<f32> {
         .collect()
 }
 
-/// The entry for light from a side of the puff's own frame.
+/// The entry for light from a direction in the frame of the puff.
 fn start_cap(caps: &[f32], attributes: [u32; 2], [x, y, z]: V3) -> f64 {
     let column = (y.atan2(x) / std::f64::consts::TAU + 0.5) * TABLE[0] as f64;
     let row = z.clamp(-1.0, 1.0).acos() / std::f64::consts::PI * TABLE[1] as f64;
@@ -291,7 +291,7 @@ fn rows(simulator: &mut Simulator, view: &[f32]) -> Vec<Row> {
     (0..count).map(|row| (place[row], attributes[row])).collect()
 }
 
-/// The rows that stay, and those that only coverage leaves out. Those that stay keep their order.
+/// The remaining rows, and those that only coverage culls. The remaining rows keep their order.
 fn culled(simulator: &mut Simulator, view: &[f32]) -> (Vec<Row>, Vec<Row>) {
     let kept = rows(simulator, view);
     let mut uncovered = view.to_vec();
@@ -307,7 +307,7 @@ fn culled(simulator: &mut Simulator, view: &[f32]) -> (Vec<Row>, Vec<Row>) {
     (kept, left)
 }
 
-/// Whether both are rows of one particle; of shadows the ends may differ.
+/// Whether both are rows of one particle. The ends of shadows can differ.
 fn are_alike(a: &Row, b: &Row) -> bool {
     a.0 == b.0 && a.1[0] & 0xffff == b.1[0] & 0xffff && a.1[1] == b.1[1]
 }
@@ -325,7 +325,7 @@ fn eyes() -> impl Strategy<Value = Observer> {
         })
 }
 
-/// Places of the image plane at unit depth that a puff may cover.
+/// Points of the image plane at unit depth that a puff can cover.
 fn points(puff: &Puff, eye: &Observer, ink: f64, random: &mut Random) -> Vec<[f64; 2]> {
     let w = eye.w(puff.centre[2]);
     let reach = puff.radius / w + ink;
@@ -386,7 +386,7 @@ proptest! {
     }
 }
 
-/// Whether `covers` shadows hold a line along the light, from a depth on; one may go on where another ends.
+/// Whether `covers` shadows contain a line along the light from a depth on. One can continue where another ends.
 fn darkens(thrown: &[Shadow], at: V3, from: f64, covers: usize) -> bool {
     let holding: Vec<&Shadow> = thrown.iter().filter(|shadow| shadow.holds(at)).collect();
     if covers > 1 {
@@ -402,7 +402,7 @@ fn darkens(thrown: &[Shadow], at: V3, from: f64, covers: usize) -> bool {
     reach == f64::INFINITY
 }
 
-/// A shadow volume: the discs of its lobes across the light, from a depth along it on.
+/// A shadow volume: the discs of its lobes across the light, starting at a depth along the light.
 struct Shadow {
     centre: V3,
     start: f64,

@@ -221,7 +221,7 @@ fn dynamic_rigids_fall_with_closed_form_and_rest_on_fixed_ones() {
     assert!((height - 0.2).abs() < 0.01, "{height}");
 }
 
-/// A blade along x of a half length `reach` that spins about y so that its tip has 100 m/s, and particles that drift
+/// A blade along x of half length `reach` that spins about y with a tip speed of 100 m/s, and particles that drift
 /// through its disc. Beside it a sweep in closed form: in the disc's plane a blade passes over each particle within
 /// half a turn, so one that needs longer to drift through must have been hit.
 fn tip_at_100_metres_a_second(reach: f32) {

@@ -6,7 +6,7 @@ use sim::math::vector::Vector;
 use sim::rigids::{RigidDescription, RigidKind, RigidNumbers, RigidPart, RigidShape, Rigids};
 use sim::simulator::collisions::Scratch;
 
-/// A heap: every shape, dynamic, falls on the ground; a kinematic ball goes through it.
+/// A heap: dynamic rigids of every shape fall on the ground, and a kinematic ball moves through it.
 fn heap() -> Cloud {
     let mut cloud = Cloud::new(400);
     let ground = RigidShape::Cuboid {
@@ -82,7 +82,7 @@ fn damaged_bytes_are_errors() {
     assert!(Rigids::restore(&[]).unwrap().count() == 0);
 }
 
-/// A number that may be ordinary, zero, tiny, huge or none at all.
+/// A number that is ordinary, zero, tiny, huge or not finite.
 fn odd(k: usize, salt: usize) -> f32 {
     match (random(k, salt) * 64.0) as i32 {
         0 => 0.0,

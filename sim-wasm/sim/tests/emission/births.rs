@@ -3,7 +3,7 @@
 use crate::common::{LIVELY, STILL, newborn, place, simulator, steps};
 use sim::particles::Newborn;
 
-/// Nothing varies, nothing dies.
+/// Without variation and without deaths.
 const EVEN: &[(&str, f64)] = &[
     ("emission.lifetime", 60.0),
     ("emitters.0.speedVariation", 0.0),
@@ -109,7 +109,7 @@ fn a_small_emitter_gets_its_share_of_a_full_simulator() {
     }
 }
 
-/// Distances between neighbours along `axis`, least and greatest.
+/// Minimum and maximum distance between neighbours along `axis`.
 fn gaps(settings: &[(&str, f64)], axis: usize) -> (f32, f32) {
     let mut simulator = simulator(1000, 1, &[STILL, EVEN, settings]);
     steps(&mut simulator, 60);

@@ -10,7 +10,7 @@ const EVEN: &[(&str, f64)] = &[
     ("emitters.0.speedVariation", 0.0),
 ];
 
-/// How many are born in each step.
+/// Number of births in each step.
 fn births(simulator: &mut Simulator, count: usize) -> Vec<usize> {
     let born = |simulator: &Simulator| simulator.alive() + simulator.waiting() as usize;
     let mut before = born(simulator);
@@ -23,7 +23,7 @@ fn births(simulator: &mut Simulator, count: usize) -> Vec<usize> {
     births
 }
 
-/// The steps in which something is born, with how much.
+/// The steps with births, and their numbers.
 fn moments(births: &[usize]) -> Vec<(usize, usize)> {
     births
         .iter()

@@ -6,7 +6,7 @@ use crate::common::{STILL, place, simulator, steps};
 use sim::Simulator;
 use sim::rigids::{RigidDescription, RigidKind, RigidShape, pose_of};
 
-/// A nozzle, 600 births a second, that adds no speed of its own.
+/// A nozzle with 600 births per second that adds no speed.
 const NOZZLE: &[(&str, f64)] = &[
     ("emission.rate", 600.0),
     ("emission.lifetime", 60.0),
@@ -23,7 +23,7 @@ fn riding(shape: RigidShape, settings: &[(&str, f64)]) -> Simulator {
     simulator
 }
 
-/// So small that nothing bumps into it.
+/// Small enough that nothing collides with it.
 const SPECK: RigidShape = RigidShape::Ball { radius: 0.001 };
 
 /// `count` steps at `speed` (m/s) along x.

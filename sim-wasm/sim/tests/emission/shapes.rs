@@ -32,7 +32,7 @@ fn length(v: &[f64; 3]) -> f64 {
     v.iter().map(|part| part * part).sum::<f64>().sqrt()
 }
 
-/// Pearson's statistic of how evenly `values`, uniform in 0..1 if all is well, fill `bins`. Its mean is `bins - 1` and
+/// Pearson's chi-squared statistic of `values` in `bins`. For uniform values in 0..1 its mean is `bins - 1` and
 /// its variance twice that.
 fn chi_square(values: impl Iterator<Item = f64>, bins: usize) -> f64 {
     let mut counts = vec![0.0; bins];
@@ -53,7 +53,7 @@ fn assert_even(values: impl Iterator<Item = f64>, what: &str) {
     );
 }
 
-/// Angle about the y axis as a share of a turn.
+/// Angle about the y axis as a fraction of a turn.
 fn turn([x, _, z]: &[f64; 3]) -> f64 {
     z.atan2(*x) / std::f64::consts::TAU + 0.5
 }

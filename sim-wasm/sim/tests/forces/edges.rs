@@ -4,7 +4,7 @@ use crate::common::{STILL, newborn, place, simulator, slip, steps};
 use sim::Simulator;
 use sim::particles::Newborn;
 
-/// Every list of forces once, about the origin or along its axes.
+/// One item of each list of forces, about the origin or along its axes.
 const ALL: &[(&str, f64)] = &[
     ("winds.0.velocity.x", 0.4),
     ("winds.0.shear", 0.3),
@@ -90,7 +90,7 @@ fn a_force_of_no_strength_leaves_the_motion_as_it_is_to_the_bit() {
     }
 }
 
-/// Positions, directions, and the axes about which something turns, each with which of its parts a mirror in x turns.
+/// Positions, directions and axes of rotation, each with the components that a mirror in x negates.
 fn mirrored(settings: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
     let flips = |key: &str| {
         let is_sense = key.starts_with("vortices") || key.starts_with("spirals");

@@ -9,7 +9,7 @@ const BLAST: [(&str, f64); 4] = [
     ("explosions.0.envelope.start", 0.5),
 ];
 
-/// Speed outwards after each step of a particle that rests at the distance `r`.
+/// Outward speed after each step of a particle that starts at rest at the distance `r`.
 fn speeds(settings: &[(&str, f64)], r: f32, count: usize) -> Vec<f64> {
     let mut simulator = alone(settings, [0.0, 0.0, r], [0.0; 3]);
     (0..count)

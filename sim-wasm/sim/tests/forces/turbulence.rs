@@ -10,7 +10,7 @@ use sim::layout::parameters::settings::Pattern;
 use sim::math::random::Random;
 use sim::math::simd::Vector4;
 
-/// By which the first octave's lattice is shifted, in cells.
+/// Shift of the lattice of the first octave, in cells.
 const SHIFT: f64 = 0.37;
 
 fn pattern(octaves: f64) -> Pattern {
@@ -36,7 +36,7 @@ fn at(field: &Swirls, place: [f32; 3]) -> [f64; 3] {
     field.velocity(Vector4::splat(place)).first().map(f64::from)
 }
 
-/// Central difference of component `of` along `along`; the step is a power of two, so that places are exact.
+/// Central difference of component `of` along `along`; the step is a power of two, so that positions are exact.
 fn slope(field: &Swirls, place: [f32; 3], of: usize, along: usize) -> f64 {
     const STEP: f32 = 1.0 / 512.0;
     let place = place.map(|component| (component * 512.0).round() / 512.0);
@@ -123,14 +123,14 @@ fn every_direction_is_as_strong_while_the_pattern_evolves() {
     }
 }
 
-/// The place at `skewed` coordinates of the lattice, in cells, of `field(1.0, _)`.
+/// The point at `skewed` coordinates of the lattice, in cells, of `field(1.0, _)`.
 fn from_skewed(skewed: [f64; 3]) -> [f32; 3] {
     let cells = skewed.map(|component| component + SHIFT);
     let lean = cells.iter().sum::<f64>() / 6.0;
     cells.map(|component| ((component - lean) * 0.8 / CELLS) as f32)
 }
 
-/// Root mean square speed at the same place of many cells.
+/// Root mean square speed at the same point of many cells.
 fn speed_within_cells(field: &Swirls, fraction: [f64; 3]) -> f64 {
     const CELL_COUNT: usize = 3000;
     let mut random = Random::new(11);

@@ -7,7 +7,7 @@ use sim::Simulator;
 use sim::math::random::Random;
 
 const STEP: f64 = 1.0 / 60.0;
-/// So far that nothing fades.
+/// So far away that nothing fades.
 const FAR: (&str, f64) = ("vortices.0.reach", 1000.0);
 
 fn vortex(settings: &[(&'static str, f64)], at: [f32; 3]) -> Simulator {
@@ -47,7 +47,7 @@ fn the_core_of_rankine_turns_like_a_solid() {
     }
 }
 
-/// How far from the axis a particle is that is drawn in at `speed(r)`, by small steps of Runge and Kutta.
+/// Distance from the axis of a particle that moves inwards at `speed(r)`, by small Runge-Kutta steps.
 fn drawn_in(r: f64, seconds: f64, speed: impl Fn(f64) -> f64) -> f64 {
     let h = seconds / 20_000.0;
     (0..20_000).fold(r, |r, _| {
@@ -152,7 +152,7 @@ fn a_region_weakens_inflow_and_updraft() {
     assert_eq!(place(&simulator, 0), [0.1, 0.0, 0.0]);
 }
 
-/// A scene with one of everything that has no chance in it; `side` -1 is its mirror image in the plane x = 0.
+/// A scene with one item of each kind without randomness. `side` -1 is its mirror image in the plane x = 0.
 fn scene(side: f64) -> Simulator {
     let settings = [
         ("vortices.0.circulation", 4.0 * side),

@@ -6,7 +6,7 @@ use sim::forces::vortex_particles::{MAX_VORTEX_PARTICLES, VortexParticle};
 use sim::layout::limits::STEP;
 use sim::math::random::Random;
 
-/// At the origin, turning about z by one radian a second, that neither spreads nor noticeably fades.
+/// A vortex particle at the origin that rotates about z at 1 rad/s and neither spreads nor noticeably fades.
 const ONE: VortexParticle = VortexParticle {
     position: [0.0; 3],
     swirl: [0.0, 0.0, 1.0],
@@ -20,7 +20,7 @@ fn still(capacity: u32) -> Simulator {
     simulator(capacity, 1, &[STILL])
 }
 
-/// Velocity at `place` that `particle` gives the air, from the formula.
+/// Air velocity at `place` by `particle`, from the formula.
 fn closed_form(particle: &VortexParticle, place: [f32; 3]) -> [f64; 3] {
     let [x, y, z] = std::array::from_fn(|i| f64::from(place[i]) - f64::from(particle.position[i]));
     let [wx, wy, wz] = particle.swirl.map(f64::from);
@@ -41,7 +41,7 @@ fn anywhere(random: &mut Random, half: f32) -> [f32; 3] {
     std::array::from_fn(|_| random.signed() * half)
 }
 
-/// Many of all sizes, in a box that is longer than wide.
+/// Many vortex particles of all sizes in an elongated box.
 fn many(count: usize, seed: u32) -> Vec<VortexParticle> {
     let mut random = Random::new(seed);
     (0..count)
@@ -317,7 +317,7 @@ fn an_invalid_vortex_particle_is_rejected() {
     assert_eq!(simulator.vortex_particles(), 0);
 }
 
-/// Wind that sheds, vortex particles of all sizes and smoke among them.
+/// Wind with a shedder, vortex particles of all sizes, and smoke.
 fn with_vortex_particles() -> Simulator {
     let shedders = [
         ("shedders.0.rate", 300.0),

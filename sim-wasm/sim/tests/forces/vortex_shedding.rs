@@ -11,7 +11,7 @@ use sim::rigids::{RigidDescription, RigidKind, RigidShape};
 /// Speed of the rigid (m/s).
 const SPEED: f32 = 3.0;
 
-/// At the upper and the lower side of a sphere of radius 0.2 m, by turns.
+/// Sheds alternately at the upper and the lower side of a sphere of radius 0.2 m.
 const STREET: &[(&str, f64)] = &[
     ("shedders.0.rate", 24.0),
     ("shedders.0.rigid", 0.0),
@@ -37,7 +37,7 @@ fn seeded_ball(seed: u32, settings: &[(&str, f64)]) -> Simulator {
     simulator
 }
 
-/// Goes along x for `count` steps, turned by `angle` about z.
+/// Moves along x for `count` steps, rotated by `angle` about z.
 fn go(simulator: &mut Simulator, from: f32, speed: f32, count: usize, angle: f32) {
     for step in 1..=count {
         let x = from + speed * step as f32 * STEP as f32;
@@ -54,7 +54,7 @@ fn all(simulator: &Simulator) -> Vec<VortexParticle> {
         .collect()
 }
 
-/// Fastest air around it (m/s), with the sign of its turn about z.
+/// Peak air speed around it (m/s), with the sign of its rotation about z.
 fn speed_of(particle: &VortexParticle) -> f32 {
     0.594_107 * particle.swirl[2] * particle.core_radius
 }

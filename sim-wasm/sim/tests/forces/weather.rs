@@ -122,7 +122,7 @@ fn density(weather: &Weather, low: f64, high: f64, time: f64) -> f64 {
     (0..bins).map(power).sum::<f64>() / f64::from(bins) / time
 }
 
-/// Power of frequency with which the spectrum grows from wave `from` to wave `to`, as measured and by the law.
+/// Exponent of the spectrum between wave `from` and wave `to`, measured and by the law.
 fn slopes(from: i32, to: i32, time: f64) -> (f64, f64) {
     let weather = weather(1.0, 2.0);
     // The frequencies of the waves have a ratio of 1.46, from 0.05 Hz; each band contains one wave.

@@ -7,7 +7,7 @@ use sim::particles::radius::RadiusLaw;
 
 const STEP: f32 = 1.0 / 60.0;
 
-/// Radii of one particle, step by step, until it is gone.
+/// Radii of one particle at each step until it dies.
 fn radii(growth_time: f32, lifetime: f32, size: f32) -> Vec<f32> {
     let mut simulator = simulator(1, 1, &[STILL, &[("emission.growthTime", f64::from(growth_time))]]);
     simulator.add(&Newborn {

@@ -19,7 +19,7 @@ fn parameters(stops: &[(f64, f64)]) -> Parameters {
     parameters
 }
 
-/// Density at the share `worn` of a life so long that growth is over.
+/// Density at the fraction `worn` of a lifetime long enough that growth is complete.
 fn density(stops: &[(f64, f64)], worn: f64) -> f64 {
     let lifetime = 1000.0;
     f64::from(RadiusLaw::new(&parameters(stops)).radius(1.0, (worn * lifetime) as f32, lifetime as f32))
@@ -82,7 +82,7 @@ fn stops_of_one_age_are_pulled_apart() {
     }
 }
 
-/// Radii of a particle drawn at `parts` moments of each step, from its birth to its end.
+/// Radii of a particle at `parts` times within each step, from birth to death.
 fn drawn(simulator: &mut Simulator, parts: usize) -> Vec<f32> {
     let mut view = [0.0; sim::arrange::VIEW_FLOATS];
     (0..4).for_each(|i| view[4 + 5 * i] = 1.0);

@@ -17,7 +17,7 @@ fn view(blend: f32) -> [f32; sim::arrange::VIEW_FLOATS] {
     view
 }
 
-/// Particles side by side, each with a seed of its own, in a steady wind.
+/// Particles side by side, each with a different seed, in a steady wind.
 fn procession(hold: f64) -> Simulator {
     let settings = [("forces.wind.x", 1.0), ("drag.rate", 1000.0), ("style.hold", hold)];
     let mut simulator = simulator(COUNT, 1, &[STILL, &settings]);
@@ -31,7 +31,7 @@ fn procession(hold: f64) -> Simulator {
     simulator
 }
 
-/// x of each particle as it is shown, in the order of their making.
+/// Shown x of each particle, in the order of birth.
 fn shown(simulator: &mut Simulator, blend: f32) -> Vec<f32> {
     let count = simulator.arrange(&view(blend)).unwrap();
     simulator.place()[..count].iter().map(|place| place[0]).collect()

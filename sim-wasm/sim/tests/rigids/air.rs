@@ -63,7 +63,7 @@ fn a_plate_drags_what_is_within_its_layer_by_the_closed_form() {
     }
 }
 
-/// A ball passes a particle at rest at the distance at which half of its speed acts at the nearest point. In its own
+/// A ball passes a particle at rest. At the nearest point half of the ball's speed acts on the particle. In the ball's
 /// frame x' = speed (f(d) - 1): integrated here in tiny steps.
 #[test]
 fn a_ball_that_passes_within_a_step_moves_a_particle_as_slow_integration_says() {
@@ -122,7 +122,7 @@ fn a_spinning_drum_drags_air_around_and_off_is_off() {
     assert!((angle - 0.5 / 0.6).abs() < 0.02, "{angle}");
 }
 
-/// Specks on a lattice that rise with the wind, to which those that were stopped soon return.
+/// Specks on a lattice that rise with the wind. Stopped ones soon follow the wind again.
 fn stream(settings: &[(&str, f64)]) -> Simulator {
     let mut simulator = simulator(20_000, 1, &[STILL, &[("drag.rate", 20.0)], settings]);
     for k in 0..16 * 16 * 70 {

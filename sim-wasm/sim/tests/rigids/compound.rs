@@ -13,7 +13,7 @@ fn part(shape: RigidShape, position: [f32; 3], angle: f32) -> RigidPart {
     RigidPart { shape, pose }
 }
 
-/// One part of each shape, far enough from each other that no particle meets two of them.
+/// One part of each shape, so far apart that no particle collides with two of them.
 fn scattered() -> Vec<RigidPart> {
     let place = |k: usize| [3.0 * (k % 3) as f32, 3.0 * (k / 3) as f32, 0.5 * k as f32];
     let parts = shapes().into_iter().enumerate();
@@ -32,7 +32,7 @@ fn within(outer: &Pose, inner: &Pose) -> Pose {
     }
 }
 
-/// Particles about every part, flying at it.
+/// Particles around every part that fly towards it.
 fn shower(cloud: &mut Cloud, outer: &Pose) {
     for k in 0..900 {
         let centre = within(outer, &scattered()[k % scattered().len()].pose).position;

@@ -42,7 +42,7 @@ fn pose(rigids: &Rigids) -> Pose {
     }
 }
 
-/// Seconds of a swing in the xy plane, from twelve passages through the vertical.
+/// Period (s) in the xy plane, from twelve passages through the vertical.
 fn period(rigids: &mut Rigids) -> f32 {
     let mut passages = Vec::new();
     let mut before = pose(rigids).position.x;

@@ -9,7 +9,7 @@ use sim::math::vector::Vector;
 use sim::particles::Newborn;
 use sim::rigids::{RigidDescription, RigidKind, RigidShape};
 
-/// Four particles fly at a thin plate across y = 0, two fly past it; a tint that one has is its number's.
+/// Four particles fly towards a thin plate across y = 0, two fly past it. A tint identifies its particle.
 fn with_plate(action: Option<Action>, settings: &[(&str, f64)]) -> Simulator {
     let mut simulator = simulator(16, 1, &[STILL, settings]);
     if let Some(action) = action {

@@ -8,13 +8,13 @@ use sim::layout::scope::parts::{FIRST_PART, MAX_PARTS, PART_FLOATS};
 use sim::math::pose::{Pose, rotation_about};
 use sim::math::vector::Vector;
 
-/// The second part: the first one stands aside.
+/// The second part; the first one is out of the way.
 const SECOND: f64 = FIRST_PART as f64 + 1.0;
-/// Turns of the part (rad/s) about z.
+/// Angular velocity of the part (rad/s) about z.
 const RATE: f64 = 20.0;
 const HUB: [f32; 3] = [1.0, 0.5, 0.0];
 
-/// A nozzle on the second part, 600 births a second, that adds no speed of its own.
+/// A nozzle on the second part with 600 births per second that adds no speed.
 const NOZZLE: &[(&str, f64)] = &[
     ("emission.rate", 600.0),
     ("emission.lifetime", 60.0),
@@ -24,7 +24,7 @@ const NOZZLE: &[(&str, f64)] = &[
     ("emitters.0.rigid", SECOND),
 ];
 
-/// Where the part is at `time` (s): it turns about z on the spot.
+/// Pose of the part at `time` (s): it rotates about z in place.
 fn propeller(time: f64) -> Pose {
     Pose {
         position: HUB.into(),
@@ -32,7 +32,7 @@ fn propeller(time: f64) -> Pose {
     }
 }
 
-/// Where the part is at `time` (s): it turns and goes.
+/// Pose of the part at `time` (s): it rotates and moves.
 fn wheel(time: f64) -> Pose {
     Pose {
         position: Vector::new(1.5 * time as f32, 0.4, -0.3),
@@ -40,7 +40,7 @@ fn wheel(time: f64) -> Pose {
     }
 }
 
-/// What `Parts::place` takes, for a part that stands aside and one that goes as `pose` tells.
+/// Arguments of `Parts::place` for a part out of the way and one with the pose `pose`.
 fn numbers(carrier: f32, step: u64, pose: impl Fn(f64) -> Pose) -> Vec<f32> {
     let flat = |pose: Pose| {
         let [x, y, z]: [f32; 3] = pose.position.into();
@@ -131,7 +131,7 @@ fn parts_change_nothing_that_does_not_ride_on_them() {
     assert_eq!(run(true), run(false));
 }
 
-/// Something of each kind on the second part.
+/// One item of each kind on the second part.
 const RIDERS: &[(&str, f64)] = &[
     ("emission.rate", 120.0),
     ("emitters.0.rigid", SECOND),

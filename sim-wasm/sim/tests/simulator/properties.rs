@@ -9,13 +9,13 @@ use sim::life::WORLD_RADIUS;
 
 const PARTICLES: u32 = 300;
 const STEPS: usize = 120;
-/// In the test that always runs, and in the long one.
+/// Number of cases in the ordinary test and in the long one.
 const CASES: u32 = 96;
 const MANY_CASES: u32 = 4000;
 
 type Entries = Vec<(String, f64)>;
 
-/// Both ends, the middle of the range, and values near the default and near zero, where most that is divided by lies.
+/// Both ends, the middle of the range, and values near the default and near zero, where most divisors are.
 fn any_number(row: &Row) -> impl Strategy<Value = f64> + use<> {
     let (min, max, whole, default) = (row.meta.min, row.meta.max, row.meta.whole, row.default);
     let cubed = move |s: f64| s * s * s * (max - min) * 0.01;
@@ -49,7 +49,7 @@ fn any_parameters() -> impl Strategy<Value = Entries> {
     })
 }
 
-/// A simulator with these parameters, and births to begin with.
+/// A simulator with these parameters and some births.
 fn simulator(entries: &Entries, seed: u32) -> Simulator {
     let mut simulator = Simulator::new(PARTICLES, seed).unwrap();
     let births = [("emission.rate", 600.0), ("emitters.0.share", 1.0)];
@@ -59,7 +59,7 @@ fn simulator(entries: &Entries, seed: u32) -> Simulator {
     simulator
 }
 
-/// After each step, all that lives has finite numbers and is in the world.
+/// After each step all living particles have finite numbers and are in the world.
 fn stays_sound(simulator: &mut Simulator) -> Result<(), TestCaseError> {
     for step in 0..STEPS {
         steps(simulator, 1);

@@ -5,7 +5,7 @@ use sim::Simulator;
 use sim::math::random::Random;
 use sim::particles::Newborn;
 
-/// A simulator in the middle of things: full, with births that wait.
+/// A running simulator: full, with waiting births.
 fn busy() -> Simulator {
     let mut simulator = simulator(500, 3, &[LIVELY]);
     steps(&mut simulator, 100);

@@ -13,7 +13,7 @@ const BLOW: BlowNumbers = BlowNumbers {
     seconds: 0.5,
 };
 
-/// How far each particle, one at each place, is carried by a whole blow.
+/// Displacement by a whole gust of one particle at each position.
 fn carried(places: &[[f32; 3]], blow: &BlowNumbers) -> Vec<[f32; 3]> {
     let mut simulator = simulator(places.len() as u32, 1, &[STILL, &[("emission.rate", 0.0)]]);
     places.iter().for_each(|place| assert!(simulator.add(&newborn(*place))));

@@ -9,7 +9,7 @@ use sim::simulator::take::Take;
 
 const CAPACITY: u32 = 400;
 
-/// The scene of all these takes: lively smoke and, where there are rigids, a ball that people move.
+/// The scene of all these takes: lively smoke and, with rigids, a ball that the user moves.
 fn scene(seed: u32) -> Simulator {
     #[cfg_attr(not(feature = "rigids"), allow(unused_mut))]
     let mut scene = simulator(CAPACITY, seed, &[LIVELY]);
@@ -31,7 +31,7 @@ fn recording(seed: u32) -> Simulator {
     scene
 }
 
-/// Plays a script and tells steps and hash after each of its acts and at the end.
+/// Plays a script and returns steps and hash after each of its inputs and at the end.
 fn play(simulator: &mut Simulator, script: &[(usize, Act)]) -> Vec<(u64, u64)> {
     let mut moments = Vec::new();
     for (wait, act) in script {
@@ -48,7 +48,7 @@ fn play(simulator: &mut Simulator, script: &[(usize, Act)]) -> Vec<(u64, u64)> {
     moments
 }
 
-/// Hashes at the same moments, without doing anything. Of several acts in one step the last one's hash counts.
+/// Asserts the hashes at the same steps, without inputs. Of several inputs in one step, the hash after the last one counts.
 fn follow(simulator: &mut Simulator, moments: &[(u64, u64)]) {
     for (index, (step, hash)) in moments.iter().enumerate() {
         if moments.get(index + 1).is_some_and(|(next, _)| next == step) {
@@ -228,7 +228,7 @@ fn invalid_inputs_are_errors_with_their_key() {
     assert_eq!((live.hash(), live.inputs()), before);
 }
 
-/// A blow across the plume at a speed (m/s).
+/// A gust across the plume at a speed (m/s).
 fn puff(speed: f64) -> BlowNumbers {
     BlowNumbers {
         origin: [0.0, 1.0, 5.0],
