@@ -58,7 +58,7 @@ describe('the twin', () => {
     ['turbulence', { 'turbulence.speed': 0 }],
     ['evolution', { 'turbulence.evolution': 0 }],
     ['the vortex', { 'vortices.0.circulation': 0.001 }],
-  ])('is not blind to %s', (_, change) => {
+  ])('detects %s', (_, change) => {
     const [simulator] = pair(SIX_FORCES);
     const [, twin] = pair({ ...SIX_FORCES, ...change });
     for (let step = 0; step < STEPS; step++) {

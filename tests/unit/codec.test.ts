@@ -93,7 +93,7 @@ describe('an old link', () => {
     ['density.0.age=0.5', '.5:1,1:1'],
     ['density.3.value=0.25&density.3.age=1', '0:.25,1:.25'],
     ['density.0.value=0.5&density.1.value=0.75&density.2.age=7&density.2.value=NaN', '0:.5,1:1'],
-  ])('may have few or odd stops: %s', async (stops, curve) => {
+  ])('can have few or unusual stops: %s', async (stops, curve) => {
     expect((await decode(`#v=0&${stops}`)).state.values['emission.density']).toBe(curve);
   });
 

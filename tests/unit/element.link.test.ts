@@ -13,7 +13,7 @@ async function read(src: string) {
 }
 
 test.each(['', '?t=3', 'v=1&preset=wisp', 'https://example.org/', '#'])(
-  'a src without a hash, %j, is told and the first preset is shown',
+  'a src without a hash, %j, is reported and the first preset is shown',
   async (src) => {
     const { scene, notices } = await read(src);
     expect(scene).toBe(FIRST_PRESET);

@@ -78,7 +78,7 @@ describe('a file', () => {
     [`{${head}, "moment": {"take": "AAAA"}}`, '"seconds" of "moment" must be a number from 0, not undefined'],
     [`{${head}, "moment": {"seconds": 1}}`, '"take" of "moment" must be a string, not undefined'],
     [`{${head}, "moment": {"seconds": 1, "take": "A!"}}`, '"take" of "moment" is damaged'],
-  ])('that is none is refused: %s', async (text, message) => {
+  ])('that is invalid is rejected: %s', async (text, message) => {
     await expect(readFile(text)).rejects.toThrow(FileError);
     await expect(readFile(text)).rejects.toThrow(message);
   });

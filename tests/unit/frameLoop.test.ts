@@ -46,7 +46,7 @@ test.each([
   [60, 144, 60],
   [30, 60, 30],
   [60, 30, 30],
-])('a loop that is capped at %s frames a second has on a screen of %i Hz %i', (cap, screen, expected) => {
+])('a loop with a cap of %s frames per second on a display of %i Hz draws %i', (cap, screen, expected) => {
   loopOf(cap).play();
   second(screen);
   expect(Math.abs(frames - expected)).toBeLessThanOrEqual(1);

@@ -45,7 +45,7 @@ test.each([
   ['where he begins', start],
   ['far to one side', min],
   ['far to the other', max],
-])('called %s, he arrives in one piece', (_, place) => {
+])('moved %s, he arrives in one piece', (_, place) => {
   const simulation = calledTo(place);
   const [x, y, z] = simulation.simulator.rigidPoses(1);
   // He sways around the position.

@@ -43,7 +43,7 @@ test.each([
   ['turned', new BoxGeometry(1, 2, 3, 2, 2, 2).rotateZ(0.4)],
   ['shifted', new SphereGeometry(1, 24, 12).translate(2, 0, 0)],
   ['made smaller', new SphereGeometry(1).scale(0.5, 0.5, 0.5)],
-])('a box or sphere that was %s in its own space is taken by its triangles', (_, geometry) => {
+])('a box or sphere that was %s in its local space collides by its triangles', (_, geometry) => {
   const shape = shapeOf(geometry, ONE);
   expect(shape).toMatchObject({ type: 'trimesh', vertices: geometry.attributes.position.array });
 });

@@ -37,7 +37,7 @@ const PROMISED = [
 ];
 
 describe('presets that are loaded separately', () => {
-  it.each(presets.map(({ name }) => name))('%s is the one that stands among all', async (name) => {
+  it.each(presets.map(({ name }) => name))('%s loaded separately equals the one in the list', async (name) => {
     expect(await fetchPreset(name)).toBe(findPreset(name));
   });
 

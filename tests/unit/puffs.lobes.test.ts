@@ -80,7 +80,7 @@ test('the same seed and knobs make the same puff, another seed another', () => {
   expect(proceduralPuff('a', 5).lobes).not.toEqual(proceduralPuff('a', 6).lobes);
 });
 
-test('each knob does what it says', () => {
+test('each knob has its documented effect', () => {
   const seeds = [1, 2, 3, 4, 5, 6, 7, 8];
   const mean = (measure: (shape: PuffShape) => number, knobs: Partial<typeof CARTOON_KNOBS>): number =>
     seeds.reduce((sum, seed) => sum + measure(proceduralPuff('x', seed, { ...CARTOON_KNOBS, ...knobs })), 0) / 8;

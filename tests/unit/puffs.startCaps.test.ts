@@ -102,7 +102,7 @@ function allRound(lobes: readonly Lobe[], count: number): { normal: readonly num
 }
 
 test.each(LOBE_SHAPES.map(({ name }, layer): [string, number] => [name, layer]))(
-  'no lit place of the lobes of %s lies behind its cap, from anywhere',
+  'no lit point of the lobes of %s is behind its cap, from any direction',
   (_, layer) => {
     const { lobes } = LOBE_SHAPES[layer];
     const caps = bakeStartCaps([surfaceOf(lobes)], 0.3);

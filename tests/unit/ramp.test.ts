@@ -38,7 +38,7 @@ describe('ramps', () => {
     '0:ffffff,0:000000',
     '0:ffffff,2:000000',
     '0:ffffff,1:#00000',
-  ])('are refused where they are none: %s', (text) => expect(readRamp(text)).toBeUndefined());
+  ])('are rejected if malformed: %s', (text) => expect(readRamp(text)).toBeUndefined());
 
   it('have at most 16 stops', () => {
     expect(readRamp(stopsText(MAX_COLORS))).toHaveLength(16);

@@ -42,7 +42,7 @@ test.each([
   [{ id: 3, method: 'step', args: [] }],
   [{ id: 4, method: 'pointer', args: [{ type: 'down', id: 1, x: 3, y: 4 }] }],
   [{ id: 5, method: 'listen', args: ['frame'] }],
-])('%o is understood', (message) => {
+])('%o is accepted', (message) => {
   expect(readRequest(structuredClone(message))).toMatchObject({ id: message.id, method: message.method });
 });
 
@@ -101,7 +101,7 @@ test.each([
   new SimulatorError('dead'),
   new ContextError('lost'),
   new ShapeError('open'),
-])('%s is the same on the other side', (error) => {
+])('%s keeps its class and message across the port', (error) => {
   const other = unpackError(structuredClone(packError(error)));
   expect(other).toBeInstanceOf(error.constructor);
   expect(other).toBeInstanceOf(SmokeError);

@@ -69,7 +69,7 @@ describe.each(NAMES)('%s', (name) => {
     expect(scene.parts?.length ?? 0).toBeLessThanOrEqual(64);
   });
 
-  test('smokes, within the room that its preset gives it', () => {
+  test('smokes within the capacity of its preset', () => {
     const simulation = begin();
     simulation.advance(240);
     expect(simulation.simulator.alive).toBeGreaterThan(20);
@@ -78,7 +78,7 @@ describe.each(NAMES)('%s', (name) => {
     simulation.dispose();
   });
 
-  test('goes the same way every time, also where it was steered, and also after going back', () => {
+  test('repeats itself exactly, also with steering and after seeking back', () => {
     const [first, second] = [begin(), begin()];
     for (const simulation of [first, second]) {
       simulation.advance(40);

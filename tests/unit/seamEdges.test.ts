@@ -20,7 +20,7 @@ function seamOf(one: TriangleMesh, other: TriangleMesh): { length: number; place
 it.each([
   ['stands on', 0.5],
   ['stands in', 0.3],
-])('runs once round a box that %s a floor', (_, height) => {
+])('runs once around a box that %s a floor', (_, height) => {
   const { length, places } = seamOf(box([0.2, height, 0.1], [0.5, 0.5, 0.5]), FLOOR);
   expect(length).toBeCloseTo(4, 4);
   for (const [x, y, z] of places) {

@@ -86,7 +86,7 @@ test.each([
   ['a path the long way', `export { value } from '../../src/sim/thing.ts';`],
   ['the index', `export { value } from '../index.ts';`],
   ['the index without its ending', `export { value } from '..';`],
-])('passes may not import %s of sim', (_, code) => {
+])('passes cannot import %s of sim', (_, code) => {
   expect(lintLine('passes', code)).toHaveLength(1);
 });
 

@@ -111,7 +111,7 @@ describe('packages', () => {
 
 describe('toolchain', () => {
   test.each(['start.mjs', 'test.mjs', 'build.mjs', 'preview.mjs'])(
-    'without rustup, %s says what to install',
+    'without rustup, %s reports what to install',
     async (script) => {
       installPackages();
       // Not the default ports, because the demo may be running.

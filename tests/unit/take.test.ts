@@ -237,7 +237,7 @@ describe('a take', () => {
     ['no note', '', /not recorded by a stage/],
     ['a note of something else', '{"values":7}', /not recorded by a stage/],
     ['a value that the table does not take', '{"values":{"emission.rate":-4}}', /emission\.rate/],
-  ])('is refused with %s', (_, note, message) => {
+  ])('is rejected with %s', (_, note, message) => {
     const simulator = factory.create({ capacity: 10, seed: 1 });
     simulator.record();
     const bytes = simulator.take(note);

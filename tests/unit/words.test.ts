@@ -143,7 +143,7 @@ describe('old words', () => {
     ['shaders/a.frag', '// a look at a turn\nfloat phase;'],
     ['sim-wasm/sim/src/rigids/a.rs', 'fn look() {}'],
     ['sim-wasm/sim/tests/a.rs', 'fn a_take_of_another_surface_is_refused() { panic!("refusal"); }'],
-  ])('may stand in comments, texts and elsewhere: %s: %s', (file, code) => {
+  ])('are allowed in comments, texts and elsewhere: %s: %s', (file, code) => {
     expect(oldWords(file, code)).toEqual([]);
   });
 });

@@ -157,7 +157,7 @@ for (const [kind, most] of [
 test.describe('errors', () => {
   test.use({ allowed: /stencil|depth/i });
 
-  test('say what is wrong and what to do', async ({ load }) => {
+  test('report the cause and the solution', async ({ load }) => {
     const cases = await load<Errors>(ERRORS);
     const said = await cases.evaluate((module) => module.errors());
     expect(said.stencil).toMatch(/^UnsupportedError: .*stencil: true/);

@@ -360,7 +360,7 @@ proptest! {
     }
 
     #[test]
-    fn culled_casters_throw_no_shadow_of_their_own(
+    fn culled_casters_cast_no_additional_shadow(
         eye in eyes(), count in 60..500_u32, seed in 0..1000_u32, covers in prop_oneof![4 => 1..4_usize, 1 => 4..9_usize], lamp in prop::array::uniform3(-1.0..1.0_f64),
     ) {
         prop_assume!(dot(lamp, lamp) > 0.1);
@@ -516,7 +516,7 @@ fn a_dense_cloud_is_mostly_hidden_and_a_thin_one_is_not() {
 }
 
 #[test]
-fn more_ink_keeps_more_and_zero_covers_keep_all() {
+fn more_ink_culls_less_and_zero_covers_cull_nothing() {
     let solids = solids(2);
     let eye = Observer::new([0.0, 0.4, 8.0], 0.25, true);
     let mut cloud = cloud(3000, 4, 1.0);

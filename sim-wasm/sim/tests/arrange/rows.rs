@@ -206,7 +206,7 @@ fn attributes_are_packed_as_documented() {
 }
 
 #[test]
-fn bounds_hold_all_that_lives_whatever_is_culled() {
+fn bounds_contain_all_living_particles_with_any_culling() {
     let mut simulator = simulator(3, 1, &[STILL, FULL]);
     let mut view = view();
     view[2] = 1.0;
@@ -314,7 +314,7 @@ fn culling_keeps_every_body_that_touches_the_frustum() {
 }
 
 #[test]
-fn pad_and_reach_enlarge_what_is_kept() {
+fn pad_and_reach_enlarge_the_kept_region() {
     let mut simulator = cloud(4000);
     let mut kept = |reach: f32, pad: f32| {
         let mut view = view();

@@ -68,7 +68,7 @@ fn near(a: f32, b: f32, tolerance: f32) -> bool {
 }
 
 #[test]
-fn normal_velocity_comes_back_by_restitution_and_tangential_is_lost_by_friction() {
+fn restitution_reflects_the_normal_velocity_and_friction_reduces_the_tangential_one() {
     for (restitution, friction) in [(0.0, 0.0), (0.5, 0.0), (1.0, 0.0), (0.3, 0.2), (0.0, 1.0)] {
         let ground = AnalyticCollider {
             restitution,
@@ -103,7 +103,7 @@ fn receding_particles_are_not_changed() {
 }
 
 #[test]
-fn a_newborn_keeps_the_velocity_of_its_short_way() {
+fn a_newborn_keeps_the_velocity_of_its_partial_step() {
     // Spawned after 3/4 of the step; falls at 12 m/s for the last quarter.
     let probe = fly(
         [0.0, 0.12, 0.0],

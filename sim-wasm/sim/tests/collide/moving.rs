@@ -81,7 +81,7 @@ fn nothing_gets_through_a_fixed_plate_at_50_metres_a_second() {
 }
 
 #[test]
-fn a_spinning_blade_does_not_touch_what_is_beside_its_disc_and_lets_nothing_through_it() {
+fn a_spinning_blade_leaves_particles_beside_its_disc_and_lets_none_through() {
     let mut cloud = Cloud::new(2000);
     let blade = RigidShape::Cuboid {
         half_extents: [0.5, 0.2, 0.01],
@@ -275,14 +275,14 @@ fn tip_at_100_metres_a_second(reach: f32) {
 }
 
 #[test]
-fn a_propeller_tip_at_100_metres_a_second_deflects_all_that_it_sweeps() {
+fn a_propeller_tip_at_100_metres_a_second_deflects_all_swept_particles() {
     for reach in [0.3, 0.6, 1.0, 1.5] {
         tip_at_100_metres_a_second(reach);
     }
 }
 
 #[test]
-fn what_a_blade_hits_within_one_step_is_what_its_sweep_in_closed_form_hits() {
+fn a_blade_hits_within_one_step_exactly_the_particles_of_its_closed_form_sweep() {
     let (reach, rate) = (0.5, 100.0);
     let turn = rate * DT;
     let half_width = 0.02;
@@ -328,7 +328,7 @@ fn what_a_blade_hits_within_one_step_is_what_its_sweep_in_closed_form_hits() {
 }
 
 #[test]
-fn a_blade_that_turns_by_most_of_a_turn_in_one_step_hits_all_of_its_ring_and_throws_it_its_own_way() {
+fn a_blade_that_turns_by_most_of_a_turn_in_one_step_hits_its_whole_ring_and_throws_it_in_its_direction() {
     // 100 m/s at 0.3 m: 5.6 rad per step. Its poses alone would also fit a rotation back by 0.7 rad.
     let spin = Spin {
         axis: Vector::Y,

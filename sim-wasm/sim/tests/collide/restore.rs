@@ -48,7 +48,7 @@ fn hash_of(cloud: &Cloud) -> u64 {
 }
 
 #[test]
-fn a_restored_heap_goes_on_to_the_same_hash() {
+fn a_restored_heap_continues_to_the_same_hash() {
     let mut cloud = heap();
     run_heap(&mut cloud, 0..90);
     let bytes = cloud.rigids.save();
@@ -160,7 +160,7 @@ fn no_description_makes_the_world_panic_or_move_to_nowhere() {
 }
 
 #[test]
-fn numbers_that_end_too_early_are_refused() {
+fn numbers_that_end_too_early_are_rejected() {
     let compound = RigidShape::Compound {
         parts: shapes()
             .into_iter()

@@ -122,7 +122,7 @@ fn gaps(settings: &[(&str, f64)], axis: usize) -> (f32, f32) {
 }
 
 #[test]
-fn a_jet_and_wind_have_no_beads() {
+fn a_jet_in_wind_has_no_clusters() {
     let jet = gaps(&[("emission.rate", 300.0), ("emitters.0.speed", 12.0)], 1);
     assert!(jet.0 > 0.0396 && jet.1 < 0.0404, "a jet of 0.04 m has gaps {jet:?}");
     let wind = gaps(

@@ -146,7 +146,7 @@ fn an_emitter_that_is_off_does_not_affect_the_others() {
 }
 
 #[test]
-fn lifetimes_are_an_emitters_own() {
+fn lifetimes_are_per_emitter() {
     let settings = [
         ("emission.rate", 600.0),
         ("emission.lifetime", 4.0),
@@ -172,7 +172,7 @@ fn lifetimes_are_an_emitters_own() {
 }
 
 #[test]
-fn tints_are_an_emitters_own() {
+fn tints_are_per_emitter() {
     let settings = [
         ("emission.rate", 600.0),
         ("emitters.0.tint", 15.0),

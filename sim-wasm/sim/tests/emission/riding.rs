@@ -43,7 +43,7 @@ fn places(simulator: &Simulator) -> Vec<[f64; 3]> {
 }
 
 #[test]
-fn a_nozzle_that_sweeps_leaves_no_beads() {
+fn a_sweeping_nozzle_leaves_no_clusters() {
     let mut simulator = riding(SPECK, &[("emitters.0.position.y", 5.0)]);
     sweep(&mut simulator, 40.0, 60);
     let mut along: Vec<f64> = places(&simulator).iter().map(|place| place[0]).collect();
@@ -74,7 +74,7 @@ fn a_blade_that_turns_more_than_half_a_turn_in_a_step_leaves_an_even_circle() {
 }
 
 #[test]
-fn a_share_of_the_velocity_goes_along() {
+fn a_fraction_of_the_velocity_is_inherited() {
     for inherit in [0.0, 0.25, 1.0] {
         let mut simulator = riding(
             SPECK,
@@ -94,7 +94,7 @@ fn a_share_of_the_velocity_goes_along() {
 }
 
 #[test]
-fn spin_goes_along_too() {
+fn spin_is_also_inherited() {
     let settings = [("emitters.0.position.x", 0.5), ("emitters.0.inherit", 1.0)];
     let mut simulator = riding(SPECK, &settings);
     simulator.rigids_mut().set_spin(0, [0.0, 1.0, 0.0], 20.0).unwrap();

@@ -77,7 +77,7 @@ fn every_force_is_finite_at_its_centre_beside_it_and_far_away() {
 }
 
 #[test]
-fn a_force_of_no_strength_leaves_the_motion_as_it_is_to_the_bit() {
+fn a_force_without_strength_leaves_the_motion_bit_exact() {
     let hash = |settings: &[(&str, f64)]| {
         let mut simulator = simulator(50, 3, &[crate::common::LIVELY, settings]);
         steps(&mut simulator, 60);

@@ -43,7 +43,7 @@ fn assert_near(what: &str, ours: [f32; 3], expected: Vector, tolerance: f32) {
 }
 
 #[test]
-fn a_vortex_and_a_jet_go_and_turn_with_their_rigid() {
+fn a_vortex_and_a_jet_move_and_rotate_with_their_rigid() {
     let own = [
         ("vortices.0.circulation", 3.0),
         ("vortices.0.position.y", 0.5),
@@ -73,7 +73,7 @@ fn a_vortex_and_a_jet_go_and_turn_with_their_rigid() {
 }
 
 #[test]
-fn the_region_of_a_wind_goes_and_turns_with_its_rigid() {
+fn the_region_of_a_wind_moves_and_rotates_with_its_rigid() {
     let settings = [
         ("winds.0.velocity.y", 1.5),
         ("winds.0.rigid", 1.0),

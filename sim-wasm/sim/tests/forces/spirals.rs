@@ -28,7 +28,7 @@ fn a_spiral_turns_draws_in_and_rises_at_constant_speeds() {
 }
 
 #[test]
-fn a_spiral_that_draws_nothing_in_keeps_the_distance_over_20_turns() {
+fn a_spiral_without_inflow_keeps_the_distance_over_20_turns() {
     for turn in [-1.0, 2.0, 8.0, 30.0, 50.0] {
         let mut simulator = alone(&[WIDE, ("spirals.0.turn", turn)], [0.0, 1.0, 2.0], [0.0; 3]);
         let distance = |simulator: &sim::Simulator| {

@@ -63,7 +63,7 @@ fn divergence_is_zero_and_vorticity_is_not() {
 }
 
 #[test]
-fn swirls_turn_as_often_to_the_left_as_to_the_right() {
+fn swirls_rotate_equally_often_in_both_directions() {
     let field = field(1.0, 0.8);
     let (mut helicity, mut speed, mut vorticity) = (0.0, 0.0, 0.0);
     for place in places(4000) {
@@ -222,7 +222,7 @@ fn speed_stays_the_same_at_the_end_of_the_world() {
 }
 
 #[test]
-fn a_quarter_turn_of_the_phase_forgets_the_pattern() {
+fn a_quarter_turn_of_the_phase_replaces_the_pattern() {
     let (early, late) = (field(1.0, 0.0), field(1.0, std::f64::consts::FRAC_PI_2));
     let product = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mean: f64 = places(20_000)

@@ -89,7 +89,7 @@ fn inflow_draws_in_by_its_closed_form_at_any_swirl() {
 }
 
 #[test]
-fn outflow_drives_away() {
+fn outflow_pushes_smoke_away() {
     let settings = [
         ("vortices.0.profile", 1.0),
         ("vortices.0.coreRadius", 0.5),
@@ -106,7 +106,7 @@ fn outflow_drives_away() {
 }
 
 #[test]
-fn the_strongest_inflow_neither_overshoots_nor_blows_up() {
+fn the_strongest_inflow_neither_overshoots_nor_diverges() {
     let settings = [
         ("vortices.0.coreRadius", 0.01),
         ("vortices.0.inflow", 20.0),
@@ -124,7 +124,7 @@ fn the_strongest_inflow_neither_overshoots_nor_blows_up() {
 }
 
 #[test]
-fn updraft_lifts_in_the_core_alone() {
+fn updraft_lifts_only_in_the_core() {
     let settings = [
         ("vortices.0.circulation", 2.0),
         ("vortices.0.coreRadius", 0.5),

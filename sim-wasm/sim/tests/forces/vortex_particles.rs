@@ -58,7 +58,7 @@ fn many(count: usize, seed: u32) -> Vec<VortexParticle> {
 }
 
 #[test]
-fn one_gives_the_velocity_of_the_formula_and_nothing_beyond_its_reach() {
+fn one_follows_the_velocity_formula_and_ends_at_its_reach() {
     let mut simulator = still(4);
     let particle = VortexParticle {
         position: [1.0, 2.0, -3.0],
@@ -122,7 +122,7 @@ fn the_divergence_vanishes() {
 }
 
 #[test]
-fn all_together_give_the_sum_of_each() {
+fn all_together_equal_the_sum_of_each() {
     for seed in 0..4 {
         let all = many(1000, seed);
         let mut simulator = still(4);
@@ -164,7 +164,7 @@ fn smoke_circles_about_one() {
 }
 
 #[test]
-fn two_that_turn_against_each_other_travel_together() {
+fn two_of_opposite_rotation_travel_together() {
     let mut simulator = still(4);
     for side in [1.0, -1.0] {
         simulator.add_vortex_particle(&VortexParticle {
@@ -193,7 +193,7 @@ fn two_that_turn_against_each_other_travel_together() {
 }
 
 #[test]
-fn two_that_turn_alike_go_round() {
+fn two_of_the_same_rotation_orbit_each_other() {
     let mut simulator = still(4);
     for side in [1.0, -1.0] {
         simulator.add_vortex_particle(&VortexParticle {
@@ -209,7 +209,7 @@ fn two_that_turn_alike_go_round() {
 }
 
 #[test]
-fn they_go_with_wind_turbulence_and_vortices_like_smoke() {
+fn wind_turbulence_and_vortices_move_them_like_smoke() {
     let forces = [
         ("forces.wind.x", 0.7),
         ("turbulence.octaves", 2.0),
@@ -335,7 +335,7 @@ fn with_vortex_particles() -> Simulator {
 }
 
 #[test]
-fn restored_they_go_on_to_the_same_hash() {
+fn they_continue_from_a_restored_state_to_the_same_hash() {
     let mut original = with_vortex_particles();
     let mut restored = still(500);
     restored.add_vortex_particle(&ONE);

@@ -60,7 +60,7 @@ fn speed_of(particle: &VortexParticle) -> f32 {
 }
 
 #[test]
-fn as_many_are_shed_as_rate_and_time_say() {
+fn the_number_shed_follows_rate_and_time() {
     for (rate, count) in [(24.0, 48), (0.7, 1), (333.0, 666), (0.0, 0)] {
         let mut simulator = ball(&[("shedders.0.rate", rate)]);
         go(&mut simulator, 0.0, SPEED, 120, 0.0);
@@ -97,7 +97,7 @@ fn at_rest_nothing_is_shed() {
 }
 
 #[test]
-fn the_shear_layers_turn_as_the_wake_drags_them() {
+fn the_shear_layers_rotate_as_the_wake_drags_them() {
     for (speed, angle) in [(SPEED, 0.0), (-SPEED, 0.0), (SPEED, std::f32::consts::PI)] {
         // Weak enough to stay on their sides.
         let mut simulator = ball(&[("shedders.0.perSpeed", 0.01), ("shedders.0.rate", 0.0)]);
@@ -118,7 +118,7 @@ fn the_shear_layers_turn_as_the_wake_drags_them() {
 }
 
 #[test]
-fn the_tips_of_a_wing_turn_against_each_other() {
+fn the_vortices_of_both_wing_tips_have_opposite_rotation() {
     let wing = [
         ("shedders.0.extent.y", 0.0),
         ("shedders.0.extent.z", 1.0),
@@ -135,7 +135,7 @@ fn the_tips_of_a_wing_turn_against_each_other() {
 }
 
 #[test]
-fn they_are_born_all_along_the_way() {
+fn they_are_born_along_the_whole_path() {
     // Twenty per step, each at its own time, so the gaps within a step equal those between steps. With their axes
     // along the line they do not move each other.
     let line = [
@@ -162,7 +162,7 @@ fn they_are_born_all_along_the_way() {
 }
 
 #[test]
-fn chance_scatters_them_by_seed() {
+fn the_seed_scatters_them() {
     let scattered = [
         ("shedders.0.scatter", 0.3),
         ("shedders.0.jitter", 0.5),
@@ -190,7 +190,7 @@ fn chance_scatters_them_by_seed() {
 }
 
 #[test]
-fn envelope_and_region_say_when_and_where() {
+fn envelope_and_region_limit_time_and_place() {
     let mut pulsing = ball(&[
         ("shedders.0.envelope.start", 0.5),
         ("shedders.0.envelope.duration", 0.5),

@@ -53,7 +53,7 @@ fn a_list_of_quadratic_drags_is_one_in_its_region() {
 }
 
 #[test]
-fn shear_makes_wind_grow_with_height_and_never_turns_it() {
+fn shear_increases_wind_with_height_and_never_reverses_it() {
     let settings = [
         ("winds.0.velocity.x", 2.0),
         ("winds.0.velocity.z", -1.0),
@@ -145,7 +145,7 @@ fn beyond_the_gust_time_the_spectrum_falls_with_the_power_five_thirds() {
 }
 
 #[test]
-fn seeds_and_winds_have_gusts_of_their_own() {
+fn seeds_and_winds_have_different_gusts() {
     let weather = weather(1.0, 2.0);
     let product = |a: u32, b: u32| {
         (0..40_000_u32)

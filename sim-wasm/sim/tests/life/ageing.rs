@@ -44,7 +44,7 @@ fn radius_falls_by_one_share_a_step_to_exactly_zero() {
 }
 
 #[test]
-fn growth_begins_and_ends_at_zero_and_never_jumps() {
+fn growth_starts_and_ends_at_zero_and_is_continuous() {
     for (growth_time, lifetime) in [(0.5_f32, 3.0_f32), (2.0, 1.0), (0.05, 1.0)] {
         let radii = radii(growth_time, lifetime, 0.4);
         let bound = 0.4 * STEP * (1.0 / lifetime + 2.0 / growth_time);

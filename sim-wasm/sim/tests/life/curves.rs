@@ -67,7 +67,7 @@ fn one_stop_is_a_constant_and_none_is_the_papers_law() {
 }
 
 #[test]
-fn stops_of_one_age_are_pulled_apart() {
+fn stops_of_the_same_age_are_separated() {
     let stops = [(0.5, 0.0), (0.5, 1.0), (0.5, 0.5)];
     for (worn, expected) in [
         (0.5, 0.0),
@@ -135,7 +135,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn no_curve_ever_pops(
+    fn every_curve_is_continuous(
         stops in prop::collection::vec((0.0..=1.0_f64, 0.0..=1.0_f64), 0..=8),
         // Repeated ages would cause a jump.
         grid in 1..8_i32,
@@ -171,7 +171,7 @@ fn grown(settings: &[(&str, f64)], seconds: f64) -> f64 {
 }
 
 #[test]
-fn size_grows_by_the_way_through_the_air() {
+fn size_grows_with_the_distance_through_the_air() {
     for seconds in [0.5, 2.0, 10.0] {
         let (drag, rate) = (("drag.rate", 1.6), 1.6_f64);
         let slowed = 0.1 + 0.12 * 3.0 * (1.0 - (-rate * seconds).exp()) / rate;
@@ -190,7 +190,7 @@ fn size_grows_by_the_way_through_the_air() {
 }
 
 #[test]
-fn the_papers_integrator_counts_the_way_relative_to_the_air() {
+fn the_papers_integrator_uses_the_distance_relative_to_the_air() {
     let still = grown(&[("simulation.integrator", 1.0)], 2.0);
     assert!((still / (0.1 + 0.12 * 3.0 * 2.0) - 1.0).abs() < 2e-5, "{still}");
     let along = [("simulation.integrator", 1.0), ("forces.wind.x", 1.0)];

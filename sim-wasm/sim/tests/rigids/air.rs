@@ -30,7 +30,7 @@ fn straight(from: Vector, speed: f32) -> Path {
 }
 
 #[test]
-fn a_plate_drags_what_is_within_its_layer_by_the_closed_form() {
+fn a_plate_drags_particles_within_its_layer_by_the_closed_form() {
     for speed in [0.5, 20.0] {
         let mut simulator = simulator(16, 1, &[STILL]);
         let plate = RigidShape::Cuboid {
@@ -66,7 +66,7 @@ fn a_plate_drags_what_is_within_its_layer_by_the_closed_form() {
 /// A ball passes a particle at rest. At the nearest point half of the ball's speed acts on the particle. In the ball's
 /// frame x' = speed (f(d) - 1): integrated here in tiny steps.
 #[test]
-fn a_ball_that_passes_within_a_step_moves_a_particle_as_slow_integration_says() {
+fn a_ball_that_passes_within_a_step_moves_a_particle_as_a_fine_integration_does() {
     let (speed, radius, layer, off) = (60.0, 0.3, 0.3, 0.45);
     let mut simulator = simulator(16, 1, &[STILL]);
     simulator
@@ -198,7 +198,7 @@ fn a_tilted_plate_is_lifted_aside_by_the_law_of_the_flat_plate() {
 }
 
 #[test]
-fn a_heavy_rigid_hardly_notices_and_off_is_no_coupling_to_the_last_bit() {
+fn a_heavy_rigid_hardly_reacts_and_without_coupling_the_motion_is_bit_exact() {
     let run = |feels_smoke: f32, density: f32, wind: f64| {
         let mut simulator = stream(&[("forces.wind.y", wind)]);
         simulator.rigids_mut().add(plate(density, feels_smoke)).unwrap();
@@ -214,7 +214,7 @@ fn a_heavy_rigid_hardly_notices_and_off_is_no_coupling_to_the_last_bit() {
 }
 
 #[test]
-fn a_feather_that_is_restored_falls_on_to_the_same_hash() {
+fn a_restored_feather_continues_to_the_same_hash() {
     let mut first = stream(&[("forces.wind.y", 2.0), ("forces.wind.x", 0.3)]);
     first.rigids_mut().add(plate(2.0, 1.0)).unwrap();
     steps(&mut first, 30);

@@ -18,7 +18,7 @@ fn grab(anchor: [f32; 3], target: [f32; 3]) -> Grab {
 }
 
 #[test]
-fn a_kinematic_rigid_follows_as_the_closed_form_says_and_is_never_thrown_there() {
+fn a_kinematic_rigid_follows_the_closed_form_and_never_jumps() {
     let mut cloud = Cloud::new(1);
     cloud.rigids.add(kinematic(RigidShape::Ball { radius: 0.3 })).unwrap();
     cloud.rigids.drag(0, grab([0.0, 0.2, 0.0], [3.0, 0.2, 0.0])).unwrap();

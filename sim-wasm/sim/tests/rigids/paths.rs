@@ -181,7 +181,7 @@ fn a_spline_is_the_centripetal_one() {
 }
 
 #[test]
-fn spin_goes_with_a_path_and_with_a_target() {
+fn spin_combines_with_a_path_and_with_a_target() {
     let axis = Vector::new(0.0, 0.6, 0.8);
     let spinning = RigidDescription {
         spin: Spin { axis, rate: -50.0 },
@@ -221,7 +221,7 @@ fn spin_goes_with_a_path_and_with_a_target() {
 }
 
 #[test]
-fn a_path_goes_by_the_time_of_the_simulator_through_save_and_restore() {
+fn a_path_follows_the_time_of_the_simulator_through_save_and_restore() {
     let path = Path::Spline {
         points: ring(7),
         pace: Pace::Duration(2.0),

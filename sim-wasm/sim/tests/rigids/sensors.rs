@@ -61,7 +61,7 @@ fn both(action: Action) -> [Simulator; 2] {
 }
 
 #[test]
-fn what_touches_a_killing_plate_dies_in_that_step_and_nothing_else_does() {
+fn a_killing_plate_kills_exactly_the_touching_particles_in_that_step() {
     for mut simulator in both(Action::Kill) {
         let mut expected = 6;
         for step in 1..=8 {
@@ -79,7 +79,7 @@ fn what_touches_a_killing_plate_dies_in_that_step_and_nothing_else_does() {
 }
 
 #[test]
-fn what_touches_a_tinting_plate_flies_on_with_its_tint() {
+fn a_tinting_plate_tints_touching_particles_without_stopping_them() {
     for mut simulator in both(Action::Tint(11)) {
         steps(&mut simulator, 12);
         assert_eq!(tints(&simulator), [11, 11, 11, 11, 0, 0]);

@@ -81,7 +81,7 @@ fn a_nozzle_on_the_tip_of_a_propeller_leaves_an_even_circle() {
 }
 
 #[test]
-fn a_share_of_the_velocity_of_the_tip_goes_along() {
+fn a_fraction_of_the_velocity_of_the_tip_is_inherited() {
     for inherit in [0.25, 1.0] {
         let mut simulator = simulator(4000, 1, &[STILL, NOZZLE, &[("emitters.0.inherit", inherit)]]);
         (0..10).for_each(|_| advance(&mut simulator, propeller));
@@ -116,7 +116,7 @@ fn parts_without_a_pose_are_fixed_in_the_world() {
 }
 
 #[test]
-fn parts_change_nothing_that_does_not_ride_on_them() {
+fn parts_affect_only_items_attached_to_them() {
     let run = |places_parts: bool| {
         let mut simulator = simulator(2000, 5, &[LIVELY]);
         for _ in 0..60 {
@@ -147,7 +147,7 @@ const RIDERS: &[(&str, f64)] = &[
 ];
 
 #[test]
-fn a_saved_state_goes_on_as_what_was_saved() {
+fn a_saved_state_continues_like_the_original() {
     let mut whole = simulator(500, 3, &[RIDERS]);
     (0..30).for_each(|_| advance(&mut whole, wheel));
     let saved = whole.save();
@@ -162,7 +162,7 @@ fn a_saved_state_goes_on_as_what_was_saved() {
 }
 
 #[test]
-fn a_take_is_replayed_from_every_state_though_an_input_looks_at_the_air() {
+fn a_take_with_an_input_that_reads_the_air_replays_from_every_state() {
     let mut simulator = simulator(500, 3, &[RIDERS]);
     simulator.record();
     let mut states = Vec::new();
@@ -294,7 +294,7 @@ mod on_rigids {
     }
 
     #[test]
-    fn each_kind_rides_on_a_part_as_on_a_rigid_of_the_same_way() {
+    fn each_kind_follows_a_part_as_a_rigid_on_the_same_path() {
         for kind in KINDS {
             let runs = [1.0, SECOND, -1.0].map(|rigid| {
                 let mut simulator = with_smoke(kind, rigid);
@@ -334,7 +334,7 @@ mod on_rigids {
     }
 
     #[test]
-    fn each_kind_rides_on_a_part_that_a_rigid_carries() {
+    fn each_kind_follows_a_part_on_a_rigid() {
         for kind in KINDS {
             let run = |carrier: f32, pose: fn(f64) -> Pose| {
                 let mut simulator = with_smoke(kind, SECOND);
@@ -370,7 +370,7 @@ mod on_rigids {
     }
 
     #[test]
-    fn a_saved_state_goes_on_on_a_carrier_that_moves() {
+    fn a_saved_state_continues_on_a_moving_carrier() {
         let run = |simulator: &mut Simulator, count: usize| {
             for _ in 0..count {
                 move_rigid(simulator, wheel);

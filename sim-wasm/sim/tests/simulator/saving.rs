@@ -14,7 +14,7 @@ fn busy() -> Simulator {
 }
 
 #[test]
-fn restored_it_goes_on_to_the_same_hash() {
+fn it_continues_from_a_restored_state_to_the_same_hash() {
     let mut original = busy();
     let bytes = original.save();
     // Another seed, capacity, parameters and particles, none of which may remain.
@@ -80,7 +80,7 @@ fn exceeding_the_capacity_is_an_error() {
 }
 
 #[test]
-fn a_larger_capacity_carries_over_all_that_lives() {
+fn a_larger_capacity_keeps_all_living_particles() {
     let mut simulator = busy();
     let (hash, waiting) = (simulator.hash(), simulator.waiting());
     simulator.resize(2000).unwrap();
@@ -93,7 +93,7 @@ fn a_larger_capacity_carries_over_all_that_lives() {
 }
 
 #[test]
-fn a_smaller_capacity_keeps_what_has_most_of_its_life_left() {
+fn a_smaller_capacity_keeps_the_particles_with_the_longest_remaining_life() {
     let mut simulator = simulator(100, 1, &[STILL]);
     for i in 0..100 {
         let age = (i * 37 % 100) as f32 * 0.01;

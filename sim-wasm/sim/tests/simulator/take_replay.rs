@@ -64,7 +64,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn a_replay_comes_to_the_same_hashes(script in script(), seed in 0_u32..100) {
+    fn a_replay_reaches_the_same_hashes(script in script(), seed in 0_u32..100) {
         let mut live = recording(seed);
         let moments = play(&mut live, &script);
         let bytes = live.take("").unwrap();
@@ -81,7 +81,7 @@ proptest! {
     }
 
     #[test]
-    fn seeking_back_and_forth_comes_to_the_same_hashes(script in script(), kept in 1_u64..200, twice in 0..2) {
+    fn seeking_back_and_forth_reaches_the_same_hashes(script in script(), kept in 1_u64..200, twice in 0..2) {
         let mut live = recording(5);
         let mut states = Vec::new();
         let mut moments = Vec::new();
@@ -108,7 +108,7 @@ proptest! {
     }
 
     #[test]
-    fn a_take_may_begin_in_the_middle_of_things(script in script(), first in 1_usize..80) {
+    fn a_take_can_start_in_a_running_simulation(script in script(), first in 1_usize..80) {
         let mut live = scene(9);
         steps(&mut live, first);
         live.record();
