@@ -122,7 +122,7 @@ export const strings = {
     save: 'Save as file',
     saved: (name: string) => `Saved as ${name}. Drop the file on this page to open it.`,
     tooLong: (length: number, max: number) =>
-      `The link would have ${length} characters; chats cut links over ${max}. Save a file instead, and drop it on this page to open it.`,
+      `The link would have ${length} characters, but chat programs cut links over ${max}. Save a file instead. Drop it on this page to open it.`,
     code: 'QR code of the link',
     scan: 'Scan to open on a phone',
     embed: 'Embed in your page',
