@@ -112,5 +112,5 @@ test('invalid puff shapes are rejected with a message', () => {
   expect(() => demandShapes(shape([]))).toThrow(/odd has 0 lobes/);
   expect(() => demandShapes(shape([{ center: [0.5, 0, 0], radius: 0.8 }]))).toThrow(/unit ball/);
   expect(() => demandShapes(shape([{ center: [NaN, 0, 0], radius: 0.8 }]))).toThrow(/unit ball/);
-  expect(() => demandShapes(shape([{ center: [0, 0, 0], radius: 0 }]))).toThrow(/radii above 0/);
+  expect(() => demandShapes(shape([{ center: [0, 0, 0], radius: 0 }]))).toThrow(/radii must be above 0/);
 });
