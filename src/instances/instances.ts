@@ -74,18 +74,6 @@ export class Instances {
   }
 }
 
-/**
- * Returns a geometry of the same rows with two coincident quads of opposite winding for each. gl_FrontFacing
- * distinguishes them. Its `instanceCount` has to be updated by the caller.
- * @param rows geometry of {@link Instances} with ONE_QUAD
- */
-export function frontAndBack(rows: InstancedBufferGeometry): InstancedBufferGeometry {
-  const geometry = new InstancedBufferGeometry();
-  geometry.setIndex([...ONE_QUAD.index, 0, 2, 1, 0, 3, 2]);
-  for (const [name, attribute] of Object.entries(rows.attributes)) geometry.setAttribute(name, attribute);
-  return geometry;
-}
-
 /** Steps per radius of the shadow end, which is in the upper 16 bits of a caster's word 0. */
 const END_STEPS = 256;
 

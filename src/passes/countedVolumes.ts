@@ -1,4 +1,4 @@
-import type { InstancedBufferGeometry, RawShaderMaterial, WebGLRenderer } from 'three';
+import { InstancedBufferGeometry, type RawShaderMaterial, type WebGLRenderer } from 'three';
 import fragmentShader from '../../shaders/countedVolumes/countedVolumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
 import { DrawnMesh } from '../device/drawnMesh.ts';
@@ -7,7 +7,6 @@ import type { PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { withLobes } from '../device/unroll.ts';
-import { frontAndBack } from '../instances/instances.ts';
 import { ParticleVolumes } from './volumes.ts';
 
 /**
@@ -52,4 +51,13 @@ export class CountedVolumesPass extends ParticleVolumes {
       uniforms: this.uniforms,
     });
   }
+}
+
+/** A geometry of the same rows, with the triangles of each once more in the opposite winding. */
+function frontAndBack(rows: InstancedBufferGeometry): InstancedBufferGeometry {
+  const front = [...rows.index!.array];
+  const geometry = new InstancedBufferGeometry();
+  geometry.setIndex([...front, ...front.toReversed()]);
+  for (const [name, attribute] of Object.entries(rows.attributes)) geometry.setAttribute(name, attribute);
+  return geometry;
 }

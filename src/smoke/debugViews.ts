@@ -1,8 +1,8 @@
 import type { FrameView } from '../device/frameView.ts';
 import { DebugViewsPass } from '../passes/debugViews.ts';
 import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
+import { countVolumes, MAX_COUNT } from './countVolumes.ts';
 import type { FrameInput } from './frameInput.ts';
-import { countVolumes, MAX_COUNT } from './frame.ts';
 import type { ArrangedFrame, SmokePasses } from './smokePasses.ts';
 
 /** Shows intermediate results of the passes instead of the picture. */
