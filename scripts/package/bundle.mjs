@@ -87,6 +87,8 @@ export const SMALL = {
     define: { 'import.meta.env.DEV': 'false' },
     typescript: { removeClassFieldsWithoutInitializer: true },
   },
+  // Modules of the table have no effects: without this, unused texts of lists stay in index.js.
+  treeshake: { moduleSideEffects: (id) => !/src\/preset\//.test(id) },
   experimental: { nativeMagicString: true },
   // Shaders have no source maps. A busy machine is no reason for a warning.
   checks: { sourcemapBroken: false, bundlerTimings: false },

@@ -73,8 +73,8 @@ it('has a source map for each module, and no labels of the table in the code of 
   // Code that the bundler adds has no sources.
   const modules = files.filter((file) => file.endsWith('.js') && file !== 'rolldown-runtime.js');
   expect(modules.filter((file) => !files.includes(`${file}.map`))).toEqual([]);
-  const { text } = table.find(({ key }) => key === 'emission.rate')!;
-  const wordy = modules.filter((file) => readFileSync(join(FOLDER, 'dist', file), 'utf8').includes(text));
+  const isWordy = (code: string) => table.some(({ text }) => code.includes(text));
+  const wordy = modules.filter((file) => isWordy(readFileSync(join(FOLDER, 'dist', file), 'utf8')));
   expect(wordy).toEqual(['preset.js']);
 });
 
