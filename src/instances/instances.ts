@@ -85,21 +85,18 @@ const END_STEPS = 256;
 
 /** Rows of shadow casters, whose attributes contain the end of their shadows. */
 export class CasterInstances extends Instances {
-  private readonly ends: Float32Array;
-
-  constructor(capacity: number, layout: QuadLayout) {
-    super(capacity, layout);
-    this.ends = new Float32Array(capacity);
+  /**
+   * Copies the rows and shortens their shadows. Shadows that already end earlier do not change.
+   * @param ends for each row, the distance behind its centre at which its shadow may end, in metres; without them,
+   * shadows end as in the rows
+   */
+  override fill(rows: Rows, ends?: Float32Array): void {
+    super.fill(rows);
+    if (ends) this.shorten(ends);
   }
 
-  /**
-   * Shortens the shadows of the rows from the last {@link fill}. Shadows that already end earlier do not change.
-   * @param write sets, for each row, the distance behind its centre at which its shadow may end, in metres
-   */
-  shorten(write: (ends: Float32Array) => void): void {
+  private shorten(ends: Float32Array): void {
     const { places, attributeWords, count } = this;
-    const ends = this.ends.subarray(0, count);
-    write(ends);
     for (let row = 0; row < count; row++) {
       const end = Math.max(0, Math.ceil((END_STEPS * ends[row]) / places[4 * row + 3]));
       const word = attributeWords[ATTRIBUTE_WORDS * row];

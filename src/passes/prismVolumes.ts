@@ -5,7 +5,7 @@ import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
-import { prismsOf } from './prisms.ts';
+import { prisms } from './prisms.ts';
 
 /** Number of directions around the centre in which the silhouette of a puff is sampled. */
 const DIRECTIONS = 48;
@@ -18,16 +18,14 @@ const FULLNESS = 1.06;
  * operations are exact, as for the nailboard volumes.
  */
 export class PrismVolumesPass {
-  private readonly rows: InstancedBufferGeometry;
   private readonly prisms: DrawnMesh<InstancedBufferGeometry>;
   private readonly puffs: PuffTextures;
   private readonly shadowRadius = { value: 1 };
 
-  constructor(eye: FrameView, puffs: PuffTextures, rows: InstancedBufferGeometry) {
+  constructor(eye: FrameView, puffs: PuffTextures) {
     this.puffs = puffs;
-    this.rows = rows;
     const uniforms = { ...eye.uniforms, shadowRadius: this.shadowRadius };
-    this.prisms = new DrawnMesh(prismsOf(rows), countingMaterial({ vertexShader, fragmentShader, uniforms }));
+    this.prisms = new DrawnMesh(countingMaterial({ vertexShader, fragmentShader, uniforms }), prisms());
     const { KEEP, INCR, DECR } = WebGL2RenderingContext;
     countFaces(this.prisms.mesh, { depthFail: DECR, depthPass: KEEP }, { depthFail: INCR, depthPass: KEEP });
     this.follow();
@@ -42,8 +40,9 @@ export class PrismVolumesPass {
     this.shadowRadius.value = FULLNESS * meanRadius(table, lobeCount, count);
   }
 
-  draw(renderer: WebGLRenderer): void {
-    this.takeRows();
+  /** @param rows casters */
+  draw(renderer: WebGLRenderer, rows: InstancedBufferGeometry): void {
+    this.take(rows);
     this.prisms.draw(renderer);
   }
 
@@ -53,8 +52,8 @@ export class PrismVolumesPass {
   }
 
   /** Draws once with a variant of the material. */
-  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
-    this.takeRows();
+  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial, rows: InstancedBufferGeometry): void {
+    this.take(rows);
     this.prisms.drawAs(renderer, material);
   }
 
@@ -63,8 +62,10 @@ export class PrismVolumesPass {
     this.prisms.material.dispose();
   }
 
-  private takeRows(): void {
-    this.prisms.mesh.geometry.instanceCount = this.rows.instanceCount;
+  private take(rows: InstancedBufferGeometry): void {
+    const { geometry } = this.prisms.mesh;
+    geometry.setAttribute('place', rows.getAttribute('place'));
+    geometry.instanceCount = rows.instanceCount;
   }
 }
 

@@ -1,4 +1,4 @@
-import { BufferAttribute, InstancedBufferGeometry, type BufferGeometry } from 'three';
+import { BufferAttribute, InstancedBufferGeometry } from 'three';
 
 /** Number of sides of the prism that replaces a round volume. The corners are placed so that the areas are equal. */
 const SIDES = 12;
@@ -7,13 +7,13 @@ const SIDES = 12;
 const [SIDE, CAP_AT_FIRST, CAP_AT_LAST] = [0, 1, 2];
 
 /**
- * Builds an instanced geometry of prisms that are closed at both ends, one for each row of another geometry. Faces are
+ * Builds an instanced geometry of prisms that are closed at both ends, one for each row of `place`. Faces are
  * ordered back to front: side 0 faces away from the camera and the last side faces it. Each cap is present at the
  * beginning and at the end, and the shader draws one of the two. Each instance therefore increments the stencil before
  * it decrements it, so that clamping operations are exact. The attribute `corner` is (index around the prism, end + 2 x
  * part), where part is what the corner belongs to.
  */
-export function prismsOf(rows: BufferGeometry): InstancedBufferGeometry {
+export function prisms(): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
   const corners: number[] = [];
   const index: number[] = [];
@@ -28,7 +28,6 @@ export function prismsOf(rows: BufferGeometry): InstancedBufferGeometry {
   index.push(...caps(atLast));
   geometry.setIndex(index);
   geometry.setAttribute('corner', new BufferAttribute(new Float32Array(corners), 2));
-  geometry.setAttribute('place', rows.getAttribute('place'));
   return geometry;
 }
 

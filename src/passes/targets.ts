@@ -69,6 +69,20 @@ export class Targets {
     renderer.clear(true, true, true);
   }
 
+  /**
+   * Copies the depth as it is now, because a depth buffer that is bound for drawing cannot be sampled. Leaves the target
+   * bound.
+   * @param copy see {@link depthCopy}; gets the size of the target
+   */
+  copyDepth(renderer: WebGLRenderer, copy: WebGLRenderTarget): DepthTexture {
+    const depth = copy.depthTexture!;
+    copy.setSize(this.width, this.height);
+    renderer.initRenderTarget(copy);
+    renderer.copyTextureToTexture(this.depth, depth);
+    renderer.setRenderTarget(this.target);
+    return depth;
+  }
+
   dispose(): void {
     this.target.dispose();
   }

@@ -32,10 +32,10 @@ export class VolumesPass {
     depth: { value: 0 },
   };
 
-  constructor(eye: FrameView, puffs: PuffTextures, rows: BufferGeometry) {
+  constructor(eye: FrameView, puffs: PuffTextures) {
     this.puffs = puffs;
     this.common = { ...eye.uniforms, ...this.uniforms };
-    this.rows = new DrawnMesh(rows, this.materialFor('lobes', FIRST_BORDER));
+    this.rows = new DrawnMesh(this.materialFor('lobes', FIRST_BORDER));
     countFaces(
       this.rows.mesh,
       { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.INCR },
@@ -56,8 +56,9 @@ export class VolumesPass {
     return this.uniforms.minCap.value;
   }
 
-  draw(renderer: WebGLRenderer): void {
-    this.rows.draw(renderer);
+  /** @param rows casters, with front and back faces */
+  draw(renderer: WebGLRenderer, rows: BufferGeometry): void {
+    this.rows.draw(renderer, rows);
   }
 
   /** The material of the draw call. */
@@ -66,8 +67,8 @@ export class VolumesPass {
   }
 
   /** Draws once with a variant of the material. */
-  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
-    this.rows.drawAs(renderer, material);
+  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial, rows: BufferGeometry): void {
+    this.rows.drawAs(renderer, material, rows);
   }
 
   dispose(): void {

@@ -5,7 +5,8 @@ import type { DebugView } from '../preset/quality.ts';
 import { LoadError } from '../preset/errors.ts';
 import { inTime } from '../preset/timeout.ts';
 import type { DebugViews } from './debugViews.ts';
-import type { ComparisonRenderers, ComparisonSources } from './comparisonRenderers.ts';
+import type { ShadowMapSources } from '../passes/shadowMap.ts';
+import type { ComparisonRenderers } from './comparisonRenderers.ts';
 import type { FrameExtras } from './smokePasses.ts';
 import type { Renderer } from './style.ts';
 
@@ -82,11 +83,11 @@ async function bring(name: Name, called: string): Promise<void> {
 
 /** The optional passes of one smoke. Each is created on first use and is undefined while its module is not loaded. */
 export class ExtraPasses implements FrameExtras {
-  private readonly sources: ComparisonSources;
+  private readonly sources: ShadowMapSources;
   private madeComparisons: ComparisonRenderers | undefined;
   private madeViews: DebugViews | undefined;
 
-  constructor(sources: ComparisonSources) {
+  constructor(sources: ShadowMapSources) {
     this.sources = sources;
   }
 

@@ -14,14 +14,14 @@ import { SurfaceDepthPass } from '../passes/surfaceDepth.ts';
 import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
 import { bakedPuffs } from './bakedPuffs.ts';
-import { arrangeFrame, drawFrame } from './frame.ts';
-import type { FrameInput, FrameReport } from './frameInput.ts';
+import type { FrameInput } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
 import { codeOf, ExtraPasses, hasExtras } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
-import { inkLineOf, type Style } from './style.ts';
+import { setStyle, styleUniforms, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
+import { TINTS } from '../constants.ts';
 
 export interface SmokeOptions {
   /** Largest number of particles that can be drawn. */
@@ -36,8 +36,7 @@ export interface SmokeOptions {
 }
 
 /** World height below which surfaces are hidden, metres. */
-const OUT_OF_SIGHT = -60;
-const TINTS = 3;
+export const OUT_OF_SIGHT = -60;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
 
@@ -65,7 +64,7 @@ export class SmokeRenderer {
     this.backdrop = backdrop;
     this.puffs = new PuffTextures(device.puffs, puffs);
     this.ramps = new RampTexture(FIRST_SURFACE_RAMP + surfaces.length);
-    const eye = new FrameView();
+    const eye = new FrameView(styleUniforms());
     const isFlat = !device.writesDepth;
     const bodies = new Instances(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
     const casters = new CasterInstances(capacity, FRONT_AND_BACK);
@@ -79,27 +78,23 @@ export class SmokeRenderer {
       targets: new Targets(),
       bodies,
       casters,
-      shadowEnds: new ShadowEnds(),
+      shadowEnds: new ShadowEnds(capacity),
       backdrop: new BackdropPass(eye),
       surfaces: surfacesPass,
       creases,
       surfaceDepth,
-      body: new BodiesPass(eye, this.puffs, this.ramps, bodies.geometry, surfaceDepth, isFlat),
+      body: new BodiesPass(eye, this.puffs, this.ramps, isFlat),
       meshVolumes,
-      volumes: new VolumesPass(eye, this.puffs, casters.geometry),
-      prismVolumes: isFlat
-        ? new (codeOf('prismVolumes').PrismVolumesPass)(eye, this.puffs, casters.geometry)
-        : undefined,
+      volumes: new VolumesPass(eye, this.puffs),
+      prismVolumes: isFlat ? new (codeOf('prismVolumes').PrismVolumesPass)(eye, this.puffs) : undefined,
       mask: new MaskPass(),
-      resolve: new ResolvePass(),
+      resolve: new ResolvePass(eye),
       extras: new ExtraPasses({
         eye,
         puffs: this.puffs,
         ramps: this.ramps,
         firstSurface: FIRST_SURFACE_RAMP,
         surfaces,
-        bodies: bodies.geometry,
-        casters: casters.geometry,
       }),
       hasBackdrop: backdrop !== undefined,
       extentsOf: (form) => this.puffs.of(form),
@@ -117,24 +112,16 @@ export class SmokeRenderer {
   }
 
   /**
-   * Draws one frame. While `fetchExtras` has not loaded the modules that it needs, it is drawn with lobe nailboards.
+   * Applies the style of a frame to all passes, and returns the frame that they can draw: while `fetchExtras` has not
+   * loaded the modules that it needs, one with lobe nailboards.
    * @throws ContextError if the device has lost its context
    */
-  draw(input: FrameInput): FrameReport {
+  prepare(input: FrameInput): FrameInput {
+    this.device.requireUsable();
     const drawn = this.withWhatIsHere(input);
-    this.prepare(drawn);
-    this.device.renderer.info.reset();
-    return drawFrame(this.passes, drawn);
-  }
-
-  /**
-   * Prepares all passes for a frame that the caller draws with them.
-   * @throws ContextError if the device has lost its context
-   */
-  arrange(input: FrameInput): FrameReport {
-    const arranged = this.withWhatIsHere(input);
-    this.prepare(arranged);
-    return arrangeFrame(this.passes, arranged);
+    const { style, pixelRatio } = drawn;
+    if (style !== this.style || pixelRatio !== this.pixelRatio) this.apply(style, pixelRatio);
+    return drawn;
   }
 
   /** Replaces the puffs from the next frame on. Particles keep their variation. */
@@ -171,26 +158,16 @@ export class SmokeRenderer {
     return { ...input, style: this.meanwhile!, view: undefined };
   }
 
-  private prepare({ style, pixelRatio }: FrameInput): void {
-    this.device.requireUsable();
-    if (style !== this.style || pixelRatio !== this.pixelRatio) this.apply(style, pixelRatio);
-  }
-
   private apply(style: Style, pixelRatio: number): void {
-    const { body, surfaces, volumes, prismVolumes, mask, resolve, extras } = this.passes;
-    const line = inkLineOf(style, pixelRatio);
+    const { eye, body, volumes, prismVolumes, mask, extras } = this.passes;
+    setStyle(eye.style, style, pixelRatio);
     this.writeRamps(style);
     this.paintBackdrop(style);
-    body.setInk(line, style.innerLine, style.innerTaper);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
-    body.setRim(style.rimColor, style.shading ? style.rim : 0);
     body.setForm(extras.billboardsOf(style.form));
-    surfaces.setInk(line, style.creases);
-    this.passes.creases.setInk(style.creases ? line : { ...line, pixels: 0 });
     volumes.follow(style.form, litThresholdOf(style));
     prismVolumes?.follow();
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);
-    resolve.setDeepShadow(style.deepShadow);
     this.style = style;
     this.pixelRatio = pixelRatio;
   }

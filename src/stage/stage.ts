@@ -224,12 +224,16 @@ export class Stage {
    * @throws ParameterError with the parameter, the value and the accepted range
    */
   set(values: Values): void {
-    this.#running.requireAlive();
-    validate(values);
-    const { scene } = this.#running.values;
-    if ((values.scene ?? scene) !== scene)
-      throw new ParameterError('scene', values.scene, `${scene} (or call enter())`);
+    this.#requireChangeable(values);
     this.#running.change(values);
+  }
+
+  /** @internal Changes to these values as one change: like `set`, and `unset` of all optional parameters not in them. */
+  replace(values: Values): void {
+    this.#requireChangeable(values);
+    const taken = Object.keys(this.#running.values).filter((key) => !(key in values));
+    taken.forEach(requireOptional);
+    this.#running.replace(values);
   }
 
   /**
@@ -441,6 +445,14 @@ export class Stage {
   /** Stops playback and releases the context and the memory. Can be called more than once. */
   dispose(): void {
     this.#running.dispose();
+  }
+
+  #requireChangeable(values: Values): void {
+    this.#running.requireAlive();
+    validate(values);
+    const { scene } = this.#running.values;
+    if ((values.scene ?? scene) !== scene)
+      throw new ParameterError('scene', values.scene, `${scene} (or call enter())`);
   }
 
   get #simulation(): Simulation {

@@ -39,7 +39,7 @@ export class BallVolumes {
 
   constructor(device: Device, eye: FrameView) {
     this.puffs = new PuffTextures(device.puffs, bakedPuffs(BALL));
-    this.volumes = new VolumesPass(eye, this.puffs, this.rows.geometry);
+    this.volumes = new VolumesPass(eye, this.puffs);
     this.volumes.follow('lobes', LIT_THRESHOLD);
   }
 
@@ -56,7 +56,7 @@ export class BallVolumes {
     const balls = this.groups.flatMap((group) => (isShown(group.object, scene) ? group.balls : []));
     if (balls.length === 0) return;
     this.rows.fill(this.rowsOf(balls));
-    this.volumes.draw(renderer);
+    this.volumes.draw(renderer, this.rows.geometry);
   }
 
   /** Frees the GPU resources. The next draw recreates them. */

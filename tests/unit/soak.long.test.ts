@@ -38,7 +38,7 @@ it(`smokes for ${STEPS} steps with constant memory and valid positions`, { timeo
   for (let sample = 0; sample < SAMPLES; ++sample) {
     simulator.moveRigid(scene.handle!.rigid, [Math.sin(sample), 1.2 + Math.sin(0.7 * sample), Math.cos(1.3 * sample)]);
     simulator.step(STEPS / SAMPLES);
-    const { count, place } = simulator.arrange(EVERYTHING);
+    const { count, place } = simulator.arrange(EVERYTHING).rows;
     expect(count).toBeGreaterThan(900);
     expect(place.every((value) => Math.abs(value) < 10_000)).toBe(true);
     collectGarbage();

@@ -20,10 +20,12 @@ import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { PuffShape } from '../../src/puffs/shapes.ts';
 import { ATTRIBUTE_WORDS, NO_END, type Rows } from '../../src/sim/rows.ts';
 import { fetchExtras } from '../../src/smoke/extraPasses.ts';
+import { drawFrame } from '../../src/smoke/frame.ts';
 import type { Arranger, FrameInput } from '../../src/smoke/frameInput.ts';
 import type { Light } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
-import type { Style } from '../../src/smoke/style.ts';
+import { styleOf, type Style } from '../../src/smoke/style.ts';
+import { defaults } from '../../src/preset/values.ts';
 
 // Tests read pictures synchronously, so load all optional renderer code first.
 await fetchExtras({ renderer: 'selle', form: 'billboards', view: 'normals', isFlat: true });
@@ -74,6 +76,7 @@ export interface LabScene {
 }
 
 export const PLAIN_STYLE: Style = {
+  ...styleOf(defaults()),
   renderer: 'nailboards',
   form: 'lobes',
   shading: true,
@@ -107,6 +110,7 @@ export const PLAIN_STYLE: Style = {
     [143, 207, 122],
   ],
   inkColor: [27, 26, 46],
+  wash: undefined,
 };
 
 /** RGBA bytes, bottom row first, and optionally the stencil count of each pixel. */
@@ -193,7 +197,7 @@ export class Lab {
   drawFrame(input: FrameInput, options: Pick<LabScene, 'smoothEdges' | 'readCounts'> = {}): LabPicture {
     const { width, height } = input;
     this.smoke.passes.resolve.smoothEdges = options.smoothEdges ?? false;
-    this.smoke.draw(input);
+    drawFrame(this.smoke, input);
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.device.renderer.getContext();
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -244,13 +248,17 @@ function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arra
   const all = [...puffs, ...casters];
   const extreme = (axis: 0 | 1 | 2, sign: 1 | -1) =>
     sign * Math.max(...all.map(({ place, radius }) => sign * place[axis] + radius));
+  const bounds = {
+    min: [extreme(0, -1), extreme(1, -1), extreme(2, -1)],
+    max: [extreme(0, 1), extreme(1, 1), extreme(2, 1)],
+    greatestRadius: Math.max(0, ...all.map(({ radius }) => radius)),
+  } as const;
   return {
-    arrange: ({ purpose }) => (purpose === 'eye' ? rowsOf(puffs) : castersOf(casters)),
-    bounds: {
-      min: [extreme(0, -1), extreme(1, -1), extreme(2, -1)],
-      max: [extreme(0, 1), extreme(1, 1), extreme(2, 1)],
-      greatestRadius: Math.max(0, ...all.map(({ radius }) => radius)),
-    },
+    arrange: ({ purpose }) => ({
+      rows: purpose === 'eye' ? rowsOf(puffs) : castersOf(casters),
+      bounds,
+      grid: undefined,
+    }),
   };
 }
 
