@@ -11,7 +11,7 @@ import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import { compileAhead } from '../smoke/prepare.ts';
 import { fetchExtras, type PictureKind } from '../smoke/extraPasses.ts';
-import type { Renderer } from '../smoke/style.ts';
+import type { Renderer, Volumes } from '../smoke/style.ts';
 import { bakeAhead } from '../smoke/prepare.ts';
 import type { BlowInput } from './blow.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
@@ -465,7 +465,12 @@ export class Stage {
 }
 
 function kindOf(values: Values, view: DebugView | undefined): PictureKind {
-  return { renderer: values['style.renderer'] as Renderer, form: values['puff.form'] as PuffForm, view };
+  return {
+    renderer: values['style.renderer'] as Renderer,
+    form: values['puff.form'] as PuffForm,
+    volumes: values['style.volumes'] as Volumes,
+    view,
+  };
 }
 
 /**
@@ -482,7 +487,7 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
     const [opened] = await Promise.all([
       openScene(values.scene as string, options.onProgress),
       bakeAhead(values),
-      fetchExtras({ ...kindOf(values, options.view), isFlat: !presenter.device.writesDepth }),
+      fetchExtras(kindOf(values, options.view)),
     ]);
     if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
     if (!presenter.device.hasHope) throw missingContext();

@@ -47,6 +47,13 @@ const ON_BOARDS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['byLamp', [BILLBOARDS]],
   ['byLampAmongPuffs', [BILLBOARDS]],
 ];
+const COUNTED: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['offAxis', [{ volumes: 'counted' }]],
+  ['eyeInside', [{ volumes: 'counted' }, { ...BILLBOARDS, volumes: 'counted' }]],
+  ['underParts', [{ volumes: 'counted', shadowSteps: 2, shadowDepth: 2 }]],
+  ['byLampAmongPuffs', [{ volumes: 'counted' }]],
+  ['coincident', [{ volumes: 'counted' }]],
+];
 const REVERSED: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [{}]],
   ['offAxis', [BILLBOARDS]],
@@ -79,6 +86,7 @@ for (const [what, scenes, reversedDepth] of [
   ['puffs that touch solids, by a lamp, against the light', LIGHTS, false],
   ['billboards', ON_BOARDS, false],
   ['a lamp among puffs, puffs beside the eye, more than a stencil counts', MANY, false],
+  ['volumes counted by entry and exit', COUNTED, false],
   ['puffs among solids under a reversed depth buffer', REVERSED, true],
   ['puffs in tones of all kinds', TONES, false],
   ['the lamp', LAMPS, false],

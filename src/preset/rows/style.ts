@@ -17,6 +17,20 @@ export const styleRows = [
       [2, 'Two'],
     ],
   ),
+  choice(
+    'style.volumes',
+    'style',
+    'style',
+    {
+      label: 'Volumes',
+      text: 'How shadow volumes are counted: at the depth of each pixel, or by entry and exit, as in the paper.',
+      default: 'receiver',
+    },
+    [
+      ['receiver', 'By receiver'],
+      ['counted', 'By entry and exit'],
+    ],
+  ),
   quantity('style.shadowDepth', 'style', 'style', {
     kind: 'integer',
     min: 2,
