@@ -38,7 +38,7 @@ it('finds every use of a private name inside its class, and no other', () => {
   expect(said(code)).toEqual([{ time: ['time', 'time', 'time', 'time'], late: ['late', 'late'] }]);
 });
 
-it('ignores names of other objects, of another this, and of classes with a possible collision', () => {
+it('ignores names of other objects, of another this, and of classes that could have the short name', () => {
   expect(said('class A { private at = 1; isLike(other: A) { return this.at === other.at; } }')).toEqual([{}]);
   const foreign = 'class A { private at = 1; make() { return { at: 2, get() { return this.at; } }; } }';
   expect(said(foreign)).toEqual([{ at: ['at'] }]);

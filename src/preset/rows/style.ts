@@ -23,7 +23,7 @@ export const styleRows = [
     'style',
     {
       label: 'Volumes',
-      text: 'How shadow volumes are counted: at the depth of each pixel, or by entry and exit, as in the paper.',
+      text: 'How shadow volumes are counted: at the depth of each pixel, or by entry and exit as in the paper.',
       default: 'receiver',
     },
     [
