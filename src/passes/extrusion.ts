@@ -96,7 +96,7 @@ export function extrude(mesh: TriangleMesh): Extrusion {
   for (let corner = 0; corner < corners.length; ++corner) {
     const [start, end] = [corners[corner], corners[nextCorner(corner)]];
     const key = start * vertices + end;
-    if (faces.has(key)) throw new RangeError(`The edge ${start}>${end} has two faces that wind the same way.`);
+    if (faces.has(key)) throw new RangeError(`The edge ${start}>${end} has two faces with the same winding.`);
     faces.set(key, Math.floor(corner / 3));
   }
   const edges: number[] = [];
