@@ -12,7 +12,7 @@ use sim::simulator::StepPart;
 const ROUNDS: usize = 9;
 const STEPS: usize = 40;
 const PARTICLES: u32 = 10_000;
-/// Half side of the box (m) that particles and rigids lie in, the same in tests/bench/sim/obstacles.ts.
+/// Half side of the box (m) that particles and rigids lie in, the same in tests/bench/sim/collide/obstacles.ts.
 const HALF_SIDE: f32 = 1.5;
 /// No particle is larger (m).
 const REACH: f32 = 0.08;

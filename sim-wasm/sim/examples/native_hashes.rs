@@ -1,4 +1,4 @@
-//! Does the calls again that `tests/support/recordedCalls.ts` has recorded in a file, with the same bits, and prints the hash
+//! Does the calls again that `tests/support/sim/recordedCalls.ts` has recorded in a file, with the same bits, and prints the hash
 //! wherever `hash` was called, one a line.
 
 use sim::Simulator;

@@ -1,0 +1,141 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { Editor, type Changes } from '../../../src/app/editor/editor.ts';
+import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from '../../../src/app/panel/slider.ts';
+import { defaultState } from '../../../src/preset/codec.ts';
+import type { NumberParameter, Value, Values } from '../../../src/preset/parameter.ts';
+import { findParameter, table } from '../../../src/preset/table.ts';
+import { isAccepted } from '../../../src/preset/values.ts';
+
+const numbers = table.filter((row): row is NumberParameter => row.kind === 'number' || row.kind === 'integer');
+const RATE = 'emission.rate';
+
+function editing(): { editor: Editor; notified: Changes[]; rate: () => unknown } {
+  const editor = new Editor(defaultState());
+  const notified: Changes[] = [];
+  editor.listen((_state, changed) => notified.push(changed));
+  return { editor, notified, rate: () => editor.state.values[RATE] };
+}
+
+describe('Editor', () => {
+  it('tells what changed, and nothing when nothing did', () => {
+    const { editor, notified } = editing();
+    editor.change(RATE, 200);
+    editor.change(RATE, 200);
+    expect(notified).toEqual([{ [RATE]: 200 }]);
+  });
+
+  it('tells of an optional value that was taken away, as undefined', () => {
+    const { editor, notified } = editing();
+    editor.change('camera.distance', 5);
+    editor.changeAll({ 'camera.distance': undefined });
+    expect(notified).toEqual([{ 'camera.distance': 5 }, { 'camera.distance': undefined }]);
+  });
+
+  it('compares what is set, not all rows of the table', () => {
+    const { editor, notified } = editing();
+    let reads = 0;
+    const values: Values = { ...editor.state.values, [RATE]: 200 };
+    const counting = new Proxy(values, {
+      get(target, key) {
+        reads += 1;
+        return Reflect.get(target, key) as Value;
+      },
+    });
+    editor.adopt(counting);
+    expect(notified).toEqual([{ [RATE]: 200 }]);
+    expect(reads).toBeLessThan(4 * Object.keys(values).length);
+  });
+
+  it('undoes and redoes', () => {
+    const { editor, rate } = editing();
+    const before = rate();
+    editor.change(RATE, 200);
+    editor.change(RATE, 300);
+    editor.undo();
+    expect(rate()).toBe(200);
+    editor.undo();
+    expect(rate()).toBe(before);
+    expect(editor.canUndo).toBe(false);
+    editor.redo();
+    editor.redo();
+    expect(rate()).toBe(300);
+    expect(editor.canRedo).toBe(false);
+  });
+
+  it('undoes a gesture as one change', () => {
+    const { editor, rate } = editing();
+    const before = rate();
+    for (const value of [200, 250, 300]) editor.change(RATE, value, RATE);
+    editor.settle();
+    for (const value of [310, 320]) editor.change(RATE, value, RATE);
+    editor.settle();
+    editor.undo();
+    expect(rate()).toBe(300);
+    editor.undo();
+    expect(rate()).toBe(before);
+  });
+
+  it('forgets a gesture that came back to where it began', () => {
+    const { editor, rate } = editing();
+    const before = rate() as number;
+    for (const value of [200, before]) editor.change(RATE, value, RATE);
+    editor.settle();
+    expect(editor.canUndo).toBe(false);
+  });
+
+  it('drops what could be redone when something new is done', () => {
+    const { editor } = editing();
+    editor.change(RATE, 200);
+    editor.undo();
+    editor.change('puff.size', 2);
+    expect(editor.canRedo).toBe(false);
+  });
+
+  it('resets one value or all to the preset, not to the defaults of the table', () => {
+    const { editor, rate } = editing();
+    editor.choose('lamp-storm');
+    const storm = rate();
+    expect(storm).not.toBe(findParameter(RATE)!.default);
+    editor.change(RATE, 1);
+    editor.change('puff.size', 2);
+    editor.reset(RATE);
+    expect([rate(), editor.state.values['puff.size']]).toEqual([storm, 2]);
+    editor.resetAll();
+    expect(editor.state.values).toEqual(editor.base);
+    editor.undo();
+    expect(editor.state.values['puff.size']).toBe(2);
+  });
+});
+
+describe('slider', () => {
+  it('reaches both ends of every range and shows every default', () => {
+    for (const row of numbers) {
+      expect(valueAt(row, PLACES), row.key).toBe(row.max);
+      expect(valueAt(row, lowestPlace(row)), row.key).toBe(row.min);
+      expect(placeOf(row, row.max), row.key).toBe(PLACES);
+      expect(placeOf(row, row.min), row.key).toBe(lowestPlace(row));
+    }
+  });
+
+  it('gives only values that the table takes, and short ones', () => {
+    const place = fc.integer({ min: -PLACES, max: PLACES });
+    fc.assert(
+      fc.property(fc.constantFrom(...numbers), place, (row, at) => {
+        const value = valueAt(row, Math.max(at, lowestPlace(row)));
+        expect(isAccepted(row, value)).toBe(true);
+        expect(String(value).length).toBeLessThanOrEqual(10);
+      }),
+    );
+  });
+
+  it('moves by a step for a key press, also where the cubed slider is flat', () => {
+    for (const row of numbers) {
+      const middle = row.min < 0 ? 0 : row.min;
+      const up = stepBy(row, middle, 1);
+      expect(up, row.key).toBeGreaterThan(middle);
+      expect(stepBy(row, up, -1), row.key).toBe(middle);
+      expect(stepBy(row, row.max, 1), row.key).toBe(row.max);
+    }
+  });
+});

@@ -1,0 +1,36 @@
+import { expect, test } from 'vitest';
+import { CasterInstances, ONE_QUAD } from '../../../src/instances/instances.ts';
+import type { Rows } from '../../../src/sim/rows.ts';
+
+const ROLL = 0x1234;
+
+/** Rows with a radius of 0.5 m, whose shadows end this many 1/256ths of the radius behind them. */
+function rowsEnding(ends: number[]): Rows {
+  return {
+    count: ends.length,
+    place: Float32Array.from({ length: 4 * ends.length }, () => 0.5),
+    attributes: Uint32Array.from(ends.flatMap((end) => [((end << 16) | ROLL) >>> 0, 7])),
+  };
+}
+
+function castersEnding(...ends: number[]): CasterInstances {
+  const casters = new CasterInstances(8, ONE_QUAD);
+  casters.fill(rowsEnding(ends));
+  return casters;
+}
+
+function wordsOf(casters: CasterInstances): number[] {
+  return Array.from(casters.geometry.getAttribute('attributes').array.slice(0, 2 * casters.count));
+}
+
+test('a shadow ends where it is told in metres, rounded up to what a row can hold', () => {
+  const casters = castersEnding(0xffff, 0xffff, 0xffff);
+  casters.shorten((ends) => ends.set([1, 1.0001, 1e6]));
+  expect(wordsOf(casters)).toEqual([(512 << 16) | ROLL, 7, (513 << 16) | ROLL, 7, 0xffff0000 + ROLL, 7]);
+});
+
+test('a shadow that ends earlier already stays, and one with nothing behind it ends at its centre', () => {
+  const casters = castersEnding(100, 600);
+  casters.shorten((ends) => ends.set([1, -3]));
+  expect(wordsOf(casters)).toEqual([(100 << 16) | ROLL, 7, ROLL, 7]);
+});

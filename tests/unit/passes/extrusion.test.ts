@@ -1,0 +1,74 @@
+import { describe, expect, it } from 'vitest';
+import { extrude, hullNormals, weld, type TriangleMesh } from '../../../src/passes/extrusion.ts';
+import { ballMesh } from '../../../src/scenes/models/ball.ts';
+import { tableMesh } from '../../../src/scenes/models/table.ts';
+import { box } from '../../visual/solids.ts';
+
+type Triple = [number, number, number];
+
+const CUBE = box([0, 0, 0], [1, 1, 1]);
+
+/** Volume enclosed by an extrusion after its faces that point away from the light are translated. */
+function sweptVolume(mesh: TriangleMesh, travel: Triple, extent: number): number {
+  const { positions, faceNormals, indices } = extrude(mesh);
+  const corner = (vertex: number): Triple => {
+    const [x, y, z] = positions.subarray(3 * vertex, 3 * vertex + 3);
+    const [nx, ny, nz] = faceNormals.subarray(3 * vertex, 3 * vertex + 3);
+    const carried = nx * travel[0] + ny * travel[1] + nz * travel[2] < 0 ? 0 : extent;
+    return [x + carried * travel[0], y + carried * travel[1], z + carried * travel[2]];
+  };
+  let volume = 0;
+  for (let at = 0; at < indices.length; at += 3) {
+    const [a, b, c] = [corner(indices[at]), corner(indices[at + 1]), corner(indices[at + 2])];
+    volume +=
+      a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return volume / 6;
+}
+
+describe('extrude', () => {
+  it('sweeps a cube by its own shadow area times the way', () => {
+    expect(sweptVolume(CUBE, [0, -1, 0], 3)).toBeCloseTo(8 + 4 * 3, 4);
+    const slant = Math.SQRT1_2;
+    expect(sweptVolume(CUBE, [slant, -slant, 0], 3)).toBeCloseTo(8 + 8 * slant * 3, 4);
+  });
+
+  it('sweeps a ball by its disc, up to the coarseness of the mesh', () => {
+    const own = sweptVolume(ballMesh(1, 24), [0, -1, 0], 0);
+    expect(own).toBeGreaterThan(0.98 * ((4 / 3) * Math.PI));
+    const swept = sweptVolume(ballMesh(1, 24), [0.6, -0.8, 0], 5) - own;
+    expect(Math.abs(swept / (5 * Math.PI) - 1)).toBeLessThan(0.02);
+  });
+
+  it('takes the table, whose edges are creased', () => {
+    expect(sweptVolume(tableMesh(2, 0.1), [0, -1, 0], 0)).toBeCloseTo(Math.PI * 4 * 0.1, 2);
+  });
+
+  it('refuses an open mesh', () => {
+    const open = { ...CUBE, indices: CUBE.indices.slice(6) };
+    expect(() => extrude(open)).toThrow(/not closed/);
+  });
+
+  it('refuses a mesh with a face turned inside out', () => {
+    const flipped = { ...CUBE, indices: CUBE.indices.slice() };
+    flipped.indices.set([flipped.indices[1], flipped.indices[0]], 0);
+    expect(() => extrude(flipped)).toThrow(RangeError);
+  });
+});
+
+describe('hullNormals', () => {
+  it('points out of the corners of a creased cube', () => {
+    const normals = hullNormals(CUBE);
+    for (let vertex = 0; vertex < CUBE.positions.length / 3; ++vertex) {
+      for (let axis = 0; axis < 3; ++axis) {
+        expect(normals[3 * vertex + axis]).toBeCloseTo(CUBE.positions[3 * vertex + axis] / Math.sqrt(3), 5);
+      }
+    }
+  });
+});
+
+describe('weld', () => {
+  it('gives vertices at the same place the same number', () => {
+    expect(new Set(weld(CUBE.positions)).size).toBe(8);
+  });
+});

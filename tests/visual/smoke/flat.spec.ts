@@ -1,0 +1,58 @@
+import { expect, test } from '../../support/fixtures.ts';
+
+type Cases = typeof import('./flat.cases.ts');
+const CASES = '/tests/visual/smoke/flat.cases.ts';
+
+test('the self test tells whether written depth counts, and can be told to fail', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  expect(await cases.evaluate((module) => module.selfTest())).toEqual({ passes: true, notified: false, error: 0 });
+  expect(await cases.evaluate((module) => module.selfTestWithoutWriting())).toBe(false);
+});
+
+for (const view of ['ordinary', 'lamp', 'orthographic']) {
+  test(`without written depth smoke, ink and shadow are nearly where they are with it: ${view}`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const report = await cases.evaluate((module, name) => module.agreement(name), view);
+    console.log(`flat against nailboards, ${view}:`, report);
+    expect(report.error).toBe(0);
+    expect(report.shadow).toBeGreaterThan(1_000);
+    expect(report.shadowAgreed / report.shadow).toBeGreaterThan(0.95);
+    expect(report.shadowAgreed / report.flatShadow).toBeGreaterThan(0.94);
+    expect(report.smokeAgreed / report.smoke).toBeGreaterThan(0.9);
+    expect(report.flatInk / report.ink).toBeGreaterThan(0.9);
+    expect(report.flatInk / report.ink).toBeLessThan(1.5);
+  });
+}
+
+for (const view of ['ordinary', 'eyeInside', 'lamp', 'orthographic']) {
+  test(`flat: prisms are counted nearly as a round reference says: ${view}`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const report = await cases.evaluate((module, name) => module.prismCounts(name), view);
+    console.log(`prisms against the reference, ${view}:`, report);
+    expect(report.receiver).toBeGreaterThan(20_000);
+    expect(report.deepest).toBeGreaterThan(4);
+    expect(report.differing / report.receiver).toBeLessThan(0.05);
+    expect(report.wronglyLit / report.receiver).toBeLessThan(0.01);
+  });
+}
+
+test('flat: 512 coincident casters stay dark', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { shadowed, lit } = await cases.evaluate((module) => module.coincident(512));
+  expect(shadowed).toBeGreaterThan(300);
+  expect(lit).toBe(0);
+});
+
+test('flat: a lone puff masks none of its own lit pixels', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { lit, masked } = await cases.evaluate((module) => module.flatSelfMasked(60));
+  expect(lit).toBeGreaterThan(30_000);
+  expect(masked).toBe(0);
+});
+
+test('flat: a stage says so and draws smoke, ink and shadow', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { writesDepth, ink, smoke, shadowed } = await cases.evaluate((module) => module.flatStage());
+  expect(writesDepth).toBe(false);
+  for (const pixels of [ink, smoke, shadowed]) expect(pixels).toBeGreaterThan(200);
+});
