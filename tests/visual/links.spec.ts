@@ -34,7 +34,7 @@ const names = UPDATE_LINKS && UPDATE_LINKS !== 'all' ? UPDATE_LINKS.split(',') :
 // One test, because each failed test restarts the browser.
 test('each link shows what was recorded', async ({ load }, testInfo) => {
   test.setTimeout(1_200_000);
-  const cases = await load<Cases>('/tests/visua./links.cases.ts');
+  const cases = await load<Cases>('/tests/visual/links.cases.ts');
   for (const name of names) {
     const recorded = links[name];
     const opened = await cases.evaluateHandle((module, link) => module.openLink(link), recorded.link);
