@@ -9,6 +9,7 @@ import { beforeAll, expect, it } from 'vitest';
 import { names } from '../../../src/element/attributes/names.ts';
 import { version } from '../../../src/element/version.ts';
 import { table } from '../../../src/preset/table.ts';
+import { hiddenTypes } from './signatures.ts';
 
 interface PackageScript {
   /** The tarball's name. */
@@ -60,6 +61,12 @@ it('has types for each way of resolving modules', () => {
   const check = () => execFileSync(process.execPath, [checker, archive, '--profile', 'esm-only', '--quiet']);
   expect(check).not.toThrow();
 }, 120_000);
+
+it('exports by name each type that a public signature names', () => {
+  const { hidden, exported } = hiddenTypes(join(FOLDER, 'types'), ['index.d.ts', 'preset.d.ts', 'element/define.d.ts']);
+  expect(hidden).toEqual([]);
+  expect(exported).toBeGreaterThan(80);
+});
 
 it.each(['index', 'element', 'preset'])('can import %s where there is no page', (name) => {
   const address = pathToFileURL(join(FOLDER, `dist/${name}.js`)).href;
