@@ -1,5 +1,5 @@
-import type { Value } from '../../preset/parameter.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
+import type { Value } from '../../preset.ts';
 import type { Changes, Editor } from './editor.ts';
 import { enterScene } from './entering.ts';
 

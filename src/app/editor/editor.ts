@@ -1,7 +1,12 @@
-import type { State } from '../../preset/codec.ts';
-import type { Value, Values } from '../../preset/parameter.ts';
-import { defaultPreset, findPreset, presetValues } from '../../preset/presets.ts';
-import { findParameter } from '../../preset/table.ts';
+import {
+  defaultPreset,
+  findParameter,
+  findPreset,
+  presetValues,
+  type State,
+  type Value,
+  type Values,
+} from '../../preset.ts';
 import { History } from './history.ts';
 
 /** Changed values; undefined for optional parameters that reverted to the scene's value. */

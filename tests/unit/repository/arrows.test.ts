@@ -17,7 +17,8 @@ beforeEach(() => {
   for (const folder of FOLDERS)
     project.write(`src/${folder}/thing.ts`, 'export interface Type {}\nexport const value = 1;\n');
   project.write('src/preset/errors.ts', 'export class Problem extends Error {}\n');
-  project.write('src/index.ts', `export { value } from './smoke/thing.ts';\n`);
+  for (const entry of ['index', 'internal', 'preset'])
+    project.write(`src/${entry}.ts`, `export { value } from './preset/thing.ts';\n`);
 });
 afterEach(() => project.dispose());
 
@@ -38,7 +39,7 @@ function lintLine(folder: string, code: string): string[] {
 }
 
 const right: Record<string, string> = {
-  app: 'element page remote stage three scenes smoke passes instances puffs sim device preset',
+  app: '',
   iframe: 'element remote stage scenes smoke passes instances puffs sim device preset',
   element: 'page remote stage scenes smoke passes instances puffs sim device preset',
   page: 'stage sim preset',
@@ -86,6 +87,8 @@ test.each([
   ['a path the long way', `export { value } from '../../src/sim/thing.ts';`],
   ['the index', `export { value } from '../index.ts';`],
   ['the index without its ending', `export { value } from '..';`],
+  ['the exports for the page', `export { value } from '../internal.ts';`],
+  ['the exports without three.js', `export { value } from '../preset.ts';`],
 ])('passes may not import %s of sim', (_, code) => {
   expect(lintLine('passes', code)).toHaveLength(1);
 });
@@ -100,6 +103,12 @@ test.each([
   ['device', `import type { Type } from '../puffs/thing.ts'; export type Own = Type;`, 0],
   ['device', `export { value } from '../puffs/thing.ts';`, 1],
   ['device', `import { Problem } from '../preset/errors.ts'; export const own = new Problem();`, 0],
+  ['app', `import type { Type } from '../sim/thing.ts'; export type Own = Type;`, 1],
+  ['app', `export const late = () => import('../sim/thing.ts');`, 1],
+  ['app', `export { value } from '../index.ts';`, 0],
+  ['app', `export { value } from '../internal.ts';`, 0],
+  ['app', `export { value } from '../preset.ts';`, 0],
+  ['app', `export { value } from '../internal';`, 1],
 ])('src/%s: %s is refused %i times', (folder, code, count) => {
   expect(lintLine(folder, code)).toHaveLength(count);
 });

@@ -90,8 +90,7 @@ function read(folder: string, file: string): Module {
     } else if (statement.type === 'ExportNamedDeclaration') {
       for (const { local, exported } of specifiers)
         module.exports.set(nameOf(exported), { file: source ? fileOf(source.value) : undefined, name: nameOf(local) });
-    } else if (/Declaration$/.test(statement.type) && statement.id) declare(statement);
-    else if (statement.type === 'VariableDeclaration') declare(statement);
+    } else if (statement.id ?? statement.declarations) declare(statement);
     else throw new Error(`${file}: ${statement.type} is not expected in declarations.`);
   }
   return module;
