@@ -20,7 +20,7 @@ export { LOBE_SHAPES } from './puffs/lobeShapes.ts';
 export { billboardShapes } from './puffs/shapes.ts';
 export { STEP_SECONDS } from './sim/clock.ts';
 export { ATTRIBUTE_WORDS, FIRST_PART, NO_END, PLACE_FLOATS, type Rows } from './sim/rows.ts';
-export type { Bounds } from './sim/simulator.ts';
+export type { Arranged, Bounds } from './sim/arranged.ts';
 export { ALL_THAT_LIVES, type View } from './sim/view.ts';
 export type { Arranger, FrameInput } from './smoke/frameInput.ts';
 export type { Light } from './smoke/light.ts';

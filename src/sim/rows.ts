@@ -26,7 +26,7 @@ export const FIRST_PART = 4096;
 /** Temperature for the value 255 in byte 2 of word 1. */
 export const TEMPERATURE_MAX = 4;
 
-/** Result of {@link Simulator.arrange}. The arrays are views on WASM memory: use or copy them before the next call. */
+/** Rows of a view. The arrays of a simulator are views on WASM memory: use or copy them before its next call. */
 export interface Rows {
   /** Number of rows in each array, after culling. */
   readonly count: number;

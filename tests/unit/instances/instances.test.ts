@@ -13,24 +13,18 @@ function rowsEnding(ends: number[]): Rows {
   };
 }
 
-function castersEnding(...ends: number[]): CasterInstances {
+/** @param shortened ends in metres */
+function wordsOf(ends: number[], shortened: number[]): number[] {
   const casters = new CasterInstances(8, ONE_QUAD);
-  casters.fill(rowsEnding(ends));
-  return casters;
-}
-
-function wordsOf(casters: CasterInstances): number[] {
+  casters.fill(rowsEnding(ends), Float32Array.from(shortened));
   return Array.from(casters.geometry.getAttribute('attributes').array.slice(0, 2 * casters.count));
 }
 
 test('a shadow ends where it is told in metres, rounded up to what a row can hold', () => {
-  const casters = castersEnding(0xffff, 0xffff, 0xffff);
-  casters.shorten((ends) => ends.set([1, 1.0001, 1e6]));
-  expect(wordsOf(casters)).toEqual([(512 << 16) | ROLL, 7, (513 << 16) | ROLL, 7, 0xffff0000 + ROLL, 7]);
+  const words = wordsOf([0xffff, 0xffff, 0xffff], [1, 1.0001, 1e6]);
+  expect(words).toEqual([(512 << 16) | ROLL, 7, (513 << 16) | ROLL, 7, 0xffff0000 + ROLL, 7]);
 });
 
 test('a shadow that ends earlier already stays, and one with nothing behind it ends at its centre', () => {
-  const casters = castersEnding(100, 600);
-  casters.shorten((ends) => ends.set([1, -3]));
-  expect(wordsOf(casters)).toEqual([(100 << 16) | ROLL, 7, ROLL, 7]);
+  expect(wordsOf([100, 600], [1, -3])).toEqual([(100 << 16) | ROLL, 7, ROLL, 7]);
 });
