@@ -3,15 +3,15 @@ import { choice, quantity, type Keyed } from './row.ts';
 
 /** Shadows, tones, colours and ink. The types keep the keys: the fields of `Style` follow from them. */
 export const styleRows = [
-  toggle('shading', 'Shading', 'Light and shade on the puffs; off leaves them flat.'),
+  toggle('shading', 'Shading', 'Light and shade on puffs; off draws them flat.'),
   toggle('outlines', 'Outlines', 'Ink around the smoke and between its puffs.'),
-  toggle('creases', 'Creases', 'Ink along the sharp edges of surfaces, and where still ones meet.'),
-  toggle('shadows', 'Shadows', 'Smoke shades itself and what stands below it.'),
+  toggle('creases', 'Creases', 'Ink along sharp edges of surfaces and where motionless surfaces meet.'),
+  toggle('shadows', 'Shadows', 'Smoke casts shadows on itself and on the objects of the scene.'),
   choice(
     'style.shadowSteps',
     'style',
     'style',
-    { label: 'Shadow steps', text: 'Two steps let shadow grow darker where much stands in the light.', default: 1 },
+    { label: 'Shadow steps', text: 'With two steps, shadow is darker where many puffs block the light.', default: 1 },
     [
       [1, 'One'],
       [2, 'Two'],
@@ -23,7 +23,7 @@ export const styleRows = [
     'style',
     {
       label: 'Volumes',
-      text: 'How shadow volumes are counted: at the depth of each pixel, or by entry and exit, as in the paper.',
+      text: 'How shadow volumes are counted: at the depth of each pixel, or by entry and exit as in the paper.',
       default: 'receiver',
     },
     [
@@ -37,39 +37,33 @@ export const styleRows = [
     max: 100,
     step: 1,
     default: 6,
-    label: 'Deep from',
-    text: 'How many puffs must shade a place for the second step of shadow; all things of the scene count as one.',
+    label: 'Deep shadow from',
+    text: 'Number of puffs that must shade a point for the second step of shadow. All objects of the scene count as one.',
   }),
   {
     ...color(
       'surfaceShadowColor',
       'Surface shadow',
-      'Things are multiplied by this in shadow; until it is set it has the hue of the first of your own tones.',
+      'Multiplies the colours of objects in shadow. By default it has the hue of the first custom tone.',
       '#968cc4',
     ),
     isOptional: true,
   },
-  color('deepShadow', 'Deep shadow', 'The colours of shadow are multiplied by this in its second step.', '#a79bc9'),
-  choice(
-    'style.tones',
-    'style',
-    'style',
-    { label: 'Tones', text: 'How many flat tones the light is cut into.', default: 2 },
-    [
-      [1, 'One'],
-      [2, 'Two'],
-      [3, 'Three'],
-    ],
-  ),
-  ramp('ramp', 'Own tones', 'Colours from shadow to full light; they replace the number of tones.'),
-  toggle('rampBlend', 'Blend own tones', 'Lets your own tones run into each other; off keeps them flat.', 0),
+  color('deepShadow', 'Deep shadow', 'Multiplies the colours of shadow in the second step.', '#a79bc9'),
+  choice('style.tones', 'style', 'style', { label: 'Tones', text: 'Number of flat tones of the light.', default: 2 }, [
+    [1, 'One'],
+    [2, 'Two'],
+    [3, 'Three'],
+  ]),
+  ramp('ramp', 'Custom tones', 'Colours from shadow to full light. They replace the number of tones.'),
+  toggle('rampBlend', 'Blend custom tones', 'Blends neighbouring custom tones; off keeps them flat.', 0),
   quantity('style.fill', 'style', 'style', {
     min: 0,
     max: 1,
     step: 0.05,
     default: 0,
     label: 'Fill light',
-    text: 'A second tone inside the shadow, where a weaker light from the other side would reach.',
+    text: 'A second tone in shadow, lit by a weaker light from the other side.',
   }),
   quantity('style.rim', 'style', 'style', {
     min: 0,
@@ -77,25 +71,25 @@ export const styleRows = [
     step: 0.02,
     default: 0,
     label: 'Rim light',
-    text: 'How broad a bright band runs along edges that look away from the light.',
+    text: 'Width of a bright band along edges that face away from the light.',
   }),
-  color('rimColor', 'Rim', 'Colour of the rim light.', '#fff6d8'),
+  color('rimColor', 'Rim colour', 'Colour of the rim light.', '#fff6d8'),
   color('smokeColor', 'Smoke', 'Colour of the smoke in full light.', '#f6efe2'),
   color('tint1', 'Tint 1', 'Colour of smoke that an emitter or an obstacle has given tint 1.', '#f08a5d'),
   color('tint2', 'Tint 2', 'Colour of smoke that an emitter or an obstacle has given tint 2.', '#7fb2e5'),
   color('tint3', 'Tint 3', 'Colour of smoke that an emitter or an obstacle has given tint 3.', '#8fcf7a'),
-  ramp('ageRamp', 'Colour by age', 'Colours of the smoke over its life; they replace its one colour.'),
+  ramp('ageRamp', 'Colour by age', 'Colours of the smoke over its lifetime. They replace the single colour.'),
   ramp(
     'heatRamp',
     'Colour by heat',
     'Colours of the smoke from cold (0) to temperature 1, such as from smoke to fire.',
   ),
-  toggle('softColors', 'Soft colours', 'Lets colours by age and heat run into each other; off keeps them apart.', 0),
+  toggle('softColors', 'Soft colours', 'Blends neighbouring colours by age and heat; off keeps them separate.', 0),
   color('inkColor', 'Ink', 'Colour of the outlines.', '#1d1720'),
   ramp(
     'backdrop',
-    'Own backdrop',
-    "Two colours of what lies behind, from below to above, in the place of the scene's.",
+    'Custom backdrop',
+    'Two colours of the backdrop, from bottom to top. They replace those of the scene.',
   ),
   quantity('style.wash', 'style', 'style', {
     min: 0,
@@ -103,9 +97,9 @@ export const styleRows = [
     step: 0.05,
     default: 0,
     label: 'Wash',
-    text: 'How much the objects of the scene take shades of one colour.',
+    text: 'How much the objects of the scene take on shades of one colour.',
   }),
-  color('washColor', 'Wash colour', 'The lightest of those shades.', '#f2ead8'),
+  color('washColor', 'Wash colour', 'The lightest shade of the wash.', '#f2ead8'),
   quantity('style.outlineWidth', 'style', 'style', {
     min: 0,
     max: 8,
@@ -113,7 +107,7 @@ export const styleRows = [
     default: 2.2,
     unit: 'px',
     label: 'Line width',
-    text: 'Width of the outlines in pixels of the page, the same near and far.',
+    text: 'Width of the outlines in CSS pixels, the same near and far.',
   }),
   quantity('style.inkSwell', 'style', 'style', {
     min: 0,
@@ -121,7 +115,7 @@ export const styleRows = [
     step: 0.05,
     default: 0.35,
     label: 'Line swell',
-    text: 'How much lines swell away from the light and thin towards it; 0 keeps them even.',
+    text: 'How much lines widen on the side away from the light and narrow towards it; 0 keeps them even.',
   }),
   quantity('style.boil', 'style', 'style', {
     min: 0,
@@ -129,7 +123,7 @@ export const styleRows = [
     step: 0.05,
     default: 0,
     label: 'Line boil',
-    text: 'How much lines tremble, as if each drawing were traced anew, twelve times a second.',
+    text: 'How much lines tremble, twelve times a second, as if each drawing were traced by hand.',
   }),
   {
     ...quantity('style.hold', 'style', 'simulator', {
@@ -140,7 +134,7 @@ export const styleRows = [
       default: 1,
       unit: '/ 24 s',
       label: 'Hold',
-      text: 'How many frames of film each puff stands still: 1 moves smoothly, 2 to 4 are drawn on twos, threes and fours.',
+      text: 'Number of film frames that each puff stays still: 1 moves smoothly, 2 to 4 animate on twos, threes and fours.',
     }),
     isOptional: true,
   },
@@ -151,7 +145,7 @@ export const styleRows = [
     default: 0.18,
     unit: 'radii',
     label: 'Inner lines',
-    text: 'Least depth between two puffs for ink between them; 0 outlines every puff.',
+    text: 'Minimum depth between two puffs for ink between them; 0 outlines every puff.',
   }),
   quantity('style.innerTaper', 'style', 'style', {
     min: 0,
@@ -160,7 +154,7 @@ export const styleRows = [
     default: 1,
     unit: '\u00d7',
     label: 'Inner taper',
-    text: 'How gradually a line between puffs grows with their distance; 0 gives each its full width at once.',
+    text: 'How gradually a line between puffs widens with their distance; 0 always draws the full width.',
   }),
   choice(
     'style.gradient',
@@ -175,7 +169,7 @@ export const styleRows = [
       ['age', 'By age'],
     ],
   ),
-  color('gradientColor', 'Second colour', 'Where the gradient ends.', '#b9a6d8'),
+  color('gradientColor', 'Second colour', 'Second colour of the gradient.', '#b9a6d8'),
   height('gradientBottom', 'Gradient from', 'Height at which a gradient by height has the second colour.', 0.9),
   height('gradientTop', 'Gradient to', 'Height at which a gradient by height has the colour of the smoke.', 3),
   choice(

@@ -56,7 +56,7 @@ const right: Record<string, string> = {
   preset: '',
 };
 
-test('every pair of folders is refused or accepted as drawn', () => {
+test('every pair of folders is rejected or accepted as documented', () => {
   let expected = 0;
   for (const from of FOLDERS) {
     for (const to of FOLDERS.filter((name) => name !== from)) {
@@ -89,7 +89,7 @@ test.each([
   ['the index without its ending', `export { value } from '..';`],
   ['the exports for the page', `export { value } from '../internal.ts';`],
   ['the exports without three.js', `export { value } from '../preset.ts';`],
-])('passes may not import %s of sim', (_, code) => {
+])('passes cannot import %s of sim', (_, code) => {
   expect(lintLine('passes', code)).toHaveLength(1);
 });
 
@@ -109,11 +109,11 @@ test.each([
   ['app', `export { value } from '../internal.ts';`, 0],
   ['app', `export { value } from '../preset.ts';`, 0],
   ['app', `export { value } from '../internal';`, 1],
-])('src/%s: %s is refused %i times', (folder, code, count) => {
+])('src/%s: %s is rejected %i times', (folder, code, count) => {
   expect(lintLine(folder, code)).toHaveLength(count);
 });
 
-test('a cycle within a folder is refused', () => {
+test('a cycle within a folder is rejected', () => {
   project.write('src/puffs/a.ts', `import { b } from './b.ts';\nexport const a = () => b;\n`);
   project.write('src/puffs/b.ts', `import { a } from './a.ts';\nexport const b = () => a;\n`);
   expect(lint().join()).toMatch(/no-cycle/);
