@@ -30,6 +30,10 @@ export default defineConfig({
     target: 'es2023',
     sourcemap: true,
     chunkSizeWarningLimit: 800,
-    rolldownOptions: { input: ['index.html', 'paper.html'] },
+    rolldownOptions: {
+      input: ['index.html', 'paper.html'],
+      // These files only export. Otherwise the first load would contain every module that they name.
+      treeshake: { moduleSideEffects: [{ test: /\/src\/(index|internal|preset)\.ts$/, sideEffects: false }] },
+    },
   },
 });

@@ -21,9 +21,9 @@ const FILES = [
     'src/preset/lists.json',
     (say) => cargo(['test', ...NATIVE, '--test', 'all', 'simulator::page_table'], say, environment),
   ],
-  ['src/element/attributes/names.json', (say) => vitest('element.names', 'lists the keys', say)],
-  ['public/smoke-file.schema.json', (say) => vitest('file', 'equals the file in public/', say)],
-  ['tables in docs/', (say) => vitest('documents', 'has the generated table', say)],
+  ['src/element/attributes/names.json', (say) => vitest('element/names', 'lists the keys', say)],
+  ['public/smoke-file.schema.json', (say) => vitest('preset/file', 'equals the file in public/', say)],
+  ['tables in docs/', (say) => vitest('repository/documents', 'has the generated table', say)],
 ];
 
 await conclude(async () => {
@@ -37,7 +37,7 @@ await conclude(async () => {
 });
 
 /**
- * @param {string} name of a file in tests/unit
+ * @param {string} name path in tests/unit, without its ending
  * @param {string} test part of the title
  * @param {Say} say
  */

@@ -31,6 +31,7 @@ export function writeElementTypes(folder) {
   const element = join(folder, 'element');
   writeFileSync(join(element, 'parameterProperties.d.ts'), properties());
   appendFileSync(join(element, 'cartoonSmokeElement.d.ts'), MERGED);
+  appendFileSync(join(folder, 'index.d.ts'), EXPORTED);
   writeFileSync(join(element, 'attributes.d.ts'), markup());
   mkdirSync(join(folder, 'jsx'), { recursive: true });
   for (const [name, one] of Object.entries(FRAMEWORKS)) {
@@ -41,6 +42,8 @@ export function writeElementTypes(folder) {
 const MERGED = `import type { ParameterProperties } from './parameterProperties.js';
 export interface CartoonSmokeElement extends ParameterProperties {}
 `;
+
+const EXPORTED = `export type { ParameterProperties } from './element/parameterProperties.js';\n`;
 
 function properties() {
   const lines = rows().map(

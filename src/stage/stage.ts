@@ -26,7 +26,15 @@ import { noteOf, takeOf, type Take } from './take.ts';
 
 /**
  * A running scene on a canvas. It does not access the DOM: sizes, pointers and keys are passed as numbers, so it also
- * runs in a worker.
+ * runs in a worker. `docs/three.md` describes the members in the same groups:
+ *
+ * - life cycle: `ready`, `canvas`, `on`, `complete`, `copy`, `dispose`
+ * - time: `play`, `pause`, `playing`, `speed`, `step`, `advance`, `seek`, `restart`
+ * - values: `set`, `get`, `unset`, `enter`, `rig`, `rigidNames`, `partNames`, `setPuffs`
+ * - state: `save`, `restore`, `hash`, `take`, `playTake`, `readTake`
+ * - picture: `picture`, `resize`, `visible`, `background`, `quality`, `view`, `camera`, `sight`
+ * - input: `pointer`, `nudge`, `blow`, `steer`, `drop`, `dropCount`
+ * - statistics: `stats`
  */
 export class Stage {
   /** Resolves when the first picture is drawn. */

@@ -5,7 +5,7 @@ import type { Values } from '../../src/preset/parameter.ts';
 import { withDrops } from '../../src/scenes/drops.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
-import { loadVariant } from '../unit/simWasm.ts';
+import { loadVariant } from '../support/sim/simWasm.ts';
 import { test } from './fixtures.ts';
 
 type Stages = typeof import('./page/stages.ts');

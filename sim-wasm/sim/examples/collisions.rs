@@ -12,7 +12,7 @@ use sim::simulator::StepPart;
 const ROUNDS: usize = 9;
 const STEPS: usize = 40;
 const PARTICLES: u32 = 10_000;
-/// Half side of the box of particles and rigids (m), the same as in tests/bench/sim/obstacles.ts.
+/// Half side of the box of particles and rigids (m), the same as in tests/bench/sim/collide/obstacles.ts.
 const HALF_SIDE: f32 = 1.5;
 /// Maximum radius of a particle (m).
 const REACH: f32 = 0.08;

@@ -1,4 +1,4 @@
-//! Repeats the calls that `tests/support/recordedCalls.ts` recorded in a file, with the same bits. Prints the hash
+//! Repeats the calls that `tests/support/sim/recordedCalls.ts` recorded in a file, with the same bits. Prints the hash
 //! for each call of `hash`, one per line.
 
 use sim::Simulator;

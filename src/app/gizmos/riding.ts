@@ -1,5 +1,5 @@
-import type { Values } from '../../preset/parameter.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
+import type { Values } from '../../preset.ts';
 import { areSame, carrierChoices, type CarrierChoice } from '../panel/carriers.ts';
 import { create } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
