@@ -3,7 +3,8 @@ import type { StyleUniforms } from '../device/frameView.ts';
 import type { PuffForm } from '../device/puffTextures.ts';
 import { writeColor, type Color, type Tone } from '../device/ramps.ts';
 import type { Parameter, Value, Values } from '../preset/parameter.ts';
-import { styleRows } from '../preset/rows/style.ts';
+import type { styleRows } from '../preset/rows/style.ts';
+import { table } from '../preset/table.ts';
 import { defaults } from '../preset/values.ts';
 import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
@@ -80,7 +81,8 @@ export function automaticColors(values: Values): Values {
   return { 'style.surfaceShadowColor': `#${((red << 16) | (green << 8) | blue).toString(16).padStart(6, '0')}` };
 }
 
-const rows: readonly Parameter[] = styleRows.filter(({ reader }) => reader === 'style');
+/** From the whole table, whose texts packages leave out. */
+const rows = table.filter(({ key, reader }) => reader === 'style' && key.startsWith('style.'));
 
 /** Builds a style from flat values, which must have every key of the table that is not optional. */
 export function styleOf(values: Values): Style {
