@@ -1,12 +1,14 @@
-import { Vector3 } from 'three';
+import { Vector3, type InstancedBufferGeometry } from 'three';
 import type { Rows } from '../sim/rows.ts';
 import { homogeneous } from './light.ts';
 import type { SmokeRenderer } from './smoke.ts';
 import type { ArrangedFrame, DrawSmoke, SmokePasses } from './smokePasses.ts';
-import { THROWS_SHADOW } from './style.ts';
+import { THROWS_SHADOW, type Style } from './style.ts';
 import { eyeView, lightView, shownWithin, smokeBox, viewSources, type ViewSources } from './views.ts';
 import type { FrameInput, FrameReport } from './frameInput.ts';
 
+/** Largest count of the stencil buffer. */
+export const MAX_COUNT = 255;
 /** Animation on twos: lines change at half of 24 frames a second. */
 export const DRAWINGS_PER_SECOND = 12;
 
@@ -41,17 +43,34 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
   return reportOf(arranged);
 }
 
-const drawNailboards: DrawSmoke = (passes, { output }, { bodies, casters }, surfaceDepth) => {
+const drawNailboards: DrawSmoke = (passes, { style, output }, { bodies, casters }, surfaceDepth) => {
   const { renderer, targets, mask } = passes;
   passes.body.draw(renderer, bodies.geometry, surfaceDepth);
   if (casters) {
-    passes.meshVolumes.draw(renderer);
-    mask.countOnce(renderer);
-    (passes.prismVolumes ?? passes.volumes).draw(renderer, casters.geometry);
+    const limit = style.shadowSteps === 2 ? Math.min(style.shadowDepth, MAX_COUNT) : 1;
+    countVolumes(passes, style, casters.geometry, limit);
     mask.draw(renderer);
   }
   passes.resolve.draw(renderer, targets, output);
 };
+
+/**
+ * Counts the shadow volumes that contain the place at each pixel, in the stencil buffer.
+ * @param limit count from which on more volumes make no difference, 1..MAX_COUNT
+ */
+export function countVolumes(
+  passes: SmokePasses,
+  { volumes }: Style,
+  casters: InstancedBufferGeometry,
+  limit: number,
+): void {
+  const { renderer, targets, extras } = passes;
+  passes.meshVolumes.draw(renderer);
+  passes.mask.countOnce(renderer);
+  // Counting needs the depth that fragments write.
+  if (volumes === 'counted' && !passes.isFlat) extras.countedVolumes!.draw(renderer, casters);
+  else passes.volumes.draw(renderer, casters, targets.copyDepth(renderer), limit);
+}
 
 /**
  * The first half of a frame, without draw calls: arrange(eye) and arrange(light) -> instance buffers.

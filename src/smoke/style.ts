@@ -12,6 +12,9 @@ import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './p
 export type Renderer = 'nailboards' | ComparisonRenderer;
 export type ComparisonRenderer = 'selle' | 'sprites' | 'shadowMap';
 
+/** How the stencil counts shadow volumes: by testing each pixel's receiver, or entries and exits as in the paper. */
+export type Volumes = 'receiver' | 'counted';
+
 /** The renderers that draw shadows and need casters. */
 export const THROWS_SHADOW: Readonly<Record<Renderer, boolean>> = {
   nailboards: true,

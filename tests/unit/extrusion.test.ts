@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { extrude, hullNormals, weld, type TriangleMesh } from '../../src/passes/extrusion.ts';
+import { extrude, hullNormals, weld, writeVolume, type TriangleMesh } from '../../src/passes/extrusion.ts';
 import { ballMesh } from '../../src/scenes/models/ball.ts';
 import { tableMesh } from '../../src/scenes/models/table.ts';
 import { box } from '../visual/solids.ts';
@@ -8,17 +8,23 @@ type Triple = [number, number, number];
 
 const CUBE = box([0, 0, 0], [1, 1, 1]);
 
-/** Volume enclosed by an extrusion after its faces that point away from the light are translated. */
+/** Volume enclosed by the shadow volume of a mesh whose far end is `extent` along the light. */
 function sweptVolume(mesh: TriangleMesh, travel: Triple, extent: number): number {
-  const { positions, faceNormals, indices } = extrude(mesh);
+  const extrusion = extrude(mesh);
+  const { positions, normals, corners, edges } = extrusion;
+  const vertices = positions.length / 3;
+  const facesLight = Uint8Array.from({ length: corners.length / 3 }, (_, face) =>
+    normals[3 * face] * travel[0] + normals[3 * face + 1] * travel[1] + normals[3 * face + 2] * travel[2] < 0 ? 1 : 0,
+  );
+  const indices = new Uint32Array(corners.length + 1.5 * edges.length);
+  const end = writeVolume(extrusion, facesLight, 0, vertices, indices, 0);
   const corner = (vertex: number): Triple => {
-    const [x, y, z] = positions.subarray(3 * vertex, 3 * vertex + 3);
-    const [nx, ny, nz] = faceNormals.subarray(3 * vertex, 3 * vertex + 3);
-    const carried = nx * travel[0] + ny * travel[1] + nz * travel[2] < 0 ? 0 : extent;
+    const carried = vertex < vertices ? 0 : extent;
+    const [x, y, z] = positions.subarray(3 * (vertex % vertices), 3 * (vertex % vertices) + 3);
     return [x + carried * travel[0], y + carried * travel[1], z + carried * travel[2]];
   };
   let volume = 0;
-  for (let at = 0; at < indices.length; at += 3) {
+  for (let at = 0; at < end; at += 3) {
     const [a, b, c] = [corner(indices[at]), corner(indices[at + 1]), corner(indices[at + 2])];
     volume +=
       a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
@@ -27,29 +33,29 @@ function sweptVolume(mesh: TriangleMesh, travel: Triple, extent: number): number
 }
 
 describe('extrude', () => {
-  it('sweeps a cube by its own shadow area times the way', () => {
+  it('sweeps a cube by its projected area times the distance', () => {
     expect(sweptVolume(CUBE, [0, -1, 0], 3)).toBeCloseTo(8 + 4 * 3, 4);
     const slant = Math.SQRT1_2;
     expect(sweptVolume(CUBE, [slant, -slant, 0], 3)).toBeCloseTo(8 + 8 * slant * 3, 4);
   });
 
-  it('sweeps a ball by its disc, up to the coarseness of the mesh', () => {
+  it('sweeps a ball by its disc, within the resolution of the mesh', () => {
     const own = sweptVolume(ballMesh(1, 24), [0, -1, 0], 0);
     expect(own).toBeGreaterThan(0.98 * ((4 / 3) * Math.PI));
     const swept = sweptVolume(ballMesh(1, 24), [0.6, -0.8, 0], 5) - own;
     expect(Math.abs(swept / (5 * Math.PI) - 1)).toBeLessThan(0.02);
   });
 
-  it('takes the table, whose edges are creased', () => {
+  it('extrudes the table, which has creased edges', () => {
     expect(sweptVolume(tableMesh(2, 0.1), [0, -1, 0], 0)).toBeCloseTo(Math.PI * 4 * 0.1, 2);
   });
 
-  it('refuses an open mesh', () => {
+  it('rejects an open mesh', () => {
     const open = { ...CUBE, indices: CUBE.indices.slice(6) };
     expect(() => extrude(open)).toThrow(/not closed/);
   });
 
-  it('refuses a mesh with a face turned inside out', () => {
+  it('rejects a mesh with an inverted face', () => {
     const flipped = { ...CUBE, indices: CUBE.indices.slice() };
     flipped.indices.set([flipped.indices[1], flipped.indices[0]], 0);
     expect(() => extrude(flipped)).toThrow(RangeError);

@@ -14,7 +14,7 @@ import { EVERYTHING } from '../support/everything.ts';
 import { JET, loadVariant } from './simWasm.ts';
 
 describe('the layout of rows and views', () => {
-  it('is the one that the WASM reports', async () => {
+  it('is the one reported by the WASM', async () => {
     for (const [variant, { layout }] of Object.entries({ core, physics })) {
       await loadVariant(variant as 'core' | 'physics');
       expect([...layout()], variant).toEqual([PLACE_FLOATS, ATTRIBUTE_WORDS, VIEW_FLOATS, RIGID_FLOATS]);
@@ -22,7 +22,7 @@ describe('the layout of rows and views', () => {
     expect(ROW_BYTES).toBe(24);
   });
 
-  it('puts each part of a view in its own place', () => {
+  it('writes each part of a view at its own offset', () => {
     const view: View = {
       purpose: 'light',
       blend: 0.25,
@@ -59,7 +59,7 @@ describe('the layout of rows and views', () => {
     expect([...floats.subarray(VIEW_OFFSETS.reach)]).toEqual([...head, ...coverage, 4, ...lifters, 1, ...tables]);
   });
 
-  it('reads of each part of the view what Rust reads', async () => {
+  it('matches what Rust reads from each part of a view', async () => {
     const simulator = (await loadVariant('core')).create({ capacity: 64, seed: 1 });
     simulator.set({ ...JET, 'emitters.0.position.x': 5 });
     simulator.step(10);

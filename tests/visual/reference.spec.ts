@@ -47,6 +47,13 @@ const ON_BOARDS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['byLamp', [BILLBOARDS]],
   ['byLampAmongPuffs', [BILLBOARDS]],
 ];
+const COUNTED: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['offAxis', [{ volumes: 'counted' }]],
+  ['eyeInside', [{ volumes: 'counted' }, { ...BILLBOARDS, volumes: 'counted' }]],
+  ['underParts', [{ volumes: 'counted', shadowSteps: 2, shadowDepth: 2 }]],
+  ['byLampAmongPuffs', [{ volumes: 'counted' }]],
+  ['coincident', [{ volumes: 'counted' }]],
+];
 const REVERSED: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [{}]],
   ['offAxis', [BILLBOARDS]],
@@ -79,11 +86,12 @@ for (const [what, scenes, reversedDepth] of [
   ['puffs that touch solids, by a lamp, against the light', LIGHTS, false],
   ['billboards', ON_BOARDS, false],
   ['a lamp among puffs, puffs beside the eye, more than a stencil counts', MANY, false],
+  ['volumes counted by entry and exit', COUNTED, false],
   ['puffs among solids under a reversed depth buffer', REVERSED, true],
   ['puffs in tones of all kinds', TONES, false],
   ['the lamp', LAMPS, false],
 ] as const) {
-  test(`${what}: drawn as the reference draws it`, async ({ load }, testInfo) => {
+  test(`${what}: the picture equals the reference`, async ({ load }, testInfo) => {
     const cases = await load<Cases>(CASES);
     for (const [scene, modes] of scenes) {
       const input = [scene, modes, reversedDepth] as const;
