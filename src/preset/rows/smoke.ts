@@ -1,34 +1,22 @@
 import type { Parameter } from '../parameter.ts';
-import { ofScene, quantity } from './row.ts';
+import { ofScene, simulated } from './row.ts';
 
 /** Emission rate, lifetime and size of puffs. */
 export const smokeRows: readonly Parameter[] = [
-  quantity('emission.rate', 'emission', 'simulator', {
-    min: 0,
-    max: 20000,
+  simulated('emission.rate', 'emission', {
     step: 5,
-    default: 28,
-    unit: 'particles/s',
     slider: 'fine',
     label: 'Rate',
     text: 'How many puffs are born each second.',
   }),
-  quantity('emission.lifetime', 'emission', 'simulator', {
-    min: 0.1,
-    max: 60,
+  simulated('emission.lifetime', 'emission', {
     step: 0.1,
-    default: 7,
-    unit: 's',
     slider: 'fine',
     label: 'Lifetime',
     text: 'Lifetime of a puff.',
   }),
-  quantity('emission.growthTime', 'emission', 'simulator', {
-    min: 0,
-    max: 30,
+  simulated('emission.growthTime', 'emission', {
     step: 0.05,
-    default: 2.6,
-    unit: 's',
     slider: 'fine',
     label: 'Growth',
     text: 'How long a young puff takes to swell to full size; 0 is born full, as in the paper.',
@@ -43,18 +31,13 @@ export const smokeRows: readonly Parameter[] = [
     default: '0:1,1:0',
   },
   ofScene('emission.entrainment', 'emission', {
-    max: 1,
-    default: 0,
     slider: 'even',
     step: 0.01,
     label: 'Entrainment',
     text: 'How much puffs swell on their way through the air.',
   }),
-  quantity('puff.size', 'emission', 'simulator', {
-    min: 0.1,
-    max: 4,
+  simulated('puff.size', 'emission', {
     step: 0.05,
-    default: 1,
     unit: '\u00d7',
     slider: 'fine',
     label: 'Puff size',

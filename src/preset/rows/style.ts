@@ -1,5 +1,5 @@
 import type { ColorParameter, NumberParameter, Parameter, RampParameter, ToggleParameter } from '../parameter.ts';
-import { choice, quantity } from './row.ts';
+import { choice, quantity, simulated } from './row.ts';
 
 /** Shadows, tones, colours and ink. */
 export const styleRows: readonly Parameter[] = [
@@ -118,12 +118,8 @@ export const styleRows: readonly Parameter[] = [
     text: 'How much lines tremble, as if each drawing were traced anew, twelve times a second.',
   }),
   {
-    ...quantity('style.hold', 'style', 'simulator', {
-      kind: 'integer',
-      min: 1,
-      max: 4,
+    ...simulated('style.hold', 'style', {
       step: 1,
-      default: 1,
       unit: '/ 24 s',
       label: 'Hold',
       text: 'How many frames of film each puff stands still: 1 moves smoothly, 2 to 4 are drawn on twos, threes and fours.',

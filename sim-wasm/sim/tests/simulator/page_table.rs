@@ -1,22 +1,25 @@
-//! `npm run generate` writes the page's table of lists, `src/preset/lists.json`, from the simulator's own.
+//! `npm run generate` writes the ranges and defaults of the page, `src/preset/lists.json` and `singles.json`, from the
+//! simulator's own.
 
 use std::fs;
 use std::path::Path;
 
-use sim::layout::parameters::{lists_as_json, rows};
+use sim::layout::parameters::{lists_as_json, rows, singles_as_json};
 
 #[test]
-fn the_page_has_the_lists_of_the_simulator() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../src/preset/lists.json");
-    let expected = lists_as_json();
+fn the_page_has_the_parameters_of_the_simulator() {
+    is_generated("src/preset/lists.json", &lists_as_json());
+    is_generated("src/preset/singles.json", &singles_as_json());
+}
+
+/// Asserts that a file of the repository has this content. Writes it first under `GENERATE`.
+fn is_generated(file: &str, expected: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(file);
     if std::env::var_os("GENERATE").is_some() {
-        fs::write(&path, &expected).unwrap();
+        fs::write(&path, expected).unwrap();
     }
     let found = fs::read_to_string(&path).unwrap();
-    assert!(
-        found == expected,
-        "src/preset/lists.json is stale: run npm run generate"
-    );
+    assert!(found == expected, "{file} is stale: run npm run generate");
 }
 
 #[test]
