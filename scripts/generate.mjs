@@ -18,7 +18,7 @@ const environment = { GENERATE: '1' };
 /** @type {[file: string, work: (say: Say) => Promise<import('./lib/command.mjs').Outcome>][]} */
 const FILES = [
   [
-    'lists.json and singles.json in src/preset',
+    'lists.json and singles.json in src/preset, src/sim/layout.ts',
     (say) => cargo(['test', ...NATIVE, '--test', 'all', 'simulator::page_table'], say, environment),
   ],
   ['src/element/attributes/names.json', (say) => vitest('element.names', 'lists the keys', say)],

@@ -10,8 +10,9 @@ import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
 import type { RigidDescription } from './rigid.ts';
 import type * as RigidNumbers from './rigidNumbers.ts';
 import type { RigidPath, RigidSpin } from './rigidPath.ts';
-import { ATTRIBUTE_WORDS, PLACE_FLOATS, POSE_FLOATS, RIGID_FLOATS, type Rows } from './rows.ts';
-import { VIEW_FLOATS, viewLength, writeView, type CoverageGrid, type View } from './view.ts';
+import { ATTRIBUTE_WORDS, PLACE_FLOATS, POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
+import type { Rows } from './rows.ts';
+import { viewLength, writeView, type CoverageGrid, type View } from './view.ts';
 
 /** An instantiated module: its functions and its memory. */
 export interface SimulatorModule {

@@ -1,16 +1,23 @@
 import { expect, test } from 'vitest';
 import { CasterInstances, ONE_QUAD } from '../../src/instances/instances.ts';
+import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, END_STEPS, NO_END, PLACE_FLOATS } from '../../src/sim/layout.ts';
 import type { Rows } from '../../src/sim/rows.ts';
 
+const { shift, max } = ATTRIBUTE_BITS.end;
 const ROLL = 0x1234;
 
-/** Rows with a radius of 0.5 m, whose shadows end this many 1/256ths of the radius behind them. */
+/** Rows with a radius of 0.5 m, whose shadows end this many steps behind them. */
 function rowsEnding(ends: number[]): Rows {
   return {
     count: ends.length,
-    place: Float32Array.from({ length: 4 * ends.length }, () => 0.5),
-    attributes: Uint32Array.from(ends.flatMap((end) => [((end << 16) | ROLL) >>> 0, 7])),
+    place: Float32Array.from({ length: PLACE_FLOATS * ends.length }, () => 0.5),
+    attributes: Uint32Array.from(ends.flatMap((end) => [ending(end), 7])),
   };
+}
+
+/** Word 0 of a row. */
+function ending(end: number): number {
+  return ((end << shift) | ROLL) >>> 0;
 }
 
 function castersEnding(...ends: number[]): CasterInstances {
@@ -20,17 +27,17 @@ function castersEnding(...ends: number[]): CasterInstances {
 }
 
 function wordsOf(casters: CasterInstances): number[] {
-  return Array.from(casters.geometry.getAttribute('attributes').array.slice(0, 2 * casters.count));
+  return Array.from(casters.geometry.getAttribute('attributes').array.slice(0, ATTRIBUTE_WORDS * casters.count));
 }
 
 test('a shadow ends where it is told in metres, rounded up to what a row can hold', () => {
-  const casters = castersEnding(0xffff, 0xffff, 0xffff);
+  const casters = castersEnding(max, max, max);
   casters.shorten((ends) => ends.set([1, 1.0001, 1e6]));
-  expect(wordsOf(casters)).toEqual([(512 << 16) | ROLL, 7, (513 << 16) | ROLL, 7, 0xffff0000 + ROLL, 7]);
+  expect(wordsOf(casters)).toEqual([ending(2 * END_STEPS), 7, ending(2 * END_STEPS + 1), 7, NO_END + ROLL, 7]);
 });
 
 test('a shadow that ends earlier already stays, and one with nothing behind it ends at its centre', () => {
   const casters = castersEnding(100, 600);
   casters.shorten((ends) => ends.set([1, -3]));
-  expect(wordsOf(casters)).toEqual([(100 << 16) | ROLL, 7, ROLL, 7]);
+  expect(wordsOf(casters)).toEqual([ending(100), 7, ROLL, 7]);
 });
