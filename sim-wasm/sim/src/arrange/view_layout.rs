@@ -2,7 +2,7 @@
 //! it.
 //!
 //! The balls of all variations can follow: for each variation their x, y, z and radii, in particle radii. Behind them
-//! can follow the tables of the start caps of all variations, 2,048 numbers each.
+//! can follow the tables of the start caps of all variations, see `coverage::start_caps`.
 
 /// Maximum number of boxes of surfaces that lift ink.
 pub const LIFTERS_LIMIT: usize = 8;
