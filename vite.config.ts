@@ -1,9 +1,7 @@
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
 import { withoutShaders } from './scripts/package/withoutShaders.mjs';
-import { addresses } from './scripts/site/addresses.ts';
-import { preloads } from './scripts/site/preloads.ts';
-import { serviceWorker } from './scripts/site/serviceWorker.ts';
+import { addresses, preloads, serviceWorker } from './scripts/site/plugins.ts';
 
 /** The demo site. URLs are relative, so that it works in any folder of any host. */
 export default defineConfig({

@@ -4,8 +4,7 @@
  */
 
 import { readArguments } from './lib/arguments.mjs';
-import { run } from './lib/command.mjs';
-import { inRoot } from './lib/paths.mjs';
+import { runScript } from './lib/command.mjs';
 import { withProgress } from './lib/progress.mjs';
 import { conclude, UserError } from './lib/userError.mjs';
 import { PAGE, setUp } from './setup/setup.mjs';
@@ -17,6 +16,7 @@ const environment = { GENERATE: '1' };
 
 /** @type {[file: string, work: (say: Say) => Promise<import('./lib/command.mjs').Outcome>][]} */
 const FILES = [
+  ['constants in shaders/ and sim-wasm/', (say) => vitest('constants', 'has the shared constants', say)],
   [
     'lists.json and singles.json in src/preset, src/sim/layout.ts',
     (say) => cargo(['test', ...NATIVE, '--test', 'all', 'simulator::page_table'], say, environment),
@@ -33,6 +33,7 @@ await conclude(async () => {
     const { status, output } = await withProgress(file, work);
     if (status !== 0) throw new UserError(`${file} could not be written: see the output above.`, output);
   }
+  console.log('All generated files are up to date.');
 });
 
 /**
@@ -41,7 +42,6 @@ await conclude(async () => {
  * @param {Say} say
  */
 function vitest(name, test, say) {
-  const script = inRoot('node_modules/vitest/vitest.mjs');
-  const parameters = [script, 'run', `tests/unit/${name}.test.ts`, '-t', test];
-  return run(process.execPath, parameters, { environment, onLine: say });
+  const parameters = ['run', `tests/unit/${name}.test.ts`, '-t', test];
+  return runScript('node_modules/vitest/vitest.mjs', parameters, { environment, onLine: say });
 }

@@ -2,12 +2,13 @@
 import { decode, type Decoded } from '../preset/codec.ts';
 import { LoadError } from '../preset/errors.ts';
 import { readEnvironment, type Environment } from '../preset/environment.ts';
+import type { Values } from '../preset/parameter.ts';
 import { createStage, type Stage } from '../stage/stage.ts';
 import { followAddress } from './share/address.ts';
 import { BallKeys } from './input/ball.ts';
-import { connectStage } from './editor/connect.ts';
 import { textButton } from './ui/dom.ts';
 import { Editor } from './editor/editor.ts';
+import { enterScene } from './editor/entering.ts';
 import { ORBIT_PER_KEY } from '../page/gestures.ts';
 import { sizeOf, watchSize } from '../page/size.ts';
 import { restWhileHidden } from '../page/visibility.ts';
@@ -47,31 +48,34 @@ const calm = matchMedia('(prefers-reduced-motion: reduce)');
 async function start(): Promise<void> {
   const environment = readEnvironment(location.search);
   const decoded = await decode(location.hash);
-  const editor = new Editor(decoded.state);
   const notices = new Notices();
   container.classList.toggle('is-bare', !environment.hasInterface);
   container.append(notices.element);
   const moment = momentOf(decoded, environment);
-  const stage = await load(editor, environment);
+  const stage = await load(decoded.state.values, environment);
   // Add messages after the live region, otherwise screen readers treat them as initial content.
   notifyAll(notices, decoded);
   notifyAll(notices, environment);
   window.cartoonSmoke = stage;
   if (!stage.stats.writesDepth) notices.notify(strings.notices.flat);
   stage.on('error', (error) => (error instanceof LoadError ? notices.notify(error.message) : showError(error)));
-  if (moment) await arriveAt(moment, stage, editor, notices);
-  const caughtUp = connectStage(editor, stage, (message) => notices.notify(message), container);
+  // Before anything follows the stage, so that the address keeps the moment until the first edit.
+  if (moment) await goToMoment(stage, moment, notices, container);
+  const editor = new Editor(stage, decoded.state.preset, {
+    enter: (values) => enterScene(stage, values, container),
+    notify: (message) => notices.notify(message),
+  });
   followAddress(editor, async (read, isNewest) => {
     notifyAll(notices, read);
     const shared = momentOf(read);
     if (!shared) return;
-    await caughtUp();
+    await editor.arrival();
     if (isNewest()) await goToMoment(stage, shared, notices, container);
   });
   const scrubber = new Scrubber(stage);
   showSlowProgress(scrubber, container);
   const { hasStatistics } = environment;
-  const page = buildPage(container, { editor, stage, canvas, notices, scrubber, caughtUp, hasStatistics });
+  const page = buildPage(container, { editor, stage, canvas, notices, scrubber, hasStatistics });
   connectInput(stage, editor, page, scrubber);
   notifyOfSlowMachine(stage, notices);
   describeScene(stage);
@@ -85,18 +89,12 @@ function momentOf({ take, state }: Decoded, environment?: Environment): LinkedMo
   return take && { take, state, seconds: environment?.time, isTrusted: false };
 }
 
-/** Runs before anything follows the stage, so that the address keeps the moment until the first edit. */
-async function arriveAt(moment: LinkedMoment, stage: Stage, editor: Editor, notices: Notices): Promise<void> {
-  await goToMoment(stage, moment, notices, container);
-  editor.adopt(stage.get());
-}
-
-async function load(editor: Editor, { quality, view }: Environment): Promise<Stage> {
-  const progress = new Progress(strings.scenes[String(editor.state.values.scene)].loading);
+async function load(values: Values, { quality, view }: Environment): Promise<Stage> {
+  const progress = new Progress(strings.scenes[String(values.scene)].loading);
   container.append(progress.element);
   try {
     return await createStage(canvas, {
-      values: editor.state.values,
+      values,
       ...sizeOf(canvas),
       quality,
       view,

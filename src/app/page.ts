@@ -46,8 +46,6 @@ export interface PageParts {
   readonly canvas: HTMLCanvasElement;
   readonly notices: Notices;
   readonly scrubber: Scrubber;
-  /** Resolves when the stage has applied all edits. */
-  readonly caughtUp: () => Promise<void>;
   /** Whether statistics are shown initially. */
   readonly hasStatistics: boolean;
 }

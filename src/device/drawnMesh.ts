@@ -3,14 +3,14 @@ import { PassCamera } from './passCamera.ts';
 
 /**
  * A mesh that a pass draws on its own. Its shaders place it, so it is not culled. It does not dispose of its geometry
- * or material.
+ * or material. Without a geometry of its own, each draw call takes one.
  */
 export class DrawnMesh<Geometry extends BufferGeometry = BufferGeometry> {
   readonly mesh: Mesh<Geometry, RawShaderMaterial>;
   private readonly scene = new Scene();
   private readonly camera = new PassCamera();
 
-  constructor(geometry: Geometry, material: RawShaderMaterial) {
+  constructor(material: RawShaderMaterial, geometry?: Geometry) {
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
     this.scene.add(this.mesh);
@@ -29,15 +29,16 @@ export class DrawnMesh<Geometry extends BufferGeometry = BufferGeometry> {
     renderer.compile(this.scene, this.camera);
   }
 
-  draw(renderer: WebGLRenderer): void {
+  draw(renderer: WebGLRenderer, geometry: Geometry = this.mesh.geometry): void {
+    this.mesh.geometry = geometry;
     renderer.render(this.scene, this.camera);
   }
 
   /** Draws once with another material. */
-  drawAs(renderer: WebGLRenderer, other: RawShaderMaterial): void {
+  drawAs(renderer: WebGLRenderer, other: RawShaderMaterial, geometry?: Geometry): void {
     const { material } = this;
     this.material = other;
-    this.draw(renderer);
+    this.draw(renderer, geometry);
     this.material = material;
   }
 }

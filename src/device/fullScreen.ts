@@ -31,19 +31,17 @@ export class FullScreen extends DrawnMesh {
     uniforms: Record<string, IUniform>,
     parameters: Omit<ShaderMaterialParameters, 'vertexShader' | 'fragmentShader' | 'uniforms'> = {},
   ) {
-    super(
-      triangle(),
-      new RawShaderMaterial({
-        glslVersion: GLSL3,
-        vertexShader,
-        fragmentShader,
-        uniforms,
-        depthTest: false,
-        depthWrite: false,
-        blending: NoBlending,
-        ...parameters,
-      }),
-    );
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms,
+      depthTest: false,
+      depthWrite: false,
+      blending: NoBlending,
+      ...parameters,
+    });
+    super(material, triangle());
   }
 
   dispose(): void {

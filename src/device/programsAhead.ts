@@ -23,7 +23,7 @@ export class ProgramsAhead {
     if (this.programs.has(key)) return;
     const material = new RawShaderMaterial({ ...shaders, glslVersion: GLSL3 });
     this.programs.set(key, material);
-    new DrawnMesh(triangle(), material).compile(renderer);
+    new DrawnMesh(material, triangle()).compile(renderer);
   }
 
   dispose(): void {

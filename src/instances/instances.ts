@@ -13,13 +13,7 @@ export interface QuadLayout {
 /** One front-facing quad. */
 export const ONE_QUAD: QuadLayout = { corners: [-1, -1, 1, -1, 1, 1, -1, 1], index: [0, 1, 2, 0, 2, 3] };
 
-/** Two coincident quads with opposite winding. gl_FrontFacing distinguishes them. */
-export const FRONT_AND_BACK: QuadLayout = {
-  corners: ONE_QUAD.corners,
-  index: [...ONE_QUAD.index, 0, 2, 1, 0, 3, 2],
-};
-
-/** As FRONT_AND_BACK, with separate vertices, so that gl_VertexID distinguishes the quads in the vertex shader. */
+/** Two coincident quads with opposite winding and separate vertices, so that gl_VertexID distinguishes them. */
 export const TWO_QUADS: QuadLayout = {
   corners: [...ONE_QUAD.corners, ...ONE_QUAD.corners],
   index: [...ONE_QUAD.index, 4, 6, 5, 4, 7, 6],
@@ -80,26 +74,35 @@ export class Instances {
   }
 }
 
+/**
+ * Returns a geometry of the same rows with two coincident quads of opposite winding for each. gl_FrontFacing
+ * distinguishes them. Its `instanceCount` has to be updated by the caller.
+ * @param rows geometry of {@link Instances} with ONE_QUAD
+ */
+export function frontAndBack(rows: InstancedBufferGeometry): InstancedBufferGeometry {
+  const geometry = new InstancedBufferGeometry();
+  geometry.setIndex([...ONE_QUAD.index, 0, 2, 1, 0, 3, 2]);
+  for (const [name, attribute] of Object.entries(rows.attributes)) geometry.setAttribute(name, attribute);
+  return geometry;
+}
+
 /** Steps per radius of the shadow end, which is in the upper 16 bits of a caster's word 0. */
 const END_STEPS = 256;
 
 /** Rows of shadow casters, whose attributes contain the end of their shadows. */
 export class CasterInstances extends Instances {
-  private readonly ends: Float32Array;
-
-  constructor(capacity: number, layout: QuadLayout) {
-    super(capacity, layout);
-    this.ends = new Float32Array(capacity);
+  /**
+   * Copies the rows and shortens their shadows. Shadows that already end earlier do not change.
+   * @param ends for each row, the distance behind its centre at which its shadow may end, in metres; without them,
+   * shadows end as in the rows
+   */
+  override fill(rows: Rows, ends?: Float32Array): void {
+    super.fill(rows);
+    if (ends) this.shorten(ends);
   }
 
-  /**
-   * Shortens the shadows of the rows from the last {@link fill}. Shadows that already end earlier do not change.
-   * @param write sets, for each row, the distance behind its centre at which its shadow may end, in metres
-   */
-  shorten(write: (ends: Float32Array) => void): void {
+  private shorten(ends: Float32Array): void {
     const { places, attributeWords, count } = this;
-    const ends = this.ends.subarray(0, count);
-    write(ends);
     for (let row = 0; row < count; row++) {
       const end = Math.max(0, Math.ceil((END_STEPS * ends[row]) / places[4 * row + 3]));
       const word = attributeWords[ATTRIBUTE_WORDS * row];

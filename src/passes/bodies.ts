@@ -4,7 +4,6 @@ import {
   RawShaderMaterial,
   Vector2,
   Vector3,
-  Vector4,
   type BufferGeometry,
   type IUniform,
   type Texture,
@@ -18,13 +17,10 @@ import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
 import { withLobes } from '../device/unroll.ts';
-import type { SurfaceDepthPass } from './surfaceDepth.ts';
-import { InkUniforms, type InkLine } from './ink.ts';
+import type { SurfaceDepth } from './surfaceDepth.ts';
 
 /** The coordinate that a gradient fill follows. */
 export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
-
-const NO_SURFACES = { surfaceDepth: { value: null }, hasSurfaces: { value: false }, surfaceSlack: { value: 0 } };
 
 /** Draws the puffs: lit and unlit colour, ink, and depth. Puffs are opaque, so rows can be in any order. */
 export class BodiesPass {
@@ -34,16 +30,14 @@ export class BodiesPass {
   private readonly puffs: PuffTextures;
   private readonly isFlat: boolean;
   private readonly common: Record<string, IUniform>;
-  private readonly ink = new InkUniforms();
   private readonly uniforms = {
-    innerLine: { value: 0.5 },
-    innerTaper: { value: 0 },
-    boil: { value: 0 },
+    surfaceDepth: { value: null as Texture | null },
+    hasSurfaces: { value: false },
+    surfaceSlack: { value: 0 },
     drawing: { value: 0 },
     heights: { value: new Vector2() },
     gradientWeights: { value: new Vector3() },
     gradientFactor: { value: new Vector3(1, 1, 1) },
-    rim: { value: new Vector4() },
   };
 
   private readonly puffUniforms = {
@@ -58,29 +52,18 @@ export class BodiesPass {
 
   /**
    * @param ramps ramps 1 and up are those of the tints; its bands select the ramp of a puff without a tint
-   * @param rows instance buffer with one quad, or with two (front and back) if `isFlat`
-   * @param surfaceDepth depth of the surfaces that puffs may touch; without it puffs have no contact lines
    * @param isFlat whether puffs have the depth of their quads, for GPUs that do not keep the depth that fragments write
    */
-  constructor(
-    eye: FrameView,
-    puffs: PuffTextures,
-    ramps: RampTexture,
-    rows: BufferGeometry,
-    surfaceDepth?: SurfaceDepthPass,
-    isFlat = false,
-  ) {
+  constructor(eye: FrameView, puffs: PuffTextures, ramps: RampTexture, isFlat = false) {
     this.isFlat = isFlat;
     this.puffs = puffs;
     this.common = {
       ...eye.uniforms,
-      ...this.ink.uniforms,
-      ...(surfaceDepth?.uniforms ?? NO_SURFACES),
       ...this.uniforms,
       ramps: { value: ramps.texture },
       ...this.puffUniforms,
     };
-    this.rows = new DrawnMesh(rows, this.lobesMaterial());
+    this.rows = new DrawnMesh(this.lobesMaterial());
   }
 
   /**
@@ -91,29 +74,9 @@ export class BodiesPass {
     this.rows.material = billboards && !this.isFlat ? this.billboardsMaterial(billboards) : this.lobesMaterial();
   }
 
-  /**
-   * Makes lines vary from drawing to drawing, like the boiling lines of hand-drawn animation.
-   * @param boil 0..1: at 1 lines thin to half of their width in places
-   * @param drawing index of the drawing; equal indices give equal lines
-   */
-  setBoil(boil: number, drawing: number): void {
-    this.uniforms.boil.value = boil;
+  /** @param drawing index of the drawing, for the boil of lines; equal indices give equal lines */
+  setDrawing(drawing: number): void {
     this.uniforms.drawing.value = drawing;
-  }
-
-  /**
-   * @param innerLine depth gap, in puff radii, beyond which a puff is outlined against what is behind it
-   * @param innerTaper additional gap, as a multiple of `innerLine`, over which the line reaches its full width
-   */
-  setInk(line: InkLine, innerLine: number, innerTaper: number): void {
-    this.ink.set(line);
-    this.uniforms.innerLine.value = innerLine;
-    this.uniforms.innerTaper.value = innerTaper;
-  }
-
-  /** @param width width of the band along silhouettes that face away from the light, 0 (none) to 1 */
-  setRim(color: Color, width: number): void {
-    this.uniforms.rim.value.set(color[0] / 255, color[1] / 255, color[2] / 255, width);
   }
 
   /**
@@ -129,8 +92,13 @@ export class BodiesPass {
     );
   }
 
-  draw(renderer: WebGLRenderer): void {
-    this.rows.draw(renderer);
+  /**
+   * @param rows instance buffer with one quad, or with two (front and back) if the puffs are flat
+   * @param surfaces depth of the surfaces that puffs may touch; without it puffs have no contact lines
+   */
+  draw(renderer: WebGLRenderer, rows: BufferGeometry, surfaces?: SurfaceDepth): void {
+    this.touch(surfaces);
+    this.rows.draw(renderer, rows);
   }
 
   /** The material of the draw call. */
@@ -139,12 +107,19 @@ export class BodiesPass {
   }
 
   /** Draws once with a variant of the material. */
-  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial): void {
-    this.rows.drawAs(renderer, material);
+  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial, rows: BufferGeometry, surfaces?: SurfaceDepth): void {
+    this.touch(surfaces);
+    this.rows.drawAs(renderer, material, rows);
   }
 
   dispose(): void {
     for (const material of this.materials.values()) material.dispose();
+  }
+
+  private touch(surfaces: SurfaceDepth | undefined): void {
+    this.uniforms.hasSurfaces.value = surfaces !== undefined;
+    this.uniforms.surfaceDepth.value = surfaces?.depth ?? null;
+    this.uniforms.surfaceSlack.value = surfaces?.slack ?? 0;
   }
 
   private lobesMaterial(): RawShaderMaterial {

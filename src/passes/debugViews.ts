@@ -6,6 +6,7 @@ import {
   RawShaderMaterial,
   Vector2,
   Vector3,
+  type InstancedBufferGeometry,
   type Texture,
   type WebGLRenderer,
   type WebGLRenderTarget,
@@ -20,11 +21,15 @@ import { ADDS, FullScreen } from '../device/fullScreen.ts';
 import type { DebugView } from '../preset/quality.ts';
 import type { BodiesPass } from './bodies.ts';
 import { GridTexture, type GridOfDepths } from './gridTexture.ts';
+import type { SurfaceDepth } from './surfaceDepth.ts';
 import type { Targets } from './targets.ts';
 import type { VolumesPass } from './volumes.ts';
 
-/** A pass whose draw call can be repeated with another material. */
-type Redrawn = Pick<BodiesPass | VolumesPass, 'material' | 'drawAs'>;
+/** A draw call that can be repeated with another material. */
+interface Redrawn {
+  readonly pass: Pick<VolumesPass, 'material' | 'drawAs'>;
+  readonly rows: InstancedBufferGeometry;
+}
 
 /** Shows intermediate results of the passes instead of the picture. Shaders are compiled when a view is first drawn. */
 export class DebugViewsPass {
@@ -47,15 +52,20 @@ export class DebugViewsPass {
   }
 
   /** Draws puffs with their normals as colours into the targets. */
-  drawNormals(renderer: WebGLRenderer, body: Redrawn): void {
-    body.drawAs(renderer, this.variantOf(body.material, 'NORMALS'));
+  drawNormals(
+    renderer: WebGLRenderer,
+    body: BodiesPass,
+    rows: InstancedBufferGeometry,
+    surfaces: SurfaceDepth | undefined,
+  ): void {
+    body.drawAs(renderer, this.variantOf(body.material, 'NORMALS'), rows, surfaces);
   }
 
   /** Replaces the contents of the targets by the number of fragments drawn at each pixel, hidden ones included. */
   countOverdraw(renderer: WebGLRenderer, drawn: readonly Redrawn[]): void {
     renderer.clear(true, false, false);
     this.number.value = 1;
-    for (const each of drawn) each.drawAs(renderer, this.variantOf(each.material, 'OVERDRAW'));
+    for (const { pass, rows } of drawn) pass.drawAs(renderer, this.variantOf(pass.material, 'OVERDRAW'), rows);
   }
 
   /** Uploads the grid of the occlusion culling for the coverage view. */

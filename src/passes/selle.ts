@@ -28,7 +28,7 @@ export class SellePass {
   private readonly lines: FullScreen;
   private readonly rows: DrawnMesh;
 
-  constructor(eye: FrameView, puffs: PuffTextures, ramps: RampTexture, rows: BufferGeometry) {
+  constructor(eye: FrameView, puffs: PuffTextures, ramps: RampTexture) {
     this.puffs = puffs;
     this.common = {
       ...eye.uniforms,
@@ -50,7 +50,7 @@ export class SellePass {
       fragmentShader,
       uniforms: this.common,
     });
-    this.rows = new DrawnMesh(rows, material);
+    this.rows = new DrawnMesh(material);
     this.lines = new FullScreen(linesFragmentShader, this.lineUniforms);
   }
 
@@ -61,12 +61,12 @@ export class SellePass {
   }
 
   /** Draws the puffs into the targets. */
-  draw(renderer: WebGLRenderer): void {
+  draw(renderer: WebGLRenderer, rows: BufferGeometry): void {
     // Read on each draw: billboards are baked on first access, and the puffs may have changed.
     const { layers, colorCoverage } = this.puffs.billboards;
     this.common.colorCoverage.value = colorCoverage;
     this.common.pad.value = layers.pad;
-    this.rows.draw(renderer);
+    this.rows.draw(renderer, rows);
   }
 
   /** Draws the final picture with lines, in place of the resolve pass. */

@@ -27,7 +27,6 @@ import type { RampTexture } from '../device/ramps.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import { withLobes } from '../device/unroll.ts';
 import { BodiesPass } from './bodies.ts';
-import type { InkLine } from './ink.ts';
 import { SurfacesPass, type SurfaceDescription } from './surfaces.ts';
 import { Targets } from './targets.ts';
 
@@ -52,8 +51,6 @@ const ROTATIONS = [
   [new Vector3(1, 0, 0), Math.PI],
 ] as const;
 
-const NO_INK: InkLine = { color: [0, 0, 0], pixels: 0, swell: 0 };
-
 /** The resources from which the map is drawn. */
 export interface ShadowMapSources {
   readonly eye: FrameView;
@@ -62,7 +59,6 @@ export interface ShadowMapSources {
   /** Ramp index of the first surface; the other surfaces follow in order. */
   readonly firstSurface: number;
   readonly surfaces: readonly SurfaceDescription[];
-  readonly casters: BufferGeometry;
 }
 
 /**
@@ -75,7 +71,7 @@ export interface ShadowMapSources {
  */
 export class ShadowMapPass {
   private readonly eye: FrameView;
-  private readonly lightEye = new FrameView();
+  private readonly lightEye: FrameView;
   private readonly sun = new OrthographicCamera();
   private readonly lamp = new PerspectiveCamera();
   private readonly map = new Targets();
@@ -90,15 +86,14 @@ export class ShadowMapPass {
   private readonly measure: FullScreen;
   private readonly apply: FullScreen;
 
-  constructor({ eye, puffs, ramps, firstSurface, surfaces, casters }: ShadowMapSources) {
+  constructor({ eye, puffs, ramps, firstSurface, surfaces }: ShadowMapSources) {
     this.eye = eye;
+    this.lightEye = new FrameView({ ...eye.style, inkPixels: { value: 0 } });
     this.casting = surfaces.flatMap(({ casts }, surface) => (casts ? [surface] : []));
-    this.lobes = new LobeDepths(this.lightEye, puffs, casters);
-    this.billboards = new BodiesPass(this.lightEye, puffs, ramps, casters);
+    this.lobes = new LobeDepths(this.lightEye, puffs);
+    this.billboards = new BodiesPass(this.lightEye, puffs, ramps);
     const casting = this.casting.map((surface) => surfaces[surface]);
     this.surfaces = new SurfacesPass(this.lightEye, ramps, firstSurface, casting);
-    this.billboards.setInk(NO_INK, 0, 0);
-    this.surfaces.setInk(NO_INK, false);
     this.shadowed = pictureTarget();
     this.uniforms = {
       clipFromView: eye.uniforms.clipFromView,
@@ -126,15 +121,15 @@ export class ShadowMapPass {
     if (index >= 0) this.surfaces.place(index, worldFromModel, isVisible);
   }
 
-  /** Draws the map and then adds the mask to the targets, which stay bound. */
-  draw(renderer: WebGLRenderer, targets: Targets): void {
+  /** Draws the map of the casters and then adds the mask to the targets, which stay bound. */
+  draw(renderer: WebGLRenderer, targets: Targets, casters: BufferGeometry): void {
     this.map.resize(SIZE, SIZE);
     this.uniforms.depth.value = targets.depth;
     this.shadowed.setSize(targets.width, targets.height);
     renderer.setRenderTarget(this.shadowed);
     renderer.clear(true, false, false);
-    if (this.eye.isLitBySun) this.drawBy(this.sunCamera(), renderer);
-    else for (const camera of this.lampCameras()) this.drawBy(camera, renderer);
+    if (this.eye.isLitBySun) this.drawBy(this.sunCamera(), renderer, casters);
+    else for (const camera of this.lampCameras()) this.drawBy(camera, renderer, casters);
     renderer.setRenderTarget(targets.renderTarget);
     this.apply.draw(renderer);
   }
@@ -145,13 +140,13 @@ export class ShadowMapPass {
   }
 
   /** Draws the map with one camera of the light, then evaluates the shadow of the pixels that this camera covers. */
-  private drawBy(camera: Camera, renderer: WebGLRenderer): void {
+  private drawBy(camera: Camera, renderer: WebGLRenderer, casters: BufferGeometry): void {
     const { viewFromWorld, lightInWorld } = this.eye.uniforms;
     this.lightEye.look(camera, lightInWorld.value, SIZE, SIZE);
     this.uniforms.lightViewFromView.value.copy(viewFromWorld.value).invert().premultiply(camera.matrixWorldInverse);
     this.map.begin(renderer);
     this.surfaces.draw(renderer);
-    (this.hasBillboards ? this.billboards : this.lobes).draw(renderer);
+    (this.hasBillboards ? this.billboards : this.lobes).draw(renderer, casters);
     renderer.setRenderTarget(this.shadowed);
     this.measure.draw(renderer);
   }
@@ -200,19 +195,19 @@ class LobeDepths {
   /** Materials by lobe count, because the shaders unroll the loop over the lobes. */
   private readonly materials = new Map<number, RawShaderMaterial>();
 
-  constructor(lightEye: FrameView, puffs: PuffTextures, rows: BufferGeometry) {
+  constructor(lightEye: FrameView, puffs: PuffTextures) {
     this.puffs = puffs;
     this.uniforms = {
       ...lightEye.uniforms,
       lobeTable: { value: null as Texture | null },
       reach: { value: 1 },
     };
-    this.rows = new DrawnMesh(rows, this.material());
+    this.rows = new DrawnMesh(this.material());
   }
 
-  draw(renderer: WebGLRenderer): void {
+  draw(renderer: WebGLRenderer, rows: BufferGeometry): void {
     this.rows.material = this.material();
-    this.rows.draw(renderer);
+    this.rows.draw(renderer, rows);
   }
 
   dispose(): void {

@@ -24,7 +24,7 @@ export class SpritesPass {
   private readonly rows: DrawnMesh;
   private readonly depth = { value: null as Texture | null };
 
-  constructor(eye: FrameView, ramps: RampTexture, rows: BufferGeometry) {
+  constructor(eye: FrameView, ramps: RampTexture) {
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,
@@ -40,14 +40,19 @@ export class SpritesPass {
       blendSrc: OneFactor,
       blendDst: OneMinusSrcAlphaFactor,
     });
-    this.rows = new DrawnMesh(rows, material);
+    this.rows = new DrawnMesh(material);
   }
 
   /** Blends over the resolved picture in `output`, with the surface depth of the targets. */
-  draw(renderer: WebGLRenderer, targets: Targets, output: WebGLRenderTarget | null): void {
-    this.depth.value = targets.depth;
+  draw(
+    renderer: WebGLRenderer,
+    rows: BufferGeometry,
+    { depth }: Pick<Targets, 'depth'>,
+    output: WebGLRenderTarget | null,
+  ): void {
+    this.depth.value = depth;
     renderer.setRenderTarget(output);
-    this.rows.draw(renderer);
+    this.rows.draw(renderer, rows);
   }
 
   dispose(): void {

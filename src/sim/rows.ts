@@ -1,7 +1,7 @@
 /** The rows of the simulator: two buffers with one row per particle each. layout.ts has their layout. */
 import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, TEMPERATURE_MAX } from './layout.ts';
 
-/** Result of {@link Simulator.arrange}. The arrays are views on WASM memory: use or copy them before the next call. */
+/** Rows of a view. The arrays of a simulator are views on WASM memory: use or copy them before its next call. */
 export interface Rows {
   /** Number of rows in each array, after culling. */
   readonly count: number;

@@ -1,6 +1,7 @@
 /** Wraps one WASM simulator: owns its handle, the typed-array views on its memory, and its lifetime. */
 import { SimulatorError } from '../preset/errors.ts';
 import { requireWhole } from '../preset/values.ts';
+import { ArrangedInMemory, type Arranged } from './arranged.ts';
 import type * as Core from './core.ts';
 import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';
 import { requireIndices } from './indices.ts';
@@ -10,9 +11,8 @@ import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
 import type { RigidDescription } from './rigid.ts';
 import type * as RigidNumbers from './rigidNumbers.ts';
 import type { RigidPath, RigidSpin } from './rigidPath.ts';
-import { ATTRIBUTE_WORDS, PLACE_FLOATS, POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
-import type { Rows } from './rows.ts';
-import { viewLength, writeView, type CoverageGrid, type View } from './view.ts';
+import { POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
+import { viewLength, writeView, type View } from './view.ts';
 
 /** An instantiated module: its functions and its memory. */
 export interface SimulatorModule {
@@ -31,14 +31,6 @@ export interface SimulatorOptions {
   seed: number;
 }
 
-/** World-space bounding box of the live particles, in metres. All zeros when there are no live particles. */
-export interface Bounds {
-  min: [number, number, number];
-  max: [number, number, number];
-  /** Largest radius of a live particle, in metres. */
-  greatestRadius: number;
-}
-
 /**
  * A particle simulation with forces and rigid bodies. Time advances in fixed steps of 1/60 s, only through
  * {@link step}.
@@ -49,6 +41,7 @@ export interface Bounds {
 export class Simulator {
   readonly #module: SimulatorModule;
   readonly #handle: Core.Simulator;
+  readonly #arranged: ArrangedInMemory;
   #view = new Float32Array(VIEW_FLOATS);
   #stopped: string | undefined;
 
@@ -58,6 +51,7 @@ export class Simulator {
     requireWhole('simulation.maxParticles', options.capacity);
     requireWhole('seed', options.seed);
     this.#handle = this.#attempt(() => new module.bindings.Simulator(options.capacity, options.seed));
+    this.#arranged = new ArrangedInMemory(this.#handle, module.memory);
   }
 
   /** Sets parameters by their flat keys, such as `emission.rate`. Sets none of them if one is rejected. */
@@ -166,21 +160,12 @@ export class Simulator {
   }
 
   /** Sorts the rows for a view, and culls them if `view.cull` is set. */
-  arrange(view: View): Rows {
+  arrange(view: View): Arranged {
     const length = viewLength(view);
     if (this.#view.length < length) this.#view = new Float32Array(length);
     const numbers = this.#view.subarray(0, length);
     writeView(view, numbers);
-    return this.#attempt(() => {
-      const count = this.#handle.arrange(numbers);
-      // Growing WASM memory replaces its buffer and detaches old views, so each call creates new ones.
-      const { buffer } = this.#module.memory;
-      return {
-        count,
-        place: new Float32Array(buffer, this.#handle.placePointer, count * PLACE_FLOATS),
-        attributes: new Uint32Array(buffer, this.#handle.lookPointer, count * ATTRIBUTE_WORDS),
-      };
-    });
+    return this.#attempt(() => this.#arranged.read(this.#handle.arrange(numbers)));
   }
 
   /**
@@ -203,24 +188,6 @@ export class Simulator {
   /** Number of rigids added so far. */
   get rigidCount(): number {
     return this.#attempt(() => this.#handle.rigidCount);
-  }
-
-  /** Bounds of all live particles including their radii, as computed by the last {@link arrange}. */
-  get bounds(): Bounds {
-    return this.#attempt(() => {
-      const bounds = new Float32Array(this.#module.memory.buffer, this.#handle.boundsPointer, 7);
-      const [a, b, c, d, e, f, greatestRadius] = bounds;
-      return { min: [a, b, c], max: [d, e, f], greatestRadius };
-    });
-  }
-
-  /** Occlusion grid of the last {@link arrange}; it has no cells if that call did no occlusion culling. */
-  get coverageGrid(): CoverageGrid {
-    return this.#attempt(() => {
-      const [columns, rows, stride, left, low, density] = this.#handle.coverageShape;
-      const depths = new Float32Array(this.#module.memory.buffer, this.#handle.coveragePointer, stride * rows);
-      return { columns, rows, stride, corner: [left, low], density, depths };
-    });
   }
 
   /** Number of live particles. */

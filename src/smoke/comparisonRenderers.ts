@@ -1,36 +1,29 @@
-import type { BufferGeometry } from 'three';
 import { SellePass } from '../passes/selle.ts';
 import { ShadowMapPass, type ShadowMapSources } from '../passes/shadowMap.ts';
 import { SpritesPass } from '../passes/sprites.ts';
-import type { FrameInput } from './frameInput.ts';
-import type { SmokePasses } from './smokePasses.ts';
+import type { DrawSmoke } from './smokePasses.ts';
 import type { ComparisonRenderer } from './style.ts';
-
-/** The resources of the comparison passes. */
-export interface ComparisonSources extends ShadowMapSources {
-  readonly bodies: BufferGeometry;
-}
 
 /** The passes of the comparison renderers, each created on first use. */
 export class ComparisonRenderers {
-  private readonly sources: ComparisonSources;
+  private readonly sources: ShadowMapSources;
   private sellePass: SellePass | undefined;
   private spritesPass: SpritesPass | undefined;
   private shadowMapPass: ShadowMapPass | undefined;
 
-  constructor(sources: ComparisonSources) {
+  constructor(sources: ShadowMapSources) {
     this.sources = sources;
   }
 
   get selle(): SellePass {
-    const { eye, puffs, ramps, bodies } = this.sources;
-    this.sellePass ??= new SellePass(eye, puffs, ramps, bodies);
+    const { eye, puffs, ramps } = this.sources;
+    this.sellePass ??= new SellePass(eye, puffs, ramps);
     return this.sellePass;
   }
 
   get sprites(): SpritesPass {
-    const { eye, ramps, bodies } = this.sources;
-    this.spritesPass ??= new SpritesPass(eye, ramps, bodies);
+    const { eye, ramps } = this.sources;
+    this.spritesPass ??= new SpritesPass(eye, ramps);
     return this.spritesPass;
   }
 
@@ -40,8 +33,9 @@ export class ComparisonRenderers {
   }
 
   /** Draws the smoke of a frame with a comparison renderer, after the surfaces. */
-  draw(kind: ComparisonRenderer, passes: SmokePasses, input: FrameInput): void {
-    ways[kind](this, passes, input);
+  draw(...frame: Parameters<DrawSmoke>): void {
+    const [, { style }] = frame;
+    ways[style.renderer as ComparisonRenderer](this, ...frame);
   }
 
   /** Disposes of all passes. They are created again on next use. */
@@ -51,30 +45,30 @@ export class ComparisonRenderers {
   }
 }
 
-type DrawSmoke = (comparisons: ComparisonRenderers, passes: SmokePasses, input: FrameInput) => void;
+type DrawWith = (comparisons: ComparisonRenderers, ...frame: Parameters<DrawSmoke>) => void;
 
 /** How each comparison renderer draws a frame after the surfaces. */
-const ways: Readonly<Record<ComparisonRenderer, DrawSmoke>> = {
-  selle(comparisons, { renderer, targets, bodies }, { style, output }) {
+const ways: Readonly<Record<ComparisonRenderer, DrawWith>> = {
+  selle(comparisons, { renderer, targets }, { style, output }, { bodies }) {
     const { outlines, innerLine, inkColor } = style;
     comparisons.selle.setLines(inkColor, outlines ? innerLine * bodies.meanRadius : Infinity);
-    comparisons.selle.draw(renderer);
+    comparisons.selle.draw(renderer, bodies.geometry);
     comparisons.selle.drawLines(renderer, targets, output);
   },
 
-  sprites(comparisons, { renderer, targets, resolve }, { output }) {
+  sprites(comparisons, { renderer, targets, resolve }, { output }, { bodies }) {
     resolve.draw(renderer, targets, output);
-    comparisons.sprites.draw(renderer, targets, output);
+    comparisons.sprites.draw(renderer, bodies.geometry, targets, output);
   },
 
-  shadowMap(comparisons, passes, { style, rigids, parts = [], output }) {
+  shadowMap(comparisons, passes, { style, rigids, parts = [], output }, { bodies, casters }, surfaceDepth) {
     const { renderer, targets, body, resolve, extras } = passes;
-    body.draw(renderer);
-    if (style.shadows) {
+    body.draw(renderer, bodies.geometry, surfaceDepth);
+    if (casters) {
       const { shadowMap } = comparisons;
       shadowMap.setForm(extras.billboardsOf(style.form));
       passes.placeSurfaces(rigids, parts, [shadowMap]);
-      shadowMap.draw(renderer, targets);
+      shadowMap.draw(renderer, targets, casters.geometry);
     }
     resolve.draw(renderer, targets, output);
   },

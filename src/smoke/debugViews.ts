@@ -1,9 +1,9 @@
 import type { FrameView } from '../device/frameView.ts';
 import { DebugViewsPass } from '../passes/debugViews.ts';
-import type { DebugView } from '../preset/quality.ts';
-import type { CoverageGrid } from '../sim/view.ts';
+import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
 import type { FrameInput } from './frameInput.ts';
-import type { SmokePasses } from './smokePasses.ts';
+import { countVolumes, MAX_COUNT } from './frame.ts';
+import type { ArrangedFrame, SmokePasses } from './smokePasses.ts';
 
 /** Shows intermediate results of the passes instead of the picture. */
 export class DebugViews {
@@ -13,27 +13,27 @@ export class DebugViews {
     this.pass = new DebugViewsPass(eye);
   }
 
-  /** Uploads the grid of the occlusion culling for the coverage view. */
-  setGrid(grid: CoverageGrid | undefined): void {
-    this.pass.setGrid(grid);
-  }
-
   /** Draws a view after the surfaces: the passes of the frame up to the viewed result, and then the view. */
-  draw(view: DebugView, passes: SmokePasses, { style, output }: FrameInput): void {
-    const { renderer, targets, body } = passes;
-    const volumes = passes.prismVolumes ?? passes.volumes;
-    if (view === 'normals') this.pass.drawNormals(renderer, body);
-    else body.draw(renderer);
+  draw(
+    passes: SmokePasses,
+    { style, view, output }: FrameInput,
+    { bodies, casters, grid }: ArrangedFrame,
+    surfaceDepth: SurfaceDepth | undefined,
+  ): void {
+    const { renderer, targets, body, volumes } = passes;
+    const rows = bodies.geometry;
+    if (view === 'normals') this.pass.drawNormals(renderer, body, rows, surfaceDepth);
+    else body.draw(renderer, rows, surfaceDepth);
     if (view === 'counts') {
-      if (style.shadows) {
-        passes.meshVolumes.draw(renderer);
-        passes.mask.countOnce(renderer);
-        volumes.draw(renderer);
-      }
+      if (casters) countVolumes(passes, style, casters.geometry, MAX_COUNT);
       this.pass.copyCounts(renderer);
     }
-    if (view === 'overdraw') this.pass.countOverdraw(renderer, style.shadows ? [body, volumes] : [body]);
-    this.pass.draw(renderer, targets, view, output);
+    if (view === 'overdraw') {
+      const shadows = casters ? [{ pass: volumes, rows: casters.geometry }] : [];
+      this.pass.countOverdraw(renderer, [{ pass: body, rows }, ...shadows]);
+    }
+    if (view === 'coverage') this.pass.setGrid(grid);
+    this.pass.draw(renderer, targets, view!, output);
   }
 
   dispose(): void {

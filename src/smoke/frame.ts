@@ -1,84 +1,127 @@
-import { Box3, Vector3 } from 'three';
+import { Vector3, type InstancedBufferGeometry } from 'three';
+import type { Rows } from '../sim/rows.ts';
 import { homogeneous } from './light.ts';
-import type { SmokePasses } from './smokePasses.ts';
-import { THROWS_SHADOW } from './style.ts';
-import { eyeView, lightView, shownWithin, smokeBox } from './views.ts';
+import type { SmokeRenderer } from './smoke.ts';
+import type { ArrangedFrame, DrawSmoke, SmokePasses } from './smokePasses.ts';
+import { THROWS_SHADOW, type Style } from './style.ts';
+import { eyeView, lightView, shownWithin, smokeBox, viewSources, type ViewSources } from './views.ts';
 import type { FrameInput, FrameReport } from './frameInput.ts';
 
+/** Largest count of the stencil buffer. */
+export const MAX_COUNT = 255;
 /** Animation on twos: lines change at half of 24 frames a second. */
-const DRAWINGS_PER_SECOND = 12;
+export const DRAWINGS_PER_SECOND = 12;
 
 /**
- * Draws a frame, in this order:
- * arrange(eye) and arrange(light) -> instance buffers -> backdrop, surfaces, bodies into unlit, lit and depth
- * -> volumes into the stencil -> mask into the alpha of lit -> resolve to the picture.
+ * Draws a frame. Until the code that it needs is loaded, it is drawn with lobe nailboards. What the steps write:
+ *
+ *     arrangeFrame                   bodies, casters: instance buffers
+ *     backdrop, surfaces, creases    unlit, lit, depth
+ *     surfaceDepth                   a copy of the depth
+ *     body                           unlit, lit, depth
+ *     meshVolumes, volumes           stencil
+ *     mask                           alpha of lit
+ *     resolve                        the picture
+ * @throws ContextError if the device has lost its context
  */
-export function drawFrame(passes: SmokePasses, input: FrameInput): FrameReport {
+export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport {
+  const { passes } = smoke;
   const { renderer, targets } = passes;
-  const report = arrangeFrame(passes, input);
+  const input = smoke.prepare(asked);
+  const { style, view } = input;
+  renderer.info.reset();
+  const arranged = arrangeFrame(passes, input);
 
   targets.begin(renderer);
   if (passes.hasBackdrop && !input.isTransparent) passes.backdrop.draw(renderer);
   passes.surfaces.draw(renderer);
   passes.creases.draw(renderer);
-  passes.surfaceDepth.draw(renderer, targets, input.style.outlines);
-  if (input.style.renderer !== 'nailboards') passes.extras.comparisons!.draw(input.style.renderer, passes, input);
-  else if (input.view) passes.extras.debugViews!.draw(input.view, passes, input);
-  else drawNailboards(passes, input);
-  return report;
+  const surfaceDepth = passes.surfaceDepth.take(renderer, targets, style.outlines);
+  if (style.renderer !== 'nailboards') passes.extras.comparisons!.draw(passes, input, arranged, surfaceDepth);
+  else if (view) passes.extras.debugViews!.draw(passes, input, arranged, surfaceDepth);
+  else drawNailboards(passes, input, arranged, surfaceDepth);
+  return reportOf(arranged);
 }
 
-function drawNailboards(passes: SmokePasses, { style, output }: FrameInput): void {
-  const { renderer, targets } = passes;
-  passes.body.draw(renderer);
-  if (style.shadows) {
-    passes.meshVolumes.draw(renderer);
-    passes.mask.countOnce(renderer);
-    (passes.prismVolumes ?? passes.volumes).draw(renderer);
-    passes.mask.draw(renderer);
+const drawNailboards: DrawSmoke = (passes, { style, output }, { bodies, casters }, surfaceDepth) => {
+  const { renderer, targets, mask } = passes;
+  passes.body.draw(renderer, bodies.geometry, surfaceDepth);
+  if (casters) {
+    const limit = style.shadowSteps === 2 ? Math.min(style.shadowDepth, MAX_COUNT) : 1;
+    countVolumes(passes, style, casters.geometry, limit);
+    mask.draw(renderer);
   }
   passes.resolve.draw(renderer, targets, output);
-}
+};
 
-/** The first half of a frame, without draw calls: arrange(eye) and arrange(light) -> instance buffers. */
-export function arrangeFrame(passes: SmokePasses, input: FrameInput): FrameReport {
-  const { eye, targets, bodies, casters } = passes;
-  const { style } = input;
-  targets.resize(input.width, input.height);
-  const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
-  eye.look(input.camera, homogeneous(input.light), input.width, input.height, reversedDepth);
-  passes.placeSurfaces(input.rigids, input.parts ?? []);
-  passes.body.setBoil(style.boil, Math.floor((input.time ?? 0) * DRAWINGS_PER_SECOND));
-
-  const started = performance.now();
-  bodies.fill(input.simulator.arrange(eyeView(passes, input)));
-  if (input.view === 'coverage') passes.extras.debugViews!.setGrid(input.simulator.coverageGrid);
-  const receivers = receiversOf(passes, input);
-  eye.receive(receivers);
-  const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];
-  if (throwsShadow) {
-    casters.fill(input.simulator.arrange(lightView(passes, input, receivers)));
-    if (eye.isLitBySun) casters.shorten((ends) => endShadows(passes, input, ends));
-  }
-  const arrangeMs = performance.now() - started;
-  return { bodiesDrawn: bodies.count, castersDrawn: throwsShadow ? casters.count : 0, arrangeMs };
+/**
+ * Counts the shadow volumes that contain the place at each pixel, in the stencil buffer.
+ * @param limit count from which on more volumes make no difference, 1..MAX_COUNT
+ */
+export function countVolumes(
+  passes: SmokePasses,
+  { volumes }: Style,
+  casters: InstancedBufferGeometry,
+  limit: number,
+): void {
+  const { renderer, targets, extras } = passes;
+  passes.meshVolumes.draw(renderer);
+  passes.mask.countOnce(renderer);
+  // Counting needs the depth that fragments write.
+  if (volumes === 'counted' && !passes.isFlat) extras.countedVolumes!.draw(renderer, casters);
+  else passes.volumes.draw(renderer, casters, targets.copyDepth(renderer), limit);
 }
 
 /**
- * Computes where each shadow of the sun is behind all receivers. The shadows of a lamp end at the box of all receivers.
+ * The first half of a frame, without draw calls: arrange(eye) and arrange(light) -> instance buffers.
+ * @param input as `SmokeRenderer.prepare` returns it
  */
-function endShadows({ eye, casters, bodies, surfaces, ...passes }: SmokePasses, input: FrameInput, ends: Float32Array) {
-  const { reach } = passes.extentsOf(input.style.form);
-  const boxes = surfaces.worldBoxes();
-  if (input.receivers) boxes.push(input.receivers);
-  const receivers = { bodies: bodies.places, reach: shownWithin(reach, eye), boxes };
-  passes.shadowEnds.find(casters.places, reach, receivers, eye.travelAt(new Vector3()), ends);
+export function arrangeFrame(passes: SmokePasses, input: FrameInput): ArrangedFrame {
+  const { eye, bodies, casters } = passes;
+  const { simulator, style } = input;
+  setUpView(passes, input);
+  const sources = viewSources(passes, input);
+
+  const started = performance.now();
+  const seen = simulator.arrange(eyeView(sources, input));
+  bodies.fill(seen.rows);
+  // Copied, because the next call of arrange replaces it.
+  const grid = input.view === 'coverage' && seen.grid ? { ...seen.grid, depths: seen.grid.depths.slice() } : undefined;
+  const receivers = sources.boxes.reduce((all, box) => all.union(box), smokeBox(eye, seen.bounds));
+  eye.receive(receivers);
+  const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];
+  if (throwsShadow) {
+    const { rows } = simulator.arrange(lightView(sources, input, receivers));
+    casters.fill(rows, shadowEndsOf(passes, sources, rows));
+  }
+  const arrangeMs = performance.now() - started;
+  return { bodies, casters: throwsShadow ? casters : undefined, grid, arrangeMs };
 }
 
-/** The box of everything that can receive a shadow: the surfaces, and the smoke as measured by arrange(eye). */
-function receiversOf(passes: SmokePasses, { simulator, receivers }: FrameInput): Box3 {
-  const box = passes.surfaces.bounds(new Box3());
-  if (receivers) box.union(receivers);
-  box.union(smokeBox(passes, simulator.bounds));
-  return box;
+/** Statistics of an arranged frame. */
+export function reportOf({ bodies, casters, arrangeMs }: ArrangedFrame): FrameReport {
+  return { bodiesDrawn: bodies.count, castersDrawn: casters?.count ?? 0, arrangeMs };
+}
+
+/** Sets what the arrangement and all passes read of the frame: size, camera, light, places of the surfaces and time. */
+function setUpView(passes: SmokePasses, { camera, light, width, height, rigids, parts, time }: FrameInput) {
+  passes.targets.resize(width, height);
+  const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
+  passes.eye.look(camera, homogeneous(light), width, height, reversedDepth);
+  passes.placeSurfaces(rigids, parts ?? []);
+  passes.body.setDrawing(Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));
+}
+
+/**
+ * Where the shadow of each caster is behind all receivers. The shadows of a lamp end at the box of all receivers, so
+ * there is none for them.
+ */
+function shadowEndsOf(
+  { eye, bodies, shadowEnds }: SmokePasses,
+  { extents: { reach }, boxes }: ViewSources,
+  casters: Rows,
+): Float32Array | undefined {
+  if (!eye.isLitBySun) return undefined;
+  const receivers = { bodies: bodies.places, reach: shownWithin(reach, eye), boxes };
+  return shadowEnds.find(casters, reach, receivers, eye.travelAt(new Vector3()));
 }

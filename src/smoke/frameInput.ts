@@ -1,17 +1,13 @@
 import type { Box3, Camera, Matrix4, WebGLRenderTarget } from 'three';
 import type { DebugView } from '../preset/quality.ts';
-import type { Rows } from '../sim/rows.ts';
-import type { Bounds } from '../sim/simulator.ts';
-import type { CoverageGrid, View } from '../sim/view.ts';
+import type { Arranged } from '../sim/arranged.ts';
+import type { View } from '../sim/view.ts';
 import type { Light } from './light.ts';
 import type { Style } from './style.ts';
 
-/** The part of a simulator that a frame needs: rows for a view, and the bounds of the live particles. */
+/** The part of a simulator that a frame needs. The result may be reused by the next call. */
 export interface Arranger {
-  arrange(view: View): Rows;
-  readonly bounds: Bounds;
-  /** The grid of the last call of `arrange`. */
-  readonly coverageGrid?: CoverageGrid;
+  arrange(view: View): Arranged;
 }
 
 /** Everything that one frame is drawn from. */

@@ -3,6 +3,7 @@
  * to a grid perpendicular to the light; surfaces are represented by their bounding boxes.
  */
 import { Vector3, type Box3 } from 'three';
+import type { Rows } from '../sim/rows.ts';
 
 /** Cells along each side of the grid, chosen so that a cell is about as wide as a puff. */
 const CELLS = 40;
@@ -19,8 +20,9 @@ export interface Receivers {
   readonly boxes: readonly Box3[];
 }
 
-/** Finds the ends of parallel shadows. The grid buffer is reused between frames. */
+/** Finds the ends of parallel shadows. The buffers are reused between frames. */
 export class ShadowEnds {
+  private readonly ends: Float32Array;
   private readonly farthest = new Float32Array(CELLS * CELLS);
   private readonly corner: [number, number] = [0, 0];
   private perMetre = 0;
@@ -28,24 +30,29 @@ export class ShadowEnds {
   private up: Triple = [0, 1, 0];
   private travel: Triple = [0, 0, -1];
 
+  /** @param capacity maximum number of casters */
+  constructor(capacity: number) {
+    this.ends = new Float32Array(capacity);
+  }
+
   /**
-   * @param casters x, y, z and radius of each caster
+   * Returns, for each caster, the distance behind its centre at which its shadow has left every receiver, metres;
+   * negative if no receiver is behind it. The array is valid until the next call.
    * @param widest radius of the bounding sphere of a puff, in puff radii
    * @param receivers visible puffs and boxes
    * @param travel unit vector along which the light travels
-   * @param ends output: for each caster the distance behind its centre at which its shadow has left every receiver,
-   * metres; negative if no receiver is behind it
    */
-  find(casters: Float32Array, widest: number, receivers: Receivers, travel: Vector3, ends: Float32Array): void {
+  find({ count, place }: Rows, widest: number, receivers: Receivers, travel: Vector3): Float32Array {
     this.face(travel);
     this.fill(receivers.bodies, receivers.reach);
-    for (let row = 0; 4 * row < casters.length; row++) {
-      const radius = widest * casters[4 * row + 3];
-      const depth = at(casters, row, this.travel);
-      let end = this.farthestWithin(at(casters, row, this.right), at(casters, row, this.up), radius) - depth;
-      for (const box of receivers.boxes) end = Math.max(end, exitFrom(box, casters, row, radius, this.travel));
-      ends[row] = end;
+    for (let row = 0; row < count; row++) {
+      const radius = widest * place[4 * row + 3];
+      const depth = at(place, row, this.travel);
+      let end = this.farthestWithin(at(place, row, this.right), at(place, row, this.up), radius) - depth;
+      for (const box of receivers.boxes) end = Math.max(end, exitFrom(box, place, row, radius, this.travel));
+      this.ends[row] = end;
     }
+    return this.ends;
   }
 
   private face(travel: Vector3): void {

@@ -2,7 +2,7 @@ import type { Device } from '../device/device.ts';
 import { FrameView } from '../device/frameView.ts';
 import { PuffTextures, type BakedPuffs } from '../device/puffTextures.ts';
 import { RampTexture, type Color } from '../device/ramps.ts';
-import { FRONT_AND_BACK, CasterInstances, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
+import { CasterInstances, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
 import { BackdropPass } from '../passes/backdrop.ts';
 import { BodiesPass } from '../passes/bodies.ts';
 import { CreasesPass } from '../passes/creases.ts';
@@ -14,14 +14,14 @@ import { SurfaceDepthPass } from '../passes/surfaceDepth.ts';
 import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
 import { bakedPuffs } from './bakedPuffs.ts';
-import { arrangeFrame, drawFrame } from './frame.ts';
-import type { FrameInput, FrameReport } from './frameInput.ts';
+import type { FrameInput } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
-import { codeOf, ExtraPasses, hasExtras } from './extraPasses.ts';
+import { ExtraPasses, hasExtras } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
-import { inkLineOf, type Style } from './style.ts';
+import { setStyle, styleUniforms, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
+import { TINTS } from '../constants.ts';
 
 export interface SmokeOptions {
   /** Largest number of particles that can be drawn. */
@@ -36,8 +36,7 @@ export interface SmokeOptions {
 }
 
 /** World height below which surfaces are hidden, metres. */
-const OUT_OF_SIGHT = -60;
-const TINTS = 3;
+export const OUT_OF_SIGHT = -60;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
 
@@ -65,10 +64,10 @@ export class SmokeRenderer {
     this.backdrop = backdrop;
     this.puffs = new PuffTextures(device.puffs, puffs);
     this.ramps = new RampTexture(FIRST_SURFACE_RAMP + surfaces.length);
-    const eye = new FrameView();
+    const eye = new FrameView(styleUniforms());
     const isFlat = !device.writesDepth;
     const bodies = new Instances(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
-    const casters = new CasterInstances(capacity, FRONT_AND_BACK);
+    const casters = new CasterInstances(capacity, ONE_QUAD);
     const surfacesPass = new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces);
     const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0 || isGuest);
     const creases = new CreasesPass(eye, surfaces);
@@ -79,27 +78,23 @@ export class SmokeRenderer {
       targets: new Targets(),
       bodies,
       casters,
-      shadowEnds: new ShadowEnds(),
+      shadowEnds: new ShadowEnds(capacity),
       backdrop: new BackdropPass(eye),
       surfaces: surfacesPass,
       creases,
       surfaceDepth,
-      body: new BodiesPass(eye, this.puffs, this.ramps, bodies.geometry, surfaceDepth, isFlat),
+      body: new BodiesPass(eye, this.puffs, this.ramps, isFlat),
       meshVolumes,
-      volumes: new VolumesPass(eye, this.puffs, casters.geometry),
-      prismVolumes: isFlat
-        ? new (codeOf('prismVolumes').PrismVolumesPass)(eye, this.puffs, casters.geometry)
-        : undefined,
+      volumes: new VolumesPass(eye, this.puffs, isFlat),
+      isFlat,
       mask: new MaskPass(),
-      resolve: new ResolvePass(),
+      resolve: new ResolvePass(eye),
       extras: new ExtraPasses({
         eye,
         puffs: this.puffs,
         ramps: this.ramps,
         firstSurface: FIRST_SURFACE_RAMP,
         surfaces,
-        bodies: bodies.geometry,
-        casters: casters.geometry,
       }),
       hasBackdrop: backdrop !== undefined,
       extentsOf: (form) => this.puffs.of(form),
@@ -117,24 +112,16 @@ export class SmokeRenderer {
   }
 
   /**
-   * Draws one frame. While `fetchExtras` has not loaded the modules that it needs, it is drawn with lobe nailboards.
+   * Applies the style of a frame to all passes, and returns the frame that they can draw: while `fetchExtras` has not
+   * loaded the modules that it needs, one with lobe nailboards.
    * @throws ContextError if the device has lost its context
    */
-  draw(input: FrameInput): FrameReport {
+  prepare(input: FrameInput): FrameInput {
+    this.device.requireUsable();
     const drawn = this.withWhatIsHere(input);
-    this.prepare(drawn);
-    this.device.renderer.info.reset();
-    return drawFrame(this.passes, drawn);
-  }
-
-  /**
-   * Prepares all passes for a frame that the caller draws with them.
-   * @throws ContextError if the device has lost its context
-   */
-  arrange(input: FrameInput): FrameReport {
-    const arranged = this.withWhatIsHere(input);
-    this.prepare(arranged);
-    return arrangeFrame(this.passes, arranged);
+    const { style, pixelRatio } = drawn;
+    if (style !== this.style || pixelRatio !== this.pixelRatio) this.apply(style, pixelRatio);
+    return drawn;
   }
 
   /** Replaces the puffs from the next frame on. Particles keep their variation. */
@@ -158,7 +145,6 @@ export class SmokeRenderer {
     passes.creases.dispose();
     passes.surfaceDepth.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
-    passes.prismVolumes?.dispose();
     passes.extras.dispose();
     this.ramps.dispose();
   }
@@ -166,31 +152,21 @@ export class SmokeRenderer {
   private withWhatIsHere(input: FrameInput): FrameInput {
     const { style, view } = input;
     if (hasExtras({ ...style, view })) return input;
-    if (this.asked !== style) this.meanwhile = { ...style, renderer: 'nailboards', form: 'lobes' };
+    if (this.asked !== style) this.meanwhile = { ...style, renderer: 'nailboards', form: 'lobes', volumes: 'receiver' };
     this.asked = style;
     return { ...input, style: this.meanwhile!, view: undefined };
   }
 
-  private prepare({ style, pixelRatio }: FrameInput): void {
-    this.device.requireUsable();
-    if (style !== this.style || pixelRatio !== this.pixelRatio) this.apply(style, pixelRatio);
-  }
-
   private apply(style: Style, pixelRatio: number): void {
-    const { body, surfaces, volumes, prismVolumes, mask, resolve, extras } = this.passes;
-    const line = inkLineOf(style, pixelRatio);
+    const { eye, body, volumes, mask, extras } = this.passes;
+    setStyle(eye.style, style, pixelRatio);
     this.writeRamps(style);
     this.paintBackdrop(style);
-    body.setInk(line, style.innerLine, style.innerTaper);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
-    body.setRim(style.rimColor, style.shading ? style.rim : 0);
     body.setForm(extras.billboardsOf(style.form));
-    surfaces.setInk(line, style.creases);
-    this.passes.creases.setInk(style.creases ? line : { ...line, pixels: 0 });
     volumes.follow(style.form, litThresholdOf(style));
-    prismVolumes?.follow();
+    extras.countedVolumes?.follow(style.form, litThresholdOf(style));
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);
-    resolve.setDeepShadow(style.deepShadow);
     this.style = style;
     this.pixelRatio = pixelRatio;
   }

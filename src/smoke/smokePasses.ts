@@ -9,17 +9,15 @@ import type { BodiesPass } from '../passes/bodies.ts';
 import type { CreasesPass } from '../passes/creases.ts';
 import type { MaskPass } from '../passes/mask.ts';
 import type { MeshVolumesPass } from '../passes/meshVolumes.ts';
-import type { PrismVolumesPass } from '../passes/prismVolumes.ts';
+import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
 import type { ResolvePass } from '../passes/resolve.ts';
-import type { SurfaceDepthPass } from '../passes/surfaceDepth.ts';
+import type { SurfaceDepth, SurfaceDepthPass } from '../passes/surfaceDepth.ts';
 import type { SurfacesPass } from '../passes/surfaces.ts';
 import type { Targets } from '../passes/targets.ts';
 import type { VolumesPass } from '../passes/volumes.ts';
-import type { DebugView } from '../preset/quality.ts';
 import type { CoverageGrid } from '../sim/view.ts';
 import type { FrameInput } from './frameInput.ts';
 import type { ShadowEnds } from './shadowEnds.ts';
-import type { ComparisonRenderer } from './style.ts';
 
 /** Everything that a frame draws with, created once for a smoke. */
 export interface SmokePasses {
@@ -36,8 +34,8 @@ export interface SmokePasses {
   readonly body: BodiesPass;
   readonly meshVolumes: MeshVolumesPass;
   readonly volumes: VolumesPass;
-  /** Replaces `volumes` on devices that do not keep the depth that fragments write. */
-  readonly prismVolumes: PrismVolumesPass | undefined;
+  /** Whether puffs are drawn as discs, for GPUs that do not keep the depth that fragments write. */
+  readonly isFlat: boolean;
   readonly mask: MaskPass;
   readonly resolve: ResolvePass;
   /** The modules that the input of a frame needs must be loaded. */
@@ -49,18 +47,40 @@ export interface SmokePasses {
   placeSurfaces(rigids: readonly Matrix4[], parts: readonly Matrix4[], drawing?: readonly DrawsSurfaces[]): void;
 }
 
+/** A frame before its first draw call: the instance buffers that it draws. */
+export interface ArrangedFrame {
+  /** Puffs that the camera can see. */
+  readonly bodies: Instances;
+  /** Puffs whose shadows the camera can see; undefined if the style has no shadows. */
+  readonly casters: CasterInstances | undefined;
+  /** Grid of the occlusion culling, for the view `coverage` only. */
+  readonly grid: CoverageGrid | undefined;
+  /** Time spent in the simulator's arrange, milliseconds. */
+  readonly arrangeMs: number;
+}
+
 type DrawsSurfaces = Pick<SurfacesPass, 'place'>;
 
 /** Optional passes, whose modules are loaded on demand; undefined until then. */
 export interface FrameExtras {
-  readonly comparisons: DrawsInstead<ComparisonRenderer> | undefined;
-  readonly debugViews: (DrawsInstead<DebugView> & { setGrid(grid: CoverageGrid | undefined): void }) | undefined;
+  readonly comparisons: DrawsInstead | undefined;
+  /** Counts entries and exits; `style.volumes` decides. */
+  readonly countedVolumes: CountedVolumesPass | undefined;
+  readonly debugViews: DrawsInstead | undefined;
   /** The shaders of a puff form; undefined for lobes. */
   billboardsOf(form: PuffForm): Shaders | undefined;
   dispose(): void;
 }
 
-/** Draws after the surfaces, in place of the default passes. */
-interface DrawsInstead<Kind> {
-  draw(kind: Kind, passes: SmokePasses, input: FrameInput): void;
+/** Draws the rest of a frame after the surfaces. */
+export type DrawSmoke = (
+  passes: SmokePasses,
+  input: FrameInput,
+  arranged: ArrangedFrame,
+  surfaceDepth: SurfaceDepth | undefined,
+) => void;
+
+/** Draws in place of the default passes what `style.renderer` or `view` of the input says. */
+interface DrawsInstead {
+  readonly draw: DrawSmoke;
 }

@@ -1,90 +1,104 @@
 /** The views of a frame that the simulator arranges: puffs for the camera and casters for the light. */
 import { Box3, Vector3 } from 'three';
-import type { Bounds } from '../sim/simulator.ts';
+import type { Bounds } from '../sim/arranged.ts';
 import { LIFTERS_LIMIT } from '../sim/layout.ts';
 import type { CoverageView, View } from '../sim/view.ts';
-import { widestLine } from '../passes/ink.ts';
+import type { PuffExtents } from '../device/formTextures.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { FrameInput } from './frameInput.ts';
 import type { SmokePasses } from './smokePasses.ts';
-import { inkLineOf } from './style.ts';
+import { widestLineOf } from './style.ts';
+import { COVERS_LIMIT, STEEPEST } from '../constants.ts';
 
 /** Largest distance of ink from a silhouette, in puff radii; see shaders/lib/ink.glsl. */
 const WIDEST_RING = 0.3;
-/** Largest distance by which a surface may lift ink, for each unit beside its puff; see shaders/lib/contact.glsl. */
-const STEEPEST = 8;
-/** The simulator's limit of covers. */
-const MAX_COVERS = 16;
 
-export function eyeView(passes: SmokePasses, input: FrameInput): View {
-  const { eye } = passes;
-  // Blended sprites must be sorted back to front.
-  const blends = input.style.renderer === 'sprites';
-  const { pixels, swell } = inkLineOf(input.style, input.pixelRatio);
+/** What a view is computed from, besides the input of the frame. */
+export interface ViewSources {
+  readonly eye: FrameView;
+  /** Bounds of the puffs in the form that is drawn. */
+  readonly extents: PuffExtents;
+  /** World-space boxes of everything but smoke that is drawn and receives shadow. */
+  readonly boxes: readonly Box3[];
+  /** Least distance behind a puff's centre at which volumes start, in radii. */
+  readonly minCap: number;
+  /** Whether puffs are drawn without depth, and their shadows as prisms. */
+  readonly isFlat: boolean;
+}
+
+/** @param passes with the surfaces of this frame in place */
+export function viewSources(passes: SmokePasses, { style, receivers }: FrameInput): ViewSources {
+  const boxes = passes.surfaces.worldBoxes();
+  if (receivers && !receivers.isEmpty()) boxes.push(receivers);
   return {
-    ...common(passes, input),
-    purpose: 'eye',
-    pad: widestLine(pixels, swell) * eye.unitsPerPixel,
-    direction: (blends ? eye.forward.clone().negate() : eye.forward).toArray(),
-    receivers: { min: [0, 0, 0], max: [0, 0, 0] },
-    coverage: coverageOf(passes, input, 1),
+    eye: passes.eye,
+    extents: passes.extentsOf(style.form),
+    boxes,
+    minCap: passes.volumes.minCap,
+    isFlat: passes.isFlat,
   };
 }
 
-export function lightView(passes: SmokePasses, input: FrameInput, receivers: Box3): View {
-  const { eye } = passes;
-  const { style } = input;
-  const coverage = coverageOf(passes, input, style.shadowSteps === 2 ? style.shadowDepth : 1);
+export function eyeView(sources: ViewSources, input: FrameInput): View {
+  const { eye } = sources;
+  // Blended sprites must be sorted back to front.
+  const blends = input.style.renderer === 'sprites';
   return {
-    ...common(passes, input),
+    ...common(sources, input),
+    purpose: 'eye',
+    pad: widestLineOf(input.style, input.pixelRatio) * eye.unitsPerPixel,
+    direction: (blends ? eye.forward.clone().negate() : eye.forward).toArray(),
+    receivers: { min: [0, 0, 0], max: [0, 0, 0] },
+    coverage: coverageOf(sources, input, 1),
+  };
+}
+
+/** @param receivers world-space box of everything that can receive a shadow */
+export function lightView(sources: ViewSources, input: FrameInput, receivers: Box3): View {
+  const { eye, extents } = sources;
+  const { style } = input;
+  const coverage = coverageOf(sources, input, style.shadowSteps === 2 ? style.shadowDepth : 1);
+  return {
+    ...common(sources, input),
     purpose: 'light',
     // Culling of casters projects them along one common direction, which a lamp does not have.
     cull: input.cull && eye.isLitBySun,
     pad: 0,
     direction: eye.travelAt(receivers.getCenter(new Vector3())).toArray(),
     receivers: { min: receivers.min.toArray(), max: receivers.max.toArray() },
-    coverage: coverage && { ...coverage, startCaps: passes.extentsOf(style.form).capTable },
+    coverage: coverage && { ...coverage, startCaps: extents.capTable },
   };
 }
 
-function common(passes: SmokePasses, { blend, cull, style }: FrameInput) {
-  const { eye } = passes;
-  return {
-    blend,
-    cull,
-    clipFromWorld: eye.clipFromWorld.elements,
-    reach: passes.extentsOf(style.form).reach,
-  };
+function common({ eye, extents }: ViewSources, { blend, cull }: FrameInput) {
+  return { blend, cull, clipFromWorld: eye.clipFromWorld.elements, reach: extents.reach };
 }
 
 function coverageOf(
-  passes: SmokePasses,
-  { style, pixelRatio, receivers }: FrameInput,
+  { eye, extents, boxes, minCap, isFlat }: ViewSources,
+  { style, pixelRatio }: FrameInput,
   covers: number,
 ): CoverageView | undefined {
   // The comparison renderers draw hidden puffs, too: they are compared without occlusion culling, and blended sprites
-  // are transparent. With flat puffs and prism volumes, the solids do not match the drawn shapes.
-  if (style.renderer !== 'nailboards' || passes.prismVolumes) return undefined;
-  const { eye, volumes } = passes;
-  const { capRange, depth, solids } = passes.extentsOf(style.form);
+  // are transparent. The solids do not match flat puffs.
+  if (style.renderer !== 'nailboards' || isFlat) return undefined;
+  const { capRange, depth, solids } = extents;
   const [nearest, farthest] = eye.range;
-  const { pixels, swell } = inkLineOf(style, pixelRatio);
   return {
-    covers: covers > MAX_COVERS ? 0 : covers,
+    covers: covers > COVERS_LIMIT ? 0 : covers,
     pixel: eye.unitsPerPixel,
     nearest,
     farthest,
-    lifters: liftersOf(passes, receivers),
-    lift: STEEPEST * widestLine(pixels, swell) * eye.unitsPerPixel,
-    capRange: [Math.max(capRange[0], volumes.minCap), Math.max(capRange[1], volumes.minCap)],
+    lifters: liftersOf(boxes),
+    lift: STEEPEST * widestLineOf(style, pixelRatio) * eye.unitsPerPixel,
+    capRange: [Math.max(capRange[0], minCap), Math.max(capRange[1], minCap)],
     depth,
     solids,
   };
 }
 
-/** The boxes of the surfaces and of the host's scene. If there are too many, one box that contains all. */
-function liftersOf({ surfaces }: SmokePasses, hostBounds: Box3 | undefined): number[][] {
-  const boxes = [...surfaces.worldBoxes(), ...(hostBounds && !hostBounds.isEmpty() ? [hostBounds] : [])];
+/** The boxes as numbers. If there are too many, one box that contains all. */
+function liftersOf(boxes: readonly Box3[]): number[][] {
   const few = boxes.length > LIFTERS_LIMIT ? [boxes.reduce((all, box) => all.union(box), new Box3())] : boxes;
   return few.map(({ min, max }) => [...min.toArray(), ...max.toArray()]);
 }
@@ -94,8 +108,8 @@ function liftersOf({ surfaces }: SmokePasses, hostBounds: Box3 | undefined): num
  * sideways. Outside the box, a volume could end in front of a fragment although it has occluded, and so culled, a
  * volume that does not.
  */
-export function smokeBox({ eye }: SmokePasses, { min, max, greatestRadius }: Bounds): Box3 {
-  const shear = eye.steepestSlope * (1 + WIDEST_RING) + WIDEST_RING;
+export function smokeBox({ steepestSlope }: FrameView, { min, max, greatestRadius }: Bounds): Box3 {
+  const shear = steepestSlope * (1 + WIDEST_RING) + WIDEST_RING;
   return new Box3(new Vector3(...min), new Vector3(...max)).expandByScalar(shear * greatestRadius);
 }
 

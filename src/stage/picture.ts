@@ -6,9 +6,10 @@ import type { Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import type { PictureKind } from '../smoke/extraPasses.ts';
-import type { FrameReport } from '../smoke/frameInput.ts';
+import { drawFrame } from '../smoke/frame.ts';
+import type { FrameInput, FrameReport } from '../smoke/frameInput.ts';
 import { OrbitCamera } from './orbit.ts';
-import type { Presenter } from './presenter.ts';
+import type { PictureSize, Presenter } from './presenter.ts';
 import { ShownSmoke } from './shownSmoke.ts';
 
 const LARGEST_PIXEL_RATIO = 4;
@@ -155,7 +156,16 @@ export class Picture {
     const { device } = this.presenter;
     if (!this.isVisible || !device.isUsable) return false;
     try {
-      this.drawNow(moment);
+      const started = performance.now();
+      this.smoke.bake(moment.isPlaying ? BAKING_MS : Infinity);
+      this.eye.follow(secondsAt(moment.simulator.steps, moment.blend));
+      const canvas = { width: this.width, height: this.height };
+      const drawn = scaled(canvas, moment.scale);
+      const output = this.presenter.prepare(canvas, drawn);
+      this.report = drawFrame(this.smoke.renderer, this.inputOf(moment, drawn, output));
+      this.presenter.present();
+      this.scale = moment.scale;
+      this.renderMs = performance.now() - started;
       return true;
     } catch (error) {
       if (device.isUsable) throw error;
@@ -174,14 +184,12 @@ export class Picture {
     this.presenter.dispose();
   }
 
-  private drawNow({ simulator, rigids, parts, blend, scale, isPlaying }: PictureState): void {
-    this.smoke.bake(isPlaying ? BAKING_MS : Infinity);
-    this.eye.follow(secondsAt(simulator.steps, blend));
-    const started = performance.now();
-    const canvas = { width: this.width, height: this.height };
-    const drawn = { width: Math.ceil(canvas.width * scale), height: Math.ceil(canvas.height * scale) };
-    const output = this.presenter.prepare(canvas, drawn);
-    this.report = this.smoke.draw({
+  private inputOf(
+    { simulator, rigids, parts, blend, scale }: PictureState,
+    drawn: PictureSize,
+    output: FrameInput['output'],
+  ): FrameInput {
+    return this.smoke.inputOf({
       simulator,
       camera: this.eye.camera,
       blend,
@@ -195,8 +203,9 @@ export class Picture {
       isTransparent: !this.hasBackground,
       output,
     });
-    this.presenter.present();
-    this.scale = scale;
-    this.renderMs = performance.now() - started;
   }
+}
+
+function scaled({ width, height }: PictureSize, scale: number): PictureSize {
+  return { width: Math.ceil(width * scale), height: Math.ceil(height * scale) };
 }

@@ -162,9 +162,14 @@ export class RunningScene implements FrameTasks {
 
   /** Applies validated values; see `Stage.set`. */
   change(values: Values): void {
+    this.replace({ ...this.now, ...values });
+  }
+
+  /** Changes to validated values; see `Stage.replace`. */
+  replace(after: Values): void {
     const before = this.now;
-    const after = { ...before, ...values };
-    this.simulation.set(differing(values, before));
+    this.simulation.unset(Object.keys(before).filter((key) => !(key in after)));
+    this.simulation.set(differing(after, before));
     const capacity = after['simulation.maxParticles'] as number;
     if (capacity !== before['simulation.maxParticles']) {
       this.simulation.input((simulator) => simulator.inputCapacity(capacity));

@@ -5,7 +5,7 @@ import type { Values } from '../preset/parameter.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import type { Scene } from '../scenes/scene.ts';
 import type { PictureKind } from '../smoke/extraPasses.ts';
-import type { FrameInput, FrameReport } from '../smoke/frameInput.ts';
+import type { FrameInput } from '../smoke/frameInput.ts';
 import { lightOf, moved, type Light } from '../smoke/light.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
@@ -22,7 +22,7 @@ export class ShownSmoke {
   private readonly scene: Scene;
   private readonly puffs: LivePuffs;
   private baked: BakedPuffs | undefined;
-  private renderer: SmokeRenderer;
+  private drawing: SmokeRenderer;
   private capacity: number;
   private style: Style;
   private values: Values;
@@ -38,17 +38,22 @@ export class ShownSmoke {
     this.puffs = new LivePuffs(values);
     this.baked = this.puffs.finish();
     this.capacity = capacityOf(values);
-    this.renderer = this.makeRenderer();
+    this.drawing = this.makeRenderer();
+  }
+
+  /** Replaced when the capacity changes. */
+  get renderer(): SmokeRenderer {
+    return this.drawing;
   }
 
   get throwsShadow(): boolean {
     return this.style.shadows;
   }
 
-  /** Renderer and puff form. */
+  /** The settings that decide which modules the picture needs. */
   get kind(): PictureKind {
-    const { renderer, form } = this.style;
-    return { renderer, form };
+    const { renderer, form, volumes } = this.style;
+    return { renderer, form, volumes };
   }
 
   /** Applies new values. */
@@ -59,8 +64,8 @@ export class ShownSmoke {
     this.puffs.follow(values);
     if (this.capacity === capacityOf(values)) return;
     this.capacity = capacityOf(values);
-    this.renderer.dispose();
-    this.renderer = this.makeRenderer();
+    this.drawing.dispose();
+    this.drawing = this.makeRenderer();
   }
 
   /** Provides at least as many variations as the restored particles use. */
@@ -83,23 +88,24 @@ export class ShownSmoke {
     const puffs = milliseconds === Infinity ? this.puffs.finish() : this.puffs.workFor(milliseconds);
     if (!puffs) return;
     this.baked = puffs;
-    this.renderer.setPuffs(puffs);
+    this.drawing.setPuffs(puffs);
   }
 
-  draw(given: Omit<FrameInput, 'style' | 'light'>): FrameReport {
+  /** Completes the input of a frame for the renderer. */
+  inputOf(given: Omit<FrameInput, 'style' | 'light'>): FrameInput {
     const input = { ...given, style: this.style, light: this.lightAt(given.time ?? 0) };
-    return this.renderer.draw(this.change ? this.change(input) : input);
+    return this.change ? this.change(input) : input;
   }
 
   /** See `Stage.retouch`. */
   retouch(change: Retouch): void {
     this.change = change;
-    this.renderer.dispose();
-    this.renderer = this.makeRenderer();
+    this.drawing.dispose();
+    this.drawing = this.makeRenderer();
   }
 
   dispose(): void {
-    this.renderer.dispose();
+    this.drawing.dispose();
   }
 
   /** @param seconds simulated */

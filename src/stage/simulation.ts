@@ -206,7 +206,7 @@ export class Simulation {
 
   /** One more than the highest variation of a living particle; 0 without particles. */
   variationsAlive(): number {
-    const { count, attributes } = this.current.arrange({ ...ALL_THAT_LIVES, blend: 1 });
+    const { count, attributes } = this.current.arrange({ ...ALL_THAT_LIVES, blend: 1 }).rows;
     let variations = 0;
     for (let row = 0; row < count; row++) variations = Math.max(variations, 1 + (attributes[2 * row + 1] & 0xff));
     return variations;

@@ -11,7 +11,7 @@ import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import { compileAhead } from '../smoke/prepare.ts';
 import { fetchExtras, type PictureKind } from '../smoke/extraPasses.ts';
-import type { Renderer } from '../smoke/style.ts';
+import type { Renderer, Volumes } from '../smoke/style.ts';
 import { bakeAhead } from '../smoke/prepare.ts';
 import type { BlowInput } from './blow.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
@@ -224,12 +224,16 @@ export class Stage {
    * @throws ParameterError with the parameter, the value and the accepted range
    */
   set(values: Values): void {
-    this.#running.requireAlive();
-    validate(values);
-    const { scene } = this.#running.values;
-    if ((values.scene ?? scene) !== scene)
-      throw new ParameterError('scene', values.scene, `${scene} (or call enter())`);
+    this.#requireChangeable(values);
     this.#running.change(values);
+  }
+
+  /** @internal Changes to these values as one change: like `set`, and `unset` of all optional parameters not in them. */
+  replace(values: Values): void {
+    this.#requireChangeable(values);
+    const taken = Object.keys(this.#running.values).filter((key) => !(key in values));
+    taken.forEach(requireOptional);
+    this.#running.replace(values);
   }
 
   /**
@@ -443,6 +447,14 @@ export class Stage {
     this.#running.dispose();
   }
 
+  #requireChangeable(values: Values): void {
+    this.#running.requireAlive();
+    validate(values);
+    const { scene } = this.#running.values;
+    if ((values.scene ?? scene) !== scene)
+      throw new ParameterError('scene', values.scene, `${scene} (or call enter())`);
+  }
+
   get #simulation(): Simulation {
     return this.#running.simulation;
   }
@@ -453,7 +465,12 @@ export class Stage {
 }
 
 function kindOf(values: Values, view: DebugView | undefined): PictureKind {
-  return { renderer: values['style.renderer'] as Renderer, form: values['puff.form'] as PuffForm, view };
+  return {
+    renderer: values['style.renderer'] as Renderer,
+    form: values['puff.form'] as PuffForm,
+    volumes: values['style.volumes'] as Volumes,
+    view,
+  };
 }
 
 /**
@@ -470,7 +487,7 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
     const [opened] = await Promise.all([
       openScene(values.scene as string, options.onProgress),
       bakeAhead(values),
-      fetchExtras({ ...kindOf(values, options.view), isFlat: !presenter.device.writesDepth }),
+      fetchExtras(kindOf(values, options.view)),
     ]);
     if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
     if (!presenter.device.hasHope) throw missingContext();

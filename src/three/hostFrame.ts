@@ -1,4 +1,5 @@
 import { Vector2, type Camera, type Scene, type WebGLRenderer, NoBlending, type Mesh } from 'three';
+import { arrangeFrame, reportOf } from '../smoke/frame.ts';
 import type { FrameInput, FrameReport } from '../smoke/frameInput.ts';
 import type { HostPasses } from './hostPasses.ts';
 import type { KeyLight } from './keyLight.ts';
@@ -26,39 +27,41 @@ export interface HostView {
  * Unlit smoke follows, as the first blended object.
  */
 export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInput): FrameReport {
-  const { smoke, pictures, insert, casters } = passes;
+  const { smoke, pictures, insert } = passes;
   const { renderer } = view;
-  const { body, eye, mask, resolve, surfaceDepth, targets, volumes } = smoke.passes;
+  const { body, eye, mask, resolve, surfaceDepth, targets, extras } = smoke.passes;
   const { style } = input;
   const hasDeep = style.shadows && style.shadowSteps === 2;
   const isLinear = isLinearPicture(renderer);
   const state = new RendererState(renderer);
   state.hold();
   try {
-    const report = smoke.arrange(input);
+    const arranged = arrangeFrame(smoke.passes, smoke.prepare(input));
+    const { bodies, casters } = arranged;
+    const size = new Vector2(input.width, input.height);
     eye.uniforms.viewportOrigin.value.copy(view.origin);
-    surfaceDepth.takeFromHost(renderer, view.origin, new Vector2(input.width, input.height), style.outlines);
+    const hostDepth = surfaceDepth.takeFromHost(renderer, view.origin, size, style.outlines);
     targets.begin(renderer);
-    body.draw(renderer);
+    body.draw(renderer, bodies.geometry, hostDepth);
     pictures.take(renderer, targets, resolve, hasDeep);
 
     state.returnToTarget();
     renderer.clearStencil();
     insert.setSmoke(pictures, targets.depth, isLinear);
     insert.drawDepth(renderer);
-    if (style.shadows) {
-      casters.draw(renderer, view.scene);
+    if (casters) {
+      passes.casters.draw(renderer, view.scene);
       mask.countOnce(renderer);
-      volumes.draw(renderer);
+      extras.countedVolumes?.draw(renderer, casters.geometry);
     }
     insert.drawLit(renderer);
-    if (style.shadows) {
+    if (casters) {
       view.onRelight(true);
       relight(renderer, view.scene, view.camera, view.keyLight);
       view.onRelight(false);
     }
     if (hasDeep) insert.drawDeep(renderer, style.shadowDepth, style.deepShadow);
-    return report;
+    return reportOf(arranged);
   } finally {
     state.restore();
   }

@@ -2,11 +2,11 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import { version } from '../../src/element/version.ts';
 import { expect, MODULES, stands, test } from '../support/embed.ts';
 
 const OTHER = '9.8.7';
-const DIST = fileURLToPath(new URL('../../package/dist/', import.meta.url));
+const PACKAGE = fileURLToPath(new URL('../../package/', import.meta.url));
+const { version } = JSON.parse(readFileSync(`${PACKAGE}package.json`, 'utf8')) as { version: string };
 const SMOKE = 'preset="wisp" simulation-max-particles="300" paused style="width: 64px; height: 48px"';
 const NOTICES = `<script>
   window.notified = [];
@@ -16,7 +16,7 @@ const NOTICES = `<script>
 /** The files below `/other/` are the package with a later version number. */
 async function serveOther(page: Page): Promise<void> {
   await page.context().route('**/other/**', (route) => {
-    const file = readFileSync(DIST + new URL(route.request().url()).pathname.replace('/other/', ''));
+    const file = readFileSync(`${PACKAGE}dist/${new URL(route.request().url()).pathname.replace('/other/', '')}`);
     if (!route.request().url().endsWith('.js')) return route.fulfill({ contentType: 'application/wasm', body: file });
     return route.fulfill({ contentType: 'text/javascript', body: file.toString().replaceAll(version, OTHER) });
   });

@@ -14,12 +14,13 @@ function smokeAt(height: number): Arranger & { asked: View[] } {
   const place = Float32Array.from(SEEDS.flatMap((_, at) => [at, height, 0, 2]));
   const attributes = Uint32Array.from(SEEDS.flatMap((seed) => [0x12345678, seed << 8]));
   const rows: Rows = { count: SEEDS.length, place, attributes };
+  const bounds = { min: [0, height, 0], max: [2, height, 0], greatestRadius: 2 } as const;
   const asked: View[] = [];
   const arrange = (view: View) => {
     asked.push(view);
-    return rows;
+    return { rows, bounds, grid: undefined };
   };
-  return { asked, arrange, bounds: { min: [0, height, 0], max: [2, height, 0], greatestRadius: 2 } };
+  return { asked, arrange };
 }
 
 function frameAt(height: number): FrameInput {
@@ -39,7 +40,7 @@ function radii({ count, place }: Rows): Record<number, number[]> {
 
 test('on its way from one moment to another smoke dissolves puff by puff, while other smoke swells', () => {
   const still = stillOf(frameAt(5));
-  const at = (share: number) => radii(joined(frameAt(1), still, share).simulator.arrange(VIEW));
+  const at = (share: number) => radii(joined(frameAt(1), still, share).simulator.arrange(VIEW).rows);
   expect(at(0)).toEqual({ 1: [2, 2, 2] });
   expect(at(1)).toEqual({ 5: [2, 2, 2] });
   const { 1: going, 5: coming } = at(0.5);
@@ -52,11 +53,11 @@ test('on its way from one moment to another smoke dissolves puff by puff, while 
 test('nothing is left out, and shadows end nowhere, because what hides them changes', () => {
   const from = frameAt(1);
   const frame = joined(from, stillOf(frameAt(5)), 0.5);
-  const { attributes } = frame.simulator.arrange({ ...VIEW, purpose: 'light' });
-  for (const word of attributes.filter((_, at) => at % 2 === 0)) expect(word).toBe((NO_END | 0x5678) >>> 0);
+  const { rows, bounds } = frame.simulator.arrange({ ...VIEW, purpose: 'light' });
+  for (const word of rows.attributes.filter((_, at) => at % 2 === 0)) expect(word).toBe((NO_END | 0x5678) >>> 0);
   const [view] = (from.simulator as ReturnType<typeof smokeAt>).asked;
   expect(view).toMatchObject({ cull: false, coverage: undefined });
-  expect(frame.simulator.bounds).toEqual({ min: [0, 1, 0], max: [2, 5, 0], greatestRadius: 2 });
+  expect(bounds).toEqual({ min: [0, 1, 0], max: [2, 5, 0], greatestRadius: 2 });
 });
 
 test('eye and things go from the one moment to the other', () => {

@@ -26,7 +26,7 @@ function begun() {
   const wanted: { renderer: PictureKind['renderer'] } = { renderer: 'selle' };
   const notified: string[] = [];
   const completion = completionOf(
-    () => ({ ...wanted, form: 'lobes' }),
+    () => ({ ...wanted, form: 'lobes', volumes: 'receiver' }),
     () => notified.push('shown'),
     ({ message }) => notified.push(message),
   );

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { extrude, hullNormals, weld, type TriangleMesh } from '../../src/passes/extrusion.ts';
+import { extrude, hullNormals, weld, writeVolume, type TriangleMesh } from '../../src/passes/extrusion.ts';
 import { ballMesh } from '../../src/scenes/models/ball.ts';
 import { tableMesh } from '../../src/scenes/models/table.ts';
 import { box } from '../visual/solids.ts';
@@ -8,17 +8,23 @@ type Triple = [number, number, number];
 
 const CUBE = box([0, 0, 0], [1, 1, 1]);
 
-/** Volume enclosed by an extrusion after its faces that point away from the light are translated. */
+/** Volume enclosed by the shadow volume of a mesh whose far end is `extent` along the light. */
 function sweptVolume(mesh: TriangleMesh, travel: Triple, extent: number): number {
-  const { positions, faceNormals, indices } = extrude(mesh);
+  const extrusion = extrude(mesh);
+  const { positions, normals, corners, edges } = extrusion;
+  const vertices = positions.length / 3;
+  const facesLight = Uint8Array.from({ length: corners.length / 3 }, (_, face) =>
+    normals[3 * face] * travel[0] + normals[3 * face + 1] * travel[1] + normals[3 * face + 2] * travel[2] < 0 ? 1 : 0,
+  );
+  const indices = new Uint32Array(corners.length + 1.5 * edges.length);
+  const end = writeVolume(extrusion, facesLight, 0, vertices, indices, 0);
   const corner = (vertex: number): Triple => {
-    const [x, y, z] = positions.subarray(3 * vertex, 3 * vertex + 3);
-    const [nx, ny, nz] = faceNormals.subarray(3 * vertex, 3 * vertex + 3);
-    const carried = nx * travel[0] + ny * travel[1] + nz * travel[2] < 0 ? 0 : extent;
+    const carried = vertex < vertices ? 0 : extent;
+    const [x, y, z] = positions.subarray(3 * (vertex % vertices), 3 * (vertex % vertices) + 3);
     return [x + carried * travel[0], y + carried * travel[1], z + carried * travel[2]];
   };
   let volume = 0;
-  for (let at = 0; at < indices.length; at += 3) {
+  for (let at = 0; at < end; at += 3) {
     const [a, b, c] = [corner(indices[at]), corner(indices[at + 1]), corner(indices[at + 2])];
     volume +=
       a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);

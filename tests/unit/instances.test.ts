@@ -20,24 +20,18 @@ function ending(end: number): number {
   return ((end << shift) | ROLL) >>> 0;
 }
 
-function castersEnding(...ends: number[]): CasterInstances {
+/** @param shortened ends in metres */
+function wordsOf(ends: number[], shortened: number[]): number[] {
   const casters = new CasterInstances(8, ONE_QUAD);
-  casters.fill(rowsEnding(ends));
-  return casters;
-}
-
-function wordsOf(casters: CasterInstances): number[] {
+  casters.fill(rowsEnding(ends), Float32Array.from(shortened));
   return Array.from(casters.geometry.getAttribute('attributes').array.slice(0, ATTRIBUTE_WORDS * casters.count));
 }
 
 test('a shadow ends where it is told in metres, rounded up to what a row can hold', () => {
-  const casters = castersEnding(max, max, max);
-  casters.shorten((ends) => ends.set([1, 1.0001, 1e6]));
-  expect(wordsOf(casters)).toEqual([ending(2 * END_STEPS), 7, ending(2 * END_STEPS + 1), 7, NO_END + ROLL, 7]);
+  const words = wordsOf([max, max, max], [1, 1.0001, 1e6]);
+  expect(words).toEqual([ending(2 * END_STEPS), 7, ending(2 * END_STEPS + 1), 7, NO_END + ROLL, 7]);
 });
 
 test('a shadow that ends earlier already stays, and one with nothing behind it ends at its centre', () => {
-  const casters = castersEnding(100, 600);
-  casters.shorten((ends) => ends.set([1, -3]));
-  expect(wordsOf(casters)).toEqual([ending(100), 7, ROLL, 7]);
+  expect(wordsOf([100, 600], [1, -3])).toEqual([ending(100), 7, ROLL, 7]);
 });

@@ -10,11 +10,53 @@ import { isAccepted } from '../../src/preset/values.ts';
 const numbers = table.filter((row): row is NumberParameter => row.kind === 'number' || row.kind === 'integer');
 const RATE = 'emission.rate';
 
-function editing(): { editor: Editor; notified: Changes[]; rate: () => unknown } {
-  const editor = new Editor(defaultState());
-  const notified: Changes[] = [];
+/** The part of a stage that an editor uses. */
+class FakeStage {
+  values: Values = defaultState().values;
+  /** Rejects all changes. */
+  rejects = false;
+  readonly given: Values[] = [];
+  private listener = () => {};
+
+  get = () => this.values;
+
+  on = (_event: unknown, listener: unknown) => {
+    this.listener = listener as () => void;
+    return () => {};
+  };
+
+  replace(values: Values): void {
+    if (this.rejects) throw new Error('too many');
+    this.given.push(values);
+    this.change(values);
+  }
+
+  /** As from the console. */
+  change(values: Values): void {
+    this.values = values;
+    this.listener();
+  }
+}
+
+function editing() {
+  const stage = new FakeStage();
+  const [notices, notified]: [string[], Changes[]] = [[], []];
+  let arrive = (_error?: Error) => {};
+  const enter = () =>
+    new Promise<void>((resolve, reject) => (arrive = (error) => (error === undefined ? resolve() : reject(error))));
+  const editor = new Editor(stage, defaultState().preset, { enter, notify: (message) => notices.push(message) });
   editor.listen((_state, changed) => notified.push(changed));
-  return { editor, notified, rate: () => editor.state.values[RATE] };
+  return {
+    editor,
+    stage,
+    notices,
+    notified,
+    rate: () => editor.state.values[RATE],
+    arrive: async (error?: Error) => {
+      arrive(error);
+      await editor.arrival();
+    },
+  };
 }
 
 describe('Editor', () => {
@@ -33,7 +75,7 @@ describe('Editor', () => {
   });
 
   it('compares what is set, not all rows of the table', () => {
-    const { editor, notified } = editing();
+    const { editor, stage, notified } = editing();
     let reads = 0;
     const values: Values = { ...editor.state.values, [RATE]: 200 };
     const counting = new Proxy(values, {
@@ -42,7 +84,7 @@ describe('Editor', () => {
         return Reflect.get(target, key) as Value;
       },
     });
-    editor.adopt(counting);
+    stage.change(counting);
     expect(notified).toEqual([{ [RATE]: 200 }]);
     expect(reads).toBeLessThan(4 * Object.keys(values).length);
   });
@@ -105,6 +147,73 @@ describe('Editor', () => {
     expect(editor.state.values).toEqual(editor.base);
     editor.undo();
     expect(editor.state.values['puff.size']).toBe(2);
+  });
+});
+
+describe('Editor and stage', () => {
+  it('the stage gets each change at once, and undo as well', () => {
+    const { editor, stage } = editing();
+    const before = editor.state.values;
+    editor.change(RATE, 200);
+    expect(stage.values[RATE]).toBe(200);
+    editor.change('camera.distance', 5);
+    editor.undo();
+    editor.undo();
+    expect(stage.values).toEqual(before);
+    expect(stage.given).toHaveLength(4);
+  });
+
+  it('what is set on the stage is known to the editor, is undone together, and does not go back to the stage', () => {
+    const { editor, stage, notified, rate } = editing();
+    const before = rate();
+    for (const value of [200, 210]) stage.change({ ...stage.values, [RATE]: value });
+    expect([rate(), notified.length, stage.given.length]).toEqual([210, 2, 0]);
+    stage.change({ ...stage.values });
+    expect(notified).toHaveLength(2);
+    editor.undo();
+    expect([rate(), stage.values[RATE], editor.canUndo]).toEqual([before, before, false]);
+  });
+
+  it('a change that the stage rejects is reported and taken back', () => {
+    const { editor, stage, notices, rate } = editing();
+    stage.rejects = true;
+    editor.change(RATE, 200);
+    expect(notices).toEqual(['too many']);
+    expect(rate()).toBe(stage.values[RATE]);
+  });
+
+  it('what is edited while a scene is entered reaches the stage when it has arrived', async () => {
+    const { editor, stage, arrive } = editing();
+    const before = stage.values;
+    editor.choose('train');
+    const train = editor.state.values;
+    editor.change(RATE, 200);
+    // The scene before goes on, which is no edit.
+    stage.change({ ...before, [RATE]: 7 });
+    expect([editor.state.values.scene, editor.state.values[RATE]]).toEqual(['train', 200]);
+    expect(stage.given).toEqual([]);
+    stage.change(train);
+    await arrive();
+    expect(stage.given).toEqual([{ ...train, [RATE]: 200 }]);
+    expect(stage.values).toBe(stage.given[0]);
+  });
+
+  it('returns to the scene that the stage has if it cannot enter another one', async () => {
+    const { editor, stage, arrive, notices } = editing();
+    editor.choose('train');
+    await arrive(new Error('no network'));
+    expect(notices).toEqual(['no network']);
+    expect(editor.state.values).toBe(stage.values);
+    expect(stage.given).toEqual([]);
+  });
+
+  it('follows the stage where it was sent while the editor waited for another scene', async () => {
+    const { editor, stage, arrive } = editing();
+    editor.choose('train');
+    stage.change({ ...stage.values, scene: 'rocket' });
+    await arrive();
+    expect(editor.state.values.scene).toBe('rocket');
+    expect(stage.given).toEqual([]);
   });
 });
 

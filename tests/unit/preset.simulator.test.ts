@@ -54,7 +54,7 @@ describe('the simulator', () => {
     for (const row of rows) {
       for (const value of [row.min, row.default, row.max]) {
         const simulator = smoking({ [row.key]: value });
-        const { count, place } = simulator.arrange(EVERYTHING);
+        const { count, place } = simulator.arrange(EVERYTHING).rows;
         const setting = `${row.key} = ${value}`;
         expect(place.every(Number.isFinite), setting).toBe(true);
         expect(count > 0, setting).toBe(!BARREN.has(setting));
@@ -66,7 +66,7 @@ describe('the simulator', () => {
   it('takes a vortex whose axis is zero, which a link can ask for', () => {
     const axis = { 'vortices.0.axis.x': 0, 'vortices.0.axis.y': 0, 'vortices.0.axis.z': 0 };
     const simulator = smoking({ 'vortices.0.circulation': 2, ...axis });
-    const { count, place } = simulator.arrange(EVERYTHING);
+    const { count, place } = simulator.arrange(EVERYTHING).rows;
     expect(count).toBeGreaterThan(0);
     expect(place.every(Number.isFinite)).toBe(true);
     simulator.dispose();
@@ -79,7 +79,7 @@ describe('the simulator', () => {
     const base = { ...axis, ...wind, 'vortices.0.circulation': 2, 'turbulence.speed': 1, 'gravity.acceleration': 1 };
     const shown = (values: Record<string, number>) => {
       const simulator = smoking({ ...base, ...values });
-      const { place, attributes } = simulator.arrange(EVERYTHING);
+      const { place, attributes } = simulator.arrange(EVERYTHING).rows;
       const picture = `${place.join()} ${attributes.join()}`;
       simulator.dispose();
       return picture;
@@ -97,7 +97,7 @@ describe('the simulator', () => {
       const simulator = smoking({ 'gravity.acceleration': 1, ...values });
       // Long enough for cycles of two seconds.
       simulator.step(120);
-      const places = simulator.arrange(EVERYTHING).place.join();
+      const places = simulator.arrange(EVERYTHING).rows.place.join();
       simulator.dispose();
       return places;
     };

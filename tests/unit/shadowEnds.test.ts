@@ -12,9 +12,9 @@ function cloud(count: number, seed: number): Float32Array {
 }
 
 function endsOf(casters: Float32Array, receivers: typeof NOWHERE | object, travel = DOWN): Float32Array {
-  const ends = new Float32Array(casters.length / 4);
-  new ShadowEnds().find(casters, 1.1, { ...NOWHERE, ...receivers }, travel, ends);
-  return ends;
+  const count = casters.length / 4;
+  const rows = { count, place: casters, attributes: new Uint32Array(2 * count) };
+  return new ShadowEnds(count).find(rows, 1.1, { ...NOWHERE, ...receivers }, travel);
 }
 
 /** Whether a point is in the shadow of a ball, and its distance behind the centre. */

@@ -85,12 +85,12 @@ describe('the layout of rows and views', () => {
     simulator.set({ ...JET, 'emitters.0.position.x': 5 });
     simulator.step(10);
     const culled = { ...EVERYTHING, cull: true };
-    expect(simulator.arrange(EVERYTHING).count).toBeGreaterThan(50);
+    expect(simulator.arrange(EVERYTHING).rows.count).toBeGreaterThan(50);
     // Clip space equals world space here, so positions with x = 5 are to the right of the view.
-    expect(simulator.arrange(culled).count).toBe(0);
+    expect(simulator.arrange(culled).rows.count).toBe(0);
     const wide = Array.from(EVERYTHING.clipFromWorld);
     wide[0] = 0.1;
-    expect(simulator.arrange({ ...culled, clipFromWorld: wide }).count).toBeGreaterThan(50);
+    expect(simulator.arrange({ ...culled, clipFromWorld: wide }).rows.count).toBeGreaterThan(50);
     simulator.dispose();
   });
 
@@ -120,7 +120,7 @@ describe('the layout of rows and views', () => {
       'buoyancy.coolingTime': 1e3,
     });
     simulator.step(20);
-    const { count, attributes } = simulator.arrange(EVERYTHING);
+    const { count, attributes } = simulator.arrange(EVERYTHING).rows;
     const rows = Array.from({ length: count }, (_, index) => readAttributes(attributes, index));
     expect(new Set(rows.map((row) => row.variation))).toEqual(new Set([0, 1, 2, 3, 4]));
     expect(new Set(rows.map((row) => row.seed)).size).toBeGreaterThan(20);

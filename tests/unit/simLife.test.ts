@@ -23,11 +23,11 @@ describe('a simulator', () => {
   it('keeps giving rows when memory has grown', async () => {
     const { factory, simulator } = await jet();
     simulator.step(30);
-    const before = simulator.arrange(EVERYTHING);
+    const { rows: before } = simulator.arrange(EVERYTHING);
     const places = [...before.place];
     factory.module.memory.grow(20);
     expect(before.place.length, 'the old view has lost its buffer').toBe(0);
-    const after = simulator.arrange(EVERYTHING);
+    const { rows: after } = simulator.arrange(EVERYTHING);
     expect(after.count).toBeGreaterThan(0);
     expect([...after.place]).toEqual(places);
     simulator.dispose();
@@ -110,7 +110,7 @@ describe('a simulator', () => {
     const { simulator } = await jet();
     simulator.step(5);
     expect(caught(() => simulator.arrange({ ...EVERYTHING, blend: NaN }))).toBeInstanceOf(ParameterError);
-    expect(simulator.arrange(EVERYTHING).count).toBeGreaterThan(0);
+    expect(simulator.arrange(EVERYTHING).rows.count).toBeGreaterThan(0);
     simulator.dispose();
   });
 
@@ -159,10 +159,11 @@ describe('a simulator', () => {
   it('tells the box of what lives', async () => {
     const { simulator } = await jet();
     simulator.step(60);
-    const { count, place } = simulator.arrange(EVERYTHING);
+    const { rows, bounds } = simulator.arrange(EVERYTHING);
+    const { count, place } = rows;
     let top = -Infinity;
     for (let index = 0; index < count; index++) top = Math.max(top, place[4 * index + 1] + place[4 * index + 3]);
-    expect(simulator.bounds.max[1]).toBeCloseTo(top, 4);
+    expect(bounds.max[1]).toBeCloseTo(top, 4);
     simulator.dispose();
   });
 

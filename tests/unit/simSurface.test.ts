@@ -15,7 +15,7 @@ describe('a surface of a mesh', () => {
     expect(simulator.addSurface(VERTICES, INDICES.slice(0, 3))).toBe(1);
     simulator.set({ ...JET, 'emitters.0.shape': 8, 'emitters.0.speed': 0, 'buoyancy.acceleration': 0 });
     simulator.step(20);
-    const { count, place } = simulator.arrange(EVERYTHING);
+    const { count, place } = simulator.arrange(EVERYTHING).rows;
     expect(count).toBeGreaterThan(100);
     for (let row = 0; row < count; row++) {
       expect(place[4 * row + 2]).toBeCloseTo(5, 5);

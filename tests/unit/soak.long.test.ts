@@ -45,7 +45,7 @@ it(
         Math.cos(1.3 * sample),
       ]);
       simulator.step(STEPS / SAMPLES);
-      const { count, place } = simulator.arrange(EVERYTHING);
+      const { count, place } = simulator.arrange(EVERYTHING).rows;
       expect(count).toBeGreaterThan(900);
       expect(place.every((value) => Math.abs(value) < 10_000)).toBe(true);
       collectGarbage();

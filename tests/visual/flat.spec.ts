@@ -24,18 +24,6 @@ for (const view of ['ordinary', 'lamp', 'orthographic']) {
   });
 }
 
-for (const view of ['ordinary', 'eyeInside', 'lamp', 'orthographic']) {
-  test(`flat: prisms are counted nearly as a round reference says: ${view}`, async ({ load }) => {
-    const cases = await load<Cases>(CASES);
-    const report = await cases.evaluate((module, name) => module.prismCounts(name), view);
-    console.log(`prisms against the reference, ${view}:`, report);
-    expect(report.receiver).toBeGreaterThan(20_000);
-    expect(report.deepest).toBeGreaterThan(4);
-    expect(report.differing / report.receiver).toBeLessThan(0.05);
-    expect(report.wronglyLit / report.receiver).toBeLessThan(0.01);
-  });
-}
-
 test('flat: 512 coincident casters stay dark', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const { shadowed, lit } = await cases.evaluate((module) => module.coincident(512));

@@ -21,13 +21,15 @@ import type { PuffShape } from '../../src/puffs/shapes.ts';
 import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS, TEMPERATURE_MAX } from '../../src/sim/layout.ts';
 import type { Rows } from '../../src/sim/rows.ts';
 import { fetchExtras } from '../../src/smoke/extraPasses.ts';
+import { drawFrame } from '../../src/smoke/frame.ts';
 import type { Arranger, FrameInput } from '../../src/smoke/frameInput.ts';
 import type { Light } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
-import type { Style } from '../../src/smoke/style.ts';
+import { styleOf, type Style } from '../../src/smoke/style.ts';
+import { defaults } from '../../src/preset/values.ts';
 
 // Tests read pictures synchronously, so load all optional renderer code first.
-await fetchExtras({ renderer: 'selle', form: 'billboards', view: 'normals', isFlat: true });
+await fetchExtras({ renderer: 'selle', form: 'billboards', volumes: 'counted', view: 'normals' });
 
 /** A particle in test units: lengths in metres, roll in radians, age as a fraction of the lifetime. */
 export interface LabPuff {
@@ -70,17 +72,19 @@ export interface LabScene {
   smoothEdges?: boolean;
   /** Debug view to draw instead of the picture. */
   view?: DebugView;
-  /** Also reads the stencil, with eight draw calls. */
+  /** Also counts the shadow volumes at each pixel. */
   readCounts?: boolean;
 }
 
 export const PLAIN_STYLE: Style = {
+  ...styleOf(defaults()),
   renderer: 'nailboards',
   form: 'lobes',
   shading: true,
   outlines: true,
   creases: false,
   shadows: true,
+  volumes: 'receiver',
   shadowSteps: 1,
   shadowDepth: 6,
   deepShadow: [160, 150, 200],
@@ -108,6 +112,7 @@ export const PLAIN_STYLE: Style = {
     [143, 207, 122],
   ],
   inkColor: [27, 26, 46],
+  wash: undefined,
 };
 
 /** RGBA bytes, bottom row first, and optionally the stencil count of each pixel. */
@@ -201,13 +206,17 @@ export class Lab {
   drawFrame(input: FrameInput, options: Pick<LabScene, 'smoothEdges' | 'readCounts'> = {}): LabPicture {
     const { width, height } = input;
     this.smoke.passes.resolve.smoothEdges = options.smoothEdges ?? false;
-    this.smoke.draw(input);
+    drawFrame(this.smoke, input);
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.device.renderer.getContext();
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    const { renderTarget } = this.smoke.passes.targets;
-    const counts = options.readCounts ? readStencil(this.device, renderTarget) : new Uint8Array(0);
-    return { width, height, pixels, counts };
+    return { width, height, pixels, counts: options.readCounts ? this.countsOf(input) : new Uint8Array(0) };
+  }
+
+  /** Number of shadow volumes that contain the place at each pixel; only this view counts all of them. */
+  private countsOf(input: FrameInput): Uint8Array {
+    drawFrame(this.smoke, { ...input, view: 'counts' });
+    return readStencil(this.device, this.smoke.passes.targets.renderTarget);
   }
 
   dispose(): void {
@@ -252,13 +261,17 @@ function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arra
   const all = [...puffs, ...casters];
   const extreme = (axis: 0 | 1 | 2, sign: 1 | -1) =>
     sign * Math.max(...all.map(({ place, radius }) => sign * place[axis] + radius));
+  const bounds = {
+    min: [extreme(0, -1), extreme(1, -1), extreme(2, -1)],
+    max: [extreme(0, 1), extreme(1, 1), extreme(2, 1)],
+    greatestRadius: Math.max(0, ...all.map(({ radius }) => radius)),
+  } as const;
   return {
-    arrange: ({ purpose }) => (purpose === 'eye' ? rowsOf(puffs) : castersOf(casters)),
-    bounds: {
-      min: [extreme(0, -1), extreme(1, -1), extreme(2, -1)],
-      max: [extreme(0, 1), extreme(1, 1), extreme(2, 1)],
-      greatestRadius: Math.max(0, ...all.map(({ radius }) => radius)),
-    },
+    arrange: ({ purpose }) => ({
+      rows: purpose === 'eye' ? rowsOf(puffs) : castersOf(casters),
+      bounds,
+      grid: undefined,
+    }),
   };
 }
 

@@ -29,7 +29,7 @@ const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
 const LIGHTS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['touching', [{}, { shadowSteps: 2, shadowDepth: 3, outlineWidth: 3 }]],
   ['underParts', [{ shadowSteps: 2, shadowDepth: 2 }]],
-  ['byLamp', [{}, { tones: 1, outlineWidth: 5, innerLine: 0.15, innerTaper: 2 }]],
+  ['byLamp', [{}, { tones: 1, outlineWidth: 5, innerLine: 0.15, innerTaper: 2, boil: 0.8 }]],
   ['byLampAmongPuffs', [{ tones: 3 }]],
   ['backlit', [{ tones: 3 }, { gradient: 'height' }, { gradient: 'screen' }]],
 ];
@@ -46,6 +46,13 @@ const ON_BOARDS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['backlit', [BILLBOARDS]],
   ['byLamp', [BILLBOARDS]],
   ['byLampAmongPuffs', [BILLBOARDS]],
+];
+const COUNTED: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['offAxis', [{ volumes: 'counted' }]],
+  ['eyeInside', [{ volumes: 'counted' }, { ...BILLBOARDS, volumes: 'counted' }]],
+  ['underParts', [{ volumes: 'counted', shadowSteps: 2, shadowDepth: 2 }]],
+  ['byLampAmongPuffs', [{ volumes: 'counted' }]],
+  ['coincident', [{ volumes: 'counted' }]],
 ];
 const REVERSED: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [{}]],
@@ -79,6 +86,7 @@ for (const [what, scenes, reversedDepth] of [
   ['puffs that touch solids, by a lamp, against the light', LIGHTS, false],
   ['billboards', ON_BOARDS, false],
   ['a lamp among puffs, puffs beside the eye, more than a stencil counts', MANY, false],
+  ['volumes counted by entry and exit', COUNTED, false],
   ['puffs among solids under a reversed depth buffer', REVERSED, true],
   ['puffs in tones of all kinds', TONES, false],
   ['the lamp', LAMPS, false],

@@ -1,7 +1,6 @@
 /** A scene of the demo with its simulator, drawn for any camera without the edge filter, so that colours are flat. */
 import { PerspectiveCamera, Vector3, type Box3, type Camera } from 'three';
 import { createDevice } from '../../src/device/device.ts';
-import { widestLine } from '../../src/passes/ink.ts';
 import type { Values } from '../../src/preset/parameter.ts';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import type { CameraPose, MovingPart, Scene } from '../../src/scenes/scene.ts';
@@ -9,10 +8,11 @@ import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { loadSimulators } from '../../src/sim/load.ts';
 import { PLACE_FLOATS } from '../../src/sim/layout.ts';
 import type { Simulator } from '../../src/sim/simulator.ts';
+import { drawFrame } from '../../src/smoke/frame.ts';
 import type { Arranger, FrameInput, FrameReport } from '../../src/smoke/frameInput.ts';
 import { lightOf } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
-import { inkLineOf, styleOf, type Style } from '../../src/smoke/style.ts';
+import { styleOf, widestLineOf, type Style } from '../../src/smoke/style.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
 import { readStencil, rowsOf, type LabPicture } from './lab.ts';
 
@@ -41,8 +41,11 @@ export interface FrameOptions {
 }
 
 const NO_SMOKE: Arranger = {
-  arrange: () => rowsOf([]),
-  bounds: { min: [0, 0, 0], max: [0, 0, 0], greatestRadius: 0 },
+  arrange: () => ({
+    rows: rowsOf([]),
+    bounds: { min: [0, 0, 0], max: [0, 0, 0], greatestRadius: 0 },
+    grid: undefined,
+  }),
 };
 
 export class SceneLab {
@@ -88,8 +91,7 @@ export class SceneLab {
 
   /** Largest line width, pixels. */
   get widestLine(): number {
-    const { pixels, swell } = inkLineOf(this.style, 1);
-    return widestLine(pixels, swell);
+    return widestLineOf(this.style, 1);
   }
 
   /** The bodies of the latest picture, metres. */
@@ -107,7 +109,7 @@ export class SceneLab {
 
   draw(options: FrameOptions = {}): LabPicture {
     const { width, height } = this;
-    this.report = this.smoke.draw(this.frame(options));
+    this.report = drawFrame(this.smoke, this.frame(options));
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.device.renderer.getContext();
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);

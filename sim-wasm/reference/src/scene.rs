@@ -62,18 +62,27 @@ pub struct Style {
     pub gradient_color: Triple,
     pub smoke_color: Triple,
     /// World heights between which the gradient `height` runs (m).
-    pub plume_height: [f64; 2],
+    pub gradient_heights: [f64; 2],
     /// Ramps of smoke without a tint, of the three tints, then of each band of age and temperature.
     pub smoke_ramps: Vec<Ramp>,
     pub bands: Bands,
     /// Width of the rim along silhouettes that face away from the light, 0 to 1.
     pub rim: f64,
     pub rim_color: Triple,
+    pub volumes: Volumes,
     /// Number of volumes of deep shadow, and the factor on its colours; none for a single shadow step.
     pub shadow_depth: Option<u32>,
     pub deep_shadow: Triple,
     /// Minimum distance from a puff's centre to the start of its volume (radii).
     pub min_cap: f64,
+}
+
+/// How the volumes that contain a point are counted.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Volumes {
+    Receiver,
+    Counted,
 }
 
 /// Numbers by byte; their sum is the ramp of smoke without a tint.

@@ -1,7 +1,7 @@
 import { MathUtils } from 'three';
+import type { Arranged, Bounds } from '../../sim/arranged.ts';
 import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS } from '../../sim/layout.ts';
 import { readBits, type Rows } from '../../sim/rows.ts';
-import type { Bounds } from '../../sim/simulator.ts';
 import type { View } from '../../sim/view.ts';
 import type { Arranger } from '../../smoke/frameInput.ts';
 
@@ -17,13 +17,14 @@ export interface RetainedSmoke {
 
 /** Copies all puffs of an arranger to new arrays. */
 export function keep(smoke: Arranger, view: View): RetainedSmoke {
-  const { count, place, attributes } = smoke.arrange(everything(view));
+  const { rows: all, bounds } = smoke.arrange(everything(view));
+  const { count, place, attributes } = all;
   const rows = {
     count,
     place: place.slice(0, PLACE_FLOATS * count),
     attributes: attributes.slice(0, ATTRIBUTE_WORDS * count),
   };
-  return { rows, bounds: smoke.bounds };
+  return { rows, bounds: structuredClone(bounds) };
 }
 
 /**
@@ -41,24 +42,13 @@ export class JoinedSmoke implements Arranger {
     this.share = share;
   }
 
-  get bounds(): Bounds {
-    const [a, b] = [this.from.bounds, this.to.bounds];
-    const both = (choose: (...numbers: number[]) => number, side: 'min' | 'max') =>
-      a[side].map((value, axis) => choose(value, b[side][axis])) as Bounds['min'];
-    return {
-      min: both(Math.min, 'min'),
-      max: both(Math.max, 'max'),
-      greatestRadius: Math.max(a.greatestRadius, b.greatestRadius),
-    };
-  }
-
   /** Occlusion culling does not work during a transition, so all puffs are returned. */
-  arrange(view: View): Rows {
-    const rows = new RowList(view.purpose === 'light');
+  arrange(view: View): Arranged {
+    const list = new RowList(view.purpose === 'light');
     const from = this.from.arrange(everything(view));
-    rows.add(from, (seed) => 1 - this.swelling(seed));
-    rows.add(this.to.rows, (seed) => this.swelling(seed));
-    return rows.rows;
+    list.add(from.rows, (seed) => 1 - this.swelling(seed));
+    list.add(this.to.rows, (seed) => this.swelling(seed));
+    return { rows: list.rows, bounds: boundsOfBoth(from.bounds, this.to.bounds), grid: undefined };
   }
 
   /** Scale of a puff of the second time, 0 to 1. */
@@ -98,6 +88,18 @@ class RowList {
       this.attributes.push(this.isForLight ? motion | NO_END : motion, kind);
     }
   }
+}
+
+function boundsOfBoth(a: Bounds, b: Bounds): Bounds {
+  const both = (choose: (...numbers: number[]) => number, side: 'min' | 'max'): Bounds['min'] => {
+    const [x, y, z] = a[side].map((value, axis) => choose(value, b[side][axis]));
+    return [x, y, z];
+  };
+  return {
+    min: both(Math.min, 'min'),
+    max: both(Math.max, 'max'),
+    greatestRadius: Math.max(a.greatestRadius, b.greatestRadius),
+  };
 }
 
 function everything(view: View): View {

@@ -2,6 +2,7 @@ import type { State } from '../../preset/codec.ts';
 import type { Value, Values } from '../../preset/parameter.ts';
 import { defaultPreset, findPreset, presetValues } from '../../preset/presets.ts';
 import { findParameter } from '../../preset/table.ts';
+import type { Stage } from '../../stage/stage.ts';
 import { History } from './history.ts';
 
 /** Changed values; undefined for optional parameters that reverted to the scene's value. */
@@ -10,21 +11,39 @@ export type Changes = Readonly<Record<string, Value | undefined>>;
 /** Called after each change with the new state and the changed values. */
 export type EditListener = (state: State, changed: Changes) => void;
 
+/** The page around an editor. */
+interface Surroundings {
+  /** Makes the stage enter the scene of the values. */
+  enter(values: Values): Promise<void>;
+  /** Reports what the stage rejected. */
+  notify(message: string): void;
+}
+
 /**
- * Model of the page: a preset and its values, with undo. Panel, stage and address bar subscribe to it; it does not
- * depend on them.
+ * Edits the values of a stage, with undo. The stage owns the values. The editor keeps the history of states, a preset
+ * with its values each; the present one is what the stage has, or is on its way to while it enters a scene. Values that
+ * are set on the stage directly, for example from the console, enter the history, too.
  */
 export class Editor {
-  private current: State;
-  private readonly history = new History<State>();
+  private readonly stage: Pick<Stage, 'get' | 'replace' | 'on'>;
+  private readonly surroundings: Surroundings;
+  private readonly history: History<State>;
   private readonly listeners: EditListener[] = [];
+  /** In progress while the stage enters a scene. */
+  private entry: Promise<void> | undefined;
 
-  constructor(state: State) {
-    this.current = state;
+  /** @param preset name of the preset that the stage's values come from */
+  constructor(stage: Pick<Stage, 'get' | 'replace' | 'on'>, preset: string, surroundings: Surroundings) {
+    this.stage = stage;
+    this.surroundings = surroundings;
+    this.history = new History<State>({ preset, values: stage.get() });
+    stage.on('statechange', () => {
+      if (!this.entry) this.adopt();
+    });
   }
 
   get state(): State {
-    return this.current;
+    return this.history.present;
   }
 
   get canUndo(): boolean {
@@ -37,11 +56,16 @@ export class Editor {
 
   /** The preset's own values, which "reset" restores. */
   get base(): Values {
-    return presetValues(findPreset(this.current.preset) ?? defaultPreset);
+    return presetValues(findPreset(this.state.preset) ?? defaultPreset);
   }
 
   listen(listener: EditListener): void {
     this.listeners.push(listener);
+  }
+
+  /** Resolves when the stage has entered the scene of the present state. */
+  async arrival(): Promise<void> {
+    while (this.entry) await this.entry;
   }
 
   /** Sets one value. Changes with the same gesture are undone together, until `settle`. */
@@ -51,14 +75,14 @@ export class Editor {
 
   /** Sets several values, or removes optional ones, as one change. */
   changeAll(changes: Changes, gesture?: string): void {
-    const entries = Object.entries({ ...this.current.values, ...changes });
+    const entries = Object.entries({ ...this.state.values, ...changes });
     const values = Object.fromEntries(entries.filter((entry): entry is [string, Value] => entry[1] !== undefined));
-    this.replace({ ...this.current, values }, gesture);
+    this.replace({ ...this.state, values }, gesture);
   }
 
   /** Ends a gesture. */
   settle(): void {
-    this.history.settle(this.current, (a, b) => a.preset === b.preset && isEmpty(differences(a.values, b.values)));
+    this.history.settle((a, b) => a.preset === b.preset && isEmpty(differences(a.values, b.values)));
     this.notify({});
   }
 
@@ -67,13 +91,13 @@ export class Editor {
   }
 
   resetAll(): void {
-    this.replace({ ...this.current, values: this.base });
+    this.replace({ ...this.state, values: this.base });
   }
 
   /** Selects a preset. Within the same scene the camera stays. */
   choose(preset: string, gesture?: string): void {
     const values = presetValues(findPreset(preset) ?? defaultPreset);
-    const eye = values.scene === this.current.values.scene ? eyeOf(this.current.values) : {};
+    const eye = values.scene === this.state.values.scene ? eyeOf(this.state.values) : {};
     this.replace({ preset, values: { ...eye, ...values } }, gesture);
   }
 
@@ -82,40 +106,67 @@ export class Editor {
     this.replace(state);
   }
 
-  /**
-   * Adopts values that were set on the stage directly, for example from the console. Consecutive calls are undone
-   * together.
-   */
-  adopt(values: Values): void {
-    this.replace({ ...this.current, values }, 'stage');
-  }
-
   undo(): void {
-    this.goTo(this.history.undo(this.current));
+    this.go(() => this.history.undo());
   }
 
   redo(): void {
-    this.goTo(this.history.redo(this.current));
+    this.go(() => this.history.redo());
   }
 
   private replace(next: State, gesture?: string): void {
-    const changed = differences(this.current.values, next.values);
-    if (next.preset === this.current.preset && isEmpty(changed)) return;
-    this.history.record(this.current, gesture);
-    this.show(next, changed);
+    if (next.preset === this.state.preset && isEmpty(differences(this.state.values, next.values))) return;
+    this.go(() => this.history.record(next, gesture));
   }
 
-  private goTo(next: State | undefined): void {
-    if (next) this.show(next, differences(this.current.values, next.values));
+  /** Changes the present state, and then the stage. */
+  private go(move: () => void): void {
+    this.show(move);
+    this.handOver();
   }
 
-  private show(next: State, changed: Changes): void {
-    this.current = next;
-    this.notify(changed);
+  /** Adopts the values of the stage. Consecutive calls are undone together. */
+  private adopt(): void {
+    const values = this.stage.get();
+    if (isEmpty(differences(this.state.values, values))) return;
+    this.show(() => this.history.record({ ...this.state, values }, 'stage'));
+  }
+
+  /** Gives the stage the present values. While it enters a scene, it gets them when it has arrived. */
+  private handOver(): void {
+    const [{ values }, before] = [this.state, this.stage.get()];
+    if (this.entry || isEmpty(differences(before, values))) return;
+    if (values.scene === before.scene) this.attempt(() => this.stage.replace(values));
+    else this.entry = this.enter(values);
+  }
+
+  private attempt(change: () => void): void {
+    try {
+      change();
+    } catch (error) {
+      this.surroundings.notify((error as Error).message);
+      this.adopt();
+    }
+  }
+
+  private async enter(values: Values): Promise<void> {
+    await this.surroundings.enter(values).catch(({ message }: Error) => this.surroundings.notify(message));
+    this.entry = undefined;
+    // The stage is in another scene if it could not enter this one, or was sent elsewhere since.
+    if (this.stage.get().scene === values.scene) this.handOver();
+    else this.adopt();
+    // A scene has optional values of its own, which are no change of the state.
+    this.notify({});
+  }
+
+  private show(move: () => void): void {
+    const { values } = this.state;
+    move();
+    this.notify(differences(values, this.state.values));
   }
 
   private notify(changed: Changes): void {
-    for (const listener of this.listeners) listener(this.current, changed);
+    for (const listener of this.listeners) listener(this.state, changed);
   }
 }
 

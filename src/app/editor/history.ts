@@ -6,8 +6,17 @@ const MAX_ENTRIES = 200;
  */
 export class History<State> {
   private past: State[] = [];
+  private current: State;
   private future: State[] = [];
   private gesture: string | undefined;
+
+  constructor(present: State) {
+    this.current = present;
+  }
+
+  get present(): State {
+    return this.current;
+  }
 
   get canUndo(): boolean {
     return this.past.length > 0;
@@ -17,33 +26,36 @@ export class History<State> {
     return this.future.length > 0;
   }
 
-  /** Stores the state before a change. */
-  record(before: State, gesture?: string): void {
-    if (gesture !== undefined && gesture === this.gesture) return;
+  record(next: State, gesture?: string): void {
+    const continues = gesture !== undefined && gesture === this.gesture;
+    if (!continues) {
+      this.past.push(this.current);
+      this.past.splice(0, this.past.length - MAX_ENTRIES);
+      this.future = [];
+    }
     this.gesture = gesture;
-    this.past.push(before);
-    this.past.splice(0, this.past.length - MAX_ENTRIES);
-    this.future = [];
+    this.current = next;
   }
 
   /** Ends a gesture. A gesture that returned to its start leaves no undo step. */
-  settle(now: State, isSame: (a: State, b: State) => boolean): void {
-    if (this.gesture !== undefined && isSame(this.past[this.past.length - 1], now)) this.past.pop();
+  settle(isSame: (a: State, b: State) => boolean): void {
+    if (this.gesture !== undefined && isSame(this.past[this.past.length - 1], this.current)) this.past.pop();
     this.gesture = undefined;
   }
 
-  undo(now: State): State | undefined {
-    return this.move(this.past, this.future, now);
+  undo(): void {
+    this.move(this.past, this.future);
   }
 
-  redo(now: State): State | undefined {
-    return this.move(this.future, this.past, now);
+  redo(): void {
+    this.move(this.future, this.past);
   }
 
-  private move(from: State[], to: State[], now: State): State | undefined {
+  private move(from: State[], to: State[]): void {
     this.gesture = undefined;
     const state = from.pop();
-    if (state !== undefined) to.push(now);
-    return state;
+    if (state === undefined) return;
+    to.push(this.current);
+    this.current = state;
   }
 }

@@ -21,8 +21,6 @@ interface FileParts {
   readonly editor: Editor;
   readonly stage: Stage;
   readonly notices: Notices;
-  /** Resolves when the stage has applied all edits. */
-  readonly caughtUp: () => Promise<void>;
 }
 
 /** Saves the current smoke to files and opens files. */
@@ -30,15 +28,13 @@ export class SmokeFiles {
   private readonly editor: Editor;
   private readonly stage: Stage;
   private readonly notices: Notices;
-  private readonly caughtUp: () => Promise<void>;
   private readonly container: HTMLElement;
 
   /** @param container parent of the progress bar */
-  constructor({ editor, stage, notices, caughtUp }: FileParts, container: HTMLElement) {
+  constructor({ editor, stage, notices }: FileParts, container: HTMLElement) {
     this.editor = editor;
     this.stage = stage;
     this.notices = notices;
-    this.caughtUp = caughtUp;
     this.container = container;
   }
 
@@ -78,7 +74,7 @@ export class SmokeFiles {
 
   private async goTo({ take, seconds }: NonNullable<SmokeFile['moment']>, state: State): Promise<void> {
     // Edits that the stage applies later would count as input to the take.
-    await this.caughtUp();
+    await this.editor.arrival();
     await goToMoment(this.stage, { take, seconds, state, isTrusted: true }, this.notices, this.container);
   }
 }

@@ -2,11 +2,19 @@
 import singles from '../singles.json' with { type: 'json' };
 import type { ChoiceParameter, NumberParameter, Parameter, Reader } from '../parameter.ts';
 
+/** A row with the literal type of its key and its reader. */
+export type Keyed<Row, Key extends string, By extends Reader> = Row & { readonly key: Key; readonly reader: By };
+
 type Named = Pick<Parameter, 'label' | 'text'>;
 export type Quantity = Named & Partial<NumberParameter> & Pick<NumberParameter, 'min' | 'max' | 'step' | 'default'>;
 
 /** A number parameter with its key, group of the panel, and reader. */
-export function quantity(key: string, group: string, reader: Reader, rest: Quantity): NumberParameter {
+export function quantity<const Key extends string, const By extends Reader>(
+  key: Key,
+  group: string,
+  reader: By,
+  rest: Quantity,
+): Keyed<NumberParameter, Key, By> {
   return { kind: 'number', unit: '', slider: 'even', ...rest, key, group, reader };
 }
 
@@ -19,7 +27,11 @@ type Shown = Named & Pick<NumberParameter, 'step'> & Partial<Pick<NumberParamete
  * A number that the simulator reads. Its range, default and unit are those of the simulator (see
  * sim-wasm/sim/tests/simulator/page_table.rs). A dimensionless number can show a unit.
  */
-export function simulated(key: SingleKey, group: string, rest: Shown): NumberParameter {
+export function simulated<const Key extends SingleKey>(
+  key: Key,
+  group: string,
+  rest: Shown,
+): Keyed<NumberParameter, Key, 'simulator'> {
   const { unit, min, max, default: initial, whole } = singles[key];
   const range = { kind: whole ? 'integer' : 'number', unit: unitOf(unit), min, max, default: initial } as const;
   return quantity(key, group, 'simulator', { ...range, ...rest });
@@ -42,11 +54,16 @@ export function choiceOfScene(key: SingleKey, group: string, rest: Named, labels
   return { ...choice(key, group, 'simulator', { ...rest, default: names[initial] }, options), isOptional: true };
 }
 
-type Options = readonly (readonly [value: string | number, label: string])[];
+/** A choice with the literal types of its values. */
+type ChoiceOf<Option> = ChoiceParameter & { readonly default: Option };
 
-type Choice = Named & Pick<ChoiceParameter, 'default'>;
-
-export function choice(key: string, group: string, reader: Reader, rest: Choice, options: Options): ChoiceParameter {
+export function choice<const Key extends string, const By extends Reader, const Option extends string | number>(
+  key: Key,
+  group: string,
+  reader: By,
+  rest: Named & { readonly default: NoInfer<Option> },
+  options: readonly (readonly [value: Option, label: string])[],
+): Keyed<ChoiceOf<Option>, Key, By> {
   const list = options.map(([value, label]) => ({ value, label }));
   return { kind: 'choice', key, group, reader, ...rest, options: list };
 }

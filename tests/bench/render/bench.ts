@@ -5,6 +5,7 @@ import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { tableMesh } from '../../../src/scenes/models/table.ts';
 import { loadSimulators } from '../../../src/sim/load.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
+import { arrangeFrame, drawFrame, reportOf } from '../../../src/smoke/frame.ts';
 import type { FrameInput, FrameReport } from '../../../src/smoke/frameInput.ts';
 import { towardsLight } from '../../../src/smoke/light.ts';
 import { SmokeRenderer, type SmokeOptions } from '../../../src/smoke/smoke.ts';
@@ -71,12 +72,12 @@ export class RenderBench {
   }
 
   draw(cull: boolean, camera: Camera = this.camera): FrameReport {
-    return this.smoke.draw({ ...this.input(cull), camera });
+    return drawFrame(this.smoke, { ...this.input(cull), camera });
   }
 
   /** The first half of a frame, without drawing. */
   arrange(cull: boolean): FrameReport {
-    return this.smoke.arrange(this.input(cull));
+    return reportOf(arrangeFrame(this.smoke.passes, this.smoke.prepare(this.input(cull))));
   }
 
   /**

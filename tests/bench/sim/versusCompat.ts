@@ -96,7 +96,7 @@ class Contest {
       }
       for (let step = 0; step < CHUNK; step++) take('without');
       this.compat.moveTo(this.seconds);
-      const { place, count } = this.withRigids.arrange(EVERYTHING);
+      const { place, count } = this.withRigids.arrange(EVERYTHING).rows;
       demand(count === COUNT, `${count} particles live`);
       // A run with all queries is so long that other processes always interrupt it.
       minOfTenths.forEach((cost, tenth) => {

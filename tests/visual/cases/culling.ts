@@ -3,7 +3,9 @@ import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'thr
 import { defaultPreset, findPreset, presetValues, type Preset } from '../../../src/preset/presets.ts';
 import type { Value, Values } from '../../../src/preset/parameter.ts';
 import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
-import type { FrameInput } from '../../../src/smoke/frameInput.ts';
+import { ALL_THAT_LIVES } from '../../../src/sim/view.ts';
+import { drawFrame } from '../../../src/smoke/frame.ts';
+import type { FrameInput, FrameReport } from '../../../src/smoke/frameInput.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { RenderBench } from '../../bench/render/bench.ts';
@@ -32,7 +34,7 @@ export async function compareScene(
   places: readonly Viewpoint[],
 ): Promise<Comparison[]> {
   const comparisons: Comparison[] = [];
-  const { draw } = SmokeRenderer.prototype;
+  const { prepare } = SmokeRenderer.prototype;
   const stage = await createStage(new OffscreenCanvas(WIDTH, HEIGHT), {
     values: { ...presetValues(presetNamed(preset)), ...values },
     width: WIDTH,
@@ -40,17 +42,19 @@ export async function compareScene(
     pixelRatio: 1,
   });
   await stage.seek(seconds);
-  SmokeRenderer.prototype.draw = function (input: FrameInput) {
+  // Every frame begins with this call. The frames that are compared precede it.
+  SmokeRenderer.prototype.prepare = function (input: FrameInput) {
+    SmokeRenderer.prototype.prepare = prepare;
     for (const place of places) {
       const camera = place === 'behind' ? cameraBehind(input) : cameraAt(place, input.camera);
-      comparisons.push(compare(this, (cull) => draw.call(this, { ...input, camera, cull })));
+      comparisons.push(compare(this, (cull) => drawFrame(this, { ...input, camera, cull })));
     }
-    return draw.call(this, input);
+    return this.prepare(input);
   };
   try {
     await stage.picture();
   } finally {
-    SmokeRenderer.prototype.draw = draw;
+    SmokeRenderer.prototype.prepare = prepare;
     stage.dispose();
   }
   return comparisons;
@@ -80,8 +84,8 @@ export async function comparePlume(
 }
 
 /** On the opposite side of the smoke, at the distance of the scene's camera. */
-function cameraBehind({ camera, simulator }: FrameInput): Camera {
-  const { min, max } = simulator.bounds;
+function cameraBehind({ camera, simulator, blend }: FrameInput): Camera {
+  const { min, max } = simulator.arrange({ ...ALL_THAT_LIVES, blend }).bounds;
   const middle = new Vector3(...min).lerp(new Vector3(...max), 0.5);
   const behind = camera.clone();
   const { x, y, z } = new Vector3().subVectors(camera.position, middle);
@@ -106,7 +110,7 @@ function cameraAt(place: Exclude<Viewpoint, 'behind'>, scene: Camera): Camera {
   return camera;
 }
 
-function compare(smoke: SmokeRenderer, draw: (cull: boolean) => ReturnType<SmokeRenderer['draw']>): Comparison {
+function compare(smoke: SmokeRenderer, draw: (cull: boolean) => FrameReport): Comparison {
   const [culled, whole] = [true, false].map((cull) => ({ report: draw(cull), ...read(smoke) }));
   return {
     changed: differing(culled.colors, whole.colors),

@@ -3,7 +3,9 @@ import { OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Vector2, Vecto
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import type { DebugView } from '../../../src/preset/quality.ts';
 import { RenderBench } from '../../bench/render/bench.ts';
-import { eyeView } from '../../../src/smoke/views.ts';
+import { drawFrame } from '../../../src/smoke/frame.ts';
+import { eyeView, viewSources } from '../../../src/smoke/views.ts';
+import type { View } from '../../../src/sim/view.ts';
 import { Lab, PLAIN_STYLE, type LabPuff, type LabScene } from '../lab.ts';
 import { box, ground } from '../solids.ts';
 
@@ -196,12 +198,13 @@ export async function coverageTints(): Promise<{ tinted: number; wrong: number; 
   const bench = await RenderBench.create(0.5, 1500);
   const input = bench['input'](true);
   const none = { count: 0, place: new Float32Array(), attributes: new Uint32Array() };
+  const withoutRows = { arrange: (view: View) => ({ ...bench.simulator.arrange(view), rows: none }) };
   const shown = (view: DebugView, extra = {}) => {
-    bench.smoke.draw({ ...input, ...extra, view });
+    drawFrame(bench.smoke, { ...input, ...extra, view });
     return reader(bench.picture());
   };
   const [tints, lit, smoke] = [shown('coverage'), shown('lit'), shown('normals')];
-  const empty = shown('normals', { simulator: { arrange: () => none, bounds: bench.simulator.bounds } });
+  const empty = shown('normals', { simulator: withoutRows });
   const isCovered = coveredIn(bench);
   const report = { tinted: 0, wrong: 0, missing: 0, clear: 0 };
   for (let pixel = 0; pixel < input.width * input.height; pixel++) {
@@ -220,8 +223,8 @@ export async function coverageTints(): Promise<{ tinted: number; wrong: number; 
 function coveredIn(bench: RenderBench): (pixel: number) => boolean {
   const { simulator, smoke, camera } = bench;
   const input = bench['input'](true);
-  simulator.arrange(eyeView(smoke.passes, input));
-  const { columns, rows, stride, corner, density, depths } = simulator.coverageGrid;
+  const { grid } = simulator.arrange(eyeView(viewSources(smoke.passes, input), input));
+  const { columns, rows, stride, corner, density, depths } = grid!;
   const known = depths.slice();
   const scale = [camera.projectionMatrix.elements[0], camera.projectionMatrix.elements[5]];
   return (pixel) => {

@@ -1,9 +1,7 @@
 /** Pictures of the fallback without fragment depth, compared with the regular renderer. */
-import { OrthographicCamera, PerspectiveCamera, Plane, Raycaster, Vector2, Vector3, type Camera } from 'three';
+import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { createDevice } from '../../../src/device/device.ts';
 import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
-import { silhouetteRadius } from '../../../src/puffs/lobes.ts';
-import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { PLAIN_STYLE, Lab, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
@@ -52,7 +50,6 @@ const perspective = () => new PerspectiveCamera(45, WIDTH / HEIGHT, 0.1, 100);
 const VIEWS: Readonly<Record<string, () => Partial<LabScene>>> = {
   ordinary: () => ({ camera: looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0]) }),
   lamp: () => ({ camera: looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0]), lamp: [-0.8, 2.6, 0.5] }),
-  eyeInside: () => ({ camera: looking(perspective(), [0.5, -0.5, 0.6], [0.3, -0.9, -0.5]) }),
   orthographic: () => ({
     camera: looking(new OrthographicCamera(-3, 3, 2.25, -2.25, 0.1, 100), [2, 2.5, 5], [0, -0.4, 0]),
   }),
@@ -81,62 +78,6 @@ function sceneOf(puffs: readonly LabPuff[], extra: Partial<LabScene>): LabScene 
     readCounts: true,
     ...extra,
   };
-}
-
-/** Ground pixels, and the number of flat shadow prisms at each one, compared with round volumes computed on the CPU. */
-export interface PrismReport {
-  receiver: number;
-  differing: number;
-  wronglyLit: number;
-  deepest: number;
-}
-
-/** A ground below many casters; no puffs and no box. */
-export function prismCounts(view: string): PrismReport {
-  const casters = cloud(40);
-  const { camera, lamp } = { ...VIEWS[view]() };
-  const scene = sceneOf([], { camera, lamp, casters, surfaces: [ground(-1, 3)] });
-  const { counts } = draw(scene, true).picture;
-  const round = casters.map((caster) => roundVolume(caster, camera!, lamp));
-  const report: PrismReport = { receiver: 0, differing: 0, wronglyLit: 0, deepest: 0 };
-  for (let pixel = 0; pixel < WIDTH * HEIGHT; ++pixel) {
-    const point = groundPoint(pixel, camera!);
-    if (!point) continue;
-    const expected = round.filter((holds) => holds(point)).length;
-    report.receiver += 1;
-    report.deepest = Math.max(report.deepest, expected);
-    if (counts[pixel] !== expected) report.differing += 1;
-    if (counts[pixel] > 0 !== expected > 0) report.wronglyLit += 1;
-  }
-  return report;
-}
-
-/** Whether a point is inside the shadow of a flat body that is slightly wider than the mean silhouette of the puffs. */
-function roundVolume(
-  { place, radius }: LabPuff,
-  camera: Camera,
-  lamp?: readonly number[],
-): (point: Vector3) => boolean {
-  const centre = new Vector3(...place);
-  const axis = lamp ? centre.clone().sub(new Vector3(...lamp)) : new Vector3(...SUN).negate();
-  const growth = lamp ? 1 / axis.length() : 0;
-  axis.normalize();
-  const inView = axis.clone().transformDirection(camera.matrixWorldInverse);
-  const mean = (1.06 * LOBE_SHAPES.reduce((sum, { lobes }) => sum + silhouetteRadius(lobes), 0)) / LOBE_SHAPES.length;
-  return (point) => {
-    const along = point.clone().sub(centre).dot(axis);
-    const across = point.clone().sub(centre).addScaledVector(axis, -along).length();
-    return along >= 1.15 * radius * Math.hypot(inView.x, inView.y) && across <= mean * radius * (1 + growth * along);
-  };
-}
-
-function groundPoint(pixel: number, camera: Camera): Vector3 | undefined {
-  const x = (((pixel % WIDTH) + 0.5) / WIDTH) * 2 - 1;
-  const y = ((Math.floor(pixel / WIDTH) + 0.5) / HEIGHT) * 2 - 1;
-  const caster = new Raycaster();
-  caster.setFromCamera(new Vector2(x, y), camera);
-  const point = caster.ray.intersectPlane(new Plane(new Vector3(0, 1, 0), 1), new Vector3());
-  return point && Math.abs(point.x) <= 3 && Math.abs(point.z) <= 3 ? point : undefined;
 }
 
 /** Agreement of the two methods about shadow on the ground, ink and smoke. */

@@ -5,6 +5,7 @@ import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
 import { designedShapes } from '../../../src/puffs/lobeShapes.ts';
 import type { PuffShape } from '../../../src/puffs/shapes.ts';
 import { bakedPuffs } from '../../../src/smoke/bakedPuffs.ts';
+import { drawFrame } from '../../../src/smoke/frame.ts';
 import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 import { gpuKeepsUp } from '../../support/gpuKeepsUp.ts';
@@ -46,7 +47,7 @@ export async function shareDevice(): Promise<{ between: number; disturbed: numbe
   const smoke = (shapes?: readonly PuffShape[]) =>
     new SmokeRenderer(device, { capacity: 2, surfaces: [], puffs: bakedPuffs(shapes) });
   const draw = (drawn: SmokeRenderer): Uint32Array => {
-    drawn.draw(inputOf(scene));
+    drawFrame(drawn, inputOf(scene));
     const pixels = new Uint32Array(WIDTH * HEIGHT);
     const gl = device.renderer.getContext();
     gl.readPixels(0, 0, WIDTH, HEIGHT, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(pixels.buffer));

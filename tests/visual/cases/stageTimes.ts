@@ -32,7 +32,7 @@ export async function movementAtSpeed(speed: number): Promise<number> {
 }
 
 function centreX(simulator: Simulator, blend: number): number {
-  const { count, place } = simulator.arrange({ ...EVERYTHING, blend });
+  const { count, place } = simulator.arrange({ ...EVERYTHING, blend }).rows;
   let sum = 0;
   for (let row = 0; row < count; ++row) sum += place[4 * row];
   return sum / count;
