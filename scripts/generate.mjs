@@ -22,7 +22,7 @@ const FILES = [
     (say) => cargo(['test', ...NATIVE, '--test', 'all', 'simulator::page_table'], say, environment),
   ],
   ['src/element/attributes/names.json', (say) => vitest('element.names', 'lists the keys', say)],
-  ['public/smoke-file.schema.json', (say) => vitest('file', 'stands in public/', say)],
+  ['public/smoke-file.schema.json', (say) => vitest('file', 'equals the file in public/', say)],
   ['tables in docs/', (say) => vitest('documents', 'has the generated table', say)],
 ];
 

@@ -25,7 +25,7 @@ export function withoutWords() {
 /** The source of the reduced table module. */
 function tableModule() {
   const stray = table.find(({ key }, index) => key !== names[index].key);
-  if (stray) throw new Error(`${stray.key} is at another place in src/element/attributes/names.json.`);
+  if (stray) throw new Error(`${stray.key} has another position in src/element/attributes/names.json.`);
   const rows = table.filter(({ key }) => !OF_LATER_ITEMS.test(key)).map(bare);
   return `
     import { names } from '../element/attributes/names.ts';

@@ -64,7 +64,7 @@ export async function fetchExtras(kind: PictureKind): Promise<void> {
  */
 export function codeOf<Each extends Name>(name: Each): Codes[Each] {
   const code = here[name];
-  if (!code) throw new LoadError(`The code of ${name} was not fetched.`);
+  if (!code) throw new LoadError(`The code of ${name} is not loaded.`);
   return code;
 }
 
@@ -77,7 +77,7 @@ async function bring(name: Name, called: string): Promise<void> {
     Object.assign(here, { [name]: await inTime<object>(imports[name]()) });
   } catch (error) {
     const reason = (error as Error).message;
-    throw new LoadError(`${called} could not be loaded, nailboards are drawn instead: ${reason}`, { cause: error });
+    throw new LoadError(`${called} could not be loaded, so nailboards are drawn instead: ${reason}`, { cause: error });
   }
 }
 

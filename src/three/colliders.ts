@@ -43,7 +43,7 @@ export class Colliders {
     if (proxies) for (const proxy of proxies) this.addBall(follow(proxy), proxy.follows, surface);
     else object.traverse((part) => ('isMesh' in part ? this.addMesh(part as Mesh, surface) : undefined));
     if (this.followers.length === before)
-      throw new ParameterError('collide', object.name || object.type, 'an object with a mesh in it');
+      throw new ParameterError('collide', object.name || object.type, 'an object that contains a mesh');
   }
 
   /** Reads the current poses. The next steps interpolate towards them. */

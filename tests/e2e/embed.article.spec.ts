@@ -37,7 +37,7 @@ async function costOf(page: Page): Promise<Cost> {
   return page.evaluate(() => Reflect.get(window, 'cost') as Cost);
 }
 
-test('fetches nothing heavy before its figures near, shifts nothing, and holds the page up by little', async ({
+test('loads nothing large before its figures are near, causes no layout shift, and blocks the page only briefly', async ({
   page,
   openPage,
   server,

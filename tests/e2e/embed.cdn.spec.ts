@@ -58,7 +58,7 @@ async function thread(page: Page): Promise<string> {
   return page.evaluate(async () => (await document.querySelector('cartoon-smoke')!.stage).thread);
 }
 
-test('a page with the printed hash has its smoke in a worker', async ({ page, cdn, visit }) => {
+test('a page with the printed hash runs smoke in a worker', async ({ page, cdn, visit }) => {
   await visit(await tag(cdn));
   expect(await thread(page)).toBe('worker');
   expect(page.workers()).toHaveLength(1);
@@ -66,23 +66,23 @@ test('a page with the printed hash has its smoke in a worker', async ({ page, cd
   expect([...scripts]).toEqual(['package/dist/cartoon-smoke.min.js']);
 });
 
-test('modules of another host have their worker, too', async ({ page, cdn, visit }) => {
+test('modules of another host can start a worker', async ({ page, cdn, visit }) => {
   await visit(`<script type="module" src="${cdn.address}package/dist/element.js" crossorigin></script>`);
   expect(await thread(page)).toBe('worker');
   expect(cdn.sent.map(({ file }) => file)).toContain('package/dist/worker.js');
 });
 
-test.describe('where the page has rules', () => {
+test.describe('with a Content Security Policy', () => {
   test.use({ allowed: /Content Security Policy/ });
   const rules = ({ origin }: URL) =>
     `default-src 'none'; script-src ${origin} 'wasm-unsafe-eval'; connect-src ${origin}; style-src 'unsafe-inline'; img-src data:`;
 
-  test('a policy that names the host and blob: has its smoke in a worker', async ({ page, cdn, visit }) => {
+  test('a policy with the host and blob: runs smoke in a worker', async ({ page, cdn, visit }) => {
     await visit(await tag(cdn), `${rules(new URL(cdn.address))}; worker-src blob: ${new URL(cdn.address).origin}`);
     expect(await thread(page)).toBe('worker');
   });
 
-  test('a policy that names the host alone has its smoke on the main thread', async ({ page, cdn, visit }) => {
+  test('a policy with only the host runs smoke on the main thread', async ({ page, cdn, visit }) => {
     await visit(await tag(cdn), rules(new URL(cdn.address)));
     expect(await thread(page)).toBe('main');
   });

@@ -15,7 +15,7 @@ const LISTEN = `<script>
   }
 </script>`;
 
-test('draws smoke of its attributes, and plays', async ({ page, openPage }) => {
+test('draws smoke by its attributes, and plays', async ({ page, openPage }) => {
   await openPage(
     `<cartoon-smoke ${WISP} emission-rate="60" seed="7" style="width: 320px; height: 240px"></cartoon-smoke>${LISTEN}`,
   );
@@ -31,7 +31,7 @@ test('draws smoke of its attributes, and plays', async ({ page, openPage }) => {
   expect(notified).toContainEqual(['statechange', true]);
 });
 
-test('fetches nothing but itself until the viewport nears, and then shifts nothing', async ({
+test('loads only itself until it is near the viewport, and causes no layout shift', async ({
   page,
   openPage,
   server,
@@ -53,7 +53,7 @@ test('fetches nothing but itself until the viewport nears, and then shifts nothi
   expect(await page.evaluate(() => (window as unknown as { shift: number }).shift)).toBe(0);
 });
 
-test('takes what was set before its class was known, and reflects what is set later', async ({ page, openPage }) => {
+test('accepts properties set before its definition, and reflects later ones', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${WISP}></cartoon-smoke>
     <script>Object.assign(document.querySelector('cartoon-smoke'), { emissionRate: 44, paused: true });</script>`);
   await stands(page);
@@ -69,7 +69,7 @@ test('takes what was set before its class was known, and reflects what is set la
   expect(await element.evaluate((smoke: CartoonSmokeElement) => Reflect.get(smoke, 'styleTones'))).toBe(3);
 });
 
-test('refuses what a program asks for out of range, and changes nothing', async ({ page, openPage }) => {
+test('rejects calls with values out of range, and changes nothing', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${WISP} paused emission-rate="33"></cartoon-smoke>`);
   await stands(page);
   const report = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
@@ -84,10 +84,7 @@ test('refuses what a program asks for out of range, and changes nothing', async 
   expect(report.rejected).toMatch(/^ParameterError: emission.rate cannot be -5: it takes /);
 });
 
-test('shows the default for what it cannot take, tells it, and leaves the console alone', async ({
-  page,
-  openPage,
-}) => {
+test('uses the default for invalid values, with a notice and no console output', async ({ page, openPage }) => {
   const lines: string[] = [];
   page.on('console', (message) => lines.push(message.text()));
   await openPage(`<cartoon-smoke preset="fog" scene="wisp" emission-rate="plenty" emission-lifetime="1000" thread="main"
@@ -104,7 +101,7 @@ test('shows the default for what it cannot take, tells it, and leaves the consol
   expect(lines).toEqual([]);
 });
 
-test('a poster with sources to choose from is as wide as the smoke will be', async ({ page, openPage }) => {
+test('a poster in a picture element is as wide as the smoke', async ({ page, openPage }) => {
   const drawing = (width: number) =>
     `data:image/svg+xml,%3Csvg%20xmlns='http://www.w3.org/2000/svg'%20width='${width}'%20height='300'/%3E`;
   await openPage(`<div style="height: 5000px">An article</div>
@@ -122,7 +119,10 @@ test('a poster with sources to choose from is as wide as the smoke will be', asy
   expect(image).toEqual(smoke);
 });
 
-test('stays the same smoke when it is moved, and begins anew when it comes back', async ({ page, openPage }) => {
+test('keeps its smoke when it is moved, and restarts when it is removed and inserted again', async ({
+  page,
+  openPage,
+}) => {
   await openPage(`<div id="a"><cartoon-smoke ${WISP} paused></cartoon-smoke></div><dialog open id="b"></dialog>`);
   await stands(page);
   const smoke = page.locator('cartoon-smoke');
@@ -138,7 +138,7 @@ test('stays the same smoke when it is moved, and begins anew when it comes back'
   expect(await steps()).toBe(0);
 });
 
-test('a copy is an element of its own', async ({ page, openPage }) => {
+test('a clone is an independent element', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${WISP} paused emission-rate="33"></cartoon-smoke>`);
   await stands(page);
   const values = await page.evaluate(async () => {
@@ -168,7 +168,7 @@ test('lets pointers through unless it is interactive', async ({ page, openPage }
   await expect.poll(async () => before.equals(await azimuth())).toBe(false);
 });
 
-test('is registered once, whichever script comes second', async ({ page, openPage }) => {
+test('is registered once, in either order of the scripts', async ({ page, openPage }) => {
   const script = `<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>
     <script type="module">
       const first = await import('/package/dist/cartoon-smoke.min.js');

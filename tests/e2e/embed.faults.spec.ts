@@ -41,7 +41,7 @@ const FAULTS: Record<string, (page: Page) => Promise<unknown>> = {
 
 for (const [fault, provoke] of Object.entries(FAULTS)) {
   for (const thread of ['main', 'worker']) {
-    test(`a simulator that is ${fault} leaves the poster and tells a LoadError: ${thread}`, async ({
+    test(`a simulator that is ${fault} leaves the poster and emits a LoadError: ${thread}`, async ({
       page,
       openPage,
     }) => {
@@ -53,7 +53,7 @@ for (const [fault, provoke] of Object.entries(FAULTS)) {
   }
 }
 
-test('a simulator of which nothing comes is waited for, then told as a LoadError', async ({ page, openPage }) => {
+test('a simulator without data times out with a LoadError', async ({ page, openPage }) => {
   await page.clock.install();
   const asked = page.waitForRequest(WASM);
   // The request stays pending.
@@ -79,7 +79,7 @@ const SCRIPTS = {
 };
 
 for (const [file, rest] of Object.entries(SCRIPTS)) {
-  test(`without ${file} there is the poster and a LoadError: at once where it is refused, else within a minute`, async ({
+  test(`without ${file} there is the poster and a LoadError: at once if it is rejected, else within a minute`, async ({
     page,
     openPage,
   }) => {
@@ -102,7 +102,7 @@ for (const [file, rest] of Object.entries(SCRIPTS)) {
   });
 }
 
-test('what comes after its minute is there for whoever asks for other smoke', async ({ page, openPage }) => {
+test('a file that arrives after its timeout is available to other smoke', async ({ page, openPage }) => {
   await page.clock.install();
   const asked = page.waitForRequest('**/dist/stage.js');
   let answer = () => Promise.resolve();
@@ -118,7 +118,7 @@ test('what comes after its minute is there for whoever asks for other smoke', as
   await expect(page.locator('#poster')).toBeHidden();
 });
 
-test('a worker whose script never comes is given up after half a minute: by itself, smoke goes without it', async ({
+test('a worker without a script times out after 30 s, and smoke falls back to the main thread', async ({
   page,
   openPage,
 }) => {
@@ -132,7 +132,7 @@ test('a worker whose script never comes is given up after half a minute: by itse
   await stands(page, '#auto');
 });
 
-test('smoke stands without what turns its view, and says so', async ({ page, openPage }) => {
+test('smoke works without the code of gestures and reports it', async ({ page, openPage }) => {
   await page.route('**/pointers.js', (route) => route.abort());
   await openPage(`${failing('main', 'interactive paused simulation-max-particles="300"')}<script>
     window.notices = [];
@@ -143,7 +143,7 @@ test('smoke stands without what turns its view, and says so', async ({ page, ope
   expect(notices.map(({ message }) => message)).toEqual([expect.stringContaining('pointers.js')]);
 });
 
-test('a page whose rules forbid WebAssembly has the poster', async ({ page, openPage }) => {
+test('a page whose policy forbids WebAssembly has the poster', async ({ page, openPage }) => {
   const rules = "script-src 'self' 'unsafe-inline'; worker-src 'self'";
   await openPage(failing('main'), { headers: { 'content-security-policy': rules } });
   expect(await failure(page)).toMatch(/^(LoadError|UnsupportedError): /);
@@ -159,7 +159,7 @@ test('a browser without WebGL 2 has the poster', async ({ page, openPage }) => {
   await expectPoster(page);
 });
 
-test('before it is an element, poster and fallback stand', async ({ page, openPage }) => {
+test('before the element is defined, poster and fallback are visible', async ({ page, openPage }) => {
   await openPage(failing('main'), { script: '' });
   await expect(page.locator('#poster')).toBeVisible();
   await expect(page.locator('#fallback')).toBeVisible();
@@ -168,7 +168,7 @@ test('before it is an element, poster and fallback stand', async ({ page, openPa
 test.describe('without JavaScript', () => {
   test.use({ javaScriptEnabled: false });
 
-  test('poster and fallback stand, and nothing is fetched', async ({ page, openPage, server }) => {
+  test('poster and fallback are visible, and nothing is downloaded', async ({ page, openPage, server }) => {
     await openPage(failing('main'));
     await expect(page.locator('#poster')).toBeVisible();
     await expect(page.locator('#fallback')).toBeVisible();

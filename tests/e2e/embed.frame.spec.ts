@@ -22,7 +22,7 @@ const FRAMES = '/tests/e2e/embed.frame.cases.ts';
 const SANDBOX = 'allow-scripts';
 const WISP = '?paused=1#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300';
 
-test('a frame without an origin needs scripts alone, and shows what a stage on this page shows', async ({
+test('a frame without an origin needs only scripts, and shows the same picture as a stage on this page', async ({
   load,
   blank,
   baseURL,
@@ -60,7 +60,7 @@ test('a frame without an origin needs scripts alone, and shows what a stage on t
   expect(report.changed).toBe(0);
 });
 
-test('plays, tells, refuses and ends as any stage does', async ({ load, baseURL }) => {
+test('plays, emits events, rejects and disposes like any stage', async ({ load, baseURL }) => {
   const frames = await load<FrameCases>(FRAMES);
   const cases = await load<Cases>('/tests/e2e/embed.cases.ts');
   const framed = await frames.evaluateHandle((module, [url, sandbox]) => module.connect(url, sandbox), [
@@ -88,10 +88,7 @@ test('plays, tells, refuses and ends as any stage does', async ({ load, baseURL 
   expect(report).toMatchObject({ rate: 50, ended: 'SimulatorError', after: 'SimulatorError' });
 });
 
-test('begins anew for who connects after somebody has ended it, and tells others that it has ended', async ({
-  load,
-  baseURL,
-}) => {
+test('restarts on reconnect after dispose, and notifies the other connections', async ({ load, baseURL }) => {
   const frames = await load<FrameCases>(FRAMES);
   const report = await frames.evaluate((module, url) => module.endsAndBegins(url), `${baseURL}/embed.html${WISP}`);
   expect(report).toEqual({ other: 'SimulatorError', steps: 0 });
@@ -129,11 +126,7 @@ test('pending and later calls end with an error when the frame is removed, moved
   expect(waiting).toBe('The frame was removed.');
 });
 
-test('goes by hash and query as the demo does, and brings the physics only where they are needed', async ({
-  load,
-  blank,
-  baseURL,
-}) => {
+test('reads hash and query like the demo, and loads physics only if needed', async ({ load, blank, baseURL }) => {
   const physics: string[] = [];
   blank.on('request', (request) => request.url().includes('embed-physics') && physics.push(request.url()));
   const frames = await load<FrameCases>(FRAMES);
@@ -153,11 +146,11 @@ test('goes by hash and query as the demo does, and brings the physics only where
   expect(physics).toHaveLength(1);
 });
 
-test.describe('without its physics', () => {
+test.describe('without the physics module', () => {
   // The browser logs failed requests itself.
   test.use({ allowed: /Failed to load resource/ });
 
-  test('a frame shows its fallback, and tells the page around it a LoadError', async ({ load, blank, baseURL }) => {
+  test('a frame shows its fallback and reports a LoadError to the host page', async ({ load, blank, baseURL }) => {
     const frames = await load<FrameCases>(FRAMES);
     const cases = await load<Cases>('/tests/e2e/embed.cases.ts');
     await blank.route('**/embed-physics*', (route) => route.abort());
@@ -173,7 +166,7 @@ test.describe('without its physics', () => {
   });
 });
 
-test('only the origin that the address names may have the stage', async ({ load, baseURL }) => {
+test('only the origin in the address can connect', async ({ load, baseURL }) => {
   const frames = await load<FrameCases>(FRAMES);
   const origin = await frames.evaluate(() => location.origin);
   const letsIn = (query: string, timeout?: number) =>
@@ -186,7 +179,7 @@ test('only the origin that the address names may have the stage', async ({ load,
   expect(await Promise.all(untrusted)).toEqual([false, false, false]);
 });
 
-test('a frame of a named origin is waited for without a word on the console', async ({ load, blank, baseURL }) => {
+test('waiting for a frame of a given origin writes nothing to the console', async ({ load, blank, baseURL }) => {
   const frames = await load<FrameCases>(FRAMES);
   const lines: string[] = [];
   const note = (message: ConsoleMessage) => message.type() !== 'debug' && lines.push(message.text());
@@ -200,7 +193,7 @@ test('a frame of a named origin is waited for without a word on the console', as
   expect(await framed.evaluate(({ stage }) => stage.thread)).toBe('frame');
 });
 
-test('five thousand hostile messages change nothing and raise nothing', async ({ load, baseURL }) => {
+test('five thousand hostile messages change nothing and throw nothing', async ({ load, baseURL }) => {
   const frames = await load<FrameCases>(FRAMES);
   const framed = await frames.evaluateHandle((module, [url, sandbox]) => module.connect(url, sandbox), [
     `${baseURL}/embed.html${WISP}`,
@@ -230,7 +223,7 @@ test('works from a host with a strict Content-Security-Policy', async ({ load })
   await server.close();
 });
 
-test('each preset of the gallery has an oEmbed answer, and a page that names it', () => {
+test('each preset of the gallery has an oEmbed response and a page that links to it', () => {
   const page = readFileSync(new URL('../../dist/gallery/wisp.html', import.meta.url), 'utf8');
   const link = /<link rel="alternate" type="application\/json\+oembed" href="([^"]*)"/.exec(page)![1];
   expect(new URL(link, 'https://example.org/gallery/wisp.html').pathname).toBe('/oembed/wisp.json');

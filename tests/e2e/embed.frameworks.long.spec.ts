@@ -89,7 +89,7 @@ createRoot(document.getElementById('root')!).render(<Smoke />);
   await expectTitle(page, join(place, 'dist'), READY);
 });
 
-test('Next.js: imported on the server, in the page as it leaves the server, and smoke in the browser', async ({
+test('Next.js: imported on the server, in the server-rendered page, and smoke in the browser', async ({
   page,
   project,
 }) => {
@@ -125,7 +125,7 @@ for (const [name, packages, options] of [
   ['Preact', ['preact@11'], { jsx: 'react-jsx', jsxImportSource: 'preact' }],
   ['Solid', ['solid-js@1'], { jsx: 'preserve', jsxImportSource: 'solid-js' }],
 ] as const) {
-  test(`${name} knows the element, and refuses what it does not take`, ({ project }) => {
+  test(`${name} has types of the element and rejects invalid attributes`, ({ project }) => {
     const entry = name.toLowerCase();
     const place = project([...packages, TYPESCRIPT, '@types/three@0.187'], {
       'right.tsx': `import 'cartoon-smoke/${entry}';

@@ -20,7 +20,7 @@ const OWN = [
 const SCRIPT = `javascript:document.body.remove()`;
 const VALUES = ['', '0', '1', '-1', '1e308', 'NaN', '-Infinity', '\u0000', '9'.repeat(400), 'lamp', 'box', '#ffffff', '*', 'html', '::before', '#v=1&preset=fog&take=AAAA', '#v=1&z=AAAA', `<img src=x onerror="${SCRIPT}">`, SCRIPT, '__proto__', '0:1,1:0', '0:333344,1:ffffff', '{}', '\ud800', 'constructor']; // prettier-ignore
 
-test('5,000 hostile attributes change nothing outside of the element, and the smoke goes on', async ({
+test('5,000 hostile attributes change nothing outside the element, and the smoke continues', async ({
   page,
   openPage,
 }) => {
@@ -73,7 +73,7 @@ for (const link of [
   SCRIPT,
   '#v=9&preset=wisp&simulation.maxParticles=1e9',
 ]) {
-  test(`a link such as ${link.slice(0, 40)} shows something that works, and says so`, async ({ page, openPage }) => {
+  test(`a link such as ${link.slice(0, 40)} shows working smoke and reports its faults`, async ({ page, openPage }) => {
     await openPage(`<cartoon-smoke paused scene="wisp" thread="main" simulation-max-particles="300" style="width: 64px; height: 48px"></cartoon-smoke>
       <script>
         window.notices = [];

@@ -28,7 +28,7 @@ async function distance(page: Page): Promise<number> {
 
 const scrolled = (page: Page) => page.evaluate(() => scrollY);
 
-test('keys come nearer, go farther, turn, and bring the first view back', async ({ page, openPage }) => {
+test('keys zoom, orbit, and reset the view', async ({ page, openPage }) => {
   await opened(page, openPage);
   await page.locator('cartoon-smoke canvas').focus();
   await page.keyboard.press('-');
@@ -48,7 +48,7 @@ test('keys come nearer, go farther, turn, and bring the first view back', async 
   await expect.poll(() => eye(page)).toEqual({ azimuth: undefined, distance: undefined });
 });
 
-test('the wheel scrolls the page, and pinching on a pad zooms', async ({ page, openPage }) => {
+test('the wheel scrolls the page, and a pinch on a trackpad zooms', async ({ page, openPage }) => {
   await opened(page, openPage);
   await page.mouse.move(150, 100);
   await page.mouse.wheel(0, 50);
@@ -77,7 +77,7 @@ test.describe('by touch', () => {
     expect(await scrolled(page)).toBe(0);
   });
 
-  test('swipes up scroll the page, and swipes to the side turn the view', async ({ page, openPage }) => {
+  test('vertical swipes scroll the page, and horizontal swipes orbit the camera', async ({ page, openPage }) => {
     await opened(page, openPage);
     const swipe = await fingerOf(page);
     await swipe({ x: 200, y: 100 }, { x: 120, y: 100 });
@@ -89,7 +89,7 @@ test.describe('by touch', () => {
     expect((await eye(page)).azimuth).toBe(azimuth);
   });
 
-  test('a page may give it all swipes', async ({ page, openPage }) => {
+  test('a page can give it all swipes', async ({ page, openPage }) => {
     await opened(page, openPage, 'cartoon-smoke::part(canvas) { touch-action: none }');
     const swipe = await fingerOf(page);
     await swipe({ x: 150, y: 160 }, { x: 150, y: 60 });

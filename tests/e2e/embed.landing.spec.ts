@@ -20,10 +20,7 @@ for (const size of [
   { width: 1024, height: 700 },
   { width: 390, height: 844 },
 ]) {
-  test(`smoke lies over a landing page of ${size.width} pixels, and nothing is in its way`, async ({
-    page,
-    openPage,
-  }) => {
+  test(`smoke covers a landing page of ${size.width} pixels without blocking it`, async ({ page, openPage }) => {
     await page.setViewportSize(size);
     await openPage(LANDING, { script: `${STYLE}${SHIFT}${MODULES}` });
     await stands(page);

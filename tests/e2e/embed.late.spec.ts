@@ -39,7 +39,7 @@ async function hold(page: Page, file: string): Promise<{ asked: Promise<Route> }
   return { asked };
 }
 
-test('what was taken away amid its start has no say when the element is put back', async ({ page, openPage }) => {
+test('an aborted start has no effect after the element is inserted again', async ({ page, openPage }) => {
   const request = await hold(page, 'pointers.js');
   await openPage(`<cartoon-smoke ${WISP} interactive ${SIZE}></cartoon-smoke>${LISTEN}`);
   const route = await request.asked;
@@ -61,7 +61,7 @@ test('what was taken away amid its start has no say when the element is put back
   expect(await notifiedOn(page)).toEqual(before);
 });
 
-test('the failure of what the page wants no more is not told, and what it wants comes', async ({ page, openPage }) => {
+test('a failure of replaced smoke is not reported, and the new smoke starts', async ({ page, openPage }) => {
   const request = await hold(page, 'wisp.js');
   await openPage(`<cartoon-smoke ${WISP} paused ${SIZE}></cartoon-smoke>${LISTEN}`);
   const route = await request.asked;
@@ -72,7 +72,7 @@ test('the failure of what the page wants no more is not told, and what it wants 
   expect(await notifiedOn(page)).not.toContain('error');
 });
 
-test('a link that shows something still pauses what plays when it comes later, too', async ({ page, openPage }) => {
+test('a paused link also pauses smoke that already plays', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
   await stands(page);
   await smokeOn(page).evaluate((smoke: CartoonSmokeElement) => (smoke.src = '?paused=1#preset=wisp'));
@@ -83,7 +83,7 @@ test('a link that shows something still pauses what plays when it comes later, t
   await expect(smokeOn(page)).not.toHaveAttribute('paused');
 });
 
-test('another link begins anew where it says when, as it would on a fresh element; one that does not say changes what stands', async ({
+test('a new link with a time restarts as on a new element; one without a time changes the running smoke', async ({
   page,
   openPage,
 }) => {
@@ -112,7 +112,7 @@ test('another link begins anew where it says when, as it would on a fresh elemen
   await expect(smoke).toHaveAttribute('paused');
 });
 
-test('goes through templates and other documents without a word, and looks the same after', async ({
+test('moves through templates and other documents without errors, and looks the same afterwards', async ({
   page,
   openPage,
 }) => {
@@ -140,7 +140,7 @@ test('goes through templates and other documents without a word, and looks the s
 test.describe('with all pixels', () => {
   test.use({ deviceScaleFactor: 1 });
 
-  test('smoke that is far taller than any picture can be is drawn all the same', async ({ page, openPage }) => {
+  test('smoke taller than the largest possible canvas is drawn', async ({ page, openPage }) => {
     await openPage(`<cartoon-smoke ${WISP} paused start="3" style="width: 200px; height: 150px"></cartoon-smoke>`);
     await stands(page);
     const heights = () =>
@@ -155,7 +155,7 @@ test.describe('with all pixels', () => {
   });
 });
 
-test('a click on its button is none on the link around it', async ({ page, openPage }) => {
+test('a click on its button does not open the link around it', async ({ page, openPage }) => {
   await openPage(`<a href="#elsewhere"><cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke></a>`);
   await stands(page);
   await page.getByRole('button', { name: 'Pause smoke' }).click();
@@ -163,7 +163,7 @@ test('a click on its button is none on the link around it', async ({ page, openP
   expect(await page.evaluate(() => location.hash)).toBe('');
 });
 
-test('a view that was let go of unseen does not turn with the pointer', async ({ page, openPage }) => {
+test('a camera drag that ends out of view does not continue with the pointer', async ({ page, openPage }) => {
   await openPage(
     `<cartoon-smoke ${WISP} paused interactive style="position: absolute; inset: 0 auto auto 0; width: 300px; height: 200px"></cartoon-smoke>`,
   );
@@ -190,7 +190,7 @@ test('a view that was let go of unseen does not turn with the pointer', async ({
   await page.mouse.up();
 });
 
-test('what is let go of before the answer that it is held is not shown as held', async ({ page, openPage }) => {
+test('a drag that ends before its reply shows no grab cursor', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${WISP} paused interactive ${SIZE}></cartoon-smoke>`);
   await stands(page);
   const held = await smokeOn(page).evaluate(async (smoke: CartoonSmokeElement) => {
@@ -212,10 +212,7 @@ test('what is let go of before the answer that it is held is not shown as held',
   expect(held).toEqual([false, true, false]);
 });
 
-test('an origin that is none is refused at once, and nothing is thrown when the frame comes', async ({
-  load,
-  blank,
-}) => {
+test('an invalid origin is rejected at once, and nothing is thrown when the frame loads', async ({ load, blank }) => {
   const remote = await load<Connect>('/src/remote/connectFrame.ts');
   const said = await remote.evaluate(async ({ connectFrame }) => {
     const frame = document.body.appendChild(document.createElement('iframe'));
@@ -231,10 +228,10 @@ test('an origin that is none is refused at once, and nothing is thrown when the 
   expect(blank.url()).toContain('blank');
 });
 
-test.describe('with less motion asked for', () => {
+test.describe('with prefers-reduced-motion', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
-  test('another preset has its composed still, too', async ({ page, openPage }) => {
+  test('another preset shows its still frame, too', async ({ page, openPage }) => {
     await openPage(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
     await stands(page);
     await smokeOn(page).evaluate((smoke: CartoonSmokeElement) => (smoke.preset = 'air'));
@@ -243,7 +240,7 @@ test.describe('with less motion asked for', () => {
     await expect.poll(steps).toBe(240);
   });
 
-  test('a link to a moment shows that one, and another one its composed still, and none of them moves', async ({
+  test('a link to a moment shows it, another link its still frame, and neither of them plays', async ({
     page,
     openPage,
   }) => {
@@ -263,7 +260,7 @@ test.describe('with less motion asked for', () => {
     expect(await smokeOn(page).evaluate((smoke: CartoonSmokeElement) => smoke.playing)).toBe(false);
   });
 
-  test('a person who asks for motion while the smoke is on its way has it', async ({ page, openPage }) => {
+  test('a user who presses play while the smoke loads gets motion', async ({ page, openPage }) => {
     const request = await hold(page, 'session.js');
     await openPage(`<cartoon-smoke ${AIR} ${SIZE}></cartoon-smoke>
       <button onclick="document.querySelector('cartoon-smoke').play()">Go</button>`);

@@ -16,16 +16,16 @@ const SLACK_BYTES = 1_000_000;
 test.use({ ownPage: true, allowed: /context lost|CONTEXT_LOST/i });
 
 for (const thread of ['worker', 'main'] as const) {
-  test(`forty stages share a context, and only those in view go on: ${thread}`, async ({ load, blank }) => {
+  test(`forty stages share a context, and only those in view play: ${thread}`, async ({ load, blank }) => {
     await expectMany({ load, blank }, [40, 12], thread);
   });
 }
 
-test('forty elements draw again after their context has gone, twice', async ({ load, blank }) => {
+test('forty elements recover from two lost contexts', async ({ load, blank }) => {
   await expectBack({ load, blank }, 40, 'worker');
 });
 
-test('the heap of the main thread stays flat, and its context goes', async ({ load, blank }) => {
+test('the heap of the main thread does not grow, and its context is released', async ({ load, blank }) => {
   const many = await load<ManyCases>('/tests/e2e/embed.many.cases.ts');
   const shared = await load<Shared>(SHARED);
   const comeAndGo = (rounds: number) => many.evaluate((module, count) => module.comeAndGo(count, 'main'), rounds);
@@ -41,7 +41,7 @@ test('the heap of the main thread stays flat, and its context goes', async ({ lo
   await expect.poll(() => context.evaluate((used) => used.isContextLost())).toBe(true);
 });
 
-test('the heap of a page stays flat while elements come and go', async ({ load, blank }) => {
+test('the heap of a page does not grow while elements are added and removed', async ({ load, blank }) => {
   const cases = await load<ProvokedCases>('/tests/e2e/embed.provoked.cases.ts');
   const comeAndGo = (rounds: number) => cases.evaluate((module, count) => module.comeAndGo(count, 'auto'), rounds);
   await comeAndGo(FIRST);
@@ -51,10 +51,7 @@ test('the heap of a page stays flat while elements come and go', async ({ load, 
   await expect.poll(() => blank.workers().length).toBe(0);
 });
 
-test('a worker keeps neither textures, geometries, programs nor WASM memory of what is gone', async ({
-  load,
-  blank,
-}) => {
+test('a worker releases textures, geometries, programs and WASM memory', async ({ load, blank }) => {
   const many = await load<ManyCases>('/tests/e2e/embed.many.cases.ts');
   const comeAndGo = (rounds: number) => many.evaluate((module, count) => module.comeAndGo(count, 'worker'), rounds);
   await comeAndGo(FIRST);

@@ -28,10 +28,7 @@ async function risingOn(page: Page): Promise<boolean[]> {
     .map((key) => values[key] !== 0 && values['emission.rate'] !== 0);
 }
 
-test('boxes of the page stand in the smoke where they stand on the page, and go where they go', async ({
-  page,
-  openPage,
-}) => {
+test('boxes of the page have the same position in the smoke, and follow the page', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${AIR} paused collide="button"></cartoon-smoke>${box('a', 170, 85, 300, 75)}`);
   await stands(page);
   const values = () =>
@@ -53,7 +50,7 @@ test('boxes of the page stand in the smoke where they stand on the page, and go 
     .toEqual([]);
 });
 
-test('a smoke that stays while the page scrolls sees its boxes go by: of many those around it, and it says so', async ({
+test('fixed smoke follows boxes of a scrolling page: the nearest of many, with a notice', async ({
   page,
   openPage,
 }) => {
@@ -82,7 +79,7 @@ test('a smoke that stays while the page scrolls sees its boxes go by: of many th
   expect(await noticesOf(page)).toEqual(['collide matches 12 elements; the nearest 8 are used.']);
 });
 
-test('a link to a moment finds the page in the smoke all the way there, whether it comes first or later', async ({
+test('a link to a moment has the boxes of the page from the first step, at the start or later', async ({
   page,
   openPage,
 }) => {
@@ -109,7 +106,7 @@ test('a link to a moment finds the page in the smoke all the way there, whether 
 test.describe('with all pixels', () => {
   test.use({ deviceScaleFactor: 1 });
 
-  test('no smoke is drawn where a box of the page stands, and some is around it', async ({ page, openPage }) => {
+  test('no smoke is drawn on a box of the page, and some is drawn around it', async ({ page, openPage }) => {
     await openPage(`<cartoon-smoke ${AIR} paused start="5" collide="button" emit-from="#fire"></cartoon-smoke>
       ${box('a', 260, 160, 120, 60)}<i id="fire" style="position: absolute; left: 300px; top: 420px; width: 40px; height: 10px"></i>`);
     await stands(page);
@@ -128,7 +125,7 @@ test.describe('with all pixels', () => {
     expect(covered.below).toBeGreaterThan(0.1);
   });
 
-  test('what is transparent lets the page through by its alpha', async ({ page, openPage }) => {
+  test('transparent smoke shows the page by its alpha', async ({ page, openPage }) => {
     await openPage(
       `<cartoon-smoke preset="wisp" simulation-max-particles="300" thread="main" transparent paused start="4"
         style="position: absolute; inset: 0 auto auto 0; width: 200px; height: 150px"></cartoon-smoke>`,
@@ -163,7 +160,7 @@ test.describe('with all pixels', () => {
   });
 });
 
-test('smoke rises from what is hovered, what the keyboard is on, and from nothing else', async ({ page, openPage }) => {
+test('smoke rises from elements that are hovered or focused, and from no other', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${AIR} emit-from="button" emit-on="hover"></cartoon-smoke>
     ${box('a', 60, 380, 100, 40)}${box('b', 400, 380, 100, 40)}`);
   await stands(page);
@@ -181,7 +178,7 @@ test('smoke rises from what is hovered, what the keyboard is on, and from nothin
   await expect.poll(values).toMatchObject({ 'emitters.0.share': 1, 'emitters.1.share': 0, 'emission.rate': 16 });
 });
 
-test('smoke rises from what the pointer or the keyboard was on before there was smoke', async ({ page, openPage }) => {
+test('smoke rises from an element that was hovered or focused before the smoke loaded', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${AIR} paused emit-on="hover"></cartoon-smoke>
     ${['a', 'b', 'c'].map((id, index) => box(id, 60 + 170 * index, 380, 100, 40)).join('')}`);
   await stands(page);
@@ -192,10 +189,7 @@ test('smoke rises from what the pointer or the keyboard was on before there was 
   await expect.poll(() => risingOn(page)).toEqual([true, false, true]);
 });
 
-test('what the pointer leaves goes on under the keyboard, and the other way round; what was clicked does not', async ({
-  page,
-  openPage,
-}) => {
+test('an element emits while it is hovered or focused; focus by a click does not count', async ({ page, openPage }) => {
   await openPage(`${['a', 'b', 'c'].map((id, index) => box(id, 60 + 170 * index, 380, 100, 40)).join('')}
     <cartoon-smoke ${AIR} paused emit-from="button" emit-on="hover"></cartoon-smoke>`);
   await stands(page);
@@ -220,7 +214,7 @@ test('what the pointer leaves goes on under the keyboard, and the other way roun
 test.describe('by touch', () => {
   test.use({ hasTouch: true });
 
-  test('a tap on what smoke rises from under a pointer lets it rise for a moment', async ({ page, openPage }) => {
+  test('a tap on a hover emitter emits for a moment', async ({ page, openPage }) => {
     await page.clock.install();
     await page.addInitScript(gpuKeepsUp);
     await openPage(`<cartoon-smoke ${AIR} emit-from="button" emit-on="hover"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
@@ -240,10 +234,7 @@ test.describe('by touch', () => {
   });
 });
 
-test('what the page has in the smoke holds over attributes that change later, until it leaves', async ({
-  page,
-  openPage,
-}) => {
+test('boxes of the page override attributes that change later, until they are removed', async ({ page, openPage }) => {
   await openPage(
     `<cartoon-smoke ${AIR} paused emit-from="#a" emit-on="hover"></cartoon-smoke>${box('a', 60, 380, 100, 40)}`,
   );
@@ -259,7 +250,7 @@ test('what the page has in the smoke holds over attributes that change later, un
   await expect.poll(values).toMatchObject({ 'emission.rate': 50, 'emitters.0.position.x': 3, 'light.azimuth': 12 });
 });
 
-test('what is folded away is no obstacle', async ({ page, openPage }) => {
+test('collapsed elements are no obstacles', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${AIR} paused collide="h2"></cartoon-smoke>
     <details style="position: absolute; left: 170px; top: 85px"><summary>More</summary><h2>A headline</h2></details>`);
   await stands(page);
@@ -273,7 +264,7 @@ test('what is folded away is no obstacle', async ({ page, openPage }) => {
   await expect.poll(obstacles).toEqual(['colliders.0.shape']);
 });
 
-test('a click lets smoke rise for a moment, and reaches what was clicked', async ({ page, openPage }) => {
+test('a click emits smoke for a moment and reaches the element', async ({ page, openPage }) => {
   await page.clock.install();
   await page.addInitScript(gpuKeepsUp);
   await openPage(`<cartoon-smoke ${AIR} emit-from="button" emit-on="click"></cartoon-smoke>${box('a', 60, 380, 100, 40)}
@@ -295,7 +286,7 @@ test('a click lets smoke rise for a moment, and reaches what was clicked', async
   expect(await page.evaluate(() => Reflect.get(window, 'clicked'))).toBe(true);
 });
 
-test('a selector that is none is told, and changes nothing', async ({ page, openPage }) => {
+test('an invalid selector is reported and changes nothing', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${AIR} paused collide="!!"></cartoon-smoke>${NOTICES}`);
   await stands(page);
   expect((await noticesOf(page)).join()).toContain('takes a CSS selector');

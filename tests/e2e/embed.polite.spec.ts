@@ -5,10 +5,10 @@ import { gpuKeepsUp } from '../support/gpuKeepsUp.ts';
 
 const BOX = 'style="width: 200px; height: 150px"';
 
-test.describe('with less motion asked for', () => {
+test.describe('with prefers-reduced-motion', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
-  test('shows one still picture with smoke in it, until somebody plays', async ({ page, openPage }) => {
+  test('shows a still frame with smoke until the user plays', async ({ page, openPage }) => {
     // Code that a test evaluates counts as user activation.
     await page.addInitScript(() => Object.defineProperty(navigator, 'userActivation', { value: { isActive: false } }));
     await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
@@ -26,10 +26,7 @@ test.describe('with less motion asked for', () => {
   });
 });
 
-test('has a button that pauses, by keys too, and what it paused stays paused out of sight and back', async ({
-  page,
-  openPage,
-}) => {
+test('has a pause button, also by keyboard, and stays paused out of view and back', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke><div style="height: 3000px"></div>`);
   await stands(page);
   await page.keyboard.press('Tab');
@@ -45,7 +42,7 @@ test('has a button that pauses, by keys too, and what it paused stays paused out
   expect(await steps()).toBe(before);
 });
 
-test('tells once that it was paused, and once that it plays', async ({ page, openPage }) => {
+test('emits statechange once when it pauses and once when it plays', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
   await stands(page);
   const notified = await page.locator('cartoon-smoke').evaluate((element: CartoonSmokeElement) => {
@@ -59,7 +56,7 @@ test('tells once that it was paused, and once that it plays', async ({ page, ope
   expect(notified).toEqual([false, true]);
 });
 
-test('calls its canvas and its button as the page wants, in any language, also later', async ({ page, openPage }) => {
+test('names its canvas and its button by attributes, also later', async ({ page, openPage }) => {
   await openPage(
     `<cartoon-smoke ${WISP} paused alt="Eine Tasse Tee" label-play="Abspielen" label-pause="Anhalten" ${BOX}></cartoon-smoke>`,
   );
@@ -73,7 +70,7 @@ test('calls its canvas and its button as the page wants, in any language, also l
   await expect(page.getByRole('img')).toHaveCount(0);
 });
 
-test('starts far below where the page wants that, or asks for something; its button looks as the page wants', async ({
+test('starts far below the viewport with loading=eager or on a method call; CSS properties style its button', async ({
   page,
   openPage,
 }) => {
@@ -104,14 +101,14 @@ test('starts far below where the page wants that, or asks for something; its but
   expect(looks).toEqual(['50px', '3px', '4px', 'rgb(1, 2, 3)', 'rgb(4, 5, 6)', 'rgb(7, 8, 9)', '0.5']);
 });
 
-test('is accessible to those who check it', async ({ page, openPage }) => {
+test('passes axe', async ({ page, openPage }) => {
   await openPage(`<main><h1>A page</h1><cartoon-smoke ${WISP} paused ${BOX}></cartoon-smoke></main>`);
   await stands(page);
   const { violations } = await new AxeBuilder({ page }).analyze();
   expect(violations.map(({ id }) => id)).toEqual([]);
 });
 
-test('rests out of sight, and goes on in sight', async ({ page, openPage }) => {
+test('rests out of view and continues in view', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke><div style="height: 3000px"></div>`);
   await stands(page);
   const smoke = page.locator('cartoon-smoke');
@@ -125,7 +122,7 @@ test('rests out of sight, and goes on in sight', async ({ page, openPage }) => {
   await expect.poll(steps).toBeGreaterThan(before);
 });
 
-test('draws sixty pictures a second on a screen that shows four times as many', async ({ page, openPage }) => {
+test('draws 60 frames per second on a 240 Hz display', async ({ page, openPage }) => {
   await page.addInitScript(gpuKeepsUp);
   await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
   await stands(page);
@@ -158,7 +155,7 @@ test('draws sixty pictures a second on a screen that shows four times as many', 
 test.describe('with all pixels', () => {
   test.use({ deviceScaleFactor: 1 });
 
-  test('has as many pixels as the screen when the page is zoomed while it plays', async ({ page, openPage }) => {
+  test('follows the pixel ratio when the page is zoomed while it plays', async ({ page, openPage }) => {
     await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
     await stands(page);
     const smoke = page.locator('cartoon-smoke');
@@ -182,7 +179,7 @@ test.describe('with all pixels', () => {
   });
 });
 
-test('survives nothing, being hidden, a shadow tree, a dialog and a table cell', async ({ page, openPage }) => {
+test('works without a size, hidden, in a shadow tree, in a dialog and in a table cell', async ({ page, openPage }) => {
   await openPage(`<div id="box" style="width: 200px; height: 150px"><cartoon-smoke ${WISP} paused start="1" style="height: 100%"></cartoon-smoke></div>
     <dialog></dialog><table><tr><td></td></tr></table><div id="tree"></div>`);
   await stands(page);
@@ -218,7 +215,7 @@ test('survives nothing, being hidden, a shadow tree, a dialog and a table cell',
   for (const width of kept.widths) expect(width).toBeGreaterThan(100);
 });
 
-test('keeps its box and its button on a page that unsets everything, turns and blurs', async ({ page, openPage }) => {
+test('keeps its box and its button on a page that unsets, rotates and blurs everything', async ({ page, openPage }) => {
   await openPage(
     `<main style="transform: rotate(2deg) scale(.9); filter: hue-rotate(20deg)"><div style="width: 320px"><cartoon-smoke ${WISP} paused></cartoon-smoke></div></main>`,
     { style: '* { all: unset !important }' },

@@ -29,7 +29,7 @@ test('a page without a bundler', async ({ page, project }) => {
 });
 
 for (const version of ['7', '8']) {
-  test(`Vite ${version}, as it comes, built and from its development server`, async ({ page, project }) => {
+  test(`Vite ${version} without configuration, built and on its development server`, async ({ page, project }) => {
     const main = `${PAGE_WITH_ELEMENT}<script type="module" src="/main.ts"></script>`;
     const place = project([`vite@${version}`], { 'index.html': main, 'main.ts': MAIN });
     bin(place, 'vite/bin/vite.js', 'build');
@@ -43,7 +43,7 @@ for (const version of ['7', '8']) {
   });
 }
 
-test('webpack, as it comes', async ({ page, project }) => {
+test('webpack without configuration', async ({ page, project }) => {
   const main = MAIN.replace(/!;|: boolean|: unknown/g, (type) => (type === '!;' ? ';' : ''));
   const place = project(['webpack', 'webpack-cli'], { 'main.js': main });
   bin(place, 'webpack/bin/webpack.js', './main.js', '--mode', 'production');
@@ -51,7 +51,7 @@ test('webpack, as it comes', async ({ page, project }) => {
   await expectTitle(page, join(place, 'dist'), READY);
 });
 
-test('TypeScript at its strictest, the declarations of the package included', ({ project }) => {
+test('TypeScript in its strictest mode, including the declarations of the package', ({ project }) => {
   const place = project(['typescript@7', '@types/three@0.187'], { 'main.ts': MAIN });
   expectTypes(place, {}, ['main.ts']);
 });

@@ -18,7 +18,7 @@ async function expectGivenUp(load: LoadModule, shown: JSHandle<Shown>, notified:
 }
 
 for (const thread of ['main', 'worker'] as const) {
-  test(`a simulator without memory leaves the poster and tells a SimulatorError: ${thread}`, async ({ load }) => {
+  test(`a simulator without memory leaves the poster and emits a SimulatorError: ${thread}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const shown = await cases.evaluateHandle((module, where) => module.show(where, { fault: 'outOfMemory' }), thread);
     await expectGivenUp(load, shown, ['SimulatorError']);
@@ -26,11 +26,11 @@ for (const thread of ['main', 'worker'] as const) {
 }
 
 for (const thread of ['main', 'worker'] as const) {
-  test(`a context that goes and comes back, twice, brings all smoke back: ${thread}`, async ({ load, blank }) => {
+  test(`all smoke recovers from a context that is lost twice: ${thread}`, async ({ load, blank }) => {
     await expectBack({ load, blank }, 6, thread);
   });
 
-  test(`one that goes too often, or stays away from a start on, is given up, until other smoke is asked for: ${thread}`, async ({
+  test(`a context lost too often, or not restored after the start, ends the smoke until other smoke starts: ${thread}`, async ({
     load,
     blank,
   }) => {
@@ -65,7 +65,7 @@ async function beats(page: Page, count: number): Promise<void> {
   for (let beat = 0; beat < count; ++beat) await page.clock.fastForward(10_000);
 }
 
-test('a worker that ends in the start is noticed, and the next smoke has a new one', async ({ load, blank }) => {
+test('a worker that ends during the start is detected, and the next smoke has a new one', async ({ load, blank }) => {
   await blank.clock.install();
   const cases = await load<Cases>(CASES);
   const shown = await cases.evaluateHandle((module) => module.show('worker', { fault: 'workerSilent' }));
@@ -91,10 +91,7 @@ async function kill(page: Page, way: 'close' | 'throw'): Promise<void> {
   if (way === 'close') await beats(page, 14);
 }
 
-test('a worker that ends while it plays ends all its smoke, which lives again when it is asked to, three times', async ({
-  load,
-  blank,
-}) => {
+test('a worker that ends while playing ends all its smoke, which can restart three times', async ({ load, blank }) => {
   await blank.clock.install();
   const cases = await load<Cases>(CASES);
   const shown = await cases.evaluateHandle((module) => module.showSome(2, 'worker'));

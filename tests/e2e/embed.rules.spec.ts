@@ -34,7 +34,7 @@ async function expectMain(page: Page, workers: number): Promise<void> {
   expect(report.colors).toBeGreaterThan(10);
 }
 
-test('a page that forbids workers has its smoke on the main thread, and they are not tried again', async ({ page }) => {
+test('a page that forbids workers has smoke on the main thread, without a retry', async ({ page }) => {
   await openUnder(page, "worker-src 'none'");
   await expectMain(page, 1);
 });
@@ -46,18 +46,18 @@ test('required Trusted Types allow the worker by the policy cartoon-smoke', asyn
   expect(report.colors).toBeGreaterThan(10);
 });
 
-test('required Trusted Types without our policy leave the main thread', async ({ page }) => {
+test('required Trusted Types without our policy run smoke on the main thread', async ({ page }) => {
   await openUnder(page, "require-trusted-types-for 'script'; trusted-types 'none'");
   await expectMain(page, 0);
 });
 
-test('a worker whose file is not there leaves the main thread', async ({ page }) => {
+test('without the worker file smoke runs on the main thread', async ({ page }) => {
   await page.route('**/remote/worker.ts*', (route) => route.fulfill({ status: 404 }));
   await openUnder(page);
   await expectMain(page, 1);
 });
 
-test('a worker without WebGL2 leaves the main thread, with a canvas that can be drawn on', async ({ page }) => {
+test('without WebGL2 in workers smoke runs on the main thread, with a new canvas', async ({ page }) => {
   await page.route('**/remote/worker.ts*', async (route) => {
     const response = await route.fetch();
     const body = `OffscreenCanvas.prototype.getContext = () => null;\n${await response.text()}`;
@@ -67,7 +67,7 @@ test('a worker without WebGL2 leaves the main thread, with a canvas that can be 
   await expectMain(page, 1);
 });
 
-test('a browser without canvases that are on no page has its smoke on the main thread', async ({ page }) => {
+test('a browser without OffscreenCanvas has smoke on the main thread', async ({ page }) => {
   await page.addInitScript(() => {
     delete (globalThis as { OffscreenCanvas?: unknown }).OffscreenCanvas;
     delete (HTMLCanvasElement.prototype as { transferControlToOffscreen?: unknown }).transferControlToOffscreen;
@@ -76,13 +76,13 @@ test('a browser without canvases that are on no page has its smoke on the main t
   await expectMain(page, 0);
 });
 
-test('WASM that the page forbids is a LoadError on the main thread', async ({ page }) => {
+test('WASM forbidden by the page is a LoadError on the main thread', async ({ page }) => {
   await openUnder(page, "script-src 'self'; worker-src 'none'");
   const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
   expect((await cases.evaluate((module) => module.thrownBy(() => module.open())))?.name).toBe('LoadError');
 });
 
-test('a context that does not come back is told as a ContextError, once, and may still come back', async ({ page }) => {
+test('a context that is not restored emits one ContextError, and can still be restored', async ({ page }) => {
   await openUnder(page);
   const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');
   const shared = await loadModule<Shared>(page, '/src/remote/sharedDevice.ts');
@@ -117,7 +117,7 @@ test('a context that does not come back is told as a ContextError, once, and may
   await expect.poll(() => device.evaluate(({ isUsable }) => isUsable)).toBe(true);
 });
 
-test('a device that ended while its context was lost gives it back as soon as that comes', async ({ page }) => {
+test('a device disposed while its context was lost releases the restored context', async ({ page }) => {
   await openUnder(page);
   const devices = await loadModule<typeof import('../../src/device/device.ts')>(page, '/src/device/device.ts');
   const isLost = await devices.evaluate(async ({ createDevice }) => {
@@ -140,7 +140,7 @@ test('a device that ended while its context was lost gives it back as soon as th
   expect(isLost).toBe(true);
 });
 
-test('a context that is lost in mid-start has its smoke when it comes back', async ({ page }) => {
+test('a context lost during the start shows smoke when it is restored', async ({ page }) => {
   await openUnder(page);
   await setTimeouts(page, 'endless');
   const cases = await loadModule<Cases>(page, '/tests/e2e/embed.cases.ts');

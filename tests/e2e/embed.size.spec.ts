@@ -42,7 +42,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   for (const rarity of RARITIES.split(' ')) expect(names).not.toContain(rarity);
 });
 
-test('in a worker, which brings its own three.js', async ({ page, openPage, server }) => {
+test('in a worker, which includes its own three.js', async ({ page, openPage, server }) => {
   await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>');
   await stands(page);
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
@@ -53,7 +53,7 @@ test('in a worker, which brings its own three.js', async ({ page, openPage, serv
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
 });
 
-test('by the one file for CDNs, three.js included', async ({ page, openPage, server }) => {
+test('as the single file for CDNs, three.js included', async ({ page, openPage, server }) => {
   const script = '<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>';
   await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
   await stands(page);
@@ -61,7 +61,7 @@ test('by the one file for CDNs, three.js included', async ({ page, openPage, ser
   expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
 });
 
-test('with rigids, the other simulator in the place of the small one', async ({ page, openPage, server }) => {
+test('with rigids, with the physics simulator instead of the core', async ({ page, openPage, server }) => {
   await openPage('<cartoon-smoke preset="lamp" simulation-max-particles="300" paused></cartoon-smoke>');
   await stands(page);
   judge([{ name: 'embed.physicsKb', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 560, goal: 560 }]);

@@ -28,7 +28,7 @@ async function stepsWhile(page: Page, seen: Page): Promise<number> {
 }
 
 // On the main thread a hidden page has no frames anyway.
-test('in a worker, rests in a hidden tab, goes on in front, and what a person paused stays paused', async ({
+test('in a worker, rests in a hidden tab, continues in front, and stays paused if the user paused it', async ({
   playwright,
   launchOptions,
   server,

@@ -28,7 +28,7 @@ function watchConsole(page: Page): string[] {
   return lines;
 }
 
-test('the second one leaves the element to the first, and says so', async ({ page, openPage }) => {
+test('the second version leaves the element to the first, with a notice', async ({ page, openPage }) => {
   const lines = watchConsole(page);
   await serveOther(page);
   const script = `${NOTICES}${MODULES}<script type="module" src="/other/cartoon-smoke.min.js"></script>`;
@@ -45,7 +45,7 @@ test('the second one leaves the element to the first, and says so', async ({ pag
   expect(lines).toEqual([]);
 });
 
-test('under a tag of its own the second one has its smoke beside the first', async ({ page, openPage }) => {
+test('the second version works under another tag beside the first', async ({ page, openPage }) => {
   const lines = watchConsole(page);
   await serveOther(page);
   await openPage(`<cartoon-smoke ${SMOKE}></cartoon-smoke><other-smoke ${SMOKE}></other-smoke>

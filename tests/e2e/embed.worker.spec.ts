@@ -14,7 +14,7 @@ test('a worker draws the same picture as the main thread', async ({ load }) => {
   expect(report.differing, 'on the page, drawn anew, and of the two').toEqual([0, 0, 0]);
 });
 
-test('errors are of the same class and say the same from a worker as from the main thread', async ({ load }) => {
+test('errors have the same class and message in a worker as on the main thread', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const [worker, main] = await cases.evaluate((module) =>
     Promise.all([module.errors('worker'), module.errors('main')]),
@@ -36,14 +36,14 @@ test('errors are of the same class and say the same from a worker as from the ma
   expect(worker.isSame).toBe(true);
 });
 
-test('takes and states go to the worker and back', async ({ load }) => {
+test('takes and states survive a round trip to the worker', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const { hashes, inputs, isOfStart } = await cases.evaluate((module) => module.sendBytes());
   expect(new Set(hashes).size).toBe(1);
   expect({ inputs, isOfStart }).toEqual({ inputs: 2, isOfStart: true });
 });
 
-test('a playing stage sends no message unless somebody listens', async ({ load }) => {
+test('a playing stage sends no message without a listener', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const report = await cases.evaluate((module) => module.listen(module.watch()));
   expect(report.notified).toEqual([true, false]);
@@ -51,17 +51,17 @@ test('a playing stage sends no message unless somebody listens', async ({ load }
   expect(report.steps).toBeGreaterThan(0);
 });
 
-test('out of view a stage rests, and what is paused stays paused', async ({ load }) => {
+test('out of view a stage rests, and a paused one stays paused', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   expect(await cases.evaluate((module) => module.scroll())).toEqual({ away: 0, paused: 0 });
 });
 
-test('a start can be called off at any moment', async ({ load }) => {
+test('a start can be aborted at any moment', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   expect(await cases.evaluate((module) => module.abortStarts())).toEqual(['at once', 'soon', 'later']);
 });
 
-test.describe('on a page of their own', () => {
+test.describe('on a separate page', () => {
   test.use({ ownPage: true, allowed: /context lost|context restored|CONTEXT_LOST/i });
 
   test('stages share one worker, which ends after the last of them', async ({ load, blank }) => {
@@ -82,7 +82,7 @@ test.describe('on a page of their own', () => {
     expect(await cases.evaluate(async (module) => (await module.open()).stage.thread)).toBe('worker');
   });
 
-  test('what fails in the worker is told to its stages and not to the page', async ({ load, blank }) => {
+  test('a failure in the worker is reported to its stages and not to the page', async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
     const notified = await cases.evaluateHandle(async (module) => {
       const { stage } = await module.open();
@@ -105,7 +105,7 @@ test.describe('on a page of their own', () => {
     expect(message).toContain('out of order');
   });
 
-  test('amid many steps a worker says now and then that it lives', async ({ load, blank }) => {
+  test('a worker sends heartbeats during many steps', async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
     // The heartbeat is not under test: the page's clock stops before its timeout.
     await blank.clock.install({ time: 0 });
@@ -124,7 +124,7 @@ test.describe('on a page of their own', () => {
     expect(await said.jsonValue()).toEqual(Array(20).fill('beat'));
   });
 
-  test('a context that is lost twice brings all stages back', async ({ load, blank }) => {
+  test('all stages recover from a context that is lost twice', async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
     const opened = await cases.evaluateHandle(async (module) => {
       const two = await Promise.all([module.open(), module.open()]);

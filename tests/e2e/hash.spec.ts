@@ -52,7 +52,7 @@ test('takes over the whole parameter table have the same hashes natively and in 
 });
 
 // `UPDATE_HASHES=1 npx playwright test --no-deps --project=pages tests/e2e/hash.spec.ts` writes the list.
-test('every preset has the hashes of tests/engines/hashes.json in Node and, by the bits that cross there, natively', async () => {
+test('every preset has the hashes of tests/engines/hashes.json in Node and, with the same calls, natively', async () => {
   const calls = new RecordedCalls();
   const hashes = await presetHashes(async (physics) => calls.record(await loadVariant(physics ? 'physics' : 'core')));
   if (process.env.UPDATE_HASHES) writeFileSync(HASH_LIST, `${JSON.stringify(hashes, null, 2)}\n`);

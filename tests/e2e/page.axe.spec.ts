@@ -58,7 +58,7 @@ test.describe('with reduced motion, at 200 %', () => {
   // The CSS pixels of a 1280 x 720 window at 200 % zoom.
   test.use({ viewport: { width: 640, height: 360 }, contextOptions: { reducedMotion: 'reduce' } });
 
-  test('axe finds nothing beside the still picture, and nothing lies out of reach', async ({ page }) => {
+  test('axe finds nothing beside the still frame, and everything is reachable', async ({ page }) => {
     await open(page, LIGHT);
     await expect(page.getByRole('button', { name: 'Play the smoke' })).toBeVisible();
     await expectNoFaults(page, 'still picture');
@@ -73,10 +73,10 @@ test.describe('with reduced motion, at 200 %', () => {
   });
 });
 
-test.describe('in colours that people choose', () => {
+test.describe('in forced colours', () => {
   test.use({ viewport: { width: 800, height: 620 }, contextOptions: { forcedColors: 'active' } });
 
-  test('what is on looks otherwise than what is off, and sliders have a line', async ({ page }) => {
+  test('toggles show their state, and sliders have a track', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
     const background = (on: Locator) => on.evaluate((element) => getComputedStyle(element).backgroundColor);
     const handles = page.getByRole('button', { name: 'Handles' });

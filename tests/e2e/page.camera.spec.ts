@@ -50,10 +50,7 @@ const burst = (page: Page, type: 'wheel' | 'keydown', detail: object) =>
     [type, detail, QUIET_MS] as const,
   );
 
-test('turning, shifting and zooming go into the link, and a second page has the same view', async ({
-  page,
-  context,
-}) => {
+test('orbit, pan and zoom are stored in the link, and a second page has the same view', async ({ page, context }) => {
   await open(page, `?paused=1&t=1${LIGHT}`);
   await expectSteps(page, 60);
   const first = await viewOf(page);
@@ -98,7 +95,7 @@ test('a gesture is undone in one step, and presets of a scene keep the view', as
     await page.keyboard.press('Control+Shift+z');
     await expect.poll(() => eyeOf(page)).toEqual(eyes[1]);
   });
-  await test.step('presets of a scene are seen from where people look; another scene from its own place', async () => {
+  await test.step('presets of a scene keep the camera; another scene has its own', async () => {
     await ask(page, (stage) => stage.set({ 'camera.azimuth': 90, 'camera.elevation': 0 }));
     const [x, ahead] = await ask(page, (stage) => [stage.sight.along([0, 0, 1])[0], stage.camera.azimuth()]);
     expect(x).toBeCloseTo(1, 6);
@@ -113,7 +110,7 @@ test('a gesture is undone in one step, and presets of a scene keep the view', as
   });
 });
 
-test('the eye that is turned while an edit waits for the next frame goes into the link beside it', async ({ page }) => {
+test('a camera moved while an edit is pending is stored in the same link', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   const { edited, orbited } = await page.evaluate(() => {
     const stage = window.cartoonSmoke!;
@@ -128,7 +125,7 @@ test('the eye that is turned while an edit waits for the next frame goes into th
   await expectValue(page, 'puff.size', 2);
 });
 
-test('this very moment is the same frame, camera too', async ({ page, browser }) => {
+test('a link to this moment shows the same frame, with the same camera', async ({ page, browser }) => {
   await open(page, `?paused=1${LIGHT}`);
   await ask(page, (stage) => stage.set({ 'camera.distance': 9 }));
   await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
@@ -155,7 +152,7 @@ test('this very moment is the same frame, camera too', async ({ page, browser })
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test('a finger turns the view into the link, in one step', async ({ page }) => {
+  test('a finger orbits the camera, stored in the link as one step', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
     const drag = await fingerOf(page);
     await drag({ x: 60, y: 500 }, { x: 140, y: 480 });

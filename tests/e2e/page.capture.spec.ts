@@ -54,10 +54,10 @@ async function captured(page: Page): Promise<{ name: string; bytes: number[] }> 
   return { name: file.suggestedFilename(), bytes: await bytesOf(file) };
 }
 
-test('captures are ordered from the sheet, and leave the smoke as it is', async ({ page }) => {
+test('captures are started from the sheet and do not change the smoke', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await ask(page, (stage) => stage.step(60));
-  await test.step('a video from the sheet has its frames, and neighbours differ', async () => {
+  await test.step('a video from the sheet has all frames, and neighbours differ', async () => {
     const hash = await openSheet(page);
     await sheet(page).getByLabel('Format').selectOption('webm');
     await sheet(page).getByLabel('Seconds').fill('0.5');
@@ -87,7 +87,7 @@ test('captures are ordered from the sheet, and leave the smoke as it is', async 
     expect(await ask(page, (stage) => stage.hash())).toBe(hash);
     await closeSheet(page);
   });
-  await test.step('the sheet gives a picture as large as was asked for, with holes where nothing is', async () => {
+  await test.step('a picture from the sheet has the chosen size and a transparent background', async () => {
     const hash = await openSheet(page);
     await sheet(page).getByLabel('Format').selectOption('png');
     await sheet(page).getByLabel('Scale').selectOption('2');
@@ -113,7 +113,7 @@ test('captures are ordered from the sheet, and leave the smoke as it is', async 
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test('a finger finds the whole sheet in reach', async ({ page }) => {
+  test('a finger reaches the whole sheet', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
     await page.getByRole('button', { name: 'Capture' }).tap();
     await sheet(page).getByLabel('Format').selectOption('zip');

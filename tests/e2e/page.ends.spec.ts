@@ -9,7 +9,7 @@ test.use({ viewport: { width: 96, height: 72 } });
 
 const SMALL = '#v=1&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=120';
 
-test('what the simulator reads changes its state', async ({ page }) => {
+test('parameters of the simulator change its state', async ({ page }) => {
   await open(page, `?paused=1&ui=0${SMALL.replace('lamp', 'wisp')}`);
   await ask(page, (stage) => stage.step(60));
   const trials = singleTrials('simulator', 'stage');
@@ -22,7 +22,7 @@ test('what the simulator reads changes its state', async ({ page }) => {
   expect(await withoutEffectOnState(page, needing)).toEqual([]);
 });
 
-test('so do all items of its lists, each as a whole, and all at once leave the simulator alive', async ({ page }) => {
+test('items of all lists change its state, and all of them at once do not stop the simulator', async ({ page }) => {
   await open(page, `?paused=1&ui=0${SMALL}`);
   await ask(page, (stage) => stage.step(60));
   expect(await withoutEffectOnState(page, itemTrials())).toEqual([]);
@@ -59,7 +59,7 @@ async function expectAlive(page: Page): Promise<void> {
 test.describe('with all pixels', () => {
   test.use({ deviceScaleFactor: 1 });
 
-  test('what style, light and camera read changes the picture', async ({ page }) => {
+  test('parameters of style, light and camera change the picture', async ({ page }) => {
     await open(page, `?paused=1&ui=0${SMALL}`);
     await ask(page, (stage) => {
       stage.set({ 'camera.distance': 4.5 });

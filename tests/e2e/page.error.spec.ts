@@ -1,7 +1,7 @@
 import { expect, test } from '../support/fixtures.ts';
 import { ask, LIGHT, open } from './page.ts';
 
-test('without WebGL2 the page says so and what to do', async ({ page }) => {
+test('without WebGL2 the page shows an error and advice', async ({ page }) => {
   await page.addInitScript(() => {
     const original = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: never[]) {
@@ -19,7 +19,7 @@ test('without WebGL2 the page says so and what to do', async ({ page }) => {
 test.describe('a download that fails', () => {
   test.use({ allowed: /Failed to load resource|net::ERR_FAILED/ });
 
-  test('is told, and reloading mends it', async ({ page }) => {
+  test('shows an error, and reloading recovers', async ({ page }) => {
     await page.route('**/*.wasm*', (route) => route.abort());
     await page.goto('/?paused=1#v=1&simulation.maxParticles=100');
     const alert = page.getByRole('alert');
@@ -31,7 +31,7 @@ test.describe('a download that fails', () => {
   });
 });
 
-test('a graphics card that does not keep written depth draws flat smoke and says so', async ({ page }) => {
+test('a GPU that ignores written depth draws flat smoke, with a message', async ({ page }) => {
   await page.addInitScript(() => {
     const { shaderSource } = WebGL2RenderingContext.prototype;
     WebGL2RenderingContext.prototype.shaderSource = function (shader, source) {

@@ -72,7 +72,7 @@ test('handles of sun, wind, emitter and vortex follow the mouse and the keys', a
 
   // When attached it keeps its position, and then moves with the ball.
   const place = await middleOf(page, handle('vortices.1'));
-  await page.getByLabel('Vortex 2 rides on').selectOption({ label: 'Ball' });
+  await page.getByLabel('Attach Vortex 2 to').selectOption({ label: 'Ball' });
   await expect.poll(() => link(page)).toContain('vortices.1.rigid=0');
   const attached = await middleOf(page, handle('vortices.1'));
   expect(Math.hypot(attached.x - place.x, attached.y - place.y)).toBeLessThan(3);
@@ -85,14 +85,14 @@ test('handles of sun, wind, emitter and vortex follow the mouse and the keys', a
   await expect(page.locator('.gizmo').filter({ visible: true })).toHaveCount(0);
 });
 
-test('a vortex is attached to the propeller, where its handle stands, and let go there', async ({ page }) => {
+test('a vortex is attached to the propeller, follows it with its handle, and is detached', async ({ page }) => {
   await page.setViewportSize({ width: 690, height: 480 });
   const smoke = '#v=1&preset=airplane&emission.rate=20&puff.variations=1&simulation.maxParticles=300';
   await open(page, `?paused=1&t=1${smoke}&vortices.0.circulation=2&vortices.0.position.y=0.7`);
   await expectSteps(page, 60);
   await page.keyboard.press('p');
   await page.locator('summary', { hasText: 'Vortex 1' }).click();
-  const choice = page.getByLabel('Rides on', { exact: true }).filter({ visible: true });
+  const choice = page.getByLabel('Attached to', { exact: true }).filter({ visible: true });
   await expect(choice.locator('option')).toHaveText(['Nothing', 'Airplane', 'Propeller', 'Scarf']);
   await choice.selectOption('Propeller');
   await expect.poll(() => link(page)).toContain('vortices.0.rigid=4096');
@@ -112,7 +112,7 @@ test('a vortex is attached to the propeller, where its handle stands, and let go
   };
   await expect.poll(distance).toBeLessThan(2);
   await page.locator(handle('vortices.0')).focus();
-  await page.getByLabel('Vortex 1 rides on').selectOption('Nothing');
+  await page.getByLabel('Attach Vortex 1 to').selectOption('Nothing');
   await expect.poll(() => link(page)).toContain('vortices.0.rigid=-1');
   await expect.poll(distance).toBeLessThan(2);
   expect(await linkedNumber(page, 'vortices.0.position.x')).toBeGreaterThan(0.9);

@@ -51,7 +51,10 @@ const traces = (page: Page) =>
   }));
 const NOTHING = { ran: undefined, title: 'Cartoon Smoke', untrusted: 0 };
 
-test('each leaves a running page and a notice, asks nobody and runs nothing', async ({ page, baseURL }) => {
+test('each leaves a running page and a notice, requests no other host and runs no script', async ({
+  page,
+  baseURL,
+}) => {
   const links = await hostileLinks();
   const untrusted: string[] = [];
   page.on('request', (request) => request.url().startsWith(baseURL!) || untrusted.push(request.url()));
@@ -72,7 +75,7 @@ test('each leaves a running page and a notice, asks nobody and runs nothing', as
   expect(untrusted).toEqual([]);
 });
 
-test('script in every text value leaves the values as they were', async ({ page }) => {
+test('script in every text value does not change the values', async ({ page }) => {
   // One link for all cases: the page shows only the first few messages.
   await open(page, `?paused=1${SMALL}&${texts.map(({ key }) => `${key}=${script}`).join('&')}`);
   await expect(page.locator('.notices')).toContainText('more parts that could not be used');
@@ -81,7 +84,7 @@ test('script in every text value leaves the values as they were', async ({ page 
   expect(Object.values(values).filter((value) => String(value).includes('ran'))).toEqual([]);
 });
 
-test('the worst opens a page of its own as well', async ({ page }) => {
+test('the worst links also work on a fresh page', async ({ page }) => {
   const [long, , bomb, zeros] = await hostileLinks();
   for (const { link, notified } of [long, bomb, zeros]) {
     await open(page, `?paused=1${SMALL}${link}`);

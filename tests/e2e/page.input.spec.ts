@@ -10,9 +10,9 @@ async function expectBallAt(page: Page, { x, y }: Point): Promise<void> {
   expect(Math.hypot(ball.x - x, ball.y - y), `ball at ${ball.x}, ${ball.y} instead of ${x}, ${y}`).toBeLessThan(12);
 }
 
-test('the mouse drags the ball and turns the view beside it, and arrow keys move the ball', async ({ page }) => {
+test('the mouse drags the ball and orbits the camera, and arrow keys move the ball', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  await test.step('beside the ball the mouse turns the view, and 0 brings it back', async () => {
+  await test.step('beside the ball the mouse orbits the camera, and 0 resets it', async () => {
     await arrive(page);
     const hash = await ask(page, (stage) => stage.hash());
     const start = (await ballPlace(page))!;
@@ -26,7 +26,7 @@ test('the mouse drags the ball and turns the view beside it, and arrow keys move
     await expectBallAt(page, start);
     expect(await ask(page, (stage) => stage.hash())).toBe(hash);
   });
-  await test.step('the mouse drags the ball, and the simulation knows', async () => {
+  await test.step('the mouse drags the ball in the simulation', async () => {
     await arrive(page);
     const start = (await ballPlace(page))!;
     await page.mouse.move(start.x, start.y);
@@ -58,7 +58,7 @@ test('the mouse drags the ball and turns the view beside it, and arrow keys move
 
 test('keys and the mouse blow into the smoke', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  await test.step('B blows into the middle without any pointer, and the smoke goes another way', async () => {
+  await test.step('B blows into the middle without a pointer and changes the smoke', async () => {
     await ask(page, (stage) => stage.step(60));
     await page.keyboard.press('b');
     const inputs = () => ask(page, (stage) => stage.take().inputs);
@@ -71,7 +71,7 @@ test('keys and the mouse blow into the smoke', async ({ page }) => {
     });
     expect(await ask(page, (stage) => stage.hash())).not.toBe(blown);
   });
-  await test.step('Alt and the mouse beside the ball blow, and the take blows again', async () => {
+  await test.step('Alt + drag beside the ball blows, and the take repeats it', async () => {
     const hashAt90 = () =>
       ask(page, async (stage) => {
         await stage.seek(1.5);
@@ -124,9 +124,9 @@ test('keys play, step and open the help sheet, but leave typing alone', async ({
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test('fingers open the parameters, drag the ball and come nearer', async ({ page }) => {
+  test('fingers open the parameters, drag the ball and zoom', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
-    await test.step('the parameters come as a sheet and leave the smoke in sight', async () => {
+    await test.step('the parameters open as a sheet and leave the smoke visible', async () => {
       const panel = page.getByRole('region', { name: 'Parameters' });
       await expect(panel).toBeHidden();
       await page.getByRole('button', { name: 'Parameters', exact: true }).tap();
@@ -151,7 +151,7 @@ test.describe('on a phone', () => {
       await arrive(page);
       await expectBallAt(page, { x: start.x - 60, y: start.y - 60 });
     });
-    await test.step('two fingers come nearer', async () => {
+    await test.step('two fingers zoom', async () => {
       await page.evaluate(() => {
         const { camera } = window.cartoonSmoke!;
         const zoom = camera.zoom;
@@ -176,7 +176,7 @@ test.describe('on a phone', () => {
   });
 });
 
-test('V goes through the views of what the picture is made of, and says which', async ({ page }) => {
+test('V cycles through the debug views and names them', async ({ page }) => {
   await open(page, `?paused=1&t=1&view=unlit${LIGHT}`);
   await expect(page.getByText('Unlit: the colours in shadow.')).toBeVisible();
   await page.keyboard.press('v');
@@ -186,7 +186,7 @@ test('V goes through the views of what the picture is made of, and says which', 
   await expect(page.locator('.legend')).toBeHidden();
 });
 
-test('keys are the page’s as soon as a sheet is closed, though its field keeps the focus until the next frame', async ({
+test('keys reach the page as soon as a sheet is closed, while its field keeps the focus until the next frame', async ({
   page,
 }) => {
   await open(page, `?paused=1${LIGHT}`);
@@ -203,9 +203,7 @@ test('keys are the page’s as soon as a sheet is closed, though its field keeps
   await expect(page.getByRole('heading', { name: 'Play with smoke' })).toBeVisible();
 });
 
-test('smoke that played goes on after a sheet that was opened again at once, and what was begun there is done', async ({
-  page,
-}) => {
+test('smoke resumes after a sheet that is reopened at once, and its capture completes', async ({ page }) => {
   await open(page, LIGHT);
   await page.keyboard.press('c');
   const sheet = page.getByRole('dialog', { name: 'Capture the smoke' });

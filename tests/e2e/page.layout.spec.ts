@@ -21,7 +21,7 @@ async function expectMiddle(page: Page, left: number, right: number): Promise<vo
   expect([first <= 0, last >= 800]).toEqual([true, true]);
 }
 
-test('whatever is open beside it', async ({ page }) => {
+test('the picture is centred in the space beside the panels', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   const gallery = page.locator('.gallery');
   const panel = page.getByRole('region', { name: 'Parameters' });
@@ -52,10 +52,10 @@ test('whatever is open beside it', async ({ page }) => {
   });
 });
 
-test.describe('on a phone that is turned', () => {
+test.describe('on a phone that rotates', () => {
   test.use({ viewport: { width: 390, height: 664 }, hasTouch: true, isMobile: true });
 
-  test('the gallery leaves the low window to the smoke, and comes back if it was there', async ({ page }) => {
+  test('the gallery closes in a low window, and reopens if it was open', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
     const gallery = page.locator('.gallery');
     const expectWidth = async (width: number) => {
@@ -77,9 +77,7 @@ test.describe('on a phone that is turned', () => {
     await rotate(false);
   });
 
-  test('a gallery that was put away does not come back for a window that is turned there and back at once', async ({
-    page,
-  }) => {
+  test('a closed gallery stays closed when the window rotates and rotates back at once', async ({ page }) => {
     // The media query event arrives after the rotation is complete.
     await page.addInitScript(() => {
       const low = Object.assign(new EventTarget(), { matches: false });
@@ -112,7 +110,7 @@ for (const [width, height] of [
   test.describe(`on a phone of ${width} x ${height}`, () => {
     test.use({ viewport: { width, height }, hasTouch: true, isMobile: true });
 
-    test('nothing lies on the picture, and every button is in sight', async ({ page }) => {
+    test('nothing covers the picture, and every button is visible', async ({ page }) => {
       await open(page, `?paused=1${LIGHT}`);
       const playback = page.getByRole('group', { name: 'Playback' });
       const presets = page.getByRole('button', { name: 'Presets' });
@@ -129,7 +127,7 @@ for (const [width, height] of [
         await expect(presets).toHaveAttribute('aria-expanded', String(!isOpen));
         await expectPictureAbove();
       });
-      await test.step('buttons stand in one row each, within the window', async () => {
+      await test.step('buttons are in rows within the window', async () => {
         for (const row of [playback, page.getByRole('banner')]) {
           const boxes = await Promise.all((await row.getByRole('button').all()).map((button) => button.boundingBox()));
           const middles = boxes.map((box) => Math.round(box!.y + box!.height / 2));
@@ -137,7 +135,7 @@ for (const [width, height] of [
           expect(Math.max(...boxes.map((box) => box!.x + box!.width))).toBeLessThanOrEqual(width);
         }
       });
-      await test.step('the bare picture has the whole window', async () => {
+      await test.step('the picture alone fills the window', async () => {
         await open(page, `?paused=1&ui=0${LIGHT}`);
         expect(await page.locator('#smoke').boundingBox()).toEqual({ x: 0, y: 0, width, height });
       });

@@ -36,7 +36,7 @@ test('sliders, fields and curves set parameters, which are undone and reset', as
     await expectValue(page, 'puff.size', 4);
     await expect(slider).toHaveAttribute('aria-valuetext', '4 ×');
   });
-  await test.step('what is typed beyond the range goes to its end', async () => {
+  await test.step('a typed value out of range is clamped', async () => {
     const field = page.getByLabel('Rate, exact value', { exact: true });
     await field.fill('99999');
     await expect(field).toHaveAttribute('aria-invalid', 'true');
@@ -67,7 +67,7 @@ test('sliders, fields and curves set parameters, which are undone and reset', as
     await page.keyboard.press('Control+z');
     await expectValue(page, 'simulation.maxParticles', 500);
   });
-  await test.step('a curve is dragged, added to, moved by keys and undone', async () => {
+  await test.step('stops of a curve are dragged, added, moved by keys and undone', async () => {
     const control = row(page, 'emission.density');
     const stops = control.locator('.curve-stop');
     await control.scrollIntoViewIfNeeded();
@@ -106,7 +106,7 @@ test('sliders, fields and curves set parameters, which are undone and reset', as
   });
 });
 
-test('a preset is chosen, and a link of it typed into the address bar is taken up', async ({ page }) => {
+test('a preset is selected, and a link typed into the address bar is applied', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await page.keyboard.press('g');
   await page.getByRole('radio', { name: 'Noir' }).check();
@@ -118,7 +118,7 @@ test('a preset is chosen, and a link of it typed into the address bar is taken u
   await expect(page.getByText('There is no parameter “bogus”')).toBeVisible();
 });
 
-test('a link typed while an edit is written into the address bar is taken up all the same', async ({ page }) => {
+test('a link typed while an edit is written into the address bar is applied', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await page.evaluate(() => {
     const edited = location.href;
@@ -131,7 +131,7 @@ test('a link typed while an edit is written into the address bar is taken up all
   await expectHash(page, '#v=1&preset=lamp-ghost&emission.rate=30');
 });
 
-test('of two links typed in turn the last one stays, however long the first takes to unpack', async ({ page }) => {
+test('the last of two typed links applies, even if the first takes longer to unpack', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   const packed = `#v=1&z=${await pack('preset=lamp&emission.rate=25')}`;
   await page.evaluate(
@@ -156,7 +156,7 @@ test('of two links typed in turn the last one stays, however long the first take
   await expectHash(page, '#v=1&preset=lamp-ghost&emission.rate=30');
 });
 
-test('a link cannot ask for more than 50,000 particles', async ({ page }) => {
+test('a link cannot set more than 50,000 particles', async ({ page }) => {
   await open(page, '?paused=1#v=1&simulation.maxParticles=1000000');
   expect(await valueOf(page, 'simulation.maxParticles')).toBe(50_000);
   const notice = page.locator('.notice');
@@ -165,7 +165,7 @@ test('a link cannot ask for more than 50,000 particles', async ({ page }) => {
   await expect(notice).toHaveCount(0);
 });
 
-test('an old link is brought up to date, and tells so in a live region that was there before', async ({ page }) => {
+test('an old link is migrated, with a message in an existing live region', async ({ page }) => {
   await page.addInitScript(() => {
     const lengths: number[] = [];
     Object.assign(window, { lengths });

@@ -36,7 +36,7 @@ async function momentLink(page: Page): Promise<string> {
 const shown = (page: Page) =>
   ask(page, (stage) => ({ hash: stage.hash(), steps: stage.stats.steps, playing: stage.playing, values: stage.get() }));
 
-test('a take comes to the same hash in another browser, and to an earlier moment of it', async ({ page, browser }) => {
+test('a take reaches the same hash in another browser, also at an earlier moment', async ({ page, browser }) => {
   await play(page);
   const there = await shown(page);
   const link = await momentLink(page);
@@ -57,9 +57,7 @@ test('a take comes to the same hash in another browser, and to an earlier moment
   await context.close();
 });
 
-test('a moment of another scene, put into the address bar, is entered and stays there until somebody edits', async ({
-  page,
-}) => {
+test('a moment of another scene, opened by the address bar, stays there until the next edit', async ({ page }) => {
   await open(page, '?paused=1#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300');
   await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
   await ask(page, (stage) => stage.step(45));
@@ -74,7 +72,7 @@ test('a moment of another scene, put into the address bar, is entered and stays 
     await expect.poll(() => shown(page)).toEqual(moment);
     expect(await page.evaluate(() => location.hash)).toBe(link);
   }
-  await test.step('also where it is put there while another scene is on its way', async () => {
+  await test.step('also if it is opened while another scene loads', async () => {
     const goTo = (hash: string) => page.evaluate((wanted) => (location.hash = wanted), hash);
     const arrive = await hold(page, '**/campfire*.js');
     await goTo('#v=1&preset=campfire&puff.variations=1&simulation.maxParticles=300');
@@ -93,16 +91,16 @@ test('a moment of another scene, put into the address bar, is entered and stays 
     .toBe('#v=1&preset=train&puff.size=2&puff.variations=1&simulation.maxParticles=300');
 });
 
-test('a moment is its time alone while nobody touches it; a long take is done again with progress, and can be stopped', async ({
+test('without user input a moment is only its time; a long take replays with progress and can be stopped', async ({
   page,
 }) => {
   await open(page, `?paused=1${LIGHT}`);
-  await test.step('what nobody touched is a moment by its time alone', async () => {
+  await test.step('without user input a moment is only its time', async () => {
     await ask(page, (stage) => stage.step(7));
     const { search, hash } = new URL(await momentLink(page));
     expect([search, hash]).toEqual(['?paused=1&t=0.117', LIGHT]);
   });
-  await test.step('a long take is done again with progress, and can be stopped', async () => {
+  await test.step('a long take replays with progress and can be stopped', async () => {
     await ask(page, (stage) => stage.blow({ x: 100, y: 100, dx: 5 }));
     await ask(page, (stage) => stage.step(3_993));
     const link = await momentLink(page);
@@ -117,7 +115,7 @@ test('a moment is its time alone while nobody touches it; a long take is done ag
   });
 });
 
-test('a moment that cannot be shown leaves the look, and a notice', async ({ page }) => {
+test('an invalid moment keeps the look, with a notice', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   const bytes = await ask(page, (stage) => {
     stage.set({ 'simulation.maxParticles': 60_000 });

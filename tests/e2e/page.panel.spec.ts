@@ -27,7 +27,7 @@ async function expectSearch(page: Page, enter: (words: string) => Promise<void>)
   await expect(rowsOf(page)).toHaveCount(before);
 }
 
-test('the search finds by words, and gives everything back', async ({ page }) => {
+test('the search finds parameters by words, and an empty search shows all', async ({ page }) => {
   await page.setViewportSize({ width: 760, height: 540 });
   await open(page, `?paused=1${LIGHT}`);
   await page.keyboard.press('p');
@@ -42,7 +42,7 @@ test('the search finds by words, and gives everything back', async ({ page }) =>
   });
 });
 
-test('the search goes through items, looked at before or not', async ({ page }) => {
+test('the search finds items in open and closed groups', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await page.keyboard.press('/');
   const field = page.getByRole('searchbox', { name: 'Find a parameter' });
@@ -56,9 +56,7 @@ test('the search goes through items, looked at before or not', async ({ page }) 
   await expect(panelOf(page).getByRole('status')).toHaveText('2 parameters');
 });
 
-test('knobs of billboards wait for the end of the gesture, and an unset colour shows what it follows', async ({
-  page,
-}) => {
+test('knobs of billboards apply at the end of the gesture, and an unset colour shows its default', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}&puff.form=billboards&style.ramp=0:2f5a34,.5:ffffff`);
   await page.keyboard.press('/');
   const slide = (event: string, place?: string) =>
@@ -123,15 +121,15 @@ test.describe('on a phone', () => {
     await expect(panelOf(page)).toBeHidden();
   }
 
-  test('the sheet goes up, down and away, and is searched', async ({ page }) => {
+  test('the sheet can be raised, lowered, closed and searched', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
-    await test.step('a finger pulls the sheet up, down and away', async () => {
+    await test.step('a finger raises, lowers and closes the sheet', async () => {
       await expectSheet(page, await fingerOf(page));
     });
     await test.step('so does a mouse', async () => {
       await expectSheet(page, mouseOf(page));
     });
-    await test.step('a tap and keys go from one height to the other', async () => {
+    await test.step('a tap and keys switch between the heights', async () => {
       const grip = await openSheet(page);
       await grip.tap();
       await expect.poll(() => shareOf(page)).toBe(88);
@@ -146,7 +144,7 @@ test.describe('on a phone', () => {
       await grip.press('ArrowDown');
       await expect(panelOf(page)).toBeHidden();
     });
-    await test.step('the search works there as well', async () => {
+    await test.step('the search works in the sheet', async () => {
       await openSheet(page);
       const field = page.getByRole('searchbox', { name: 'Find a parameter' });
       await field.tap();

@@ -23,7 +23,7 @@ async function places(page: Page): Promise<number[]> {
   return text === '' ? [] : text.split(',').map((stop) => Number(stop.split(':')[0]));
 }
 
-test('a ramp is begun, added to, dragged, painted, moved by keys, undone and emptied', async ({ page }) => {
+test('stops of a ramp are added, dragged, coloured, moved by keys, undone and removed', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await page.keyboard.press('p');
   const control = row(page, KEY);
@@ -62,7 +62,7 @@ test('a ramp is begun, added to, dragged, painted, moved by keys, undone and emp
   await expect(stops).toHaveCount(0);
 });
 
-test('a link with a malformed ramp says so and shows the tones of the preset', async ({ page }) => {
+test('a link with a malformed ramp shows the tones of the preset, with a message', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}&style.ramp=0:red,1:blue`);
   await expect(page.getByText('style.ramp cannot be')).toContainText('2 to 16 stops');
   await expectValue(page, KEY, '');

@@ -16,9 +16,7 @@ function fetched(page: Page): string[] {
   return addresses;
 }
 
-test('a scene fetches what it needs and no more: no physics and no other scene for the cup of tea', async ({
-  page,
-}) => {
+test('a scene loads only what it needs: no physics and no other scene for the cup of tea', async ({ page }) => {
   const addresses = fetched(page);
   await open(page, `?paused=1#v=1&preset=wisp${LIGHT}`);
   const without = await wasmBytes(page, addresses);
@@ -44,7 +42,7 @@ async function choose(page: Page, preset: string): Promise<void> {
 }
 
 // Console errors fail every test.
-test('the gallery leads through every scene, and each of them smokes', async ({ page }) => {
+test('the gallery opens every scene, and each of them smokes', async ({ page }) => {
   await open(page, `?paused=1#v=1&preset=wisp${LIGHT}`);
   await page.keyboard.press('g');
   for (const [scene, { hasRigids }] of Object.entries(sceneEntries)) {
@@ -57,7 +55,7 @@ test('the gallery leads through every scene, and each of them smokes', async ({ 
   }
 });
 
-test('keys steer the airplane, and its take flies the same way again', async ({ page }) => {
+test('keys steer the airplane, and its take repeats the flight', async ({ page }) => {
   await open(page, `?paused=1#v=1&preset=airplane${LIGHT}`);
   await ask(page, (stage) => stage.step(10));
   const unsteered = await ask(page, async (stage) => {
@@ -80,7 +78,7 @@ test('keys steer the airplane, and its take flies the same way again', async ({ 
 test.describe('with fingers', () => {
   test.use({ hasTouch: true });
 
-  test('a finger steers the airplane, which flies after it', async ({ page }) => {
+  test('the airplane follows a finger', async ({ page }) => {
     await open(page, `?paused=1#v=1&preset=airplane${LIGHT}`);
     // Fix the camera, so that only the airplane moves in the picture.
     await ask(page, (stage) => stage.camera.orbit(0.001, 0));
@@ -94,7 +92,7 @@ test.describe('with fingers', () => {
     expect(Math.abs(arrived!.x - start.x)).toBeLessThan(40);
   });
 
-  test('a double tap drops a thing where it is, and the button another one', async ({ page }) => {
+  test('a double tap drops an object there, and the button another one', async ({ page }) => {
     await open(page, `?paused=1#v=1&preset=train${LIGHT}`);
     const inputs = () => ask(page, (stage) => stage.stats.inputs);
     await doubleTap(page, { x: 240, y: 70 });
@@ -112,7 +110,9 @@ async function changedAround(page: Page, { x, y }: Point, act: () => Promise<voi
   return !before.equals(await page.screenshot({ clip }));
 }
 
-test('D drops a thing at the pointer, a link to the moment drops it again, and the help says so', async ({ page }) => {
+test('D drops an object at the pointer, a link to the moment repeats it, and the help lists the key', async ({
+  page,
+}) => {
   await open(page, `?paused=1#v=1&preset=lamp${LIGHT}`);
   await ask(page, (stage) => stage.step(10));
   const place = { x: 150, y: 90 };
@@ -134,7 +134,7 @@ test('D drops a thing at the pointer, a link to the moment drops it again, and t
 
 test('camera, gallery, address bar and help follow the scene', async ({ page }) => {
   await open(page, `?paused=1#v=1&preset=wisp${LIGHT}`);
-  await test.step('the camera moves by itself until somebody takes it, and 0 gives it back', async () => {
+  await test.step('the camera is animated until the user moves it, and 0 resumes the animation', async () => {
     const azimuth = () => ask(page, (stage) => stage.camera.azimuth());
     const start = await azimuth();
     await ask(page, (stage) => stage.seek(3));
@@ -148,7 +148,7 @@ test('camera, gallery, address bar and help follow the scene', async ({ page }) 
     await page.keyboard.press('0');
     expect(await azimuth()).toBeCloseTo(moved, 9);
   });
-  await test.step('another preset brings its scene, the link follows, and undo goes back', async () => {
+  await test.step('another preset opens its scene, the link follows, and undo returns', async () => {
     await page.keyboard.press('g');
     const arrive = await hold(page, '**/campfire*.js');
     await choose(page, 'campfire');
@@ -165,7 +165,7 @@ test('camera, gallery, address bar and help follow the scene', async ({ page }) 
     await expectValue(page, 'scene', 'wisp');
     expect(await ask(page, (stage) => stage.stats.steps)).toBe(0);
   });
-  await test.step('the help sheet and the label of the picture are those of the scene', async () => {
+  await test.step('the help sheet and the label of the picture match the scene', async () => {
     const help = page.getByRole('dialog', { name: 'Play with smoke' });
     await page.keyboard.press('?');
     await expect(help).not.toContainText('ball');
@@ -176,7 +176,7 @@ test('camera, gallery, address bar and help follow the scene', async ({ page }) 
     await expect(help).toContainText('Drag the genie');
     await expect(help).toContainText('move the genie');
   });
-  await test.step('a link put into the address bar brings its scene', async () => {
+  await test.step('a link in the address bar opens its scene', async () => {
     await page.evaluate(() => (location.hash = '#v=1&preset=campfire&emission.rate=20'));
     await expectValue(page, 'scene', 'campfire');
     await expectValue(page, 'emission.rate', 20);

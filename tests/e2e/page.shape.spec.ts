@@ -48,7 +48,9 @@ function cubeScene(name: string, address?: string) {
   return { name, mimeType: 'model/gltf+json', buffer: Buffer.from(JSON.stringify(scene)) };
 }
 
-test('a mesh becomes the puffs, the link says that it cannot hold it, and drawn puffs come back', async ({ page }) => {
+test('a mesh replaces the puffs, the link reports that it cannot contain it, and the default puffs can be restored', async ({
+  page,
+}) => {
   await open(page, `?paused=1&t=2${LIGHT}`);
   await expectSteps(page, 120);
   await page.keyboard.press('p');
@@ -70,7 +72,7 @@ test('a mesh becomes the puffs, the link says that it cannot hold it, and drawn 
   await expect(name).toHaveText(/^bar\.gltf, [789]\d % match$/);
 });
 
-test('what is no closed mesh is refused in words, and the puffs stay', async ({ page }) => {
+test('an open or invalid mesh is rejected with a message, and the puffs stay', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await page.keyboard.press('p');
   await page.locator('summary', { hasText: 'Shape of the puffs' }).click();

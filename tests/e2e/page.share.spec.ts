@@ -28,7 +28,7 @@ async function saved(page: Page, press: () => Promise<void>): Promise<{ name: st
   return { name: file.suggestedFilename(), text: Buffer.concat(chunks).toString() };
 }
 
-test('the sheet copies link and code, shows a QR code, and goes by keyboard', async ({ page, context }) => {
+test('the sheet copies link and code, shows a QR code, and works by keyboard', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const fetched: string[] = [];
   page.on('request', (request) => fetched.push(request.url()));
@@ -62,9 +62,7 @@ test('the sheet copies link and code, shows a QR code, and goes by keyboard', as
   await closeSheet(page);
 });
 
-test('the sheet of the platform is offered where there is one, and copying by hand where nothing else goes', async ({
-  page,
-}) => {
+test('the share dialog of the platform is offered if it exists, and manual copying as a fallback', async ({ page }) => {
   await page.addInitScript(() => {
     Object.assign(window, { handed: [] });
     const share = ({ url }: ShareData) =>
@@ -89,7 +87,7 @@ test('the sheet of the platform is offered where there is one, and copying by ha
   expect(await page.evaluate(selected)).toBe(link.length);
 });
 
-test('a take too long for a link becomes a file, which brings the moment back', async ({ page }) => {
+test('a take too long for a link becomes a file, which restores the moment', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await ask(page, (stage) => {
     // A visible stage draws a picture after each step.
@@ -116,7 +114,7 @@ test('a take too long for a link becomes a file, which brings the moment back', 
   await expect(page.locator('.notice')).toHaveCount(0);
 });
 
-test('files that are none say what is wrong with them, and nothing changes', async ({ page }) => {
+test('invalid files show an error and change nothing', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await drop(page, 'a.json', '{"format": "cartoon-smoke",\n  "version": 1,,}');
   await expect(
@@ -130,7 +128,7 @@ test('files that are none say what is wrong with them, and nothing changes', asy
   await expectValue(page, 'simulation.maxParticles', 500);
 });
 
-test('looks of one’s own are kept, shown again, renamed, saved, and removed with a way back', async ({ page }) => {
+test('looks are saved, shown again, renamed, exported, and removed with undo', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}&puff.size=2`);
   const mine = page.getByRole('group', { name: 'My looks' });
   await mine.getByRole('button', { name: 'Save this look' }).click();
@@ -168,7 +166,7 @@ test('looks of one’s own are kept, shown again, renamed, saved, and removed wi
   await expect.poll(colors).toBeGreaterThan(20);
 });
 
-test('what was kept and cannot be read is set aside, not lost', async ({ page }) => {
+test('saved looks that cannot be read are set aside, not lost', async ({ page }) => {
   await page.addInitScript(() => {
     // An opaque origin has no storage.
     if (origin !== 'null') localStorage.setItem('cartoon-smoke.presets', '[{"id": "x", "name": 7}, 3');

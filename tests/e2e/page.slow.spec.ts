@@ -2,7 +2,7 @@ import { expect, test } from '../support/fixtures.ts';
 import { gpuKeepsUp } from '../support/gpuKeepsUp.ts';
 import { ask, LIGHT, messagesOf, open } from './page.ts';
 
-test('a machine that is late is told once, politely, and draws fewer pixels', async ({ page }) => {
+test('a slow machine gets one message and draws fewer pixels', async ({ page }) => {
   // The test controls the frames, independent of the machine.
   await page.addInitScript(gpuKeepsUp);
   await page.addInitScript(() => {

@@ -1,7 +1,7 @@
 import { expect, test } from '../support/fixtures.ts';
 import { ask, crawl, expectSteps, LIGHT, messagesOf, open } from './page.ts';
 
-test('smoke appears and goes on, and nothing comes from another host', async ({ page }) => {
+test('smoke appears and plays, and nothing is requested from another host', async ({ page }) => {
   const requests: string[] = [];
   page.on('request', (request) => requests.push(request.url()));
   await open(page, LIGHT);
@@ -14,7 +14,7 @@ test('smoke appears and goes on, and nothing comes from another host', async ({ 
   expect(requests.filter((url) => !url.startsWith(own) && !url.startsWith('data:'))).toEqual([]);
 });
 
-test('loading shows how far it is', async ({ page }) => {
+test('loading shows progress', async ({ page }) => {
   let letGo: () => void = () => undefined;
   const seen = new Promise<void>((resolve) => (letGo = resolve));
   await page.route('**/*.wasm*', async (route) => {
@@ -28,10 +28,10 @@ test('loading shows how far it is', async ({ page }) => {
   await expect(page.getByRole('progressbar')).toHaveCount(0);
 });
 
-test('buttons play, pause, step and start over, and the panel follows the console', async ({ page }) => {
+test('buttons play, pause, step and restart, and the panel follows the console', async ({ page }) => {
   await page.setViewportSize({ width: 760, height: 540 });
   await open(page, `?paused=1${LIGHT}`);
-  await test.step('play, pause, step and start over', async () => {
+  await test.step('play, pause, step and restart', async () => {
     const steps = () => ask(page, (stage) => stage.stats.steps);
     expect(await steps()).toBe(0);
     const bar = page.getByRole('group', { name: 'Playback' });
@@ -47,21 +47,21 @@ test('buttons play, pause, step and start over, and the panel follows the consol
     await bar.getByLabel('Speed').selectOption({ label: '¼×' });
     expect(await ask(page, (stage) => stage.speed)).toBe(0.25);
   });
-  await test.step('what the console sets reaches the panel and the link', async () => {
+  await test.step('values set from the console reach the panel and the link', async () => {
     await ask(page, (stage) => stage.set({ 'puff.size': 1.5 }));
     await expect(page.getByLabel('Puff size, exact value')).toHaveValue('1.5');
     await expect.poll(() => page.url()).toContain('puff.size=1.5');
   });
 });
 
-test('?t= winds forward before the first picture, and ?stats=1 shows figures', async ({ page }) => {
+test('?t= seeks before the first frame, and ?stats=1 shows statistics', async ({ page }) => {
   await open(page, `?paused=1&t=1.5&stats=1${LIGHT}`);
   await expectSteps(page, 90);
   await expect(page.getByText('1.5 s', { exact: true })).toBeVisible();
   await expect(page.locator('.statistics')).toContainText('alive');
 });
 
-test('a long way forward shows progress and can be stopped', async ({ page }) => {
+test('a long seek shows progress and can be stopped', async ({ page }) => {
   await crawl(page);
   await open(page, `?paused=1&t=600${LIGHT}`);
   await expect(page.getByRole('progressbar')).toBeVisible();
@@ -72,12 +72,12 @@ test('a long way forward shows progress and can be stopped', async ({ page }) =>
   expect(await ask(page, (stage) => stage.stats.steps)).toBeLessThan(36_000);
 });
 
-test('a lead out of range is clamped and told', async ({ page }) => {
+test('a value of ?t= out of range is clamped, with a message', async ({ page }) => {
   await open(page, `?paused=1&t=-3${LIGHT}`);
   await expect(page.getByText('t cannot be “-3”')).toBeVisible();
 });
 
-test('?ui=0 leaves nothing but the smoke', async ({ page }) => {
+test('?ui=0 shows only the smoke', async ({ page }) => {
   await open(page, `?ui=0&paused=1&stats=1${LIGHT}&bogus=1`);
   await expect(page.locator('canvas')).toBeVisible();
   await expect(page.locator('button, input, select, p, pre').filter({ visible: true })).toHaveCount(0);
@@ -86,7 +86,7 @@ test('?ui=0 leaves nothing but the smoke', async ({ page }) => {
 test.describe('reduced motion', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
-  test('starts with a still picture of smoke and a button to play', async ({ page }) => {
+  test('starts with a still frame of smoke and a play button', async ({ page }) => {
     await open(page, LIGHT);
     const button = page.getByRole('button', { name: 'Play the smoke' });
     await expect(button).toBeVisible();

@@ -3,6 +3,6 @@ import { expectStatesReturn } from './states.ts';
 
 test.use({ viewport: { width: 120, height: 90 } });
 
-test('fifty random states go from the address to the stage and back', async ({ page }) => {
+test('fifty random states survive a round trip from the address to the stage', async ({ page }) => {
   await expectStatesReturn(page, 50, 5);
 });

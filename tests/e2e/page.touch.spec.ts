@@ -11,7 +11,7 @@ const openPanel = (page: Page) => page.getByRole('button', { name: 'Parameters',
 
 test('taps play, and a finger blows', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  await test.step('taps step, play, pause, start over, slow down and fill the screen', async () => {
+  await test.step('taps step, play, pause, restart, slow down and open full screen', async () => {
     const bar = page.getByRole('group', { name: 'Playback' });
     const steps = () => ask(page, (stage) => stage.stats.steps);
     await bar.getByRole('button', { name: 'One step' }).tap();
@@ -30,7 +30,7 @@ test('taps play, and a finger blows', async ({ page }) => {
     await bar.getByRole('button', { name: 'Full screen' }).tap();
     await expect.poll(isFull).toBe(false);
   });
-  await test.step('a finger blows once the button with the wind is pressed, and turns the view again after that', async () => {
+  await test.step('a finger blows while the wind button is pressed, and orbits the camera otherwise', async () => {
     await ask(page, (stage) => stage.seek(1));
     const drag = await fingerOf(page);
     const [from, to] = [
@@ -53,7 +53,7 @@ test('taps play, and a finger blows', async ({ page }) => {
 test('a finger moves, chooses and resets in the panel', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await openPanel(page);
-  await test.step('a finger moves a slider and a curve, undoes, does again and resets', async () => {
+  await test.step('a finger moves a slider and a curve, undoes, redoes and resets', async () => {
     const drag = await fingerOf(page);
     const size = row(page, 'puff.size');
     await size.scrollIntoViewIfNeeded();
@@ -81,7 +81,7 @@ test('a finger moves, chooses and resets in the panel', async ({ page }) => {
     await page.getByRole('button', { name: 'Undo' }).tap();
     await expectValue(page, 'emission.density', before);
   });
-  await test.step('what lies behind the picture is chosen in the panel', async () => {
+  await test.step('the backdrop is chosen in the panel', async () => {
     await page.getByText('Debug views').tap();
     await page.getByLabel('View', { exact: true }).selectOption({ label: 'Depth' });
     expect(await ask(page, (stage) => stage.view)).toBe('depth');

@@ -46,9 +46,9 @@ async function expectScrubbing(page: Page, drag: Drag): Promise<void> {
   expect(await ask(page, (stage) => stage.hash())).toBe(hash);
 }
 
-test('mouse and keys go along the time line and through the presets', async ({ page }) => {
+test('mouse and keys use the timeline and the presets', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  await test.step('the time line goes forth and back by mouse and keys', async () => {
+  await test.step('the timeline seeks forwards and backwards by mouse and keys', async () => {
     await expectScrubbing(page, mouseOf(page));
     const steps = await stepsOf(page);
     await page.keyboard.press(',');
@@ -65,7 +65,7 @@ test('mouse and keys go along the time line and through the presets', async ({ p
     await page.keyboard.press('f');
     await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(false);
   });
-  await test.step('the knob stays where it was put while the smoke is on its way there', async () => {
+  await test.step('the knob stays at its position during the seek', async () => {
     const knobs = await page.evaluateHandle(() => {
       const knob = document.querySelector<HTMLInputElement>('input.timeline')!;
       const seen: number[] = [];
@@ -81,7 +81,7 @@ test('mouse and keys go along the time line and through the presets', async ({ p
     await expect.poll(() => knobs.evaluate(({ length }) => length)).toBeGreaterThan(1);
     expect(await knobs.evaluate((seen) => [...new Set(seen)])).toEqual([4]);
   });
-  await test.step('presets that people come past by keys are undone together, those that they press one by one', async () => {
+  await test.step('presets passed by keys are undone together, clicked ones one by one', async () => {
     await page.keyboard.press('g');
     const chosen = (name: string) => expect(page.getByRole('radio', { name, exact: true })).toBeChecked();
     const expectPreset = (name: string) =>
@@ -101,7 +101,7 @@ test('mouse and keys go along the time line and through the presets', async ({ p
   });
 });
 
-test('a long way along the time line says so, and is stopped by a button or Escape', async ({ page }) => {
+test('a long seek on the timeline shows progress, and a button or Escape stops it', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await crawl(page);
   const goFar = () =>

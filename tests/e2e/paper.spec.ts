@@ -47,18 +47,18 @@ function measure(page: Page, figure: string) {
   }, figure);
 }
 
-test('the page about the paper', async ({ page }) => {
+test('the page that compares with the paper', async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await page.goto('/paper.html');
   const picturesOf = (figure: string, means: string) => page.locator(`#${figure} .${means} :is(img, canvas)`);
-  await test.step('draws its figures, and says what is unknown', async () => {
+  await test.step('draws its figures, and states what is unknown', async () => {
     await expect(page.getByRole('status')).toHaveCount(0);
     await expect(page.locator('figure')).toHaveCount(Object.keys(PICTURES).length);
     expect(await page.locator('dt').count()).toBeGreaterThan(6);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
   });
   for (const [figure, count] of Object.entries(PICTURES)) {
-    await test.step(`${figure} has its pictures by both means, and they differ`, async () => {
+    await test.step(`${figure} has pictures by both methods, and they differ`, async () => {
       for (const means of ['paper', 'ours'] as const) await expect(picturesOf(figure, means)).toHaveCount(count);
       const measured = await measure(page, figure);
       for (const share of measured.differing) expect(share).toBeGreaterThan(0.02);
@@ -90,7 +90,7 @@ test('the page about the paper', async ({ page }) => {
       expect(monochrome.lit).toBeGreaterThan(twoTone.lit);
     }
   });
-  await test.step('both means stand one above the other on a phone, side by side where there is room', async () => {
+  await test.step('both methods are stacked on a phone, and side by side on a wide screen', async () => {
     const topsOf = () =>
       page.locator('#figure-1 img').evaluateAll((all) => all.map((each) => each.getBoundingClientRect().y));
     const [above, below] = await topsOf();

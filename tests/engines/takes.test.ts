@@ -21,7 +21,7 @@ test.for(['lamp', 'airplane'])('a take of the %s replays from its link', async (
   expect(await hashInNode(preset, link, steps)).toBe(hash);
 });
 
-test('a saved state goes on in another stage, and in Node', async ({ load }) => {
+test('a saved state continues in another stage, and in Node', async ({ load }) => {
   const stages = await load<Stages>('/tests/engines/page/stages.ts');
   const { state, values, saved, restored, ends } = await stages.saveAndRestore('lamp', 60);
   expect(restored).toBe(saved);

@@ -12,7 +12,7 @@ import { loadVariant } from './simWasm.ts';
 const PLANE = { middle: [0, 0, 0], right: [0.01, 0, 0], up: [0, 0.01, 0] } as const;
 const BOX = { middle: [0, 0, 0], top: [0, 0.15, 0], halfWidth: 0.4, halfHeight: 0.15 } as const;
 
-test('smoke goes around a box above its emitter, and gets past it', async () => {
+test('smoke flows around a box above its emitter', async () => {
   const factory = await loadVariant('core');
   const simulator = factory.create({ capacity: 600, seed: 3 });
   const things = { ...colliderValues([BOX], PLANE), ...curlValues([BOX], PLANE, 0) };
@@ -41,7 +41,7 @@ async function alignedUnder(values: Values): Promise<number> {
   return gaps.filter((gap) => gap < 0.015).length / gaps.length;
 }
 
-test('worn smoke under a box is lumpy, where under a smooth one it ends in a straight line', async () => {
+test('old smoke under a rough box is lumpy, and ends in a straight line under a smooth box', async () => {
   expect(await alignedUnder({ 'colliders.0.roughness': 0 })).toBe(1);
   expect(await alignedUnder({})).toBeLessThan(0.25);
 });

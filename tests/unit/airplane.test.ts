@@ -47,8 +47,8 @@ function tracers(shedder: number, values: Record<string, number>): Simulator {
   return simulator;
 }
 
-describe('the swirl behind the propeller', () => {
-  test('turns as the propeller does in free air, and dies away', () => {
+describe('the slipstream of the propeller', () => {
+  test('rotates with the propeller in free air, and decays', () => {
     const simulator = tracers(0, {
       'emitters.0.position.x': HUB[0] + 0.5,
       'emitters.0.radius': 0.6,
@@ -94,7 +94,7 @@ describe('the swirl behind the propeller', () => {
   }
 });
 
-test('the vortices of the wings are as fast as the flight has it: twice the speed, twice the swirl', () => {
+test('the wingtip vortices are proportional to the speed of flight', () => {
   const share = scene.rig['shedders.1.perSpeed'];
   const fastest = [AIRSPEED, 2 * AIRSPEED].map((speed) => {
     // Few enough not to interact, shed at even distances.
@@ -129,7 +129,7 @@ describe('in flight', () => {
   const begin = () => new Simulation(factory, scene, presetValues(findPreset('airplane')!), 1e6);
   const corners = [min, max, [max[0], min[1], max[2]], [min[0], max[1], min[2]]] as const;
 
-  test('no particle comes inside of the hull, wherever it is steered', () => {
+  test('no particle enters the hull, wherever it is steered', () => {
     const ghost = { ...scene.rigids[0], shape: { type: 'ball', radius: 0.01 }, boundaryLayer: 0 } as const;
     const [hull, none] = [scene, { ...scene, rigids: [ghost] }].map(deepestIn);
     expect(hull).toBeLessThan(1e-3);
@@ -137,7 +137,7 @@ describe('in flight', () => {
     expect(none).toBeGreaterThan(0.15);
   });
 
-  test('clouds turn as the propeller does, beside it and behind the tail', () => {
+  test('clouds rotate with the propeller, beside it and behind the tail', () => {
     const [inverse, still] = [true, false].map((hasSlipstream) => {
       const flights = [1, 2, 3, 4].map((seed) => cloudsInFlight(seed, hasSlipstream));
       return { beside: meanSwirl(flights, 'beside'), behind: meanSwirl(flights, 'behind') };
@@ -207,7 +207,7 @@ describe('in flight', () => {
     return deepest;
   }
 
-  test('it goes where it is steered, rolls on its way and never jumps', () => {
+  test('it flies where it is steered, banks in turns and moves continuously', () => {
     const simulation = begin();
     simulation.advance(60);
     let before = Float32Array.from(simulation.simulator.rigidPoses(1));

@@ -15,13 +15,13 @@ const NONE = { ageColors: [], heatColors: [], softColors: false };
 const FIRST = 7;
 
 describe('bandsOf', () => {
-  it('has no band without colours: all smoke has the first material', () => {
+  it('has no band without colours: all smoke uses the first material', () => {
     const { colors, bands } = bandsOf(NONE, FIRST);
     expect(colors).toEqual([]);
     expect(new Set([...bands.ages, ...bands.temperatures])).toEqual(new Set([0]));
   });
 
-  it('changes the colour by age at the stops, the first holding before its own', () => {
+  it('changes the colour by age at the stops; the first colour also applies before its stop', () => {
     const { colors, bands } = bandsOf({ ...NONE, ageColors: FADING }, FIRST);
     const at = (age: number) => colors[bands.ages[Math.floor(256 * age)] + bands.temperatures[0] - FIRST];
     expect([0, 0.3, 0.499, 0.5, 0.99].map(at)).toEqual([0, 0, 0, 1, 1].map((stop) => FADING[stop].color));
@@ -41,7 +41,7 @@ describe('bandsOf', () => {
     expect(colors[bands.ages[255] + bands.temperatures[255] - FIRST]).toEqual([51, 92, 160]);
   });
 
-  it('runs softly from end to end in steps that no pair of ramps lets grow beyond the texture', () => {
+  it('blends softly in steps that fit into the texture for every pair of ramps', () => {
     const soft = { ageColors: FADING, heatColors: [], softColors: true };
     const { colors, bands } = bandsOf(soft, FIRST);
     expect(colors[0]).toEqual(FADING[0].color);

@@ -12,7 +12,7 @@ const { costsTable } = (await import(path)) as {
 };
 
 describe('rounds become figures', () => {
-  it('by their median, whatever their order, and with the least and the greatest', () => {
+  it('by their median, in any order, with the minimum and the maximum', () => {
     const rounds = [10, 2, 9, 30, 1];
     expect(figure('a.b', 'x', rounds, 'n')).toEqual({
       name: 'a.b',
@@ -31,7 +31,7 @@ describe('rounds become figures', () => {
     expect(() => ratios([1, 2], [1])).toThrow('2 rounds');
   });
 
-  it('by the slope of a straight line, noise that is even on both sides left out', () => {
+  it('by the slope of a straight line, without symmetric noise', () => {
     expect(slope([7, 10, 13, 16])).toBeCloseTo(3, 12);
     // By the normal equations: (-1.5 * 1 - 0.5 * 3 + 0.5 * 2 + 1.5 * 8) / 5.
     expect(slope([1, 3, 2, 8])).toBeCloseTo(2, 12);
@@ -44,7 +44,7 @@ describe('rounds become figures', () => {
 });
 
 describe('distances', () => {
-  it('are those of each particle, not of their sum', () => {
+  it('are per particle, not of the sum', () => {
     const there = Float32Array.of(3, 4, 0, -1, 0, 0);
     expect(meanDistance(new Float32Array(6), there)).toBe(3);
   });
@@ -75,10 +75,10 @@ class Clockwork implements Contestant {
   dispose(): void {}
 }
 
-describe('turns', () => {
+describe('interleaved slices', () => {
   const plan: Plan = { rounds: 3, share: 40, warming: 50, slice: 10, cost: 'mean' };
 
-  it('give nanoseconds for a particle and a step, whatever the pace', async () => {
+  it('give nanoseconds per particle and step at any machine speed', async () => {
     const log: string[] = [];
     const [quick, slow] = [new Clockwork('quick', 0.5, log), new Clockwork('slow', 100, log)];
     const costs = await interleave([quick, slow], [1000, 500], plan, 'test');
@@ -105,7 +105,7 @@ describe('turns', () => {
     ]);
   });
 
-  it('change who is first, and never let one run through its share alone', async () => {
+  it('alternate the first contestant, and never run one of them in a single block', async () => {
     const log: string[] = [];
     await interleave([new Clockwork('a', 1, log), new Clockwork('b', 1, log)], [1, 1], plan, 'test');
     const played = log.slice(-24);
@@ -116,7 +116,7 @@ describe('turns', () => {
 });
 
 describe('the table of costs', () => {
-  it('has a row for each contestant, numbers in order, and says what was not measured', () => {
+  it('has a row for each contestant, sorted numbers, and a note for missing measurements', () => {
     const cost = (name: string, value: number) => ({ name: `sim.cost.${name}`, value, unit: 'ns/particle' });
     const table = costsTable([
       cost('us.10000', 2.345),

@@ -28,7 +28,7 @@ function pair(values: ForceValues, lifetime?: number): [Simulator, TwinSimulator
 }
 
 describe('a saved state', () => {
-  it('takes other particles and gives them back', () => {
+  it('accepts other particles and returns them', () => {
     const simulator = factory.create({ capacity: 10, seed: 1 });
     const cloud = seededCloud(10, 1);
     simulator.restore(withParticles(simulator, cloud));
@@ -58,7 +58,7 @@ describe('the twin', () => {
     ['turbulence', { 'turbulence.speed': 0 }],
     ['evolution', { 'turbulence.evolution': 0 }],
     ['the vortex', { 'vortices.0.circulation': 0.001 }],
-  ])('is not blind to %s', (_, change) => {
+  ])('detects %s', (_, change) => {
     const [simulator] = pair(SIX_FORCES);
     const [, twin] = pair({ ...SIX_FORCES, ...change });
     for (let step = 0; step < STEPS; step++) {
@@ -68,7 +68,7 @@ describe('the twin', () => {
     expect(largestDifference(readParticles(simulator), twin.particles)).toBeGreaterThan(20 * TOLERANCE);
   });
 
-  it('ages, cools and buries as the simulator does', () => {
+  it('ages, cools and removes particles as the simulator does', () => {
     const [simulator, twin] = pair(SIX_FORCES, 0.2);
     for (let step = 0; step < STEPS; step++) {
       simulator.step();

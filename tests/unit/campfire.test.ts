@@ -12,7 +12,7 @@ const values = presetValues(findPreset('campfire')!);
 /** Colours of the temperature bands, each with its lower bound. */
 const { heatColors } = styleOf(values);
 
-test('every flame and every spark cools exponentially, and what is higher is colder', async () => {
+test('flames and sparks cool exponentially and are colder the higher they are', async () => {
   const factory = await loadVariant('core');
   const scene = campfire();
   const simulation = new Simulation(factory, scene, values, 1e6);
@@ -38,7 +38,7 @@ test('every flame and every spark cools exponentially, and what is higher is col
   simulation.dispose();
 });
 
-test('colours are the darker the colder, from fire to smoke, and no puff turns at once', () => {
+test('colours darken gradually from fire to smoke as puffs cool', () => {
   const luma = ([red, green, blue]: readonly number[]) => 0.2126 * red + 0.7152 * green + 0.0722 * blue;
   const steps = heatColors.map(({ color }) => luma(color));
   expect(steps.length).toBeGreaterThan(4);

@@ -38,7 +38,7 @@ function radii({ count, place }: Rows): Record<number, number[]> {
   return found;
 }
 
-test('on its way from one moment to another smoke dissolves puff by puff, while other smoke swells', () => {
+test('between two moments the old smoke dissolves puff by puff while the new smoke grows', () => {
   const still = stillOf(frameAt(5));
   const at = (share: number) => radii(joined(frameAt(1), still, share).simulator.arrange(VIEW).rows);
   expect(at(0)).toEqual({ 1: [2, 2, 2] });
@@ -50,7 +50,7 @@ test('on its way from one moment to another smoke dissolves puff by puff, while 
   expect(coming[0]).toBe(2);
 });
 
-test('nothing is left out, and shadows end nowhere, because what hides them changes', () => {
+test('nothing is culled and shadows do not end, because the occlusion changes', () => {
   const from = frameAt(1);
   const frame = joined(from, stillOf(frameAt(5)), 0.5);
   const { rows, bounds } = frame.simulator.arrange({ ...VIEW, purpose: 'light' });
@@ -60,7 +60,7 @@ test('nothing is left out, and shadows end nowhere, because what hides them chan
   expect(bounds).toEqual({ min: [0, 1, 0], max: [2, 5, 0], greatestRadius: 2 });
 });
 
-test('eye and things go from the one moment to the other', () => {
+test('camera and objects move from one moment to the other', () => {
   const still = stillOf(frameAt(5));
   const heights = [0, 0.5, 1].map((share) => {
     const { camera, rigids } = joined(frameAt(1), still, share);

@@ -31,7 +31,7 @@ function outlinesOf(labels: Labels): Point[][][] {
   return labels.colors.slice(1).map((_, number) => traceRegion(labels, number + 1, 0.6));
 }
 
-test('outlines hold as much as the pixels, and together the whole picture without a gap', () => {
+test('outlines have the area of their pixels and cover the picture without gaps', () => {
   const labels = labelColors(sectors());
   const outlines = outlinesOf(labels);
   const areas = outlines.map((each) => doubledArea(each) / 2);
@@ -42,7 +42,7 @@ test('outlines hold as much as the pixels, and together the whole picture withou
   expect(areas.reduce((sum, area) => sum + area)).toBeCloseTo(64 * 64, 6);
 });
 
-test('an outline has few points where it is straight, and a hole', () => {
+test('a straight outline has few points, and holes are preserved', () => {
   const outlines = outlinesOf(labelColors(sectors()));
   const points = outlines.flat(2).length;
   expect(points).toBeLessThan(90);
@@ -50,7 +50,7 @@ test('an outline has few points where it is straight, and a hole', () => {
   expect(holes).toHaveLength(1);
 });
 
-test('a smoothed edge goes over to the nearest of its neighbours', () => {
+test('a blended pixel gets the colour of its nearest neighbour', () => {
   const image = sectors();
   const pixels = new Uint32Array(image.data.buffer);
   const before = labelColors(image);
@@ -61,7 +61,7 @@ test('a smoothed edge goes over to the nearest of its neighbours', () => {
   expect(labelColors(image).of).toEqual(before.of);
 });
 
-test('a GIF keeps the commonest colours exactly, and leaves out what is not there', () => {
+test('a GIF keeps the most frequent colours exactly, and transparent pixels transparent', () => {
   const image = sectors();
   const pixels = new Uint32Array(image.data.buffer);
   for (let at = 0; at < 300; ++at) pixels[at] = 0xff000000 + at * 700;

@@ -19,11 +19,11 @@ function gaps(times: number[]): number[] {
 }
 
 describe('Clock', () => {
-  it('moves the picture one step a frame in real time at 60 Hz', () => {
+  it('advances the picture by one step per frame in real time at 60 Hz', () => {
     for (const gap of gaps(pictureTimes(1, FRAME, 100))) expect(gap).toBeCloseTo(1, 6);
   });
 
-  it('moves the picture half a step a frame at half speed, and at 120 Hz', () => {
+  it('advances the picture by half a step per frame at half speed, and at 120 Hz', () => {
     for (const gap of gaps(pictureTimes(0.5, FRAME, 100))) expect(gap).toBeCloseTo(0.5, 6);
     for (const gap of gaps(pictureTimes(1, FRAME / 2, 100))) expect(gap).toBeCloseTo(0.5, 6);
   });
@@ -35,7 +35,7 @@ describe('Clock', () => {
     expect(clock.tick(5000 + FRAME)).toBeLessThanOrEqual(2);
   });
 
-  it('does not count the time of a rest', () => {
+  it('does not count time in which it rests', () => {
     const clock = new Clock();
     clock.tick(0);
     clock.rest();

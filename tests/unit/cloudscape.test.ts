@@ -21,7 +21,7 @@ function firstOnes(simulation: Simulation): Map<string, [x: number, y: number, z
   return new Map(entries.flatMap(([key, place, seconds]) => (seconds > oldest ? [[key, [...place]]] : [])));
 }
 
-test('each puff drifts by the wind times the time, and by nothing else', async () => {
+test('each puff drifts exactly by the wind times the time', async () => {
   const factory = await loadVariant('core');
   const more = -0.3;
   const still = { ...values, 'forces.turbulence': 0, 'forces.wind.x': more };
@@ -39,7 +39,7 @@ test('each puff drifts by the wind times the time, and by nothing else', async (
   simulation.dispose();
 });
 
-test('clouds come after those that have gone by: as many over the meadow after a minute as at the start', async () => {
+test('new clouds replace those that have left: the meadow has as many after a minute as at the start', async () => {
   const factory = await loadVariant('core');
   const simulation = new Simulation(factory, cloudscape(), values, 1e6);
   const seen = [2, 33, 64].map((seconds) => {
@@ -50,7 +50,7 @@ test('clouds come after those that have gone by: as many over the meadow after a
   simulation.dispose();
 });
 
-test('the sun hangs on the side that the light comes from, and moves without a jump', () => {
+test('the sun is on the side of the light, and moves continuously', () => {
   const { lightMove, lightCentre } = cloudscape();
   const centre = new Vector3(...lightCentre!);
   expect([values['light.azimuth'], values['light.elevation']]).toEqual([NOON.azimuth, NOON.elevation]);

@@ -42,7 +42,7 @@ describe('encode', () => {
     expect(hash).toBe('#v=1&preset=lamp&seed=4294967295&puff.size=0.30000000000000004&forces.wind.x=1e-7');
   });
 
-  it('packs what is over 1,500 characters, and only that', async () => {
+  it('packs text over 1,500 characters, and only that', async () => {
     const ofVortices = table.filter(({ key, kind }) => kind === 'number' && /^(turbulence|vortices)\b/.test(key));
     const awkward = Object.fromEntries(ofVortices.slice(0, 60).map(({ key }) => [key, 1 / 3]));
     const hash = await encode(withChanges('lamp', { ...awkward, 'light.elevation': 33.333333333333336 }));
@@ -57,7 +57,7 @@ describe('encode', () => {
 describe('a take in a link', () => {
   const take = Uint8Array.from({ length: 3000 }, (_, index) => (index * index) >> 7);
 
-  it('comes back byte for byte behind the state, whether that is packed or not', async () => {
+  it('is restored byte for byte after a packed or unpacked state', async () => {
     const rows = table.filter(({ key, kind }) => kind === 'number' && key.startsWith('vortices.')).slice(0, 60);
     const many = withChanges('lamp', Object.fromEntries(rows.map(({ key }) => [key, 1 / 3])));
     for (const state of [withChanges('lamp', { 'puff.size': 2 }), many]) {
@@ -67,7 +67,7 @@ describe('a take in a link', () => {
     }
   });
 
-  it('is left out and told of where it is damaged or too long', async () => {
+  it('is ignored with a notice if it is damaged or too long', async () => {
     const bomb = await packBytes(new Uint8Array(20 * 1024 * 1024));
     for (const packed of ['', '%%%', 'AAAA', (await packBytes(take)).slice(0, 40), bomb]) {
       const { take: read, notices, state } = await decode(`#v=1&puff.size=2&take=${packed}`);
@@ -79,7 +79,7 @@ describe('a take in a link', () => {
 });
 
 describe('an old link', () => {
-  it('of version 0 has its stops of density made a curve, and says so', async () => {
+  it('of version 0 has its density stops converted to a curve, with a notice', async () => {
     const stops = 'density.1.age=1&density.1.value=0&density.0.age=0.25&density.0.value=0.5';
     const { state, notices } = await decode(`#v=0&preset=lamp&emission.rate=9&${stops}`);
     expect(state.values).toMatchObject({ 'emission.rate': 9, 'emission.density': '.25:.5,1:0' });
@@ -93,21 +93,21 @@ describe('an old link', () => {
     ['density.0.age=0.5', '.5:1,1:1'],
     ['density.3.value=0.25&density.3.age=1', '0:.25,1:.25'],
     ['density.0.value=0.5&density.1.value=0.75&density.2.age=7&density.2.value=NaN', '0:.5,1:1'],
-  ])('may have few or odd stops: %s', async (stops, curve) => {
+  ])('can have few or unusual stops: %s', async (stops, curve) => {
     expect((await decode(`#v=0&${stops}`)).state.values['emission.density']).toBe(curve);
   });
 
-  it('without anything that has changed is taken as it stands', async () => {
+  it('without changed keys is read unchanged', async () => {
     expect(await decode('#v=0&puff.size=2')).toEqual({ state: withChanges('lamp', { 'puff.size': 2 }), notices: [] });
   });
 
-  it('is no excuse for such keys in a new one', async () => {
+  it('does not make old keys valid in a new link', async () => {
     expect(await codes('#v=1&density.0.age=0.5')).toEqual(['unknownKey']);
   });
 });
 
 describe('round trip', () => {
-  it('brings back random states without a notice', () => expectRoundTrips(1000), 120_000);
+  it('restores random states without a notice', () => expectRoundTrips(1000), 120_000);
 });
 
 describe('decode', () => {
@@ -115,7 +115,7 @@ describe('decode', () => {
     for (const hash of ['', '#', '#&&']) expect(await decode(hash)).toEqual({ state: defaultState(), notices: [] });
   });
 
-  it('clamps and says so, with the limits for links', async () => {
+  it('clamps to the limits for links, with a notice', async () => {
     const { state, notices } = await decode('#v=1&simulation.maxParticles=1000000&emission.rate=-5&puff.size=1e999');
     expect(state.values['simulation.maxParticles']).toBe(50_000);
     expect(state.values['emission.rate']).toBe(0);
@@ -128,7 +128,7 @@ describe('decode', () => {
     expect(notices[0].message).toContain('50000');
   });
 
-  it('falls back to the value of the preset for what it cannot read', async () => {
+  it('falls back to the value of the preset for malformed values', async () => {
     const rate = withChanges('lamp-storm', {}).values['emission.rate'];
     expect(rate).not.toBe(defaultState().values['emission.rate']);
     for (const text of ['NaN', 'Infinity', '0x10', '', '1,5', '--1', '1e', 'abc']) {
@@ -148,7 +148,7 @@ describe('decode', () => {
     expect(notices.map(({ code, given }) => [code, given])).toEqual([['unknownPreset', 'volcano']]);
   });
 
-  it('ignores keys of the prototype and says so', async () => {
+  it('ignores keys of the object prototype, with a notice', async () => {
     for (const key of ['__proto__', 'constructor', 'toString', 'hasOwnProperty', '__proto__.polluted']) {
       const { state, notices } = await decode(`#${key}=1`);
       expect(notices.map(({ code }) => code)).toEqual(['unknownKey']);
@@ -158,36 +158,36 @@ describe('decode', () => {
     expect(await codes('#preset=__proto__')).toEqual(['unknownPreset']);
   });
 
-  it('reads minus zero as zero, which is what it would write', async () => {
+  it('reads minus zero as zero', async () => {
     expect((await decode('#forces.wind.x=-0')).state.values['forces.wind.x']).toBe(0);
   });
 
-  it('takes the first of two and says so', async () => {
+  it('uses the first of two values, with a notice', async () => {
     const { state, notices } = await decode('#emission.rate=10&emission.rate=20');
     expect(state.values['emission.rate']).toBe(10);
     expect(notices.map(({ code }) => code)).toEqual(['duplicate']);
   });
 
-  it('reads what it can of another version', async () => {
+  it('reads known keys of another version', async () => {
     const { state, notices } = await decode('#v=2&emission.rate=10');
     expect(state.values['emission.rate']).toBe(10);
     expect(notices.map(({ code }) => code)).toEqual(['version']);
   });
 
-  it('reports a packed part that is damaged', async () => {
+  it('reports a damaged packed part', async () => {
     const whole = await pack('v=1&preset=lamp-noir&emission.rate=10');
     for (const packed of ['', '!!!!', 'AAAA', whole.slice(0, 12), `A${whole}`]) {
       expect(await codes(`#v=1&z=${packed}`), packed).toEqual(['damaged']);
     }
   });
 
-  it('reads a pair that somebody wrote behind a packed part', async () => {
+  it('reads a pair after a packed part', async () => {
     const { state, notices } = await decode(`#v=1&z=${await pack('v=1&preset=lamp')}&emission.rate=10`);
     expect(state.values['emission.rate']).toBe(10);
     expect(notices).toEqual([]);
   });
 
-  it('stops at 64 KiB, packed or not, and reads no half pair', async () => {
+  it('stops at 64 KiB, packed or not, and reads no incomplete pair', async () => {
     const filler = 'x'.repeat(DECODED_LIMIT - 40);
     const long = `emission.rate=10&${filler}=1&emission.lifetime=5.25&puff.size=2`;
     for (const hash of [`#${long}`, `#v=1&z=${await pack(long)}`]) {
@@ -198,12 +198,12 @@ describe('decode', () => {
     }
   });
 
-  it('survives a bomb of 50 MB', async () => {
+  it('survives a deflate bomb of 50 MB', async () => {
     const bomb = await pack('a'.repeat(50 * 1024 * 1024));
     expect(await codes(`#v=1&z=${bomb}`)).toEqual(['tooLong']);
   }, 60_000);
 
-  it('tells of few of very many bad parts, and shortens them', async () => {
+  it('limits the number and the length of notices', async () => {
     const { notices } = await decode(`#${Array.from({ length: 5000 }, (_, index) => `k${index}=1`).join('&')}`);
     expect(notices).toHaveLength(9);
     expect(notices.at(-1)!.message).toContain('4992');
@@ -211,7 +211,7 @@ describe('decode', () => {
     expect(shown.message.length).toBeLessThan(120);
   });
 
-  it('gives a usable state for any text at all', async () => {
+  it('gives a valid state for any text', async () => {
     const key = fc.oneof(fc.constantFrom(...table.map((row) => row.key), 'v', 'z', 'preset', '__proto__'), fc.string());
     const text = fc.oneof(
       fc.string(),

@@ -39,7 +39,7 @@ beforeEach(() => {
   requests.length = 0;
 });
 
-test('what fails is told once, however often it was asked for meanwhile, and tried anew by the next who asks', async () => {
+test('a failed load is reported once and retried by the next request', async () => {
   const { completion, notified } = begun();
   completion.begin();
   const waiting = expect(completion.wait()).rejects.toThrow('gone');
@@ -54,7 +54,7 @@ test('what fails is told once, however often it was asked for meanwhile, and tri
   expect(notified).toEqual(['gone', 'shown']);
 });
 
-test('what came to be wanted on the way is fetched, too, before anybody goes on', async () => {
+test('code that becomes needed during a load is loaded before completion', async () => {
   const { completion, wanted, notified } = begun();
   const done = vi.fn<() => void>();
   const waiting = completion.wait().then(done);
@@ -69,7 +69,7 @@ test('what came to be wanted on the way is fetched, too, before anybody goes on'
   expect(notified).toEqual(['shown', 'shown']);
 });
 
-test('what nobody wants any longer is not missed, and what is here is not asked for', async () => {
+test('code that is no longer needed is not awaited, and loaded code is not requested again', async () => {
   const { completion, wanted, notified } = begun();
   here.add((wanted.renderer = 'nailboards'));
   requests[0].fail(new Error('gone'));

@@ -4,7 +4,7 @@ import { readCurve, writeCurve } from '../../src/preset/curve.ts';
 import { simulatorValues } from '../../src/sim/simulatorValues.ts';
 
 describe('curves', () => {
-  it('are read as they are written', () => {
+  it('are read as written', () => {
     const text = '0:1,.25:.875,1:0';
     expect(readCurve(text)).toEqual([
       { at: 0, value: 1 },
@@ -14,7 +14,7 @@ describe('curves', () => {
     expect(writeCurve(readCurve(text)!)).toBe(text);
   });
 
-  it('are refused where they are none', () => {
+  it('are rejected if malformed', () => {
     const wrong = [
       '',
       '0:1',
@@ -32,7 +32,7 @@ describe('curves', () => {
     for (const text of [...wrong, nine]) expect(readCurve(text), text).toBeUndefined();
   });
 
-  it('reach the simulator as eight stops, the last repeated', () => {
+  it('are passed to the simulator as eight stops, with the last one repeated', () => {
     const numbers = simulatorValues({ 'emission.density': '0:.5,.5:1,1:0' });
     expect(Object.keys(numbers)).toHaveLength(16);
     expect(numbers).toMatchObject({
@@ -43,7 +43,7 @@ describe('curves', () => {
     });
   });
 
-  it('keep their stops in order while one is moved', () => {
+  it('keep the order of their stops while one is moved', () => {
     const stops = readCurve('0:1,.5:.5,1:0')!;
     expect(moved(stops, 1, { at: 2, value: -1 })[1]).toEqual({ at: 0.98, value: 0 });
     expect(moved(stops, 0, { at: -1, value: 3 })[0]).toEqual({ at: 0, value: 1 });

@@ -52,7 +52,7 @@ function left(steps: number): number {
 }
 
 describe('the pointer', () => {
-  it('draws the point that it hit to where it is, as the spring has it', () => {
+  it('pulls the point that it hit towards itself by the law of the spring', () => {
     const simulation = lampSimulation(factory);
     expect(grabAt(simulation, START.clone().add(new Vector3(0.1, 0.12, 0)))).toBe(true);
     const { anchor, target } = simulation.drag!;
@@ -69,7 +69,7 @@ describe('the pointer', () => {
     simulation.dispose();
   });
 
-  it('never draws the ball out of its box', () => {
+  it('never pulls the ball out of its box', () => {
     const simulation = lampSimulation(factory);
     const [low, high] = [new Vector3(...min), new Vector3(...max)];
     grabAt(simulation, START.clone().add(new Vector3(-0.13, 0.07, 0)));
@@ -88,7 +88,7 @@ describe('the pointer', () => {
     simulation.dispose();
   });
 
-  it('leaves the ball where it let go of it, in a pause too', () => {
+  it('leaves the ball where it was released, also while paused', () => {
     const simulation = lampSimulation(factory);
     grabAt(simulation, START);
     follow(simulation, seen(new Vector3(0.9, 2, 0)));
@@ -104,7 +104,7 @@ describe('the pointer', () => {
     simulation.dispose();
   });
 
-  it('does nothing by a mere click', () => {
+  it('changes nothing on a click', () => {
     const [simulation, still] = [lampSimulation(factory), lampSimulation(factory)];
     expect(grabAt(simulation, START)).toBe(true);
     letGo(simulation);
@@ -115,7 +115,7 @@ describe('the pointer', () => {
     for (const each of [simulation, still]) each.dispose();
   });
 
-  it('drags the same way again in a take', () => {
+  it('repeats a drag in a take', () => {
     const [first, second] = [lampSimulation(factory), lampSimulation(factory)];
     const hashes: string[] = [];
     grabAt(first, START.clone().add(new Vector3(0.05, -0.1, 0)));

@@ -28,7 +28,7 @@ function placesOf({ simulator }: Simulation, rigids: readonly number[]): Vector3
 }
 
 describe.each(withPhysics)('in the scene %s', (name) => {
-  test('what is farthest is dropped, falls as things fall, and when all have come one comes again', async () => {
+  test('drops the farthest object, which falls freely; after all of them the first one is dropped again', async () => {
     const { simulation, scene } = await begin(name);
     const drops = scene.drops!;
     expect(simulation.dropCount).toBe(drops.length);
@@ -48,7 +48,7 @@ describe.each(withPhysics)('in the scene %s', (name) => {
     simulation.dispose();
   });
 
-  test('a take does it again to the same hash, also after going back', async () => {
+  test('a take repeats it with the same hash, also after seeking back', async () => {
     const { simulation } = await begin(name);
     simulation.advance(20);
     simulation.drop(new Vector3(0.3, 2, 0));
@@ -71,7 +71,7 @@ describe.each(withPhysics)('in the scene %s', (name) => {
   });
 });
 
-test('until the coming step what was dropped in a pause is shown where it will fall from', async () => {
+test('an object dropped while paused is drawn at its start until the next step', async () => {
   const { simulation, scene } = await begin('lamp');
   simulation.advance(10);
   for (const x of [0.5, 0.7, 0.9]) simulation.drop(new Vector3(x, 2, 0));
@@ -84,7 +84,7 @@ test('until the coming step what was dropped in a pause is shown where it will f
   simulation.dispose();
 });
 
-test('things come to lie on the ground of each scene that has one', async () => {
+test('objects come to rest on the ground of each scene that has one', async () => {
   for (const name of ['lamp', 'train', 'rocket', 'genie']) {
     const { simulation, scene } = await begin(name);
     simulation.advance(2);

@@ -53,7 +53,7 @@ test.each([
   }
 });
 
-test('it rises where the ball hits, and none while that is in the air', () => {
+test('dust rises where the ball hits, and none while it is in the air', () => {
   const simulation = alone(BALL, [1.2, 2.42, 0.4]);
   simulation.advance(36);
   expect(simulation.simulator.alive).toBe(0);
@@ -64,7 +64,7 @@ test('it rises where the ball hits, and none while that is in the air', () => {
   simulation.dispose();
 });
 
-test('what bounces raises dust again at each hit, less each time', () => {
+test('a bouncing ball raises less dust at each hit', () => {
   const simulation = alone(BALL, [0, 2.4, 0], 0.9);
   const spawned: number[] = [];
   let alive = 0;
@@ -80,7 +80,7 @@ test('what bounces raises dust again at each hit, less each time', () => {
   simulation.dispose();
 });
 
-test('rolling leaves a trail, and what lies still raises nothing', () => {
+test('a rolling ball leaves a trail, and resting objects raise no dust', () => {
   const still = alone(BALL, [0, 0.42, 0]);
   still.advance(120);
   expect(still.simulator.alive).toBe(0);
@@ -94,11 +94,11 @@ test('rolling leaves a trail, and what lies still raises nothing', () => {
   still.dispose();
 });
 
-test('the rate of the preset is the one that the law counts on', () => {
+test('the preset has the rate that the rule assumes', () => {
   expect(preset['emission.rate']).toBe(DUST_RATE);
 });
 
-test('what people throw flies on', () => {
+test('a thrown ball keeps its velocity', () => {
   const simulation = new Simulation(factory, dust(), values, 1e6);
   simulation.advance(10);
   for (let step = 0; step < 20; step++) {
@@ -114,7 +114,7 @@ test('what people throw flies on', () => {
   simulation.dispose();
 });
 
-test('what was drawn somewhere in a pause comes there before it falls', () => {
+test('a ball dragged while paused moves there before it falls', () => {
   const simulation = alone(BALL, [0, 0.42, 0]);
   simulation.advance(10);
   simulation.drag!.target.set(1, 2, 0);
@@ -128,7 +128,7 @@ test('what was drawn somewhere in a pause comes there before it falls', () => {
   simulation.dispose();
 });
 
-test('the mole never rests for long: within a minute it kicks each toy, and what falls off comes again', () => {
+test('the mole kicks each toy within a minute, and toys that fall off return', () => {
   const simulation = new Simulation(factory, dust(), preset, 1e6);
   const kicked = new Set<number>();
   let lowest = 0;
@@ -148,14 +148,14 @@ test('the mole never rests for long: within a minute it kicks each toy, and what
   simulation.dispose();
 });
 
-test('no link holds what the rule sets', () => {
+test('links do not contain values set by the rule', () => {
   const simulation = new Simulation(factory, dust(), preset, 1e6);
   simulation.advance(60);
   expect(Object.keys(simulation.valuesIn(preset)).filter((key) => key.startsWith('emitters.'))).toEqual([]);
   simulation.dispose();
 });
 
-test('ten seconds of its smoke fit into the simulator', () => {
+test('ten seconds of its smoke fit into the capacity', () => {
   const simulation = new Simulation(factory, dust(), preset, 1e6);
   let most = 0;
   for (let step = 0; step < 600; step++) {

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { change } from '../../src/element/change.ts';
 import type { RemoteStage } from '../../src/remote/contract.ts';
 
-test('all of a change is sent before anybody else can send something, and nothing that stays', async () => {
+test('a change is sent completely before another one, without unchanged values', async () => {
   const sent: unknown[] = [];
   const record = (name: string) => async (given: unknown) => void sent.push([name, given]);
   const stage = { unset: record('unset'), set: record('set') } as unknown as RemoteStage;

@@ -13,7 +13,7 @@ async function read(src: string) {
 }
 
 test.each(['', '?t=3', 'v=1&preset=wisp', 'https://example.org/', '#'])(
-  'a src without a hash, %j, is told and the first preset is shown',
+  'a src without a hash, %j, is reported and the first preset is shown',
   async (src) => {
     const { scene, notices } = await read(src);
     expect(scene).toBe(FIRST_PRESET);
@@ -24,11 +24,11 @@ test.each(['', '?t=3', 'v=1&preset=wisp', 'https://example.org/', '#'])(
   },
 );
 
-test('a src with a hash is taken without a word, with the time of its query', async () => {
+test('a src with a hash is read without a notice, with the time of its query', async () => {
   expect(await read('?t=3#v=1&preset=wisp')).toEqual({ scene: 'wisp', start: 3, notices: [] });
 });
 
-test('a src that is no address is told once', async () => {
+test('an invalid src is reported once', async () => {
   const { notices } = await read('https://[');
   expect(notices.map(({ code, key }) => [code, key])).toEqual([['damaged', 'src']]);
 });

@@ -35,7 +35,7 @@ function expected(): string {
   return `${JSON.stringify({ '': fieldsOf(single, ''), ...Object.fromEntries(lists) }, null, 2)}\n`;
 }
 
-it('lists the keys as the table has them (npm run generate writes them)', () => {
+it('lists the keys of the table (npm run generate writes them)', () => {
   if (process.env.GENERATE) writeFileSync(FILE, expected());
   else expect(readFileSync(FILE, 'utf8')).toBe(expected());
 });
@@ -47,17 +47,17 @@ it('has each parameter once, in the order of the table', () => {
   );
 });
 
-it('tells all of them apart as attributes and as properties', () => {
+it('has unique attributes and properties', () => {
   expect(new Set(names.map(({ property }) => property)).size).toBe(names.length);
   expect(keyOfAttribute.size).toBe(names.length);
 });
 
-it('hands on every method of a stage but those that it does in its own way', () => {
+it('forwards every method of a stage except those that it implements itself', () => {
   const own = Object.keys(calls).filter((name) => !(HANDED_ON as readonly string[]).includes(name));
   expect(own).toEqual(['play', 'pause', 'resize', 'setBackground', 'setVisible']);
 });
 
-it('writes keys as pages write them', () => {
+it('writes keys in kebab and camel case', () => {
   const named = (key: string) => names.find((name) => name.key === key);
   expect(named('emission.growthTime')).toMatchObject({
     attribute: 'emission-growth-time',

@@ -42,7 +42,7 @@ function rows(count: number, ranges: readonly Range[]): number[][] {
   return Array.from({ length: count }, () => ranges.map(([min, max]) => min + (max - min) * next()));
 }
 
-test.each(FUNCTIONS)('%s is as accurate as the engine', (_, own, engine, ranges, bound, kind) => {
+test.each(FUNCTIONS)('%s is as accurate as the function of the engine', (_, own, engine, ranges, bound, kind) => {
   let worst = 0;
   for (const given of rows(4000, ranges)) {
     const [found, expected] = [own(...given), engine(...given)];
@@ -58,7 +58,7 @@ function hashOf(numbers: readonly number[]): string {
   return createHash('sha256').update(bytes).digest('hex').slice(0, 16);
 }
 
-test('the last bits of 4,000 results of each are those of all takes of version 3', () => {
+test('4,000 results of each function are bit-exact for takes of version 3', () => {
   const hashes = FUNCTIONS.map(([name, own, , ranges]) => [name, hashOf(rows(4000, ranges).map((row) => own(...row)))]);
   expect(Object.fromEntries(hashes)).toMatchInlineSnapshot(`
     {
@@ -81,7 +81,7 @@ test('the last bits of 4,000 results of each are those of all takes of version 3
   `);
 });
 
-test('special values come out exactly', () => {
+test('special values give exact results', () => {
   expect([sin(0), cos(0), tan(0), asin(0), exp(0)]).toEqual([0, 1, 0, 0, 1]);
   expect([sin(Math.PI / 2), cos(Math.PI), sin(-Math.PI / 2)]).toEqual([1, -1, -1]);
   expect([asin(1), asin(-1), acos(1), acos(-1)]).toEqual([Math.PI / 2, -Math.PI / 2, 0, Math.PI]);
@@ -111,7 +111,7 @@ test.each(ORDERS)('angles make the quaternions of three.js in the order %s', (or
   }
 });
 
-test('quaternions turn vectors as those of three.js do', () => {
+test('quaternions rotate vectors as in three.js', () => {
   for (const [index, angles] of ANGLES.entries()) {
     const [quaternion, vector] = [quaternionFromAngles(angles), ANGLES[199 - index]];
     closeTo(
@@ -121,7 +121,7 @@ test('quaternions turn vectors as those of three.js do', () => {
   }
 });
 
-test('a quaternion gives its angles back', () => {
+test('a quaternion is converted back to its angles', () => {
   for (const [x, y, z] of ANGLES) {
     const angles = [x, 2 * y, z / 2.1];
     const quaternion = multiply(
@@ -138,7 +138,7 @@ test('a quaternion gives its angles back', () => {
   expect(z).toBeCloseTo(Math.PI / 2, 7);
 });
 
-test('blends between quaternions are those of three.js, near and far apart', () => {
+test('slerp matches three.js for small and large angles', () => {
   for (const [index, angles] of ANGLES.entries()) {
     const from = quaternionFromAngles(angles);
     const near = multiply(quaternionFromAngles([0.01, 0, 0.005]), from);

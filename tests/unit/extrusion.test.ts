@@ -33,29 +33,29 @@ function sweptVolume(mesh: TriangleMesh, travel: Triple, extent: number): number
 }
 
 describe('extrude', () => {
-  it('sweeps a cube by its own shadow area times the way', () => {
+  it('sweeps a cube by its projected area times the distance', () => {
     expect(sweptVolume(CUBE, [0, -1, 0], 3)).toBeCloseTo(8 + 4 * 3, 4);
     const slant = Math.SQRT1_2;
     expect(sweptVolume(CUBE, [slant, -slant, 0], 3)).toBeCloseTo(8 + 8 * slant * 3, 4);
   });
 
-  it('sweeps a ball by its disc, up to the coarseness of the mesh', () => {
+  it('sweeps a ball by its disc, within the resolution of the mesh', () => {
     const own = sweptVolume(ballMesh(1, 24), [0, -1, 0], 0);
     expect(own).toBeGreaterThan(0.98 * ((4 / 3) * Math.PI));
     const swept = sweptVolume(ballMesh(1, 24), [0.6, -0.8, 0], 5) - own;
     expect(Math.abs(swept / (5 * Math.PI) - 1)).toBeLessThan(0.02);
   });
 
-  it('takes the table, whose edges are creased', () => {
+  it('extrudes the table, which has creased edges', () => {
     expect(sweptVolume(tableMesh(2, 0.1), [0, -1, 0], 0)).toBeCloseTo(Math.PI * 4 * 0.1, 2);
   });
 
-  it('refuses an open mesh', () => {
+  it('rejects an open mesh', () => {
     const open = { ...CUBE, indices: CUBE.indices.slice(6) };
     expect(() => extrude(open)).toThrow(/not closed/);
   });
 
-  it('refuses a mesh with a face turned inside out', () => {
+  it('rejects a mesh with an inverted face', () => {
     const flipped = { ...CUBE, indices: CUBE.indices.slice() };
     flipped.indices.set([flipped.indices[1], flipped.indices[0]], 0);
     expect(() => extrude(flipped)).toThrow(RangeError);

@@ -14,7 +14,7 @@ const head = '"format": "cartoon-smoke", "version": 1';
 const codes = async (text: string) => (await readFile(text)).notices.map(({ code, key }) => `${code} ${key}`);
 
 describe('a file', () => {
-  it('brings back every state and take, with more particles than a link may have', async () => {
+  it('restores every state and take, also above the particle limit of links', async () => {
     const bytes = fc.uint8Array({ maxLength: 300 });
     const anyFile = fc.record({ state: anyState, take: fc.option(bytes, { nil: undefined }), seconds: fc.nat(1e6) });
     await fc.assert(
@@ -28,7 +28,7 @@ describe('a file', () => {
     );
   }, 60_000);
 
-  it('is text that people can read', async () => {
+  it('is readable text', async () => {
     const state = { ...defaultState(), values: { ...defaultState().values, 'puff.size': 2, 'style.tones': 3 } };
     expect(await writeFile({ name: 'Big', state }, 'https://x/smoke-file.schema.json')).toBe(`{
   "$schema": "https://x/smoke-file.schema.json",
@@ -44,7 +44,7 @@ describe('a file', () => {
 `);
   });
 
-  it('is read like a link: what cannot be used is told, the rest counts', async () => {
+  it('is read like a link: invalid values are reported and the rest applies', async () => {
     const values = '{"puff.size": 99, "emission.rate": "7", "bogus": 1, "__proto__": 1, "seed": [1], "take": "AAAA"}';
     const read = await readFile(`{${head}, "name": "  A\\u0007B ", "preset": "nowhere", "values": ${values}}`);
     expect(read.name).toBe('A B');
@@ -60,7 +60,7 @@ describe('a file', () => {
     expect(({} as Record<string, unknown>).bogus).toBeUndefined();
   });
 
-  it('of an older version is brought up to date', async () => {
+  it('of an older version is migrated', async () => {
     const old = '"format": "cartoon-smoke", "version": 0';
     expect(await codes(`{${old}, "values": {"density.0.age": 0.5}}`)).toEqual(['migrated v']);
     expect(await codes(`{"format": "cartoon-smoke", "version": 7, "values": {}}`)).toEqual(['version v']);
@@ -78,14 +78,14 @@ describe('a file', () => {
     [`{${head}, "moment": {"take": "AAAA"}}`, '"seconds" of "moment" must be a number from 0, not undefined'],
     [`{${head}, "moment": {"seconds": 1}}`, '"take" of "moment" must be a string, not undefined'],
     [`{${head}, "moment": {"seconds": 1, "take": "A!"}}`, '"take" of "moment" is damaged'],
-  ])('that is none is refused: %s', async (text, message) => {
+  ])('that is invalid is rejected: %s', async (text, message) => {
     await expect(readFile(text)).rejects.toThrow(FileError);
     await expect(readFile(text)).rejects.toThrow(message);
   });
 });
 
-describe('the place of a fault', () => {
-  it('is there exactly where a text is no JSON', () => {
+describe('the position of a fault', () => {
+  it('is reported exactly for text that is not JSON', () => {
     const isJson = (text: string) => {
       try {
         JSON.parse(text);
@@ -116,19 +116,19 @@ describe('the place of a fault', () => {
     );
   });
 
-  it('ends deep nesting without a crash', () => {
+  it('of deep nesting is reported without a crash', () => {
     expect(jsonFault('['.repeat(100_000))).toEqual({ line: 1, column: 202 });
   });
 });
 
 describe('the schema', () => {
-  it('stands in public/ as the table makes it (npm run generate writes it)', () => {
+  it('equals the file in public/ (npm run generate writes it)', () => {
     const text = `${JSON.stringify(fileSchema(), null, 1)}\n`;
     if (process.env.GENERATE) writeFileSync(SCHEMA, text);
     else expect(readFileSync(SCHEMA, 'utf8')).toBe(text);
   });
 
-  it('knows every key of the table', () => {
+  it('has every key of the table', () => {
     const { properties, patternProperties } = (fileSchema().properties as { values: Record<string, object> }).values;
     const patterns = Object.keys(patternProperties).map((pattern) => new RegExp(pattern));
     const unknown = table.filter(({ key }) => !(key in properties) && !patterns.some((pattern) => pattern.test(key)));

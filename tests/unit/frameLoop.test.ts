@@ -46,13 +46,13 @@ test.each([
   [60, 144, 60],
   [30, 60, 30],
   [60, 30, 30],
-])('a loop that is capped at %s frames a second has on a screen of %i Hz %i', (cap, screen, expected) => {
+])('a loop with a cap of %s frames per second on a display of %i Hz draws %i', (cap, screen, expected) => {
   loopOf(cap).play();
   second(screen);
   expect(Math.abs(frames - expected)).toBeLessThanOrEqual(1);
 });
 
-test('while nobody can see it no frame is asked for, and it goes on playing', () => {
+test('out of view it requests no frames and stays playing', () => {
   const loop = loopOf();
   loop.play();
   second(60);
@@ -67,7 +67,7 @@ test('while nobody can see it no frame is asked for, and it goes on playing', ()
   expect(frames).toBe(before + 59);
 });
 
-test('no picture is drawn again before time has passed', () => {
+test('no picture is drawn twice for the same time', () => {
   const loop = loopOf();
   loop.play();
   second(1);
@@ -76,7 +76,7 @@ test('no picture is drawn again before time has passed', () => {
   expect(frames).toBe(1);
 });
 
-test('where a whole step is owed from the start, it is shown at once', () => {
+test('if a whole step is due at the start, it is drawn at once', () => {
   const loop = loopOf();
   loop.clock.settle();
   loop.play();
@@ -84,7 +84,7 @@ test('where a whole step is owed from the start, it is shown at once', () => {
   expect(frames).toBe(1);
 });
 
-test('coming into view does not play what was paused, neither before nor meanwhile', () => {
+test('coming into view does not resume what was paused before or meanwhile', () => {
   const loop = loopOf();
   loop.isSeen = false;
   loop.isSeen = true;
@@ -98,7 +98,7 @@ test('coming into view does not play what was paused, neither before nor meanwhi
   expect(loop.isPlaying).toBe(false);
 });
 
-test('while earlier frames are still being drawn none comes, and the next one has the time of all', () => {
+test('frames are skipped while earlier ones are still drawn, and the next one advances by the whole time', () => {
   const loop = loopOf();
   loop.play();
   second(60);

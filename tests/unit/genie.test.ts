@@ -45,7 +45,7 @@ test.each([
   ['where he begins', start],
   ['far to one side', min],
   ['far to the other', max],
-])('called %s, he arrives in one piece', (_, place) => {
+])('moved %s, he arrives in one piece', (_, place) => {
   const simulation = calledTo(place);
   const [x, y, z] = simulation.simulator.rigidPoses(1);
   // He sways around the position.
@@ -59,7 +59,7 @@ test.each([
   simulation.dispose();
 });
 
-test('it is the pull of his waist that leads the tail there', () => {
+test('the attractor at his waist pulls the tail to it', () => {
   const simulation = calledTo(max, { 'attractors.0.acceleration': 0 });
   expect(gapInTail(simulation)).toBeGreaterThan(0.2);
   simulation.dispose();

@@ -44,11 +44,11 @@ function pixels(fullScaleMs: number): Load {
 }
 
 describe('Governor', () => {
-  it('leaves a machine alone that keeps up', () => {
+  it('does not change the scale on a fast machine', () => {
     expect(new Machine(pixels(12)).run(60).changes).toEqual([]);
   });
 
-  it('steps down within two seconds where frames are slow, and then holds the budget', () => {
+  it('lowers the scale within two seconds of slow frames, and then keeps the budget', () => {
     const machine = new Machine(pixels(40)).run(2);
     const { scale } = machine.governor;
     expect(40 * scale ** 2).toBeLessThan(22);
@@ -61,7 +61,7 @@ describe('Governor', () => {
     expect(machine.changes).toHaveLength(1);
   });
 
-  it('is not tripped by the first frames, by long pauses or by half a second of load', () => {
+  it('ignores the first frames, long pauses and half a second of load', () => {
     const first = new Machine((seconds) => (seconds < 0.3 ? 90 : 10));
     expect(first.run(20).changes).toEqual([]);
     const pauses = new Machine((seconds) => (Math.floor(seconds * 10) % 15 === 0 ? 160 : 10));
@@ -70,7 +70,7 @@ describe('Governor', () => {
     expect(spikes.run(60).changes).toEqual([]);
   });
 
-  it('is not tripped by time in which nothing is drawn', () => {
+  it('ignores time in which nothing is drawn', () => {
     const machine = new Machine(pixels(12));
     for (let round = 0; round < 20; ++round) machine.run(0.35).sleep(40);
     expect(machine.changes).toEqual([]);
@@ -80,7 +80,7 @@ describe('Governor', () => {
     expect(machine.changes).toEqual([]);
   });
 
-  it('keeps its scale through a rest', () => {
+  it('keeps its scale while resting', () => {
     const machine = new Machine(pixels(40)).run(3);
     const { scale } = machine.governor;
     machine.governor.rest();
@@ -88,20 +88,20 @@ describe('Governor', () => {
     expect(machine.governor.scale).toBe(scale);
   });
 
-  it('comes back to full scale when the load has gone, one step at a time', () => {
+  it('returns to full scale after the load, one level at a time', () => {
     const machine = new Machine((seconds, scale) => (seconds < 5 ? 80 : 10) * scale * scale).run(60);
     const rise = machine.changes.filter(({ seconds }) => seconds > 5).map(({ scale }) => scale);
     expect(machine.governor.scale).toBe(1);
     expect(rise).toEqual(SCALES.slice(0, rise.length).toReversed());
   });
 
-  it('tries more pixels ever more rarely where they do not fit', () => {
+  it('retries a higher scale less and less often if it fails', () => {
     const machine = new Machine(pixels(40)).run(600);
     expect(machine.changes.filter(({ seconds }) => seconds < 300).length).toBeLessThan(16);
     expect(machine.changes.filter(({ seconds }) => seconds >= 300).length).toBeLessThan(8);
   });
 
-  it('gives the pixels back where they were not what took the time', () => {
+  it('returns to full scale if fewer pixels do not help', () => {
     for (const load of [() => 70, () => 30] as Load[]) {
       const machine = new Machine(load).run(120);
       expect(machine.governor.scale).toBe(1);

@@ -33,14 +33,14 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-test('a worker that answers lives on, and is asked six times a minute', () => {
+test('a worker that answers stays alive and gets six heartbeats per minute', () => {
   watch();
   vi.advanceTimersByTime(60 * MINUTE);
   expect(onGone).not.toHaveBeenCalled();
   expect(beats).toBe(360);
 });
 
-test('one that falls silent is given up after two minutes, once, and is asked no more', () => {
+test('a silent worker is reported lost once after two minutes and gets no more heartbeats', () => {
   watch();
   answers = false;
   vi.advanceTimersByTime(2 * MINUTE);
@@ -51,7 +51,7 @@ test('one that falls silent is given up after two minutes, once, and is asked no
   expect([onGone.mock.calls.length, beats]).toEqual([1, 12]);
 });
 
-test('one that has no time to listen says now and then that it lives, and is waited for', () => {
+test('a busy worker sends heartbeats on its own and stays alive', () => {
   const worker = watch();
   answers = false;
   const onStep = beatWhile(() => worker.dispatchEvent(new Event('message')));
@@ -67,7 +67,7 @@ test('one that has no time to listen says now and then that it lives, and is wai
   expect(onGone).toHaveBeenCalledTimes(1);
 });
 
-test('of many steps only one in ten seconds says so', () => {
+test('a busy worker sends at most one heartbeat per ten seconds', () => {
   const beat = vi.fn();
   const onStep = beatWhile(beat);
   for (let step = 0; step < 6000; ++step) {
@@ -77,7 +77,7 @@ test('of many steps only one in ten seconds says so', () => {
   expect(beat).toHaveBeenCalledTimes(6);
 });
 
-test('a hidden page asks for nothing and gives nothing up', () => {
+test('a hidden page sends no heartbeats and reports no worker lost', () => {
   watch();
   answers = false;
   vi.advanceTimersByTime(MINUTE);
@@ -89,7 +89,7 @@ test('a hidden page asks for nothing and gives nothing up', () => {
   expect(onGone).not.toHaveBeenCalled();
 });
 
-test('a night in which nothing ran counts as one beat', () => {
+test('a night of sleep counts as one heartbeat', () => {
   watch();
   answers = false;
   // As after system sleep or a debugger pause: the clock has advanced, and each timer fires once.
@@ -100,7 +100,7 @@ test('a night in which nothing ran counts as one beat', () => {
   expect(onGone).not.toHaveBeenCalled();
 });
 
-test('who has stopped watching hears nothing', () => {
+test('no loss is reported after watching has stopped', () => {
   watch();
   answers = false;
   stop();
@@ -108,7 +108,7 @@ test('who has stopped watching hears nothing', () => {
   expect([onGone.mock.calls.length, beats]).toEqual([0, 0]);
 });
 
-test('waiting counts seconds in which the page ran', () => {
+test('timeouts count only seconds in which the page ran', () => {
   const late = vi.fn();
   afterRunning(MINUTE, late);
   vi.advanceTimersByTime(59_000);
@@ -122,7 +122,7 @@ test('waiting counts seconds in which the page ran', () => {
   expect(late).toHaveBeenCalledTimes(1);
 });
 
-test('what is fetched comes, fails as a LoadError, or is given up after a minute, and leaves no timer', async () => {
+test('a download succeeds, fails with a LoadError or times out after a minute, and leaves no timer', async () => {
   expect(await fetched('It', Promise.resolve(3))).toBe(3);
   const failed = expect(fetched('It', Promise.reject(new Error('gone')))).rejects;
   await failed.toMatchObject({ name: 'LoadError', message: 'It could not be fetched: gone' });

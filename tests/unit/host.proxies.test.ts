@@ -12,7 +12,7 @@ function outlineAt(height: number): number {
   return Math.max(...reaches);
 }
 
-test('the balls of a capsule reach nearly as far as it does all along, and no farther', () => {
+test('the balls of a capsule nearly fill it and do not extend beyond it', () => {
   for (let height = 0; height <= 2; height += 0.01) {
     expect(outlineAt(height)).toBeGreaterThan(0.96 * LIMB.radius);
     expect(outlineAt(height)).toBeLessThanOrEqual(LIMB.radius);
@@ -20,7 +20,7 @@ test('the balls of a capsule reach nearly as far as it does all along, and no fa
   expect(outlineAt(2.31)).toBe(0);
 });
 
-test('a capsule follows what it is told to, scaled with it', () => {
+test('a capsule follows its object, with the scale of the object', () => {
   const bone = new Object3D();
   bone.position.set(1, 0, 0);
   bone.scale.setScalar(2);
@@ -30,7 +30,7 @@ test('a capsule follows what it is told to, scaled with it', () => {
   expect(last.radius).toBeCloseTo(0.6, 9);
 });
 
-test('a capsule without length is a ball, and one without radius is refused by name', () => {
+test('a capsule without length is a ball, and one without radius is rejected by name', () => {
   const follows = new Object3D();
   expect(capsule({ follows, ...LIMB, to: LIMB.from })).toHaveLength(1);
   expect(() => capsule({ follows, ...LIMB, radius: 0 })).toThrow(/capsule\.radius.*0/);

@@ -29,7 +29,7 @@ beforeAll(async () => {
 
 const ONE = new Vector3(1, 1, 1);
 
-test('spheres and boxes are taken exactly, at their scale; stretched spheres and all else by their triangles', () => {
+test('spheres and boxes collide exactly at their scale; stretched spheres and other meshes by their triangles', () => {
   expect(shapeOf(new SphereGeometry(2), new Vector3(3, 3, 3))).toEqual({ type: 'ball', radius: 6 });
   expect(shapeOf(new BoxGeometry(2, 4, 6), new Vector3(1, -2, 3))).toEqual({ type: 'cuboid', halfExtents: [1, 4, 9] });
   expect(shapeOf(new SphereGeometry(2), new Vector3(1, 2, 1)).type).toBe('trimesh');
@@ -43,12 +43,12 @@ test.each([
   ['turned', new BoxGeometry(1, 2, 3, 2, 2, 2).rotateZ(0.4)],
   ['shifted', new SphereGeometry(1, 24, 12).translate(2, 0, 0)],
   ['made smaller', new SphereGeometry(1).scale(0.5, 0.5, 0.5)],
-])('a box or sphere that was %s in its own space is taken by its triangles', (_, geometry) => {
+])('a box or sphere that was %s in its local space collides by its triangles', (_, geometry) => {
   const shape = shapeOf(geometry, ONE);
   expect(shape).toMatchObject({ type: 'trimesh', vertices: geometry.attributes.position.array });
 });
 
-test('rigids go where the objects go, a share of the way with each step', () => {
+test('rigids follow the objects, by a fraction of the way in each step', () => {
   const simulator = factory.create({ capacity: 1, seed: 1 });
   const colliders = new Colliders(simulator);
   const carrier = new Group();
@@ -68,7 +68,7 @@ test('rigids go where the objects go, a share of the way with each step', () => 
   simulator.dispose();
 });
 
-test('an instanced mesh is a rigid for each instance, a plane a thin sheet, and what has no mesh is refused', () => {
+test('an instanced mesh has a rigid per instance, a plane is a thin sheet, and objects without a mesh are rejected', () => {
   const simulator = factory.create({ capacity: 1, seed: 1 });
   const colliders = new Colliders(simulator);
   const stones = new InstancedMesh(new BoxGeometry(), undefined, 3);

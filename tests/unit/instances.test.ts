@@ -27,11 +27,11 @@ function wordsOf(ends: number[], shortened: number[]): number[] {
   return Array.from(casters.geometry.getAttribute('attributes').array.slice(0, ATTRIBUTE_WORDS * casters.count));
 }
 
-test('a shadow ends where it is told in metres, rounded up to what a row can hold', () => {
+test('a shadow ends at the given distance in metres, rounded up to the precision of a row', () => {
   const words = wordsOf([max, max, max], [1, 1.0001, 1e6]);
   expect(words).toEqual([ending(2 * END_STEPS), 7, ending(2 * END_STEPS + 1), 7, NO_END + ROLL, 7]);
 });
 
-test('a shadow that ends earlier already stays, and one with nothing behind it ends at its centre', () => {
+test('an earlier end of a shadow is kept, and a shadow with nothing behind it ends at its centre', () => {
   expect(wordsOf([100, 600], [1, -3])).toEqual([ending(100), 7, ROLL, 7]);
 });

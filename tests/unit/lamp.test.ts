@@ -72,7 +72,7 @@ describe.each(parts)('the $name', ({ mesh }) => {
 describe('the lamp', () => {
   const points = parts.flatMap(({ mesh }) => triples(mesh.positions));
 
-  test('stands on the ground, is as large as told, and has 3,000 to 6,000 triangles', () => {
+  test('stands on the ground, has the given size and 3,000 to 6,000 triangles', () => {
     expect(Math.min(...points.map(([, y]) => y))).toBe(0);
     expect(Math.max(...points.map(([, y]) => y))).toBeLessThan(0.8);
     const belly = triples(partMesh('belly').positions);
@@ -120,7 +120,7 @@ describe('the spout', () => {
     middle.forEach((sum, axis) => expect(sum / rim.length).toBeCloseTo(spout.position[axis], 4));
   });
 
-  test('is hollow at the mouth, as wide as told', () => {
+  test('is hollow at the mouth, with the given width', () => {
     const near = points.filter((point) => along(point) > -0.04 && along(point) < 0.5);
     expect(Math.min(...near.map(aside))).toBeGreaterThan(spout.radius * 0.95);
     expect(Math.min(...near.map(aside))).toBeLessThan(spout.radius * 1.3);
@@ -162,13 +162,13 @@ describe('the collision pieces', () => {
   });
   const clearance = (point: Vector): number => Math.min(...outside.map((from) => from(point)));
 
-  test('leave the mouth and the way out of it open', () => {
+  test('leave the mouth and the space in front of it open', () => {
     for (let distance = -0.03; distance < 0.5; distance += 0.02) {
       expect(clearance(beforeMouth(distance))).toBeGreaterThan(0.03);
     }
   });
 
-  test('hold the lamp, its lip apart, and reach no farther than the lamp', () => {
+  test('contain the lamp except its lip, and do not extend beyond it', () => {
     for (const { mesh } of parts) {
       for (const point of triples(mesh.positions)) {
         if (Math.hypot(...minus(point, spout.position)) > 0.2) expect(clearance(point)).toBeLessThan(0.02);
@@ -183,7 +183,7 @@ describe('the collision pieces', () => {
     }
   });
 
-  test('are few and coarse, and those of triangles closed', () => {
+  test('are few and coarse, and triangle meshes are closed', () => {
     expect(collision.length).toBeLessThanOrEqual(12);
     for (const shape of collision) {
       if (shape.type === 'convexHull') expect(shape.vertices.length / 3).toBeLessThanOrEqual(100);

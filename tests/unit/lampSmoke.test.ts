@@ -31,7 +31,7 @@ function distances({ simulator }: Simulation, [a, b, c]: readonly number[]): num
 const PLACE = [1.07, 1.25, 0.1] as const;
 const [START] = lamp().handle!.start;
 
-test('a ball that is led into the column has none of the smoke inside that would be there without it', () => {
+test('a ball moved into the column contains no smoke', () => {
   const [held, free] = [burning(4), burning(4)];
   for (let step = 1; step <= 90; step++) {
     held.drag!.target.set(START + (PLACE[0] - START) * Math.min(1, step / 60), PLACE[1], PLACE[2]);
@@ -48,7 +48,7 @@ test('a ball that is led into the column has none of the smoke inside that would
   free.dispose();
 });
 
-test('young smoke is at the mouth, and what is older is higher', () => {
+test('young smoke is at the mouth, and older smoke is higher', () => {
   const simulation = burning(3);
   const { x, y, z, age } = readParticles(simulation.simulator);
   const [mouthX, mouthY, mouthZ] = lampModel().spout.position;

@@ -29,7 +29,7 @@ beforeAll(() => {
   writeFileSync(FILE, `${JSON.stringify(present, null, 2)}\n`);
 });
 
-it('is the same as long as links have the same version', () => {
+it('is unchanged while the version of links is the same', () => {
   expect(changesOf(read()), 'needs a new VERSION and a migration in src/preset/migrations.ts').toEqual([]);
 });
 
@@ -37,7 +37,7 @@ it('is recorded', () => {
   expect(read(), 'see UPDATE_LINK_MEANING').toEqual(present);
 });
 
-it('is kept for links of all versions by migrations', async () => {
+it('is preserved for links of all versions by migrations', async () => {
   for (const version of read().versions) {
     const { notices } = await decode(`#v=${version}&preset=lamp`);
     expect(notices, `of version ${version}`).toEqual([]);

@@ -5,15 +5,15 @@ import type { LabPicture } from '../visual/lab.ts';
 const [SIZE, REACH, INK, SKY, RED] = [40, 4, 0xff201710, 0xffd08040, 0xff2020c0];
 const strip = { width: 2, ink: INK };
 
-describe('what changes from picture to picture', () => {
-  test('counts an area that comes at once', () => {
+describe('the difference of two pictures', () => {
+  test('counts an area that appears at once', () => {
     expect(suddenChange(picture(), picture(rectangle(6, 5, RED)), { reach: REACH, strip })).toEqual({
       all: 30,
       largest: 30,
     });
   });
 
-  test('does not count what may have moved here', () => {
+  test('does not count an area that can have moved there', () => {
     expect(
       suddenChange(picture(rectangle(6, 5, RED, 12)), picture(rectangle(6, 5, RED, 15)), { reach: REACH }),
     ).toEqual({
@@ -22,23 +22,23 @@ describe('what changes from picture to picture', () => {
     });
   });
 
-  test('lets a moving edge uncover a strip as wide as it moves, and no wider', () => {
+  test('allows a moving edge to uncover a strip as wide as its motion, and no wider', () => {
     const after = (width: number) => picture(rectangle(width, 20, RED));
     expect(suddenChange(picture(), after(2), { reach: REACH, strip }).largest).toBe(0);
     expect(suddenChange(picture(), after(3), { reach: REACH, strip }).largest).toBe(60);
     expect(suddenChange(picture(), after(2), { reach: REACH }).largest).toBe(40);
   });
 
-  test('lets no line of ink come at once, however thin', () => {
+  test('counts a line of ink that appears at once, however thin', () => {
     expect(suddenChange(picture(), picture(rectangle(1, 20, INK)), { reach: REACH, strip }).largest).toBe(20);
   });
 
-  test('leaves out what is no matter of it', () => {
+  test('ignores excluded areas', () => {
     const besides = new Set(Array.from({ length: 12 * SIZE }, (_, pixel) => pixel));
     expect(suddenChange(picture(), picture(rectangle(6, 5, RED)), { reach: REACH, besides }).all).toBe(18);
   });
 
-  test('lets a line go over into the colour of its smoke where it pales, and nothing else come there', () => {
+  test('allows a fading line to turn into the colour of its smoke, and into nothing else', () => {
     const where = new Uint8Array(SIZE * SIZE).fill(1, 0, 20 * SIZE);
     const change = (color: number) =>
       suddenChange(picture(), picture(rectangle(1, 20, color)), { reach: REACH, strip, paling: { where, ink: INK } });

@@ -10,28 +10,28 @@ function chosen(count: number, sources: readonly { left: number; top: number; wi
   return nearest(BOXES, count, FRAME, sources).map((box) => BOXES.indexOf(box));
 }
 
-test('where there is room for all, all count, in their order', () => {
+test('all elements apply if there is room, in their order', () => {
   expect(chosen(12)).toEqual(BOXES.map((_, index) => index));
   expect(nearest([], 8, FRAME, [])).toEqual([]);
 });
 
-test('those in the picture come first, then those nearest to it', () => {
+test('elements in the picture come first, then the nearest ones', () => {
   const [first, ...others] = BOXES;
   expect(chosen(6)).toEqual([0, 1, 2, 3, 4, 5]);
   expect(nearest([...others.toReversed(), first], 2, FRAME, [])).toEqual([BOXES[3], BOXES[2]]);
 });
 
-test('of those in the picture the ones nearest to any place that smoke rises from, in their order', () => {
+test('of the elements in the picture, those nearest to an emitter apply, in their order', () => {
   const fire = { left: 150, top: 380, width: 20, height: 10 };
   expect(chosen(2, [fire])).toEqual([2, 3]);
   expect(chosen(2, [fire, { ...fire, top: 0 }])).toEqual([0, 3]);
 });
 
-test('nobody is drawn out of the picture by a fire that burns out there', () => {
+test('an emitter outside the picture selects no element there', () => {
   expect(chosen(4, [{ left: 0, top: 1_000, width: 10, height: 10 }])).toEqual([0, 1, 2, 3]);
 });
 
-test('beside counts as far as above', () => {
+test('horizontal and vertical distances count equally', () => {
   const [left, right] = [0, 500].map((x) => ({ left: x, top: 200, width: 50, height: 50 }));
   expect(nearest([left, right], 1, FRAME, [{ left: 420, top: 210, width: 10, height: 10 }])).toEqual([right]);
 });

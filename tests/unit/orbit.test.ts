@@ -42,8 +42,8 @@ const anyAct: fc.Arbitrary<Act> = fc.oneof(
   ),
 );
 
-describe('an eye that people move', () => {
-  it('holds values that the table takes, and a link brings back the very same view', async () => {
+describe('a camera that the user moves', () => {
+  it('has values that the table accepts, and a link restores exactly the same view', async () => {
     await fc.assert(
       fc.asyncProperty(fc.array(anyAct, { minLength: 1, maxLength: 12 }), async (acts) => {
         const eye = new OrbitCamera(STILL);
@@ -60,14 +60,14 @@ describe('an eye that people move', () => {
     );
   });
 
-  it('goes where it is turned, by a hundredth of a degree at most beside it', () => {
+  it('follows a rotation to within a hundredth of a degree', () => {
     const eye = new OrbitCamera(STILL);
     eye.orbit(0.1, -0.05);
     expect(eye.azimuth).toBeCloseTo(0.3, 3);
     expect(eye.held).toEqual({ 'camera.azimuth': 17.19, 'camera.elevation': 14.32 });
   });
 
-  it('stays within the ranges of the table, and goes all the way round', () => {
+  it('stays within the ranges of the table, and orbits without a limit', () => {
     const eye = new OrbitCamera(STILL);
     eye.orbit(Math.PI, 9);
     eye.zoom(1000);
@@ -79,8 +79,8 @@ describe('an eye that people move', () => {
   });
 });
 
-describe('what nobody holds', () => {
-  it('follows the scene and its move, each part by itself', () => {
+describe('a camera that the user has not moved', () => {
+  it('follows the scene and its animation, each part separately', () => {
     const eye = new OrbitCamera(MOVING);
     eye.follow(2);
     expect(eye.azimuth).toBeCloseTo(0.4, 12);
@@ -91,7 +91,7 @@ describe('what nobody holds', () => {
     expect(eye.wanted).toMatchObject({ 'camera.azimuth': 34.38, 'camera.target.y': 5, 'camera.distance': 6 });
   });
 
-  it('is as if nobody had touched it once it is given back', () => {
+  it('follows the scene again after a reset', () => {
     const eye = new OrbitCamera(MOVING);
     const untouched = new OrbitCamera(MOVING);
     eye.orbit(1, 1);
@@ -103,7 +103,7 @@ describe('what nobody holds', () => {
     expect(seen(eye)).toEqual(seen(untouched));
   });
 
-  it('is composed anew for a picture higher than wide', () => {
+  it('is composed differently for a portrait picture', () => {
     const eye = new OrbitCamera({ ...STILL, portrait: { distance: 9 } }, { 'camera.azimuth': 90 });
     eye.setSize(0.5, 1);
     expect([eye.distance, eye.azimuth]).toEqual([9, Math.PI / 2]);

@@ -28,7 +28,7 @@ function said(code: string): Record<string, string[]>[] {
   );
 }
 
-it('finds every place where a class says a private name of itself, and no other', () => {
+it('finds every use of a private name inside its class, and no other', () => {
   const code = `class Clock {
     private time = 0;
     readonly step = 1;
@@ -38,7 +38,7 @@ it('finds every place where a class says a private name of itself, and no other'
   expect(said(code)).toEqual([{ time: ['time', 'time', 'time', 'time'], late: ['late', 'late'] }]);
 });
 
-it('leaves a name that is said of something else, whose this is another, or whose class could have its short name', () => {
+it('ignores names of other objects, of another this, and of classes that could have the short name', () => {
   expect(said('class A { private at = 1; isLike(other: A) { return this.at === other.at; } }')).toEqual([{}]);
   const foreign = 'class A { private at = 1; make() { return { at: 2, get() { return this.at; } }; } }';
   expect(said(foreign)).toEqual([{ at: ['at'] }]);
@@ -46,13 +46,13 @@ it('leaves a name that is said of something else, whose this is another, or whos
   expect(said('class Point { x = 0; private yaw = 1; }')).toEqual([{}]);
 });
 
-it('shortens what shaders declare for themselves, the most frequent first', () => {
+it('shortens names declared in shaders, the most frequent first', () => {
   const text = 'float widthOf(float radius) { return 2.0 * radius; }\nvoid main() { pixel = widthOf(near); }';
   const names = shortNames([{ file: 'some.frag', text: `uniform float near;\nout vec4 pixel;\n${text}` }]);
   expect(Object.fromEntries(names)).toEqual({ pixel: 'e', radius: 't', widthOf: 'n' });
 });
 
-it('keeps what TypeScript, GLSL, a struct or a macro knows, and takes no name that is taken', () => {
+it('keeps names used by TypeScript, GLSL, structs and macros, and avoids collisions', () => {
   const vertex =
     'in vec2 corner;\nuniform highp sampler2D depths;\nout float shared1;\nvoid main() { float distance = 1.0; shared1 = distance; }';
   const fragment =

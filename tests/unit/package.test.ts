@@ -28,7 +28,7 @@ beforeAll(async () => {
   archive = join(ROOT, script.ARCHIVE);
 }, 300_000);
 
-it('lies beside the folder as one tarball, too, which git ignores', () => {
+it('is also written as one tarball next to the folder, which git ignores', () => {
   const { version: ofPackage } = JSON.parse(readFileSync(join(FOLDER, 'package.json'), 'utf8')) as { version: string };
   expect(archive).toBe(join(ROOT, `cartoon-smoke-${ofPackage}.tgz`));
   const listed = execFileSync('tar', ['-tzf', archive], { encoding: 'utf8' }).trim().split('\n');
@@ -38,12 +38,12 @@ it('lies beside the folder as one tarball, too, which git ignores', () => {
   expect(execFileSync('git', ['check-ignore', archive], { cwd: ROOT, encoding: 'utf8' }).trim()).toBe(archive);
 });
 
-it('has exports and files as npm and bundlers want them', async () => {
+it('has valid exports and files for npm and bundlers', async () => {
   const { messages } = await publint({ pkgDir: FOLDER, pack: 'npm' });
   expect(messages).toEqual([]);
 }, 60_000);
 
-it('links to the repository of package.json, its page and its issues', () => {
+it('links to the repository of package.json, its homepage and its issues', () => {
   const manifestIn = (folder: string) =>
     JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as Record<string, unknown>;
   const [host, path] = (manifestIn(ROOT).repository as string).split(':');
@@ -61,14 +61,14 @@ it('has types for each way of resolving modules', () => {
   expect(check).not.toThrow();
 }, 120_000);
 
-it.each(['index', 'element', 'preset'])('can import %s where there is no page', (name) => {
+it.each(['index', 'element', 'preset'])('can import %s without a DOM', (name) => {
   const address = pathToFileURL(join(FOLDER, `dist/${name}.js`)).href;
   const program = `import(${JSON.stringify(address)}).then((module) => console.log(Object.keys(module).length))`;
   const said = execFileSync(process.execPath, ['--eval', program], { cwd: ROOT, encoding: 'utf8' });
   expect(Number(said)).toBeGreaterThan(0);
 });
 
-it('has a source map for each module, and no words of the table in what widgets fetch', () => {
+it('has a source map for each module, and no labels of the table in the code of widgets', () => {
   const files = readdirSync(join(FOLDER, 'dist'));
   // Code that the bundler adds has no sources.
   const modules = files.filter((file) => file.endsWith('.js') && file !== 'rolldown-runtime.js');
@@ -78,7 +78,7 @@ it('has a source map for each module, and no words of the table in what widgets 
   expect(wordy).toEqual(['preset.js']);
 });
 
-it('knows none of the faults that can be provoked in sources', () => {
+it('contains no fault injection', () => {
   const faults = [...readFileSync(join(ROOT, 'src/device/faults.ts'), 'utf8').matchAll(/^ \* - `(\w+)`/gm)];
   expect(faults).toHaveLength(3);
   const dist = join(FOLDER, 'dist');
@@ -87,7 +87,7 @@ it('knows none of the faults that can be provoked in sources', () => {
   expect(built.filter((file) => faults.some(([, name]) => knows(file, name)))).toEqual([]);
 });
 
-it('says the same of ranges and defaults without words', async () => {
+it('has the same ranges and defaults without labels and texts', async () => {
   const script = pathToFileURL(join(ROOT, 'scripts/package/withoutWords.mjs')).href;
   const { withoutWords } = (await import(script)) as { withoutWords(): Plugin };
   const build = await rolldown({ input: join(ROOT, 'src/preset/table.ts'), plugins: [withoutWords()] });
@@ -106,14 +106,14 @@ it('says the same of ranges and defaults without words', async () => {
   }
 });
 
-it('says whose work is bundled and linked into the simulator, under which licences', () => {
+it('lists the bundled packages and linked crates with their licences', () => {
   const text = readFileSync(join(FOLDER, 'dist/third-party-licenses.txt'), 'utf8');
   for (const name of ['three', 'rapier3d', 'glam', 'wasm-bindgen']) {
     expect(text).toMatch(new RegExp(`^${name} \\d+\\.\\d+\\.\\d+ \\([^\n]+\\)\nhttps://`, 'm'));
   }
 });
 
-it('has an element that says the version of the package', () => {
+it('has an element with the version of the package', () => {
   const { version: ofPackage } = JSON.parse(readFileSync(join(FOLDER, 'package.json'), 'utf8')) as { version: string };
   expect(CartoonSmokeElement.version).toBe(ofPackage);
 });

@@ -34,7 +34,7 @@ function planeOf({ right, up }: { right: Vector3; up: Vector3 }): ScenePlane {
   return { middle: tuple(MIDDLE), right: pixel(right), up: pixel(up) };
 }
 
-test.each(EYES)('an obstacle is as wide and high as its box, from %f and %f', (azimuth, elevation) => {
+test.each(EYES)('an obstacle has the width and the height of its box, from %f and %f', (azimuth, elevation) => {
   const axes = axesOf(azimuth, elevation);
   const values = colliderValues([PLACE], planeOf(axes)) as Record<string, number>;
   const read = (name: string) => new Vector3(...['x', 'y', 'z'].map((axis) => values[`colliders.0.${name}.${axis}`]));
@@ -61,7 +61,7 @@ test.each(EYES)('an obstacle is as wide and high as its box, from %f and %f', (a
   }
 });
 
-test.each(EYES)('smoke is born along the whole width of its element, from %f and %f', (azimuth, elevation) => {
+test.each(EYES)('smoke starts along the whole width of its element, from %f and %f', (azimuth, elevation) => {
   const axes = axesOf(azimuth, elevation);
   const values = emitterValues([{ place: PLACE, isOn: true }], planeOf(axes), 10) as Record<string, number>;
   const [x, z] = ['x', 'z'].map((axis) => values[`emitters.0.extent.${axis}`]);

@@ -22,18 +22,18 @@ describe('rampOf', () => {
     expect(CREAM).toEqual([246, 239, 226]);
   });
 
-  it.each([1, 2, 3] as const)('shows %i tones in the light', (tones) => {
+  it.each([1, 2, 3] as const)('has %i tones in the light', (tones) => {
     const { lit } = rampOf(CREAM, { tones, shading: true });
     expect(new Set(lit.map(({ color }) => color.join())).size).toBe(tones);
     expect(lit.at(-1)?.color).toEqual(CREAM);
   });
 
-  it.each([2, 3] as const)('is the same in light and in shadow where the surface looks away: %i tones', (tones) => {
+  it.each([2, 3] as const)('is the same in light and in shadow where the surface faces away: %i tones', (tones) => {
     const { lit, unlit } = rampOf(CREAM, { tones, shading: true });
     expect(colorAt(lit, 0)).toEqual(colorAt(unlit, 0));
   });
 
-  it('has no lighter tone below the border that the volumes count on', () => {
+  it('has no lighter tone below the threshold that the volumes assume', () => {
     for (const tones of [2, 3] as const) {
       const { lit } = rampOf(CREAM, { tones, shading: true });
       for (const tone of lit.slice(1)) expect(tone.from).toBeGreaterThanOrEqual(FIRST_BORDER);
@@ -49,7 +49,7 @@ describe('rampOf', () => {
 
 const STOPS = parseStops('0:333344,.125:aa7090,.5:ffeedd');
 
-describe('ramps of chosen stops', () => {
+describe('custom ramps', () => {
   const toning = { tones: 2, shading: true, stops: STOPS } as const;
   const white = parseColor('#ffffff');
 
@@ -70,7 +70,7 @@ describe('ramps of chosen stops', () => {
     expect(rampOf(parseColor('#ff0080'), toning).lit[2].color).toEqual([255, 0, 111]);
   });
 
-  it('tell where they leave shadow', () => {
+  it('report where they leave shadow', () => {
     expect(litThresholdOf(toning)).toBe(0.125);
     expect(litThresholdOf({ ...toning, isBlended: true })).toBe(0);
     expect(litThresholdOf({ ...toning, shading: false })).toBe(-1);
@@ -78,7 +78,7 @@ describe('ramps of chosen stops', () => {
     expect(litThresholdOf({ tones: 1, shading: true })).toBe(-1);
   });
 
-  it('run into each other when blended, and begin with the shadow', () => {
+  it('are blended on request, starting at the shadow', () => {
     const ramp = rampOf(white, { ...toning, isBlended: true });
     expect(blendedAt(ramp.lit, 0)).toEqual(STOPS[0].color);
     expect(blendedAt(ramp.lit, 0.0625)).toEqual([111, 82, 106]);
@@ -87,7 +87,7 @@ describe('ramps of chosen stops', () => {
 });
 
 describe('fill', () => {
-  it('is a tone between shadow and light, in the place of the first tone alone', () => {
+  it('is a tone between shadow and light, and replaces the first tone only', () => {
     const ramp = rampOf(CREAM, { tones: 3, shading: true, fill: 0.25 });
     const [shadow, light] = [ramp.unlit[0].color, CREAM];
     ramp.filled!.forEach((channel, index) => {
@@ -111,7 +111,7 @@ describe('fill', () => {
 });
 
 describe('surfaceToning', () => {
-  it('keeps the side of a surface that looks away as dark as its shadow, however flat the smoke', () => {
+  it('keeps the far side of a surface as dark as its shadow for any smoke style', () => {
     for (const tones of [1, 2, 3] as const) {
       for (const shading of [true, false]) {
         const { lit, unlit } = rampOf(CREAM, surfaceToning({ tones, shading }));
@@ -127,7 +127,7 @@ describe('the shadow of surfaces', () => {
   const GREEN = parseStops('0:2f5a34,.3:9fc48a,.6:ffffff');
   const lightness = ([red, green, blue]: readonly number[]) => 0.3 * red + 0.59 * green + 0.11 * blue;
 
-  it('is violet where no ramp is chosen', () => {
+  it('is violet without a custom ramp', () => {
     const { lit, unlit } = rampOf(WHITE, surfaceToning({ tones, shading, stops: [] }));
     expect(unlit[0].color).toEqual([150, 140, 196]);
     expect(lit.map(({ color }) => color)).toEqual([
@@ -137,7 +137,7 @@ describe('the shadow of surfaces', () => {
     ]);
   });
 
-  it('has the hue of the first colour of a chosen ramp, and is as light and no stronger than the violet', () => {
+  it('has the hue of the first colour of a custom ramp, as light as the violet and no more saturated', () => {
     // The dark green minus its lightness is (-26, 17, -21); the channels of the violet span 56, those of the green 43.
     expect(surfaceShadowOf({ tones, shading, stops: GREEN })).toEqual([115, 171, 122]);
     for (const dark of ['000000', 'ffffff', '140030', 'ff0000', '808080']) {
@@ -147,7 +147,7 @@ describe('the shadow of surfaces', () => {
     }
   });
 
-  it('has the hue in its middle tone as well, between shadow and light', () => {
+  it('has the hue in its middle tone, too', () => {
     const [shadow, middle, light] = rampOf(WHITE, surfaceToning({ tones, shading, stops: GREEN })).lit;
     middle.color.forEach((channel, index) => {
       expect(channel).toBeGreaterThan(shadow.color[index]);
@@ -157,13 +157,13 @@ describe('the shadow of surfaces', () => {
     expect(middle.color[1]).toBeGreaterThan(middle.color[2]);
   });
 
-  it('is what is set, whatever ramp is chosen and however things are washed', () => {
+  it('is the colour that is set, for any ramp and any wash', () => {
     const wash = { share: 1, color: [200, 100, 50] } as const;
     const surfaceShadowColor = parseColor('#203040');
     expect(surfaceShadowOf({ tones, shading, stops: GREEN, wash, surfaceShadowColor })).toEqual(surfaceShadowColor);
   });
 
-  it('is read from values, and told as a value where it is not set', () => {
+  it('is read from values, and has a default value if it is not set', () => {
     const values = presetValues(defaultPreset);
     expect(styleOf(values).surfaceShadowColor).toBeUndefined();
     expect(automaticColors(values)).toEqual({ 'style.surfaceShadowColor': '#968cc4' });
@@ -174,7 +174,7 @@ describe('the shadow of surfaces', () => {
 });
 
 describe('RampTexture', () => {
-  it('turns at one half exactly, between two texels', () => {
+  it('changes exactly at one half, between two texels', () => {
     const ramps = new RampTexture(2);
     ramps.write(1, rampOf(CREAM, { tones: 2, shading: true }));
     const data = ramps.texture.image.data as Uint8Array;
@@ -190,19 +190,19 @@ describe('RampTexture', () => {
 describe('washed', () => {
   const wash = { share: 1, color: [200, 100, 50] } as const;
 
-  it('leaves colours alone without a wash, or with none of it', () => {
+  it('does not change colours without a wash', () => {
     expect(washed(CREAM)).toEqual(CREAM);
     expect(washed(CREAM, { ...wash, share: 0 })).toEqual(CREAM);
   });
 
-  it('makes shades of one colour, as light as the colours were', () => {
+  it('makes shades of one colour with the lightness of the original colours', () => {
     expect(washed([255, 255, 255], wash)).toEqual([200, 100, 50]);
     const [dark, light] = [washed([60, 20, 20], wash), washed([90, 220, 120], wash)];
     for (const shade of [dark, light]) expect(shade[0] / shade[1]).toBeCloseTo(2, 1);
     expect(light[0]).toBeGreaterThan(dark[0] + 60);
   });
 
-  it('takes the hue from the shadows of surfaces, too', () => {
+  it('applies to surface shadows, too', () => {
     const toning = surfaceToning({ tones: 3, shading: true, wash });
     const { lit } = rampOf([255, 255, 255], toning);
     expect(lit).toHaveLength(3);

@@ -76,7 +76,7 @@ describe('an emitter at the tip of', () => {
   });
 });
 
-it('gives the simulator the very numbers of the scene, at the start and at the end of the step', async () => {
+it('passes the exact numbers of the scene to the simulator, at the start and at the end of the step', async () => {
   const values = presetValues(findPreset('airplane')!);
   const simulation = new Simulation(await loadVariant('physics'), plane, values, 0);
   simulation.advance(7);
@@ -120,7 +120,7 @@ describe('a vortex, an emitter and a shedder on the propeller', () => {
     return simulation.simulator.hash();
   }
 
-  it('come to the same hash by seeking, from states and without, and by their take', async () => {
+  it('reach the same hash by seeking, with and without saved states, and by their take', async () => {
     const factory = await loadVariant('physics');
     const begin = (riders: Values, historyBytes: number) =>
       new Simulation(factory, airplane(), { ...VALUES, ...riders }, historyBytes);
@@ -155,7 +155,7 @@ describe('a vortex, an emitter and a shedder on the propeller', () => {
     bare.dispose();
   });
 
-  it('leave a helix that goes with the wind', async () => {
+  it('leave a helix that drifts with the wind', async () => {
     const rig = { ...NOZZLE, 'winds.0.velocity.x': -AIRSPEED };
     const scene = { ...WHEELS[0].scene, rig };
     const simulation = new Simulation(await loadVariant('physics'), scene, { ...VALUES, ...STILL }, 0);
@@ -171,7 +171,7 @@ describe('a vortex, an emitter and a shedder on the propeller', () => {
     simulation.dispose();
   });
 
-  it('stand in a link, and numbers behind the last part do not', async () => {
+  it('are stored in a link, and numbers beyond the last part are not', async () => {
     const state = { preset: 'airplane', values: { ...presetValues(findPreset('airplane')!), ...RIDERS } };
     const link = await encode(state);
     expect(link).toContain('vortices.0.rigid=4096');

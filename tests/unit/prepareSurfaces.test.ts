@@ -13,13 +13,13 @@ const SURFACES: readonly SurfaceDescription[] = [
   { name: 'plain', mesh: PLAIN, color, casts: true, inked: false },
 ];
 
-test('a piece of the work is of one mesh or of one pair that meets', () => {
+test('each piece of work processes one mesh or one intersecting pair', () => {
   const pieces = [...preparingSurfaces(SURFACES)];
   const [hulls, volumes, creases, seams] = [3, 3, 2, 1];
   expect(pieces).toHaveLength(hulls + volumes + creases + seams);
 });
 
-test('what was prepared is not made again', () => {
+test('prepared data is not computed again', () => {
   expect([...preparingSurfaces(SURFACES)]).not.toHaveLength(0);
   const meshes = [BOX, FLOOR].map((mesh) => structuredClone(mesh.positions));
   // The cached surfaces are independent of later changes of the mesh.

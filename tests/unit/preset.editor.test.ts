@@ -60,21 +60,21 @@ function editing() {
 }
 
 describe('Editor', () => {
-  it('tells what changed, and nothing when nothing did', () => {
+  it('reports changes, and nothing without a change', () => {
     const { editor, notified } = editing();
     editor.change(RATE, 200);
     editor.change(RATE, 200);
     expect(notified).toEqual([{ [RATE]: 200 }]);
   });
 
-  it('tells of an optional value that was taken away, as undefined', () => {
+  it('reports a removed optional value as undefined', () => {
     const { editor, notified } = editing();
     editor.change('camera.distance', 5);
     editor.changeAll({ 'camera.distance': undefined });
     expect(notified).toEqual([{ 'camera.distance': 5 }, { 'camera.distance': undefined }]);
   });
 
-  it('compares what is set, not all rows of the table', () => {
+  it('compares only values that are set', () => {
     const { editor, stage, notified } = editing();
     let reads = 0;
     const values: Values = { ...editor.state.values, [RATE]: 200 };
@@ -118,7 +118,7 @@ describe('Editor', () => {
     expect(rate()).toBe(before);
   });
 
-  it('forgets a gesture that came back to where it began', () => {
+  it('forgets a gesture that ends at its start', () => {
     const { editor, rate } = editing();
     const before = rate() as number;
     for (const value of [200, before]) editor.change(RATE, value, RATE);
@@ -126,7 +126,7 @@ describe('Editor', () => {
     expect(editor.canUndo).toBe(false);
   });
 
-  it('drops what could be redone when something new is done', () => {
+  it('drops the redo stack on a new change', () => {
     const { editor } = editing();
     editor.change(RATE, 200);
     editor.undo();
@@ -227,7 +227,7 @@ describe('slider', () => {
     }
   });
 
-  it('gives only values that the table takes, and short ones', () => {
+  it('gives only short values that the table accepts', () => {
     const place = fc.integer({ min: -PLACES, max: PLACES });
     fc.assert(
       fc.property(fc.constantFrom(...numbers), place, (row, at) => {

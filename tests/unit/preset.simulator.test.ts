@@ -50,7 +50,7 @@ describe('the simulator', () => {
     simulator.dispose();
   });
 
-  it('takes both ends and the default of every parameter that it reads, and every particle has a place', () => {
+  it('accepts both ends and the default of every parameter that it reads, with finite positions', () => {
     for (const row of rows) {
       for (const value of [row.min, row.default, row.max]) {
         const simulator = smoking({ [row.key]: value });
@@ -63,7 +63,7 @@ describe('the simulator', () => {
     }
   });
 
-  it('takes a vortex whose axis is zero, which a link can ask for', () => {
+  it('accepts a vortex with an axis of zero, which a link can contain', () => {
     const axis = { 'vortices.0.axis.x': 0, 'vortices.0.axis.y': 0, 'vortices.0.axis.z': 0 };
     const simulator = smoking({ 'vortices.0.circulation': 2, ...axis });
     const { count, place } = simulator.arrange(EVERYTHING).rows;
@@ -72,7 +72,7 @@ describe('the simulator', () => {
     simulator.dispose();
   });
 
-  it('shows something else for every parameter that it reads', () => {
+  it('changes the rows for every parameter that it reads', () => {
     // A diagonal axis, so that a shift in any direction has an effect.
     const axis = { 'vortices.0.axis.x': 0.5, 'vortices.0.axis.y': 0.5 };
     const wind = { 'forces.wind.x': 0.5, 'wind.gusts': 0.5, 'wind.shear': 0.1 };
@@ -92,7 +92,7 @@ describe('the simulator', () => {
     }
   });
 
-  it('shows something else for an item of each list of forces as it starts', () => {
+  it('changes the rows for a newly added item of each list of forces', () => {
     const shown = (values: Record<string, number>) => {
       const simulator = smoking({ 'gravity.acceleration': 1, ...values });
       // Long enough for cycles of two seconds.
@@ -107,7 +107,7 @@ describe('the simulator', () => {
     }
   });
 
-  it('knows every item of every list, and no further one', () => {
+  it('has every item of every list, and no further one', () => {
     const simulator = factory.create({ capacity: 4, seed: 1 });
     const values = table.filter(({ reader }) => reader === 'simulator').map((row) => [row.key, row.default]);
     expect(() => simulator.set(simulatorValues(Object.fromEntries(values)))).not.toThrow();
@@ -116,7 +116,7 @@ describe('the simulator', () => {
     simulator.dispose();
   });
 
-  it('takes every preset', () => {
+  it('accepts every preset', () => {
     for (const preset of presets) {
       const values = presetValues(preset);
       expect(() => smoking(simulatorValues(values)).dispose(), preset.name).not.toThrow();

@@ -36,12 +36,12 @@ const PROMISED = [
   'light.elevation',
 ];
 
-describe('presets that are fetched by themselves', () => {
-  it.each(presets.map(({ name }) => name))('%s is the one that stands among all', async (name) => {
+describe('presets that are loaded separately', () => {
+  it.each(presets.map(({ name }) => name))('%s loaded separately equals the one in the list', async (name) => {
     expect(await fetchPreset(name)).toBe(findPreset(name));
   });
 
-  it('are none for any other name, and the first is shown instead', async () => {
+  it('do not exist for an unknown name, which shows the first one', async () => {
     for (const name of ['', 'nobody', 'wisp-nobody', 'constructor', '__proto__']) {
       expect(await fetchPreset(name)).toBeUndefined();
     }
@@ -50,14 +50,14 @@ describe('presets that are fetched by themselves', () => {
 });
 
 describe('table', () => {
-  it('has every promised key, each key once, and a group for each', () => {
+  it('has every documented key once, each with a group', () => {
     const keys = table.map(({ key }) => key);
     expect(keys).toEqual(expect.arrayContaining(PROMISED));
     expect(new Set(keys).size).toBe(keys.length);
     for (const row of table) expect([...groups, ...itemGroups].map(({ key }) => key)).toContain(row.group);
   });
 
-  it('has a default that each row accepts and that a slider of its step can reach', () => {
+  it('has valid defaults that sliders can reach', () => {
     for (const row of table) {
       expect(isAccepted(row, row.default), row.key).toBe(true);
       if (row.kind === 'number' || row.kind === 'integer')
@@ -65,24 +65,24 @@ describe('table', () => {
     }
   });
 
-  it('says something of every row, in one sentence', () => {
+  it('has one sentence for every row', () => {
     for (const { key, label, text } of table) {
       expect(label, key).not.toBe('');
       expect(text, key).toMatch(/^[A-Z].*\.$/);
     }
   });
 
-  it('has keys that need no escaping in a link', () => {
+  it('has keys that need no escaping in links', () => {
     for (const { key } of table) expect(encodeURIComponent(key)).toBe(key);
   });
 
-  it('finds nothing by keys of the prototype', () => {
+  it('finds nothing by keys of the object prototype', () => {
     for (const key of ['__proto__', 'constructor', '']) expect(findParameter(key)).toBeUndefined();
   });
 });
 
 describe('presets', () => {
-  it('have their own names and only values that the table takes, within the limits for links', () => {
+  it('have unique names and valid values within the limits for links', () => {
     expect(new Set(presets.map(({ name }) => name)).size).toBe(presets.length);
     for (const preset of presets) {
       expect(() => validate(preset.values)).not.toThrow();
@@ -92,7 +92,7 @@ describe('presets', () => {
     expect(defaultPreset.name).toBe('lamp');
   });
 
-  it('fit their smoke into the simulator', async () => {
+  it('fit into the capacity of the simulator', async () => {
     for (const preset of presets) {
       const values = presetValues(preset) as Record<string, number>;
       const { rule } = await sceneNamed(values.scene as unknown as string).load();
@@ -105,7 +105,7 @@ describe('presets', () => {
 });
 
 describe('validate', () => {
-  it('takes both ends of every range and nothing beyond', () => {
+  it('accepts both ends of every range and nothing beyond', () => {
     for (const row of table) {
       if (row.kind !== 'number' && row.kind !== 'integer') continue;
       for (const value of [row.min, row.max]) expect(() => validate({ [row.key]: value })).not.toThrow();
@@ -115,7 +115,7 @@ describe('validate', () => {
     }
   });
 
-  it('names the parameter, the value and what it takes', () => {
+  it('names the parameter, the value and the accepted values', () => {
     expect(() => validate({ 'emission.rate': -1 })).toThrow(
       'emission.rate cannot be -1: it takes a number from 0 to 20000 particles/s.',
     );
@@ -126,7 +126,7 @@ describe('validate', () => {
     );
   });
 
-  it('refuses what only looks right', () => {
+  it('rejects values that only look valid', () => {
     const wrong: [string, unknown][] = [
       ['emission.rate', '240'],
       ['seed', 1.5],
@@ -150,7 +150,7 @@ describe('validate', () => {
 });
 
 describe('readEnvironment', () => {
-  it('has quiet defaults', () => {
+  it('has defaults without notices', () => {
     expect(readEnvironment('')).toEqual({
       paused: false,
       time: undefined,
@@ -167,7 +167,7 @@ describe('readEnvironment', () => {
     expect([paused, time, hasInterface, hasStatistics]).toEqual([true, 2.5, false, true]);
   });
 
-  it('clamps the time and says so', () => {
+  it('clamps the time, with a notice', () => {
     for (const [text, time] of [
       ['601', 600],
       ['1' + '0'.repeat(400), 600],
@@ -179,7 +179,7 @@ describe('readEnvironment', () => {
     }
   });
 
-  it('reads a view, or says which there are', () => {
+  it('reads a view, or lists the valid ones', () => {
     expect(readEnvironment('?view=depth')).toMatchObject({ view: 'depth', notices: [] });
     const { view, notices } = readEnvironment('?view=constructor');
     expect(view).toBeUndefined();
@@ -200,7 +200,7 @@ describe('readEnvironment', () => {
     }
   });
 
-  it('ignores a time that is none and says so', () => {
+  it('ignores an invalid time, with a notice', () => {
     for (const text of ['', 'soon', 'NaN', 'Infinity', '1e2', '.']) {
       const read = readEnvironment(`?t=${text}`);
       expect(read.time).toBeUndefined();

@@ -19,7 +19,7 @@ function bruteSquaredDistance(coverage: Uint8Array, value: 0 | 1, size: number, 
   return least;
 }
 
-test.each([0.5, 0.05, 0.005])('is exact on a random grid with a share of %f covered', (share) => {
+test.each([0.5, 0.05, 0.005])('is exact on a random grid with a fraction of %f covered', (share) => {
   const size = 37;
   let state = 12345;
   const next = (): number => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0) / 2 ** 32;
@@ -58,7 +58,7 @@ test('has no nearest cell of an empty set', () => {
   ).toBe(true);
 });
 
-test('the signed distance to a disc is right within 0.71 cells, and negative inside', () => {
+test('the signed distance to a disc is exact within 0.71 cells, and negative inside', () => {
   const [size, radius, middle] = [200, 61.3, 99.7];
   const fromMiddle = (x: number, y: number): number => Math.hypot(x - middle, y - middle);
   const signed = signedDistance(

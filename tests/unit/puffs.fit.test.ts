@@ -14,7 +14,7 @@ import { box } from '../visual/solids.ts';
 const BALL: Lobe = { center: [0, 0, 0], radius: 1 };
 const ball = puffMesh([BALL]);
 
-test('voxels are those whose centres a ball holds, and know how deep they lie', () => {
+test('voxels have their centres in a ball, and store their depth', () => {
   const voxels = voxelsOf(closedMesh(ball), 32);
   const depths = depthsOf(voxels);
   let wrong = 0;
@@ -30,7 +30,7 @@ test('voxels are those whose centres a ball holds, and know how deep they lie', 
   expect(wrong).toBe(0);
 });
 
-test('what overlapping closed parts hold together is inside, whichever way they are wound', () => {
+test('the union of overlapping closed parts is inside, for either winding', () => {
   const parts = puffMesh([
     { center: [-0.4, 0, 0], radius: 0.5 },
     { center: [0.3, 0.1, 0], radius: 0.6 },
@@ -47,7 +47,7 @@ test('what overlapping closed parts hold together is inside, whichever way they 
   expect(new BallCover(voxels, balls).overlap).toBeGreaterThan(0.97);
 });
 
-test('a ball needs one lobe, wherever it stands and however large it is', async () => {
+test('a ball needs one lobe at any position and size', async () => {
   const { shape, overlap } = await fitPuff(ball);
   expect(shape.lobes).toHaveLength(1);
   expect(shape.lobes[0].radius).toBeCloseTo(1, 2);
@@ -57,7 +57,7 @@ test('a ball needs one lobe, wherever it stands and however large it is', async 
   expect(other.shape.lobes[0].radius).toBeCloseTo(shape.lobes[0].radius, 2);
 });
 
-test('a puff that is made of lobes is found again for the most part; fewer lobes find less', async () => {
+test('a puff of lobes is mostly recovered; fewer lobes recover less', async () => {
   const mesh = puffMesh(LOBE_SHAPES[1].lobes);
   const [whole, rough] = [await fitPuff(mesh, { name: 'again' }), await fitPuff(mesh, { lobes: 3 })];
   console.log(`overlap with 12 lobes ${whole.overlap.toFixed(3)}, with 3 ${rough.overlap.toFixed(3)}`);
@@ -69,7 +69,7 @@ test('a puff that is made of lobes is found again for the most part; fewer lobes
   expect(() => demandShapes([whole.shape, rough.shape])).not.toThrow();
 });
 
-test('a box with a corner for each normal is closed, and becomes a puff', async () => {
+test('a box with separate vertices for each normal is closed, and becomes a puff', async () => {
   const { overlap } = await fitPuff(box([3, 4, 5], [1, 1, 1]));
   expect(overlap).toBeGreaterThan(0.75);
 });
@@ -93,24 +93,24 @@ const cases: readonly (readonly [string, PlainMesh, RegExp])[] = [
   ['too large', { positions: ball.positions, indices: new Uint32Array(3 * MAX_TRIANGLES + 3) }, /250001 triangles/],
 ];
 
-test.each(cases)('a mesh that is %s is refused in words', async (_, mesh, message) => {
+test.each(cases)('a mesh that is %s is rejected with a message', async (_, mesh, message) => {
   const rejected = fitPuff(mesh);
   await expect(rejected).rejects.toThrow(ShapeError);
   await expect(rejected).rejects.toThrow(message);
 });
 
-test('fitting can be ended', async () => {
+test('fitting can be aborted', async () => {
   const controller = new AbortController();
   const fitting = fitPuff(box([0, 0, 0], [1, 1, 1]), { signal: controller.signal });
   controller.abort(new Error('enough'));
   await expect(fitting).rejects.toThrow('enough');
 });
 
-test('shapes that are no puffs are refused in words', () => {
+test('invalid puff shapes are rejected with a message', () => {
   const shape = (lobes: readonly Lobe[]) => [{ name: 'odd', lobes }];
   expect(() => demandShapes([])).toThrow(/0 puff shapes/);
   expect(() => demandShapes(shape([]))).toThrow(/odd has 0 lobes/);
   expect(() => demandShapes(shape([{ center: [0.5, 0, 0], radius: 0.8 }]))).toThrow(/unit ball/);
   expect(() => demandShapes(shape([{ center: [NaN, 0, 0], radius: 0.8 }]))).toThrow(/unit ball/);
-  expect(() => demandShapes(shape([{ center: [0, 0, 0], radius: 0 }]))).toThrow(/radii above 0/);
+  expect(() => demandShapes(shape([{ center: [0, 0, 0], radius: 0 }]))).toThrow(/radii must be above 0/);
 });

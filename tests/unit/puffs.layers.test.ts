@@ -101,7 +101,7 @@ describe('the layers of all shapes', () => {
     });
   });
 
-  test('repeat the border outside the silhouette, so that filtering meets no background', () => {
+  test('repeat the border outside the silhouette, so that filtering reads no background', () => {
     for (let layer = 0; layer < layers.count; layer++) {
       for (const [x, y] of places) {
         const outside = samplePuff(layers, layer, x, y);
@@ -128,7 +128,7 @@ describe('the layers of all shapes', () => {
     expect(values.filter((value) => !(value >= 0 && value <= 1))).toEqual([]);
   });
 
-  test('are the same at every bake, and a quarter of the texels at half the size', () => {
+  test('are reproducible, with a quarter of the texels at half the size', () => {
     const again = bakePuffs(FRONTS);
     expect(again.normalDepth).toEqual(layers.normalDepth);
     expect(again.colorCoverage).toEqual(layers.colorCoverage);
@@ -137,7 +137,7 @@ describe('the layers of all shapes', () => {
     expect(small.figures[0].silhouetteRadius).toBeCloseTo(layers.figures[0].silhouetteRadius, 2);
   });
 
-  test('are rasterised from faces that look at the viewer: few coordinates are read for each cell', () => {
+  test('are rasterized from front faces: few coordinates are read for each cell', () => {
     const mesh = puffMesh(FRONTS[0].lobes);
     let reads = 0;
     const positions = new Proxy(mesh.positions, {

@@ -31,7 +31,7 @@ test.each(CHANGED)('billboards, and so the puffs of Selle, take their shapes fro
   expect(changed('colorCoverage')).toBeGreaterThan(1_000);
 });
 
-test('there are as many billboards as variations, each another', () => {
+test('there are as many billboards as variations, all different', () => {
   const { count, normalDepth } = layersOf({ 'puff.variations': 5 });
   expect(count).toBe(5);
   const words = normalDepth.length / count;
@@ -39,7 +39,7 @@ test('there are as many billboards as variations, each another', () => {
   expect(new Set(layers.map((layer) => layer.join())).size).toBe(5);
 });
 
-test.each(LOOKS)('they are baked in pieces where %o shows them, and only there', (look) => {
+test.each(LOOKS)('they are baked in pieces if %o shows them, and only then', (look) => {
   const pieces = (values: Values): number => {
     const puffs = new LivePuffs({ ...ONE, ...values });
     let count = 0;

@@ -26,7 +26,7 @@ test('a puff of one lobe is a ball: silhouette, height, normal', () => {
   expect(silhouetteRadius([BALL], 256)).toBeCloseTo(0.7, 2);
 });
 
-test('heights are those of the surface: a point there lies on one lobe and in none', () => {
+test('heights are on the surface: each point is on one lobe and inside none', () => {
   for (const { lobes } of LOBE_SHAPES) {
     for (const side of SIDES.slice(0, 6)) {
       const view = rotatedLobes(side, lobes);
@@ -40,7 +40,7 @@ test('heights are those of the surface: a point there lies on one lobe and in no
   }
 });
 
-test('normals are of unit length, and those of a smooth place lean by the share of the whole at most', () => {
+test('normals have unit length, and in smooth regions deviate by at most the blend share', () => {
   for (const { lobes } of LOBE_SHAPES) {
     for (const [x, y] of GRID) {
       const { distance, normal } = sampleLobes(lobes, x, y);
@@ -51,7 +51,7 @@ test('normals are of unit length, and those of a smooth place lean by the share 
   }
 });
 
-test.each(LOBE_SHAPES)('$name is a lobed, roundish thing from every side', ({ lobes }) => {
+test.each(LOBE_SHAPES)('$name is lobed and round from every side', ({ lobes }) => {
   for (const side of SIDES) {
     const view = rotatedLobes(side, lobes);
     const radius = silhouetteRadius(view);
@@ -65,7 +65,7 @@ test.each(LOBE_SHAPES)('$name is a lobed, roundish thing from every side', ({ lo
   }
 });
 
-test('all of a puff fits the unit ball, and what is seen of it lies no deeper than volumes.vert reckons', () => {
+test('a puff fits into the unit ball, and its visible surface is no deeper than volumes.vert assumes', () => {
   for (const { lobes } of LOBE_SHAPES) {
     expect(reachOf(lobes)).toBeLessThanOrEqual(1);
     expect(reachOf(lobes)).toBeGreaterThan(0.95);
@@ -81,7 +81,7 @@ test('the same seed and knobs make the same puff, another seed another', () => {
   expect(proceduralPuff('a', 5).lobes).not.toEqual(proceduralPuff('a', 6).lobes);
 });
 
-test('each knob does what it says', () => {
+test('each knob has its documented effect', () => {
   const seeds = [1, 2, 3, 4, 5, 6, 7, 8];
   const mean = (measure: (shape: PuffShape) => number, knobs: Partial<typeof CARTOON_KNOBS>): number =>
     seeds.reduce((sum, seed) => sum + measure(proceduralPuff('x', seed, { ...CARTOON_KNOBS, ...knobs })), 0) / 8;
@@ -97,7 +97,7 @@ test('each knob does what it says', () => {
   expect(mean(unlike, { roughness: 1 })).toBeGreaterThan(1.4);
 });
 
-test('the default design is the four puffs that were chosen by eye, and more of them change none', () => {
+test('the default shapes are the four designed puffs, and more variations do not change them', () => {
   const [first, second, third, fourth] = designedShapes(DEFAULT_DESIGN, 9);
   expect([first, second, third, fourth]).toEqual([
     proceduralPuff('cauliflower', 7, { lumpiness: 0.8, flatness: 0.1, roughness: 0.6 }),
@@ -107,7 +107,7 @@ test('the default design is the four puffs that were chosen by eye, and more of 
   ]);
 });
 
-test('every variation of every seed is a shape of its own, at any knobs', () => {
+test('every variation of every seed is a different shape, at any knobs', () => {
   const shapes = [0, 1, 2, 9999].flatMap((seed) => designedShapes({ ...DEFAULT_DESIGN, seed }, 32));
   expect(new Set(shapes.map(({ lobes }) => JSON.stringify(lobes))).size).toBe(128);
   for (const knob of [0, 1]) {
@@ -119,7 +119,7 @@ test('every variation of every seed is a shape of its own, at any knobs', () => 
   }
 });
 
-test('knobs and numbers out of range are refused by name', () => {
+test('knobs and numbers out of range are rejected by name', () => {
   expect(() => proceduralPuff('x', 1, { ...CARTOON_KNOBS, flatness: 1.5 })).toThrow(/flatness is 1.5/);
   expect(() => proceduralPuff('x', 1, { ...CARTOON_KNOBS, lumpiness: NaN })).toThrow(/lumpiness is NaN/);
   expect(() => proceduralPuff('x', 1, CARTOON_KNOBS, MAX_LOBES + 1)).toThrow(/lobes is 13/);
@@ -127,7 +127,7 @@ test('knobs and numbers out of range are refused by name', () => {
   expect(() => bakeLobes([many], 0.3)).toThrow(/13 lobes/);
 });
 
-test('a table holds a row for each variation, short ones filled up with what changes nothing', () => {
+test('a table has a row for each variation, padded with neutral values', () => {
   const few = { name: 'few', lobes: [BALL] };
   const { table, lobeCount, count } = bakeLobes([LOBE_SHAPES[0], few], 0.3);
   expect([lobeCount, count, table.length]).toEqual([10, 2, 2 * 11 * 4]);

@@ -12,7 +12,7 @@ function trace([a, b, c]: Rotation): number {
   return a[0] + b[1] + c[2];
 }
 
-test('an orientation is a rotation by the roll about the axis of the seed', () => {
+test('an orientation rotates by the roll about the axis of the seed', () => {
   for (const seed of SEEDS) {
     const roll = (seed * 2.4) % 6.28;
     const rotation = orientationOf(seed, roll);
@@ -28,7 +28,7 @@ test('an orientation is a rotation by the roll about the axis of the seed', () =
   expect(rotated(orientationOf(0, Math.PI / 2), [1, 0, 0])[1]).toBeGreaterThan(0.98);
 });
 
-test('rolls add up, and a whole turn is none', () => {
+test('rolls add up, and a full turn is the identity', () => {
   for (const seed of SEEDS) {
     const twice = product(orientationOf(seed, 0.7), orientationOf(seed, 0.5));
     for (const axis of [0, 1, 2]) {

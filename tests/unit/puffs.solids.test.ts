@@ -18,7 +18,7 @@ function heightOf({ table, balls }: PuffSolids, variation: number, [x, y]: [numb
 }
 
 describe('the solids of puffs', () => {
-  it('are the lobes, column by column, filled up with absent ones', () => {
+  it('are the lobes, column by column, padded with absent ones', () => {
     const { table, balls } = solidsOf(
       LOBE_SHAPES.map(({ lobes }) => lobes),
       { facesEye: false, tolerance: 0, blur: 0 },
@@ -34,13 +34,13 @@ describe('the solids of puffs', () => {
     });
   });
 
-  it('refuse more lobes than a puff may have', () => {
+  it('reject more lobes than the limit', () => {
     const lobes = Array.from({ length: 13 }, () => ({ center: [0, 0, 0] as const, radius: 1 }));
     const drawn = { facesEye: false, tolerance: 0, blur: 0 };
     expect(() => solidsOf([lobes], drawn)).toThrow(/13 lobes/);
   });
 
-  it('hold the baked layers between balls that are smaller and balls that are larger by the tolerance', () => {
+  it('bound the baked layers from inside and outside within the tolerance', () => {
     const layers = bakePuffs(billboardShapes(LOBE_SHAPES));
     const { solids } = finished(bakingBillboards(LOBE_SHAPES));
     let inside = 0;

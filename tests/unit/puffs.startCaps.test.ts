@@ -56,7 +56,7 @@ function capsFor(threshold: number): StartCaps {
   return caps;
 }
 
-test.each(cases)('at threshold %f no lit place of %s lies behind its cap, from anywhere', (threshold, _, layer) => {
+test.each(cases)('at threshold %f no lit point of %s is behind its cap, from any direction', (threshold, _, layer) => {
   const caps = capsFor(threshold);
   const places = surface(layer, 12_000);
   let slack = 0;
@@ -72,18 +72,18 @@ test.each(cases)('at threshold %f no lit place of %s lies behind its cap, from a
   expect(slack / lit).toBeLessThan(0.16);
 });
 
-test('the farther down the ramp light begins, the farther back the cap', () => {
+test('the lower the threshold of the ramp, the farther back the cap', () => {
   const [shallow, deep] = [capsFor(0.5), capsFor(0)];
   deep.values.forEach((cap, entry) => expect(cap).toBeGreaterThanOrEqual(shallow.values[entry]));
 });
 
-test('nothing of the front is lit from straight behind, and a cap never leaves the puff', () => {
+test('a cap never leaves the puff, also with light from straight behind', () => {
   const caps = capsFor(0.5);
   expect(startCapAt(caps, 0, [0, 0, -1])).toBe(NOTHING_LIT);
   for (const cap of caps.values) expect(Math.abs(cap)).toBeLessThanOrEqual(1.01);
 });
 
-test('a ball lit from half its hemisphere on has its cap half a radius before the centre', () => {
+test('a ball lit from N·L = 0.5 has its cap half a radius before the centre', () => {
   const ball = bakePuffs([{ name: 'ball', lobes: [{ center: [0, 0, 0], radius: 0.8 }] }]);
   const cap = startCapAt(bakeStartCaps(frontsOf(ball), 0.5), 0, [0, 0, 1]);
   expect(cap).toBeGreaterThan(-0.8 * 0.5);
@@ -102,7 +102,7 @@ function allRound(lobes: readonly Lobe[], count: number): { normal: readonly num
 }
 
 test.each(LOBE_SHAPES.map(({ name }, layer): [string, number] => [name, layer]))(
-  'no lit place of the lobes of %s lies behind its cap, from anywhere',
+  'no lit point of the lobes of %s is behind its cap, from any direction',
   (_, layer) => {
     const { lobes } = LOBE_SHAPES[layer];
     const caps = bakeStartCaps([surfaceOf(lobes)], 0.3);
@@ -119,7 +119,7 @@ test.each(LOBE_SHAPES.map(({ name }, layer): [string, number] => [name, layer]))
   },
 );
 
-test('is baked from few of the points: most patches are ruled out by what bounds them', () => {
+test('is baked from few points: bounds reject most patches', () => {
   let visited = 0;
   const counting = fronts.map((patches) =>
     patches.map(({ points, ...bounds }) => ({

@@ -13,7 +13,7 @@ function* counted(pieces: number, done: number[]): Work<string> {
   return 'ready';
 }
 
-test('work goes on where it was left, and one piece is always done', () => {
+test('work continues where it stopped, and at least one piece is done', () => {
   const done: number[] = [];
   const work = counted(2, done);
   expect(workedFor(work, 0)).toBeUndefined();
@@ -22,7 +22,7 @@ test('work goes on where it was left, and one piece is always done', () => {
   expect(done).toEqual([0, 1]);
 });
 
-test('between pieces all others have their turn', async () => {
+test('other tasks run between pieces', async () => {
   const done: number[] = [];
   const counts: number[] = [];
   const take = (): unknown => (counts.push(done.length), done.length < 4 && setTimeout(take));
@@ -31,7 +31,7 @@ test('between pieces all others have their turn', async () => {
   for (const pieces of [1, 2, 3]) expect(counts).toContain(pieces);
 });
 
-test('puffs baked in pieces are those that are baked at once', () => {
+test('puffs baked in pieces equal those baked at once', () => {
   const shapes = designedShapes({ ...DEFAULT_DESIGN, seed: 5 }, 2);
   const work = bakingLobes(shapes, 0.3);
   let baked;
@@ -41,7 +41,7 @@ test('puffs baked in pieces are those that are baked at once', () => {
   expect(baked).toEqual(bakeLobes(shapes, 0.3));
 });
 
-test('who wants puffs that somebody is baking goes on with them', () => {
+test('a second request joins a bake in progress', () => {
   const works = [1, 2].map(() => bakingPuffs(designedShapes({ ...DEFAULT_DESIGN, seed: 8 }, 1)));
   const alone = bakingLobes(designedShapes({ ...DEFAULT_DESIGN, seed: 59 }, 1), 0.3);
   let pieces = 0;
@@ -57,7 +57,7 @@ test('who wants puffs that somebody is baking goes on with them', () => {
   expect(baked[0]).toBe(baked[1]);
 });
 
-test('one variation more bakes only that one', () => {
+test('one more variation bakes only that one', () => {
   const pieces = (count: number): number => {
     const work = bakingLobes(designedShapes({ ...DEFAULT_DESIGN, seed: 6 }, count), 0.3);
     let number = 0;
@@ -70,7 +70,7 @@ test('one variation more bakes only that one', () => {
   expect(pieces(2)).toBe(0);
 });
 
-test('what was longest not asked for goes first', () => {
+test('the least recently used entry is evicted first', () => {
   const cache = new LruCache<number>(2);
   cache.add('a', 1);
   cache.add('b', 2);

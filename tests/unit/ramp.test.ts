@@ -14,7 +14,7 @@ function stopsText(count: number): string {
 }
 
 describe('ramps', () => {
-  it('are read as they are written', () => {
+  it('are read as written', () => {
     expect(readRamp(TEXT)).toEqual([
       { at: 0, color: '#333344' },
       { at: 0.5, color: '#aab0c0' },
@@ -27,7 +27,7 @@ describe('ramps', () => {
     ]);
   });
 
-  it('may be empty, which is none', () => {
+  it('can be empty', () => {
     expect(readRamp('')).toEqual([]);
   });
 
@@ -38,7 +38,7 @@ describe('ramps', () => {
     '0:ffffff,0:000000',
     '0:ffffff,2:000000',
     '0:ffffff,1:#00000',
-  ])('are refused where they are none: %s', (text) => expect(readRamp(text)).toBeUndefined());
+  ])('are rejected if malformed: %s', (text) => expect(readRamp(text)).toBeUndefined());
 
   it('have at most 16 stops', () => {
     expect(readRamp(stopsText(MAX_COLORS))).toHaveLength(16);
@@ -64,7 +64,7 @@ describe('ramps', () => {
     ]);
   });
 
-  it('keep their stops in order while one is moved', () => {
+  it('keep the order of their stops while one is moved', () => {
     const stops = readRamp('0:000000,.5:888888,1:ffffff')!;
     expect(withPlace(stops, 1, 2)[1]).toEqual({ at: 0.99, color: '#888888' });
     expect(withPlace(stops, 0, -1)[0].at).toBe(0);

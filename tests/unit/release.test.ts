@@ -42,8 +42,8 @@ function commandOf(job: string, name: string): string {
   return command;
 }
 
-describe('order and rights', () => {
-  test('only a tag publishes, and only what was tested', () => {
+describe('order and permissions of the jobs', () => {
+  test('only a tag publishes, and only after the tests', () => {
     expect(on).toEqual({ push: { tags: ['v*'] } });
     const steps = jobs.build.steps.map(({ name, uses }) => name ?? uses!.split('@')[0]);
     const [checked, tested, built] = ['Check the tag', 'Test', 'Build the site'].map((name) => steps.indexOf(name));
@@ -56,7 +56,7 @@ describe('order and rights', () => {
     expect(steps.indexOf('Test in the engines')).toBeLessThan(built);
   });
 
-  test('what publishes waits for the build and alone may write', () => {
+  test('publishing jobs wait for the build and alone have write permissions', () => {
     expect(Object.values(permissions)).not.toContain('write');
     for (const [name, job] of Object.entries(jobs)) {
       expect(job['timeout-minutes'], name).toBeGreaterThan(0);
@@ -65,7 +65,7 @@ describe('order and rights', () => {
     }
   });
 
-  test('actions are of a named version', () => {
+  test('actions have pinned versions', () => {
     const used = Object.values(jobs).flatMap(({ steps }) => steps.flatMap(({ uses }) => uses ?? []));
     expect(used.length).toBeGreaterThan(0);
     for (const action of used) expect(action).toMatch(/^actions\/[\w-]+@v\d+$/);
@@ -84,18 +84,18 @@ describe('the tag', () => {
     return ending;
   };
 
-  test('is the version, and the changelog says what is new', () => {
+  test('matches the version, and the changelog has its entries', () => {
     expect(run('# Changelog\n\n## 1.2.3\n\n- Rings.\n', 'v1.2.3')).toMatchObject({ status: 0, errors: [] });
   });
 
-  test('of another version is refused', () => {
+  test('of another version is rejected', () => {
     expect(run('## 1.2.3\n\n- Rings.\n', 'v1.2.4').errors).toEqual([
       'The tag is v1.2.4, but package.json has version 1.2.3: tag v1.2.3, or change the version.',
     ]);
   });
 
   test.each(['## Unreleased\n\n- Rings.\n', '## 1.2.3\n\n## 1.2.2\n\n- Rings.\n', '## 1.2.30\n\n- Rings.\n'])(
-    'without notes is refused: %j',
+    'without entries in the changelog is rejected: %j',
     (changelog) => {
       expect(run(changelog, 'v1.2.3')).toMatchObject({
         status: 1,
@@ -106,7 +106,7 @@ describe('the tag', () => {
 });
 
 describe('the site', () => {
-  test('an address that is none is refused by name before anything is built', () => {
+  test('an invalid address is rejected by name before anything is built', () => {
     const project = new Project();
     const { status, errors } = project.run('build.mjs', [], { CARTOON_SMOKE_BASE: 'somewhere' });
     project.dispose();
@@ -116,7 +116,7 @@ describe('the site', () => {
     ]);
   });
 
-  test('is built by the workflow’s command, and knows where it stands', { timeout: 240_000 }, () => {
+  test('is built by the command of the workflow, with its public address', { timeout: 240_000 }, () => {
     const step = jobs.build.steps.find(({ name }) => name === 'Build the site')!;
     expect(Object.keys(step.env!)).toEqual(['CARTOON_SMOKE_BASE']);
     const { status, stderr } = spawnSync(`${step.run!} -- --out "$OUT"`, {
@@ -138,14 +138,14 @@ describe('the site', () => {
     expect(page.match(/(?:src|href)="(?!\.\/|https:\/\/example\.org)[^"]*"/g)).toBe(null);
   });
 
-  test('what is handed to the host is what was built', () => {
+  test('the published folder is the built one', () => {
     const upload = jobs.build.steps.find(({ uses }) => uses?.startsWith('actions/upload-pages-artifact'))!;
     expect(upload.with).toEqual({ path: 'dist' });
   });
 });
 
 describe('the package', () => {
-  test('travels under one name from the build to npm', () => {
+  test('has the same file name from the build to npm', () => {
     expect(commandOf('build', 'Build the package')).toBe('npm run package');
     const stepOf = (job: string, action: string) => jobs[job].steps.find(({ uses }) => uses?.startsWith(action))!;
     const uploaded = stepOf('build', 'actions/upload-artifact').with;
@@ -153,7 +153,7 @@ describe('the package', () => {
     expect(stepOf('npm', 'actions/download-artifact').with).toEqual(uploaded);
   });
 
-  test('is taken by npm, by the workflow’s command', async () => {
+  test('is accepted by npm with the command of the workflow', async () => {
     const { manifest } = await script<{ manifest: object }>('package/manifest.mjs');
     mkdirSync(join(out, 'package'));
     writeFileSync(join(out, 'package/package.json'), JSON.stringify(manifest));

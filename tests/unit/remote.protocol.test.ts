@@ -42,7 +42,7 @@ test.each([
   [{ id: 3, method: 'step', args: [] }],
   [{ id: 4, method: 'pointer', args: [{ type: 'down', id: 1, x: 3, y: 4 }] }],
   [{ id: 5, method: 'listen', args: ['frame'] }],
-])('%o is understood', (message) => {
+])('%o is accepted', (message) => {
   expect(readRequest(structuredClone(message))).toMatchObject({ id: message.id, method: message.method });
 });
 
@@ -58,7 +58,7 @@ test.each([
   ['a list that is none', { method: 'set', args: { 0: {}, length: 1 } }],
   ['an event that there is not', { method: 'listen', args: ['progress'] }],
   ['a pointer with more to it', { method: 'pointer', args: [{ type: 'up', id: 1, x: 0, y: 0, z: 0 }] }],
-])('%s is refused to whoever asked', (_, message) => {
+])('%s is rejected with an error for the caller', (_, message) => {
   const read = readRequest({ id: 1, ...message });
   expect(read).toMatchObject({ id: 1, error: { name: 'ParameterError' } });
 });
@@ -75,13 +75,13 @@ test.each([
   ['resize', [3, -1], 'argument 2 of resize cannot be -1: it takes a number from 0 to 65536.'],
   ['unset', ['a'], 'argument 1 of unset cannot be “a”: it takes an array of at most 4000, each a key.'],
   ['blow', [{}], 'argument 1 of blow cannot be “an object”: it takes an object of x, y, dx, dy, radius, seconds.'],
-])('%s(%o) is refused in words', (method, args, words) => {
+])('%s(%o) is rejected with a message', (method, args, words) => {
   const { error } = readRequest({ id: 1, method, args }) as { error: Error };
   expect(error.message).toBe(words);
   expect(unpackError(structuredClone(packError(error)))?.message).toBe(words);
 });
 
-test('of five thousand hostile messages none is understood, and none is a reply or an event', () => {
+test('five thousand hostile messages are all rejected, and none is read as a reply or an event', () => {
   let count = 0;
   for (const message of hostileMessages(5_000, 5)) {
     const read = readRequest(message);
@@ -101,7 +101,7 @@ test.each([
   new SimulatorError('dead'),
   new ContextError('lost'),
   new ShapeError('open'),
-])('%s is the same on the other side', (error) => {
+])('%s keeps its class and message across the port', (error) => {
   const other = unpackError(structuredClone(packError(error)));
   expect(other).toBeInstanceOf(error.constructor);
   expect(other).toBeInstanceOf(SmokeError);
@@ -109,7 +109,7 @@ test.each([
   expect(other?.message).toBe(error.message);
 });
 
-test('an error of anybody else keeps its name and its words, and no more', () => {
+test('an error of an unknown class keeps only its name and its message', () => {
   const error = Object.assign(new RangeError('too far'), { secret: 1 });
   expect(unpackError(structuredClone(packError(error)))).toMatchObject({ name: 'RangeError', message: 'too far' });
   expect(packError(error)).not.toHaveProperty('secret');
@@ -123,13 +123,13 @@ test('a take crosses as its bytes', () => {
   expect((reply as { value: typeof TAKE }).value.toBytes()).toEqual(Uint8Array.of(1, 2, 3));
 });
 
-test('a take goes to a stage as its bytes, as bytes do', () => {
+test('a take is sent as its bytes', () => {
   expect(packArgument(TAKE)).toEqual(Uint8Array.of(1, 2, 3));
   for (const argument of [Uint8Array.of(4), 'toBytes', { toBytes: 1 }, 0, null, undefined])
     expect(packArgument(argument)).toBe(argument);
 });
 
-test('what only a stage of the same thread takes is not sent', async () => {
+test('options that need the same thread are not sent', async () => {
   const { port1, port2 } = new MessageChannel();
   const { face, opened } = new PortStage(port1, 'worker');
   const came = new Promise<unknown>((resolve) => (port2.onmessage = ({ data }) => resolve(data)));
@@ -141,7 +141,7 @@ test('what only a stage of the same thread takes is not sent', async () => {
   await expect(opened).rejects.toBeInstanceOf(SimulatorError);
 });
 
-test('a reply that has not the shape of what was asked for is no reply', () => {
+test('a reply of the wrong shape is rejected', () => {
   for (const name of Object.keys(calls) as (keyof typeof calls)[]) {
     const strange = { id: 1, value: { length: 1, x: {} } };
     expect(
@@ -152,7 +152,7 @@ test('a reply that has not the shape of what was asked for is no reply', () => {
   expect(readReply({ id: 1, value: 'abc' }, () => undefined)).toBeUndefined();
 });
 
-test('events are told and read', () => {
+test('events are sent and read', () => {
   expect(readNotification(notificationOf('statechange', { playing: true }))).toEqual({
     event: 'statechange',
     detail: { playing: true },

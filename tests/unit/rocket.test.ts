@@ -13,7 +13,7 @@ const STEPS_A_SECOND = 60;
 const ROCKET_HEIGHT = 1.9;
 const GROUND = rocket().rig['colliders.0.position.y'];
 
-test('the ring of cloud on the ground grows from ignition until the rocket is away, evenly to all sides', async () => {
+test('the ring of cloud grows evenly to all sides from ignition until the rocket has left', async () => {
   const factory = await loadVariant('physics');
   const simulation = new Simulation(factory, rocket(), presetValues(findPreset('rocket')!), 1e6);
   simulation.advance(IGNITION * STEPS_A_SECOND);
@@ -35,7 +35,7 @@ test('the ring of cloud on the ground grows from ignition until the rocket is aw
   simulation.dispose();
 });
 
-test('it never leaves the picture, and the ground stays in it', () => {
+test('the rocket and the ground always stay in the picture', () => {
   const scene = rocket();
   const lens = new OrbitCamera(scene);
   lens.setSize(1440, 900);
@@ -50,7 +50,7 @@ test('it never leaves the picture, and the ground stays in it', () => {
   }
 });
 
-test('it comes back to where it stood', () => {
+test('the rocket returns to its start', () => {
   const { guide, rigids } = rocket();
   const at = (seconds: number) => guide!(momentAt(seconds))[0].position;
   expect(at(1)[1]).toBeCloseTo(rigids[0].position[1], 9);

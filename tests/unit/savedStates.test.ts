@@ -11,8 +11,8 @@ function filled(count: number, budget: number): SavedStates {
   return states;
 }
 
-describe('kept states', () => {
-  it('gives the latest that is not later', () => {
+describe('saved states', () => {
+  it('returns the latest one that is not later', () => {
     const states = filled(10, 1e6);
     expect(states.latest(59)).toBeUndefined();
     expect(states.latest(60)!.step).toBe(60);
@@ -22,7 +22,7 @@ describe('kept states', () => {
     expect(states.has(301)).toBe(false);
   });
 
-  it('never takes more than its budget, however long it goes on', () => {
+  it('never exceeds its budget, however long the run', () => {
     const budget = 20.5 * SIZE;
     const states = new SavedStates(budget);
     for (let index = 1; index <= 20_000; ++index) {
@@ -33,7 +33,7 @@ describe('kept states', () => {
     expect(states.count).toBe(20);
   });
 
-  it('is dense near now and still reaches far back', () => {
+  it('is dense near the present and still reaches far back', () => {
     const states = filled(10_000, 30 * SIZE);
     const now = 600_000;
     expect(states.latest(now)!.step).toBe(now);
@@ -43,7 +43,7 @@ describe('kept states', () => {
     }
   });
 
-  it('drops what comes after a change, and gives its memory back', () => {
+  it('drops states after a change, and releases their memory', () => {
     const states = filled(10, 1e6);
     states.dropFrom(300);
     expect(states.latest(1e9)!.step).toBe(240);
@@ -54,7 +54,7 @@ describe('kept states', () => {
     expect([states.count, states.bytes]).toEqual([0, 0]);
   });
 
-  it('keeps nothing that is larger than the budget', () => {
+  it('stores no state larger than the budget', () => {
     const states = new SavedStates(SIZE);
     states.add(state(60, SIZE + 1));
     expect(states.count).toBe(0);

@@ -12,16 +12,16 @@ import { loadVariant } from './simWasm.ts';
 
 const NAMES = Object.keys(sceneEntries);
 
-test('the table knows each scene, in their order', () => {
+test('the table has all scenes in the same order', () => {
   const parameter = findParameter('scene')!;
   expect(parameter.kind === 'choice' && parameter.options.map(({ value }) => value)).toEqual(NAMES);
 });
 
-test('a scene that there is not is refused by name, those of the prototype too', () => {
+test('an unknown scene is rejected by name, also a name of the object prototype', () => {
   for (const name of ['', 'moon', 'constructor', '__proto__']) expect(() => sceneNamed(name)).toThrow('scene');
 });
 
-test('presets of a scene follow each other, and the first of them has its name', () => {
+test('presets of a scene are adjacent, and the first one has its name', () => {
   const scenes = presets.map((preset) => String(presetValues(preset).scene));
   expect([...new Set(scenes)]).toEqual(NAMES);
   for (const [index, scene] of scenes.entries()) {
@@ -40,14 +40,14 @@ describe.each(NAMES)('%s', (name) => {
     [scene, factory] = await Promise.all([load(), loadVariant(hasRigids ? 'physics' : 'core')]);
   });
 
-  test('is what the list says', () => {
+  test('matches its entry of the list', () => {
     expect(scene.name).toBe(name);
     expect(scene.rigids.length > 0).toBe(hasRigids);
     expect(scene.rigidNames).toHaveLength(scene.rigids.length);
     expect(strings.scenes[name].hand !== undefined, 'the page says what to drag').toBe(scene.handle !== undefined);
   });
 
-  test('has surfaces that are closed, wound outwards, and carried by what there is', () => {
+  test('has closed surfaces, wound outwards, on existing rigids and parts', () => {
     for (const { name: surface, mesh, rigid, part, casts } of scene.surfaces) {
       if (casts) expect(() => extrude(mesh), surface).not.toThrow();
       expect(volume(mesh), surface).toBeGreaterThan(1e-6);
@@ -62,14 +62,14 @@ describe.each(NAMES)('%s', (name) => {
     for (const { rigid } of scene.parts ?? []) if (rigid !== undefined) expect(scene.rigids[rigid]).toBeDefined();
   });
 
-  test('has a name for each part, no name twice, and no more parts than can be ridden on', () => {
+  test('has unique names for its parts, and at most as many as can be followed', () => {
     const names = [...scene.rigidNames, ...(scene.parts ?? []).map(({ name: part }) => part)];
     expect(names.every(Boolean)).toBe(true);
     expect(new Set(names).size).toBe(names.length);
     expect(scene.parts?.length ?? 0).toBeLessThanOrEqual(64);
   });
 
-  test('smokes, within the room that its preset gives it', () => {
+  test('smokes within the capacity of its preset', () => {
     const simulation = begin();
     simulation.advance(240);
     expect(simulation.simulator.alive).toBeGreaterThan(20);
@@ -78,7 +78,7 @@ describe.each(NAMES)('%s', (name) => {
     simulation.dispose();
   });
 
-  test('goes the same way every time, also where it was steered, and also after going back', () => {
+  test('repeats itself exactly, also with steering and after seeking back', () => {
     const [first, second] = [begin(), begin()];
     for (const simulation of [first, second]) {
       simulation.advance(40);
@@ -98,7 +98,7 @@ describe.each(NAMES)('%s', (name) => {
     second.dispose();
   });
 
-  test('moves its camera and its parts by the time alone, without a jump', () => {
+  test('moves its camera and its parts as continuous functions of time', () => {
     for (const seconds of [0, 1, 2.5, 9]) {
       for (const { pose } of scene.parts ?? []) {
         expect(pose(seconds)).toEqual(pose(seconds));

@@ -20,7 +20,7 @@ function seamOf(one: TriangleMesh, other: TriangleMesh): { length: number; place
 it.each([
   ['stands on', 0.5],
   ['stands in', 0.3],
-])('runs once round a box that %s a floor', (_, height) => {
+])('runs once around a box that %s a floor', (_, height) => {
   const { length, places } = seamOf(box([0.2, height, 0.1], [0.5, 0.5, 0.5]), FLOOR);
   expect(length).toBeCloseTo(4, 4);
   for (const [x, y, z] of places) {
@@ -29,7 +29,7 @@ it.each([
   }
 });
 
-it('is a circle where a ball dips into a floor, whichever comes first', () => {
+it('is a circle where a ball intersects a floor, in either order', () => {
   const ball = ballMesh(1, 64);
   for (let at = 1; at < ball.positions.length; at += 3) ball.positions[at] += 0.6;
   for (const { length, places } of [seamOf(ball, FLOOR), seamOf(FLOOR, ball)]) {
@@ -38,7 +38,7 @@ it('is a circle where a ball dips into a floor, whichever comes first', () => {
   }
 });
 
-it('is nowhere between what is apart or lies in one plane', () => {
+it('is empty for surfaces that are apart or coplanar', () => {
   expect(seamEdges(box([0, 0.51, 0], [0.5, 0.5, 0.5]), FLOOR).count).toBe(0);
   expect(seamEdges(ground(0, 1).mesh, FLOOR).count).toBe(0);
 });

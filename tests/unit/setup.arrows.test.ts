@@ -55,7 +55,7 @@ const right: Record<string, string> = {
   preset: '',
 };
 
-test('every pair of folders is refused or accepted as drawn', () => {
+test('every pair of folders is rejected or accepted as documented', () => {
   let expected = 0;
   for (const from of FOLDERS) {
     for (const to of FOLDERS.filter((name) => name !== from)) {
@@ -86,7 +86,7 @@ test.each([
   ['a path the long way', `export { value } from '../../src/sim/thing.ts';`],
   ['the index', `export { value } from '../index.ts';`],
   ['the index without its ending', `export { value } from '..';`],
-])('passes may not import %s of sim', (_, code) => {
+])('passes cannot import %s of sim', (_, code) => {
   expect(lintLine('passes', code)).toHaveLength(1);
 });
 
@@ -100,11 +100,11 @@ test.each([
   ['device', `import type { Type } from '../puffs/thing.ts'; export type Own = Type;`, 0],
   ['device', `export { value } from '../puffs/thing.ts';`, 1],
   ['device', `import { Problem } from '../preset/errors.ts'; export const own = new Problem();`, 0],
-])('src/%s: %s is refused %i times', (folder, code, count) => {
+])('src/%s: %s is rejected %i times', (folder, code, count) => {
   expect(lintLine(folder, code)).toHaveLength(count);
 });
 
-test('a cycle within a folder is refused', () => {
+test('a cycle within a folder is rejected', () => {
   project.write('src/puffs/a.ts', `import { b } from './b.ts';\nexport const a = () => b;\n`);
   project.write('src/puffs/b.ts', `import { a } from './a.ts';\nexport const b = () => a;\n`);
   expect(lint().join()).toMatch(/no-cycle/);

@@ -5,7 +5,7 @@ import { script } from '../support/server.ts';
 
 const featuresIn = (text: string) => /--disable-features=(\S+)/.exec(text)![1].split(',');
 
-test('whatever Playwright turns off in the browser is turned off by our flag, which stands in for its own', async () => {
+test('our browser flag disables every feature that the flag of Playwright disables', async () => {
   // The error of a failed launch contains the flags.
   const error = await chromium.launch({ executablePath: process.execPath }).then(() => '', String);
   const theirs = featuresIn(error);

@@ -13,7 +13,7 @@ beforeEach(() => {
 afterEach(() => project.dispose());
 
 describe('ports', () => {
-  test.each(['0', '65536', '80.5', '-1', 'abc', ''])('%j is refused by name', (port) => {
+  test.each(['0', '65536', '80.5', '-1', 'abc', ''])('%j is rejected by name', (port) => {
     const ending = project.run('start.mjs', [`--port=${port}`]);
     expect(ending).toMatchObject({
       status: 1,
@@ -22,7 +22,7 @@ describe('ports', () => {
   });
 
   test.each(['127.0.0.1', '::1', '0.0.0.0'])(
-    'one that is taken at %s is refused before anything is installed',
+    'one that is in use at %s is rejected before anything is installed',
     async (host) => {
       const server = createServer();
       await new Promise<void>((resolve) => server.listen(0, host, resolve));
@@ -33,7 +33,7 @@ describe('ports', () => {
       ]) {
         const ending = project.run(script, ['--port', String(port)]);
         expect(ending.errors).toEqual([
-          `Port ${port} is in use: stop what uses it, or choose another with ${command} --port ${port + 1}.`,
+          `Port ${port} is in use: stop the program that uses it, or choose another with ${command} --port ${port + 1}.`,
         ]);
         expect(ending).toMatchObject({ status: 1, output: '' });
       }
@@ -41,7 +41,7 @@ describe('ports', () => {
     },
   );
 
-  test('an unknown option is answered with the command’s form', () => {
+  test('an unknown option prints the usage', () => {
     expect(project.run('start.mjs', ['--prot', '1']).errors).toEqual([
       `Unknown option '--prot'. Usage: npm start -- [--port N]`,
     ]);
@@ -59,7 +59,7 @@ describe('.ci/run', () => {
     return { status, output: stdout };
   };
 
-  test('runs both commands, the second also when the first fails, and ends with their sum', () => {
+  test('runs both commands, also if the first fails, and exits with the combined status', () => {
     const { status, output } = said('echo "5 passed, 2 failed"; exit 1', 'echo "30 passed, 0 failed"');
     expect(status).toBe(1);
     expect(output.trimEnd().split('\n')).toEqual([
@@ -71,7 +71,7 @@ describe('.ci/run', () => {
     ]);
   });
 
-  test('passes only when both do', () => {
+  test('succeeds only if both do', () => {
     const fine = 'echo "5 passed, 0 failed"';
     expect(said(fine, fine)).toMatchObject({ status: 0, output: expect.stringMatching(/\n10 passed, 0 failed\n$/) });
     expect(said(fine, 'true')).toMatchObject({ status: 1, output: expect.stringMatching(/\n5 passed, 1 failed\n$/) });
@@ -111,7 +111,7 @@ describe('bench', () => {
     expect(project.run('bench.mjs', ['smoke']).output).toMatch(/^smoke\.speed +0\.3333 x/m);
   });
 
-  test('a suite that measures nothing or throws has failed', () => {
+  test('a suite that measures nothing or throws fails', () => {
     project.write('tests/bench/smoke.mjs', 'export const run = async () => [];');
     expect(project.run('bench.mjs', ['smoke'])).toMatchObject({
       status: 1,
@@ -136,7 +136,7 @@ describe('test', () => {
   const suite = (name: string, result: object) =>
     `{ name: '${name}', title: '${name}', run: async () => (${JSON.stringify({ skipped: 0, output: `said by ${name}`, ...result })}) }`;
 
-  test('runs all even when one failed, and ends with the sum', () => {
+  test('runs all suites even if one fails, and prints the totals', () => {
     withSuites([suite('a', { passed: 2, failed: 1 }), suite('b', { passed: 3, failed: 0 })].join());
     const { status, output } = project.run('test.mjs');
     expect(status).toBe(1);
@@ -145,7 +145,7 @@ describe('test', () => {
     expect(output.trimEnd().split('\n').at(-1)).toBe('5 passed, 1 failed');
   });
 
-  test('runs what cargo does beside the rest', () => {
+  test('runs cargo in parallel with the rest', () => {
     const passes = '{ passed: 1, failed: 0, skipped: 0, output: "" }';
     withSuites(`
       { name: 'a', title: 'a', lane: 'cargo', run: () => new Promise((end) => { globalThis.endA = () => end(${passes}); }) },
@@ -156,7 +156,7 @@ describe('test', () => {
     expect(output.trimEnd().split('\n').at(-1)).toBe('2 passed, 0 failed');
   });
 
-  test('without WASM cargo is stopped, nothing else begins, and only the reason is told', () => {
+  test('without WASM cargo is stopped, nothing else starts, and only the reason is printed', () => {
     project.write('endless.mjs', `console.log('I run'); setInterval(() => {}, 1e6);`);
     withSuites(`
       { name: 'a', title: 'a', lane: 'cargo', run: () => new Promise((end) => {
@@ -171,12 +171,12 @@ describe('test', () => {
     expect(output).not.toMatch(/began|\d passed/);
   });
 
-  test('succeeds only when nothing failed', () => {
+  test('succeeds only if nothing failed', () => {
     withSuites(suite('b', { passed: 3, failed: 0 }));
     expect(project.run('test.mjs')).toMatchObject({ status: 0, errors: [] });
   });
 
-  test('runs what is named, and says what there is when the name is unknown', () => {
+  test('runs the named suites, and lists all of them for an unknown name', () => {
     withSuites([suite('a', { passed: 0, failed: 1 }), suite('b', { passed: 3, failed: 0 })].join());
     expect(project.run('test.mjs', ['b']).status).toBe(0);
     expect(project.run('test.mjs', ['c']).errors).toEqual(['There is no suite named c: choose from a, b.']);

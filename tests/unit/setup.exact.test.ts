@@ -39,7 +39,7 @@ const REJECTED = [
   ['all of three.js', `import * as three from 'three'; export const own = new three.Euler();`],
 ] as const;
 
-test('each of them is refused in scenes, with the reason', () => {
+test('each inexact function is rejected in scenes, with the reason', () => {
   const files = REJECTED.map(([, code], index) => [`src/scenes/user${index}.ts`, `${code}\n`]);
   const lines = errors(Object.fromEntries(files) as Record<string, string>);
   expect(lines).toHaveLength(REJECTED.length);
@@ -50,7 +50,7 @@ test('each of them is refused in scenes, with the reason', () => {
   }
 });
 
-test('what is exact by definition is accepted', () => {
+test('functions that are exact by definition are accepted', () => {
   const code = `
     import { Vector3, type Quaternion } from 'three';
     export const way = (turn: Quaternion) => new Vector3(turn.x, Math.PI, Math.SQRT2);
@@ -59,7 +59,7 @@ test('what is exact by definition is accepted', () => {
   expect(errors({ 'src/scenes/user.ts': code })).toEqual([]);
 });
 
-test('the rules hold for all that feeds the simulator, and for nothing else', () => {
+test('the rules apply to all code that feeds the simulator, and to no other', () => {
   const code = 'export const own = Math.sin(1);\n';
   const fed = ['scenes/models/a.ts', 'sim/a.ts', 'preset/a.ts', 'stage/simulation.ts', 'stage/dropped.ts'];
   const free = ['stage/orbit.ts', 'passes/a.ts', 'host/a.ts', 'app/a.ts'];

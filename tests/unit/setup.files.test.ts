@@ -12,7 +12,7 @@ function filesIn(folder: string): string[] {
   return paths.map((path) => path.replaceAll('\\', '/'));
 }
 
-test('every test file lies where a runner finds it', () => {
+test('every test file is in a folder that a runner searches', () => {
   const files = filesIn('tests');
   const tests = files.filter((path) => /[.](test|spec)\.[cm]?[jt]sx?$/.test(path));
   const stray = tests.filter(

@@ -44,7 +44,7 @@ test('cargo: the test programs are added up', () => {
   expect(tallyCargo(output)).toEqual({ passed: 15, failed: 2, skipped: 1 });
 });
 
-test('a runner that crashed, ended badly or ran nothing has failed', () => {
+test('a runner that crashes, exits with an error or runs nothing fails', () => {
   const none = { passed: 0, failed: 0, skipped: 0 };
   expect(settle(undefined, 0)).toMatchObject({ failed: 1, trouble: 'it left no report (status 0)' });
   expect(settle({ ...none, passed: 4 }, 1)).toMatchObject({ passed: 4, failed: 1 });
@@ -53,14 +53,14 @@ test('a runner that crashed, ended badly or ran nothing has failed', () => {
   expect(settle({ ...none, passed: 1 }, 0)).toEqual({ ...none, passed: 1 });
 });
 
-test('vitest: what tests note is shown in order', () => {
+test('vitest: notes of tests are printed in order', () => {
   const noting = (...notes: (string | undefined)[]) => ({
     assertionResults: notes.map((note) => ({ meta: { note } })),
   });
   expect(notesIn({ testResults: [noting('b', undefined), noting(), noting('a')] })).toEqual(['a', 'b']);
 });
 
-test('commands are added up, and one that says nothing or ends badly without a failure has failed', () => {
+test('totals add up, and a command that prints nothing or exits with an error fails', () => {
   const passed = { status: 0, output: 'Site: done\n12 passed, 0 failed\n' };
   expect(sumEndings([passed, { status: 1, output: '3 passed, 2 failed\n\n' }])).toEqual({ passed: 15, failed: 2 });
   expect(sumEndings([passed, { status: 0, output: 'Unit tests: 3 passed, 0 failed (1 s)' }])).toEqual({

@@ -39,7 +39,7 @@ function expectOnlySentence(ending: Ending, sentence: RegExp): void {
 }
 
 describe('Node', () => {
-  test.each(['18.20.4', '20.18.9'])('%s is refused by name, with the version that is wanted', (version) => {
+  test.each(['18.20.4', '20.18.9'])('%s is rejected by name, with the required version', (version) => {
     project.write(
       'old.cjs',
       `Object.defineProperty(process, 'versions', { value: { ...process.versions, node: '${version}' } });`,
@@ -56,7 +56,7 @@ describe('packages', () => {
     expectOnlySentence(project.setUp(['packages']), /^npm was not found: install it/);
   });
 
-  test('when the download is refused', () => {
+  test('when the download is rejected', () => {
     project.program(
       'npm',
       'echo "npm error code ECONNREFUSED" >&2; echo "npm error request to the registry failed" >&2; exit 1',
@@ -67,7 +67,7 @@ describe('packages', () => {
     );
   });
 
-  test('when the lock file does not fit', () => {
+  test('when the lock file does not match', () => {
     project.program('npm', 'echo "npm error code EUSAGE" >&2; exit 1');
     expectOnlySentence(
       project.setUp(['packages']),
@@ -111,7 +111,7 @@ describe('packages', () => {
 
 describe('toolchain', () => {
   test.each(['start.mjs', 'test.mjs', 'build.mjs', 'preview.mjs'])(
-    'without rustup, %s says what to install',
+    'without rustup, %s reports what to install',
     async (script) => {
       installPackages();
       // Not the default ports, because the demo may be running.
@@ -120,7 +120,7 @@ describe('toolchain', () => {
     },
   );
 
-  test('when rustup may not download', () => {
+  test('when rustup cannot download', () => {
     project.program('rustup', `[ "$1" = run ] && exit 1; echo "error: could not download file" >&2; exit 1`);
     expectOnlySentence(
       project.setUp(['toolchain']),
@@ -146,7 +146,7 @@ describe('toolchain', () => {
 });
 
 describe('WASM', () => {
-  test('that does not compile shows what the compiler said, and the sentence last', () => {
+  test('that does not compile shows the compiler output, then the message', () => {
     installRust('echo "error[E0308]: mismatched types" >&2; exit 101');
     const ending = project.setUp(['wasm']);
     expectSentence(ending, /^The WASM build failed: see the compiler output above/);
@@ -158,7 +158,7 @@ describe('WASM', () => {
     expectOnlySentence(project.setUp(['wasm']), /^Rust found no linker \(cc\): install a C compiler/);
   });
 
-  test('when the crates may not be downloaded', () => {
+  test('when the crates cannot be downloaded', () => {
     installRust(
       `printf 'error: failed to download from registry\\n\\nCaused by:\\n  [7] Could not connect to server\\n' >&2; exit 101`,
     );
@@ -181,14 +181,14 @@ describe('browser', () => {
     );
   }
 
-  test('that CHROMIUM_PATH does not lead to', () => {
+  test('that is missing at CHROMIUM_PATH', () => {
     expectOnlySentence(
       project.setUp(['browser'], { CHROMIUM_PATH: '/nowhere/chromium' }),
       /^CHROMIUM_PATH is \/nowhere\/chromium, which does not start as a browser/,
     );
   });
 
-  test('that cannot be had', () => {
+  test('that is missing and cannot be installed', () => {
     installPlaywright('/nowhere/chromium');
     expectOnlySentence(
       project.setUp(['browser']),
@@ -196,7 +196,7 @@ describe('browser', () => {
     );
   });
 
-  test('is CHROMIUM_PATH before Playwright’s own before one of the system', () => {
+  test('is CHROMIUM_PATH, else Playwright’s, else one of the system', () => {
     const log = (name: string) => `echo ${name} >> ${project.path('log')}; echo Chromium 156`;
     for (const name of ['chosen', 'own', 'chromium']) project.program(name, log(name));
     const ask = (environment: Record<string, string> = {}) => {
@@ -212,14 +212,14 @@ describe('browser', () => {
     expect(ask({ CHROMIUM_PATH: project.path('programs/chosen') })).toBe('chosen');
   });
 
-  test('of the system is passed over when it does not start', () => {
+  test('of the system is skipped if it does not start', () => {
     installPlaywright('/nowhere/chromium');
     project.program('chromium', 'echo "install the snap"; exit 1');
     project.program('google-chrome', 'echo Google Chrome 156');
     expect(project.setUp(['browser']).status).toBe(0);
   });
 
-  test('comes from playwright install when there is none', () => {
+  test('is installed by playwright install if there is none', () => {
     installPlaywright(project.path('programs/own'));
     project.write(
       'node_modules/playwright/cli.js',
@@ -253,14 +253,14 @@ describe('engines', () => {
     project.write('node_modules/playwright/cli.js', `console.error('Error: no network'); process.exit(1);`);
   };
 
-  test('are Playwright’s own where they start', () => {
+  test('are Playwright’s if they start', () => {
     installPlaywright(process.execPath, 'return { close: async () => {} };');
     expect(bring().output.split('\n')).toContain(
       JSON.stringify({ name: 'firefox', isPlaywrights: true, path: process.execPath }),
     );
   });
 
-  test('are named where they cannot be had', () => {
+  test('are named if they cannot be installed', () => {
     installPlaywright(process.execPath, 'throw new Error();');
     expectOnlySentence(bring(), /^Firefox could not be installed \(.*Error: no network\)\.$/);
   });

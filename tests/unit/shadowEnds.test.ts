@@ -25,7 +25,7 @@ function inShadow(casters: Float32Array, row: number, point: Vector3, travel: Ve
 }
 
 describe('shadows', () => {
-  test('end behind every point of a puff or a box that lies in them', () => {
+  test('end behind every point of a puff or a box inside them', () => {
     const [casters, bodies] = [cloud(60, 1), cloud(80, 2)];
     const boxes = [new Box3(new Vector3(-1, -2.5, -2), new Vector3(0.5, -2.2, 1))];
     const next = random(3);
@@ -51,7 +51,7 @@ describe('shadows', () => {
     }
   });
 
-  test('end before they begin where nothing lies behind the puff', () => {
+  test('end before they start if nothing is behind the puff', () => {
     const casters = Float32Array.of(0, 1, 0, 0.2);
     expect(endsOf(casters, {})[0]).toBeLessThan(0);
     expect(endsOf(casters, { bodies: Float32Array.of(0, 3, 0, 0.2) })[0]).toBeLessThan(0);
@@ -59,7 +59,7 @@ describe('shadows', () => {
     expect(endsOf(casters, { boxes: [new Box3(new Vector3(1, -1, -1), new Vector3(2, 0, 1))] })[0]).toBeLessThan(0);
   });
 
-  test('end at the first place behind all of it', () => {
+  test('end at the first point behind all receivers', () => {
     const casters = Float32Array.of(0, 1, 0, 0.2);
     expect(endsOf(casters, { bodies: Float32Array.of(0, -1, 0, 0.3, 2, -4, 0, 0.3) })[0]).toBeCloseTo(2.3);
     const table = new Box3(new Vector3(-2, -0.1, -2), new Vector3(2, 0, 2));

@@ -23,7 +23,7 @@ function fieldsIn(file: string): [name: string, { word: number; shift: number; m
 }
 
 describe('the layout of rows and views', () => {
-  it('puts each part of a view in its own place', () => {
+  it('writes each part of a view at its own offset', () => {
     const view: View = {
       purpose: 'light',
       blend: 0.25,
@@ -80,7 +80,7 @@ describe('the layout of rows and views', () => {
     expect([...floats.subarray(VIEW_FLOATS)]).toEqual([9, 8, 7, 0.25, 0.375]);
   });
 
-  it('reads of each part of the view what Rust reads', async () => {
+  it('matches what Rust reads from each part of a view', async () => {
     const simulator = (await loadVariant('core')).create({ capacity: 64, seed: 1 });
     simulator.set({ ...JET, 'emitters.0.position.x': 5 });
     simulator.step(10);

@@ -20,7 +20,7 @@ function caught(action: () => unknown): Error {
 }
 
 describe('a simulator', () => {
-  it('keeps giving rows when memory has grown', async () => {
+  it('returns rows after memory has grown', async () => {
     const { factory, simulator } = await jet();
     simulator.step(30);
     const { rows: before } = simulator.arrange(EVERYTHING);
@@ -33,7 +33,7 @@ describe('a simulator', () => {
     simulator.dispose();
   });
 
-  it('takes no memory while it runs', async () => {
+  it('allocates no memory while it runs', async () => {
     const { factory, simulator } = await jet(2000);
     simulator.step(200);
     simulator.arrange(EVERYTHING);
@@ -46,7 +46,7 @@ describe('a simulator', () => {
     simulator.dispose();
   });
 
-  it('gives its memory back', async () => {
+  it('releases its memory', async () => {
     const { factory, simulator } = await jet(50_000);
     simulator.dispose();
     const size = factory.module.memory.buffer.byteLength;
@@ -54,7 +54,7 @@ describe('a simulator', () => {
     expect(factory.module.memory.buffer.byteLength).toBe(size);
   });
 
-  it('takes at most 96 bytes a particle', async () => {
+  it('uses at most 96 bytes per particle', async () => {
     const factory = await loadVariant('core');
     const before = factory.module.memory.buffer.byteLength;
     const simulator = factory.create({ capacity: 1_000_000, seed: 1 });
@@ -64,7 +64,7 @@ describe('a simulator', () => {
     simulator.dispose();
   });
 
-  it('refuses a number by its key and changes nothing', async () => {
+  it('rejects a number by its key and changes nothing', async () => {
     const { simulator } = await jet();
     simulator.step(10);
     const hash = simulator.hash();
@@ -85,7 +85,7 @@ describe('a simulator', () => {
     twin.dispose();
   });
 
-  it('refuses what is no number, no key, no count and no capacity', async () => {
+  it('rejects invalid numbers, keys, counts and capacities', async () => {
     const { factory, simulator } = await jet();
     const rejected: [() => unknown, string][] = [
       [() => simulator.set({ 'emission.rate': '5' as unknown as number }), 'emission.rate'],
@@ -106,7 +106,7 @@ describe('a simulator', () => {
     simulator.dispose();
   });
 
-  it('refuses a view with a number that is none', async () => {
+  it('rejects a view that contains NaN', async () => {
     const { simulator } = await jet();
     simulator.step(5);
     expect(caught(() => simulator.arrange({ ...EVERYTHING, blend: NaN }))).toBeInstanceOf(ParameterError);
@@ -114,7 +114,7 @@ describe('a simulator', () => {
     simulator.dispose();
   });
 
-  it('goes on from saved bytes to the same hash, and refuses damaged ones', async () => {
+  it('continues from saved bytes to the same hash, and rejects damaged ones', async () => {
     const { factory, simulator } = await jet();
     simulator.step(50);
     const bytes = simulator.save();
@@ -131,17 +131,17 @@ describe('a simulator', () => {
     other.dispose();
   });
 
-  it('can be disposed twice and then says that it was', async () => {
+  it('can be disposed twice and then reports it', async () => {
     const { simulator } = await jet();
     simulator.dispose();
     simulator.dispose();
     for (const action of [() => simulator.step(), () => simulator.alive, () => simulator.arrange(EVERYTHING)]) {
-      expect(caught(action).message).toBe('The simulator was disposed. Make a new one.');
+      expect(caught(action).message).toBe('The simulator was disposed. Create a new one.');
       expect(caught(action)).toBeInstanceOf(SimulatorError);
     }
   });
 
-  it('is dead after a fault, tells why, and leaves the others alive', async () => {
+  it('stops after a fault, reports the reason, and does not affect other simulators', async () => {
     const { factory, simulator } = await jet();
     const other = factory.create({ capacity: 100, seed: 1 });
     const error = caught(() => simulator.provokeFault('a cosmic ray'));
@@ -156,7 +156,7 @@ describe('a simulator', () => {
     other.dispose();
   });
 
-  it('tells the box of what lives', async () => {
+  it('returns the bounding box of living particles', async () => {
     const { simulator } = await jet();
     simulator.step(60);
     const { rows, bounds } = simulator.arrange(EVERYTHING);
@@ -167,7 +167,7 @@ describe('a simulator', () => {
     simulator.dispose();
   });
 
-  it('can be given more room', async () => {
+  it('can get a larger capacity', async () => {
     const { simulator } = await jet(10);
     simulator.step(20);
     expect(simulator.alive).toBe(10);
@@ -197,7 +197,7 @@ describe('loading', () => {
     return fetched;
   }
 
-  it('fetches once, and tells everybody who waits how far it is', async () => {
+  it('downloads once and reports progress to all callers', async () => {
     const bytes = wasmBytes('core');
     const fetched = serve(bytes, { 'content-length': String(bytes.length) });
     const { loadSimulators: load } = await fresh();
@@ -214,7 +214,7 @@ describe('loading', () => {
     expect(second.mock.calls).toEqual(first.mock.calls);
   });
 
-  it('does not believe a length that the bytes exceed', async () => {
+  it('ignores a Content-Length that the download exceeds', async () => {
     const bytes = wasmBytes('core');
     serve(bytes, { 'content-length': '1000' });
     const { loadSimulators: load } = await fresh();
@@ -223,7 +223,7 @@ describe('loading', () => {
     expect(onProgress).toHaveBeenLastCalledWith({ loaded: bytes.length, total: undefined });
   });
 
-  it('says what failed and tries again when asked again', async () => {
+  it('reports a failure and retries on the next call', async () => {
     vi.stubGlobal('fetch', async () => new Response('no', { status: 404, statusText: 'Not Found' }));
     const { loadSimulators: load } = await fresh();
     const error = await load({ physics: false }).catch((reason: unknown) => reason as Error);
@@ -233,7 +233,7 @@ describe('loading', () => {
     expect((await load({ physics: false })).create({ capacity: 1, seed: 0 }).alive).toBe(0);
   });
 
-  it('says that SIMD is missing before it fetches anything', async () => {
+  it('reports missing SIMD before it downloads anything', async () => {
     const fetched = serve(wasmBytes('core'));
     vi.stubGlobal('WebAssembly', { ...WebAssembly, validate: () => false });
     const { loadSimulators: load } = await fresh();

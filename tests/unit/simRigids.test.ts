@@ -39,7 +39,7 @@ async function create() {
 }
 
 describe('rigids', () => {
-  it('take every shape and every kind', async () => {
+  it('accept every shape and every kind', async () => {
     const simulator = await create();
     for (const shape of SHAPES) {
       for (const kind of ['fixed', 'kinematic', 'dynamic'] as const) simulator.addRigid({ ...still(shape), kind });
@@ -50,7 +50,7 @@ describe('rigids', () => {
     simulator.dispose();
   });
 
-  it('of every shape fall on every shape, so fast that they must be caught between two steps', async () => {
+  it('of every shape fall on every shape, fast enough to need continuous collision', async () => {
     const simulator = await create();
     SHAPES.forEach((falling, row) =>
       SHAPES.forEach((lying, column) => {
@@ -66,7 +66,7 @@ describe('rigids', () => {
     simulator.dispose();
   });
 
-  it('are refused by the name of what is wrong, and none is added', async () => {
+  it('are rejected with the name of the invalid value, and none is added', async () => {
     const simulator = await create();
     const mesh = (indices: number[], vertices = TETRAHEDRON): RigidShape => ({ type: 'trimesh', vertices, indices });
     const ball = still(SHAPES[0]);
@@ -137,7 +137,7 @@ describe('rigids', () => {
     simulator.dispose();
   });
 
-  it('follow paths, spin and springs, each refused by name', async () => {
+  it('follow paths, spin and springs, and reject invalid ones by name', async () => {
     const simulator = await create();
     const spin = { axis: [0, 1, 0], rate: 2 };
     const points = [
@@ -173,7 +173,7 @@ describe('rigids', () => {
     simulator.dispose();
   });
 
-  it('are joined, and each joint is refused by the name of what is wrong', async () => {
+  it('are joined, and invalid joints are rejected by name', async () => {
     const simulator = await create();
     const peg = simulator.addRigid({ ...still(SHAPES[0]), kind: 'fixed' });
     const bob = simulator.addRigid({ ...still({ type: 'ball', radius: 0.1 }), kind: 'dynamic', position: [0, -1, 0] });
@@ -245,7 +245,7 @@ describe('rigids', () => {
     simulator.dispose();
   });
 
-  it('come back from saved bytes', async () => {
+  it('are restored from saved bytes', async () => {
     const simulator = await create();
     simulator.addRigid({ ...still(SHAPES[4]), kind: 'dynamic' });
     simulator.addRigid({ ...still(SHAPES[1]), kind: 'fixed', position: [0, -2, 0] });
@@ -260,7 +260,7 @@ describe('rigids', () => {
     other.dispose();
   });
 
-  it('are refused by the core variant, which says what to load', async () => {
+  it('are rejected by the core variant with the variant to load', async () => {
     const simulator = (await loadVariant('core')).create({ capacity: 1, seed: 1 });
     expect(() => simulator.addRigid(still(SHAPES[0]))).toThrow(SimulatorError);
     expect(() => simulator.addRigid(still(SHAPES[0]))).toThrow(/loadSimulators\(\{ physics: true \}\)/);

@@ -8,7 +8,7 @@ const VERTICES = [0, 0, 5, 1, 0, 5, 0, 1, 5, 1, 1, 5];
 const INDICES = [0, 1, 2, 2, 1, 3];
 
 describe('a surface of a mesh', () => {
-  it('is what an emitter smokes from, and is saved', async () => {
+  it('emits smoke and is part of the saved state', async () => {
     const factory = await loadVariant('core');
     const simulator = factory.create({ capacity: 256, seed: 1 });
     expect(simulator.addSurface(new Float32Array(VERTICES), new Uint32Array(INDICES))).toBe(0);
@@ -30,7 +30,7 @@ describe('a surface of a mesh', () => {
     other.dispose();
   });
 
-  it('is refused by the name of what is wrong with it', async () => {
+  it('is rejected with the name of the invalid value', async () => {
     const simulator = (await loadVariant('core')).create({ capacity: 16, seed: 1 });
     const cases: [number[], number[], string][] = [
       [[], INDICES, 'surface.vertices'],

@@ -25,40 +25,32 @@ const forces: Record<string, number> = Object.assign(
     .map((list) => simulatorValues(startValues(list, 1))),
 );
 
-it(
-  `smokes for ${STEPS} steps with constant memory and every particle in its place`,
-  { timeout: 1_500_000 },
-  async () => {
-    const factory = await loadVariant('physics');
-    const simulator = factory.create({ capacity: 1000, seed: 11 });
-    const scene = lamp();
-    simulator.set({ ...scene.rig, ...simulatorValues(presetValues(defaultPreset)), ...forces, 'emission.rate': 400 });
-    // Only the ball and the table: the lamp's many parts would take most of the time.
-    for (const rigid of scene.rigids.slice(0, 2)) simulator.addRigid(rigid);
-    const collectGarbage = garbageCollector();
-    const pages = new Set<number>();
-    const heaps: number[] = [];
-    for (let sample = 0; sample < SAMPLES; ++sample) {
-      simulator.moveRigid(scene.handle!.rigid, [
-        Math.sin(sample),
-        1.2 + Math.sin(0.7 * sample),
-        Math.cos(1.3 * sample),
-      ]);
-      simulator.step(STEPS / SAMPLES);
-      const { count, place } = simulator.arrange(EVERYTHING).rows;
-      expect(count).toBeGreaterThan(900);
-      expect(place.every((value) => Math.abs(value) < 10_000)).toBe(true);
-      collectGarbage();
-      if (sample < WARM_UP) continue;
-      pages.add(factory.module.memory.buffer.byteLength);
-      heaps.push(process.memoryUsage().heapUsed);
-    }
-    expect(simulator.steps).toBe(STEPS);
-    expect(pages.size, 'sizes of the memory of WASM').toBe(1);
-    const late = heaps.slice(-WARM_UP);
-    expect(Math.min(...late) - Math.min(...heaps.slice(0, WARM_UP)), 'growth of the heap').toBeLessThan(HEAP_SLACK);
-  },
-);
+it(`smokes for ${STEPS} steps with constant memory and valid positions`, { timeout: 1_500_000 }, async () => {
+  const factory = await loadVariant('physics');
+  const simulator = factory.create({ capacity: 1000, seed: 11 });
+  const scene = lamp();
+  simulator.set({ ...scene.rig, ...simulatorValues(presetValues(defaultPreset)), ...forces, 'emission.rate': 400 });
+  // Only the ball and the table: the lamp's many parts would take most of the time.
+  for (const rigid of scene.rigids.slice(0, 2)) simulator.addRigid(rigid);
+  const collectGarbage = garbageCollector();
+  const pages = new Set<number>();
+  const heaps: number[] = [];
+  for (let sample = 0; sample < SAMPLES; ++sample) {
+    simulator.moveRigid(scene.handle!.rigid, [Math.sin(sample), 1.2 + Math.sin(0.7 * sample), Math.cos(1.3 * sample)]);
+    simulator.step(STEPS / SAMPLES);
+    const { count, place } = simulator.arrange(EVERYTHING).rows;
+    expect(count).toBeGreaterThan(900);
+    expect(place.every((value) => Math.abs(value) < 10_000)).toBe(true);
+    collectGarbage();
+    if (sample < WARM_UP) continue;
+    pages.add(factory.module.memory.buffer.byteLength);
+    heaps.push(process.memoryUsage().heapUsed);
+  }
+  expect(simulator.steps).toBe(STEPS);
+  expect(pages.size, 'sizes of the memory of WASM').toBe(1);
+  const late = heaps.slice(-WARM_UP);
+  expect(Math.min(...late) - Math.min(...heaps.slice(0, WARM_UP)), 'growth of the heap').toBeLessThan(HEAP_SLACK);
+});
 
 /** Node exposes it only with a flag. */
 function garbageCollector(): () => void {

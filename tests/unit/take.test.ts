@@ -26,7 +26,7 @@ function seek(simulation: ReturnType<typeof lampSimulation>, step: number): stri
 }
 
 describe('seeking', () => {
-  it.each([1e7, 0])('comes to the hashes of the straight way with %d bytes of history', (historyBytes) => {
+  it.each([1e7, 0])('reaches the hashes of a straight run with %d bytes of history', (historyBytes) => {
     const simulation = lampSimulation(factory, historyBytes);
     const hashes = live(simulation);
     for (const step of [380, 20, 200, 160, 400, 100, 300, 120]) {
@@ -39,7 +39,7 @@ describe('seeking', () => {
     simulation.dispose();
   });
 
-  it('steps on from the nearest kept state', () => {
+  it('steps from the nearest saved state', () => {
     const simulation = lampSimulation(factory);
     live(simulation);
     simulation.approach(250);
@@ -63,7 +63,7 @@ describe('seeking', () => {
     simulation.dispose();
   });
 
-  it('lets a person take over and forgets what came after', () => {
+  it('lets the user take over and drops later inputs', () => {
     const simulation = lampSimulation(factory);
     live(simulation);
     seek(simulation, 240);
@@ -93,7 +93,7 @@ describe('a take', () => {
     second.dispose();
   });
 
-  it('tells what it is', () => {
+  it('describes itself', () => {
     const simulation = lampSimulation(factory);
     live(simulation);
     const bytes = simulation.simulator.take(noteOf(simulation.startValues));
@@ -104,7 +104,7 @@ describe('a take', () => {
     simulation.dispose();
   });
 
-  it('brings back the values that were changed on the way, the curve of density among them', () => {
+  it('replays changed values, the density curve among them', () => {
     const density = { 'emission.density': '0:.5,0.5:1,1:0' };
     const first = lampSimulation(factory);
     first.advance(10);
@@ -121,7 +121,7 @@ describe('a take', () => {
     second.dispose();
   });
 
-  it('says how much room it asks for', () => {
+  it('has the required capacity', () => {
     const simulation = lampSimulation(factory);
     const roomOf = (bytes: Uint8Array) => factory.readTake(bytes).mostParticles;
     expect(roomOf(simulation.simulator.take())).toBe(300);
@@ -152,7 +152,7 @@ describe('a take', () => {
     simulation.dispose();
   });
 
-  it('may begin with a restored state', () => {
+  it('can start with a restored state', () => {
     const first = lampSimulation(factory);
     for (let step = 0; step < 150; ++step) {
       act(first, step);
@@ -171,7 +171,7 @@ describe('a take', () => {
     second.dispose();
   });
 
-  it('of version 2 plays to its end, with a notice in links', async () => {
+  it('of version 2 plays to the end, with a notice in links', async () => {
     const { bytes } = await unpackBytes(TAKE_2, 1e5);
     const core = await loadVariant('core');
     const take = takeOf(bytes, core.readTake(bytes));
@@ -202,7 +202,7 @@ describe('a take', () => {
     simulation.dispose();
   });
 
-  it('of a version to come is refused in words', () => {
+  it('of a later version is rejected with a message', () => {
     const simulation = lampSimulation(factory);
     const bytes = simulation.simulator.take(noteOf(VALUES));
     bytes[4] = 4;
@@ -212,7 +212,7 @@ describe('a take', () => {
     simulation.dispose();
   });
 
-  it('is refused when damaged or of another scene, and the running state stays', async () => {
+  it('is rejected if damaged or of another scene, without a change of the state', async () => {
     const simulation = lampSimulation(factory);
     simulation.advance(90);
     const bytes = simulation.simulator.take(noteOf(VALUES));
@@ -237,7 +237,7 @@ describe('a take', () => {
     ['no note', '', /not recorded by a stage/],
     ['a note of something else', '{"values":7}', /not recorded by a stage/],
     ['a value that the table does not take', '{"values":{"emission.rate":-4}}', /emission\.rate/],
-  ])('is refused with %s', (_, note, message) => {
+  ])('is rejected with %s', (_, note, message) => {
     const simulator = factory.create({ capacity: 10, seed: 1 });
     simulator.record();
     const bytes = simulator.take(note);
@@ -247,7 +247,7 @@ describe('a take', () => {
 });
 
 describe('inputs', () => {
-  it('are refused by name and change nothing', () => {
+  it('are rejected by name and change nothing', () => {
     const { simulator } = lampSimulation(factory);
     const before = [simulator.hash(), simulator.inputCount];
     const blow = { origin: [0, 0, 0], ray: [0, 0, 1], velocity: [0, 0, 0], radius: 0.5, seconds: 1 };

@@ -43,7 +43,7 @@ test('puffs keep time with the wheels', async () => {
   simulation.dispose();
 });
 
-test('wheels roll without slipping: the point that touches the rail stands still', () => {
+test('wheels roll without slipping: the point on the rail is at rest', () => {
   for (const seconds of [0.3, 1.7, 4.1]) {
     const [before, after] = [seconds, seconds + 1e-4].map((at) => scene.guide!(momentAt(at))[0]);
     const speed = Math.hypot(...[0, 1, 2].map((axis) => after.position[axis] - before.position[axis])) / 1e-4;

@@ -116,7 +116,7 @@ const files = execFileSync('git', ['ls-files', '--cached', '--others', '--exclud
   .filter((file) => [...TYPESCRIPT, ...GLSL_AND_RUST].includes(extname(file)) && !SKIPPED.test(file));
 
 describe('old words', () => {
-  it('are in no name of a file, a folder or a thing', () => {
+  it('are in no name of a file, a folder or an identifier', () => {
     expect(files.length).toBeGreaterThan(500);
     expect(files.flatMap((file) => oldWords(file, readFileSync(`${ROOT}/${file}`, 'utf8')))).toEqual([]);
   });
@@ -143,7 +143,7 @@ describe('old words', () => {
     ['shaders/a.frag', '// a look at a turn\nfloat phase;'],
     ['sim-wasm/sim/src/rigids/a.rs', 'fn look() {}'],
     ['sim-wasm/sim/tests/a.rs', 'fn a_take_of_another_surface_is_refused() { panic!("refusal"); }'],
-  ])('may stand in comments, texts and elsewhere: %s: %s', (file, code) => {
+  ])('are allowed in comments, texts and elsewhere: %s: %s', (file, code) => {
     expect(oldWords(file, code)).toEqual([]);
   });
 });

@@ -10,7 +10,7 @@ const LONE_PUFFS = '/tests/visual/cases/lonePuffs.ts';
 for (const form of ['lobes', 'billboards'] as const) {
   test.describe(form, () => {
     for (const light of ['sun', 'lamp'] as const) {
-      test(`puffs that nothing shades under a ${light} mask none of their own lit pixels`, async ({ load }) => {
+      test(`unshadowed puffs under a ${light} mask none of their own lit pixels`, async ({ load }) => {
         const cases = await load<LonePuffs>(LONE_PUFFS);
         const report = await cases.evaluate((module, input) => module.selfMasked(...input, 200), [
           form,
@@ -21,7 +21,7 @@ for (const form of ['lobes', 'billboards'] as const) {
       });
     }
 
-    test('they mask nothing of a ramp that turns at once, of its fill light and its rim', async ({ load }) => {
+    test('they mask nothing with an early ramp, a fill light and a rim light', async ({ load }) => {
       const cases = await load<LonePuffs>(LONE_PUFFS);
       const report = await cases.evaluate(
         (module, shape) => module.selfMasked(shape, 'sun', 150, undefined, module.EARLY),
@@ -31,20 +31,20 @@ for (const form of ['lobes', 'billboards'] as const) {
       expect(report.masked).toBe(0);
     });
 
-    test('chosen stops, fill, rim and colours by heat show exactly as typed', async ({ load }) => {
+    test('custom tones, fill light, rim light and colours by heat are drawn exactly', async ({ load }) => {
       const cases = await load<Cases>(CASES);
       const { found, allowed } = await cases.evaluate((module, shape) => module.chosenColors(shape), form);
       expect(Object.keys(found).sort()).toEqual([...new Set(allowed)].sort());
     });
 
-    test('a gradient by height stands still while smoke comes and goes', async ({ load }) => {
+    test('a gradient by height does not move while smoke appears and dies', async ({ load }) => {
       const cases = await load<Cases>(CASES);
       const { differing, shades } = await cases.evaluate((module, shape) => module.heightUnrest(shape), form);
       expect(shades).toBeGreaterThan(40);
       expect(differing).toBe(0);
     });
 
-    test('a gradient by height follows the relief, however the camera is tilted', async ({ load }) => {
+    test('a gradient by height follows the relief at any camera elevation', async ({ load }) => {
       const cases = await load<Cases>(CASES);
       const reports = await cases.evaluate((module, shape) => module.heightErrors(shape), form);
       expect(reports).toHaveLength(8);
@@ -61,14 +61,14 @@ for (const form of ['lobes', 'billboards'] as const) {
       expect(Object.keys(found).sort()).toEqual([...allowed].sort());
     });
 
-    test('tinted puffs have the tones of their tint, by turns, and all others those of the smoke', async ({ load }) => {
+    test('tinted puffs have the tones of their tint, all others those of the smoke', async ({ load }) => {
       const cases = await load<Cases>(CASES);
       for (const { tint, found, expected } of await cases.evaluate((module, shape) => module.tintColors(shape), form)) {
         expect(found, `tint ${tint}`).toEqual(expected);
       }
     });
 
-    test('ink is the ink colour in light, in shade and in shadow', async ({ load }) => {
+    test('ink has the ink colour in light, in shade and in shadow', async ({ load }) => {
       const cases = await load<Cases>(CASES);
       const report = await cases.evaluate((module, shape) => module.inkColors(shape), form);
       for (const { ink, nearInk } of Object.values(report)) {
@@ -87,9 +87,7 @@ for (const form of ['lobes', 'billboards'] as const) {
       expect(over).toBeGreaterThan(150);
     });
 
-    test('with a taper a line between puffs grows from nothing at the threshold to its full width', async ({
-      load,
-    }) => {
+    test('with a taper a line between puffs widens from 0 at the threshold to its full width', async ({ load }) => {
       const cases = await load<Cases>(CASES);
       const [under, between, twice, full] = await cases.evaluate(
         (module, shape) => [

@@ -10,7 +10,7 @@ test('a PNG is the picture, also larger with the same flat colours, and transpar
   expect(report).toEqual({ differing: 0, size: [320, 240], foreignFlats: [], alphaOfCorner: 0, isUntouched: true });
 });
 
-test('a GIF has its frames, keeps flat colours, and its end leads to its beginning', async ({ load }) => {
+test('a GIF has all frames, keeps flat colours, and loops seamlessly', async ({ load }) => {
   const { moves, jump, kept, ...report } = await (await load<Cases>(CASES)).evaluate((cases) => cases.gif());
   expect(report).toEqual({ frameCount: 12, loops: true, isUntouched: true });
   expect(kept).toBe(20);
@@ -39,7 +39,7 @@ test('a sequence has a PNG with alpha for each frame', async ({ load }) => {
   expect(report.isUntouched).toBe(true);
 });
 
-test('layers laid over each other are the picture', async ({ load }) => {
+test('composited layers equal the picture', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.sequence(true));
   expect(report.names).toEqual(['depth/0001.png', 'flats/0001.png', 'ink/0001.png', 'shadow/0001.png']);
   expect(report.composed).toBeLessThan(1);
@@ -55,12 +55,12 @@ test('a drawing has the flat colours in named groups, and looks like the picture
   expect(report.isUntouched).toBe(true);
 });
 
-test('a clip that is cancelled ends at once and leaves the smoke as it was', async ({ load }) => {
+test('a cancelled clip ends at once and does not change the smoke', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.cancelled());
   expect(report).toEqual({ outcome: 'AbortError', shares: 2, isUntouched: true });
 });
 
-test('a browser without encoder says so, and what to take instead', async ({ load }) => {
+test('without an encoder the page reports it and suggests an alternative', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.withoutEncoder());
   expect(report.message).toContain('cannot encode Video (MP4) at 160 \u00d7 120 pixels. Use');
   expect(report.isUntouched).toBe(true);

@@ -38,7 +38,7 @@ test('sprites fade towards a surface behind them', async ({ load }) => {
 const MAX_OF_SHADOW = 0.015;
 
 for (const view of ['sun', 'distantLamp', 'lampAbove', 'lampAmongCrates', 'lampBelow'] as const) {
-  test(`the shadow map darkens the ground that the light does not reach, and no other: ${view}`, async ({ load }) => {
+  test(`the shadow map darkens exactly the ground in shadow: ${view}`, async ({ load }) => {
     const cases = await load<Shadows>(SHADOWS);
     const { shadow, missing, extra } = await cases.evaluate((module, name) => module.mapErrors(name), view);
     expect(shadow).toBeGreaterThan(1_000);

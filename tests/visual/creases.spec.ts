@@ -6,7 +6,7 @@ const CASES = '/tests/visual/cases/creases.ts';
 for (const reversedDepth of [false, true]) {
   for (const projection of ['perspective', 'orthographic'] as const) {
     const reversed = reversedDepth ? ', depth reversed' : '';
-    test(`sharp edges and seams have lines as wide near and far, and none through a wall: ${projection}${reversed}`, async ({
+    test(`lines along sharp edges and seams have the same width near and far, and walls hide them: ${projection}${reversed}`, async ({
       load,
     }) => {
       const cases = await load<Cases>(CASES);

@@ -17,7 +17,7 @@ const STYLES = {
 
 for (const form of ['lobes', 'billboards']) {
   for (const seconds of [3, 6]) {
-    test(`leaving out what is hidden changes no pixel of the lamp of ${form} after ${seconds} s`, async ({ load }) => {
+    test(`culling changes no pixel of the lamp of ${form} after ${seconds} s`, async ({ load }) => {
       const cases = await load<Cases>(CASES);
       const [values, places] = [{ 'puff.form': form }, PLACES];
       const comparisons = await cases.evaluate(
@@ -31,7 +31,7 @@ for (const form of ['lobes', 'billboards']) {
 }
 
 for (const scene of Object.keys(sceneEntries)) {
-  test(`leaving out what is hidden changes no pixel of the scene ${scene} from three cameras`, async ({ load }) => {
+  test(`culling changes no pixel of the scene ${scene} from three cameras`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const comparisons: Comparison[] = [];
     for (const seconds of [2, 6]) {
@@ -49,7 +49,7 @@ for (const scene of Object.keys(sceneEntries)) {
 
 for (const form of ['lobes', 'billboards'] as const) {
   for (const [name, style] of Object.entries(STYLES)) {
-    test(`leaving out what is hidden changes no pixel of plumes of ${form}: ${name}`, async ({ load }) => {
+    test(`culling changes no pixel of plumes of ${form}: ${name}`, async ({ load }) => {
       const cases = await load<Cases>(CASES);
       for (const particles of [300, 3000]) {
         const input = { particles, style: { ...style, form }, places: PLACES };

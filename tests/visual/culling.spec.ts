@@ -4,7 +4,7 @@ import { expectSame } from './sameness.ts';
 type Cases = typeof import('./cases/culling.ts');
 const CASES = '/tests/visual/cases/culling.ts';
 
-test('leaving out what is hidden changes no pixel of the lamp', async ({ load }) => {
+test('culling changes no pixel of the lamp', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   // Denser than the lamp preset, so that many particles are hidden.
   const values = { 'simulation.maxParticles': 800, 'emission.rate': 150 };
@@ -17,7 +17,7 @@ test('leaving out what is hidden changes no pixel of the lamp', async ({ load })
 });
 
 for (const form of ['lobes', 'billboards'] as const) {
-  test(`leaving out what is hidden changes no pixel of a dense plume of ${form}`, async ({ load }) => {
+  test(`culling changes no pixel of a dense plume of ${form}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const comparisons = await cases.evaluate(
       (module, style) => module.comparePlume(1000, style, ['scene', 'inside', 'orthographic']),

@@ -4,7 +4,7 @@ type Cases = typeof import('./cases/debugViews.ts');
 const CASES = '/tests/visual/cases/debugViews.ts';
 
 for (const form of ['lobes', 'billboards'] as const) {
-  test(`${form}: lit, unlit, ink and counts are shown as they are`, async ({ load }) => {
+  test(`${form}: lit, unlit, ink and counts show the targets`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const { wrong, judged, error } = await cases.evaluate((module, shape) => module.compareViews(shape), form);
     expect(error).toBe(0);
@@ -14,7 +14,7 @@ for (const form of ['lobes', 'billboards'] as const) {
     }
   });
 
-  test(`${form}: normals explain the tones`, async ({ load }) => {
+  test(`${form}: normals reproduce the tones`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const { puff, unexplained } = await cases.evaluate((module, shape) => module.normalsAndTones(shape), form);
     expect(puff).toBeGreaterThan(5_000);
@@ -36,7 +36,7 @@ test('overdraw counts bodies and volumes, hidden or not', async ({ load }) => {
   expect(withVolumes).toBeGreaterThan(2);
 });
 
-test('the coverage grid is shown where it lies, and covers nothing but smoke', async ({ load }) => {
+test('the coverage grid is drawn in place and covers only smoke', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const { tinted, wrong, missing, clear } = await cases.evaluate((module) => module.coverageTints());
   expect(tinted).toBeGreaterThan(1_000);

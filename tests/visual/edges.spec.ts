@@ -7,7 +7,7 @@ const CASES = '/tests/visual/cases/edges.ts';
 /** Degrees from the horizontal. */
 const ANGLES = [3, 8, 22, 38, 45, 64, 75, 87];
 
-test('slanted edges of every kind are smoothed as their pixels are covered', async ({ load }) => {
+test('slanted edges of every kind are smoothed by pixel coverage', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const slants = await cases.evaluate((module, angles) => module.slants([...angles, 0]), ANGLES);
   for (const { kind, angle, report } of slants) {
@@ -33,7 +33,7 @@ test('lines of one or two pixels keep their ink and do not break', async ({ load
   }
 });
 
-test('specks of one or two pixels go and strokes stay', async ({ load }) => {
+test('specks of one or two pixels are removed and strokes stay', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   for (const { name, isDrawn, left } of await cases.evaluate((module) => module.marks())) {
     if (isDrawn) expect(left, name).toBeCloseTo(1, 1);
@@ -47,7 +47,7 @@ test('the corner of a square stays sharp', async ({ load }) => {
 });
 
 for (const grey of [0, 128, 255]) {
-  test(`an outline on a transparent page covers what it covers on an opaque one: ${grey}`, async ({ load }) => {
+  test(`an outline has the same coverage on a transparent page as on an opaque one: ${grey}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const { farthest, mixed } = await cases.evaluate((module, value) => module.pageShares(value), grey);
     expect(mixed).toBeGreaterThan(100);
@@ -71,7 +71,7 @@ for (const background of ['white', 'black', 'noise']) {
 }
 
 for (const form of ['lobes', 'billboards'] as const) {
-  test(`${form}: every kind of edge of a picture gets levels between, and nothing else changes`, async ({ load }) => {
+  test(`${form}: the filter smooths every kind of edge and changes nothing else`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const inked = await cases.evaluate((module, shape) => module.sceneEdges(shape, true), form);
     const plain = await cases.evaluate((module, shape) => module.sceneEdges(shape, false), form);

@@ -3,14 +3,14 @@ import { expect, test } from '../support/fixtures.ts';
 type Cases = typeof import('./cases/flat.ts');
 const CASES = '/tests/visual/cases/flat.ts';
 
-test('the self test tells whether written depth counts, and can be told to fail', async ({ load }) => {
+test('the self-test detects whether written depth is used, and can be made to fail', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   expect(await cases.evaluate((module) => module.selfTest())).toEqual({ passes: true, notified: false, error: 0 });
   expect(await cases.evaluate((module) => module.selfTestWithoutWriting())).toBe(false);
 });
 
 for (const view of ['ordinary', 'lamp', 'orthographic']) {
-  test(`without written depth smoke, ink and shadow are nearly where they are with it: ${view}`, async ({ load }) => {
+  test(`flat smoke, ink and shadow nearly match those with written depth: ${view}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const report = await cases.evaluate((module, name) => module.agreement(name), view);
     console.log(`flat against nailboards, ${view}:`, report);
@@ -38,7 +38,7 @@ test('flat: a lone puff masks none of its own lit pixels', async ({ load }) => {
   expect(masked).toBe(0);
 });
 
-test('flat: a stage says so and draws smoke, ink and shadow', async ({ load }) => {
+test('flat: a stage reports it and draws smoke, ink and shadow', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const { writesDepth, ink, smoke, shadowed } = await cases.evaluate((module) => module.flatStage());
   expect(writesDepth).toBe(false);

@@ -12,7 +12,7 @@ for (const form of ['lobes', 'billboards'] as const) {
   });
 }
 
-test('the bench counts what WebGL is given', async ({ load }) => {
+test('the bench counts the WebGL calls', async ({ load }) => {
   const cases = await load<typeof import('./cases/fragments.ts')>('/tests/visual/cases/fragments.ts');
   expect(await cases.evaluate((module) => module.uploads())).toEqual([100, 40, 32, 12]);
 });

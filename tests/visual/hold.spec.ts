@@ -5,7 +5,7 @@ const CASES = '/tests/visual/cases/hold.ts';
 
 const STEPS = 30;
 
-test('on twos, threes and fours a puff and its ink stand still, by turns, while surfaces move on', async ({ load }) => {
+test('on twos, threes and fours puffs and their ink hold still, staggered, while surfaces move', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const every = Array.from({ length: STEPS }, (_, step) => step);
   const ones = await cases.evaluate((module, steps) => module.changes(1, 1, steps), STEPS);

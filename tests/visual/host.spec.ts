@@ -20,7 +20,7 @@ for (const { antialias, toneMapped, reversedDepthBuffer } of [
   { antialias: false, toneMapped: false, reversedDepthBuffer: true },
 ]) {
   const how = [antialias && 'smoothed', toneMapped && 'tone-mapped', reversedDepthBuffer && 'depth reversed'];
-  test(`beside smoke and its shadow a scene stays as it is, bit for bit: ${how.filter(Boolean).join(', ') || 'plain'}`, async ({
+  test(`outside smoke and its shadow a scene is unchanged, bit for bit: ${how.filter(Boolean).join(', ') || 'plain'}`, async ({
     load,
   }) => {
     const cases = await load<Shadow>(SHADOW);
@@ -35,7 +35,7 @@ for (const { antialias, toneMapped, reversedDepthBuffer } of [
   });
 }
 
-test('an unseen box darkens what lies behind it', async ({ load }) => {
+test('an invisible box shadows the objects behind it', async ({ load }) => {
   const cases = await load<Shadow>(SHADOW);
   const { wrong, between, dark, lit } = await cases.evaluate((module) => module.meshShadow());
   expect([wrong, between]).toEqual([0, 0]);
@@ -43,9 +43,7 @@ test('an unseen box darkens what lies behind it', async ({ load }) => {
   expect(lit).toBeGreaterThan(15_000);
 });
 
-test('balls and capsules that stand in for meshes throw the shadow that rays towards the light find', async ({
-  load,
-}) => {
+test('proxy balls and capsules cast the shadow that ray casting finds', async ({ load }) => {
   const cases = await load<Shadow>(SHADOW);
   for (const kind of ['capsules', 'bones', 'instances'] as const) {
     const { dark, lit, wrong } = await cases.evaluate((module, which) => module.ballShadow(which), kind);
@@ -55,7 +53,7 @@ test('balls and capsules that stand in for meshes throw the shadow that rays tow
   }
 });
 
-test('all casters make one step of shadow, and smoke the second', async ({ load }) => {
+test('all casters together count as one step of shadow, and smoke as the second', async ({ load }) => {
   const cases = await load<Shadow>(SHADOW);
   const { byBoxes, byBoth, bySmoke, wrong } = await cases.evaluate((module) => module.deepShadow());
   expect(wrong).toBe(0);
@@ -70,7 +68,7 @@ for (const [antialias, origin] of [
   [true, 20],
 ] as const) {
   const where = `${origin > 0 ? 'in a part of ' : 'on '}a ${antialias ? 'smoothed' : 'plain'} canvas`;
-  test(`ink closes where smoke sinks into the host's floor, ${where}`, async ({ load }) => {
+  test(`ink closes where smoke enters the host's floor, ${where}`, async ({ load }) => {
     const cases = await load<Ink>(INK);
     const { border, inked } = await cases.evaluate((module, [a, b]) => module.contactLine(a, b), [
       antialias,
@@ -81,14 +79,14 @@ for (const [antialias, origin] of [
   });
 }
 
-test('lines boil from drawing to drawing', async ({ load }) => {
+test('lines boil between drawings', async ({ load }) => {
   const cases = await load<Ink>(INK);
   const { boiling, steady } = await cases.evaluate((module) => module.boiling());
   expect(boiling).toBeGreaterThan(steady + 100);
 });
 
 for (const kind of ['skinned', 'instanced'] as const) {
-  test(`a ${kind} mesh stands among smoke as its triangles do`, async ({ load }) => {
+  test(`a ${kind} mesh occludes smoke where its triangles are`, async ({ load }) => {
     const cases = await load<Meshes>(MESHES);
     const { changed, hidden, shown } = await cases.evaluate((module, which) => module.deformed(which), kind);
     expect(hidden).toBeGreaterThan(100);
@@ -99,9 +97,7 @@ for (const kind of ['skinned', 'instanced'] as const) {
 }
 
 for (const kind of ['pane', 'sprite'] as const) {
-  test(`a ${kind} tints the smoke that it stands before, in part that within which it stands, and none behind`, async ({
-    load,
-  }) => {
+  test(`a ${kind} tints the smoke behind it, part of the smoke around it, and none in front`, async ({ load }) => {
     const cases = await load<Meshes>(MESHES);
     const { before, within, behind, wrong } = await cases.evaluate((module, which) => module.blended(which), kind);
     expect(before).toBe(1);
@@ -112,7 +108,7 @@ for (const kind of ['pane', 'sprite'] as const) {
   });
 }
 
-test('a renderer is left as it was found', async ({ load }) => {
+test('the state of the renderer is restored', async ({ load }) => {
   const cases = await load<Output>(OUTPUT);
   const { before, after, changed, drawn } = await cases.evaluate((module) => module.stateAsFound());
   expect(after).toEqual(before);
@@ -120,7 +116,7 @@ test('a renderer is left as it was found', async ({ load }) => {
   expect(changed).toBe(0);
 });
 
-test('two cameras see one smoke, each as if it were alone', async ({ load }) => {
+test('two cameras draw the same smoke independently', async ({ load }) => {
   const cases = await load<Output>(OUTPUT);
   const { left, right, between, sameState } = await cases.evaluate((module) => module.twoCameras());
   expect(between).toBeGreaterThan(1000);
@@ -139,7 +135,7 @@ for (const samples of [0, 4]) {
 }
 
 for (const kind of ['rigid', 'bones', 'instances', 'proxies'] as const) {
-  test(`what is hidden or out of the scene throws no shadow: ${kind}`, async ({ load }) => {
+  test(`objects that are hidden or not in the scene cast no shadow: ${kind}`, async ({ load }) => {
     const cases = await load<Shadow>(SHADOW);
     const { there, back, ...gone } = await cases.evaluate((module, which) => module.shadowsOfGone(which), kind);
     expect(there).toBeGreaterThan(100);
@@ -161,7 +157,7 @@ for (const [kind, most] of [
 test.describe('errors', () => {
   test.use({ allowed: /stencil|depth/i });
 
-  test('say what is wrong and what to do', async ({ load }) => {
+  test('report the cause and the solution', async ({ load }) => {
     const cases = await load<Errors>(ERRORS);
     const said = await cases.evaluate((module) => module.errors());
     expect(said.stencil).toMatch(/^UnsupportedError: .*stencil: true/);
@@ -172,7 +168,7 @@ test.describe('errors', () => {
     expect(said.fixed).toMatch(/^ParameterError: seed cannot be 2: .*creation/);
     expect(said.given).toMatch(/^ParameterError: light.azimuth cannot be 20: .*your scene/);
     expect(said.open).toMatch(/^ParameterError: cast cannot be “Mesh”: .*closed mesh.*proxies/);
-    expect(said.empty).toMatch(/^ParameterError: cast cannot be “Group”: .*a mesh in it/);
+    expect(said.empty).toMatch(/^ParameterError: cast cannot be “Group”: .*contains a mesh/);
     expect(said.emitter).toMatch(/^ParameterError: emitter cannot be 8: it takes a whole number from 0 to 7/);
     expect(said.seconds).toMatch(/^ParameterError: seconds cannot be NaN/);
     expect(said.count).toMatch(/^ParameterError: count cannot be NaN/);
@@ -186,7 +182,7 @@ test.describe('errors', () => {
   });
 });
 
-test.describe('of billboards that are not here yet', () => {
+test.describe('billboards that are not loaded yet', () => {
   test.use({ ownPage: true, allowed: /ERR_FAILED/ });
 
   const CODE = '**/src/smoke/billboards.ts*';
@@ -199,7 +195,10 @@ test.describe('of billboards that are not here yet', () => {
     return { asked };
   };
 
-  test('the code is fetched while lobes go on; they are then those from the start', async ({ load, blank }) => {
+  test('lobes are drawn while the code loads; billboards then equal those loaded at the start', async ({
+    load,
+    blank,
+  }) => {
     const cases = await load<Billboards>(BILLBOARDS);
     const request = await held(blank);
     const asked = await cases.evaluateHandle((module) => module.ask());
@@ -212,7 +211,7 @@ test.describe('of billboards that are not here yet', () => {
     expect(await asked.evaluate(({ notified }) => notified)).toEqual([]);
   });
 
-  test('where it cannot be had lobes go on, which is told once and thrown into no frame, until it can', async ({
+  test('a failed load keeps lobes, emits one error event, throws in no frame, and can be retried', async ({
     load,
     blank,
   }) => {
@@ -237,7 +236,7 @@ test.describe('of billboards that are not here yet', () => {
     expect(await cases.evaluate((module, one) => module.frames(one), asked)).toBeGreaterThan(100);
   });
 
-  test('what nobody wants any longer is not missed, and smoke does not begin without', async ({ load, blank }) => {
+  test('code that is no longer needed causes no error, and creation waits for needed code', async ({ load, blank }) => {
     const cases = await load<Billboards>(BILLBOARDS);
     const request = await held(blank);
     const asked = await cases.evaluateHandle((module) => module.ask());

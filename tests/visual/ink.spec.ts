@@ -8,7 +8,7 @@ const SLACK = { lobes: 0.1, billboards: 1 };
 
 for (const form of ['lobes', 'billboards'] as const) {
   for (const projection of ['perspective', 'orthographic'] as const) {
-    test(`${form}: a line is as wide in the page's pixels near and far: ${projection}`, async ({ load }) => {
+    test(`${form}: a line has the same width in CSS pixels near and far: ${projection}`, async ({ load }) => {
       const cases = await load<Cases>(CASES);
       const lines = [1, 2, 3].flatMap((pixelRatio) =>
         [2, 3.5, 5].map((distance) => ({ form, projection, distance, pixelRatio, outlineWidth: 1.5 })),
@@ -22,7 +22,7 @@ for (const form of ['lobes', 'billboards'] as const) {
     });
   }
 
-  test(`${form}: a line narrows and pales beside small puffs and goes`, async ({ load }) => {
+  test(`${form}: a line narrows and fades beside small puffs until it ends`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const lines = [1, 2].flatMap((pixelRatio) =>
       [9, 12, 15, 40, 70].map((distance) => ({
@@ -43,7 +43,7 @@ for (const form of ['lobes', 'billboards'] as const) {
     }
   });
 
-  test(`${form}: a line swells away from the light and trembles by its law`, async ({ load }) => {
+  test(`${form}: line swell and boil follow their formulas`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const line = { form, projection: 'perspective', distance: 2, pixelRatio: 1, outlineWidth: 4 } as const;
     const [even, swollen, boiling] = await cases.evaluate(
@@ -55,7 +55,7 @@ for (const form of ['lobes', 'billboards'] as const) {
     expect(swollen.expectedWidth).toBeCloseTo(4);
   });
 
-  test(`${form}: a boiling line trembles from drawing to drawing and stands still within one`, async ({ load }) => {
+  test(`${form}: a boiling line moves between drawings and not within one`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const { between, within, beyond, ink } = await cases.evaluate((module, shape) => module.boiling(shape), form);
     expect(ink).toBeGreaterThan(400);

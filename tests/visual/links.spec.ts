@@ -32,7 +32,7 @@ const { UPDATE_LINKS } = process.env;
 const names = UPDATE_LINKS && UPDATE_LINKS !== 'all' ? UPDATE_LINKS.split(',') : Object.keys(links);
 
 // One test, because each failed test restarts the browser.
-test('each link shows what was recorded', async ({ load }, testInfo) => {
+test('each link has the recorded hash and picture', async ({ load }, testInfo) => {
   test.setTimeout(1_200_000);
   const cases = await load<Cases>('/tests/visual/cases/links.ts');
   for (const name of names) {

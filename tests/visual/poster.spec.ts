@@ -6,7 +6,7 @@ type Cases = typeof import('./cases/poster.ts');
 const LINK = 'https://example.org/?t=1.5#v=1&preset=wisp&simulation.maxParticles=300';
 const [WIDTH, HEIGHT] = [160, 120];
 
-test('a poster is the very picture that an element with the link shows first', async ({ load, blank }) => {
+test('a poster equals the first frame of an element with the same link', async ({ load, blank }) => {
   const cases = await load<Cases>('/tests/visual/cases/poster.ts');
   const order = { link: LINK, width: WIDTH, height: HEIGHT, isTransparent: false };
   const { png, notices } = await cases.evaluate((module, given) => module.poster(given), order);
@@ -25,7 +25,7 @@ test('a poster is the very picture that an element with the link shows first', a
   expect(colors.size, 'colours of the smoke').toBeGreaterThan(20);
 });
 
-test('what a link gets wrong is told', async ({ load }) => {
+test('invalid parts of a link are reported', async ({ load }) => {
   const cases = await load<Cases>('/tests/visual/cases/poster.ts');
   const order = { link: '#v=1&preset=fog&scene=wisp', width: 16, height: 16, isTransparent: true };
   const { notices } = await cases.evaluate((module, given) => module.poster(given), order);

@@ -3,7 +3,9 @@ import { expect, test } from '../support/fixtures.ts';
 type Cases = typeof import('./cases/programs.ts');
 
 for (const lobes of [10, 6]) {
-  test(`the two largest programs are compiled ahead, and none twice: puffs of ${lobes} lobes`, async ({ load }) => {
+  test(`the two largest programs are compiled in advance, and none twice: puffs of ${lobes} lobes`, async ({
+    load,
+  }) => {
     const cases = await load<Cases>('/tests/visual/cases/programs.ts');
     const { ahead, drawing } = await cases.evaluate((module, count) => module.programsOfWisp(count), lobes);
     const all = [...ahead, ...drawing];

@@ -50,7 +50,7 @@ const BATCH = 12;
 test.beforeAll(buildReference);
 
 for (const scene of SCENES) {
-  test(`${scene} is drawn as the reference draws it, in every mode`, async ({ load }, testInfo) => {
+  test(`${scene} equals the reference in every mode`, async ({ load }, testInfo) => {
     const cases = await load<Cases>(CASES);
     const modes = everyMode();
     for (let first = 0; first < modes.length; first += BATCH) {
@@ -69,7 +69,7 @@ for (const [form, names] of [
   ['billboards', Object.keys(sceneEntries)],
 ] as const) {
   for (const name of names) {
-    test(`the preset ${name} is drawn of ${form} as the reference draws it`, async ({ load }, testInfo) => {
+    test(`the preset ${name} of ${form} equals the reference`, async ({ load }, testInfo) => {
       const cases = await load<Cases>(CASES);
       const input = [name, form, SECONDS] as const;
       const picture = await cases.evaluate((module, given) => module.drawnPreset(...given), input);

@@ -91,7 +91,7 @@ for (const [what, scenes, reversedDepth] of [
   ['puffs in tones of all kinds', TONES, false],
   ['the lamp', LAMPS, false],
 ] as const) {
-  test(`${what}: drawn as the reference draws it`, async ({ load }, testInfo) => {
+  test(`${what}: the picture equals the reference`, async ({ load }, testInfo) => {
     const cases = await load<Cases>(CASES);
     for (const [scene, modes] of scenes) {
       const input = [scene, modes, reversedDepth] as const;

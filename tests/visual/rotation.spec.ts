@@ -18,7 +18,7 @@ const BAKED = [64, 256, 1024].map((views) => ({
 }));
 
 for (const by of ['orbit', 'roll'] as const) {
-  test(`a small ${by} changes little: silhouette, normals, depth and ink go on without a jump`, async ({ load }) => {
+  test(`silhouette, normals, depth and ink are continuous under a small ${by}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const report = await cases.evaluate((module, input) => module.rotating(...input), [by, STEP, 160] as const);
     console.log(`${by} by ${STEP} degrees:`, report);
@@ -43,7 +43,7 @@ test('puffs have the orientation of the CPU for every seed', async ({ load }) =>
   expect(difference).toBeLessThan(1e-3);
 });
 
-test('from every side on the way the puffs are those of the reference', async ({ load }, testInfo) => {
+test('puffs equal the reference from every side', async ({ load }, testInfo) => {
   const cases = await load<Cases>(CASES);
   for (const by of ['orbit', 'roll'] as const) {
     const angles = [0.5, 1, 130];

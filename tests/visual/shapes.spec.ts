@@ -12,7 +12,7 @@ test('a lone puff masks none of its own lit pixels, whatever its shape', async (
   expect(report.masked).toBe(0);
 });
 
-test('smokes on one device keep puffs of their own, and nothing is left of them in the end', async ({ load }) => {
+test('smokes on one device have separate puffs, and all of them are released', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const report = await cases.evaluate((module) => module.shareDevice());
   expect(report.between).toBeGreaterThan(500);
@@ -27,7 +27,7 @@ const CHANGED: readonly Values[] = [
 ];
 
 for (const values of CHANGED) {
-  test(`knobs reshape a still picture as if it had been made so, and turn back: ${Object.keys(values).join()}`, async ({
+  test(`knobs change a still picture to that of a new stage, and back: ${Object.keys(values).join()}`, async ({
     load,
   }) => {
     const cases = await load<Cases>(CASES);
@@ -38,13 +38,13 @@ for (const values of CHANGED) {
   });
 }
 
-test('a particle keeps the variation that it was born with', async ({ load }) => {
+test('a particle keeps its variation for life', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const report = await cases.evaluate((module) => module.fewerVariations());
   expect(report).toEqual({ atOnce: 0, restored: 0, later: true });
 });
 
-test('a shape of one’s own shows in both forms, goes again, and is no part of the state', async ({ load }) => {
+test('a custom shape is drawn in both forms, can be removed, and is not part of the state', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const report = await cases.evaluate((module) => module.bringShape());
   expect(report.lobes).toBeGreaterThan(200);
@@ -53,7 +53,7 @@ test('a shape of one’s own shows in both forms, goes again, and is no part of 
   expect(report.hash).toBe(true);
 });
 
-test('while smoke plays, new puffs are baked beside the pictures', async ({ load }) => {
+test('new puffs are baked in pieces while smoke plays', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const report = await cases.evaluate((module) => module.changeWhilePlaying());
   console.log('a knob turns while smoke plays:', report);

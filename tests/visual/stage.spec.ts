@@ -29,7 +29,7 @@ for (const seconds of [1, 3, 6]) {
   });
 }
 
-test('two stages share a device and keep their own pictures', async ({ load }) => {
+test('two stages share a device and draw their own pictures', async ({ load }) => {
   const cases = await load<Devices>(DEVICES);
   const report = await cases.evaluate((module) => module.shareDevice());
   expect(report.between).toBeGreaterThan(1000);
@@ -39,7 +39,7 @@ test('two stages share a device and keep their own pictures', async ({ load }) =
 });
 
 for (const which of ['halfQuality', 'halfQualityShared'] as const) {
-  test(`fewer pixels change neither canvas, nor flat tones, nor the width of ink: ${which}`, async ({ load }) => {
+  test(`a lower quality keeps the canvas size, the flat tones and the ink width: ${which}`, async ({ load }) => {
     const cases = await load<Quality>(QUALITY);
     const report = await cases.evaluate((module, name) => module[name](), which);
     expect(report.flat).toBeGreaterThan(2_000);
@@ -50,18 +50,18 @@ for (const which of ['halfQuality', 'halfQualityShared'] as const) {
   });
 }
 
-test('a stage that may choose draws fewer pixels while it is late, and all of them in a pause', async ({ load }) => {
+test('quality auto draws fewer pixels on a slow machine, and all of them while paused', async ({ load }) => {
   const cases = await load<Quality>(QUALITY);
   expect(await cases.evaluate((module) => module.governedScales('auto'))).toEqual({ played: [1, 0.59], paused: 1 });
   expect(await cases.evaluate((module) => module.governedScales(undefined))).toEqual({ played: [1], paused: 1 });
 });
 
-test('no frames pile up for a GPU that falls behind, even where the browser shows none of them', async ({ load }) => {
+test('frames do not queue up on a slow GPU, even if the canvas is not visible', async ({ load }) => {
   const cases = await load<Backlog>(BACKLOG);
   expect(await cases.evaluate((module) => module.maxInFlight(12))).toBeLessThanOrEqual(2);
 });
 
-test('memory that grows in mid-run keeps drawing', async ({ load }) => {
+test('drawing continues when WASM memory grows', async ({ load }) => {
   const cases = await load<Devices>(DEVICES);
   const report = await cases.evaluate((module) => module.growMemory());
   expect(report.grown).toBe(true);
@@ -72,14 +72,14 @@ test('memory that grows in mid-run keeps drawing', async ({ load }) => {
 test.describe('loss', () => {
   test.use({ allowed: /context lost|context restored|CONTEXT_LOST/i, ownPage: true });
 
-  test('a lost context comes back with the simulation unharmed', async ({ load }) => {
+  test('a restored context continues the simulation unchanged', async ({ load }) => {
     const cases = await load<Devices>(DEVICES);
     const report = await cases.evaluate((module) => module.loseContext());
     expect(report).toEqual({ changed: 0, sameHash: true, rejected: true });
   });
 
   // More than the browser's limit of sixteen live contexts.
-  test('a canvas on which a stage was disposed serves no other, in words', async ({ load }) => {
+  test('a canvas of a disposed stage is rejected with a message', async ({ load }) => {
     const cases = await load<Devices>(DEVICES);
     expect(await cases.evaluate((module) => module.useCanvasAgain())).toMatch(/^ContextError: .*use another canvas/);
   });
@@ -106,7 +106,7 @@ test('a take on another stage has the same hashes and the same picture', async (
   expect(changed).toBe(0);
 });
 
-test('a ball that a pointer drags goes the same way again in a take', async ({ load }) => {
+test('a take repeats the path of a ball that the pointer drags', async ({ load }) => {
   const cases = await load<Times>(TIMES);
   const { lived, again, still, held } = await cases.evaluate((module) => module.replayDrag());
   expect(held).toEqual(Array<string>(14).fill('rigid'));
@@ -114,7 +114,7 @@ test('a ball that a pointer drags goes the same way again in a take', async ({ l
   expect(lived).not.toBe(still);
 });
 
-test('seeking back and forth passes the same moments, with everything that was done', async ({ load }) => {
+test('seeking back and forth reaches the same states, with all user input', async ({ load }) => {
   const cases = await load<Times>(TIMES);
   const { straight, again, bytes, rates } = await cases.evaluate((module) => module.seekBack());
   expect(again).toEqual(straight);
@@ -123,14 +123,14 @@ test('seeking back and forth passes the same moments, with everything that was d
   expect(bytes).toBeLessThanOrEqual(1_000_000);
 });
 
-test('what is no number is refused by its name and leaves nothing behind', async ({ load }) => {
+test('values that are not numbers are rejected by name and change nothing', async ({ load }) => {
   const cases = await load<Errors>(ERRORS);
   const { notified, wanted, ...after } = await cases.evaluate((module) => module.rejectNaN());
   expect(notified).toEqual(wanted);
   expect(after).toEqual({ isSame: true, errors: 0, isDrawn: true });
 });
 
-test('a seek that was called off before goes nowhere, and says why', async ({ load }) => {
+test('a seek with an aborted signal does not move and rejects with the reason', async ({ load }) => {
   const cases = await load<Errors>(ERRORS);
   const { steps, reasons } = await cases.evaluate((module) => module.seekCalledOff());
   expect(steps).toEqual([70, 70, 70]);
@@ -138,20 +138,22 @@ test('a seek that was called off before goes nowhere, and says why', async ({ lo
   expect(reasons[0]).toBe('not to 0.5 s');
 });
 
-test('open air is as large on the page on every screen', async ({ load }) => {
+test('the scene air has the same size in CSS pixels at every pixel ratio', async ({ load }) => {
   const cases = await load<Pictures>(PICTURES);
   for (const metres of await cases.evaluate((module) => module.airPerPixel())) expect(metres).toBeCloseTo(1 / 150, 6);
 });
 
-test('a stage draws nothing that nobody sees, nor the same picture twice', async ({ load }) => {
+test('a stage draws neither invisible frames nor the same frame twice', async ({ load }) => {
   const cases = await load<Pictures>(PICTURES);
   expect(await cases.evaluate((module) => module.picturesDrawn())).toEqual([0, 1, 1, 2]);
 });
 
-test.describe('of a renderer that is not here yet', () => {
+test.describe('a renderer that is not loaded yet', () => {
   test.use({ ownPage: true, allowed: /ERR_FAILED/ });
 
-  test('the code is fetched while nailboards go on; it is then the one from the start', async ({ load }) => {
+  test('nailboards are drawn while the code loads; the renderer then equals one loaded at the start', async ({
+    load,
+  }) => {
     const cases = await load<Renderers>(RENDERERS);
     const { atOnce, later, fromStart } = await cases.evaluate((module) => module.lateRenderer());
     expect(atOnce).toBe(0);
@@ -159,7 +161,7 @@ test.describe('of a renderer that is not here yet', () => {
     expect(fromStart).toBe(0);
   });
 
-  test('people are told when it cannot be fetched, and nailboards go on', async ({ load, blank }) => {
+  test('a failed load emits an error event, and nailboards are drawn', async ({ load, blank }) => {
     const cases = await load<Renderers>(RENDERERS);
     await blank.route('**/src/smoke/comparisonRenderers.ts*', (route) => route.abort());
     const { notified, thrown, steps, drawn } = await cases.evaluate((module) => module.lostRenderer());

@@ -11,7 +11,7 @@ const CASES = '/tests/visual/cases/steadiness.ts';
 const SLIVER = 12;
 
 for (const scene of Object.keys(sceneEntries)) {
-  test(`nothing pops in the scene ${scene} during ten seconds`, async ({ load }) => {
+  test(`no puff pops in the scene ${scene} during ten seconds`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const report = await cases.evaluate((module, name) => module.timePassing(name, 30, 600), scene);
     console.log(`${scene}, ten seconds:`, report);
@@ -20,7 +20,7 @@ for (const scene of Object.keys(sceneEntries)) {
     expect(report.largest).toBeLessThanOrEqual(SLIVER);
   });
 
-  test(`nothing jumps in the scene ${scene} while the camera goes all the way round`, async ({ load }) => {
+  test(`the picture of the scene ${scene} is continuous while the camera orbits once`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const report = await cases.evaluate((module, name) => module.orbiting(name, 240, 360), scene);
     console.log(`${scene}, 360 degrees:`, report);

@@ -9,7 +9,7 @@ const CASES = '/tests/visual/cases/steadiness.ts';
  */
 const SLIVER = 12;
 
-test('nothing pops in the lamp during half a second', async ({ load }) => {
+test('no puff pops in the lamp during half a second', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const report = await cases.evaluate((module) => module.timePassing('lamp', 240, 30));
   console.log('lamp, half a second:', report);
@@ -18,7 +18,7 @@ test('nothing pops in the lamp during half a second', async ({ load }) => {
   expect(report.largest).toBeLessThanOrEqual(SLIVER);
 });
 
-test('nothing jumps in the lamp while the camera goes round by 20 degrees', async ({ load }) => {
+test('the picture of the lamp is continuous while the camera orbits by 20 degrees', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const report = await cases.evaluate((module) => module.orbiting('lamp', 240, 20));
   console.log('lamp, 20 degrees:', report);

@@ -4,9 +4,7 @@ type Cases = typeof import('./cases/styles.ts');
 const CASES = '/tests/visual/cases/styles.ts';
 type Triple = readonly number[];
 
-test('each of the four effects is on and off by itself: every combination has exactly its colours', async ({
-  load,
-}) => {
+test('the four effects are independent: every combination has exactly its colours', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const reports = await cases.evaluate((module) => module.colorsOf());
   expect(new Set(reports.map(({ found }) => JSON.stringify(found))).size, 'different pictures').toBe(16);

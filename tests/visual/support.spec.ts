@@ -33,18 +33,18 @@ test.describe('console errors', () => {
   });
 });
 
-test('a page that complains fails its test', async ({ page }) => {
+test('a page that logs an error fails its test', async ({ page }) => {
   test.fail();
   await page.evaluate(() => console.error('unexpected'));
 });
 
-test.describe('the page that a file keeps', () => {
-  test('fails the test in which it complains', async ({ blank }) => {
+test.describe('the page shared by the tests of a file', () => {
+  test('fails the test that logs an error', async ({ blank }) => {
     test.fail();
     await blank.evaluate(() => console.error('unexpected'));
   });
 
-  test('shows nothing of a test before, and its modules again', async ({ blank, load }) => {
+  test('is reset after a test and loads modules again', async ({ blank, load }) => {
     expect(await blank.evaluate(() => document.body.childElementCount)).toBe(0);
     const errors = await load<typeof import('../../src/preset/errors')>('/src/preset/errors.ts');
     const sameErrors = await load<typeof import('../../src/preset/errors')>('/src/preset/errors.ts');

@@ -4,7 +4,7 @@ type Cases = typeof import('./cases/ballShadows.ts');
 const CASES = '/tests/visual/cases/ballShadows.ts';
 
 /** reference.spec.ts compares the shadows of whole puffs. */
-test('a puff of one lobe throws the shadow of a ball, wherever the light and the eye stand', async ({ load }) => {
+test('a puff of one lobe casts the shadow of a ball for any light and camera', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   for (const view of ['ordinary', 'backlit', 'besideEye', 'lamp', 'lampOrthographic'] as const) {
     const report = await cases.evaluate((module, name) => module.compare(name), view);
@@ -14,7 +14,7 @@ test('a puff of one lobe throws the shadow of a ball, wherever the light and the
   }
 });
 
-test('all parts of a model make one step of shadow, and puffs the second', async ({ load }) => {
+test('all parts of a model count as one step of shadow, and puffs as the second', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const { underModel, deep, wrongColors, wrongCounts } = await cases.evaluate((module) => module.stepsUnderParts());
   expect.soft(underModel).toBeGreaterThan(500);

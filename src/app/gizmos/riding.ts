@@ -41,7 +41,7 @@ export class Riding {
       this.select.replaceChildren(...choices.map(({ value, label }) => create('option', { value: `${value}` }, label)));
       this.offered = choices;
     }
-    this.name.textContent = strings.gizmos.ridesOn(this.chosen.describe());
+    this.name.textContent = strings.gizmos.attachTo(this.chosen.describe());
     this.select.value = `${this.chosen.carrierIn(this.valuesNow())}`;
   }
 }

@@ -3,8 +3,8 @@ import { ofScene, simulated, type SingleKey } from './row.ts';
 
 /** Forces on smoke: multipliers, wind, turbulence, gravity, buoyancy and drag. */
 export const airRows: readonly Parameter[] = [
-  multiplier('forces.gravity', 'Gravity', 'Pull down on all smoke.'),
-  multiplier('forces.buoyancy', 'Buoyancy', 'Lift of warm smoke; it fades as the smoke cools.'),
+  multiplier('forces.gravity', 'Gravity', 'Downward pull on all smoke.'),
+  multiplier('forces.buoyancy', 'Buoyancy', 'Lift of warm smoke. It decreases as the smoke cools.'),
   multiplier('forces.turbulence', 'Turbulence', 'Small irregular swirls in the air.'),
   multiplier('forces.vortex', 'Vortices', 'Strength of all vortices together.'),
   multiplier('forces.drag', 'Drag', 'How strongly the air carries smoke.'),
@@ -26,25 +26,25 @@ export const airRows: readonly Parameter[] = [
   simulated('turbulence.octaves', 'turbulence', {
     step: 1,
     label: 'Octaves',
-    text: 'How many finer layers of swirls are added; 0 is still air.',
+    text: 'Number of layers of swirls, each finer than the one before; 0 is still air.',
   }),
   simulated('turbulence.evolution', 'turbulence', {
     step: 0.02,
     slider: 'fine',
     label: 'Evolution',
-    text: 'How fast the pattern of swirls changes.',
+    text: 'Rate at which the pattern of swirls changes.',
   }),
   ofScene('gravity.acceleration', 'air', {
-    label: 'Weight',
-    text: 'How fast cold smoke falls.',
+    label: 'Gravity strength',
+    text: 'Downward acceleration of all smoke.',
   }),
   ofScene('buoyancy.acceleration', 'air', {
-    label: 'Lift',
-    text: 'How fast smoke at temperature 1 rises.',
+    label: 'Buoyancy strength',
+    text: 'Upward acceleration of smoke at temperature 1.',
   }),
   ofScene('buoyancy.coolingTime', 'air', {
-    label: 'Cooling',
-    text: 'How long warm smoke takes to lose two thirds of its warmth.',
+    label: 'Cooling time',
+    text: 'Time in which warm smoke loses two thirds of its warmth.',
   }),
   ofScene('drag.rate', 'air', {
     label: 'Drag rate',
@@ -52,7 +52,7 @@ export const airRows: readonly Parameter[] = [
   }),
   ofScene('drag.quadratic', 'air', {
     label: 'Quadratic drag',
-    text: 'Drag that grows with speed: fast smoke is stopped first.',
+    text: 'Drag that grows with speed, so it slows fast smoke most.',
   }),
   ofScene('wind.gusts', 'air', {
     label: 'Gusts',
@@ -64,11 +64,11 @@ export const airRows: readonly Parameter[] = [
   }),
   ofScene('wind.shear', 'air', {
     label: 'Wind shear',
-    text: 'How much faster the wind is for each metre of height, as a share.',
+    text: 'Increase of the wind speed per metre of height, as a fraction.',
   }),
   ofScene('wind.height', 'air', {
     label: 'Shear height',
-    text: 'Height at which shear changes nothing.',
+    text: 'Height at which shear has no effect.',
   }),
 ];
 

@@ -22,7 +22,7 @@ export const sceneRows: readonly Parameter[] = [
     step: 1,
     default: 1,
     label: 'Seed',
-    text: 'Starts the random numbers: the same seed makes the same smoke. Changing it starts anew.',
+    text: 'Seed of the random numbers. The same seed makes the same smoke. A change restarts the smoke.',
   }),
 ];
 
@@ -31,7 +31,7 @@ export const simulationRows: readonly Parameter[] = [
   choiceOfScene(
     'simulation.integrator',
     'simulation',
-    { label: 'Motion', text: 'How puffs follow the air; the paper lets vortices fling them out.' },
+    { label: 'Motion', text: "How puffs follow the air. With the paper's method, vortices throw them outwards." },
     ['With the air', 'As in the paper'],
   ),
   quantity('simulation.maxParticles', 'simulation', 'stage', {
@@ -42,7 +42,7 @@ export const simulationRows: readonly Parameter[] = [
     step: 100,
     default: 4000,
     slider: 'fine',
-    label: 'Most particles',
-    text: 'Room for living puffs; when it is full, new ones wait.',
+    label: 'Maximum particles',
+    text: 'Maximum number of puffs alive at once. Further puffs wait.',
   }),
 ];

@@ -7,7 +7,7 @@ export const smokeRows: readonly Parameter[] = [
     step: 5,
     slider: 'fine',
     label: 'Rate',
-    text: 'How many puffs are born each second.',
+    text: 'Number of new puffs per second.',
   }),
   simulated('emission.lifetime', 'emission', {
     step: 0.1,
@@ -18,8 +18,8 @@ export const smokeRows: readonly Parameter[] = [
   simulated('emission.growthTime', 'emission', {
     step: 0.05,
     slider: 'fine',
-    label: 'Growth',
-    text: 'How long a young puff takes to swell to full size; 0 is born full, as in the paper.',
+    label: 'Growth time',
+    text: 'Time in which a new puff grows to full size; 0 starts at full size, as in the paper.',
   }),
   {
     kind: 'curve',
@@ -34,7 +34,7 @@ export const smokeRows: readonly Parameter[] = [
     slider: 'even',
     step: 0.01,
     label: 'Entrainment',
-    text: 'How much puffs swell on their way through the air.',
+    text: 'How much puffs grow with the distance they travel through the air.',
   }),
   simulated('puff.size', 'emission', {
     step: 0.05,
