@@ -147,6 +147,6 @@ void main() {
   vec2 ndc = footprint(corner, startBall, endBall, clipFromView, near);
   float nearestZ = min(max(start.z + startBall.w, end.z + endBall.w), -near);
   // Clamped, because a rounding error at the near plane must not clip the quad.
-  float leastDepth = depthOrder(clipFromView) < 0.0 ? 0.0 : -1.0;
-  gl_Position = vec4(ndc, clamp(ndcDepth(clipFromView, nearestZ), leastDepth, 1.0), 1.0);
+  float minDepth = depthOrder(clipFromView) < 0.0 ? 0.0 : -1.0;
+  gl_Position = vec4(ndc, clamp(ndcDepth(clipFromView, nearestZ), minDepth, 1.0), 1.0);
 }

@@ -102,7 +102,7 @@ export class MeshVolumesPass {
   /** Writes the triangles again if a caster has turned in the light, or if one appeared or disappeared. */
   private follow(light: Vector4): void {
     for (const caster of this.casters.values()) {
-      if (caster.isVisible && turnTowards(caster, light)) this.isStale = true;
+      if (caster.isVisible && followLight(caster, light)) this.isStale = true;
     }
     if (!this.isStale) return;
     this.isStale = false;
@@ -154,7 +154,7 @@ const stretch = new Matrix4();
  * Finds the faces of a caster that face the light.
  * @returns false if they are known: the light has not moved in the frame of the model
  */
-function turnTowards(caster: Caster, { x, y, z, w }: Vector4): boolean {
+function followLight(caster: Caster, { x, y, z, w }: Vector4): boolean {
   const { mesh, worldFromModel, facesLight } = caster;
   const e = worldFromModel.elements;
   // A normal n of the model is M n in the world. Its product with a world direction d is that of n with M^T d. The
