@@ -51,36 +51,39 @@ impl RowSampler {
 
     /// The part of the packed attributes that determines the orientation of particle `i`: roll, variation and seed.
     pub fn orientation(&self, particles: &Particles, i: usize) -> Attributes {
-        let look = particles.attributes[i];
-        [ROLL.packed(roll(look, self.age(particles, i))), constant(look)]
+        let attributes = particles.attributes[i];
+        [
+            ROLL.packed(roll(attributes, self.age(particles, i))),
+            constant(attributes),
+        ]
     }
 
     /// The packed attributes of particle `i`.
     pub fn attributes(&self, particles: &Particles, i: usize) -> Attributes {
-        let look = particles.attributes[i];
+        let attributes = particles.attributes[i];
         let age = self.age(particles, i);
         let worn = fraction(age / particles.lifetime[i], AGE);
         let heat = fraction(particles.temperature[i] / MAX_TEMPERATURE, TEMPERATURE);
         [
-            ROLL.packed(roll(look, age)) | AGE.packed(worn),
-            constant(look) | TEMPERATURE.packed(heat) | TINT.packed(look >> 28),
+            ROLL.packed(roll(attributes, age)) | AGE.packed(worn),
+            constant(attributes) | TEMPERATURE.packed(heat) | TINT.packed(attributes >> 28),
         ]
     }
 }
 
 /// Variation and seed, which no step changes.
-fn constant(look: u32) -> u32 {
-    VARIATION.packed(look) | SEED.packed(look >> 8)
+fn constant(attributes: u32) -> u32 {
+    VARIATION.packed(attributes) | SEED.packed(attributes >> 8)
 }
 
 /// Roll at birth and by `age` seconds of spin, in 65,536ths of a revolution. The highest bits mean nothing.
-fn roll(look: u32, age: f32) -> u32 {
-    (look >> 12 & 0xfff0).wrapping_add(spin(look, age))
+fn roll(attributes: u32, age: f32) -> u32 {
+    (attributes >> 12 & 0xfff0).wrapping_add(spin(attributes, age))
 }
 
 /// Roll by `age` seconds of spin, in 65,536ths of a revolution.
-fn spin(look: u32, age: f32) -> u32 {
-    let pace = ((look >> 8 & 0xff) as f32 - 127.5) / 127.5 * MAX_SPIN;
+fn spin(attributes: u32, age: f32) -> u32 {
+    let pace = ((attributes >> 8 & 0xff) as f32 - 127.5) / 127.5 * MAX_SPIN;
     (age * pace * 65_536.0) as i32 as u32
 }
 
