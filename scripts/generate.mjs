@@ -18,7 +18,7 @@ const environment = { GENERATE: '1' };
 const FILES = [
   ['constants in shaders/ and sim-wasm/', (say) => vitest('constants', 'has the shared constants', say)],
   [
-    'src/preset/lists.json',
+    'lists.json and singles.json in src/preset, src/sim/layout.ts',
     (say) => cargo(['test', ...NATIVE, '--test', 'all', 'simulator::page_table'], say, environment),
   ],
   ['src/element/attributes/names.json', (say) => vitest('element/names', 'lists the keys', say)],

@@ -7,6 +7,7 @@
  */
 import source from './lists.json' with { type: 'json' };
 import type { ChoiceParameter, NumberParameter } from './parameter.ts';
+import { unitOf } from './rows/row.ts';
 
 /** Maximum number of items per list, as in the simulator. */
 export const LIST_LIMIT = 8;
@@ -113,10 +114,6 @@ function numberOf(field: Field, part: number, key: string, group: string): Numbe
     slider: span > 5 && !field.whole ? 'fine' : 'even',
     default: field.default[part],
   };
-}
-
-function unitOf(unit: string): string {
-  return unit === '1' ? '' : unit.replace(/(?<=[a-z])[23]/g, (power) => (power === '2' ? '\u00b2' : '\u00b3'));
 }
 
 /** A few hundred steps for small ranges. Large ranges need fine steps near zero, where most values are. */

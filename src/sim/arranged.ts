@@ -1,5 +1,6 @@
 import type * as Core from './core.ts';
-import { ATTRIBUTE_WORDS, PLACE_FLOATS, type Rows } from './rows.ts';
+import { ATTRIBUTE_WORDS, PLACE_FLOATS } from './layout.ts';
+import type { Rows } from './rows.ts';
 import type { CoverageGrid } from './view.ts';
 
 type Triple = [number, number, number];

@@ -1,5 +1,5 @@
 /** Poses packed for WASM. */
-import { POSE_FLOATS, RIGID_FLOATS } from './rows.ts';
+import { POSE_FLOATS, RIGID_FLOATS } from './layout.ts';
 
 /** x, y, z. */
 export type Triple = ArrayLike<number>;

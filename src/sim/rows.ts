@@ -1,30 +1,5 @@
-/**
- * Layout of the simulator's rows: two buffers with one row per particle each, 24 bytes per particle in total.
- *
- * place: four float32: world x, y, z in metres at the view's blend, and the radius in metres. attributes: two uint32.
- *   word 0: bits 0-15 roll as a fraction of a turn; bits 16-31 age as a fraction of the lifetime. In rows for the
- *   light, bits 16-31 are the end of the shadow, in 256ths of a radius behind the centre, 0xffff for no end.
- *   word 1: byte 0 variation; byte 1 seed; byte 2 temperature in steps of 4/255; byte 3 tint, 0 for none.
- *
- * The Rust code has the same constants. `tests/unit/sim/layout.test.ts` compares them with what the WASM reports.
- */
-export const PLACE_FLOATS = 4;
-export const ATTRIBUTE_WORDS = 2;
-export const ROW_BYTES = 4 * (PLACE_FLOATS + ATTRIBUTE_WORDS);
-
-/** Shadow end in word 0 of a row's attributes for an unbounded shadow. */
-export const NO_END = 0xffff0000;
-
-/** Two poses of a rigid: position and quaternion (x, y, z, w) at the previous step, then at the latest. */
-export const RIGID_FLOATS = 14;
-/** One pose: x, y, z in metres, then the unit quaternion x, y, z, w. */
-export const POSE_FLOATS = 7;
-
-/** Parameters that take a rigid's index refer to the scene's part n by this value plus n. */
-export const FIRST_PART = 4096;
-
-/** Temperature for the value 255 in byte 2 of word 1. */
-export const TEMPERATURE_MAX = 4;
+/** The rows of the simulator: two buffers with one row per particle each. layout.ts has their layout. */
+import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, TEMPERATURE_MAX } from './layout.ts';
 
 /** Rows of a view. The arrays of a simulator are views on WASM memory: use or copy them before its next call. */
 export interface Rows {
@@ -35,6 +10,8 @@ export interface Rows {
   /** {@link ATTRIBUTE_WORDS} per row. */
   readonly attributes: Uint32Array;
 }
+
+type Bits = (typeof ATTRIBUTE_BITS)[keyof typeof ATTRIBUTE_BITS];
 
 /** The unpacked attributes of a row. */
 export interface RowAttributes {
@@ -52,16 +29,21 @@ export interface RowAttributes {
   tint: number;
 }
 
+/** One field of the attributes of row `index`. */
+export function readBits(attributes: Uint32Array, index: number, { word, shift, max }: Bits): number {
+  return (attributes[ATTRIBUTE_WORDS * index + word] >>> shift) & max;
+}
+
 /** Unpacks the attributes of row `index`. For tests and tools; the shaders have their own unpacking. */
 export function readAttributes(attributes: Uint32Array, index: number): RowAttributes {
-  const motion = attributes[ATTRIBUTE_WORDS * index];
-  const kind = attributes[ATTRIBUTE_WORDS * index + 1];
+  const { roll, age, variation, seed, temperature, tint } = ATTRIBUTE_BITS;
+  const read = (bits: Bits) => readBits(attributes, index, bits);
   return {
-    roll: (motion & 0xffff) / 0x10000,
-    age: (motion >>> 16) / 0xffff,
-    variation: kind & 0xff,
-    seed: (kind >>> 8) & 0xff,
-    temperature: (((kind >>> 16) & 0xff) / 0xff) * TEMPERATURE_MAX,
-    tint: kind >>> 24,
+    roll: read(roll) / (roll.max + 1),
+    age: read(age) / age.max,
+    variation: read(variation),
+    seed: read(seed),
+    temperature: (read(temperature) / temperature.max) * TEMPERATURE_MAX,
+    tint: read(tint),
   };
 }

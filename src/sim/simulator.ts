@@ -11,8 +11,8 @@ import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
 import type { RigidDescription } from './rigid.ts';
 import type * as RigidNumbers from './rigidNumbers.ts';
 import type { RigidPath, RigidSpin } from './rigidPath.ts';
-import { POSE_FLOATS, RIGID_FLOATS } from './rows.ts';
-import { VIEW_FLOATS, viewLength, writeView, type View } from './view.ts';
+import { POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
+import { viewLength, writeView, type View } from './view.ts';
 
 /** An instantiated module: its functions and its memory. */
 export interface SimulatorModule {

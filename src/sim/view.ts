@@ -1,37 +1,4 @@
-/**
- * Floats of a packed view, which selects and orders the simulator's rows. The solids and then the start caps follow
- * them.
- */
-export const VIEW_FLOATS = 92;
-
-/** Offsets into the packed view. `tests/unit/sim/layout.test.ts` compares them with the Rust layout. */
-export const VIEW_OFFSETS = {
-  purpose: 0,
-  blend: 1,
-  cull: 2,
-  pad: 3,
-  clipFromWorld: 4,
-  direction: 20,
-  reach: 23,
-  receivers: 24,
-  pixel: 30,
-  nearest: 31,
-  farthest: 32,
-  covers: 33,
-  tolerance: 34,
-  blur: 35,
-  facesEye: 36,
-  lift: 37,
-  capRange: 38,
-  depth: 40,
-  balls: 41,
-  lifters: 42,
-  lifterBoxes: 43,
-  capsFollow: 91,
-} as const;
-
-/** Maximum number of boxes in {@link CoverageView.lifters}. */
-export const LIFTERS_LIMIT = 8;
+import { VIEW_FLOATS, VIEW_OFFSETS } from './layout.ts';
 
 type Triple = ArrayLike<number>;
 
@@ -79,7 +46,7 @@ export interface CoverageView {
   farthest: number;
   /** How much closer to the eye than its lobe a surface may lift a ring of ink, per unit of clip w. */
   lift: number;
-  /** World-space boxes of those surfaces, minimum corner then maximum corner; at most {@link LIFTERS_LIMIT}. */
+  /** World-space boxes of those surfaces, minimum corner then maximum corner; at most `LIFTERS_LIMIT`. */
   lifters: readonly (readonly number[])[];
   /** Minimum and maximum distance behind the centre at which volumes start, in radii, before the nailboard shear. */
   capRange: readonly [number, number];

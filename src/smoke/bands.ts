@@ -1,5 +1,5 @@
 import { blendedAt, toneAt, type Bands, type Color, type Tone } from '../device/ramps.ts';
-import { TEMPERATURE_MAX } from '../sim/rows.ts';
+import { TEMPERATURE_MAX } from '../sim/layout.ts';
 import { multiply } from './palette.ts';
 
 /** The fields of a style that colour smoke over its life; see Style. */

@@ -1,7 +1,8 @@
 /** The views of a frame that the simulator arranges: puffs for the camera and casters for the light. */
 import { Box3, Vector3 } from 'three';
 import type { Bounds } from '../sim/arranged.ts';
-import { LIFTERS_LIMIT, type CoverageView, type View } from '../sim/view.ts';
+import { LIFTERS_LIMIT } from '../sim/layout.ts';
+import type { CoverageView, View } from '../sim/view.ts';
 import type { PuffExtents } from '../device/formTextures.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { FrameInput } from './frameInput.ts';

@@ -1,6 +1,6 @@
 import { Quaternion, Vector3, type Matrix4 } from 'three';
 import type { Scene } from '../scenes/scene.ts';
-import { POSE_FLOATS } from '../sim/rows.ts';
+import { POSE_FLOATS } from '../sim/layout.ts';
 
 /** Initial rotation of dropped objects, a quaternion: it shows a crate's face from above its edge. */
 export const TUMBLED = [0.18, -0.16, 0.24, 0.94] as const;

@@ -6,7 +6,7 @@ import type { Values } from '../preset/parameter.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { completionOf, type Completion } from '../smoke/completion.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
-import { FIRST_PART } from '../sim/rows.ts';
+import { FIRST_PART } from '../sim/layout.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import type { SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { FrameLoop, type FrameTasks } from './frameLoop.ts';

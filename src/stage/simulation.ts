@@ -4,7 +4,7 @@ import { findParameter } from '../preset/table.ts';
 import type { MovingSceneState, MovingPart, Placement, Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
-import { POSE_FLOATS } from '../sim/rows.ts';
+import { POSE_FLOATS } from '../sim/layout.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { ALL_THAT_LIVES } from '../sim/view.ts';
 import { Drag } from './drag.ts';

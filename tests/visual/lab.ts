@@ -18,7 +18,8 @@ import type { Color } from '../../src/device/ramps.ts';
 import type { DebugView } from '../../src/preset/quality.ts';
 import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
 import type { PuffShape } from '../../src/puffs/shapes.ts';
-import { ATTRIBUTE_WORDS, NO_END, type Rows } from '../../src/sim/rows.ts';
+import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS, TEMPERATURE_MAX } from '../../src/sim/layout.ts';
+import type { Rows } from '../../src/sim/rows.ts';
 import { fetchExtras } from '../../src/smoke/extraPasses.ts';
 import { drawFrame } from '../../src/smoke/frame.ts';
 import type { Arranger, FrameInput } from '../../src/smoke/frameInput.ts';
@@ -124,16 +125,23 @@ export interface LabPicture {
 
 /** Packs puffs in the simulator's row format. */
 export function rowsOf(puffs: readonly LabPuff[]): Rows {
-  const place = new Float32Array(4 * puffs.length);
-  const attributes = new Uint32Array(2 * puffs.length);
+  const place = new Float32Array(PLACE_FLOATS * puffs.length);
+  const attributes = new Uint32Array(ATTRIBUTE_WORDS * puffs.length);
   puffs.forEach((puff, index) => {
     const rotation = (puff.roll ?? 0) / (2 * Math.PI);
-    place.set([...puff.place, puff.radius], 4 * index);
-    attributes[2 * index] =
-      (Math.round((rotation - Math.floor(rotation)) * 65536) & 0xffff) | (Math.round((puff.age ?? 0) * 65535) << 16);
-    const heat = Math.round(((puff.temperature ?? 0) / 4) * 255);
-    attributes[2 * index + 1] =
-      (puff.variation ?? 0) | ((puff.seed ?? 0) << 8) | (heat << 16) | ((puff.tint ?? 0) << 24);
+    place.set([...puff.place, puff.radius], PLACE_FLOATS * index);
+    const fields: Record<Exclude<keyof typeof ATTRIBUTE_BITS, 'end'>, number> = {
+      roll: Math.round((rotation - Math.floor(rotation)) * (ATTRIBUTE_BITS.roll.max + 1)),
+      age: Math.round((puff.age ?? 0) * ATTRIBUTE_BITS.age.max),
+      variation: puff.variation ?? 0,
+      seed: puff.seed ?? 0,
+      temperature: Math.round(((puff.temperature ?? 0) / TEMPERATURE_MAX) * ATTRIBUTE_BITS.temperature.max),
+      tint: puff.tint ?? 0,
+    };
+    for (const [name, value] of Object.entries(fields)) {
+      const { word, shift, max } = ATTRIBUTE_BITS[name as keyof typeof fields];
+      attributes[ATTRIBUTE_WORDS * index + word] |= (value & max) << shift;
+    }
   });
   return { count: puffs.length, place, attributes };
 }

@@ -6,7 +6,7 @@ import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import type { CameraPose, MovingPart, Scene } from '../../src/scenes/scene.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { loadSimulators } from '../../src/sim/load.ts';
-import { PLACE_FLOATS } from '../../src/sim/rows.ts';
+import { PLACE_FLOATS } from '../../src/sim/layout.ts';
 import type { Simulator } from '../../src/sim/simulator.ts';
 import { drawFrame } from '../../src/smoke/frame.ts';
 import type { Arranger, FrameInput, FrameReport } from '../../src/smoke/frameInput.ts';

@@ -4,9 +4,6 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::{parameter_error, plain_error};
 
-/// Floats of one rigid in the pose array: position and quaternion (x, y, z, w) one step earlier, then now.
-pub const RIGID_FLOATS: usize = 14;
-
 /// Particles, forces and colliders; rigids in the variant with physics. Errors are objects `{ key, value, min, max,
 /// message }`; a call that fails changes nothing.
 #[wasm_bindgen]

@@ -1,8 +1,9 @@
-//! The packed attributes of a row, as described in ARCHITECTURE.md.
+//! The packed attributes of a row.
 
 use std::f64::consts::TAU;
 
 use glam::{DMat3, DVec3};
+use sim::arrange::row_layout::{AGE, Attributes, ROLL, SEED, TEMPERATURE, TINT, VARIATION};
 
 use crate::scene::Bands;
 
@@ -11,31 +12,32 @@ const SEEDS: f64 = 256.0;
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 
 #[derive(Clone, Copy)]
-pub struct PackedAttributes(pub [u32; 2]);
+pub struct PackedAttributes(pub Attributes);
 
 impl PackedAttributes {
     /// Roll (rad).
     pub fn roll(self) -> f64 {
-        f64::from(self.0[0] & 0xffff) / 65536.0 * TAU
+        f64::from(ROLL.of(self.0)) / (f64::from(ROLL.max) + 1.0) * TAU
     }
 
     /// Age as a share of the lifetime.
     pub fn age(self) -> f64 {
-        f64::from(self.0[0] >> 16) / 65535.0
+        f64::from(AGE.of(self.0)) / f64::from(AGE.max)
     }
 
     pub fn variation(self) -> usize {
-        (self.0[1] & 0xff) as usize
+        VARIATION.of(self.0) as usize
     }
 
     pub fn seed(self) -> u32 {
-        self.0[1] >> 8 & 0xff
+        SEED.of(self.0)
     }
 
     /// Index of the smoke ramp: one of the tints in turn, or without a tint by age and temperature.
     pub fn ramp(self, bands: &Bands) -> usize {
-        match self.0[1] >> 24 {
-            0 => bands.ages[(self.0[0] >> 24) as usize] + bands.temperatures[(self.0[1] >> 16 & 0xff) as usize],
+        match TINT.of(self.0) {
+            // The ramps have 256 ages.
+            0 => bands.ages[(AGE.of(self.0) >> 8) as usize] + bands.temperatures[TEMPERATURE.of(self.0) as usize],
             tint => 1 + (tint as usize - 1) % TINTS,
         }
     }

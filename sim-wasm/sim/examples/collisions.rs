@@ -18,13 +18,16 @@ const HALF_SIDE: f32 = 1.5;
 const REACH: f32 = 0.08;
 const FORCES: &[(&str, f64)] = &[
     ("emission.rate", 0.0),
+    ("emission.growthTime", 0.0),
     ("gravity.acceleration", 0.4),
     ("buoyancy.acceleration", 1.5),
     ("drag.rate", 1.5),
     ("vortices.0.circulation", 2.0),
     ("vortices.0.reach", 4.0),
     ("turbulence.speed", 0.3),
+    ("turbulence.scale", 1.0),
     ("turbulence.octaves", 1.0),
+    ("turbulence.evolution", 0.3),
 ];
 
 /// A rigid that oscillates about its position.

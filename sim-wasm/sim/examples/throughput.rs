@@ -4,7 +4,7 @@
 use std::time::Instant;
 
 use sim::Simulator;
-use sim::arrange::VIEW_FLOATS;
+use sim::arrange::view_layout::{VIEW_LENGTH, ViewNumbers};
 use sim::math::random::Random;
 use sim::particles::Newborn;
 
@@ -13,6 +13,7 @@ const ROUNDS: usize = 60;
 
 /// Settings of all cases: without the default accelerations.
 const STILL: &[(&str, f64)] = &[
+    ("emission.growthTime", 0.0),
     ("buoyancy.acceleration", 0.0),
     ("turbulence.octaves", 0.0),
     ("drag.rate", 0.0),
@@ -24,7 +25,12 @@ const SIMPLE: &[(&str, f64)] = &[
     ("forces.wind.x", 0.5),
 ];
 const VORTEX: &[(&str, f64)] = &[("vortices.0.circulation", 2.0), ("vortices.0.reach", 20.0)];
-const OCTAVE: &[(&str, f64)] = &[("turbulence.speed", 0.3), ("turbulence.octaves", 1.0)];
+const OCTAVE: &[(&str, f64)] = &[
+    ("turbulence.speed", 0.3),
+    ("turbulence.scale", 1.0),
+    ("turbulence.octaves", 1.0),
+    ("turbulence.evolution", 0.3),
+];
 
 fn main() {
     report("nothing", &[STILL]);
@@ -65,13 +71,15 @@ fn cloud() -> Simulator {
     simulator
 }
 
-fn view() -> [f32; VIEW_FLOATS] {
-    let mut view = [0.0; VIEW_FLOATS];
-    view[1] = 0.5;
-    view[22] = -1.0;
-    view[23] = 1.0;
-    (0..4).for_each(|i| view[4 + 5 * i] = 1.0);
-    view
+fn view() -> [f32; VIEW_LENGTH] {
+    let view = ViewNumbers {
+        blend: 0.5,
+        clip_from_world: std::array::from_fn(|i| if i % 5 == 0 { 1.0 } else { 0.0 }),
+        direction: [0.0, 0.0, -1.0],
+        reach: 1.0,
+        ..ViewNumbers::default()
+    };
+    view.to_array()
 }
 
 /// The best round in milliseconds, each over a few calls. Other processes can only slow a round down.

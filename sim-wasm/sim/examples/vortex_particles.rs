@@ -19,12 +19,15 @@ const STEPS: usize = 20;
 /// The forces of `npm run bench -- sim`, one octave of turbulence among them.
 const FORCES: &[(&str, f64)] = &[
     ("emission.rate", 0.0),
+    ("emission.growthTime", 0.0),
     ("gravity.acceleration", 0.4),
     ("buoyancy.acceleration", 1.5),
     ("drag.rate", 1.5),
     ("forces.wind.x", 0.5),
     ("turbulence.speed", 0.6),
+    ("turbulence.scale", 1.0),
     ("turbulence.octaves", 1.0),
+    ("turbulence.evolution", 0.3),
     ("vortices.0.circulation", 6.0),
     ("vortices.0.reach", 20.0),
 ];

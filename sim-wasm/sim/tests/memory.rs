@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use common::{LIVELY, simulator, steps};
 use sim::Simulator;
-use sim::arrange::VIEW_FLOATS;
+use sim::arrange::view_layout::{VIEW_LENGTH, ViewNumbers};
 
 /// The system's allocator, counting calls and bytes.
 struct Counting;
@@ -40,14 +40,21 @@ fn bytes_of(capacity: u32) -> usize {
     after - before
 }
 
-fn views() -> [[f32; VIEW_FLOATS]; 2] {
-    let mut eye = [0.0; VIEW_FLOATS];
-    (0..4).for_each(|i| eye[4 + 5 * i] = 0.2);
-    (eye[1], eye[2], eye[22], eye[23]) = (0.3, 1.0, -1.0, 1.2);
-    let mut light = eye;
-    light[0] = 1.0;
-    light[27..30].copy_from_slice(&[3.0; 3]);
-    [eye, light]
+fn views() -> [[f32; VIEW_LENGTH]; 2] {
+    let eye = ViewNumbers {
+        blend: 0.3,
+        cull: 1.0,
+        clip_from_world: std::array::from_fn(|i| if i % 5 == 0 { 0.2 } else { 0.0 }),
+        direction: [0.0, 0.0, -1.0],
+        reach: 1.2,
+        ..ViewNumbers::default()
+    };
+    let light = ViewNumbers {
+        purpose: 1.0,
+        receivers: [0.0, 0.0, 0.0, 3.0, 3.0, 3.0],
+        ..eye
+    };
+    [eye, light].map(|view| view.to_array())
 }
 
 /// One test, since the counters are the whole process's.

@@ -1,8 +1,10 @@
 import { MathUtils } from 'three';
 import {
+  ATTRIBUTE_BITS,
   ATTRIBUTE_WORDS,
   NO_END,
   PLACE_FLOATS,
+  readBits,
   type Arranged,
   type Arranger,
   type Bounds,
@@ -85,13 +87,12 @@ class RowList {
   /** @param scaleOf scale of a row's radius by its seed, 0 to 1 */
   add({ count, place, attributes }: Rows, scaleOf: (seed: number) => number): void {
     for (let row = 0; row < count; ++row) {
-      const kind = attributes[ATTRIBUTE_WORDS * row + 1];
-      const scale = scaleOf((kind >>> 8) & 0xff);
+      const scale = scaleOf(readBits(attributes, row, ATTRIBUTE_BITS.seed));
       if (scale === 0) continue;
       const [x, y, z, radius] = place.subarray(PLACE_FLOATS * row);
-      const motion = attributes[ATTRIBUTE_WORDS * row];
+      const [motion, kind] = attributes.subarray(ATTRIBUTE_WORDS * row);
       this.place.push(x, y, z, scale * radius);
-      this.attributes.push(this.isForLight ? (motion & 0xffff) | NO_END : motion, kind);
+      this.attributes.push(this.isForLight ? motion | NO_END : motion, kind);
     }
   }
 }

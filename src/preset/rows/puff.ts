@@ -1,14 +1,10 @@
 import type { NumberParameter, Parameter } from '../parameter.ts';
-import { choice, quantity } from './row.ts';
+import { choice, quantity, simulated } from './row.ts';
 
 /** Shape of the puffs. */
 export const puffRows: readonly Parameter[] = [
-  quantity('puff.variations', 'puff', 'simulator', {
-    kind: 'integer',
-    min: 1,
-    max: 32,
+  simulated('puff.variations', 'puff', {
     step: 1,
-    default: 4,
     slider: 'fine',
     label: 'Puff shapes',
     text: 'Number of different shapes. A puff keeps its shape for life.',

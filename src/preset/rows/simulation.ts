@@ -1,5 +1,5 @@
 import type { Parameter } from '../parameter.ts';
-import { choice, quantity } from './row.ts';
+import { choice, choiceOfScene, quantity } from './row.ts';
 
 /** Scene and seed. */
 export const sceneRows: readonly Parameter[] = [
@@ -28,23 +28,12 @@ export const sceneRows: readonly Parameter[] = [
 
 /** Integrator and capacity. */
 export const simulationRows: readonly Parameter[] = [
-  {
-    ...choice(
-      'simulation.integrator',
-      'simulation',
-      'simulator',
-      {
-        label: 'Motion',
-        text: "How puffs follow the air. With the paper's method, vortices throw them outwards.",
-        default: 'airAndSlip',
-      },
-      [
-        ['airAndSlip', 'With the air'],
-        ['paper', 'As in the paper'],
-      ],
-    ),
-    isOptional: true,
-  },
+  choiceOfScene(
+    'simulation.integrator',
+    'simulation',
+    { label: 'Motion', text: "How puffs follow the air. With the paper's method, vortices throw them outwards." },
+    ['With the air', 'As in the paper'],
+  ),
   quantity('simulation.maxParticles', 'simulation', 'stage', {
     kind: 'integer',
     min: 1,

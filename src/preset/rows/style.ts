@@ -1,5 +1,5 @@
 import type { ColorParameter, NumberParameter, Parameter, RampParameter, ToggleParameter } from '../parameter.ts';
-import { choice, quantity, type Keyed } from './row.ts';
+import { choice, quantity, simulated, type Keyed } from './row.ts';
 
 /** Shadows, tones, colours and ink. The types keep the keys: the fields of `Style` follow from them. */
 export const styleRows = [
@@ -126,12 +126,8 @@ export const styleRows = [
     text: 'How much lines tremble, twelve times a second, as if each drawing were traced by hand.',
   }),
   {
-    ...quantity('style.hold', 'style', 'simulator', {
-      kind: 'integer',
-      min: 1,
-      max: 4,
+    ...simulated('style.hold', 'style', {
       step: 1,
-      default: 1,
       unit: '/ 24 s',
       label: 'Hold',
       text: 'Number of film frames that each puff stays still: 1 moves smoothly, 2 to 4 animate on twos, threes and fours.',

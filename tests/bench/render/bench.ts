@@ -61,7 +61,8 @@ export class RenderBench {
     const factory = await loadSimulators({ physics: false });
     const simulator = factory.create({ capacity: particles, seed: 1 });
     // The paper's equations, with which particles spawn at full size.
-    simulator.set({ 'emission.rate': 0, 'emission.growthTime': 0, 'simulation.integrator': 1 });
+    const still = { 'emission.rate': 0, 'turbulence.speed': 0 };
+    simulator.set({ ...still, 'emission.growthTime': 0, 'simulation.integrator': 1 });
     simulator.restore(withParticles(simulator, smoke(particles, 9)));
     return new RenderBench(simulator, particles, WIDTH * scale, HEIGHT * scale);
   }

@@ -34,7 +34,9 @@ const FOUNTAIN = {
   'emitters.0.speed': 3,
   'emitters.0.share': 1,
   'emitters.0.position.y': -1,
+  'emission.growthTime': 0,
   'turbulence.speed': 0.5,
+  'turbulence.octaves': 1,
   'vortices.0.circulation': 2,
 };
 

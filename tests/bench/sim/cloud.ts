@@ -6,6 +6,7 @@ import { random } from '../../visual/random.ts';
 /** Six forces, one vortex, one octave of evolving turbulence; no emission, no rigids. */
 export const SIX_FORCES = {
   'emission.rate': 0,
+  'emission.growthTime': 0,
   'gravity.acceleration': 0.4,
   'buoyancy.acceleration': 1.5,
   'buoyancy.coolingTime': 4,

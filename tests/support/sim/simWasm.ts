@@ -10,11 +10,12 @@ export function loadVariant(variant: 'core' | 'physics'): Promise<SimulatorFacto
   return loadSimulators({ physics: variant === 'physics', bytes: wasmBytes(variant) });
 }
 
-/** An upward jet. */
+/** An upward jet in air without turbulence. */
 export const JET: Record<string, number> = {
   'emission.rate': 600,
   'emission.lifetime': 4,
   'emission.growthTime': 0,
+  'turbulence.speed': 0,
   'emitters.0.share': 1,
   'emitters.0.direction.y': 1,
   'emitters.0.speed': 2,

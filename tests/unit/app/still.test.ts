@@ -1,7 +1,8 @@
 import { Matrix4, PerspectiveCamera, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { joined, stillOf } from '../../../src/app/capture/still.ts';
-import { NO_END, type Rows } from '../../../src/sim/rows.ts';
+import { NO_END } from '../../../src/sim/layout.ts';
+import type { Rows } from '../../../src/sim/rows.ts';
 import type { View } from '../../../src/sim/view.ts';
 import type { Arranger, FrameInput } from '../../../src/smoke/frameInput.ts';
 

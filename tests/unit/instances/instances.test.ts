@@ -1,30 +1,37 @@
 import { expect, test } from 'vitest';
 import { CasterInstances, ONE_QUAD } from '../../../src/instances/instances.ts';
+import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, END_STEPS, NO_END, PLACE_FLOATS } from '../../../src/sim/layout.ts';
 import type { Rows } from '../../../src/sim/rows.ts';
 
+const { shift, max } = ATTRIBUTE_BITS.end;
 const ROLL = 0x1234;
 
-/** Rows with a radius of 0.5 m, whose shadows end this many 1/256ths of the radius behind them. */
+/** Rows with a radius of 0.5 m, whose shadows end this many steps behind them. */
 function rowsEnding(ends: number[]): Rows {
   return {
     count: ends.length,
-    place: Float32Array.from({ length: 4 * ends.length }, () => 0.5),
-    attributes: Uint32Array.from(ends.flatMap((end) => [((end << 16) | ROLL) >>> 0, 7])),
+    place: Float32Array.from({ length: PLACE_FLOATS * ends.length }, () => 0.5),
+    attributes: Uint32Array.from(ends.flatMap((end) => [ending(end), 7])),
   };
+}
+
+/** Word 0 of a row. */
+function ending(end: number): number {
+  return ((end << shift) | ROLL) >>> 0;
 }
 
 /** @param shortened ends in metres */
 function wordsOf(ends: number[], shortened: number[]): number[] {
   const casters = new CasterInstances(8, ONE_QUAD);
   casters.fill(rowsEnding(ends), Float32Array.from(shortened));
-  return Array.from(casters.geometry.getAttribute('attributes').array.slice(0, 2 * casters.count));
+  return Array.from(casters.geometry.getAttribute('attributes').array.slice(0, ATTRIBUTE_WORDS * casters.count));
 }
 
 test('a shadow ends at the given distance in metres, rounded up to the precision of a row', () => {
-  const words = wordsOf([0xffff, 0xffff, 0xffff], [1, 1.0001, 1e6]);
-  expect(words).toEqual([(512 << 16) | ROLL, 7, (513 << 16) | ROLL, 7, 0xffff0000 + ROLL, 7]);
+  const words = wordsOf([max, max, max], [1, 1.0001, 1e6]);
+  expect(words).toEqual([ending(2 * END_STEPS), 7, ending(2 * END_STEPS + 1), 7, NO_END + ROLL, 7]);
 });
 
 test('an earlier end of a shadow is kept, and a shadow with nothing behind it ends at its centre', () => {
-  expect(wordsOf([100, 600], [1, -3])).toEqual([(100 << 16) | ROLL, 7, ROLL, 7]);
+  expect(wordsOf([100, 600], [1, -3])).toEqual([ending(100), 7, ROLL, 7]);
 });

@@ -32,6 +32,7 @@ function tracers(shedder: number, values: Record<string, number>): Simulator {
     ...Object.fromEntries(others.map(([key]) => [key, 0])),
     'winds.0.velocity.x': -AIRSPEED,
     'emission.rate': 3000,
+    'emission.lifetime': 4,
     'emission.growthTime': 0,
     'emitters.0.shape': 1,
     'emitters.0.direction.x': -1,

@@ -6,7 +6,7 @@ import { withDrops } from '../../../src/scenes/drops.ts';
 import type { Scene } from '../../../src/scenes/scene.ts';
 import { sceneEntries } from '../../../src/scenes/scenes.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
-import { POSE_FLOATS } from '../../../src/sim/rows.ts';
+import { POSE_FLOATS } from '../../../src/sim/layout.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 

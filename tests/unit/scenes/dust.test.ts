@@ -5,7 +5,7 @@ import { dust } from '../../../src/scenes/dust.ts';
 import { BY_HIT, DUST_RATE, POWER } from '../../../src/scenes/dustRule.ts';
 import type { Scene, Vector } from '../../../src/scenes/scene.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
-import { POSE_FLOATS } from '../../../src/sim/rows.ts';
+import { POSE_FLOATS } from '../../../src/sim/layout.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';

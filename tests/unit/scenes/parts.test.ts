@@ -10,7 +10,7 @@ import { HUB, PROPELLER } from '../../../src/scenes/models/airplane.ts';
 import { AXLE } from '../../../src/scenes/models/meadow.ts';
 import type { Scene, Vector } from '../../../src/scenes/scene.ts';
 import { STEP_SECONDS } from '../../../src/sim/clock.ts';
-import { FIRST_PART } from '../../../src/sim/rows.ts';
+import { FIRST_PART } from '../../../src/sim/layout.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { noteOf } from '../../../src/stage/take.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';

@@ -1,27 +1,28 @@
+import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import {
-  TEMPERATURE_MAX,
-  ATTRIBUTE_WORDS,
-  PLACE_FLOATS,
-  readAttributes,
-  RIGID_FLOATS,
-  ROW_BYTES,
-} from '../../../src/sim/rows.ts';
-import { VIEW_FLOATS, VIEW_OFFSETS, viewLength, writeView, type View } from '../../../src/sim/view.ts';
-import * as core from '../../../src/sim/wasm/core/bindings.js';
-import * as physics from '../../../src/sim/wasm/physics/bindings.js';
+import { ATTRIBUTE_BITS, END_STEPS, LIFTERS_LIMIT, VIEW_FLOATS, VIEW_OFFSETS } from '../../../src/sim/layout.ts';
+import { readAttributes } from '../../../src/sim/rows.ts';
+import { viewLength, writeView, type View } from '../../../src/sim/view.ts';
 import { EVERYTHING } from '../../support/sim/everything.ts';
 import { JET, loadVariant } from '../../support/sim/simWasm.ts';
 
-describe('the layout of rows and views', () => {
-  it('is the one reported by the WASM', async () => {
-    for (const [variant, { layout }] of Object.entries({ core, physics })) {
-      await loadVariant(variant as 'core' | 'physics');
-      expect([...layout()], variant).toEqual([PLACE_FLOATS, ATTRIBUTE_WORDS, VIEW_FLOATS, RIGID_FLOATS]);
-    }
-    expect(ROW_BYTES).toBe(24);
-  });
+const SHADERS = new URL('../../../shaders/', import.meta.url);
 
+/** The fields of packed attributes that a shader reads, by the name of the function without `Of`. */
+function fieldsIn(file: string): [name: string, { word: number; shift: number; max: number }][] {
+  const source = readFileSync(new URL(file, SHADERS), 'utf8');
+  const reads = /(\w+?)(?:Of)?\([^()]*\) \{(?:(?!^\})[^])*?^\}/gm;
+  return [...source.matchAll(reads)].flatMap(([body, name]) =>
+    [...body.matchAll(/\battributes\.([xyrg])\b(?: >> (\d+)u)?\)?(?: & (0x[0-9a-f]+)u)?/g)].map(
+      ([, component, shift = '0', mask]): ReturnType<typeof fieldsIn>[number] => {
+        const word = 'xyrg'.indexOf(component) % 2;
+        return [name, { word, shift: Number(shift), max: mask ? Number(mask) : 2 ** (32 - Number(shift)) - 1 }];
+      },
+    ),
+  );
+}
+
+describe('the layout of rows and views', () => {
   it('writes each part of a view at its own offset', () => {
     const view: View = {
       purpose: 'light',
@@ -29,7 +30,7 @@ describe('the layout of rows and views', () => {
       cull: true,
       pad: 0.5,
       clipFromWorld: Array.from({ length: 16 }, (_, index) => 100 + index),
-      direction: [0, -0.6, 0.8],
+      direction: [0, -0.625, 0.75],
       reach: 1.5,
       receivers: { min: [-1, -2, -3], max: [1, 2, 3] },
       coverage: {
@@ -47,16 +48,36 @@ describe('the layout of rows and views', () => {
     };
     const floats = new Float32Array(viewLength(view)).fill(77);
     writeView(view, floats);
-    expect([...floats.subarray(0, 4)]).toEqual([1, 0.25, 1, 0.5]);
-    expect([...floats.subarray(VIEW_OFFSETS.clipFromWorld, VIEW_OFFSETS.direction)]).toEqual(view.clipFromWorld);
-    expect(floats[VIEW_OFFSETS.direction + 2]).toBeCloseTo(0.8);
-    const [head, coverage] = [
-      [1.5, -1, -2, -3, 1, 2, 3],
-      [0.125, -4, 50, 2, 0.0625, 3, 1, 0.75, -0.5, 0.5, 1.25],
-    ];
-    const lifters = [1, 6, 5, 4, 3, 2, 1, ...Array<number>(42).fill(0)];
-    const tables = [9, 8, 7, 0.25, 0.375];
-    expect([...floats.subarray(VIEW_OFFSETS.reach)]).toEqual([...head, ...coverage, 4, ...lifters, 1, ...tables]);
+    const parts: Record<keyof typeof VIEW_OFFSETS, number[]> = {
+      purpose: [1],
+      blend: [0.25],
+      cull: [1],
+      pad: [0.5],
+      clipFromWorld: Array.from(view.clipFromWorld),
+      direction: [0, -0.625, 0.75],
+      reach: [1.5],
+      receivers: [-1, -2, -3, 1, 2, 3],
+      pixel: [0.125],
+      nearest: [-4],
+      farthest: [50],
+      covers: [2],
+      tolerance: [0.0625],
+      blur: [3],
+      facesEye: [1],
+      lift: [0.75],
+      capRange: [-0.5, 0.5],
+      depth: [1.25],
+      balls: [4],
+      lifters: [1],
+      lifterBoxes: [6, 5, 4, 3, 2, 1, ...Array<number>(6 * (LIFTERS_LIMIT - 1)).fill(0)],
+      capsFollow: [1],
+    };
+    for (const [name, numbers] of Object.entries(parts)) {
+      const offset = VIEW_OFFSETS[name as keyof typeof parts];
+      expect([...floats.subarray(offset, offset + numbers.length)], name).toEqual(numbers);
+    }
+    expect(Object.values(parts).flat().length).toBe(VIEW_FLOATS);
+    expect([...floats.subarray(VIEW_FLOATS)]).toEqual([9, 8, 7, 0.25, 0.375]);
   });
 
   it('matches what Rust reads from each part of a view', async () => {
@@ -71,6 +92,22 @@ describe('the layout of rows and views', () => {
     wide[0] = 0.1;
     expect(simulator.arrange({ ...culled, clipFromWorld: wide }).rows.count).toBeGreaterThan(50);
     simulator.dispose();
+  });
+
+  it('is the one that shaders read', () => {
+    const { temperature, ...others } = ATTRIBUTE_BITS;
+    expect(Object.fromEntries(fieldsIn('lib/attributes.glsl'))).toEqual(others);
+    // The ramps have 256 ages.
+    const age = { ...others.age, shift: others.age.shift + 8, max: 0xff };
+    expect(fieldsIn('lib/material.glsl').map(([, bits]) => bits)).toEqual([age, temperature]);
+    const files = readdirSync(SHADERS, { recursive: true, encoding: 'utf8' }).filter((file) => /\.\w+$/.test(file));
+    const readers = files.filter((file) => fieldsIn(file).length > 0).sort();
+    expect(readers).toEqual(['lib/attributes.glsl', 'lib/material.glsl']);
+
+    const source = readFileSync(new URL('lib/attributes.glsl', SHADERS), 'utf8');
+    expect(source).toContain(`& 0x${others.roll.max.toString(16)}u) * (6.28318530718 / ${others.roll.max + 1}.0)`);
+    expect(source).toContain(`>> ${others.age.shift}u) / ${others.age.max}.0`);
+    expect(source).toContain(`end == 0x${others.end.max.toString(16)}u ? 1e9 : float(end) / ${END_STEPS}.0`);
   });
 
   it('unpacks the attributes of a row', async () => {
@@ -94,7 +131,6 @@ describe('the layout of rows and views', () => {
       expect(row.temperature).toBeLessThan(2.1);
       expect(row.roll).toBeLessThan(1);
     }
-    expect(TEMPERATURE_MAX).toBe(4);
     simulator.dispose();
   });
 });

@@ -1,7 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
+import { MAX_STOPS } from '../../../src/preset/curve.ts';
 import type { NumberParameter } from '../../../src/preset/parameter.ts';
-import { listNames, startValues } from '../../../src/preset/lists.ts';
+import { LIST_LIMIT, listNames, startValues } from '../../../src/preset/lists.ts';
 import { presets, presetValues } from '../../../src/preset/presets.ts';
 import { table } from '../../../src/preset/table.ts';
 import { loadSimulators, type SimulatorFactory } from '../../../src/sim/load.ts';
@@ -38,6 +39,16 @@ describe('the simulator', () => {
     simulator.step(30);
     return simulator;
   }
+
+  it('starts with the defaults of the table', () => {
+    const simulator = factory.create({ capacity: 4, seed: 1 });
+    const singles = table.filter(
+      ({ key, kind, reader }) => reader === 'simulator' && kind !== 'curve' && !/^\w+\.\d\./.test(key),
+    );
+    const defaults = Object.fromEntries(singles.map((row) => [row.key, row.default]));
+    expect(Object.fromEntries(simulator.parameters())).toEqual(simulatorValues(defaults));
+    simulator.dispose();
+  });
 
   it('accepts both ends and the default of every parameter that it reads, with finite positions', () => {
     for (const row of rows) {
@@ -96,10 +107,12 @@ describe('the simulator', () => {
     }
   });
 
-  it('has every item of every list', () => {
+  it('has every item of every list, and no further one', () => {
     const simulator = factory.create({ capacity: 4, seed: 1 });
     const values = table.filter(({ reader }) => reader === 'simulator').map((row) => [row.key, row.default]);
     expect(() => simulator.set(simulatorValues(Object.fromEntries(values)))).not.toThrow();
+    for (const key of [`vortices.${LIST_LIMIT}.circulation`, `density.${MAX_STOPS}.age`])
+      expect(() => simulator.set({ [key]: 0 }), key).toThrow(key);
     simulator.dispose();
   });
 

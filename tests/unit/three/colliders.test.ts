@@ -19,7 +19,7 @@ import { Colliders } from '../../../src/three/colliders.ts';
 import { ballsOf } from '../../../src/three/proxies.ts';
 import { shapeOf } from '../../../src/three/shapes.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
-import { POSE_FLOATS } from '../../../src/sim/rows.ts';
+import { POSE_FLOATS } from '../../../src/sim/layout.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 
 let factory: SimulatorFactory;

@@ -13,6 +13,7 @@ export async function movementAtSpeed(speed: number): Promise<number> {
   const { loadSimulators } = await import('../../../src/sim/load.ts');
   const simulator = (await loadSimulators({ physics: false })).create({ capacity: 64, seed: 3 });
   simulator.set({ 'emission.rate': 600, 'emission.lifetime': 50, 'emitters.0.share': 1, 'emitters.0.size': 0.1 });
+  simulator.set({ 'emission.growthTime': 0, 'turbulence.speed': 0 });
   simulator.step(6);
   simulator.set({ 'emission.rate': 0, 'forces.wind.x': 2, 'emitters.0.speed': 0 });
   simulator.step(2);

@@ -6,33 +6,27 @@
 //! suffice.
 
 pub(crate) mod coverage;
+pub mod row_layout;
 pub mod rows;
 pub(crate) mod view;
-pub(crate) mod view_layout;
+pub mod view_layout;
 
 use wide::f32x4;
 
 use crate::arrange::coverage::Coverage;
 use crate::arrange::coverage::chart::ChartExtent;
-use crate::arrange::coverage::outline::NO_END;
+use crate::arrange::row_layout::{ATTRIBUTE_WORDS, Attributes, END, NO_END, PLACE_FLOATS, ROLL};
 use crate::arrange::rows::RowSampler;
 use crate::arrange::view::View;
 use crate::math::radix_sort::{self, Entry, Histogram};
 use crate::math::simd::{LANES, Vector4, blocks};
 use crate::particles::Particles;
 
-/// Floats per row of places.
-pub const PLACE_FLOATS: usize = 4;
-/// Words per row of packed attributes.
-pub const ATTRIBUTE_WORDS: usize = 2;
-/// Numbers of a view, without its solids.
-pub const VIEW_FLOATS: usize = crate::arrange::view_layout::VIEW_LENGTH;
-
 /// The rows of the last call, and scratch memory. 32 bytes per particle.
 #[derive(Debug)]
 pub struct Arranger {
     place: Vec<[f32; PLACE_FLOATS]>,
-    attributes: Vec<[u32; ATTRIBUTE_WORDS]>,
+    attributes: Vec<Attributes>,
     order: Vec<Entry>,
     histogram: Histogram,
     coverage: Coverage,
@@ -44,8 +38,8 @@ impl Arranger {
     pub fn new(capacity: usize) -> Self {
         Self {
             // Places are written in whole blocks.
-            place: vec![[0.0; 4]; capacity.next_multiple_of(LANES)],
-            attributes: vec![[0; 2]; capacity],
+            place: vec![[0.0; PLACE_FLOATS]; capacity.next_multiple_of(LANES)],
+            attributes: vec![[0; ATTRIBUTE_WORDS]; capacity],
             order: vec![[0; 2]; capacity],
             histogram: Histogram::new(),
             coverage: Coverage::new(capacity),
@@ -59,7 +53,7 @@ impl Arranger {
     }
 
     /// Packed attributes of the rows. Valid up to the count of the last call.
-    pub fn attributes(&self) -> &[[u32; ATTRIBUTE_WORDS]] {
+    pub fn attributes(&self) -> &[Attributes] {
         &self.attributes
     }
 
@@ -113,7 +107,8 @@ impl Arranger {
             self.attributes[row] = sampler.attributes(particles, particle);
             if view.is_light {
                 let end = if has_ends { *end } else { NO_END };
-                self.attributes[row][0] = self.attributes[row][0] & 0xffff | end << 16;
+                let roll = ROLL.of(self.attributes[row]);
+                self.attributes[row][END.word] = ROLL.packed(roll) | END.packed(end);
             }
         }
     }

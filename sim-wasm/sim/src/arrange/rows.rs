@@ -1,20 +1,14 @@
-//! Rows for a renderer: 24 bytes per drawn particle.
-//!
-//! `place`, four f32: x, y, z in world space (m), radius (m), blended between the steps.
-//! `attributes`, two u32:
-//! - word 0, bits 0-15: roll, as a fraction of a turn times 65,536, with a slow spin by age.
-//! - word 0, bits 16-31: age / lifetime times 65,535. In rows for the light: the earliest end of the shadow in 256ths
-//!   of a radius behind the centre, 65,535 for none.
-//! - word 1: variation (bits 0-7), seed byte (8-15), temperature (16-23, 255 means 4), tint (24-31, 0 means none).
+//! Rows for a renderer. `row_layout` documents their numbers.
 
+use crate::arrange::row_layout::{
+    AGE, Attributes, Bits, MAX_TEMPERATURE, PLACE_FLOATS, ROLL, SEED, TEMPERATURE, TINT, VARIATION,
+};
 use crate::particles::Particles;
 use crate::particles::held::Held;
 use crate::particles::radius::RadiusLaw;
 
 /// Maximum spin (revolutions per second). The seed byte selects a spin between minus this and this.
 pub const MAX_SPIN: f32 = 0.04;
-
-const MAX_TEMPERATURE: f32 = 4.0;
 
 /// Samples rows from particles at a time between two steps.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +28,7 @@ impl RowSampler {
     }
 
     /// Place and radius of particle `i`. The radius is 0 before birth.
-    pub fn place(&self, particles: &Particles, i: usize) -> [f32; 4] {
+    pub fn place(&self, particles: &Particles, i: usize) -> [f32; PLACE_FLOATS] {
         if let Some(held) = &particles.held {
             return self.held_place(held, particles.lifetime[i], i);
         }
@@ -49,34 +43,42 @@ impl RowSampler {
         ]
     }
 
-    fn held_place(&self, held: &Held, lifetime: f32, i: usize) -> [f32; 4] {
+    fn held_place(&self, held: &Held, lifetime: f32, i: usize) -> [f32; PLACE_FLOATS] {
         let radius = self.radii.radius(held.size[i], held.age[i], lifetime);
         let is_born = held.age[i] >= 0.0;
         [held.x[i], held.y[i], held.z[i], if is_born { radius } else { 0.0 }]
     }
 
     /// The part of the packed attributes that determines the orientation of particle `i`: roll, variation and seed.
-    pub fn orientation(&self, particles: &Particles, i: usize) -> [u32; 2] {
+    pub fn orientation(&self, particles: &Particles, i: usize) -> Attributes {
         let attributes = particles.attributes[i];
-        [roll(attributes, self.age(particles, i)), attributes & 0xffff]
+        [
+            ROLL.packed(roll(attributes, self.age(particles, i))),
+            constant(attributes),
+        ]
     }
 
     /// The packed attributes of particle `i`.
-    pub fn attributes(&self, particles: &Particles, i: usize) -> [u32; 2] {
+    pub fn attributes(&self, particles: &Particles, i: usize) -> Attributes {
         let attributes = particles.attributes[i];
         let age = self.age(particles, i);
-        let roll = roll(attributes, age);
-        let worn = fraction(age / particles.lifetime[i], 65_535.0);
-        let heat = fraction(particles.temperature[i] / MAX_TEMPERATURE, 255.0);
+        let worn = fraction(age / particles.lifetime[i], AGE);
+        let heat = fraction(particles.temperature[i] / MAX_TEMPERATURE, TEMPERATURE);
         [
-            roll | worn << 16,
-            attributes & 0xffff | heat << 16 | attributes >> 28 << 24,
+            ROLL.packed(roll(attributes, age)) | AGE.packed(worn),
+            constant(attributes) | TEMPERATURE.packed(heat) | TINT.packed(attributes >> 28),
         ]
     }
 }
 
+/// Variation and seed, which no step changes.
+fn constant(attributes: u32) -> u32 {
+    VARIATION.packed(attributes) | SEED.packed(attributes >> 8)
+}
+
+/// Roll at birth and by `age` seconds of spin, in 65,536ths of a revolution. The highest bits mean nothing.
 fn roll(attributes: u32, age: f32) -> u32 {
-    (attributes >> 12 & 0xfff0).wrapping_add(spin(attributes, age)) & 0xffff
+    (attributes >> 12 & 0xfff0).wrapping_add(spin(attributes, age))
 }
 
 /// Roll by `age` seconds of spin, in 65,536ths of a revolution.
@@ -85,6 +87,6 @@ fn spin(attributes: u32, age: f32) -> u32 {
     (age * pace * 65_536.0) as i32 as u32
 }
 
-fn fraction(value: f32, scale: f32) -> u32 {
-    (value.clamp(0.0, 1.0) * scale + 0.5) as u32
+fn fraction(value: f32, bits: Bits) -> u32 {
+    (value.clamp(0.0, 1.0) * bits.max as f32 + 0.5) as u32
 }

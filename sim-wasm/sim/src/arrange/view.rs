@@ -1,13 +1,11 @@
-//! A view: the input of `arrange`.
-//!
-//! `view_layout` documents its numbers.
+//! A view: the input of `arrange`. `view_layout` documents its numbers.
 
 use wide::f32x4;
 
 use crate::arrange::coverage::plan::Plan;
 use crate::arrange::coverage::solids::BALLS_LIMIT;
 use crate::arrange::coverage::start_caps::ENTRIES;
-use crate::arrange::view_layout::{CAPS_FOLLOW, LIFTERS_LIMIT, VIEW_LENGTH};
+use crate::arrange::view_layout::{LIFTERS_LIMIT, VIEW_LENGTH, ViewNumbers};
 use crate::layout::error::ParameterError;
 use crate::math::simd::{Vector4, positive_part};
 
@@ -33,53 +31,51 @@ impl<'v> View<'v> {
     /// Checks the numbers. One that is not finite or out of range is an error with its name.
     pub fn new(all: &'v [f32]) -> Result<Self, ParameterError> {
         let (numbers, solids) = all.split_first_chunk().ok_or_else(|| wrong_length(all.len()))?;
+        let numbers = &ViewNumbers::read(numbers);
         if let Some(index) = all.iter().position(|value| !value.is_finite()) {
             let limit = f64::from(f32::MAX);
             within(&format!("view[{index}]"), all[index], -limit, limit)?;
         }
-        within("view.purpose", numbers[0], 0.0, 1.0)?;
-        within("view.blend", numbers[1], 0.0, 1.0)?;
-        within("view.cull", numbers[2], 0.0, 1.0)?;
-        within("view.pad", numbers[3], 0.0, 1e6)?;
-        within("view.reach", numbers[23], 0.0, 1e6)?;
+        within("view.purpose", numbers.purpose, 0.0, 1.0)?;
+        within("view.blend", numbers.blend, 0.0, 1.0)?;
+        within("view.cull", numbers.cull, 0.0, 1.0)?;
+        within("view.pad", numbers.pad, 0.0, 1e6)?;
+        within("view.reach", numbers.reach, 0.0, 1e6)?;
         check_coverage(numbers, solids)?;
-        let direction = direction(numbers)?;
-        let cull = (numbers[2] != 0.0).then(|| Cull::new(numbers, direction));
+        let direction = direction(numbers.direction)?;
+        let cull = (numbers.cull != 0.0).then(|| Cull::new(numbers, direction));
         let coverage = cull.and_then(|_| Plan::new(numbers, solids, direction));
         Ok(Self {
-            blend: numbers[1],
+            blend: numbers.blend,
             direction,
-            is_light: numbers[0] != 0.0,
+            is_light: numbers.purpose != 0.0,
             cull,
             coverage,
         })
     }
 }
 
-fn check_coverage(numbers: &[f32; VIEW_LENGTH], solids: &[f32]) -> Result<(), ParameterError> {
+fn check_coverage(numbers: &ViewNumbers, solids: &[f32]) -> Result<(), ParameterError> {
     let lengths = [
-        ("view.pixel", 30),
-        ("view.tolerance", 34),
-        ("view.blur", 35),
-        ("view.lift", 37),
-        ("view.depth", 40),
-        ("view.balls", 41),
+        ("view.pixel", numbers.pixel),
+        ("view.tolerance", numbers.tolerance),
+        ("view.blur", numbers.blur),
+        ("view.lift", numbers.lift),
+        ("view.depth", numbers.depth),
+        ("view.balls", numbers.balls),
     ];
-    for (name, index) in lengths {
-        within(name, numbers[index], 0.0, 1e6)?;
+    for (name, length) in lengths {
+        within(name, length, 0.0, 1e6)?;
     }
-    within("view.covers", numbers[33], 0.0, COVERS_LIMIT)?;
-    within("view.lifters", numbers[42], 0.0, LIFTERS_LIMIT as f64)?;
-    within(
-        "view.farthest",
-        numbers[32],
-        f64::from(numbers[31]),
-        f64::from(f32::MAX),
-    )?;
-    within("view.capMost", numbers[39], f64::from(numbers[38]), 1e6)?;
-    let balls = numbers[41] as usize;
-    if numbers[41] != balls as f32 || !balls.is_multiple_of(4) || balls > BALLS_LIMIT {
-        let value = f64::from(numbers[41]);
+    within("view.covers", numbers.covers, 0.0, COVERS_LIMIT)?;
+    within("view.lifters", numbers.lifters, 0.0, LIFTERS_LIMIT as f64)?;
+    let nearest = f64::from(numbers.nearest);
+    within("view.farthest", numbers.farthest, nearest, f64::from(f32::MAX))?;
+    let [cap_least, cap_most] = numbers.cap_range;
+    within("view.capMost", cap_most, f64::from(cap_least), 1e6)?;
+    let balls = numbers.balls as usize;
+    if numbers.balls != balls as f32 || !balls.is_multiple_of(4) || balls > BALLS_LIMIT {
+        let value = f64::from(numbers.balls);
         return Err(ParameterError::out_of_range(
             "view.balls",
             value,
@@ -87,8 +83,8 @@ fn check_coverage(numbers: &[f32; VIEW_LENGTH], solids: &[f32]) -> Result<(), Pa
             BALLS_LIMIT as f64,
         ));
     }
-    within("view.capsFollow", numbers[CAPS_FOLLOW], 0.0, 1.0)?;
-    let variation = 4 * balls + if numbers[CAPS_FOLLOW] != 0.0 { ENTRIES } else { 0 };
+    within("view.capsFollow", numbers.caps_follow, 0.0, 1.0)?;
+    let variation = 4 * balls + if numbers.caps_follow != 0.0 { ENTRIES } else { 0 };
     let is_whole = if balls == 0 {
         solids.is_empty()
     } else {
@@ -115,8 +111,8 @@ fn wrong_length(length: usize) -> ParameterError {
     ParameterError::out_of_range("view.length", length as f64, expected, expected)
 }
 
-fn direction(numbers: &[f32; VIEW_LENGTH]) -> Result<[f32; 3], ParameterError> {
-    let [x, y, z] = [numbers[20], numbers[21], numbers[22]].map(f64::from);
+fn direction(direction: [f32; 3]) -> Result<[f32; 3], ParameterError> {
+    let [x, y, z] = direction.map(f64::from);
     let length = libm::sqrt(x * x + y * y + z * z);
     // Accepts rounding, but not a vector that was never normalised: its picture would be wrong elsewhere too.
     if !(0.99..=1.01).contains(&length) {
@@ -162,8 +158,8 @@ struct Sweep {
 }
 
 impl Cull {
-    fn new(numbers: &[f32; VIEW_LENGTH], direction: [f32; 3]) -> Self {
-        let row = |row: usize| [0, 1, 2, 3].map(|column| f64::from(numbers[4 + 4 * column + row]));
+    fn new(numbers: &ViewNumbers, direction: [f32; 3]) -> Self {
+        let row = |row: usize| [0, 1, 2, 3].map(|column| f64::from(numbers.clip_from_world[4 * column + row]));
         let side = |axis: usize, sign: f64| {
             let (w, other) = (row(3), row(axis));
             ExactPlane::new(std::array::from_fn(|i| w[i] + sign * other[i]))
@@ -173,9 +169,9 @@ impl Cull {
         Self {
             planes: [side(0, 1.0), side(0, -1.0), side(1, 1.0), side(1, -1.0)],
             clip_w: ExactPlane::new(row(3)).lanes(),
-            reach: f32x4::splat(numbers[23]),
-            pad: f32x4::splat(numbers[3]),
-            sweep: (numbers[0] != 0.0).then(|| Sweep::new(numbers, direction)),
+            reach: f32x4::splat(numbers.reach),
+            pad: f32x4::splat(numbers.pad),
+            sweep: (numbers.purpose != 0.0).then(|| Sweep::new(numbers.receivers, direction)),
         }
     }
 
@@ -244,18 +240,12 @@ impl ExactPlane {
 }
 
 impl Sweep {
-    fn new(numbers: &[f32; VIEW_LENGTH], direction: [f32; 3]) -> Self {
+    fn new(receivers: [f32; 6], direction: [f32; 3]) -> Self {
         let moves = direction.map(|component| component.abs() > 1e-6);
         let axes = [0, 1, 2];
         Self {
             direction: Vector4::splat(direction),
-            face: Vector4::splat(axes.map(|i| {
-                if direction[i] > 0.0 {
-                    numbers[27 + i]
-                } else {
-                    numbers[24 + i]
-                }
-            })),
+            face: Vector4::splat(axes.map(|i| receivers[if direction[i] > 0.0 { 3 + i } else { i }])),
             inverse: Vector4::splat(axes.map(|i| if moves[i] { 1.0 / direction[i] } else { 0.0 })),
             never: Vector4::splat(axes.map(|i| if moves[i] { 0.0 } else { 1e30 })),
         }

@@ -5,6 +5,9 @@
 use crate::math::bounds::Bounds;
 use crate::math::vector::Vector;
 
+/// Count of the numbers of a pose: x, y, z (m) and the unit quaternion x, y, z, w.
+pub const POSE_FLOATS: usize = 7;
+
 /// A position and a rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
@@ -16,7 +19,7 @@ pub struct Pose {
 
 impl Pose {
     /// Creates a pose from x, y, z (m) and the unit quaternion x, y, z, w.
-    pub fn of_numbers([x, y, z, i, j, k, w]: [f32; 7]) -> Self {
+    pub fn of_numbers([x, y, z, i, j, k, w]: [f32; POSE_FLOATS]) -> Self {
         Self {
             position: Vector::new(x, y, z),
             rotation: [i, j, k, w],

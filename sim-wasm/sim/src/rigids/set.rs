@@ -10,7 +10,7 @@ use crate::layout::limits::STEP;
 use crate::layout::scope::parts::{FIRST_PART, ends_of_rigid};
 use crate::math::bounds::Bounds;
 use crate::math::hash::Hash;
-use crate::math::pose::Pose;
+use crate::math::pose::{POSE_FLOATS, Pose};
 use crate::math::pose_motion::PoseMotion;
 use crate::math::vector::Vector;
 use crate::rigids::checks::pose_numbers;
@@ -27,7 +27,7 @@ use crate::rigids::track::Track;
 use crate::rigids::world::World;
 
 /// Floats per rigid in [`Rigids::poses`].
-pub const POSE_PAIR_FLOATS: usize = 14;
+pub const POSE_PAIR_FLOATS: usize = 2 * POSE_FLOATS;
 const MAX_RIGIDS: usize = FIRST_PART;
 
 /// The rigids of one simulator.

@@ -3,7 +3,7 @@
 use crate::common::{STILL, newborn, simulator};
 use proptest::prelude::*;
 use sim::Simulator;
-use sim::arrange::VIEW_FLOATS;
+use sim::arrange::view_layout::ViewNumbers;
 use sim::math::random::Random;
 use sim::particles::Newborn;
 
@@ -79,7 +79,7 @@ impl Observer {
     }
 
     /// Columns of clipFromWorld: a square, slightly off-axis view.
-    fn matrix(&self) -> Vec<f32> {
+    fn matrix(&self) -> [f32; 16] {
         let f = 1.0 / self.half;
         let (a, b) = if self.is_perspective {
             ((FAR + NEAR) / (FAR - NEAR), -2.0 * FAR * NEAR / (FAR - NEAR))
@@ -102,7 +102,7 @@ impl Observer {
             row(0.0, 0.0, a, b),
             last,
         ];
-        (0..16).map(|i| rows[i % 4][i / 4] as f32).collect()
+        std::array::from_fn(|i| rows[i % 4][i / 4] as f32)
     }
 
     /// Whether a point of the image plane at unit depth is in the picture.
@@ -220,47 +220,62 @@ fn cloud(count: u32, seed: u32, spread: f32) -> Simulator {
     simulator
 }
 
-fn view(eye: &Observer, ink: f64) -> Vec<f32> {
-    let mut view = vec![0.0; VIEW_FLOATS];
-    (view[1], view[2], view[3]) = (1.0, 1.0, ink as f32);
-    view[4..20].copy_from_slice(&eye.matrix());
-    (0..3).for_each(|i| view[20 + i] = eye.forward[i] as f32);
-    view[23] = 1.0;
-    view[24..30].copy_from_slice(&[-3.0, -3.0, -3.0, 3.0, 3.0, 3.0]);
+/// A view with the tables that follow its numbers.
+struct TabledView {
+    numbers: ViewNumbers,
+    tables: Vec<f32>,
+}
+
+impl TabledView {
+    fn floats(&self) -> Vec<f32> {
+        [&self.numbers.to_array(), &self.tables[..]].concat()
+    }
+}
+
+fn view(eye: &Observer, ink: f64) -> ViewNumbers {
     let depth = dot(eye.at, eye.forward);
-    let ends = [depth + NEAR, depth + FAR];
-    let numbers = [
-        0.001,
-        ends[0],
-        ends[1],
-        1.0,
-        0.001,
-        0.0,
-        0.0,
-        LIFT * ink,
-        CAPS[0],
-        CAPS[1],
-        0.6,
-        BALLS as f64,
-    ];
-    (0..12).for_each(|i| view[30 + i] = numbers[i] as f32);
-    view[42] = 1.0;
-    view[43..49].copy_from_slice(&[-9.0, -9.0, -9.0, 9.0, 9.0, 9.0]);
+    let mut view = ViewNumbers {
+        blend: 1.0,
+        cull: 1.0,
+        pad: ink as f32,
+        clip_from_world: eye.matrix(),
+        direction: eye.forward.map(|component| component as f32),
+        reach: 1.0,
+        receivers: [-3.0, -3.0, -3.0, 3.0, 3.0, 3.0],
+        pixel: 0.001,
+        nearest: (depth + NEAR) as f32,
+        farthest: (depth + FAR) as f32,
+        covers: 1.0,
+        tolerance: 0.001,
+        lift: (LIFT * ink) as f32,
+        cap_range: CAPS.map(|cap| cap as f32),
+        depth: 0.6,
+        balls: BALLS as f32,
+        lifters: 1.0,
+        ..ViewNumbers::default()
+    };
+    view.lifter_boxes[0] = [-9.0, -9.0, -9.0, 9.0, 9.0, 9.0];
     view
 }
 
-fn body_view(eye: &Observer, ink: f64, solids: &[f32]) -> Vec<f32> {
-    let mut view = view(eye, ink);
-    view.extend_from_slice(solids);
-    view
+fn body_view(eye: &Observer, ink: f64, solids: &[f32]) -> TabledView {
+    TabledView {
+        numbers: view(eye, ink),
+        tables: solids.to_vec(),
+    }
 }
 
-fn shadow_view(eye: &Observer, travel: V3, covers: usize, solids: &[f32]) -> Vec<f32> {
-    let mut view = body_view(eye, 0.0, solids);
-    (view[0], view[33], view[91]) = (1.0, covers as f32, 1.0);
-    (0..3).for_each(|i| view[20 + i] = travel[i] as f32);
-    view.extend(start_caps());
-    view
+fn shadow_view(eye: &Observer, travel: V3, covers: usize, solids: &[f32]) -> TabledView {
+    TabledView {
+        numbers: ViewNumbers {
+            purpose: 1.0,
+            direction: travel.map(|component| component as f32),
+            covers: covers as f32,
+            caps_follow: 1.0,
+            ..view(eye, 0.0)
+        },
+        tables: solids.iter().copied().chain(start_caps()).collect(),
+    }
 }
 
 /// Columns and rows of a variation's table of start caps.
@@ -285,18 +300,17 @@ fn start_cap(caps: &[f32], attributes: [u32; 2], [x, y, z]: V3) -> f64 {
 
 type Row = ([f32; 4], [u32; 2]);
 
-fn rows(simulator: &mut Simulator, view: &[f32]) -> Vec<Row> {
-    let count = simulator.arrange(view).unwrap();
+fn rows(simulator: &mut Simulator, view: &TabledView) -> Vec<Row> {
+    let count = simulator.arrange(&view.floats()).unwrap();
     let (place, attributes) = (simulator.place(), simulator.attributes());
     (0..count).map(|row| (place[row], attributes[row])).collect()
 }
 
 /// The remaining rows, and those that only coverage culls. The remaining rows keep their order.
-fn culled(simulator: &mut Simulator, view: &[f32]) -> (Vec<Row>, Vec<Row>) {
-    let kept = rows(simulator, view);
-    let mut uncovered = view.to_vec();
-    uncovered[33] = 0.0;
-    let all = rows(simulator, &uncovered);
+fn culled(simulator: &mut Simulator, mut view: TabledView) -> (Vec<Row>, Vec<Row>) {
+    let kept = rows(simulator, &view);
+    view.numbers.covers = 0.0;
+    let all = rows(simulator, &view);
     let mut rest = kept.iter().peekable();
     let left: Vec<Row> = all
         .iter()
@@ -344,7 +358,7 @@ proptest! {
     ) {
         let solids = solids(seed);
         let mut simulator = cloud(count, seed, spread);
-        let (kept, left) = culled(&mut simulator, &body_view(&eye, ink, &solids));
+        let (kept, left) = culled(&mut simulator, body_view(&eye, ink, &solids));
         let puff = |(place, attributes): &Row| Puff::new(*place, *attributes, &eye, &solids);
         let front: Vec<Puff> = kept.iter().map(puff).collect();
         let mut random = Random::new(seed);
@@ -366,7 +380,7 @@ proptest! {
         prop_assume!(dot(lamp, lamp) > 0.1);
         let (travel, solids) = (unit(lamp), solids(seed));
         let mut simulator = cloud(count, seed, 0.8);
-        let (kept, left) = culled(&mut simulator, &shadow_view(&eye, travel, covers, &solids));
+        let (kept, left) = culled(&mut simulator, shadow_view(&eye, travel, covers, &solids));
         let caps = start_caps();
         let shadow = |row: &Row| Shadow::new(row, &eye, travel, &caps, &solids);
         let thrown: Vec<Shadow> = kept.iter().map(shadow).collect();
@@ -486,8 +500,8 @@ fn a_dense_cloud_is_mostly_hidden_and_a_thin_one_is_not() {
     let eye = Observer::new([0.0, 0.4, 8.0], 0.25, true);
     let share = |count: u32, spread: f32, covers: usize| {
         let mut cloud = cloud(count, 3, spread);
-        let (bodies, _) = culled(&mut cloud, &body_view(&eye, 0.002, &solids));
-        let (casters, _) = culled(&mut cloud, &shadow_view(&eye, unit([0.4, -0.8, 0.1]), covers, &solids));
+        let (bodies, _) = culled(&mut cloud, body_view(&eye, 0.002, &solids));
+        let (casters, _) = culled(&mut cloud, shadow_view(&eye, unit([0.4, -0.8, 0.1]), covers, &solids));
         [bodies.len(), casters.len()].map(|kept| kept as f64 / f64::from(count))
     };
     let [thin, dense] = [share(40, 2.0, 1), share(4000, 1.0, 1)];
@@ -524,7 +538,7 @@ fn more_ink_culls_less_and_zero_covers_cull_nothing() {
     let lines = [kept(0.0), kept(0.005), kept(0.02)];
     assert!(lines[0] < lines[1] && lines[1] < lines[2], "{lines:?}");
     let mut view = body_view(&eye, 0.0, &solids);
-    view[2] = 0.0;
+    view.numbers.cull = 0.0;
     assert_eq!(rows(&mut cloud, &view).len(), 3000);
 }
 
@@ -551,24 +565,25 @@ fn a_small_puff_is_hidden_behind_a_large_one_and_not_before_it() {
 fn malformed_coverage_is_an_error_with_its_key() {
     let eye = Observer::new([0.0, 0.4, 8.0], 0.25, true);
     let mut cloud = cloud(10, 1, 1.0);
-    let cases = [
-        (30, -1.0, "view.pixel"),
-        (32, -1e9, "view.farthest"),
-        (33, 17.0, "view.covers"),
-        (37, -1.0, "view.lift"),
-        (34, f32::NAN, "view[34]"),
-        (39, 0.0, "view.capMost"),
-        (41, 5.0, "view.balls"),
-        (41, 16.0, "view.balls"),
-        (41, 0.0, "view.length"),
-        (VIEW_FLOATS + 3, f32::INFINITY, "view[95]"),
-        (91, 1.0, "view.length"),
+    type Change = fn(&mut TabledView);
+    let cases: [(Change, &str); 11] = [
+        (|view| view.numbers.pixel = -1.0, "view.pixel"),
+        (|view| view.numbers.farthest = -1e9, "view.farthest"),
+        (|view| view.numbers.covers = 17.0, "view.covers"),
+        (|view| view.numbers.lift = -1.0, "view.lift"),
+        (|view| view.numbers.tolerance = f32::NAN, "view[34]"),
+        (|view| view.numbers.cap_range[1] = 0.0, "view.capMost"),
+        (|view| view.numbers.balls = 5.0, "view.balls"),
+        (|view| view.numbers.balls = 16.0, "view.balls"),
+        (|view| view.numbers.balls = 0.0, "view.length"),
+        (|view| view.tables[3] = f32::INFINITY, "view[95]"),
+        (|view| view.numbers.caps_follow = 1.0, "view.length"),
     ];
-    for (index, value, name) in cases {
+    for (change, name) in cases {
         let mut view = body_view(&eye, 0.0, &solids(1));
-        view[index] = value;
-        assert_eq!(cloud.arrange(&view).unwrap_err().key, name);
+        change(&mut view);
+        assert_eq!(cloud.arrange(&view.floats()).unwrap_err().key, name);
     }
-    let view = body_view(&eye, 0.0, &solids(1));
+    let view = body_view(&eye, 0.0, &solids(1)).floats();
     assert_eq!(cloud.arrange(&view[..view.len() - 1]).unwrap_err().key, "view.length");
 }

@@ -2,7 +2,7 @@
 
 use crate::common::{LIVELY, STILL, newborn, simulator, steps};
 use sim::Simulator;
-use sim::arrange::VIEW_FLOATS;
+use sim::arrange::view_layout::{VIEW_LENGTH, ViewNumbers};
 use sim::math::random::Random;
 use sim::particles::Newborn;
 
@@ -11,14 +11,15 @@ const FULL: &[(&str, f64)] = &[("simulation.integrator", 1.0)];
 const BOX: [f32; 6] = [-12.0, -1.0, -12.0, 12.0, 12.0, 12.0];
 
 /// A view that culls nothing, ordered along -z.
-fn view() -> [f32; VIEW_FLOATS] {
-    let mut view = [0.0; VIEW_FLOATS];
-    view[1] = 1.0;
-    view[4..20].copy_from_slice(&perspective());
-    view[20..23].copy_from_slice(&[0.0, 0.0, -1.0]);
-    view[23] = 1.0;
-    view[24..30].copy_from_slice(&BOX);
-    view
+fn view() -> ViewNumbers {
+    ViewNumbers {
+        blend: 1.0,
+        clip_from_world: perspective(),
+        direction: [0.0, 0.0, -1.0],
+        reach: 1.0,
+        receivers: BOX,
+        ..ViewNumbers::default()
+    }
 }
 
 /// clipFromWorld by columns: eye at (1, 2, 9), looking along -z, 50 degrees high, a quarter off-axis.
@@ -77,8 +78,8 @@ fn cloud(count: u32) -> Simulator {
     simulator
 }
 
-fn rows(simulator: &mut Simulator, view: &[f32]) -> Vec<[f32; 4]> {
-    let count = simulator.arrange(view).unwrap();
+fn rows(simulator: &mut Simulator, view: &ViewNumbers) -> Vec<[f32; 4]> {
+    let count = simulator.arrange(&view.to_array()).unwrap();
     simulator.place()[..count].to_vec()
 }
 
@@ -86,8 +87,7 @@ fn rows(simulator: &mut Simulator, view: &[f32]) -> Vec<[f32; 4]> {
 fn rows_come_near_to_far_and_are_complete() {
     let mut simulator = cloud(1001);
     for direction in [[0.0, 0.0, -1.0], [0.6, -0.8, 0.0], [0.48, -0.6, 0.64]] {
-        let mut view = view();
-        view[20..23].copy_from_slice(&direction);
+        let view = ViewNumbers { direction, ..view() };
         let rows = rows(&mut simulator, &view);
         let depth = |row: &[f32; 4]| row[0] * direction[0] + row[1] * direction[1] + row[2] * direction[2];
         assert!(
@@ -129,8 +129,7 @@ fn blend_runs_from_the_previous_step_to_this_one() {
     });
     steps(&mut simulator, 7);
     for (blend, x, age) in [(0.0, 0.6, 6.0), (0.5, 0.65, 6.5), (1.0, 0.7, 7.0)] {
-        let mut view = view();
-        view[1] = blend;
+        let view = ViewNumbers { blend, ..view() };
         let row = rows(&mut simulator, &view)[0];
         let radius = 0.2 * (1.0 - age / 60.0);
         assert!(
@@ -140,8 +139,7 @@ fn blend_runs_from_the_previous_step_to_this_one() {
         let word = simulator.attributes()[0][0];
         assert_eq!(word >> 16, (age / 60.0 * 65_535.0 + 0.5) as u32, "age at blend {blend}");
     }
-    let mut early = view();
-    early[1] = 0.0;
+    let early = ViewNumbers { blend: 0.0, ..view() };
     assert_eq!(rows(&mut simulator, &early)[0][0], simulator.particles().px[0]);
 }
 
@@ -155,8 +153,7 @@ fn unborn_particles_and_zero_radii_have_no_row() {
     let mut newborns = simulator(64, 1, &[STILL, FULL, &settings]);
     newborns.step();
     for (blend, expected) in [(0.0, 0), (0.25, 16), (0.5, 32), (1.0, 64)] {
-        let mut view = view();
-        view[1] = blend;
+        let view = ViewNumbers { blend, ..view() };
         assert_eq!(rows(&mut newborns, &view).len(), expected, "blend {blend}");
     }
     let mut simulator = simulator(2, 1, &[STILL, &[("emission.growthTime", 1.0)]]);
@@ -191,7 +188,7 @@ fn attributes_are_packed_as_documented() {
             ..newborn([age, 0.0, -age])
         });
     }
-    simulator.arrange(&view()).unwrap();
+    simulator.arrange(&view().to_array()).unwrap();
     let spin = |age: f32| 0x4000 + (age * (200.0 - 127.5) / 127.5 * 0.04 * 65_536.0) as u32;
     let expected = |age: f32, heat: u32| {
         [
@@ -208,8 +205,7 @@ fn attributes_are_packed_as_documented() {
 #[test]
 fn bounds_contain_all_living_particles_with_any_culling() {
     let mut simulator = simulator(3, 1, &[STILL, FULL]);
-    let mut view = view();
-    view[2] = 1.0;
+    let view = ViewNumbers { cull: 1.0, ..view() }.to_array();
     assert_eq!(simulator.arrange(&view).unwrap(), 0);
     assert_eq!(*simulator.bounds(), [0.0; 7]);
     simulator.add(&Newborn {
@@ -231,23 +227,26 @@ fn bounds_contain_all_living_particles_with_any_culling() {
 #[test]
 fn malformed_views_are_errors_with_their_key() {
     let mut simulator = cloud(10);
-    let cases = [
-        (1, -0.1, "view.blend"),
-        (1, 1.1, "view.blend"),
-        (3, -1.0, "view.pad"),
-        (7, f32::NAN, "view[7]"),
+    type Change = fn(&mut ViewNumbers);
+    let cases: [(Change, &str); 6] = [
+        (|view| view.blend = -0.1, "view.blend"),
+        (|view| view.blend = 1.1, "view.blend"),
+        (|view| view.pad = -1.0, "view.pad"),
+        (|view| view.clip_from_world[3] = f32::NAN, "view[7]"),
+        (|view| view.direction[2] = 0.3, "view.direction"),
+        (|view| view.reach = f32::INFINITY, "view[23]"),
     ];
-    for (index, value, name) in cases
-        .into_iter()
-        .chain([(22, 0.3, "view.direction"), (23, f32::INFINITY, "view[23]")])
-    {
+    for (change, name) in cases {
         let mut view = view();
-        view[index] = value;
-        let error = simulator.arrange(&view).unwrap_err();
+        change(&mut view);
+        let error = simulator.arrange(&view.to_array()).unwrap_err();
         assert!(error.key.starts_with(name), "{error:?}");
     }
     assert_eq!(
-        simulator.arrange(&view()[..VIEW_FLOATS - 1]).unwrap_err().key,
+        simulator
+            .arrange(&view().to_array()[..VIEW_LENGTH - 1])
+            .unwrap_err()
+            .key,
         "view.length"
     );
 }
@@ -292,9 +291,11 @@ fn culling_keeps_every_body_that_touches_the_frustum() {
     let all = rows(&mut simulator, &view());
     let mut random = Random::new(2);
     for clip_from_world in [perspective(), orthographic()] {
-        let mut view = view();
-        view[2] = 1.0;
-        view[4..20].copy_from_slice(&clip_from_world);
+        let view = ViewNumbers {
+            cull: 1.0,
+            clip_from_world,
+            ..view()
+        };
         let kept = rows(&mut simulator, &view);
         for row in all.iter().filter(|row| !kept.contains(row)) {
             let mut touches = || is_inside(&clip_from_world, within(&mut random, *row));
@@ -317,9 +318,13 @@ fn culling_keeps_every_body_that_touches_the_frustum() {
 fn pad_and_reach_enlarge_the_kept_region() {
     let mut simulator = cloud(4000);
     let mut kept = |reach: f32, pad: f32| {
-        let mut view = view();
-        (view[2], view[3], view[23]) = (1.0, pad, reach);
-        simulator.arrange(&view).unwrap()
+        let view = ViewNumbers {
+            cull: 1.0,
+            pad,
+            reach,
+            ..view()
+        };
+        simulator.arrange(&view.to_array()).unwrap()
     };
     let [plain, reached, padded] = [kept(1.0, 0.0), kept(1.5, 0.0), kept(1.0, 0.05)];
     assert!(
@@ -334,16 +339,19 @@ fn culling_keeps_every_caster_whose_sweep_touches_the_frustum() {
     let all = rows(&mut simulator, &view());
     let mut random = Random::new(2);
     for direction in [[0.6, -0.8, 0.0], [-0.48, -0.6, 0.64], [0.0, 0.0, -1.0]] {
-        let mut view = view();
-        (view[0], view[2]) = (1.0, 1.0);
-        view[20..23].copy_from_slice(&direction);
+        let view = ViewNumbers {
+            purpose: 1.0,
+            cull: 1.0,
+            direction,
+            ..view()
+        };
         let kept = rows(&mut simulator, &view);
         for row in all.iter().filter(|row| !kept.contains(row)) {
             let length = exit(*row, direction);
             let mut touches = || {
                 let (t, place) = (f64::from(random.unit()) * length, within(&mut random, *row));
                 is_inside(
-                    &view[4..20],
+                    &view.clip_from_world,
                     std::array::from_fn(|i| place[i] + t * f64::from(direction[i])),
                 )
             };

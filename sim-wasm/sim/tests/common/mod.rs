@@ -6,6 +6,17 @@ pub mod inputs;
 use sim::Simulator;
 use sim::particles::Newborn;
 
+/// The start of all tests: particles of full size in air without turbulence.
+const START: &[(&str, f64)] = &[
+    ("emission.rate", 120.0),
+    ("emission.lifetime", 4.0),
+    ("emission.growthTime", 0.0),
+    ("turbulence.speed", 0.0),
+    ("turbulence.scale", 1.0),
+    ("turbulence.octaves", 1.0),
+    ("turbulence.evolution", 0.3),
+];
+
 /// Still air and weightless smoke.
 pub const STILL: &[(&str, f64)] = &[
     ("buoyancy.acceleration", 0.0),
@@ -38,9 +49,10 @@ pub const LIVELY: &[(&str, f64)] = &[
     ("colliders.1.position.y", 1.5),
 ];
 
-/// A simulator with these parameters.
+/// A simulator with these parameters after those of every test.
 pub fn simulator(capacity: u32, seed: u32, settings: &[&[(&str, f64)]]) -> Simulator {
     let mut simulator = Simulator::new(capacity, seed).unwrap();
+    simulator.set_all(START).unwrap();
     settings.iter().for_each(|entries| simulator.set_all(entries).unwrap());
     simulator
 }

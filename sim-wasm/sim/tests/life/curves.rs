@@ -3,6 +3,7 @@
 use crate::common::{STILL, newborn, simulator, steps};
 use proptest::prelude::*;
 use sim::Simulator;
+use sim::arrange::view_layout::ViewNumbers;
 use sim::layout::parameters::Parameters;
 use sim::particles::Newborn;
 use sim::particles::entrainment::MAX_SIZE;
@@ -84,15 +85,18 @@ fn stops_of_the_same_age_are_separated() {
 
 /// Radii of a particle at `parts` times within each step, from birth to death.
 fn drawn(simulator: &mut Simulator, parts: usize) -> Vec<f32> {
-    let mut view = [0.0; sim::arrange::VIEW_FLOATS];
-    (0..4).for_each(|i| view[4 + 5 * i] = 1.0);
-    (view[22], view[23]) = (-1.0, 1.0);
+    let mut view = ViewNumbers {
+        clip_from_world: std::array::from_fn(|i| if i % 5 == 0 { 1.0 } else { 0.0 }),
+        direction: [0.0, 0.0, -1.0],
+        reach: 1.0,
+        ..ViewNumbers::default()
+    };
     let mut radii = Vec::new();
     while simulator.alive() > 0 {
         simulator.step();
         for part in 0..parts {
-            view[1] = part as f32 / parts as f32;
-            let rows = simulator.arrange(&view).unwrap();
+            view.blend = part as f32 / parts as f32;
+            let rows = simulator.arrange(&view.to_array()).unwrap();
             radii.push(if rows == 0 { 0.0 } else { simulator.place()[0][3] });
         }
     }

@@ -2,19 +2,23 @@
 
 use crate::common::{LIVELY, STILL, newborn, simulator, steps};
 use sim::Simulator;
+use sim::arrange::view_layout::{VIEW_LENGTH, ViewNumbers};
 use sim::particles::Newborn;
 
 const COUNT: u32 = 64;
 
 /// Everything, in the middle between two steps.
-fn view(blend: f32) -> [f32; sim::arrange::VIEW_FLOATS] {
-    let mut view = [0.0; sim::arrange::VIEW_FLOATS];
-    view[1] = blend;
-    (view[4], view[9], view[14], view[19]) = (0.01, 0.01, -0.01, 1.0);
-    view[20..23].copy_from_slice(&[0.0, 0.0, -1.0]);
-    view[23] = 1.0;
-    view[24..30].copy_from_slice(&[-99.0, -99.0, -99.0, 99.0, 99.0, 99.0]);
-    view
+fn view(blend: f32) -> [f32; VIEW_LENGTH] {
+    let mut view = ViewNumbers {
+        blend,
+        direction: [0.0, 0.0, -1.0],
+        reach: 1.0,
+        receivers: [-99.0, -99.0, -99.0, 99.0, 99.0, 99.0],
+        ..ViewNumbers::default()
+    };
+    let clip = &mut view.clip_from_world;
+    (clip[0], clip[5], clip[10], clip[15]) = (0.01, 0.01, -0.01, 1.0);
+    view.to_array()
 }
 
 /// Particles side by side, each with a different seed, in a steady wind.

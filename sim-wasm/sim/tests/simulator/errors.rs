@@ -116,5 +116,5 @@ fn capacities_have_a_range() {
 fn the_description_has_a_line_for_each_key() {
     let text = describe();
     assert_eq!(text.lines().count(), rows().len());
-    assert!(text.contains("emission.rate 0 20000 120 real particles/s\n"), "{text}");
+    assert!(text.contains("emission.rate 0 20000 28 real particles/s\n"), "{text}");
 }

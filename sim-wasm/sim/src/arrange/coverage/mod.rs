@@ -16,9 +16,10 @@ pub(crate) mod solids;
 pub(crate) mod start_caps;
 
 use crate::arrange::coverage::grid::CoverageGrid;
-use crate::arrange::coverage::outline::{NO_END, NOTHING_LEFT, Outline, Outliner};
+use crate::arrange::coverage::outline::{NOTHING_LEFT, Outline, Outliner};
 use crate::arrange::coverage::plan::PlanKind;
 use crate::arrange::coverage::solids::Orientations;
+use crate::arrange::row_layout::NO_END;
 use crate::math::radix_sort::Entry;
 
 pub use plan::Plan;

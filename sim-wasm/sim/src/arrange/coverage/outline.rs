@@ -5,16 +5,11 @@ use crate::arrange::coverage::grid::CoverageGrid;
 use crate::arrange::coverage::plan::{Bodies, Plan, PlanKind, Shadows};
 use crate::arrange::coverage::polygon::Polygon;
 use crate::arrange::coverage::solids::{BALLS_LIMIT, Orientations, RotatedBalls};
+use crate::arrange::row_layout::{END_STEPS, NO_END};
 use crate::math::scalar::clamped;
 
-/// The end of a shadow that continues, and of one of which nothing is left. Other ends are in 256ths of a radius behind
-/// the centre.
-pub(crate) const NO_END: u32 = 0xffff;
-
-/// Steps per radius.
-const END_STEPS: f32 = 256.0;
-
-pub(super) const NOTHING_LEFT: u32 = 0x10000;
+/// In the place of an end: nothing is left of the shadow.
+pub(super) const NOTHING_LEFT: u32 = NO_END + 1;
 /// Single precision: a coordinate is a sum of terms as large as those of the place.
 const ROUNDING: f32 = 2e-6;
 /// Displacement (pixels) by a rasteriser that snaps corners to sixteenths.

@@ -3,7 +3,7 @@
 use crate::arrange::coverage::chart::{Chart, Linear};
 use crate::arrange::coverage::solids::Solids;
 use crate::arrange::coverage::start_caps::{ENTRIES, StartCaps};
-use crate::arrange::view_layout::{CAPS_FOLLOW, VIEW_LENGTH};
+use crate::arrange::view_layout::{LIFTERS_LIMIT, ViewNumbers};
 use crate::math::double::{cross, dot, length, unit};
 
 /// The coverage settings of a view.
@@ -37,7 +37,8 @@ pub(crate) struct Bodies<'v> {
     pub pad: f32,
     /// Metres per unit of clip w by which surfaces may lift the ring, and the boxes of those surfaces.
     lift: f32,
-    lifters: &'v [[f32; 6]],
+    lifters: [[f32; 6]; LIFTERS_LIMIT],
+    lifter_count: usize,
     /// Depth resolution: metres per unit of w squared.
     pub depth_step: f32,
 }
@@ -74,16 +75,16 @@ pub(crate) struct ShadowEye {
 
 impl<'v> Plan<'v> {
     /// Reads the checked numbers of a view and its solids. None if coverage is off or impossible.
-    pub(crate) fn new(numbers: &'v [f32; VIEW_LENGTH], solids: &'v [f32], direction: [f32; 3]) -> Option<Self> {
-        let covers = numbers[33] as usize;
-        let eye = EyeAxes::new(&numbers[4..20])?;
+    pub(crate) fn new(numbers: &ViewNumbers, solids: &'v [f32], direction: [f32; 3]) -> Option<Self> {
+        let covers = numbers.covers as usize;
+        let eye = EyeAxes::new(&numbers.clip_from_world)?;
         let plan = |chart, range, kind| Self {
             chart,
             range,
             covers,
             kind,
         };
-        match (covers, numbers[0] != 0.0) {
+        match (covers, numbers.purpose != 0.0) {
             (0, _) => None,
             (_, true) => {
                 let chart = light_chart(direction);
@@ -93,11 +94,9 @@ impl<'v> Plan<'v> {
             }
             (_, false) => {
                 let bodies = Bodies::new(numbers, solids, &eye)?;
-                let range = [
-                    numbers[31],
-                    bodies.farthest_certain(numbers[31], numbers[32], &eye.chart().w, direction),
-                ];
-                Some(plan(eye.chart(), range, PlanKind::Bodies(bodies)))
+                let ViewNumbers { nearest, farthest, .. } = *numbers;
+                let farthest = bodies.farthest_certain(nearest, farthest, &eye.chart().w, direction);
+                Some(plan(eye.chart(), [nearest, farthest], PlanKind::Bodies(bodies)))
             }
         }
     }
@@ -127,9 +126,9 @@ impl Plan<'_> {
 }
 
 /// Number of start-cap entries in `tables` numbers behind a view. The entries follow the balls of all variations.
-fn caps_length(numbers: &[f32; VIEW_LENGTH], tables: usize) -> usize {
-    let balls = 4 * numbers[41] as usize;
-    if numbers[CAPS_FOLLOW] != 0.0 {
+fn caps_length(numbers: &ViewNumbers, tables: usize) -> usize {
+    let balls = 4 * numbers.balls as usize;
+    if numbers.caps_follow != 0.0 {
         tables / (balls + ENTRIES) * ENTRIES
     } else {
         0
@@ -137,19 +136,18 @@ fn caps_length(numbers: &[f32; VIEW_LENGTH], tables: usize) -> usize {
 }
 
 impl<'v> Bodies<'v> {
-    fn new(numbers: &'v [f32; VIEW_LENGTH], solids: &'v [f32], eye: &EyeAxes) -> Option<Self> {
-        let balls = numbers[41] as usize;
-        let (boxes, _) = numbers[43..CAPS_FOLLOW].as_chunks();
+    fn new(numbers: &ViewNumbers, solids: &'v [f32], eye: &EyeAxes) -> Option<Self> {
         let solids = &solids[..solids.len() - caps_length(numbers, solids.len())];
         (!solids.is_empty()).then(|| Self {
-            solids: Solids::new(solids, balls, numbers[36] != 0.0),
-            reach: numbers[23],
-            tolerance: numbers[34],
-            blur: numbers[35],
-            pixel: numbers[30],
-            pad: numbers[3],
-            lift: numbers[37],
-            lifters: &boxes[..numbers[42] as usize],
+            solids: Solids::new(solids, numbers.balls as usize, numbers.faces_eye != 0.0),
+            reach: numbers.reach,
+            tolerance: numbers.tolerance,
+            blur: numbers.blur,
+            pixel: numbers.pixel,
+            pad: numbers.pad,
+            lift: numbers.lift,
+            lifters: numbers.lifter_boxes,
+            lifter_count: numbers.lifters as usize,
             depth_step: eye.depth_step(),
         })
     }
@@ -160,7 +158,10 @@ impl<'v> Bodies<'v> {
         let reach = self.reach * place[3] + self.pad * w + lift;
         let is_near =
             |lifter: &&[f32; 6]| (0..3).all(|i| lifter[i] - reach <= place[i] && place[i] <= lifter[3 + i] + reach);
-        self.lifters.iter().find(is_near).map_or(0.0, |_| lift)
+        self.lifters[..self.lifter_count]
+            .iter()
+            .find(is_near)
+            .map_or(0.0, |_| lift)
     }
 
     /// Maximum depth that is drawn distinct from the far plane.
@@ -176,16 +177,16 @@ impl<'v> Bodies<'v> {
 }
 
 impl<'v> Shadows<'v> {
-    fn new(numbers: &[f32; VIEW_LENGTH], tables: &'v [f32], eye: &EyeAxes, chart: &Chart) -> Option<Self> {
+    fn new(numbers: &ViewNumbers, tables: &'v [f32], eye: &EyeAxes, chart: &Chart) -> Option<Self> {
         let travel = chart.axes[2].map(|component| -component);
         let (solids, caps) = tables.split_at(tables.len() - caps_length(numbers, tables.len()));
         (!solids.is_empty()).then(|| Self {
-            solids: Solids::new(solids, numbers[41] as usize, numbers[36] != 0.0),
-            reach: numbers[23],
-            tolerance: numbers[34],
-            caps: StartCaps::new(caps, [numbers[38], numbers[39]]),
-            depth: numbers[40],
-            eye: eye.of_shadows(travel, numbers[30], numbers[31]),
+            solids: Solids::new(solids, numbers.balls as usize, numbers.faces_eye != 0.0),
+            reach: numbers.reach,
+            tolerance: numbers.tolerance,
+            caps: StartCaps::new(caps, numbers.cap_range),
+            depth: numbers.depth,
+            eye: eye.of_shadows(travel, numbers.pixel, numbers.nearest),
             axes_in_view: chart.axes.map(|axis| eye.in_view(axis)),
         })
     }

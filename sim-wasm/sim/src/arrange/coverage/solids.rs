@@ -2,6 +2,8 @@
 
 use wide::f32x4;
 
+use crate::arrange::row_layout::{ROLL, SEED, VARIATION};
+
 /// Maximum number of lobes of a puff.
 const MAX_LOBES: usize = 12;
 /// Maximum number of balls per puff: one for each lobe.
@@ -48,7 +50,7 @@ impl<'v> Solids<'v> {
     #[inline(always)]
     pub(crate) fn rotate(&self, attributes: [u32; 2], rotation: &[[f32; 3]; 3], into: &mut RotatedBalls) {
         let size = 4 * self.balls;
-        let variation = (attributes[1] & 0xff) as usize % (self.table.len() / size);
+        let variation = VARIATION.of(attributes) as usize % (self.table.len() / size);
         let columns = &self.table[variation * size..(variation + 1) * size];
         let lanes = |column: usize, at: usize| {
             let start = column * self.balls + at;
@@ -94,7 +96,7 @@ impl Orientations {
     /// Sine and cosine of the roll in packed attributes.
     #[inline(always)]
     fn roll(&self, attributes: [u32; 2]) -> (f32, f32) {
-        let index = ((attributes[0] & 0xffff) as usize * SINES + 0x8000) >> 16;
+        let index = (ROLL.of(attributes) as usize * SINES + 0x8000) >> 16;
         (self.sines[index % SINES], self.sines[(index + SINES / 4) % SINES])
     }
 
@@ -102,7 +104,7 @@ impl Orientations {
     #[inline(always)]
     pub(crate) fn standing(&self, attributes: [u32; 2], axes: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
         let (sine, cosine) = self.roll(attributes);
-        let axis = self.axes[(attributes[1] >> 8 & 0xff) as usize];
+        let axis = self.axes[SEED.of(attributes) as usize];
         axes.map(|row| {
             let across = [
                 row[1] * axis[2] - row[2] * axis[1],

@@ -2,6 +2,8 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
+use crate::arrange::row_layout::VARIATION;
+
 /// Azimuths and polar angles of a variation's table.
 const CAP_COLUMNS: usize = 64;
 const CAP_ROWS: usize = 32;
@@ -30,7 +32,7 @@ impl<'v> StartCaps<'v> {
         if self.table.is_empty() {
             return self.range;
         }
-        let first = (attributes[1] & 0xff) as usize % (self.table.len() / ENTRIES) * ENTRIES;
+        let first = VARIATION.of(attributes) as usize % (self.table.len() / ENTRIES) * ENTRIES;
         let table = &self.table[first..first + ENTRIES];
         let across = (x * x + y * y).sqrt();
         let row = angle(z, across) / PI * CAP_ROWS as f32;

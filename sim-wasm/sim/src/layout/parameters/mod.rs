@@ -181,6 +181,27 @@ pub fn lists_as_json() -> String {
     format!("{{\n{}\n}}\n", lists.join(",\n"))
 }
 
+/// The numbers of single sections as JSON: key, unit, range, default and names of the values, one per line.
+#[cfg(not(target_family = "wasm"))]
+pub fn singles_as_json() -> String {
+    let line = |Row { key, default, meta, .. }: Row| {
+        let Meta {
+            unit,
+            min,
+            max,
+            whole,
+            names,
+            ..
+        } = meta;
+        format!(
+            "  \"{key}\": {{ \"unit\": \"{unit}\", \"min\": {min}, \"max\": {max}, \"default\": {default}, \"whole\": \
+             {whole}, \"names\": {names:?} }}"
+        )
+    };
+    let lines: Vec<String> = rows().into_iter().filter(|row| !row.is_of_list).map(line).collect();
+    format!("{{\n{}\n}}\n", lines.join(",\n"))
+}
+
 #[cfg(not(target_family = "wasm"))]
 fn list_as_json(section: &dyn Section) -> String {
     let fields: Vec<String> = fields(section)

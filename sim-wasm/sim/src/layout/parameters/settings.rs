@@ -1,4 +1,4 @@
-//! Sections that exist once.
+//! Sections that exist once. Their labels and texts are in `src/preset/rows`.
 
 use crate::layout::parameters::field::{Field, PLACE, number, vector};
 use crate::layout::parameters::item::Item;
@@ -16,11 +16,9 @@ pub struct Emission {
 
 impl Item for Emission {
     const FIELDS: &'static [Field<Self>] = &[
-        number("rate", "particles/s", [0.0, 20_000.0], 120.0, |e: &mut Self| {
-            &mut e.rate
-        }),
-        number("lifetime", "s", [0.1, 60.0], 4.0, |e: &mut Self| &mut e.lifetime),
-        number("growthTime", "s", [0.0, 30.0], 0.0, |e: &mut Self| &mut e.growth_time),
+        number("rate", "particles/s", [0.0, 20_000.0], 28.0, |e: &mut Self| &mut e.rate),
+        number("lifetime", "s", [0.1, 60.0], 7.0, |e: &mut Self| &mut e.lifetime),
+        number("growthTime", "s", [0.0, 30.0], 2.6, |e: &mut Self| &mut e.growth_time),
         number("entrainment", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.entrainment),
     ];
 }
@@ -35,7 +33,7 @@ pub struct Puff {
 impl Item for Puff {
     const FIELDS: &'static [Field<Self>] = &[
         number("size", "1", [0.1, 4.0], 1.0, |p: &mut Self| &mut p.size),
-        number("variations", "1", [1.0, 255.0], 4.0, |p: &mut Self| &mut p.variations).whole(),
+        number("variations", "1", [1.0, 32.0], 4.0, |p: &mut Self| &mut p.variations).whole(),
     ];
 }
 
@@ -126,16 +124,10 @@ pub struct Weather {
 
 impl Item for Weather {
     const FIELDS: &'static [Field<Self>] = &[
-        number("gusts", "m/s", [0.0, 20.0], 0.0, |w: &mut Self| &mut w.gusts)
-            .says("Gusts", "Typical (root mean square) speed of gusts along the wind."),
-        number("gustTime", "s", [0.1, 60.0], 2.0, |w: &mut Self| &mut w.gust_time)
-            .says("Gust time", "How long a strong gust lasts."),
-        number("shear", "1/m", [-10.0, 10.0], 0.0, |w: &mut Self| &mut w.shear).says(
-            "Shear",
-            "Increase of the wind speed per metre of height, as a fraction.",
-        ),
-        number("height", "m", PLACE, 0.0, |w: &mut Self| &mut w.height)
-            .says("Shear height", "Height at which shear has no effect."),
+        number("gusts", "m/s", [0.0, 20.0], 0.0, |w: &mut Self| &mut w.gusts),
+        number("gustTime", "s", [0.1, 60.0], 2.0, |w: &mut Self| &mut w.gust_time),
+        number("shear", "1/m", [-10.0, 10.0], 0.0, |w: &mut Self| &mut w.shear),
+        number("height", "m", PLACE, 0.0, |w: &mut Self| &mut w.height),
     ];
 }
 
@@ -150,10 +142,10 @@ pub struct Pattern {
 
 impl Item for Pattern {
     const FIELDS: &'static [Field<Self>] = &[
-        number("speed", "m/s", [0.0, 20.0], 0.0, |t: &mut Self| &mut t.speed),
-        number("scale", "m", [0.05, 100.0], 1.0, |t: &mut Self| &mut t.scale),
-        number("octaves", "1", [0.0, 4.0], 1.0, |t: &mut Self| &mut t.octaves).whole(),
-        number("evolution", "1/s", [0.0, 10.0], 0.3, |t: &mut Self| &mut t.evolution),
+        number("speed", "m/s", [0.0, 20.0], 0.13, |t: &mut Self| &mut t.speed),
+        number("scale", "m", [0.05, 20.0], 0.9, |t: &mut Self| &mut t.scale),
+        number("octaves", "1", [0.0, 4.0], 2.0, |t: &mut Self| &mut t.octaves).whole(),
+        number("evolution", "1/s", [0.0, 10.0], 0.25, |t: &mut Self| &mut t.evolution),
     ];
 }
 

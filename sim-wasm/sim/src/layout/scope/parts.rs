@@ -5,9 +5,9 @@
 //! hashed.
 
 use crate::layout::error::ParameterError;
-use crate::math::pose::Pose;
 #[cfg(feature = "rigids")]
 use crate::math::pose::{Frame, product};
+use crate::math::pose::{POSE_FLOATS, Pose};
 
 /// Number of the first part where a rigid's number is expected. Rigids have smaller numbers.
 pub const FIRST_PART: usize = 4096;
@@ -96,10 +96,9 @@ impl Parts {
     }
 }
 
-/// Poses of a rigid before and after a step. `poses` holds 14 numbers per rigid: x, y, z (m) and the unit quaternion x,
-/// y, z, w, twice.
+/// Poses of a rigid before and after a step. `poses` holds both for each rigid.
 pub(crate) fn ends_of_rigid(poses: &[f32], rigid: usize) -> Option<[Pose; 2]> {
-    let [before, after] = *poses.as_chunks::<7>().0.get(2 * rigid..2 * rigid + 2)? else {
+    let [before, after] = *poses.as_chunks::<POSE_FLOATS>().0.get(2 * rigid..2 * rigid + 2)? else {
         return None;
     };
     Some([Pose::of_numbers(before), Pose::of_numbers(after)])

@@ -1,0 +1,78 @@
+//! The layout of rows, 24 bytes per drawn particle in two arrays. `npm run generate` writes `src/sim/layout.ts` from it.
+//!
+//! place: x, y, z in world space (m) and radius (m), blended between the steps. attributes: the fields of
+//! [`ATTRIBUTE_BITS`].
+
+/// Floats per row of places.
+pub const PLACE_FLOATS: usize = 4;
+
+/// Words per row of packed attributes.
+pub const ATTRIBUTE_WORDS: usize = 2;
+
+/// The packed attributes of a row.
+pub type Attributes = [u32; ATTRIBUTE_WORDS];
+
+/// A field of the packed attributes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bits {
+    pub word: usize,
+    /// Position of the lowest bit.
+    pub shift: u32,
+    /// Maximum value.
+    pub max: u32,
+}
+
+impl Bits {
+    const fn new(word: usize, shift: u32, count: u32) -> Self {
+        let max = (1 << count) - 1;
+        Self { word, shift, max }
+    }
+
+    /// The value of this field.
+    #[inline(always)]
+    pub const fn of(self, attributes: Attributes) -> u32 {
+        attributes[self.word] >> self.shift & self.max
+    }
+
+    /// The bits of `value` in the word of this field. Drops what exceeds the field.
+    #[inline(always)]
+    pub const fn packed(self, value: u32) -> u32 {
+        (value & self.max) << self.shift
+    }
+}
+
+/// Roll with a slow spin by age, in 65,536ths of a turn.
+pub const ROLL: Bits = Bits::new(0, 0, 16);
+/// Age in 65,535ths of the lifetime.
+pub const AGE: Bits = Bits::new(0, 16, 16);
+/// In rows for the light, in the place of the age: where the shadow may end, in [`END_STEPS`] behind the centre.
+pub const END: Bits = AGE;
+/// Puff variation.
+pub const VARIATION: Bits = Bits::new(1, 0, 8);
+/// Random number of the particle.
+pub const SEED: Bits = Bits::new(1, 8, 8);
+/// Temperature in 255ths of [`MAX_TEMPERATURE`].
+pub const TEMPERATURE: Bits = Bits::new(1, 16, 8);
+/// Tint, 0 for none.
+pub const TINT: Bits = Bits::new(1, 24, 8);
+
+/// All fields by name.
+#[cfg(not(target_family = "wasm"))]
+pub const ATTRIBUTE_BITS: &[(&str, Bits)] = &[
+    ("roll", ROLL),
+    ("age", AGE),
+    ("end", END),
+    ("variation", VARIATION),
+    ("seed", SEED),
+    ("temperature", TEMPERATURE),
+    ("tint", TINT),
+];
+
+/// Ends of shadows per radius.
+pub const END_STEPS: f32 = 256.0;
+
+/// The end of a shadow that continues.
+pub const NO_END: u32 = END.max;
+
+/// Temperature above which all temperatures look the same.
+pub const MAX_TEMPERATURE: f32 = 4.0;
