@@ -17,6 +17,7 @@ const environment = { GENERATE: '1' };
 
 /** @type {[file: string, work: (say: Say) => Promise<import('./lib/command.mjs').Outcome>][]} */
 const FILES = [
+  ['constants in shaders/ and sim-wasm/', (say) => vitest('constants', 'has the shared constants', say)],
   [
     'src/preset/lists.json',
     (say) => cargo(['test', ...NATIVE, '--test', 'all', 'simulator::page_table'], say, environment),

@@ -19,7 +19,8 @@ uniform float inkSwell;
 uniform float innerTaper;
 uniform float boil;
 uniform vec3 gradientFactor;
-uniform vec4 rim;
+uniform vec3 rimColor;
+uniform float rim;
 
 in vec2 puffPoint;
 in float gradientPosition;
@@ -72,7 +73,7 @@ void main() {
   bool isInk = isRing || isSeam(clipFromView, viewZ, normal, pixel, linePixels);
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
   vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), gradientAt(gradientPosition, viewZ));
-  Shades shades = shade(normal, towardsLight, ramps, material, gradient, rim);
+  Shades shades = shade(normal, towardsLight, ramps, material, gradient, vec4(rimColor, rim));
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
 #ifdef NORMALS

@@ -18,7 +18,8 @@ uniform float inkSwell;
 uniform float innerTaper;
 uniform float boil;
 uniform vec3 gradientFactor;
-uniform vec4 rim;
+uniform vec3 rimColor;
+uniform float rim;
 
 // w: phase of the boil of this puff's line.
 in vec4 pointAndGradient;
@@ -128,7 +129,7 @@ void main() {
   normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
 
   vec3 gradient = mix(gradientFactor, vec3(1.0), gradientAt(pointAndGradient.z, viewZ));
-  Shades shades = shade(normalize(normal), towardsLight, ramps, depthsAndRamp.w, gradient, rim);
+  Shades shades = shade(normalize(normal), towardsLight, ramps, depthsAndRamp.w, gradient, vec4(rimColor, rim));
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
 #ifdef NORMALS

@@ -28,8 +28,9 @@ int tintOf(uvec2 attributes) {
   return int(attributes.y >> 24u);
 }
 
-// Ramp index of a tint: 0 without a tint, else one of the three tint ramps in rotation.
+// Ramp index of a tint: 0 without a tint, else one of the tint ramps in rotation.
 int toneOf(uvec2 attributes) {
+  const int TINTS = 3;
   int tint = tintOf(attributes);
-  return tint == 0 ? 0 : 1 + (tint - 1) % 3;
+  return tint == 0 ? 0 : 1 + (tint - 1) % TINTS;
 }

@@ -8,10 +8,13 @@ uniform bool hasSurfaces;
 uniform float surfaceSlack;
 
 // Distance of a lifted ring in front of the surface, in steps of a 24-bit depth buffer.
-const float LIFT = 3.0 / 16777216.0;
+const float LIFT_STEPS = 3.0;
+const float LIFT = LIFT_STEPS / 16777216.0;
 // Steepest slope towards the camera, per unit beside the silhouette, at which a surface still counts as behind the
 // puff.
 const float STEEPEST = 8.0;
+// Least z of a normal for the slope of a puff. Close to the silhouette puffs are so steep that the slope is meaningless.
+const float FLATTEST = 0.1;
 
 // View z of the surface in this pixel; beyond everything if there is none.
 float surfaceZ(mat4 clipFromView) {
@@ -60,8 +63,6 @@ float slopeOfSurface(mat4 clipFromView, float here, ivec2 axis) {
 // Whether a point of a puff is within `reach` pixels of the seam where the puff intersects a surface. `pixel` is the
 // size of a pixel in view units.
 bool isSeam(mat4 clipFromView, float viewZ, vec3 normal, float pixel, float reach) {
-  // Close to the silhouette puffs are so steep that the slope is meaningless.
-  const float FLATTEST = 0.1;
   if (!hasSurfaces || reach <= 0.0) return false;
   float here = surfaceZ(clipFromView);
   float gap = viewZ - here;

@@ -1,10 +1,15 @@
 // Width and opacity of a puff's outline. Widths and radii are in pixels of the target.
 
+// Radius of a puff in line widths, and width of a line in pixels, between which a line grows or fades.
+const vec2 LINE_RADII = vec2(1.0, 3.5);
+const vec2 FADE_WIDTHS = vec2(0.5, 1.0);
+const vec2 FADE_RADII = vec2(1.5, 3.0);
+
 // A line has its full width on puffs with a radius of at least 3.5 widths. On smaller puffs it narrows, and a puff no
-// larger than the line width has none, so that distant smoke does not turn into dots. Billboard layers end 0.3 radii
-// beyond the silhouette, and the width does not exceed that.
+// larger than the line width has none, so that distant smoke does not turn into dots. The width is at most 0.301 radii,
+// within the 0.35 radii by which billboard layers extend beyond the silhouette.
 float lineWidth(float fullWidth, float radius) {
-  return fullWidth * smoothstep(1.0, 3.5, radius / max(fullWidth, 1e-6));
+  return fullWidth * smoothstep(LINE_RADII.x, LINE_RADII.y, radius / max(fullWidth, 1e-6));
 }
 
 // Factor on the width of a line where the silhouette faces `outward`, a unit vector of the image plane. With a swell of
@@ -31,7 +36,8 @@ float boiling(vec2 outward, float phase, float boil) {
 // Opacity of the ink over the colour of the smoke. Lines below one pixel would break up into dots. The line of a dying
 // puff fades from a radius of three full widths over many frames; the width alone would make it vanish at once.
 float inkShare(float width, float fullWidth, float radius) {
-  return smoothstep(0.5, 1.0, width) * smoothstep(1.5, 3.0, radius / max(fullWidth, 1e-6));
+  float byWidth = smoothstep(FADE_WIDTHS.x, FADE_WIDTHS.y, width);
+  return byWidth * smoothstep(FADE_RADII.x, FADE_RADII.y, radius / max(fullWidth, 1e-6));
 }
 
 // Factor on the depth offset of a line, `outside` pixels beyond the silhouette. The offset increases outwards, so that

@@ -10,5 +10,7 @@ float materialOf(uvec2 attributes, sampler2D ramps) {
 
 // The colour of a material in full light.
 vec3 brightestOf(float material, sampler2D ramps) {
-  return texelFetch(ramps, ivec2(255, 4 * int(material) + 1), 0).rgb;
+  const int RAMP_TEXELS = 256;
+  const int RAMP_ROWS = 4;
+  return texelFetch(ramps, ivec2(RAMP_TEXELS - 1, RAMP_ROWS * int(material) + 1), 0).rgb;
 }

@@ -6,6 +6,8 @@ struct Shades {
 
 // N . towardsFill above which the fill light applies.
 const float FILL_BORDER = 0.65;
+// Rows of a material: in shadow, in the light, then both again where the fill light applies.
+const float RAMP_ROWS = 4.0;
 
 // Direction of the fill light in view space: on the opposite side of the camera from the key light and slightly from
 // below, where shadows are visible, as in studio lighting.
@@ -28,7 +30,7 @@ Shades shade(vec3 normal, vec3 towardsLight, sampler2D ramps, float material, ve
   float facing = dot(normal, towardsLight);
   if (isRim(normal.z, facing, rim.a)) return Shades(rim.rgb, rim.rgb);
   float pitch = 1.0 / float(textureSize(ramps, 0).y);
-  float row = (4.0 * material + (dot(normal, towardsFill(towardsLight)) > FILL_BORDER ? 2.5 : 0.5)) * pitch;
+  float row = (RAMP_ROWS * material + (dot(normal, towardsFill(towardsLight)) > FILL_BORDER ? 2.5 : 0.5)) * pitch;
   vec3 unlit = textureLod(ramps, vec2(facing, row), 0.0).rgb * gradient;
   vec3 lit = textureLod(ramps, vec2(facing, row + pitch), 0.0).rgb * gradient;
   return Shades(unlit, lit);

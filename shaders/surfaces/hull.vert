@@ -9,7 +9,7 @@ uniform vec2 viewport;
 uniform float inkPixels;
 uniform float inkSwell;
 uniform vec4 lightInView;
-uniform float raisedWidths;
+uniform bool isRaised;
 
 in vec3 position;
 in vec3 hullNormal;
@@ -18,9 +18,9 @@ in vec3 hullNormal;
 #include ../lib/ink.glsl
 #include ../lib/light.glsl
 
-// Limit of the raised distance, metres, so that a line that is wide in the world does not cover protruding parts of its
-// own surface.
-const float HIGHEST = 0.05;
+// Distance by which the raised hull is nearer, so that its line does not sink into the ground: line widths, and the
+// limit in metres, so that a line that is wide in the world does not cover protruding parts of its own surface.
+const vec2 HULL_RAISED = vec2(6.0, 0.05);
 
 // Clip z of a vertex moved towards the camera by a distance in view units, without moving it on the screen.
 float raisedClipZ(float viewZ, float clipW, float nearer) {
@@ -38,6 +38,6 @@ void main() {
   float pixels = inkPixels * swelling(outward, towardsLightFrom(lightInView, inView.xyz), inkSwell);
   clip.xy += outward * pixels * 2.0 / viewport * clip.w;
   float widthInView = max(pixels, inkPixels) * viewUnitsPerPixel(clipFromView, viewport, inView.z);
-  clip.z = raisedClipZ(inView.z, clip.w, min(raisedWidths * widthInView, HIGHEST));
+  clip.z = raisedClipZ(inView.z, clip.w, isRaised ? min(HULL_RAISED.x * widthInView, HULL_RAISED.y) : 0.0);
   gl_Position = clip;
 }

@@ -1,7 +1,13 @@
 import { Matrix4, Vector2, Vector3, Vector4, type Box3, type Camera, type IUniform } from 'three';
 
-/** Uniforms of the camera, the light and the target. All passes of a smoke share one object. */
-export interface ViewUniforms extends Record<string, IUniform> {
+/** Uniforms of the parameters of the style, by their names. */
+export interface StyleUniforms extends Record<string, IUniform> {
+  /** Width of the outlines in pixels of the target; 0 draws no lines. */
+  inkPixels: IUniform<number>;
+}
+
+/** Uniforms of the style, the camera, the light and the target. All passes of a smoke share one object. */
+export interface ViewUniforms extends StyleUniforms {
   viewFromWorld: IUniform<Matrix4>;
   clipFromView: IUniform<Matrix4>;
   /** Size of the target in pixels. */
@@ -18,24 +24,32 @@ export interface ViewUniforms extends Record<string, IUniform> {
   receiversMax: IUniform<Vector3>;
 }
 
-/** The camera and the light of one frame, as the passes use them. */
+/** The style, the camera and the light of one frame, as the passes use them. */
 export class FrameView {
-  readonly uniforms: ViewUniforms = {
-    viewFromWorld: { value: new Matrix4() },
-    clipFromView: { value: new Matrix4() },
-    viewport: { value: new Vector2(1, 1) },
-    viewportOrigin: { value: new Vector2() },
-    near: { value: 0.1 },
-    lightInWorld: { value: new Vector4(0, 1, 0, 0) },
-    lightInView: { value: new Vector4(0, 1, 0, 0) },
-    receiversMin: { value: new Vector3() },
-    receiversMax: { value: new Vector3() },
-  };
+  /** The part of the uniforms that the style sets. */
+  readonly style: StyleUniforms;
+  readonly uniforms: ViewUniforms;
   readonly clipFromWorld = new Matrix4();
   /** Unit vector in world space along which the camera looks. */
   readonly forward = new Vector3();
   /** Depth of the camera along `forward`, measured from the world origin. */
   private depth = 0;
+
+  constructor(style: StyleUniforms) {
+    this.style = style;
+    this.uniforms = {
+      ...style,
+      viewFromWorld: { value: new Matrix4() },
+      clipFromView: { value: new Matrix4() },
+      viewport: { value: new Vector2(1, 1) },
+      viewportOrigin: { value: new Vector2() },
+      near: { value: 0.1 },
+      lightInWorld: { value: new Vector4(0, 1, 0, 0) },
+      lightInView: { value: new Vector4(0, 1, 0, 0) },
+      receiversMin: { value: new Vector3() },
+      receiversMax: { value: new Vector3() },
+    };
+  }
 
   /**
    * Sets the camera, the light and the size of the target.

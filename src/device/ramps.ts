@@ -7,6 +7,7 @@ import {
   type Color as ThreeColor,
   type IUniform,
 } from 'three';
+import { RAMP_ROWS, RAMP_TEXELS } from '../constants.ts';
 
 /** A display-encoded colour, each channel 0 to 255. */
 export type Color = readonly [red: number, green: number, blue: number];
@@ -43,10 +44,6 @@ export interface Bands {
  */
 export const FIRST_BORDER = 0.3;
 
-// An even number, so that a border at 1/2 is exactly between two texels.
-const TEXELS = 256;
-const ROWS = 4;
-
 /**
  * The quantisation q of Eq. 2 (McGuire and Fein 2006) as a texture of final colours over max(0, N.L); clamping the
  * texture coordinate gives the max. Each material has four rows: in shadow, in the light, then both again where the
@@ -59,7 +56,7 @@ export class RampTexture {
   /** @param materials number of ramps */
   constructor(materials: number) {
     this.materials = materials;
-    this.texture = new DataTexture(bytesFor(materials), TEXELS, rowsFor(materials), RGBAFormat, UnsignedByteType);
+    this.texture = new DataTexture(bytesFor(materials), RAMP_TEXELS, rowsFor(materials), RGBAFormat, UnsignedByteType);
     this.texture.wrapS = ClampToEdgeWrapping;
     this.texture.wrapT = ClampToEdgeWrapping;
     this.texture.minFilter = NearestFilter;
@@ -71,20 +68,20 @@ export class RampTexture {
     if (materials === this.materials) return;
     this.materials = materials;
     this.texture.dispose();
-    this.texture.image = { data: bytesFor(materials), width: TEXELS, height: rowsFor(materials) };
+    this.texture.image = { data: bytesFor(materials), width: RAMP_TEXELS, height: rowsFor(materials) };
   }
 
   write(material: number, { lit, unlit, filled, isBlended = false }: Ramp): void {
     const rows = [unlit, lit];
     if (filled) rows.push(...rows.map(([first, ...rest]) => [{ ...first, color: filled }, ...rest]));
     else rows.push(...rows);
-    rows.forEach((tones, row) => this.writeRow(ROWS * material + row, tones, isBlended));
+    rows.forEach((tones, row) => this.writeRow(RAMP_ROWS * material + row, tones, isBlended));
     this.texture.needsUpdate = true;
   }
 
   writeBands({ ages, temperatures }: Bands): void {
-    const first = TEXELS * ROWS * this.materials;
-    for (let byte = 0; byte < TEXELS; ++byte) {
+    const first = RAMP_TEXELS * RAMP_ROWS * this.materials;
+    for (let byte = 0; byte < RAMP_TEXELS; ++byte) {
       const [age, heat] = [ages[byte], temperatures[byte]];
       this.data.set([age & 255, age >> 8, heat & 255, heat >> 8], 4 * (first + byte));
     }
@@ -100,20 +97,20 @@ export class RampTexture {
   }
 
   private writeRow(row: number, tones: readonly Tone[], isBlended: boolean): void {
-    for (let texel = 0; texel < TEXELS; ++texel) {
-      const facing = texel / TEXELS;
+    for (let texel = 0; texel < RAMP_TEXELS; ++texel) {
+      const facing = texel / RAMP_TEXELS;
       const color = isBlended ? blendedAt(tones, facing) : colorAt(tones, facing);
-      this.data.set([...color, 255], (row * TEXELS + texel) * 4);
+      this.data.set([...color, 255], (row * RAMP_TEXELS + texel) * 4);
     }
   }
 }
 
 function rowsFor(materials: number): number {
-  return ROWS * materials + 1;
+  return RAMP_ROWS * materials + 1;
 }
 
 function bytesFor(materials: number): Uint8Array<ArrayBuffer> {
-  return new Uint8Array(4 * TEXELS * rowsFor(materials));
+  return new Uint8Array(4 * RAMP_TEXELS * rowsFor(materials));
 }
 
 /** The tone of a ramp at a value of max(0, N.L). */

@@ -10,7 +10,7 @@ export class BackdropPass {
   private readonly triangle: FullScreen;
 
   constructor(eye: FrameView) {
-    this.triangle = new FullScreen(fragmentShader, { ...this.uniforms, viewport: eye.uniforms.viewport });
+    this.triangle = new FullScreen(fragmentShader, { ...eye.uniforms, ...this.uniforms });
   }
 
   setColors(top: Color, bottom: Color): void {

@@ -4,7 +4,6 @@ import {
   RawShaderMaterial,
   Vector2,
   Vector3,
-  Vector4,
   type BufferGeometry,
   type IUniform,
   type Texture,
@@ -19,7 +18,6 @@ import type { PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
 import { withLobes } from '../device/unroll.ts';
 import type { SurfaceDepth } from './surfaceDepth.ts';
-import { InkUniforms, type InkLine } from './ink.ts';
 
 /** The coordinate that a gradient fill follows. */
 export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
@@ -32,19 +30,14 @@ export class BodiesPass {
   private readonly puffs: PuffTextures;
   private readonly isFlat: boolean;
   private readonly common: Record<string, IUniform>;
-  private readonly ink = new InkUniforms();
   private readonly uniforms = {
     surfaceDepth: { value: null as Texture | null },
     hasSurfaces: { value: false },
     surfaceSlack: { value: 0 },
-    innerLine: { value: 0.5 },
-    innerTaper: { value: 0 },
-    boil: { value: 0 },
     drawing: { value: 0 },
     heights: { value: new Vector2() },
     gradientWeights: { value: new Vector3() },
     gradientFactor: { value: new Vector3(1, 1, 1) },
-    rim: { value: new Vector4() },
   };
 
   private readonly puffUniforms = {
@@ -66,7 +59,6 @@ export class BodiesPass {
     this.puffs = puffs;
     this.common = {
       ...eye.uniforms,
-      ...this.ink.uniforms,
       ...this.uniforms,
       ramps: { value: ramps.texture },
       ...this.puffUniforms,
@@ -82,29 +74,9 @@ export class BodiesPass {
     this.rows.material = billboards && !this.isFlat ? this.billboardsMaterial(billboards) : this.lobesMaterial();
   }
 
-  /**
-   * Makes lines vary from drawing to drawing, like the boiling lines of hand-drawn animation.
-   * @param boil 0..1: at 1 lines thin to half of their width in places
-   * @param drawing index of the drawing; equal indices give equal lines
-   */
-  setBoil(boil: number, drawing: number): void {
-    this.uniforms.boil.value = boil;
+  /** @param drawing index of the drawing, for the boil of lines; equal indices give equal lines */
+  setDrawing(drawing: number): void {
     this.uniforms.drawing.value = drawing;
-  }
-
-  /**
-   * @param innerLine depth gap, in puff radii, beyond which a puff is outlined against what is behind it
-   * @param innerTaper additional gap, as a multiple of `innerLine`, over which the line reaches its full width
-   */
-  setInk(line: InkLine, innerLine: number, innerTaper: number): void {
-    this.ink.set(line);
-    this.uniforms.innerLine.value = innerLine;
-    this.uniforms.innerTaper.value = innerTaper;
-  }
-
-  /** @param width width of the band along silhouettes that face away from the light, 0 (none) to 1 */
-  setRim(color: Color, width: number): void {
-    this.uniforms.rim.value.set(color[0] / 255, color[1] / 255, color[2] / 255, width);
   }
 
   /**

@@ -16,13 +16,10 @@ import fragmentShader from '../../shaders/surfaces/hull.frag';
 import type { FrameView } from '../device/frameView.ts';
 import { creaseEdges, type CreaseEdges } from './creaseEdges.ts';
 import { inOne, type TriangleMesh } from './extrusion.ts';
-import { InkUniforms, type InkLine } from './ink.ts';
 import { memoize } from './memoize.ts';
 import { seamEdges } from './seamEdges.ts';
 import type { SurfaceDescription } from './surfaces.ts';
-
-/** Least angle between the normals of two faces whose edge is drawn, degrees. */
-const SHARP = 40;
+import { SHARP_ANGLE } from '../constants.ts';
 
 /**
  * Draws the sharp edges of inked surfaces, and the seams between surfaces of the same rigid, as ribbons with the width
@@ -32,23 +29,19 @@ export class CreasesPass {
   private readonly scene = new Scene();
   private readonly camera = new PassCamera();
   private readonly meshes = new Map<number, Mesh<InstancedBufferGeometry, RawShaderMaterial>>();
-  private readonly ink = new InkUniforms();
+  private readonly eye: FrameView;
   private readonly material: RawShaderMaterial;
 
   constructor(eye: FrameView, surfaces: readonly SurfaceDescription[]) {
+    this.eye = eye;
     this.material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: creasesVertexShader,
       fragmentShader,
-      uniforms: { ...eye.uniforms, ...this.ink.uniforms },
+      uniforms: eye.uniforms,
       side: DoubleSide,
     });
     edgesOf(surfaces).forEach((edges, index) => this.add(index, edges));
-  }
-
-  /** A line width of 0 draws nothing. */
-  setInk(line: InkLine): void {
-    this.ink.set(line);
   }
 
   /** Sets the world transform and the visibility of a surface. */
@@ -60,7 +53,9 @@ export class CreasesPass {
   }
 
   draw(renderer: WebGLRenderer): void {
-    if (this.meshes.size > 0 && this.ink.uniforms.inkPixels.value > 0) renderer.render(this.scene, this.camera);
+    const { creases, inkPixels } = this.eye.uniforms;
+    const isInked = creases.value && inkPixels.value > 0;
+    if (this.meshes.size > 0 && isInked) renderer.render(this.scene, this.camera);
   }
 
   dispose(): void {
@@ -79,7 +74,7 @@ export class CreasesPass {
   }
 }
 
-export const memoizedCreases = memoize((mesh: TriangleMesh) => creaseEdges(mesh, SHARP));
+export const memoizedCreases = memoize((mesh: TriangleMesh) => creaseEdges(mesh, SHARP_ANGLE));
 export const memoizedSeams = memoize((one: TriangleMesh) => memoize((other: TriangleMesh) => seamEdges(one, other)));
 
 /** The edges that are drawn with each surface. */

@@ -1,4 +1,5 @@
 import { memoize } from './memoize.ts';
+import { PLACES_PER_METRE } from '../constants.ts';
 
 /**
  * A triangle mesh as flat arrays: xyz positions, unit normals, three indices a triangle, counterclockwise front faces.
@@ -30,15 +31,12 @@ export function inOne(arrays: readonly Float32Array[]): Float32Array {
   return result;
 }
 
-/** Weld grid, cells per metre: vertices that round to the same cell are the same point. */
-const PLACES_A_METRE = 1e5;
-
 /**
  * Maps each vertex to the first vertex at the same position. Creases duplicate vertices, but the shape is connected
  * there.
  */
 export const weld = memoize((positions: Float32Array): Uint32Array => {
-  const places = Float64Array.from(positions, (value) => Math.round(value * PLACES_A_METRE));
+  const places = Float64Array.from(positions, (value) => Math.round(value * PLACES_PER_METRE));
   const welded = new Uint32Array(positions.length / 3);
   const slots = new Int32Array(2 ** Math.ceil(Math.log2(2 * welded.length + 1))).fill(-1);
   for (let vertex = 0; vertex < welded.length; ++vertex) {

@@ -15,9 +15,7 @@ import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { extrude } from './extrusion.ts';
 import { memoize } from './memoize.ts';
 import type { SurfaceDescription } from './surfaces.ts';
-
-/** Distance by which a volume starts below the lit faces of its mesh, metres. */
-const INSET = 0.012;
+import { SHADOW_INSET } from '../constants.ts';
 
 export const memoizedExtrusion = memoize(extrude);
 
@@ -65,7 +63,7 @@ export class MeshVolumesPass {
     const material = countingMaterial({
       vertexShader,
       fragmentShader,
-      uniforms: { ...eye.uniforms, inset: { value: INSET }, longestEdge: { value: longestEdge } },
+      uniforms: { ...eye.uniforms, inset: { value: SHADOW_INSET }, longestEdge: { value: longestEdge } },
     });
     const mesh = new Mesh(geometry, material);
     mesh.frustumCulled = false;

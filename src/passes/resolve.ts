@@ -1,9 +1,9 @@
-import { Color as ThreeColor, type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import { type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 import edgesShader from '../../shaders/resolve/edges.frag';
 import tonesShader from '../../shaders/resolve/tones.frag';
+import type { FrameView } from '../device/frameView.ts';
 import { FullScreen } from '../device/fullScreen.ts';
 import { pictureTarget } from '../device/pictureTarget.ts';
-import { writeColor, type Color } from '../device/ramps.ts';
 import type { Targets } from './targets.ts';
 
 /** The colours to resolve, and their size in pixels. */
@@ -18,17 +18,16 @@ export class ResolvePass {
   private readonly uniforms = {
     unlit: { value: null as Texture | null },
     lit: { value: null as Texture | null },
-    deepShadow: { value: new ThreeColor() },
     isAllDeep: { value: false },
     isLast: { value: false },
   };
   private readonly chosen = pictureTarget();
-  private readonly tones = new FullScreen(tonesShader, this.uniforms);
-  private readonly edges = new FullScreen(edgesShader, { tones: { value: this.chosen.texture } });
+  private readonly tones: FullScreen;
+  private readonly edges: FullScreen;
 
-  /** @param color factor on the colour of shadow where shadow is deep */
-  setDeepShadow(color: Color): void {
-    writeColor(color, this.uniforms.deepShadow);
+  constructor(eye: FrameView) {
+    this.tones = new FullScreen(tonesShader, { ...eye.uniforms, ...this.uniforms });
+    this.edges = new FullScreen(edgesShader, { ...eye.uniforms, tones: { value: this.chosen.texture } });
   }
 
   /**

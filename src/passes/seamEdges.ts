@@ -1,9 +1,7 @@
 import type { CreaseEdges } from './creaseEdges.ts';
 import type { TriangleMesh } from './extrusion.ts';
 import { memoize } from './memoize.ts';
-
-/** Distance in metres within which a corner counts as on the plane of a face, so that resting contact has a seam. */
-const TOUCHING = 1e-5;
+import { TOUCHING } from '../constants.ts';
 
 type Vector = readonly [number, number, number];
 

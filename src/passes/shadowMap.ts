@@ -27,7 +27,6 @@ import type { RampTexture } from '../device/ramps.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import { withLobes } from '../device/unroll.ts';
 import { BodiesPass } from './bodies.ts';
-import type { InkLine } from './ink.ts';
 import { SurfacesPass, type SurfaceDescription } from './surfaces.ts';
 import { Targets } from './targets.ts';
 
@@ -52,8 +51,6 @@ const ROTATIONS = [
   [new Vector3(1, 0, 0), Math.PI],
 ] as const;
 
-const NO_INK: InkLine = { color: [0, 0, 0], pixels: 0, swell: 0 };
-
 /** The resources from which the map is drawn. */
 export interface ShadowMapSources {
   readonly eye: FrameView;
@@ -74,7 +71,7 @@ export interface ShadowMapSources {
  */
 export class ShadowMapPass {
   private readonly eye: FrameView;
-  private readonly lightEye = new FrameView();
+  private readonly lightEye: FrameView;
   private readonly sun = new OrthographicCamera();
   private readonly lamp = new PerspectiveCamera();
   private readonly map = new Targets();
@@ -91,13 +88,12 @@ export class ShadowMapPass {
 
   constructor({ eye, puffs, ramps, firstSurface, surfaces }: ShadowMapSources) {
     this.eye = eye;
+    this.lightEye = new FrameView({ ...eye.style, inkPixels: { value: 0 } });
     this.casting = surfaces.flatMap(({ casts }, surface) => (casts ? [surface] : []));
     this.lobes = new LobeDepths(this.lightEye, puffs);
     this.billboards = new BodiesPass(this.lightEye, puffs, ramps);
     const casting = this.casting.map((surface) => surfaces[surface]);
     this.surfaces = new SurfacesPass(this.lightEye, ramps, firstSurface, casting);
-    this.billboards.setInk(NO_INK, 0, 0);
-    this.surfaces.setInk(NO_INK, false);
     this.shadowed = pictureTarget();
     this.uniforms = {
       clipFromView: eye.uniforms.clipFromView,

@@ -20,7 +20,6 @@ import vertexShader from '../../shaders/surfaces/surfaces.vert';
 import type { FrameView } from '../device/frameView.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
 import { hullNormals, type TriangleMesh } from './extrusion.ts';
-import { InkUniforms, type InkLine } from './ink.ts';
 import { memoize } from './memoize.ts';
 
 /** A triangle mesh of the scene. */
@@ -43,9 +42,6 @@ export interface SurfaceDescription {
   part?: number;
 }
 
-/** Distance, in line widths, by which the raised hull is nearer, so that its line does not sink into the ground. */
-const RAISED_WIDTHS = 6;
-
 /**
  * Draws the scene's meshes with flat tones, and their outlines as inverted hulls (back faces). Each inked surface has
  * two hulls. One is at the surface's own depth and draws the lines in front of other parts of the surface. The raised
@@ -63,20 +59,13 @@ export class SurfacesPass {
   private readonly closing: Mesh[] = [];
   private readonly groups = new Map<string, number>();
   private readonly boxes: Box3[];
-  private readonly ink = new InkUniforms();
-  private readonly hullUniforms;
+  private readonly eye: FrameView;
 
   /** @param firstMaterial ramp index of the first surface; the other surfaces follow in order */
   constructor(eye: FrameView, ramps: RampTexture, firstMaterial: number, surfaces: readonly SurfaceDescription[]) {
-    this.hullUniforms = { ...eye.uniforms, ...this.ink.uniforms };
-    surfaces.forEach((surface, index) => this.add(surface, eye, ramps, firstMaterial + index));
+    this.eye = eye;
+    surfaces.forEach((surface, index) => this.add(surface, ramps, firstMaterial + index));
     this.boxes = surfaces.map((surface) => boxOf(surface.mesh));
-  }
-
-  /** @param hasSeams whether creases.ts draws the seams of static surfaces, which then need no raised hull */
-  setInk(line: InkLine, hasSeams: boolean): void {
-    this.ink.set(line);
-    for (const hull of this.closing) hull.visible = !hasSeams;
   }
 
   /** Sets the world transform and the visibility of a surface. */
@@ -96,8 +85,11 @@ export class SurfacesPass {
   }
 
   draw(renderer: WebGLRenderer): void {
+    const { creases, inkPixels } = this.eye.uniforms;
+    // The creases pass draws the seams of static surfaces, which then need no raised hull.
+    for (const hull of this.closing) hull.visible = !creases.value;
     renderer.render(this.fills, this.camera);
-    if (this.ink.uniforms.inkPixels.value > 0) renderer.render(this.hulls, this.camera);
+    if (inkPixels.value > 0) renderer.render(this.hulls, this.camera);
     renderer.clearStencil();
   }
 
@@ -106,7 +98,7 @@ export class SurfacesPass {
     for (const geometry of this.geometries) geometry.dispose();
   }
 
-  private add(surface: SurfaceDescription, eye: FrameView, ramps: RampTexture, ramp: number): void {
+  private add(surface: SurfaceDescription, ramps: RampTexture, ramp: number): void {
     const ownPixels = this.stencilNumber(surface);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(surface.mesh.positions, 3));
@@ -118,7 +110,7 @@ export class SurfacesPass {
       vertexShader,
       fragmentShader,
       uniforms: {
-        ...eye.uniforms,
+        ...this.eye.uniforms,
         ramps: { value: ramps.texture },
         material: { value: ramp },
       },
@@ -152,7 +144,7 @@ export class SurfacesPass {
       glslVersion: GLSL3,
       vertexShader: hullVertexShader,
       fragmentShader: hullFragmentShader,
-      uniforms: { ...this.hullUniforms, raisedWidths: { value: ownPixels > 0 ? RAISED_WIDTHS : 0 } },
+      uniforms: { ...this.eye.uniforms, isRaised: { value: ownPixels > 0 } },
       side: BackSide,
       stencilWrite: ownPixels > 0,
       stencilRef: ownPixels,

@@ -6,9 +6,7 @@ import type { PuffSample } from './billboards/layers.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
 import { minus, type Vector } from './vector.ts';
 import { ShapeError } from '../preset/errors.ts';
-
-/** Maximum number of lobes. Twelve lobes and three other varyings reach the guaranteed minimum of WebGL 2. */
-export const MAX_LOBES = 12;
+import { MAX_LOBES } from '../constants.ts';
 
 /** Intersection of a ray with a puff, in particle radii. */
 export interface LobeHit {

@@ -4,11 +4,10 @@
  */
 import { spherePoint, type Vector } from './vector.ts';
 import type { Lobe } from './shapes.ts';
+import { SEEDS } from '../constants.ts';
 
 /** Rotation matrix from the puff's local space to world space, as three columns. */
 export type Rotation = readonly [Vector, Vector, Vector];
-
-const SEEDS = 256;
 
 /**
  * @param seed random number of the particle, 0..255

@@ -1,7 +1,8 @@
 /** Procedural puff shapes from a seed and three knobs, deterministic in every engine. */
-import { inUnitBall, MAX_LOBES } from './lobes.ts';
+import { inUnitBall } from './lobes.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
 import { normalized, spherePoint } from './vector.ts';
+import { MAX_LOBES } from '../constants.ts';
 
 /** Shape knobs, each from 0 to 1. */
 export interface PuffKnobs {

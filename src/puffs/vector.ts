@@ -1,3 +1,5 @@
+import { GOLDEN_ANGLE } from '../constants.ts';
+
 /** A three-dimensional vector. */
 export type Vector = readonly [x: number, y: number, z: number];
 
@@ -23,8 +25,6 @@ export function normalized(a: Vector): Vector {
   const length = Math.sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) || 1;
   return [a[0] / length, a[1] / length, a[2] / length];
 }
-
-const GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
 /**
  * Point `index` of a Fibonacci lattice of `count` points on the unit sphere, along a spiral about z, after Gonzalez,

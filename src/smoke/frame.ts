@@ -8,7 +8,7 @@ import { eyeView, lightView, shownWithin, smokeBox, viewSources, type ViewSource
 import type { FrameInput, FrameReport } from './frameInput.ts';
 
 /** Animation on twos: lines change at half of 24 frames a second. */
-const DRAWINGS_PER_SECOND = 12;
+export const DRAWINGS_PER_SECOND = 12;
 
 /**
  * Draws a frame. Until the code that it needs is loaded, it is drawn with lobe nailboards. What the steps write:
@@ -85,12 +85,12 @@ export function reportOf({ bodies, casters, arrangeMs }: ArrangedFrame): FrameRe
 }
 
 /** Sets what the arrangement and all passes read of the frame: size, camera, light, places of the surfaces and time. */
-function setUpView(passes: SmokePasses, { camera, light, style, width, height, rigids, parts, time }: FrameInput) {
+function setUpView(passes: SmokePasses, { camera, light, width, height, rigids, parts, time }: FrameInput) {
   passes.targets.resize(width, height);
   const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
   passes.eye.look(camera, homogeneous(light), width, height, reversedDepth);
   passes.placeSurfaces(rigids, parts ?? []);
-  passes.body.setBoil(style.boil, Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));
+  passes.body.setDrawing(Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));
 }
 
 /**

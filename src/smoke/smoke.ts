@@ -19,8 +19,9 @@ import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
 import { codeOf, ExtraPasses, hasExtras } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
-import { inkLineOf, type Style } from './style.ts';
+import { setStyle, styleUniforms, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
+import { TINTS } from '../constants.ts';
 
 export interface SmokeOptions {
   /** Largest number of particles that can be drawn. */
@@ -35,8 +36,7 @@ export interface SmokeOptions {
 }
 
 /** World height below which surfaces are hidden, metres. */
-const OUT_OF_SIGHT = -60;
-const TINTS = 3;
+export const OUT_OF_SIGHT = -60;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
 
@@ -64,7 +64,7 @@ export class SmokeRenderer {
     this.backdrop = backdrop;
     this.puffs = new PuffTextures(device.puffs, puffs);
     this.ramps = new RampTexture(FIRST_SURFACE_RAMP + surfaces.length);
-    const eye = new FrameView();
+    const eye = new FrameView(styleUniforms());
     const isFlat = !device.writesDepth;
     const bodies = new Instances(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
     const casters = new CasterInstances(capacity, FRONT_AND_BACK);
@@ -88,7 +88,7 @@ export class SmokeRenderer {
       volumes: new VolumesPass(eye, this.puffs),
       prismVolumes: isFlat ? new (codeOf('prismVolumes').PrismVolumesPass)(eye, this.puffs) : undefined,
       mask: new MaskPass(),
-      resolve: new ResolvePass(),
+      resolve: new ResolvePass(eye),
       extras: new ExtraPasses({
         eye,
         puffs: this.puffs,
@@ -159,20 +159,15 @@ export class SmokeRenderer {
   }
 
   private apply(style: Style, pixelRatio: number): void {
-    const { body, surfaces, volumes, prismVolumes, mask, resolve, extras } = this.passes;
-    const line = inkLineOf(style, pixelRatio);
+    const { eye, body, volumes, prismVolumes, mask, extras } = this.passes;
+    setStyle(eye.style, style, pixelRatio);
     this.writeRamps(style);
     this.paintBackdrop(style);
-    body.setInk(line, style.innerLine, style.innerTaper);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
-    body.setRim(style.rimColor, style.shading ? style.rim : 0);
     body.setForm(extras.billboardsOf(style.form));
-    surfaces.setInk(line, style.creases);
-    this.passes.creases.setInk(style.creases ? line : { ...line, pixels: 0 });
     volumes.follow(style.form, litThresholdOf(style));
     prismVolumes?.follow();
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);
-    resolve.setDeepShadow(style.deepShadow);
     this.style = style;
     this.pixelRatio = pixelRatio;
   }

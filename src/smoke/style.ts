@@ -1,8 +1,10 @@
+import { Color as ThreeColor, type IUniform } from 'three';
+import type { StyleUniforms } from '../device/frameView.ts';
 import type { PuffForm } from '../device/puffTextures.ts';
-import type { Color, Tone } from '../device/ramps.ts';
-import type { Gradient } from '../passes/bodies.ts';
-import type { InkLine } from '../passes/ink.ts';
-import type { Values } from '../preset/parameter.ts';
+import { writeColor, type Color, type Tone } from '../device/ramps.ts';
+import type { Parameter, Value, Values } from '../preset/parameter.ts';
+import { styleRows } from '../preset/rows/style.ts';
+import { defaults } from '../preset/values.ts';
 import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
 /** How puffs are drawn: with nailboards and shadow volumes, or with one of three renderers for comparison. */
@@ -17,44 +19,54 @@ export const THROWS_SHADOW: Readonly<Record<Renderer, boolean>> = {
   shadowMap: true,
 };
 
-/** The style of smoke: the paper's four effects, each on or off, and their colours. */
-export interface Style extends SurfaceToning {
-  renderer: Renderer;
+type StyleRow = Extract<(typeof styleRows)[number], { readonly reader: 'style' }>;
+
+type NameOf<Row extends StyleRow> = Row['key'] extends `style.${infer Name}` ? Name : never;
+
+/** The value of a parameter as the renderer uses it. */
+type FieldOf<Row extends StyleRow> =
+  | (Row extends { readonly isOptional: true } ? undefined : never)
+  | (Row['kind'] extends 'toggle'
+      ? boolean
+      : Row['kind'] extends 'color'
+        ? Color
+        : Row['kind'] extends 'ramp'
+          ? readonly Tone[]
+          : Row extends { readonly kind: 'choice'; readonly default: infer Option }
+            ? Option
+            : number);
+
+/** Every parameter of the table that the style reads, by its name. */
+type Fields = { [Row in StyleRow as NameOf<Row>]: FieldOf<Row> };
+
+/** Parameters that fields with other names hold. */
+type Combined =
+  | 'ramp'
+  | 'rampBlend'
+  | 'ageRamp'
+  | 'heatRamp'
+  | 'tint1'
+  | 'tint2'
+  | 'tint3'
+  | 'backdrop'
+  | 'wash'
+  | 'washColor'
+  | 'gradientBottom'
+  | 'gradientTop';
+
+/**
+ * The style of smoke: the paper's four effects, each on or off, and their colours. Parameters of the table
+ * (src/preset/rows/style.ts) are fields of the same name, and further fields combine some of them.
+ */
+export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stops' | 'isBlended' | 'wash'> {
   form: PuffForm;
-  outlines: boolean;
-  /** Whether sharp edges of surfaces are inked too. */
-  creases: boolean;
-  shadows: boolean;
-  /** Steps of shadow. Where at least `shadowDepth` volumes overlap, the second step is `deepShadow` times the first. */
-  shadowSteps: 1 | 2;
-  shadowDepth: number;
-  deepShadow: Color;
-  gradient: Gradient;
-  gradientColor: Color;
   /** World heights between which the gradient 'height' runs, metres. */
   gradientHeights: readonly [bottom: number, top: number];
-  /** Width of the band along silhouettes that face away from the light, 0..1. */
-  rim: number;
-  rimColor: Color;
   /** Colours of untinted smoke over its age and over its temperature, 0..1 each; `smokeColor` if empty. */
   ageColors: readonly Tone[];
   heatColors: readonly Tone[];
-  /** Whether those colours are interpolated instead of changing at their stops. */
-  softColors: boolean;
-  /** Width of outlines in CSS pixels. */
-  outlineWidth: number;
-  /** How much wider lines are on the side away from the light, 0..1. */
-  inkSwell: number;
-  /** How much lines vary from drawing to drawing, 0..1. */
-  boil: number;
-  /** Depth gap, in puff radii, beyond which a puff is outlined against what is behind it. */
-  innerLine: number;
-  /** Additional gap, as a multiple of `innerLine`, over which a line between puffs reaches its full width. */
-  innerTaper: number;
-  smokeColor: Color;
   /** Colours of smoke that an emitter or a collider has tinted. */
   tints: readonly [Color, Color, Color];
-  inkColor: Color;
   /** Background colours from bottom to top, instead of those of the scene; the scene's if absent or empty. */
   backdropColors?: readonly Tone[];
 }
@@ -68,49 +80,66 @@ export function automaticColors(values: Values): Values {
   return { 'style.surfaceShadowColor': `#${((red << 16) | (green << 8) | blue).toString(16).padStart(6, '0')}` };
 }
 
-/** Fields with the same name as their parameter, grouped by the conversion of their values. */
-const PLAIN = [
-  'renderer',
-  'shadowSteps',
-  'shadowDepth',
-  'gradient',
-  'fill',
-  'rim',
-  'outlineWidth',
-  'inkSwell',
-  'boil',
-  'innerLine',
-  'innerTaper',
-  'tones',
-] as const;
-const TOGGLES = ['shading', 'outlines', 'creases', 'shadows', 'softColors'] as const;
-const COLORS = ['deepShadow', 'gradientColor', 'rimColor', 'smokeColor', 'inkColor', 'surfaceShadowColor'] as const;
+const rows: readonly Parameter[] = styleRows.filter(({ reader }) => reader === 'style');
 
 /** Builds a style from flat values, which must have every key of the table that is not optional. */
 export function styleOf(values: Values): Style {
-  const colorOf = (name: string) => parseColor(values[`style.${name}`] as string);
-  const stopsOf = (name: string) => parseStops(values[`style.${name}`] as string);
+  const fields = Object.fromEntries(rows.map((row) => [nameOf(row), fieldOf(row, values[row.key])])) as Fields;
+  const { ramp, rampBlend, ageRamp, heatRamp, tint1, tint2, tint3, backdrop, ...others } = fields;
+  const { wash, washColor, gradientBottom, gradientTop, ...same } = others;
   return {
-    ...read(values, PLAIN, (value) => value),
-    ...read(values, TOGGLES, (value) => value === 1),
-    ...read(values, COLORS, (color?: string) => color && parseColor(color)),
+    ...same,
     form: values['puff.form'] as PuffForm,
-    gradientHeights: [values['style.gradientBottom'] as number, values['style.gradientTop'] as number],
-    stops: stopsOf('ramp'),
-    isBlended: values['style.rampBlend'] === 1,
-    ageColors: stopsOf('ageRamp'),
-    heatColors: stopsOf('heatRamp'),
-    tints: [colorOf('tint1'), colorOf('tint2'), colorOf('tint3')],
-    backdropColors: stopsOf('backdrop'),
-    wash: { share: values['style.wash'] as number, color: colorOf('washColor') },
+    gradientHeights: [gradientBottom, gradientTop],
+    stops: ramp,
+    isBlended: rampBlend,
+    ageColors: ageRamp,
+    heatColors: heatRamp,
+    tints: [tint1, tint2, tint3],
+    backdropColors: backdrop,
+    wash: { share: wash, color: washColor },
   };
 }
 
-function read<Key extends keyof Style>(values: Values, keys: readonly Key[], parse: (value: never) => unknown) {
-  return Object.fromEntries(keys.map((key) => [key, parse(values[`style.${key}`] as never)])) as Pick<Style, Key>;
+function nameOf({ key }: Parameter): string {
+  return key.slice('style.'.length);
+}
+
+function fieldOf({ kind }: Parameter, value: Value | undefined): unknown {
+  if (kind === 'toggle') return value === 1;
+  if (kind === 'color') return value === undefined ? undefined : parseColor(value as string);
+  return kind === 'ramp' ? parseStops(value as string) : value;
+}
+
+/**
+ * Uniforms of a style, for the shaders of all passes: each number, toggle and colour that is a field of {@link Style},
+ * by its name, and `inkPixels`.
+ */
+export function styleUniforms(): StyleUniforms {
+  const uniforms = Object.entries(styleOf(defaults())).flatMap(([name, value]): [string, IUniform][] => {
+    if (typeof value === 'number' || typeof value === 'boolean') return [[name, { value }]];
+    return Array.isArray(value) && typeof value[2] === 'number' ? [[name, { value: new ThreeColor() }]] : [];
+  });
+  return { ...Object.fromEntries(uniforms), inkPixels: { value: 0 } };
 }
 
 /** @param pixelRatio pixels of the target for each CSS pixel */
-export function inkLineOf({ outlines, outlineWidth, inkSwell, inkColor }: Style, pixelRatio: number): InkLine {
-  return { color: inkColor, pixels: outlines ? outlineWidth * pixelRatio : 0, swell: inkSwell };
+export function setStyle({ inkPixels, ...uniforms }: StyleUniforms, style: Style, pixelRatio: number): void {
+  // The rim is light, which smoke without shading does not show.
+  const fields: Readonly<Record<string, unknown>> = { ...style, rim: style.shading ? style.rim : 0 };
+  for (const [name, uniform] of Object.entries(uniforms)) {
+    if (uniform.value instanceof ThreeColor) writeColor(fields[name] as Color, uniform as IUniform<ThreeColor>);
+    else uniform.value = fields[name];
+  }
+  inkPixels.value = inkPixelsOf(style, pixelRatio);
+}
+
+/** Width of outlines in pixels of the target; 0 without outlines. */
+export function inkPixelsOf({ outlines, outlineWidth }: Style, pixelRatio: number): number {
+  return outlines ? outlineWidth * pixelRatio : 0;
+}
+
+/** Largest width of a line in pixels of the target. */
+export function widestLineOf(style: Style, pixelRatio: number): number {
+  return inkPixelsOf(style, pixelRatio) * 2 ** style.inkSwell;
 }

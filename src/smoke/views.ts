@@ -2,19 +2,15 @@
 import { Box3, Vector3 } from 'three';
 import type { Bounds } from '../sim/arranged.ts';
 import { LIFTERS_LIMIT, type CoverageView, type View } from '../sim/view.ts';
-import { widestLine } from '../passes/ink.ts';
 import type { PuffExtents } from '../device/formTextures.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { FrameInput } from './frameInput.ts';
 import type { SmokePasses } from './smokePasses.ts';
-import { inkLineOf } from './style.ts';
+import { widestLineOf } from './style.ts';
+import { COVERS_LIMIT, STEEPEST } from '../constants.ts';
 
 /** Largest distance of ink from a silhouette, in puff radii; see shaders/lib/ink.glsl. */
 const WIDEST_RING = 0.3;
-/** Largest distance by which a surface may lift ink, for each unit beside its puff; see shaders/lib/contact.glsl. */
-const STEEPEST = 8;
-/** The simulator's limit of covers. */
-const MAX_COVERS = 16;
 
 /** What a view is computed from, besides the input of the frame. */
 export interface ViewSources {
@@ -46,11 +42,10 @@ export function eyeView(sources: ViewSources, input: FrameInput): View {
   const { eye } = sources;
   // Blended sprites must be sorted back to front.
   const blends = input.style.renderer === 'sprites';
-  const { pixels, swell } = inkLineOf(input.style, input.pixelRatio);
   return {
     ...common(sources, input),
     purpose: 'eye',
-    pad: widestLine(pixels, swell) * eye.unitsPerPixel,
+    pad: widestLineOf(input.style, input.pixelRatio) * eye.unitsPerPixel,
     direction: (blends ? eye.forward.clone().negate() : eye.forward).toArray(),
     receivers: { min: [0, 0, 0], max: [0, 0, 0] },
     coverage: coverageOf(sources, input, 1),
@@ -88,14 +83,13 @@ function coverageOf(
   if (style.renderer !== 'nailboards' || isFlat) return undefined;
   const { capRange, depth, solids } = extents;
   const [nearest, farthest] = eye.range;
-  const { pixels, swell } = inkLineOf(style, pixelRatio);
   return {
-    covers: covers > MAX_COVERS ? 0 : covers,
+    covers: covers > COVERS_LIMIT ? 0 : covers,
     pixel: eye.unitsPerPixel,
     nearest,
     farthest,
     lifters: liftersOf(boxes),
-    lift: STEEPEST * widestLine(pixels, swell) * eye.unitsPerPixel,
+    lift: STEEPEST * widestLineOf(style, pixelRatio) * eye.unitsPerPixel,
     capRange: [Math.max(capRange[0], minCap), Math.max(capRange[1], minCap)],
     depth,
     solids,

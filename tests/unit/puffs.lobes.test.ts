@@ -1,11 +1,12 @@
 import { expect, test } from 'vitest';
 import { bakeLobes } from '../../src/puffs/bake/bakeLobes.ts';
-import { meetLobes, MAX_LOBES, reachOf, sampleLobes, silhouetteRadius } from '../../src/puffs/lobes.ts';
+import { meetLobes, reachOf, sampleLobes, silhouetteRadius } from '../../src/puffs/lobes.ts';
 import { DEFAULT_DESIGN, designedShapes, LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
 import { orientationOf, rotatedLobes } from '../../src/puffs/orientation.ts';
 import { CARTOON_KNOBS, proceduralPuff } from '../../src/puffs/procedural.ts';
 import type { Lobe, PuffShape } from '../../src/puffs/shapes.ts';
 import { dot } from '../../src/puffs/vector.ts';
+import { MAX_LOBES } from '../../src/constants.ts';
 
 const BALL: Lobe = { center: [0.1, -0.05, 0.2], radius: 0.7 };
 const SIDES = Array.from({ length: 24 }, (_, side) => orientationOf((side * 11) % 256, 1.7 * side));

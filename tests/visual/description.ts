@@ -9,10 +9,12 @@ import type { View } from '../../src/sim/view.ts';
 import type { PuffForm } from '../../src/device/puffTextures.ts';
 import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { bandsOf } from '../../src/smoke/bands.ts';
+import { DRAWINGS_PER_SECOND } from '../../src/smoke/frame.ts';
 import type { FrameInput } from '../../src/smoke/frameInput.ts';
+import { OUT_OF_SIGHT } from '../../src/smoke/smoke.ts';
 import type { Light } from '../../src/smoke/light.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from '../../src/smoke/palette.ts';
-import { inkLineOf, type Style } from '../../src/smoke/style.ts';
+import { inkPixelsOf, type Style } from '../../src/smoke/style.ts';
 import { minCapOf } from '../../src/passes/volumes.ts';
 
 type Triple = readonly [number, number, number];
@@ -29,11 +31,6 @@ export interface Shown {
   surfaces: readonly Shaped[];
   backdrop?: { top: Color; bottom: Color };
 }
-
-/** Boiling lines change this often, as animation on twos. */
-const DRAWINGS_PER_SECOND = 12;
-/** Objects below this height are not drawn, metres. */
-const OUT_OF_SIGHT = -60;
 
 /** JSON for the reference. */
 export function describe(shown: Shown): string {
@@ -84,28 +81,17 @@ function lightAsObject(light: Light): object {
 }
 
 function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): object {
-  const { pixels, color, swell } = inkLineOf(style, pixelRatio);
   const { colors, bands } = bandsOf(style, 1 + style.tints.length);
   const ramps = [plainColorOf(style), ...style.tints, ...colors].map((own): Ramp => rampOf(own, style));
   return {
-    inkPixels: pixels,
-    inkColor: color,
-    inkSwell: swell,
-    boil: style.boil,
+    ...style,
+    inkPixels: inkPixelsOf(style, pixelRatio),
     drawing: Math.floor(DRAWINGS_PER_SECOND * time),
-    creases: style.creases,
-    innerLine: style.innerLine,
-    innerTaper: style.innerTaper,
-    gradient: style.gradient,
-    gradientColor: style.gradientColor,
     smokeColor: smokeColorOf(style),
-    plumeHeight: style.gradientHeights,
     smokeRamps: ramps,
     bands,
     rim: style.shading ? style.rim : 0,
-    rimColor: style.rimColor,
     shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,
-    deepShadow: style.deepShadow,
     minCap: minCapOf(litThresholdOf(style), bakedPuffs()[style.form].latestCap),
   };
 }

@@ -24,7 +24,8 @@ import { drawFrame } from '../../src/smoke/frame.ts';
 import type { Arranger, FrameInput } from '../../src/smoke/frameInput.ts';
 import type { Light } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
-import type { Style } from '../../src/smoke/style.ts';
+import { styleOf, type Style } from '../../src/smoke/style.ts';
+import { defaults } from '../../src/preset/values.ts';
 
 // Tests read pictures synchronously, so load all optional renderer code first.
 await fetchExtras({ renderer: 'selle', form: 'billboards', view: 'normals', isFlat: true });
@@ -75,6 +76,7 @@ export interface LabScene {
 }
 
 export const PLAIN_STYLE: Style = {
+  ...styleOf(defaults()),
   renderer: 'nailboards',
   form: 'lobes',
   shading: true,
@@ -108,6 +110,7 @@ export const PLAIN_STYLE: Style = {
     [143, 207, 122],
   ],
   inkColor: [27, 26, 46],
+  wash: undefined,
 };
 
 /** RGBA bytes, bottom row first, and optionally the stencil count of each pixel. */

@@ -29,7 +29,7 @@ const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
 const LIGHTS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['touching', [{}, { shadowSteps: 2, shadowDepth: 3, outlineWidth: 3 }]],
   ['underParts', [{ shadowSteps: 2, shadowDepth: 2 }]],
-  ['byLamp', [{}, { tones: 1, outlineWidth: 5, innerLine: 0.15, innerTaper: 2 }]],
+  ['byLamp', [{}, { tones: 1, outlineWidth: 5, innerLine: 0.15, innerTaper: 2, boil: 0.8 }]],
   ['byLampAmongPuffs', [{ tones: 3 }]],
   ['backlit', [{ tones: 3 }, { gradient: 'height' }, { gradient: 'screen' }]],
 ];

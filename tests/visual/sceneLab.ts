@@ -1,7 +1,6 @@
 /** A scene of the demo with its simulator, drawn for any camera without the edge filter, so that colours are flat. */
 import { PerspectiveCamera, Vector3, type Box3, type Camera } from 'three';
 import { createDevice } from '../../src/device/device.ts';
-import { widestLine } from '../../src/passes/ink.ts';
 import type { Values } from '../../src/preset/parameter.ts';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import type { CameraPose, MovingPart, Scene } from '../../src/scenes/scene.ts';
@@ -13,7 +12,7 @@ import { drawFrame } from '../../src/smoke/frame.ts';
 import type { Arranger, FrameInput, FrameReport } from '../../src/smoke/frameInput.ts';
 import { lightOf } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
-import { inkLineOf, styleOf, type Style } from '../../src/smoke/style.ts';
+import { styleOf, widestLineOf, type Style } from '../../src/smoke/style.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
 import { readStencil, rowsOf, type LabPicture } from './lab.ts';
 
@@ -92,8 +91,7 @@ export class SceneLab {
 
   /** Largest line width, pixels. */
   get widestLine(): number {
-    const { pixels, swell } = inkLineOf(this.style, 1);
-    return widestLine(pixels, swell);
+    return widestLineOf(this.style, 1);
   }
 
   /** The bodies of the latest picture, metres. */

@@ -9,7 +9,8 @@ pub const STEEPEST: f64 = 8.0;
 /// Maximum slope: puffs are too steep beside their silhouette.
 const FLATTEST: f64 = 0.1;
 /// Depth steps between a raised ring and its surface.
-const LIFT: f64 = 3.0 / 16_777_216.0;
+const LIFT_STEPS: f64 = 3.0;
+const LIFT: f64 = LIFT_STEPS / 16_777_216.0;
 
 /// Window depths of surfaces and their lines, row by row from the bottom.
 pub struct Ground<'a> {

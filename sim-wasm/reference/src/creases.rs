@@ -10,10 +10,10 @@ use crate::scene::{Scene, Surface};
 use crate::seams::seams;
 
 /// Minimum angle (degrees) between the faces of an edge with a line.
-const SHARP: f64 = 40.0;
+const SHARP_ANGLE: f64 = 40.0;
 
 /// Distance in front of the surface, in line widths, and its maximum (m). Seams lie in hollows.
-const EDGE_RAISED: (f64, f64) = (0.75, 0.03);
+const CREASE_RAISED: (f64, f64) = (0.75, 0.03);
 const SEAM_RAISED: (f64, f64) = (3.0, 0.05);
 
 /// A line in world space.
@@ -78,13 +78,13 @@ fn sharp_edges(mesh: &Mesh) -> Vec<Edge> {
     }
     let is_sharp = |faces: &[([usize; 2], DVec3)]| match faces {
         [_] => true,
-        [(one, a), (other, b), ..] => one != other && a.dot(*b) < SHARP.to_radians().cos(),
+        [(one, a), (other, b), ..] => one != other && a.dot(*b) < SHARP_ANGLE.to_radians().cos(),
         [] => false,
     };
     let edge = |faces: Vec<([usize; 2], DVec3)>| Edge {
         ends: faces[0].0.map(|corner| mesh.points[corner]),
         normals: faces.iter().map(|&(_, normal)| normal).collect(),
-        raised: EDGE_RAISED,
+        raised: CREASE_RAISED,
     };
     edges.into_values().filter(|faces| is_sharp(faces)).map(edge).collect()
 }

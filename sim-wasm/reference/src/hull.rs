@@ -10,8 +10,7 @@ use crate::ray::Camera;
 use crate::scene::{Style, Surface};
 
 /// Distance of the raised copy towards the eye in line widths, and its maximum (m).
-const RAISED_WIDTHS: f64 = 6.0;
-const HIGHEST: f64 = 0.05;
+const HULL_RAISED: (f64, f64) = (6.0, 0.05);
 
 /// A corner of a hull (pixels), with its window depth in place and raised.
 #[derive(Clone, Copy)]
@@ -98,7 +97,7 @@ fn corner(
     let width = style.ink_pixels * swelling(aside, towards_light, style.ink_swell);
     let widest = width.max(style.ink_pixels) * camera.metres_per_pixel(depth);
     let raise = if is_raised {
-        (RAISED_WIDTHS * widest).min(HIGHEST)
+        (HULL_RAISED.0 * widest).min(HULL_RAISED.1)
     } else {
         0.0
     };

@@ -4,6 +4,11 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 
+/// Radius of a puff in line widths, and width of a line, between which a line grows or fades.
+const LINE_RADII: [f64; 2] = [1.0, 3.5];
+const FADE_WIDTHS: [f64; 2] = [0.5, 1.0];
+const FADE_RADII: [f64; 2] = [1.5, 3.0];
+
 /// A line and its swelling: at 1 it is twice as wide away from the light, and half as wide towards it.
 pub struct Line {
     /// Width where it runs across the light.
@@ -23,7 +28,7 @@ impl Line {
     pub fn new(full: f64, radius: f64, swell: f64, light: DVec2) -> Self {
         Self {
             even: line_width(full * swell.exp2(), radius) / swell.exp2(),
-            boldness: smooth_step(1.5, 3.0, radius / (full * swell.exp2()).max(1e-6)),
+            boldness: between(FADE_RADII, radius / (full * swell.exp2()).max(1e-6)),
             swell,
             light,
             boil: 0.0,
@@ -55,7 +60,7 @@ impl Line {
 
     /// Opacity at this width: below one pixel it blends into the colour of its smoke, below half a pixel it is 0.
     pub fn share(&self, width: f64) -> f64 {
-        self.boldness * smooth_step(0.5, 1.0, width)
+        self.boldness * between(FADE_WIDTHS, width)
     }
 
     pub fn widest(&self) -> f64 {
@@ -73,8 +78,12 @@ fn line_width(full: f64, radius: f64) -> f64 {
     if full <= 0.0 {
         0.0
     } else {
-        full * smooth_step(1.0, 3.5, radius / full)
+        full * between(LINE_RADII, radius / full)
     }
+}
+
+fn between([from, to]: [f64; 2], value: f64) -> f64 {
+    smooth_step(from, to, value)
 }
 
 /// Smoothstep from 0 at `from` to 1 at `to`.

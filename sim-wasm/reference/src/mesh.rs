@@ -7,7 +7,7 @@ use glam::{DMat3, DMat4, DVec3};
 use crate::scene::Shape;
 
 /// Corners are at the same position if they agree to a hundredth of a millimetre.
-const PLACES_A_METRE: f64 = 1e5;
+const PLACES_PER_METRE: f64 = 1e5;
 
 pub struct Mesh {
     /// World-space positions with their shading normals.
@@ -45,7 +45,7 @@ impl Mesh {
         Some(Self {
             places: own
                 .iter()
-                .map(|&point| place_of((PLACES_A_METRE * point).to_array().map(|value| value.round() as i64)))
+                .map(|&point| place_of((PLACES_PER_METRE * point).to_array().map(|value| value.round() as i64)))
                 .collect(),
             points: own.iter().map(|&point| world.transform_point3(point)).collect(),
             normals: triples(normals).iter().map(|&normal| turn * normal).collect(),

@@ -62,7 +62,7 @@ pub struct Style {
     pub gradient_color: Triple,
     pub smoke_color: Triple,
     /// World heights between which the gradient `height` runs (m).
-    pub plume_height: [f64; 2],
+    pub gradient_heights: [f64; 2],
     /// Ramps of smoke without a tint, of the three tints, then of each band of age and temperature.
     pub smoke_ramps: Vec<Ramp>,
     pub bands: Bands,

@@ -7,7 +7,7 @@ use crate::scene::{Gradient, Ramp, Style, Tone, Triple};
 /// Minimum cosine to the fill light.
 const FILL_BORDER: f64 = 0.65;
 /// Number of texels of a ramp, read without interpolation.
-const TEXELS: f64 = 256.0;
+const RAMP_TEXELS: f64 = 256.0;
 
 /// Colours of a pixel in light and in shadow.
 #[derive(Clone, Copy)]
@@ -45,7 +45,7 @@ impl Shade {
     /// `facing`: cosine between normal and light. With fill light the ramp starts with another colour.
     pub fn of(ramp: &Ramp, facing: f64, is_filled: bool) -> Self {
         let first = ramp.filled.filter(|_| is_filled);
-        let facing = (facing.clamp(0.0, 1.0) * TEXELS).floor() / TEXELS;
+        let facing = (facing.clamp(0.0, 1.0) * RAMP_TEXELS).floor() / RAMP_TEXELS;
         let part = Part::Tones {
             lit: tone_at(&ramp.lit, facing),
             unlit: tone_at(&ramp.unlit, facing),
@@ -150,7 +150,7 @@ pub struct Along {
 
 /// Factor on a colour of the ramp.
 pub fn gradient_factor(style: &Style, along: &Along) -> DVec3 {
-    let [bottom, top] = style.plume_height;
+    let [bottom, top] = style.gradient_heights;
     let share = match style.gradient {
         Gradient::None => return DVec3::ONE,
         Gradient::Puff => 0.5 + 0.5 * along.puff,

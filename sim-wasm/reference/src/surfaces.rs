@@ -10,7 +10,7 @@ use crate::shade::Shade;
 use crate::triangles::Triangles;
 
 /// Distance (m) below its lit side at which a surface's shadow starts.
-const INSET: f64 = 0.012;
+const SHADOW_INSET: f64 = 0.012;
 
 /// Intersection of a line with a surface.
 #[derive(Clone, Copy)]
@@ -75,7 +75,7 @@ impl<'a> Solids<'a> {
                 continue;
             }
             solid.cross(point, towards_light, &mut |crossing| {
-                let is_between = INSET < crossing.at && crossing.at < distance;
+                let is_between = SHADOW_INSET < crossing.at && crossing.at < distance;
                 count += u32::from(is_between && crossing.face.dot(towards_light) > 0.0);
             });
         }

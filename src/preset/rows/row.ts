@@ -1,11 +1,19 @@
 /** Factories for rows of the parameter table. */
 import type { ChoiceParameter, NumberParameter, Parameter, Reader } from '../parameter.ts';
 
+/** A row with the literal type of its key and its reader. */
+export type Keyed<Row, Key extends string, By extends Reader> = Row & { readonly key: Key; readonly reader: By };
+
 type Named = Pick<Parameter, 'label' | 'text'>;
 export type Quantity = Named & Partial<NumberParameter> & Pick<NumberParameter, 'min' | 'max' | 'step' | 'default'>;
 
 /** A number parameter with its key, group of the panel, and reader. */
-export function quantity(key: string, group: string, reader: Reader, rest: Quantity): NumberParameter {
+export function quantity<const Key extends string, const By extends Reader>(
+  key: Key,
+  group: string,
+  reader: By,
+  rest: Quantity,
+): Keyed<NumberParameter, Key, By> {
   return { kind: 'number', unit: '', slider: 'even', ...rest, key, group, reader };
 }
 
@@ -19,11 +27,16 @@ export function ofScene(
   return { ...quantity(key, group, 'simulator', { ...range, ...rest }), isOptional: true };
 }
 
-type Options = readonly (readonly [value: string | number, label: string])[];
+/** A choice with the literal types of its values. */
+type ChoiceOf<Option> = ChoiceParameter & { readonly default: Option };
 
-type Choice = Named & Pick<ChoiceParameter, 'default'>;
-
-export function choice(key: string, group: string, reader: Reader, rest: Choice, options: Options): ChoiceParameter {
+export function choice<const Key extends string, const By extends Reader, const Option extends string | number>(
+  key: Key,
+  group: string,
+  reader: By,
+  rest: Named & { readonly default: NoInfer<Option> },
+  options: readonly (readonly [value: Option, label: string])[],
+): Keyed<ChoiceOf<Option>, Key, By> {
   const list = options.map(([value, label]) => ({ value, label }));
   return { kind: 'choice', key, group, reader, ...rest, options: list };
 }

@@ -1,8 +1,8 @@
 import type { ColorParameter, NumberParameter, Parameter, RampParameter, ToggleParameter } from '../parameter.ts';
-import { choice, quantity } from './row.ts';
+import { choice, quantity, type Keyed } from './row.ts';
 
-/** Shadows, tones, colours and ink. */
-export const styleRows: readonly Parameter[] = [
+/** Shadows, tones, colours and ink. The types keep the keys: the fields of `Style` follow from them. */
+export const styleRows = [
   toggle('shading', 'Shading', 'Light and shade on the puffs; off leaves them flat.'),
   toggle('outlines', 'Outlines', 'Ink around the smoke and between its puffs.'),
   toggle('creases', 'Creases', 'Ink along the sharp edges of surfaces, and where still ones meet.'),
@@ -180,21 +180,38 @@ export const styleRows: readonly Parameter[] = [
       ['shadowMap', 'Shadow map'],
     ],
   ),
-];
+] as const satisfies readonly Parameter[];
 
-function toggle(name: string, label: string, text: string, initial: 0 | 1 = 1): ToggleParameter {
+type OfStyle<Row, Name extends string> = Keyed<Row, `style.${Name}`, 'style'>;
+
+function toggle<const Name extends string>(
+  name: Name,
+  label: string,
+  text: string,
+  initial: 0 | 1 = 1,
+): OfStyle<ToggleParameter, Name> {
   return { kind: 'toggle', key: `style.${name}`, group: 'style', reader: 'style', label, text, default: initial };
 }
 
-function ramp(name: string, label: string, text: string): RampParameter {
+function ramp<const Name extends string>(name: Name, label: string, text: string): OfStyle<RampParameter, Name> {
   return { kind: 'ramp', key: `style.${name}`, group: 'style', reader: 'style', label, text, default: '' };
 }
 
-function color(name: string, label: string, text: string, initial: string): ColorParameter {
+function color<const Name extends string>(
+  name: Name,
+  label: string,
+  text: string,
+  initial: string,
+): OfStyle<ColorParameter, Name> {
   return { kind: 'color', key: `style.${name}`, group: 'style', reader: 'style', label, text, default: initial };
 }
 
-function height(name: string, label: string, text: string, initial: number): NumberParameter {
+function height<const Name extends string>(
+  name: Name,
+  label: string,
+  text: string,
+  initial: number,
+): OfStyle<NumberParameter, Name> {
   const range = { min: -100, max: 100, step: 0.05, unit: 'm', slider: 'fine' } as const;
   return quantity(`style.${name}`, 'style', 'style', { ...range, label, text, default: initial });
 }

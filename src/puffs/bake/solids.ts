@@ -2,7 +2,7 @@
  * Balls that bound a puff from inside and outside: the drawn puff differs from them by at most a tolerance. The
  * simulator uses them for occlusion culling. The balls of a lobe puff are its lobes.
  */
-import { MAX_LOBES } from '../lobes.ts';
+import { MAX_LOBES } from '../../constants.ts';
 import type { Lobe } from '../shapes.ts';
 
 /** All lengths in particle radii. */

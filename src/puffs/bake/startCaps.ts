@@ -10,11 +10,8 @@ import { PatchBounds, type Cell } from './patchBounds.ts';
 import { POINT_STRIDE, type Patch } from './patches.ts';
 import type { Vector } from '../vector.ts';
 import { finished, type Work } from '../work.ts';
+import { CAP_COLUMNS, CAP_ROWS } from '../../constants.ts';
 
-/** Columns of a table: azimuth of the light about the view axis. */
-export const CAP_COLUMNS = 64;
-/** Rows of a table: angle between light and view axis. */
-export const CAP_ROWS = 32;
 /** Entries along each side of a block that shares one patch selection. Divides CAP_COLUMNS and CAP_ROWS. */
 const BLOCK = 8;
 

@@ -3,10 +3,11 @@ import { ShapeError } from '../../preset/errors.ts';
 import { BallCover } from './ballCover.ts';
 import { closedMesh, type PlainMesh } from './closedMesh.ts';
 import { fittingBalls } from './fitBalls.ts';
-import { inUnitBall, MAX_LOBES } from '../lobes.ts';
+import { inUnitBall } from '../lobes.ts';
 import type { PuffShape } from '../shapes.ts';
 import { voxelsOf } from './voxels.ts';
 import { workedFor, type Work } from '../work.ts';
+import { MAX_LOBES } from '../../constants.ts';
 
 /** Voxels along each side of the grid for fitting, and of the finer grid that measures the result. */
 const FIT_VOXELS = 40;

@@ -13,7 +13,9 @@ import {
 } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { createDevice, type Device } from '../../../src/device/device.ts';
+import { FrameView } from '../../../src/device/frameView.ts';
 import { ResolvePass } from '../../../src/passes/resolve.ts';
+import { styleUniforms } from '../../../src/smoke/style.ts';
 import { PLAIN_STYLE, takePicture, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
 import { ground } from '../solids.ts';
@@ -59,7 +61,7 @@ function lineAt(angle: number, shift: number): Distance {
 /** Applies the filter to given colours. */
 class Filter {
   private readonly device: Device = createDevice(new OffscreenCanvas(1, 1));
-  private readonly pass = new ResolvePass();
+  private readonly pass = new ResolvePass(new FrameView(styleUniforms()));
   private readonly output = new WebGLRenderTarget(SIZE, SIZE, { depthBuffer: false });
 
   /** @returns RGBA bytes, premultiplied, the row y = 0 first; undefined where the picture is drawn to the canvas */

@@ -1,7 +1,13 @@
 /**
  * Puffs rotate by small angles while time is stopped: the change of the picture, and its difference from the reference.
  */
-import { PerspectiveCamera } from 'three';
+import { FloatType, PerspectiveCamera, WebGLRenderTarget } from 'three';
+import attributesChunk from '../../../shaders/lib/attributes.glsl';
+import orientationChunk from '../../../shaders/lib/orientation.glsl';
+import { SEEDS } from '../../../src/constants.ts';
+import { createDevice } from '../../../src/device/device.ts';
+import { FullScreen } from '../../../src/device/fullScreen.ts';
+import { orientationOf } from '../../../src/puffs/orientation.ts';
 import type { Drawn } from '../../support/reference.ts';
 import { describe } from '../description.ts';
 import { inputOf, Lab, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
@@ -57,6 +63,39 @@ export function rotated(by: RotationKind, angles: readonly number[]): Drawn[] {
   });
   lab.dispose();
   return pictures;
+}
+
+/** One pixel for each column of a rotation: seeds and columns from left to right, rolls from bottom to top. */
+const COLUMNS_OF_ROTATIONS = `
+precision highp float;
+precision highp int;
+out vec4 pixel;
+${attributesChunk}
+${orientationChunk}
+void main() {
+  uvec2 at = uvec2(gl_FragCoord.xy);
+  pixel = vec4(worldFromPuff(uvec2(at.y * 4096u, (at.x / 3u) << 8u))[at.x % 3u], 0.0);
+}`;
+const ROLLS = 16;
+
+/** The largest difference of an element between the rotations of shader and CPU, over all seeds and 16 rolls. */
+export function differenceOfRotations(): number {
+  const device = createDevice(new OffscreenCanvas(1, 1));
+  const target = new WebGLRenderTarget(3 * SEEDS, ROLLS, { type: FloatType, depthBuffer: false });
+  const shown = new FullScreen(COLUMNS_OF_ROTATIONS, {});
+  device.renderer.getContext().getExtension('EXT_color_buffer_float');
+  device.renderer.setRenderTarget(target);
+  shown.draw(device.renderer);
+  const found = new Float32Array(4 * 3 * SEEDS * ROLLS);
+  device.renderer.readRenderTargetPixels(target, 0, 0, 3 * SEEDS, ROLLS, found);
+  for (const part of [target, shown, device]) part.dispose();
+  const differences = Array.from({ length: SEEDS * ROLLS }, (_, each) => {
+    const [seed, roll] = [each % SEEDS, Math.floor(each / SEEDS)];
+    const expected = orientationOf(seed, (roll / ROLLS) * 2 * Math.PI).flat();
+    const first = 3 * (roll * SEEDS + seed);
+    return expected.map((value, at) => Math.abs(value - found[4 * (first + Math.floor(at / 3)) + (at % 3)]));
+  });
+  return Math.max(...differences.flat());
 }
 
 function sceneAt(by: RotationKind, degrees: number): LabScene {

@@ -1,9 +1,11 @@
-//! The balls of puffs and their orientation, as in src/puffs/solids.ts and shaders/lib/orientation.glsl.
+//! The balls of puffs and their orientation, as in src/puffs/bake/solids.ts and shaders/lib/orientation.glsl.
 
 use wide::f32x4;
 
-/// Maximum number of balls per puff.
-pub const BALLS_LIMIT: usize = 12;
+/// Maximum number of lobes of a puff.
+const MAX_LOBES: usize = 12;
+/// Maximum number of balls per puff: one for each lobe.
+pub const BALLS_LIMIT: usize = MAX_LOBES;
 const LANES: usize = 4;
 const SEEDS: usize = 256;
 /// Entries per revolution of the sine table. The tolerance of the solids covers the error between them.
@@ -117,5 +119,42 @@ impl Orientations {
     pub(crate) fn facing(&self, attributes: [u32; 2], axes_in_view: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
         let (sine, cosine) = self.roll(attributes);
         axes_in_view.map(|[right, up, back]| [right * cosine + up * sine, up * cosine - right * sine, back])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+        [
+            a[1] * b[2] - a[2] * b[1],
+            a[2] * b[0] - a[0] * b[2],
+            a[0] * b[1] - a[1] * b[0],
+        ]
+    }
+
+    #[test]
+    fn a_puff_rolls_about_the_axis_of_its_seed() {
+        let orientations = Orientations::new();
+        let world = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        for seed in 0..SEEDS {
+            let z = 1.0 - (2.0 * seed as f64 + 1.0) / SEEDS as f64;
+            let (reach, angle) = ((1.0 - z * z).sqrt(), seed as f64 * GOLDEN_ANGLE);
+            let axis = [reach * angle.cos(), reach * angle.sin(), z];
+            let beside = cross(axis, [0.0, 0.6, 0.8]);
+            let ahead = cross(axis, beside);
+            for roll in [0u32, 4096, 20_000, 65_535] {
+                let rows = orientations.standing([roll, (seed as u32) << 8], &world);
+                let rotated = |v: [f64; 3]| rows.map(|row| (0..3).map(|i| f64::from(row[i]) * v[i]).sum::<f64>());
+                let (sine, cosine) = (f64::from(roll) / 65_536.0 * std::f64::consts::TAU).sin_cos();
+                for (i, (along, across)) in rotated(axis).into_iter().zip(rotated(beside)).enumerate() {
+                    assert!((along - axis[i]).abs() < 1e-5, "seed {seed}, roll {roll}");
+                    let expected = cosine * beside[i] + sine * ahead[i];
+                    // Half a step of the sine table.
+                    assert!((across - expected).abs() < 1e-3, "seed {seed}, roll {roll}");
+                }
+            }
+        }
     }
 }

@@ -1,12 +1,12 @@
-//! The starts of a puff's shadow, by the direction of the light, as tabulated in src/puffs/startCaps.ts.
+//! The starts of a puff's shadow, by the direction of the light, as tabulated in src/puffs/bake/startCaps.ts.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
 /// Azimuths and polar angles of a variation's table.
-const COLUMNS: usize = 64;
-const ROWS: usize = 32;
+const CAP_COLUMNS: usize = 64;
+const CAP_ROWS: usize = 32;
 /// Entries per variation.
-pub(crate) const ENTRIES: usize = COLUMNS * ROWS;
+pub(crate) const ENTRIES: usize = CAP_COLUMNS * CAP_ROWS;
 /// Tolerance of a direction in cells: the error of the sine table and of the short series.
 const DOUBT: f32 = 0.03;
 
@@ -33,15 +33,18 @@ impl<'v> StartCaps<'v> {
         let first = (attributes[1] & 0xff) as usize % (self.table.len() / ENTRIES) * ENTRIES;
         let table = &self.table[first..first + ENTRIES];
         let across = (x * x + y * y).sqrt();
-        let row = angle(z, across) / PI * ROWS as f32;
-        let column = (angle(x, y) / (2.0 * PI) + 0.5) * COLUMNS as f32;
-        let doubt = (DOUBT / across.max(1e-6)).min(COLUMNS as f32 / 2.0);
-        let (low, high) = ((row - DOUBT).max(0.0) as usize, ((row + DOUBT) as usize).min(ROWS - 1));
-        let (left, right) = (column - doubt + COLUMNS as f32, column + doubt + COLUMNS as f32);
+        let row = angle(z, across) / PI * CAP_ROWS as f32;
+        let column = (angle(x, y) / (2.0 * PI) + 0.5) * CAP_COLUMNS as f32;
+        let doubt = (DOUBT / across.max(1e-6)).min(CAP_COLUMNS as f32 / 2.0);
+        let (low, high) = (
+            (row - DOUBT).max(0.0) as usize,
+            ((row + DOUBT) as usize).min(CAP_ROWS - 1),
+        );
+        let (left, right) = (column - doubt + CAP_COLUMNS as f32, column + doubt + CAP_COLUMNS as f32);
         let mut bounds = [f32::INFINITY, f32::NEG_INFINITY];
-        for row in low.min(ROWS - 1)..=high {
+        for row in low.min(CAP_ROWS - 1)..=high {
             for column in left as usize..=right as usize {
-                let cap = table[row * COLUMNS + column % COLUMNS];
+                let cap = table[row * CAP_COLUMNS + column % CAP_COLUMNS];
                 bounds = [bounds[0].min(cap), bounds[1].max(cap)];
             }
         }
@@ -86,10 +89,11 @@ mod tests {
             let at: [f64; 3] = std::array::from_fn(|_| f64::from(random.signed()));
             let length = at.iter().map(|c| c * c).sum::<f64>().sqrt();
             let [x, y, z] = at.map(|c| c / length);
-            let column = ((libm::atan2(y, x) / std::f64::consts::TAU + 0.5) * COLUMNS as f64) as usize;
-            let row = (libm::acos(z) / std::f64::consts::PI * ROWS as f64) as usize;
+            let column = ((libm::atan2(y, x) / std::f64::consts::TAU + 0.5) * CAP_COLUMNS as f64) as usize;
+            let row = (libm::acos(z) / std::f64::consts::PI * CAP_ROWS as f64) as usize;
             let variation = number % 2;
-            let entry = table[variation * ENTRIES + row.min(ROWS - 1) * COLUMNS + column.min(COLUMNS - 1)].max(0.1);
+            let entry =
+                table[variation * ENTRIES + row.min(CAP_ROWS - 1) * CAP_COLUMNS + column.min(CAP_COLUMNS - 1)].max(0.1);
             let [least, most] = caps.of([0, variation as u32], [x, y, z].map(|c| c as f32));
             assert!(least <= entry && entry <= most);
             single += usize::from(least == most);

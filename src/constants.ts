@@ -1,0 +1,64 @@
+/**
+ * Constants that several of TypeScript, the shaders and the Rust code share. This is their only definition: a
+ * declaration of the same name in shaders/ or sim-wasm/ is a copy, which `npm run generate` writes and
+ * tests/unit/constants.test.ts compares. A pair is a vec2 in the shaders.
+ */
+
+/** Number of tints that have a ramp. Higher tints repeat them. */
+export const TINTS = 3;
+/** Maximum number of covers that a view of the simulator can ask for. */
+export const COVERS_LIMIT = 16;
+
+/** Maximum number of lobes of a puff. Twelve lobes and three other varyings reach the guaranteed minimum of WebGL 2. */
+export const MAX_LOBES = 12;
+/** Values of a particle's seed. Each stands for one axis about which a lobe puff rolls. */
+export const SEEDS = 256;
+/** Angle between successive points of a Fibonacci lattice: pi (3 - sqrt 5). */
+export const GOLDEN_ANGLE = 2.399963229728653;
+/** Columns of a table of start caps: azimuth of the light about the view axis. */
+export const CAP_COLUMNS = 64;
+/** Rows of a table of start caps: angle between light and view axis. */
+export const CAP_ROWS = 32;
+
+/** Texels of a ramp. An even number, so that a border at 1/2 is exactly between two texels. */
+export const RAMP_TEXELS = 256;
+/** Rows of a ramp: in shadow, in the light, then both again where the fill light reaches. */
+export const RAMP_ROWS = 4;
+/** N . towardsFill above which the fill light applies. */
+export const FILL_BORDER = 0.65;
+
+/** Radius of a puff, in line widths, from which it has a line, and from which the line has its full width. */
+export const LINE_RADII = [1, 3.5] as const;
+/** Width of a line, in pixels, from which it is visible, and from which it is opaque. */
+export const FADE_WIDTHS = [0.5, 1] as const;
+/** Radius of a puff, in line widths, from which its line is visible, and from which it is opaque. */
+export const FADE_RADII = [1.5, 3] as const;
+
+/** Distance of a lifted ring of ink in front of the surface, in steps of a 24-bit depth buffer. */
+export const LIFT_STEPS = 3;
+/**
+ * Steepest slope towards the camera, per unit beside the silhouette, at which a surface still counts as behind the puff.
+ */
+export const STEEPEST = 8;
+/** Least z of a puff's normal for the slope of its surface. Close to the silhouette the slope is meaningless. */
+export const FLATTEST = 0.1;
+/**
+ * Distance of bodies from both ends of the depth range. A volume that contains the camera is clamped to exactly 0 and
+ * must be nearer.
+ */
+export const DEPTH_MARGIN = 4e-7;
+
+/** Vertices that agree when rounded to this many places per metre are the same point. */
+export const PLACES_PER_METRE = 1e5;
+/** Least angle between the normals of two faces whose edge has a line, degrees. */
+export const SHARP_ANGLE = 40;
+/** Distance within which a corner counts as on the plane of a face, so that resting contact has a seam, metres. */
+export const TOUCHING = 1e-5;
+/** Distance of the line of an edge in front of its surface, in line widths, and the upper limit in metres. */
+export const CREASE_RAISED = [0.75, 0.03] as const;
+/** The same for a seam, which is in a hollow and needs a larger distance. */
+export const SEAM_RAISED = [3, 0.05] as const;
+/** Distance by which the raised hull of a surface is nearer, in line widths, and the upper limit in metres. */
+export const HULL_RAISED = [6, 0.05] as const;
+/** Distance by which the shadow of a mesh starts below its lit faces, metres. */
+export const SHADOW_INSET = 0.012;
